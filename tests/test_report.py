@@ -536,6 +536,7 @@ def test_ratios_of_coefficients_keep_their_slash():
         ("fleet --samples 9 --push force:1", "upright fleet -n 5 --vary a=1", "fleet -n 5 --vary a=1 --push force:1"),
         ("design lqg --robot b.toml", "upright calibrate log.csv -r a -o b.toml", "design lqg --robot b.toml"),
         ("compare a=b.csv c=d.csv", "upright compare a=b.csv", "compare a=b.csv c=d.csv"),
+        ("identify a.csv -o b.json", "upright identify a.csv --report c.html", "identify a.csv -o b.json"),
         ("certify mpc --robot a", "upright bench-controllers -c mpc -c lqr", "certify mpc --robot a"),
         ("certify lqg --robot a", "", "certify lqg --robot a"),
     ],

@@ -12,10 +12,12 @@ from upright.comparison import Comparison
 from upright.comparison.comparison import NEGLIGIBLE
 from upright.comparison.metrics import nrmse_fit
 from upright.experiment import outcome_of
-from upright.plotting import AXIS, line, number
+from upright.plotting import line, number
+from upright.report.beside import certified, mark_largest, with_difference
 from upright.report.figure import Figure
+from upright.report.made import again, command, typed
 from upright.report.metrics import around, degrees, fit_tables, how, left_out, listed_metrics, words
-from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
+from upright.report.page import Cell, Details, Page, Section, Table, Verdict, cell_text
 from upright.report.single import alone, band, leans_into, settles, travel, way
 from upright.tables import sentence
 
@@ -41,13 +43,16 @@ def page_of(comparison: Comparison) -> Page:
     still = [name for name in comparison.signals if _is_still(comparison, name)]
     figures = [state_figure(comparison, name) for name in comparison.signals if name not in (first, *still)]
     quiet = [sentence(f"no motion of {' or '.join(name.replace('_', ' ') for name in still)}")] if still else []
+    defined = Details("How these numbers are defined", how(comparison))
     sections = [
-        Section("Numbers", [listed_metrics(comparison), *fit_tables(comparison), how(comparison)]),
+        Section("Numbers", [listed_metrics(comparison), *fit_tables(comparison), defined]),
         Section("Other states", [*figures, *quiet], folded=True),
     ]
     commands = comparison.plot_commands()
     sections += [Section("Commands", [Figure(_efforts(comparison), commands)], folded=True)] if commands else []
-    sections.append(Section("Origin of the runs", [_origin_table(comparison)], folded=True))
+    sections.append(
+        Section(f"Origin of the run{'s' if len(comparison.logs) > 1 else ''}", [_origin_table(comparison)], folded=True)
+    )
     return Page(
         _title(comparison, first), sections, _lead(comparison), _provenance(comparison),
         verdict=_verdict(comparison), picture=state_figure(comparison, first), numbers=_numbers(comparison),
@@ -67,7 +72,7 @@ def _title(comparison: Comparison, first: str) -> str:
             if pushes
             else ""
         )
-        return f"{robot} {outcome_of(log)}{under}"
+        return f"{'Simulated, ' if comparison.kinds[labels[0]] else ''}{robot} {outcome_of(log)}{under}"
     if fell and len(fell) < len(labels):
         stood = [label for label in labels if label not in fell]
         if len(labels) > NAMED:
@@ -101,11 +106,25 @@ def _lead(comparison: Comparison) -> str:
     several += "; other runs are pushed in another way" if _pushed_differently(comparison) else ""
     twin = any(kind.startswith("twin") for kind in comparison.kinds.values())
     stands = " The twin is a simulation, no real robot." if twin else ""
-    stands += leans_into(comparison) if len(comparison.logs) == 1 else ""
-    after = (
-        "`upright compare` it with another body" if len(comparison.logs) == 1 else "`upright certify` the controller"
-    )
+    if len(comparison.logs) == 1:
+        what = comparison.kinds[comparison.reference]
+        body = f"One run of {f'the {what}' if what else 'a robot'}"
+        return f"{body}{f', under {kind}' if kind else ''}.{leans_into(comparison)} Next: {_next_body(comparison)}"
+    after = f"{certified(robot, kind)} pushes many similar robots under this controller"
     return f"{who}{pushed}{several}.{stands}{_worse(comparison)} Next: {after}."
+
+
+def _next_body(comparison: Comparison) -> str:
+    """The same run in another body, and the comparison of both."""
+    this = "twin" if comparison.kinds[comparison.reference].startswith("twin") else "model"
+    other, body = ("model", "nonlinear") if this == "twin" else ("twin", "twin")
+    file, options = typed("-o", "--output"), ("-o", "--output", "--body", "-b")
+    if not command().startswith("upright simulate") or not file:
+        return "`upright simulate … -o run.parquet` keeps a run, and `upright compare` shows it beside another."
+    return (
+        f"`{again('', *options)} --body {body} -o {other}.parquet`, then "
+        f"`upright compare {this}={file} {other}={other}.parquet` shows how another model of it answers."
+    )
 
 
 def _force(log: Log) -> str:
@@ -135,8 +154,8 @@ def _worse(comparison: Comparison) -> str:
     if averaged < FAIR:
         return f" {sentence(words(name), '')} fits {plain} only."
     return (
-        f" {sentence(words(name), '')} fits {plain}, and {_percent(averaged)} averaged over {AVERAGED:g} s: quick "
-        "swings, such as noise, do not repeat."
+        f" {sentence(words(name), '')} agrees too, {_percent(averaged)}, averaged over {AVERAGED:g} s. "
+        f"Sample by sample it fits {plain}, since noise differs in each run."
     )
 
 
@@ -238,12 +257,13 @@ def _apart(comparison: Comparison, name: str) -> dict[str, float]:
 
 def state_figure(comparison: Comparison, name: str) -> Figure:
     """One state of all runs over time, under a title that says how they differ."""
-    figure = comparison.plot(name)
+    two = name == "pitch" and len(comparison.fits) == 1
+    figure = with_difference(comparison, *_both(comparison, name, *comparison.fits)) if two else comparison.plot(name)
     _in_degrees(figure)
     if name == "pitch" and comparison.pushed and len(comparison.logs) == 1:
         band(comparison, figure.axes[0])
-    if name == "pitch" and len(comparison.fits) == 1:
-        _gap(comparison, figure.axes[0])
+    if two:
+        mark_largest(figure.axes[1])
     limits, note = _limits(comparison, name)
     worst = _worst(comparison)
     if worst and worst[0] == name and worst[2] >= FAIR:
@@ -279,20 +299,6 @@ def _means(comparison: Comparison, name: str, ax: Axes) -> None:
     for style, (label, log) in enumerate(comparison.logs.items()):
         t, mean = _averaged(log.t, log[f"{comparison.sources[label]}/{name}"])
         line(ax, label, t, factor * mean, style=style)
-
-
-def _gap(comparison: Comparison, ax: Axes) -> None:
-    """A stroke where two runs differ most, with the difference."""
-    (label,) = comparison.fits
-    t, one, other = _both(comparison, "pitch", label)
-    if np.isfinite(one - other).any():
-        at = int(np.nanargmax(np.abs(one - other)))
-        ends = np.degrees([one[at], other[at]])
-        ax.vlines(t[at], ends.min(), ends.max(), linewidth=3, color=AXIS)
-        ax.plot([t[at]], [ends.mean()], "o", markersize=13, fillstyle="none", color=AXIS, label="_largest difference")
-        ax.annotate(
-            degrees(one[at] - other[at]), (t[at], ends.max()), (4, 4), textcoords="offset points", color="#1d2126"
-        )
 
 
 def _claim(comparison: Comparison, name: str) -> str:
@@ -356,6 +362,7 @@ def _origin_table(comparison: Comparison) -> Table:
 
 def _provenance(comparison: Comparison) -> dict[str, str]:
     facts: dict[str, str] = {}
+    several: dict[str, dict[str, str]] = {}
     for label, log in comparison.logs.items():
         seed = log.origin.get("scenario", {}).get("seed")
         mark = log.origin.get("controller", {}).get("hash")
@@ -366,5 +373,10 @@ def _provenance(comparison: Comparison) -> dict[str, str]:
             "controller": str(mark)[:12] if mark else "",
             "versions": ", ".join(f"{name} {number}" for name, number in sorted(versions.items())),
         }
-        facts |= {f"{label}: {key}": text for key, text in known.items() if text}
+        for key, text in known.items():
+            several.setdefault(key, {})[label] = text
+    for key, texts in several.items():  # what all have in common is said once
+        alike = len(set(texts.values())) == 1
+        named = {key: next(iter(texts.values()))} if alike else {f"{label}: {key}": t for label, t in texts.items()}
+        facts |= {name: text for name, text in named.items() if text}
     return facts

@@ -33,6 +33,8 @@ def _continued(words: Sequence[str], typed: Sequence[str]) -> str:
     verb, (names, options) = words[1], _split(words[2:])
     before, was = _split(typed[1:])
     known = {LONG.get(name, name): value for name, value in was}
+    if verb == typed[0] and any(LONG.get(name, name) == "--output" for name, _ in options):
+        return " ".join(words)  # a page that names the file to write names all
     if verb == typed[0] and names == before:
         kept = [pair for pair in was if LONG.get(pair[0], pair[0]) != "--output"]
         added = [pair for pair in options if LONG.get(pair[0], pair[0]) not in {**known, "--output": ""}]

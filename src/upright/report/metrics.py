@@ -37,7 +37,8 @@ def metrics_table(comparison: Comparison) -> Table:
         calm = [comparison.at_rest(label) for label in comparison.logs]
         within = f"settling after the release, to ±{degrees(max(limit for _, limit in calm))}"
         rows.insert(0, [within, "s", *(seconds for seconds, _ in calm)])
-    return Table(["", "unit", *comparison.logs], rows, "Metrics of each run", digits=3)
+    several = "Metrics of each run" if len(comparison.logs) > 1 else "Metrics of the run"
+    return Table(["", "unit", *comparison.logs], rows, several, digits=3)
 
 
 def listed_metrics(comparison: Comparison) -> Table:
@@ -74,25 +75,23 @@ def fit_tables(comparison: Comparison) -> list[Table]:
     return [Table(["", *map(words, fitted)], rows, caption, digits=3)]
 
 
-def how(comparison: Comparison) -> str:
-    """How the numbers of the table are meant."""
+def how(comparison: Comparison) -> list[str]:
+    """How the numbers of the table are meant, a sentence or two for each."""
     times = {label: f"{time:.4g} s" if math.isfinite(time) else "never" for label, time in comparison.releases.items()}
     same = len(set(times.values())) == 1
     release = next(iter(times.values())) if same else ", ".join(f"{label} {text}" for label, text in times.items())
     listed = any(str(row[0]) in BANDS for row in listed_metrics(comparison).rows)
-    settling = (
-        "Settling: the time until pitch stays within 2 % (5 %) of its largest deviation; “noise” where it swings "
-        "further at rest, so that chance would decide."
-        if listed
-        else "No time is given for settling within 2 % or 5 % of the largest deviation: pitch swings further at rest."
-    )
-    return (
+    texts = [
         f"Settling and overshoot are those of pitch about zero after the release of the push at {release}. "
-        f"{_band(comparison)}{settling} "
-        "Overshoot: the largest deviation on the far side over the largest on the side of the start. Effort: the "
-        "integral of both squared commands. At their limit: the part of the samples with a command that the motors "
-        "cannot follow. Under a lasting force backward a robot leans forward, into it."
-    )
+        f"{_band(comparison)}".strip(),
+        "Settling within 2 % (5 %): the time until pitch stays within that part of its largest deviation; “noise” "
+        "where it swings further at rest, so that chance would decide." if listed else "",
+        "Overshoot: the largest deviation on the far side over the largest on the side of the start.",
+        "Effort: the integral of both squared commands.",
+        "Motors at their limit: the part of the samples with a command that they cannot follow.",
+        "Under a lasting force backward a robot leans forward, into it.",
+    ]  # fmt: skip
+    return [text for text in texts if text]
 
 
 def _band(comparison: Comparison) -> str:

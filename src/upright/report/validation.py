@@ -10,6 +10,7 @@ import numpy as np
 
 from upright.calibrate.calibration import GOOD, PREDICTED
 from upright.report.figure import Figure
+from upright.report.made import command
 from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
 from upright.tables import joined, sentence, spoken
 from upright.tables import least as least_of
@@ -71,10 +72,12 @@ def page_of(result: Validation) -> Page:
     verdict = Verdict(f"{words}; no test" if used else words, "warn" if used and level == "good" else level)
     sections = [section for log in result.logs for section in _sections(log, len(result.logs) > 1)]
     half = f"Measured and predicted, half a second at a time: R² of {_each(worst)}"
+    half = "Predictions of half a second lie on the readings" if worst.worst.r2 >= GOOD else half
+    starts = " ".join([_STARTS, *(note for note in worst.notes if note.startswith("Only "))])
     logs = ", ".join(Path(log.source).name for log in result.logs)
     return Page(
         _title(result), sections, _lead(result), {"kit": result.kit, "logs": logs}, False, verdict=verdict,
-        picture=Figure(half, half_second_figure(worst), _STARTS), numbers=_numbers(result),
+        picture=Figure(half, half_second_figure(worst), starts), numbers=_numbers(result),
     )  # fmt: skip
 
 
@@ -127,8 +130,10 @@ def _called(name: str, names: Collection[str]) -> str:
 def _lead(result: Validation) -> str:
     """Whether this is a test, how the worst sensor misses, what is not judged, and what to run next."""
     again = "`upright calibrate` with this log, which moves all parameters together"
-    then = "`upright design` a controller" if result.worst.worst.r2 >= GOOD else again
-    then = "`upright validate` with a log of another run" if any(log.no_test for log in result.logs) else then
+    words = command().split()
+    robot = words[2] if words[1:2] == ["validate"] and not words[2].startswith("-") else result.robot
+    then = f"`upright design lqg --robot {robot} -o lqg.json`" if result.worst.worst.r2 >= GOOD else again
+    then = f"`upright validate {robot} LOG` with a LOG of another run" if any(o.no_test for o in result.logs) else then
     dead = sorted({short(name) for log in result.logs for name in log.dead})
     never = f" Not judged, since constant: {joined(dead)}." if dead else ""
     return f"{_tested(result)}{_size(result.worst)}{never} Next: {then}."
@@ -171,6 +176,13 @@ def _numbers(result: Validation) -> list[tuple[str, str]]:
     ]
     if own := result.worst.own_run:
         numbers.append((_r2(least(own).r2), "the same with friction, battery and delays fitted to this run"))
+    unsure = [log for log in result.logs if log.loop and log.caution]
+    if unsure:
+        low = min((c for log in unsure for c in log.loop), key=lambda c: c.r2)
+        words = (
+            f"R² of the whole run, simulated ({short(low.name)}); its law is known in part: no judgement of the robot"
+        )
+        numbers.append((_r2(low.r2), words))
     judged = [log for log in result.logs if log.loop and not log.caution]
     loops = [c for log in judged for c in log.loop]
     if loops:
@@ -259,11 +271,13 @@ def _sections(log: LogJudged, several: bool) -> list[Section]:
     rows: list[list[Cell]] = [
         [f"{spoken(s.name)} [{s.unit}]", s.value, s.proposed, s.deviations, 100 * s.explains] for s in log.shifts
     ]
-    steps = Table(["parameter", "value", "proposed", "step [σ]", "error removed [%]"], rows, digits=3)
-    moves: list[Item] = [steps, Details(_COMPUTED, [_SHIFTS])]
+    steps = Table(["parameter", "value", "proposed", "step [σ]", "error removed alone [%]"], rows, digits=3)
+    small = all(abs(s.deviations) < 1 for s in log.shifts)
+    moves: list[Item] = [*([_SMALL] if small else []), steps, Details(_COMPUTED, [_SHIFTS])]
     names = {c.name for c in log.half_seconds}
     one = "sensor/encoder_left" in names and "sensor/encoder_right" not in names
-    half: list[Item] = [*log.notes, _table(log.half_seconds), *([_ONE] if one else [])]
+    noted = [note for note in log.notes if several or not note.startswith("Only ")]  # that stands below the picture
+    half: list[Item] = [*noted, _table(log.half_seconds), *([_ONE] if one else [])]
     half += [_COMPASS] if COMPASS in names else []
     half += [_STILL] if _still(log) else []
     if log.own_run:
@@ -271,11 +285,21 @@ def _sections(log: LogJudged, several: bool) -> list[Section]:
         half += [_OWN, _table(log.own_run), Table(["parameter", "unit", "known", "this run"], effects, digits=3)]
     return [
         Section(f"Half a second at a time{name}", [*half, Details(_COMPUTED, [_HALF])]),
-        Section(f"The whole run{name}", loop, folded=log.simulated is not None),
+        Section(f"The whole run{name}", loop, _whole(log), folded=log.simulated is not None),
         Section(f"Parameters to doubt{name}", moves if rows else [_NONE]),
     ]
 
 
+def _whole(log: LogJudged) -> Verdict | None:
+    """How well the whole run is followed, beside its heading, since it is folded."""
+    if log.simulated is None or not log.loop:
+        return None
+    ends = [_r2(end(c.r2 for c in log.loop)) for end in (min, max)]
+    words = f"R² {' to '.join(dict.fromkeys(ends))}"
+    return Verdict(f"{words}: does not judge the robot" if log.caution else words, "info")
+
+
+_SMALL = "Each step is less than one standard deviation of what is known: no number has to be changed."
 _COMPUTED = "How this is computed"
 _COMPASS = "The compass is not judged: it also turns with iron and motors nearby."
 _ESTIMATED = "The measured pitch is the estimate that the log holds, not a reading: it is shown, not judged."
