@@ -429,7 +429,7 @@ def test_a_campaign_names_the_cases_that_fall_and_not_their_mean_with_those_that
         for (robot, scene), count in fell.items()
     )
     page = page_of(cases)
-    assert page.title == "b, knock: 96 to 100 % of the robots fall; otherwise at most 8.5 %"  # 3 of 100: up to 8.5 %
+    assert page.title == "b, knock: all 100 robots fall; in the other cases 3 of 100 or fewer"
     assert [value for value, _ in page.numbers] == ["100 %", "3 %", "2 of 4"]
     assert page.verdict == Verdict("in 1 of 4 cases more fall than the 5 % that a certificate allows", "bad")
     assert "100 simulated variations of a or b." in page.lead

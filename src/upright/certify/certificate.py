@@ -159,7 +159,7 @@ class Certificate(Shown):
             for t in self.worst_first()
         }
         label, limit = ("robots that fell [%]", 100 * MOST_FALLS) if fell else ("travel [m]", math.nan)
-        together = {"any push, at most (95 %)": 100 * self.bound} if fell else {}
+        together = {"all pushes together, at most (95 %)": 100 * self.bound} if fell else {}
         each = together | each
         figure = bars([*each], [*each.values()], label, "push", limit=limit)
         if together:  # a bound is no count

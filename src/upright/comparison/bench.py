@@ -192,8 +192,9 @@ def bench_controllers(
             if log:
                 logs[row.controller, row.push] = log
             progress(len(rows) / (len(methods) * len(PUSHES)))
-    where = {"robot": nominal.name, "kit": parts.name, "body": body, "seed": seed, "period": parts.period}
-    return Bench(**where, rows=tuple(rows), logs=logs)
+    return Bench(
+        robot=nominal.name, kit=parts.name, body=body, seed=seed, rows=tuple(rows), logs=logs, period=parts.period
+    )
 
 
 def bench_one(

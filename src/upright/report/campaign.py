@@ -24,11 +24,11 @@ if TYPE_CHECKING:
 
 def page_of(cases: Cases) -> Page:
     """The campaign's page, not yet written."""
-    sections = [Section("Cases", [_table(cases)])]
+    sections = [Section("Cases", [_table(cases), *_leaning(cases)])]
     if drawn := cases.drawn():
         sections.append(Section("Varied parameters that matter", [_matter(cases, drawn)]))
     if _one_robot(cases) and cases.spreads:
-        sections.append(Section("What varies", [_spreads(cases)], folded=True))
+        sections.append(Section("What varies", [spread_table(cases.spreads, cases.units)], folded=True))
     counted = cases.worst_first()
     if not counted:
         return Page(f"{len(cases)} cases", sections, "This campaign does not keep who fell.", twin_note=False)
@@ -89,7 +89,7 @@ def _title(cases: Cases, worst: CaseSummary) -> str:
     apart = _apart(cases)
     if group:
         others = [case for case in cases.worst_first() if case not in group]
-        return f"{_shared(cases, group)}: {_within(together(group))} of the robots fall; otherwise {_over(others)}"
+        return f"{_shared(cases, group)}: {_counted(group)} fall; {_most(others)}"
     if not apart:
         in_case = f", in all {len(cases)} cases about alike" if len(cases) > 1 else ""
         return f"{_chance(worst)} of the robots fall{in_case}"
@@ -125,11 +125,16 @@ def _shared(cases: Cases, group: Sequence[CaseSummary]) -> str:
     return ", ".join(cases.labelled(name, value) for name, value in labels.items())
 
 
-def _over(others: Sequence[CaseSummary]) -> str:
-    """The range of the 95 % intervals of several cases."""
-    chances = [case.chance for case in others if case.chance]
-    low, high = min(c.low for c in chances), max(c.high for c in chances)
-    return f"{number(100 * low, 2) + ' to ' if low else 'at most '}{number(100 * high, 2)} %"
+def _counted(group: Sequence[CaseSummary]) -> str:
+    """How many fell in these cases together."""
+    fell, n = sum(case.fell or 0 for case in group), sum(case.n for case in group)
+    return f"all {n} robots" if fell == n else f"{fell} of {n} robots"
+
+
+def _most(others: Sequence[CaseSummary]) -> str:
+    """How many fell in the worst of the other cases."""
+    worst = max(others, key=lambda case: (case.fell or 0) / case.n)
+    return f"in the other cases {worst.fell} of {worst.n} or fewer" if worst.fell else "in the other cases none"
 
 
 def _chance(case: CaseSummary) -> str:
@@ -195,7 +200,9 @@ def _next(cases: Cases) -> str:
     if cases.pushes and chances and (min(chances) > MOST_FALLS or max(chances) > HOPELESS):
         worst = str(cases.worst_first()[0].labels.get("robot", ""))
         of = f" --robot {worst}" if worst else ""
-        return f" Next: `upright push-map{of}`, which finds the largest push that it survives."
+        kind = str(cases.worst_first()[0].labels.get("controller", ""))
+        of += f" --controller {kind}" if worst and kind else ""
+        return f" Next: `upright push-map{of}` finds the largest push that it survives."
     best = "the best" if any(name == "controller" for name, *_ in _apart(cases)) else "a"
     return f" Next: `upright tune` {best} controller." if any(case.fell for case in cases) else ""
 
@@ -232,30 +239,30 @@ def _matter(cases: Cases, drawn: Mapping[str, tuple[CaseSummary, float, float]])
     return Table(["parameter", "least fifth [%]", "largest fifth [%]", "case"], rows, caption, 3, even=True)
 
 
-def _width(spread: Mapping[str, Any]) -> float:
+def width(spread: Mapping[str, Any]) -> float:
     """A spread relative to its middle [1]."""
     if spread["kind"] == "lognormal":
         return math.exp(spread["high"]) - 1
     return abs(spread["high"] / spread["low"]) if spread["low"] else math.inf
 
 
-def _size(spread: Mapping[str, Any], unit: str) -> str:
+def size_of(spread: Mapping[str, Any], unit: str) -> str:
     """How wide a distribution is: "0 to 0.01 s", "±5 %" of a normal one, "by a factor of 2" of a log-normal one."""
     low, high = spread["low"], spread["high"]
     if spread["kind"] == "lognormal":
         return f"by a factor of {number(math.exp(high), 2)}"
     if spread["kind"] == "normal":
-        return f"±{number(100 * _width(spread), 2)} %" if low else f"±{number(high, 2)} {unit}"
+        return f"±{number(100 * width(spread), 2)} %" if low else f"±{number(high, 2)} {unit}"
     return f"from {number(low, 3)} to {number(high, 3)} {unit}".strip()
 
 
-def _spreads(cases: Cases) -> Table:
+def spread_table(spreads: Sequence[Mapping[str, Any]], units: Mapping[str, str]) -> Table:
     """Each number that varies, with its middle and its spread."""
     rows: list[list[Cell]] = []
-    for spread in cases.spreads:
-        unit = cases.units.get(spread["name"], "")
+    for spread in spreads:
+        unit = units.get(spread["name"], "")
         middle = (spread["low"] + spread["high"]) / 2 if spread["kind"] == "uniform" else spread["low"]
-        rows.append([f"{spoken(spread['name'])} [{unit or '1'}]", middle, _size(spread, unit)])
+        rows.append([f"{spoken(spread['name'])} [{unit or '1'}]", middle, size_of(spread, unit)])
     return Table(["number", "middle", "varies"], rows, "± and factors are one standard deviation")
 
 
@@ -271,7 +278,8 @@ def _numbers(cases: Cases, worst: CaseSummary) -> list[tuple[str, str]]:
             named = cases.names()[cases.index(others[0])]
             inside = f"fall in the worst of the other cases, {named} (95 %: {_within(others[0].chance)})"
             numbers.append((_percent(others[0].chance.value), inside))
-        return [*numbers, (f"{safe} of {len(cases)}", "cases without a fall")]
+        each = f": of each at most {_percent(upper_bound(0, others[-1].n))} fall (95 %, one-sided)" if safe else ""
+        return [*numbers, (f"{safe} of {len(cases)}", f"cases without a fall{each}")]
     numbers: list[tuple[str, str]] = []
     name, levels = next(iter(cases.effects().items()), ("", {}))
     ranked = sorted(levels, key=lambda v: levels[v].value)
@@ -315,6 +323,18 @@ def _table(cases: Cases) -> Table:
         f"±{math.degrees(SETTLED):.3g}° (– where none does), effort"
     )
     return Table(header, rows, caption, 3, even=True)
+
+
+def _leaning(cases: Cases) -> list[str]:
+    """Why nothing settles on a slope."""
+    on_slope = [case for case, origin in zip(cases, cases.origins, strict=False)
+                if any(push.get("angle") for push in origin.get("scenario", {}).get("push") or ())]  # fmt: skip
+    if not on_slope or any(case.mean("settling") is not None for case in on_slope):
+        return []
+    return [
+        f"On the slope no robot settles: to stand there it has to lean, by more than {math.degrees(SETTLED):.3g}°. "
+        "It stands all the same."
+    ]
 
 
 def _percent(part: float) -> str:

@@ -25,8 +25,10 @@ HEADINGS = {GREEN: "{0} may drive {1}", RED: "{0} must not drive {1}"}
 def page_of(certificate: Certificate) -> Page:
     """The certificate's page, not yet written."""
     verdict = Verdict(f"{certificate.light} light", LEVEL.get(certificate.light, "info"))
-    margins = [_USUAL] if certificate.light == GREEN and certificate.linear else []
-    sections = [Section("Reasons", [*(sentence(reason) for reason in certificate.reasons), *margins])]
+    green = certificate.light == GREEN
+    reasons = Section("Reasons", [*(sentence(reason) for reason in certificate.reasons)], folded=green)
+    sections = [Section("Why small margins are no contradiction", [_USUAL])] if green and certificate.linear else []
+    sections = [*sections, reasons] if green else [reasons]
     if certificate.narrowing:
         learn = [sentence(str(certificate.narrowing)), *certificate.narrowing.ways(certificate.robot)]
         sections.append(Section("What would have to be known better", learn))
@@ -42,16 +44,16 @@ def page_of(certificate: Certificate) -> Page:
     facts = {"controller": certificate.hash[:12], "seed": str(certificate.seed), "kit": certificate.kit}
     c = certificate
     lead = (
-        f"{c.samples} simulated robots, each within the uncertainty of {c.robot}, were held, let go and knocked: "
-        f"{c.fell} fell in some trial. At most {number(100 * c.bound, 2)} % of such robots fall, with 95 % confidence; "
-        f"the limit is {100 * MOST_FALLS:g} %."
+        f"{c.samples} simulated robots, each within the uncertainty of {c.robot}, were held leaning, let go, and "
+        f"knocked at the centre of mass{_above(c)}: {c.fell} fell."
     )
     if c.beyond:
         lead += f" Of the {c.fell}, {c.beyond} {'was' if c.beyond == 1 else 'were'} beyond any controller."
     if c.taken:
         lead += f" The log's own numbers were tried: {', '.join(s.name for s in c.taken)}."
     if c.light == GREEN:
-        lead += " Next: `upright firmware` writes its program."
+        to = PROGRAMS.get(c.kit, "--target c -o balance.c")
+        lead += f" Next: `upright firmware {c.controller} --robot {c.robot} {to}` writes its program."
     title = HEADINGS.get(c.light, "{0} may drive {1}, with reservations").format(c.controller, c.robot)
     return Page(
         title, sections, lead, facts, False, verdict=verdict,
@@ -65,8 +67,22 @@ _USUAL = (
 )
 
 
+PROGRAMS = {
+    "nxt": "--target nxc -o balance.nxc", "spike": "--target pybricks -o balance.py",
+    "ev3": "--target ev3dev -o balance.py",
+}  # fmt: skip
+"""Kit → the language of its brick, and a file for the program."""
+
+
+def _above(c: Certificate) -> str:
+    """How high the centre of mass is."""
+    height = c.subject["robot"].get("com_height")
+    return f" ({number(float(height), 2)} m above the axle)" if height else ""
+
+
 def _numbers(c: Certificate) -> list[tuple[str, str]]:
-    numbers = [(f"{number(100 * c.bound, 2)} %", f"of such robots fall, at most; the limit is {100 * MOST_FALLS:g} %")]
+    bound = f"of such robots fall (95 %, one-sided); the limit is {100 * MOST_FALLS:g} %"
+    numbers = [(f"≤ {number(100 * c.bound, 2)} %", bound)]
     if c.linear:
         numbers += [
             (
@@ -100,8 +116,8 @@ def _periods(c: Certificate) -> tuple[str, str] | None:
         last += 1
     beside = [rows[k] for k in (first - 1, last + 1) if 0 <= k < len(rows)]
     ends = " to ".join(dict.fromkeys(number(1e3 * rows[k].value, 3) for k in (first, last)))
-    falls = " and ".join(f"at {number(1e3 * s.value, 3)} ms {number(100 * s.fell / s.runs, 2)} %" for s in beside)
-    words = f"period of the loop at which few fall{f'; {falls} do' if falls else ''}"
+    falls = ", ".join(f"at {number(1e3 * s.value, 3)} ms {number(100 * s.fell / s.runs, 2)} %" for s in beside)
+    words = f"period of the loop at which at most {100 * MOST_FALLS:g} % fall{f'; {falls}' if falls else ''}"
     return f"{ends} ms", words
 
 
@@ -110,9 +126,9 @@ def _falls(c: Certificate) -> Figure:
     most = max(c.trials, key=lambda t: t.fell / t.runs)
     if most.fell:
         percent = number(100 * most.fell / most.runs, 3)
-        alike = sum(t.fell * most.runs == most.fell * t.runs for t in c.trials) - 1
-        others = f" (and {alike} more)" if alike else ""
-        worst = f"worst: {in_degrees(most.push)}, {most.battery} battery{others}, {percent} %"
+        alike = [t for t in c.trials if t.fell * most.runs == most.fell * t.runs and t.battery == most.battery]
+        pushes = joined([in_degrees(t.push) for t in alike[:2]]).replace(" and hold at ", " and ")
+        worst = f"worst: {pushes}, {most.battery} battery, {percent} %"
         limit = f"Every push is below the limit of {allowed}" if c.bound <= MOST_FALLS else f"The limit is {allowed}"
         return Figure(f"{limit}; {worst}", c.plot())
     return Figure(f"No robot fell in {sum(t.runs for t in c.trials)} trials: how far 95 % of them rolled", c.plot())
@@ -127,9 +143,9 @@ def _intro(c: Certificate) -> str:
         f"{c.samples} robots drawn from the uncertainty of {c.robot}, in the nonlinear model with kit {c.kit}. "
         f"{c.fell} fell in at least one trial: with 95 % confidence the probability is below {100 * c.bound:.2g} %. "
         f"{_pushes(c)} "
-        f"Largest recoverable: the largest such push that any controller could survive with that battery. Holds are "
-        f"{100 * HELD:g} % of it, knocks {100 * KNOCKED:g} %. Hopeless: of those that fell, what no controller "
-        f"could have saved. The last four columns are 95 % quantiles of the robots that stood. Sway is half of pitch's "
+        f"“Any could up to”: the largest such push that any controller could survive with that battery. Holds are "
+        f"{100 * HELD:g} % of it, knocks {100 * KNOCKED:g} %. “No controller could”: save so many of those that fell. "
+        f"The last four columns are 95 % quantiles of the robots that stood. Sway is half of pitch's "
         f"range in the last seconds.{last}"
     )
 
@@ -157,16 +173,9 @@ def _trials(c: Certificate) -> Table:
         for t in c.worst_first()
     ]
     header = [
-        "push",
-        "battery",
-        "fell",
-        "hopeless",
-        "largest recoverable",
-        "saturated [%]",
-        "travel [m]",
-        "pitch [°]",
-        "sway [°]",
-    ]
+        "push", "battery", "fell", "no controller could", "any could up to", "saturated [%]", "travel [m]", "pitch [°]",
+        "sway at rest [°]",
+    ]  # fmt: skip
     return Table(header, rows, f"Standard pushes with full and low battery, {c.samples} robots each", 3)
 
 
@@ -208,7 +217,7 @@ def _support(c: Certificate) -> Table:
 def _sweeps(c: Certificate) -> list[Item]:
     apart = "Late commands delay both motors at once."
     if c.linear and "gyro" in c.linear.delay_at:
-        apart += f" The {cell_text(c.linear.delay * 1e3, 2)} ms above are for the gyro alone, which is less patient."
+        apart += f" The {cell_text(c.linear.delay * 1e3, 2)} ms above are for the gyro alone, whose loop is quicker."
     none = [replace(s, value=0.0) for s in c.slower if c.period and math.isclose(s.value, c.period)]
     sweeps = (
         ("additional delay of the commands", [*none[:1], *c.delayed], "Commands that come later", apart, None),
@@ -235,8 +244,8 @@ def _figure(name: str, swept: Sequence[Swept], title: str, note: str, designed: 
     ax.set_ylim(-0.05 * top, top)
     ax.axhline(100 * MOST_FALLS, linestyle="--", linewidth=1, color=AXIS)
     ax.annotate(
-        "limit of the bound", (1, 100 * MOST_FALLS), (-4, 4), xycoords=("axes fraction", "data"), ha="right",
-        textcoords="offset points",
+        f"limit, {100 * MOST_FALLS:g} %", (1, 100 * MOST_FALLS), (-4, 4), xycoords=("axes fraction", "data"),
+        ha="right", textcoords="offset points",
     )  # fmt: skip
     runs = f"{swept[0].runs} runs each: some of the robots, every push, the battery of the kit."
     return Figure(

@@ -14,7 +14,7 @@ from upright.physics.linear import Complex, LinearModel
 from upright.plotting import AXIS, COLOURS, PANEL, bars, legend, number, numbered, panels, plane, points
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
-from upright.robots import Robot
+from upright.robots import Robot, find_kit
 
 
 def page_of(result: Parity | LinearModel) -> Page:
@@ -50,8 +50,18 @@ _SYMBOLS = (
 
 def linear_page(model: LinearModel, robot: Robot) -> Page:
     """The page of the linear model of a `robot`, which is named on it."""
-    page = _linear(model, robot.command_unit)
-    return replace(page, title=linear_title(model, robot.name), provenance={"robot": robot.name})
+    page, period, rate = _linear(model, robot.command_unit), find_kit(robot.kit).period, _fastest(model)
+    words = f"periods of its controller ({1e3 * period:g} ms) in which a lean doubles"
+    numbers = [
+        (number(math.log(2) / rate / period, 2), words) if text == _DOUBLES else (value, text)
+        for value, text in page.numbers
+    ]
+    lead = page.lead.replace("ROBOT", robot.name)
+    facts = {"robot": robot.name}
+    return replace(page, title=linear_title(model, robot.name), lead=lead, numbers=numbers, provenance=facts)
+
+
+_DOUBLES = "in which a small lean doubles"
 
 
 def linear_title(model: LinearModel, robot: str = "the robot") -> str:
@@ -104,7 +114,7 @@ def _linear(model: LinearModel, unit_of_command: str = "V, or in N m for a robot
             (f"{cell_text(p.real, 3)}{' 1/s' if model.continuous else ''}", _POLE[model.continuous])
             for p in unstable[:1]
         ),
-        *([(doubles, "in which a small lean doubles")] if unstable else []),
+        *([(doubles, _DOUBLES)] if unstable else []),
         *_others(poles.tolist(), model.continuous),
     ]
     return Page(
@@ -113,8 +123,8 @@ def _linear(model: LinearModel, unit_of_command: str = "V, or in N m for a robot
             Section("Matrices", [*legend_of, *matrices]),
             Section("Poles", [Table([f"real part [{unit}]", f"imaginary part [{unit}]", "motion"], rows)]),
         ],
-        f"The linear model near the upright rest with motors at zero command, {equation}. {count}. "
-        "Next: `upright design` a controller.", {}, False,
+        f"The linear model of the robot's file, standing upright with motors at zero command: {equation}. "
+        "Next: `upright design lqg --robot ROBOT -o lqg.json`.", {}, False,
         verdict=Verdict("unstable without control" if unstable else "stable", "info"),
         picture=_pole_figure(poles, model.continuous, count, motions), numbers=numbers,
     )  # fmt: skip

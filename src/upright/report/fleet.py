@@ -16,7 +16,7 @@ from upright.fleet.fleet import Fleet, distribution, stood
 from upright.fleet.results import OUTCOMES, Summary, origin_of, summarise
 from upright.plotting import AXIS, INK, bars, legend, line, number, panels
 from upright.report.basins import basin_page
-from upright.report.campaign import falls_verdict, provenance
+from upright.report.campaign import falls_verdict, provenance, size_of, spread_table, width
 from upright.report.figure import Figure
 from upright.report.knocks import harder, pushed, where
 from upright.report.maps import push_map_page
@@ -42,19 +42,39 @@ def histogram(data: Dataset, name: str) -> Figure:
     scale, unit = (100.0, "%") if unit == "1" else (scale, unit)
     middle, high = (scale * np.quantile(values, (0.5, 0.95))).tolist() if len(values) else (math.nan, math.nan)
     after = unit if unit == "°" else f" {unit}"
-    title = f"{sentence(words, ':')} half below {_two(middle)}{after}, 95 % below {_two(high)}{after}"
+    title = (
+        f"{sentence(words, '')} of those that stood: half below {_two(middle)}{after}, 95 % below {_two(high)}{after}"
+    )
     drawing, note = distribution(data, name), _GROUPS if name == "settling" else ""
     (ax,) = drawing.axes
     ax.xaxis.label.set_text(ax.get_xlabel().replace(str(data[name].attrs["long_name"]), words))
     if len(values) and np.ptp(values) > 0:
         for place, text, style in ((middle, "half", "-"), (high, "95 %", "--")):
-            ax.axvline(place, linestyle=style, linewidth=1.2, color=INK, label=f"{text} of those that stood are below")
+            ax.axvline(place, linestyle=style, linewidth=1.2, color=INK, label=f"{text} are below")
         low, end, most = (scale * np.quantile(values, (0.0, SHOWN, 1.0))).tolist()
         if most - end > 0.1 * (most - low):
             ax.set_xlim(low - 0.03 * (end - low), end + 0.03 * (end - low))
             note = f"{note} Not drawn: the {100 * (1 - SHOWN):.2g} % with the most, up to {_two(most)}{after}.".strip()
+        note = f"{_still(data)}{note}" if name == "peak_pitch" else note
         legend(drawing)
     return Figure(title, drawing, note)
+
+
+def _still(data: Dataset) -> str:
+    """That some robots never left the place where they stood balanced, as a sentence with a space behind it; nothing
+    where they were pushed, or all or none did."""
+    origin, rolled = origin_of(data), stood(data, "travel") if "travel" in data else np.empty(0)
+    zone = ((origin.get("kit") or {}).get("motor") or {}).get("dead_zone", 0.0)
+    still = int((rolled < STILL).sum())
+    if origin.get("scenario", {}).get("push") or not zone or not MANY * len(rolled) < still < (1 - MANY) * len(rolled):
+        return ""
+    return (
+        f"Two groups: {still} robots never rolled, since small commands stay within the motors' dead zone. "
+        "The others were started by the sensors' noise, and swing. "
+    )
+
+
+STILL, MANY = 1e-3, 0.05  # [m] that a robot rolls at least; part of the robots that makes a group
 
 
 def _two(value: float) -> str:
@@ -230,7 +250,8 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     ]
     if "peak_pitch" in summary.quantiles and np.isfinite(summary.quantiles["peak_pitch"][2]):
         peak, fall = math.degrees(summary.quantiles["peak_pitch"][2]), math.degrees(FALLEN)
-        numbers.append((f"{number(peak, 2)}°", f"largest pitch of 95 % of those that stood; a fall is {fall:.0f}°"))
+        text = f"or less is the largest pitch of 95 % of those that stood; at {fall:.0f}° a robot lies"
+        numbers.append((f"{number(peak, 2)}°", text))
     if "settling" in kept and np.isfinite(kept["settling"]).all():
         _, half, most = kept["settling"]
         after = _called(data, "settling").removeprefix("settling time ")
@@ -242,10 +263,12 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     causes = [figure for name in trends for figure in (over_strongest(data, name), influence(data, name)) if figure]
     histograms = [histogram(data, name) for name in names]
     picture = (causes or histograms or [None]).pop(0)
+    spreads = (origin_of(data).get("vary") or {}).get("spreads", [])
     sections = [
         Section("Numbers", [table]),
         *([Section("What matters", causes)] if causes else []),
         *([Section("Distributions", histograms, folded=True)] if histograms else []),
+        *([Section("What varies", [spread_table(spreads, units_of(data))], folded=True)] if spreads else []),
     ]
     return Page(
         f"{summary.fell} of {summary.n} robots fell, {pushed(pushes)}", sections, lead, provenance(data), False,
@@ -290,11 +313,22 @@ def _differ(data: Dataset, robot: str) -> str:
         return f"Simulated robots that differ from {robot} only in {varied}{under}."
     if not names:
         return f"Simulated robots with the numbers of {robot}{under}; only noise differs."
-    first = ", ".join(map(spoken, names[:FEW]))
-    return f"Simulated robots that differ from {robot} in {len(names)} numbers ({first}, …){under}."
+    spreads = sorted((origin_of(data).get("vary") or {})["spreads"], key=width)
+    ends = [
+        f"{size_of(spread, units_of(data).get(spread['name'], '')).removeprefix('by ')} ({spoken(spread['name'])})"
+        for spread in (spreads[0], spreads[-1])
+    ]
+    return (
+        f"Simulated robots that differ from {robot} in {len(names)} numbers, typically by {' to '.join(ends)}{under}."
+    )
 
 
 FEW = 3  # varied numbers that a sentence names
+
+
+def units_of(data: Dataset) -> dict[str, str]:
+    """The unit of each number of a fleet."""
+    return {str(name): str(values.attrs.get("unit", "")) for name, values in data.data_vars.items()}
 
 
 def _range(data: Dataset, name: str) -> str:

@@ -33,7 +33,7 @@ def page_of(result: PostMortem) -> Page:
     sections = [Section("Cause", evidence)] if evidence else []
     drawn = len(result.series.t) > 1
     if drawn:
-        sections.append(Section("Reading the figure", [_READ.format(cut=CUT)]))
+        sections.append(Section("Reading the figure", [_READ.format(cut=CUT)], folded=True))
     facts = {"robot": result.robot, "kit": result.kit, "samples": str(result.rows)}
     facts |= {"controller": f"{result.controller}, {result.hash[:12]}"} if result.controller else {}
     title = f"Why {result.robot} fell: {result.verdict}" if result.fell else f"{result.robot}: {result.verdict}"
@@ -45,7 +45,8 @@ def page_of(result: PostMortem) -> Page:
 
 
 _READ = (
-    "Shaded: from the first sign to the fall. Dashed in the first panel: 40°, which counts as the fall. The second "
+    "Shaded: from the first sign to the fall. Dashed in the first panel: 40°, which counts as the fall of a log. A "
+    "simulated robot counts as fallen at 80°, where it lies; many logs end before that. The second "
     "panel divides the lean by the largest one that the motors can recover from. Lean and speeds of body and wheels "
     "count together, as the unstable motion that they make. Dashed there: the point of no return. The third panel is "
     "what the controller requests, cut at {cut:g} times what the motors give. The last panel, logarithmic, "
@@ -59,11 +60,7 @@ def _sure(result: PostMortem) -> str:
     if not result.fell or not result.causes:
         return result.verdict
     likely = result.causes[0].likelihood
-    return (
-        f"it fell; probability of this cause {100 * likely:.0f} %"
-        if likely >= SURE
-        else "it fell; the cause is not clear"
-    )
+    return f"it fell; {100 * likely:.0f} % probable" if likely >= SURE else "it fell; the cause is not clear"
 
 
 def _numbers(result: PostMortem) -> list[tuple[str, str]]:
@@ -72,14 +69,12 @@ def _numbers(result: PostMortem) -> list[tuple[str, str]]:
     numbers = [(f"{result.fell_at - result.onset:.2g} s", "from the first sign to the fall")] if known else []
     lost = _lost(result)
     if known and lost is not None:
-        numbers.append(
-            (f"{lost - result.onset:.2g} s", "until the motors could no longer save it: the second panel stays above 1")
-        )
+        numbers.append((f"{lost - result.onset:.2g} s", "from the first sign until the motors could no longer save it"))
     likely = [c for k, c in enumerate(result.causes[:3]) if c.likelihood >= (WORTH if k else SHOWN)]
     if not likely:
         return numbers
     others = "".join(f"; {c.name} {100 * c.likelihood:.0f} %" for c in likely[1:])
-    return [*numbers, (f"{100 * likely[0].likelihood:.0f} %", f"probability of the cause: {likely[0].name}{others}")]
+    return [*numbers, (f"{100 * likely[0].likelihood:.0f} %", f"probability of this cause{others}")]
 
 
 def _lost(result: PostMortem) -> float | None:
