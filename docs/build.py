@@ -249,7 +249,7 @@ NOW = (
 )
 PICTURE = re.compile(r"\[!\[[^]]*\]\(lab\.webp\)\]\(lab\.md#[\w-]+\)\n\n\[.*\n")
 SHOWN = '<img src="_images/lab.webp" alt="The lab: a robot is knocked and stays up">'
-TRY = f'<p><a href="try/index.html">{SHOWN}</a></p>{NOW}\n'
+TRY = f'{NOW}<p><a href="try/index.html">{SHOWN}</a></p>\n'
 """The first picture of the site leads to the lab itself, in the place of the page about it."""
 
 HERE_TOO = re.compile(r"\[([^]]+)\]\(http://127\.0\.0\.1:8765/#([^)]+)\)|`#(controller=[^`]+)`")

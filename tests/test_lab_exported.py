@@ -400,7 +400,7 @@ def test_a_slope_is_drawn_as_steep_as_it_is(page):
     assert page.evaluate(steep % ".ground") == pytest.approx(0.1, abs=1e-4)
     lean = page.evaluate("upright.store.snapshot.x[0][0]")
     assert page.evaluate(steep % ".shell") == pytest.approx(0.1 - lean, abs=1e-3)  # forward is clockwise
-    assert "0.100 rad" in page.inner_text(".force")
+    assert "5.7°" in page.inner_text(".force")
 
 
 @marked
@@ -578,10 +578,9 @@ def test_the_traces_are_kept_as_a_log_that_upright_reads(page, tmp_path):
 
 @marked
 def test_what_needs_python_says_so_with_its_command(page):
-    for language, tabs in (("en", "With Python"), ("es", "Con Python")):
+    for language in ("en", "es"):
         page.select_option("[data-key=language]", language)
         page.click("#tab-Python")
-        assert page.inner_text("#tab-Python") == tabs
         commands = page.locator(".commands code").all_inner_texts()
         assert "upright calibrate run.csv --robot nxtway-gs" in commands
         for line in commands:

@@ -202,10 +202,16 @@ def test_the_side_view_of_a_browser_without_3d_can_be_pushed_too(page):
 
 def test_at_first_sight(page):
     assert page.title() == "upright lab"
-    assert page.locator(".strip").count() == 6
+    captions = page.locator(".strip figcaption b")
+    assert [text.split()[0] for text in captions.all_inner_texts()] == ["ψ", "θ"]  # what a push is seen by, and large
+    page.click("[data-key=curves]")
+    assert captions.count() == 6
     units = page.locator(".strip figcaption span").all_inner_texts()
     assert units == ["rad", "rad/s"] * 3
-    assert page.locator(".legend .key").all_inner_texts() == ["twin", "nonlinear", "linear"]
+    page.click("[data-key=curves]")
+    assert captions.count() == 2
+    names = ["robot: twin", "nonlinear model", "linear model"]
+    assert page.locator(".legend .key").all_inner_texts() == names
     key = "[...document.querySelectorAll('.legend line')]"
     lines = page.evaluate(key + ".map(l => [l.getAttribute('stroke'), l.getAttribute('stroke-dasharray')])")
     assert len({colour for colour, _ in lines}) == len({dash for _, dash in lines}) == 3  # twice told apart
@@ -464,7 +470,7 @@ def test_a_newcomer_is_shown_the_tour(chromium, lab):
         until(page, "Boolean(document.querySelector('.scene.pinned'))")
         assert page.evaluate(lowest) < page.locator("#panel select").first.bounding_box()["y"] < 844 / 2, name
     page.click("[data-key=impulse]")  # which the tour asks for: in the corner of the room
-    assert page.locator("[data-key=impulse]").bounding_box()["y"] < page.locator(".slot .strip").bounding_box()["y"]
+    assert page.locator("[data-key=impulse]").bounding_box()["y"] < page.locator(".slot .strip").first.bounding_box()["y"]
     page.evaluate("upright.store.push({ kind: 'Strike', what: 'impulse', size: 0.8 })")
     page.click(".fell button")  # as is what stands it up again
     until(page, "!document.querySelector('.fell').textContent")
@@ -587,7 +593,7 @@ def test_a_calibration_joins_as_the_fourth_trace(page):
     assert page.evaluate("upright.store.changed.bodies[3]") == "calibrated"
     until(page, "upright.store.found.job === 'calibrate'")  # told after the trace has joined
     until(page, "document.querySelectorAll('.result tbody tr').length > 3")
-    until(page, "document.querySelectorAll('.legend .key')[3]?.textContent === 'calibrated'")
+    until(page, "document.querySelectorAll('.legend .key')[3]?.textContent === 'calibrated model'")
     bar.wait_for(state="detached")
     page.click("[data-key=pause]")
     until(page, "upright.store.traces.x[3]?.[0].length > 20")
@@ -687,7 +693,7 @@ def test_from_phone_to_wall_nothing_is_cut_off(page, size):
     if size == (844, 390):  # a phone on its side shows robot, pitch, a push and the open tab at once
         parts = ".room, .slot .strip, [data-key=impulse], #tab-Tour, #panel h3"
         seen = f"[...document.querySelectorAll('{parts}')].map(e => e.getBoundingClientRect().bottom <= innerHeight)"
-        assert page.evaluate(seen) == [True] * 5
+        assert page.evaluate(seen) == [True] * 6  # two curves
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
@@ -939,7 +945,7 @@ def test_spanish_is_spanish_to_the_last_decimal(page):
             assert re.findall(r"\d\.\d[^.]*", text) == [], (name, view)
     for best, words in ((0.05, "el mayor hasta ahora"), (0.2, "el mayor hasta ahora 0,2 N s")):
         page.evaluate(f"upright.store.hear({{kind: 'Recovered', impulse: 0.05, effort: 1, best: {best}, fell: false}})")
-        said = page.locator(".toast span").last.inner_text().replace("\N{NO-BREAK SPACE}", " ")
+        said = page.locator(".fell span").inner_text().replace("\N{NO-BREAK SPACE}", " ")
         assert re.fullmatch(f"Se recuperó de 0,05 N s[,;] {words}", said)
     page.evaluate("upright.store.change({ robot: 'twipr', numbers: {} })")  # under the kit of a LEGO robot
     page.wait_for_selector("text=la electrónica 'nxt' actúa por tensión; se esperaba par, como en el robot")
@@ -967,7 +973,7 @@ def test_a_hand_in_of_the_page_is_graded(page, tmp_path):
     until(page, f"upright.store.changed.setup.seed === {TASKS[0].setup.seed}")
     page.click("[data-key=stand]")
     page.evaluate("upright.store.send({kind: 'Strike', what: 'impulse', size: 0.22})")
-    until(page, "document.querySelector('.toasts').textContent.includes('0.22')")  # it came back from it
+    until(page, "document.querySelector('.fell').textContent.includes('0.22')")  # it came back from it
     tab(page, "Keep")
     page.fill("[data-key=student]", "Ana")
     with page.expect_download() as fetched:

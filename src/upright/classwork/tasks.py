@@ -71,7 +71,7 @@ TASKS = (
          (*_ROBOT, "controller"), _held, texts={
         "es": ("A mano", "Ajuste las ganancias: que el robot soporte Sostener por delante y siga de pie 5 s después.",
                "¿Qué ganancia evita que se aleje rodando? ¿Cuál lo frena?"),
-        "en": ("By hand", "Move the gains until the robot survives Hold front and still stands 5 s after its release.",
+        "en": ("By hand", "Move the gains until the robot survives Hold from the front and still stands 5 s after its release.",
                "Which gain keeps it from rolling away? Which one damps it?"),
     }),
     Task("payload", Setup(bodies=_BODIES, seed=1903, payload=LOAD[0], payload_height=LOAD[1]), _ROBOT, _held, texts={
@@ -79,7 +79,7 @@ TASKS = (
                "Sostener por delante y siga de pie 5 s después.",
                "El controlador no conoce la carga. ¿Qué margen lo salva?"),
         "en": ("An unknown payload", "The robot carries 300 g, 30 cm above the axle. Choose a controller that survives "
-               "Hold front and still stands 5 s after its release.",
+               "Hold from the front and still stands 5 s after its release.",
                "The controller does not know the payload. Which margin saves it?"),
     }),
 )  # fmt: skip

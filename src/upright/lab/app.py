@@ -30,6 +30,16 @@ HEADERS = {
 }
 
 
+ELSEWHERE = (
+    '<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">'
+    "<title>upright lab</title><style>body{font:1.1rem/1.5 system-ui,sans-serif;max-width:34rem;margin:15vh auto;"
+    "padding:0 1rem;color-scheme:light dark}</style><h1>There is nothing at this address</h1>"
+    '<p><a href="/">Open the lab</a></p><h2 lang="es">No hay nada en esta dirección</h2>'
+    '<p lang="es"><a href="/#lang=es">Abrir el laboratorio</a></p></html>'
+)
+"""What a mistyped address shows, in both languages."""
+
+
 def application(foreign: Foreign, hub: Hub, book: Book) -> FastAPI:
     """The application round a hub; `foreign(host, origin)` says whether a request comes from another site, `book` has
     the server's connections."""
@@ -57,6 +67,10 @@ def application(foreign: Foreign, hub: Hub, book: Book) -> FastAPI:
     async def talk(socket: WebSocket) -> None:
         await _talk(foreign, hub, book, socket)
 
+    async def lost(request: Request, error: Exception) -> Response:  # noqa: ARG001
+        return HTMLResponse(ELSEWHERE, 404)
+
+    app.exception_handler(404)(lost)
     app.middleware("http")(guard)
     app.get("/", response_model=None)(index)
     app.get("/assets/{name}", response_model=None)(asset)

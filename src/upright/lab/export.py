@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -11,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from upright.atomic import make_folder, write_text
+from upright.certify.verdict import linear_margins
 from upright.compiled.print_javascript import JavaScriptPrinter, functions
 from upright.control import CONTROLLERS, gain_of
 from upright.control.delay import RAW
@@ -134,8 +136,11 @@ def _designed(robot: Robot, kit: Kit, name: str) -> tuple[str, dict[str, Any]]:
     text, facts = printed_law(controller, kit)
     analysis = analysed(controller, robot, kit)
     analysis = replace(analysis, L=tuple(row[::KEPT] for row in analysis.L[1:]))
+    least = linear_margins(controller, robot, kit) if analysis.stable else None
     gain = gain_of(controller)
-    own = {"truth": controller.spec.reads_truth, "gains": [] if gain is None else gain[0, :6].tolist()}
+    own: dict[str, Any] = {"truth": controller.spec.reads_truth, "gains": [] if gain is None else gain[0, :6].tolist()}
+    if least and least.stable:
+        own["least"] = [None if math.isinf(least.delay) else round(least.delay, 6), least.delay_at]
     return text, {**facts, **own, "analysed": plain(analysis)}
 
 

@@ -1,9 +1,10 @@
 // Strip charts of the six states, every body in its colour and dash.
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
-import { h, replace } from "./dom";
+import { button, digits, h, replace } from "./dom";
 import { ink, laneColour, laneDash } from "./palette";
 import { STATES, SYMBOLS, UNITS, store } from "./store";
+import { remembered } from "./remember";
 import { local, named, t } from "./texts";
 
 /** A chart of lines over time that follows its own width. */
@@ -21,11 +22,11 @@ export class Strip {
     this.plot = new uPlot(
       {
         width: 300, height, padding: [6, 18 * scale, 0, 0],
-        cursor: { show: false }, legend: { show: false },
+        cursor: { show: false }, legend: { show: false }, hooks: { draw: [(u) => mark(u, scale, colours.push)] },
         scales: { x: { time: false }, y: { range: (_u, low, high) => around(low, high, floor) } },
         axes: [
           { ...axis, size: 20 * scale, values: (_u, ticks) => ticks.map((v) => (v < 0 ? "" : local(`${+v.toFixed(1)} s`))), space: 46 * scale },
-          { ...axis, size: 46 * scale, space: 18 * scale, values: (_u, ticks) => ticks.map((v) => local(String(+v.toPrecision(4)).replace("-", "−"))) },
+          { ...axis, size: 46 * scale, space: (_u: uPlot, _axis: number, _low: number, _high: number, tall: number) => Math.min(18 * scale, tall / 2.5), values: (_u, ticks) => ticks.map((v) => local(String(+v.toPrecision(4)).replace("-", "−"))) },
         ],
         series: [{}, ...lines.map((l) => ({ label: l.label, stroke: l.colour, width: (l.width ?? 1.6) * scale, dash: l.dash, points: { show: false }, spanGaps: false, gaps: (u: uPlot, _i: number, _from: number, _to: number, holes: [number, number][]) => [...holes, ...breaks(u)].sort(([a], [b]) => a - b) }))],
       },
@@ -57,6 +58,31 @@ function breaks(plot: uPlot): [number, number][] {
     .filter(([from, to]) => from > left && to < left + width);
 }
 
+/** A line where each push began, with its name and size where there is room. */
+function mark(plot: uPlot, scale: number, colour: string): void {
+  const { ctx, bbox: { left, top, width, height } } = plot;
+  const pixels = scale * devicePixelRatio;
+  let free = left; // of other words
+  ctx.save();
+  Object.assign(ctx, { strokeStyle: colour, fillStyle: colour, lineWidth: pixels, font: `${11 * pixels}px system-ui, sans-serif`, textAlign: "left", textBaseline: "top" });
+  for (const { t: time, what, size } of store.traces.marks) {
+    const x = plot.valToPos(time, "x", true);
+    if (x < left || x > left + width) continue;
+    ctx.beginPath();
+    ctx.setLineDash([3 * pixels, 3 * pixels]);
+    ctx.moveTo(x, top);
+    ctx.lineTo(x, top + height);
+    ctx.stroke();
+    const words = named(size || what !== "hand" ? `mark_${what}` : "mark_held").replace("{size}", digits(Math.abs(size), 2));
+    const wide = ctx.measureText(words).width;
+    const from = Math.min(x + 4 * pixels, left + width - wide);
+    if (from < free || wide > width * 0.8) continue;
+    ctx.fillText(words, from, top);
+    free = from + wide;
+  }
+  ctx.restore();
+}
+
 export function around(low: number, high: number, floor: number): [number, number] {
   if (!Number.isFinite(low) || !Number.isFinite(high)) return [-floor, floor];
   const middle = (low + high) / 2;
@@ -64,6 +90,7 @@ export function around(low: number, high: number, floor: number): [number, numbe
   return [middle - half, middle + half];
 }
 
+const FIRST = [0, 2]; // pitch and wheel angle, which tell the story; the others are shown when they are asked for
 const FLOORS = [0.05, 0.3, 0.5, 1, 0.05, 0.2]; // half heights below which noise would fill the chart
 
 /** A phone, upright or on its side: the pitch stands by itself, right below the robot. */
@@ -71,7 +98,7 @@ export const small = matchMedia("(max-width: 40rem), (max-width: 62rem) and (max
 
 export class Charts {
   root = h("section", { className: "charts", "aria-label": t("charts") });
-  private strips: Strip[] = [];
+  private strips: (Strip | null)[] = []; // of the six states; none where it is not shown
   private legend = h("div", { className: "legend" });
   slot = h("div", { className: "slot" }); // in the scene
 
@@ -83,12 +110,19 @@ export class Charts {
   build(): void {
     const bodies = store.changed?.bodies ?? [];
     const lines = bodies.map((name) => ({ label: named(name), colour: laneColour(name), dash: laneDash(name, bodies) }));
-    this.strips = STATES.map((name, i) => new Strip(`${SYMBOLS[i]}  ${named(name)}`, UNITS[i], lines, 104, FLOORS[i]));
+    const more = remembered.getItem("curves") === "all";
+    this.strips = STATES.map((name, i) => (more || FIRST.includes(i) ? new Strip(`${SYMBOLS[i]}  ${named(name)}`, UNITS[i], lines, 104, FLOORS[i]) : null));
     replace(this.legend, ...bodies.map((name) => legendEntry(name)));
-    const all = this.strips.map((strip) => strip.root);
-    const near = small.matches ? [this.legend, all.shift() as HTMLElement] : [];
-    replace(this.slot, ...near);
-    replace(this.root, near.length ? null : this.legend, h("div", { className: "strips" }, ...all));
+    const near = this.strips.filter((_, i) => small.matches && FIRST.includes(i)).map((strip) => strip?.root);
+    const rest = this.strips.map((strip) => strip?.root).filter((root) => !near.includes(root));
+    const other = button(t(more ? "fewerCurves" : "moreCurves"), () => {
+      remembered.setItem("curves", more ? "first" : "all");
+      this.build();
+      this.root.querySelector<HTMLElement>("[data-key=curves]")?.focus();
+    }, { className: "quiet", "aria-expanded": String(more), "data-key": "curves" });
+    const strips = (roots: (HTMLElement | undefined)[]) => (roots.some(Boolean) ? h("div", { className: `strips${more ? " all" : ""}` }, ...roots) : null);
+    replace(this.slot, ...(near.length ? [this.legend, strips(near)] : []));
+    replace(this.root, h("div", { className: "above" }, near.length ? null : this.legend, other), strips(rest));
   }
 
   draw(): void {
@@ -100,7 +134,7 @@ export class Charts {
     while (first > 0 && time[first - 1] >= start) first -= 1;
     first = Math.max(0, first - 1);
     const t = time.slice(first);
-    this.strips.forEach((strip, i) => strip.show(t, x.map((body) => body[i].slice(first)), start, end));
+    this.strips.forEach((strip, i) => strip?.show(t, x.map((body) => body[i].slice(first)), start, end));
   }
 }
 
@@ -115,5 +149,6 @@ export function legendEntry(name: string): HTMLElement {
   svg.append(line);
   const notes: Record<string, string> = { twin: t("twinNote"), nonlinear: t("nonlinearNote"), linear: t("linearNote"), published: t("publishedNote"), calibrated: t("calibratedNote") };
   const title = notes[name] ?? "";
-  return h("span", { className: "key", title }, svg, named(name));
+  const first = name === store.changed?.bodies[0];
+  return h("span", { className: "key", title }, svg, first ? t("robotIs", { body: named(name) }) : named(name));
 }

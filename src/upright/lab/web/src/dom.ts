@@ -103,6 +103,11 @@ export function digits(value: number, count = 3): string {
   return local(plainNumbers(String(Number(value.toPrecision(count)))));
 }
 
+/** An angle of so many radians, as people say it. */
+export function degrees(angle: number): string {
+  return `${local(plainNumbers(String(Number(((angle * 180) / Math.PI).toFixed(1)))))}°`;
+}
+
 /** Numbers as people write them: −4.2 ×10⁻⁵ for -4.2e-05, which would break at its hyphens. */
 export function plainNumbers(text: string): string {
   const raised = (sign: string, power: string) => `\u202f×10${sign === "-" ? "⁻" : ""}${power.replace(/\d/g, (d) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(d)])}`;

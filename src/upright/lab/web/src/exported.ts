@@ -18,6 +18,7 @@ export interface Controller {
   stride: number;
   gains: number[];
   analysed?: Analysed;
+  least?: [number | null, string]; // [s] the smallest delay margin of all places, and where
   plant?: Plant; // of gains by hand, which are analysed here
   S?: number[][];
   Sy?: number[][];
@@ -156,7 +157,7 @@ export class LocalSession {
   }
 
   take(message: ClientMessage): void {
-    store.last.note(message, this.t);
+    store.note(message, this.t);
     switch (message.kind) {
       case "Change": this.changeTo(message.setup); break;
       case "Drag": this.hand = { ...this.hand, force: message.force, height: message.height }; break;
@@ -209,7 +210,9 @@ export class LocalSession {
     if (another) store.hear(facts.equations);
     store.analysed = null;
     window.clearTimeout(this.thinking);
-    if (!controller) return store.hear(store.lit ?? { kind: "Light", light: "none", reasons: [], delay: null, delay_at: "" });
+    const [delay, delay_at] = controller?.least ?? [null, ""];
+    store.hear({ kind: "Light", light: "none", reasons: [], delay, delay_at });
+    if (!controller) return;
     const { plant } = controller;
     if (controller.analysed) store.hear({ ...controller.analysed, L: [shown(facts.every), ...controller.analysed.L] });
     else if (plant) this.thinking = window.setTimeout(() => {

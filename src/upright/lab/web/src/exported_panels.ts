@@ -1,5 +1,5 @@
 // What a page without Python has in place of the live lab's panels: robot and room, the link, and what needs Python.
-import { button, digits, h, replace, select, slider, throttled } from "./dom";
+import { button, degrees, digits, h, replace, select, slider, throttled } from "./dom";
 import type { Slider } from "./dom";
 import type { LocalSession } from "./exported";
 import type { Setup } from "./messages";
@@ -28,7 +28,7 @@ export class ExportedRobotPanel {
     const numeric = (name: Number, label: string, low: number, high: number, step: number, show: (v: number) => string): [Number, Slider] =>
       [name, slider(label, { low, high, step, show, key: name }, (v) => change({ [name]: v }))];
     this.sliders = [
-      numeric("slope", t("slope"), -0.2, 0.2, 0.005, (v) => `${digits(v, 2)} rad`),
+      numeric("slope", t("slope"), -0.2, 0.2, 0.005, degrees),
       numeric("noise", t("noise"), 0, 10, 0.1, (v) => `× ${digits(v, 2)}`),
       numeric("delay", t("delay"), 0, 0.05, 0.001, (v) => `${digits(v * 1000, 2)} ms`),
     ];
@@ -62,6 +62,16 @@ export class ExportedRobotPanel {
   }
 }
 
+/** A command with a button that copies it. */
+function shell(command: string): HTMLElement {
+  const code = h("code", { tabIndex: 0 }, command);
+  const copy = button(t("copy"), () => {
+    getSelection()?.selectAllChildren(code); // to be copied by hand where this may not be done
+    void navigator.clipboard?.writeText(command).then(() => (copy.textContent = t("copied")), () => undefined);
+  }, { "aria-label": `${t("copy")}: ${command}` });
+  return h("div", { className: "shell" }, code, copy);
+}
+
 /** What needs Python, each with its command. */
 export class PythonPanel {
   root = h("div", { className: "panel-body" });
@@ -73,9 +83,9 @@ export class PythonPanel {
     const own = texts().python.map(([what, command]) => [what, bare ? command.replace(" -c {controller}", "") : command]);
     const rows = own.filter(([, command]) => !(bare && command.includes("{controller}"))).flatMap(([what, command]) => [
       h("dt", {}, what),
-      h("dd", {}, h("code", { tabIndex: 0 }, command.replace(/\{(\w+)\}/g, (_, name: string) => values[name] ?? ""))),
+      h("dd", {}, shell(command.replace(/\{(\w+)\}/g, (_, name: string) => values[name] ?? ""))),
     ]);
-    replace(this.root, h("div", { className: "column full" }, h("p", { className: "note" }, t("pythonNote")), h("dl", { className: "commands" }, ...rows)));
+    replace(this.root, h("div", { className: "column full" }, h("p", { className: "note" }, t("pythonNote")), shell(t("install")), h("dl", { className: "commands" }, ...rows)));
   }
 
   update(): void {

@@ -11,7 +11,7 @@ const BRIEF = 0.5; // [s] of a push by hand that a knock of the same impulse sta
 export class LastPush {
   push: Push | null = null;
   kept: "noPush" | "namedPush" | "knockPush" | "heldPush" = "noPush";
-  private hand = { from: 0, at: 0, force: 0, impulse: 0, on: false };
+  hand = { from: 0, at: 0, force: 0, impulse: 0, on: false };
 
   /** Take notice of a message at the simulated time t [s]. */
   note(message: ClientMessage, t: number): void {

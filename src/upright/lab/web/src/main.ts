@@ -2,7 +2,7 @@
 import { Charts, small } from "./charts";
 import { LocalSession, exported } from "./exported";
 import { ExportedRobotPanel, PythonPanel, linkButton } from "./exported_panels";
-import { button, digits, h, replace, select, slider, throttled } from "./dom";
+import { button, degrees, digits, h, replace, select, slider, throttled } from "./dom";
 import { isLink, tokenIn } from "./link";
 import type { ServerMessage } from "./messages";
 import { Line } from "./net";
@@ -70,6 +70,11 @@ class Page {
   private clock = h("span", { className: "clock" });
   private state: State = "connecting";
   private drawn = 0;
+  private down: boolean | null = null; // whether the robot lies, as the page says; not known before it is seen
+  private lost = ""; // what made it fall
+  private best: Record<string, number> = {}; // [N s] the largest push that was recovered from, of each robot under each controller
+  private most = h("span", { className: "most", title: "" });
+  private telling = 0;
   private begun = false; // whether there is a session
   drawnFirst = false; // whether a robot has been seen
   private seen = 0; // [ms] when
@@ -145,7 +150,7 @@ class Page {
       button("◐", () => this.theme(document.documentElement.dataset.theme === "dark" ? "light" : "dark"), { "aria-label": t("theme"), title: t("theme"), "data-key": "theme" }),
       button("?", () => this.help(), { "aria-label": t("help"), title: t("help"), "data-key": "help" }));
     header.querySelector("select")?.setAttribute("aria-label", "Language / Idioma");
-    const scene = h("section", { className: "scene", "aria-label": t("scene") }, this.room.element, this.force, this.fell, h("p", { className: "hint" }, t("hint"), this.invitation()), this.charts.slot, this.transport(), this.pushes());
+    const scene = h("section", { className: "scene", "aria-label": t("scene") }, this.room.element, this.force, this.fell, h("p", { className: "hint" }, h("span", {}, t("hint")), this.invitation()), this.charts.slot, this.pushes(), this.transport());
     this.pin(scene);
     replace(this.app, header, h("main", {}, scene, this.panels(), this.charts.root), this.toasts, this.spoken);
     this.lamp();
@@ -204,7 +209,7 @@ class Page {
     this.pauseButton.onclick = () => this.pause();
     const speeds: [string, string][] = [["0.05", "1/20"], ["0.1", "1/10"], ["0.25", "1/4"], ["0.5", "1/2"], ["1", "1"]];
     const speed = select(t("speed"), speeds, String(this.speed), (v) => this.run(Number(v), store.snapshot?.paused), "speed");
-    const step = button(t("step"), () => store.send({ kind: "Step", periods: 1 }), { "data-key": "step" });
+    const step = button(t("step"), () => store.send({ kind: "Step", periods: 1 }), { title: t("stepTip"), "data-key": "step" });
     const line = t(store.recorded ? "timeLine" : "back");
     this.scrub.setAttribute("aria-label", line);
     if (store.recorded) [this.scrub.min, this.scrub.max] = ["0", String(store.recorded)];
@@ -217,6 +222,9 @@ class Page {
     const weight = () => store.changed?.look.weight ?? 6;
     const size = slider(t("size"), { low: 0.01, high: 0.5, log: true, show: (v) => t("newtons", { force: fixed(v, 2) }) + " s", key: "knock" }, (v) => (this.knock = v));
     size.set(this.knock);
+    size.root.title = t("sizeTip");
+    size.root.insertBefore(this.most, size.root.lastChild);
+    this.champion();
     return h("div", { className: "pushes", role: "group", "aria-label": t("pushes") },
       button(t("impulse"), () => strike("impulse", this.knock)(), { title: t("impulseTip"), className: "main", "data-key": "impulse" }), size.root,
       button(t("front"), strike("front", 0.1), { title: t("frontTip"), "data-key": "front" }),
@@ -259,6 +267,7 @@ class Page {
   private bring(tab: Tab): void {
     this.open(tab);
     if (small.matches) this.tabs.scrollIntoView();
+    document.getElementById(`tab-${tab}`)?.scrollIntoView({ block: "nearest", inline: "center" }); // in its row
   }
 
   private open(tab: Tab): void {
@@ -314,6 +323,7 @@ class Page {
         if (first) this.fill();
         else this.update();
         this.lamp();
+        this.champion();
         break;
       }
       case "Analysed": case "Light": this.lamp(); this.update(); break;
@@ -323,7 +333,7 @@ class Page {
       case "JobResult": this.identify.found(); this.toast(`${t(message.job as "doctor" | "calibrate" | "certify")}: ${translate(message.title)}`, message.ok ? "info" : message.job === "certify" ? "error" : "warn"); if (latestLog && this.tab === "Identify") this.identify.build(); break;
       case "Made": this.keep.made(message.name, message.url.startsWith("blob:") ? message.url : store.files + message.url); this.toast(t("made", { name: message.name }), "info"); break;
       case "Notice": this.toast(message.key === OWN ? message.text : message.key ? named(message.key) : noticed(message.text), message.level); break;
-      case "Recovered": this.recovered(message.impulse, message.best, message.fell); break;
+      case "Recovered": this.recovered(message.impulse, message.fell); break;
       case "Board": if (this.tab === "Class") this.classes.update(); break;
     }
   }
@@ -338,12 +348,40 @@ class Page {
     const light = lamplight();
     if (store.recorded && (store.lit?.light ?? "none") === "none") return replace(this.light);
     this.light.title = t("lightNote");
-    replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span", {}, `${t("certificate")}: ${certificate()[1]?.textContent ?? ""}`));
+    replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span", {}, `${t("certificate")}:`), h("span", {}, certificate()[1]?.textContent ?? ""));
   }
 
-  private recovered(impulse: number, best: number, fell: boolean): void {
+  /** Above the robot: what became of a push, for a while; that it fell, until it stands. */
+  private recovered(impulse: number, fell: boolean): void {
+    const key = this.driven();
+    const best = Math.max(this.best[key] ?? 0, fell ? 0 : impulse);
+    if (best) this.best[key] = best;
+    this.champion();
     const values = { impulse: digits(impulse), best: digits(best) };
-    this.toast(t(fell ? "lostPush" : impulse < best ? "recovered" : "recoveredMost", values), "info");
+    if (fell) this.lost = t("lostPush", values);
+    if (this.down) return this.lie();
+    if (fell) return;
+    this.tell(h("span", {}, t(impulse < best ? "recovered" : "recoveredMost", values)));
+    this.telling = window.setTimeout(() => this.tell(), 6000);
+  }
+
+  private driven(): string {
+    return `${store.setup.robot} ${store.setup.controller}`;
+  }
+
+  /** The largest so far, which stays beside the size of a knock. */
+  private champion(): void {
+    const best = this.best[this.driven()];
+    this.most.textContent = best ? t("best", { best: digits(best) }) : "";
+  }
+
+  private tell(...words: (Node | null)[]): void {
+    window.clearTimeout(this.telling);
+    replace(this.fell, ...words);
+  }
+
+  private lie(): void {
+    this.tell(h("span", {}, this.lost || t("fallen")), store.recorded ? null : button(t("standUp"), () => this.stand(), { className: "main" }));
   }
 
   private transported(): void {
@@ -355,12 +393,16 @@ class Page {
     else if (document.activeElement !== this.scrub) this.scrub.value = String(-s.back);
     this.clock.textContent = `${fixed(s.t, 1)} ${store.recorded ? `/ ${fixed(store.recorded, 1)} ` : ""}s`;
     const fell = Boolean(s.x[0][8]);
-    if (fell !== Boolean(this.fell.textContent)) {
-      replace(this.fell, ...(fell ? [h("span", {}, t("fallen") + " "), store.recorded ? null : button(t("standUp"), () => this.stand(), { className: "main" })] : []));
+    if (fell !== this.down) {
+      if (!fell) this.lost = "";
+      this.down = fell;
+      if (fell) this.lie();
+      else this.tell();
+      this.app.querySelector("[data-key=impulse]")?.classList.toggle("main", !fell); // then one button leads
     }
     const force = s.f[0];
-    const slope = s.f[2] ? `${t("slope")}: ${fixed(s.f[2], 3)} rad` : "";
-    this.app.querySelector("[data-key=stand]")?.classList.toggle("main", fell);
+    const slope = s.f[2] ? `${t("slope")}: ${degrees(s.f[2])}` : "";
+    if (store.traces.marks.length) this.app.classList.add("pushed"); // who has pushed it knows how
     this.force.textContent = Math.abs(force) > 0.005 ? t("newtons", { force: fixed(force, 2) }) : slope;
     this.force.classList.toggle("slope", !(Math.abs(force) > 0.005));
   }
@@ -410,7 +452,8 @@ class Page {
     remembered.setItem("language", key);
     this.build();
     this.says(this.state);
-    this.fell.replaceChildren();
+    this.tell();
+    this.down = null;
     this.app.querySelector<HTMLElement>("[data-key=language]")?.focus();
   }
 
@@ -424,7 +467,8 @@ class Page {
   }
 
   private help(): void {
-    const rows = texts().keys.map(([key, what]) => h("tr", {}, h("th", { scope: "row" }, key), h("td", {}, what)));
+    const pushes = (["impulse", "size", "front", "back", "pull", "tilt", "step"] as const).map((key) => [t(key === "pull" ? "pullBoth" : key === "back" ? "backPush" : key), t(`${key}Tip`)]);
+    const rows = [...pushes, ...texts().keys].map(([key, what]) => h("tr", {}, h("th", { scope: "row" }, key), h("td", {}, what)));
     const dialog = h("dialog", { className: "help", "aria-label": t("help"), onclose: () => dialog.remove() },
       h("h2", {}, t("help")), h("table", {}, h("tbody", {}, ...rows)), button(t("close"), () => dialog.close(), { className: "main" }));
     this.app.append(dialog);

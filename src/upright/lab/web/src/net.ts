@@ -27,7 +27,7 @@ export class Line {
   }
 
   private send(message: ClientMessage): void {
-    store.last.note(message, store.snapshot?.t ?? 0);
+    store.note(message, store.snapshot?.t ?? 0);
     if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(message));
   }
 

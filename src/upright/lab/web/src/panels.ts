@@ -1,5 +1,5 @@
 // The panels below: controller, robot, kit, what was found, what is kept. Each builds itself from the store.
-import { button, digits, fresh, h, numberField, plainNumbers, replace, select, slider, table, throttled } from "./dom";
+import { button, degrees, digits, fresh, h, numberField, plainNumbers, replace, select, slider, table, throttled } from "./dom";
 import type { Slider } from "./dom";
 import type { BodyName, Job, Keep, Setup } from "./messages";
 import { exported } from "./exported";
@@ -10,6 +10,7 @@ import { LEAN, STATES, SYMBOLS, UNITS, store } from "./store";
 import { OWN, named, t, translate, translated } from "./texts";
 import { legendEntry } from "./charts";
 import { sentence } from "./see";
+import { leastMargins } from "./verdict";
 
 const change = throttled(120, (part: Partial<Setup>) => store.change(part));
 let gathered: Partial<Setup> = {};
@@ -144,10 +145,8 @@ export class ControllerPanel extends Panel {
       [t("phaseMargin"), a.phase === null ? t("unlimited") : `${digits((a.phase * 180) / Math.PI, 2)}°`],
       [t("delayMargin"), a.delay === null ? t("unlimited") : `${digits(a.delay * 1000, 3)} ms`],
     ];
-    if (a.stable) parts.push(h("h4", {}, t("margins")), table([], rows, "margins"));
-    const { delay, delay_at } = store.lit ?? {};
     if (!a.stable) parts.push(h("p", { className: "note" }, sentence(translate(a.words))));
-    else if (typeof delay === "number") parts.push(h("p", { className: "note least" }, t("leastDelay", { delay: digits(delay * 1000, 2), place: translate(delay_at ?? "") })));
+    else parts.push(...leastMargins(a), h("h4", {}, t("margins")), table([], rows, "margins"));
     return parts;
   }
 }
@@ -191,7 +190,7 @@ export class RobotPanel extends Panel {
     this.sliders = [
       ["payload", slider(t("payload"), { low: 0, high: this.weight(), step: 0.005, show: (v) => `${digits(v * 1000, 3)} g`, key: "payload" }, (v) => later({ payload: v }))],
       ["payload_height", slider(t("payloadHeight"), { low: 0, high: 0.5, step: 0.005, show: (v) => `${digits(v * 100, 3)} cm`, key: "payload_height" }, (v) => later({ payload_height: v }))],
-      ["slope", slider(t("slope"), { low: -0.2, high: 0.2, step: 0.005, show: (v) => `${digits(v, 2)} rad`, key: "slope" }, (v) => later({ slope: v }))],
+      ["slope", slider(t("slope"), { low: -0.2, high: 0.2, step: 0.005, show: degrees, key: "slope" }, (v) => later({ slope: v }))],
       ["grip", slider(t("grip"), { low: 0.02, high: 10, log: true, show: (v) => digits(v, 2), key: "grip" }, (v) => later({ grip: v }))],
     ];
     const details = h("details", { open: this.opened, ontoggle: () => (this.opened = details.open) }, h("summary", {}, t("numbers")), h("p", { className: "note" }, t("numbersNote")), this.table);
@@ -394,11 +393,15 @@ export class KeepPanel extends Panel {
   }
 
   build(): void {
-    const kinds: [Keep, string][] = [["csv", t("csv")], ["parquet", t("parquet")], ["report", t("report")], ["replay", t("replay")], ["controller", t("controllerFile")], ["robot", t("robotFile")]];
-    const buttons = kinds.map(([what, text]) => button(text, () => store.send({ kind: "Save", what, name: "" }), { "data-key": `keep-${what}` }));
+    const kinds: [string, [Keep, string][]][] = [
+      [t("keepData"), [["csv", t("csv")], ["parquet", t("parquet")]]], [t("keepPages"), [["report", t("report")], ["replay", t("replay")]]],
+      [t("keepFiles"), [["controller", t("controllerFile")], ["robot", t("robotFile")]]],
+    ];
+    const save = ([what, text]: [Keep, string]) => button(text, () => store.send({ kind: "Save", what, name: "" }), { "data-key": `keep-${what}` });
+    const group = (title: string, ...buttons: Node[]) => h("div", {}, h("h4", {}, title), h("div", { className: "row" }, ...buttons));
     const link = button(t("link"), () => void this.copy(), { "data-key": "link" });
     replace(this.root, h("div", { className: "column wide" },
-      h("p", { className: "note" }, t("keepNote")), h("div", { className: "row" }, ...buttons, this.pictureButton(), link),
+      h("p", { className: "note" }, t("keepNote")), ...kinds.map(([title, some]) => group(title, ...some.map(save))), group(t("keepShow"), this.pictureButton(), link),
       h("p", { className: "note" }, t("handInNote")), this.handIn(), this.links));
   }
 

@@ -268,7 +268,7 @@ export class Room implements Stage {
 
   private pace(elapsed: number): void {
     this.slow = elapsed > 45 ? this.slow + 1 : Math.max(0, this.slow - 0.5);
-    if (this.slow > 40 && this.detail > 0.6) {
+    if (this.slow > 40 && this.detail > 0.8) {
       this.detail *= 0.75;
       this.slow = 0;
     }

@@ -5,6 +5,7 @@ import { ink, laneColour, laneDash } from "./palette";
 import { drawing } from "./plots";
 import { STATES, SYMBOLS, store } from "./store";
 import { named, t, translate } from "./texts";
+import { leastMargins } from "./verdict";
 
 type View = "loop" | "portrait" | "voltages" | "estimate" | "equations";
 const VIEWS: View[] = ["loop", "portrait", "voltages", "estimate", "equations"];
@@ -19,7 +20,7 @@ export class See {
 
   build(): void {
     const choices = VIEWS.map((view): [string, string] => [view, t(view)]);
-    const choice = select(t("tabSee"), choices, this.view, (view) => {
+    const choice = select(t("viewLabel"), choices, this.view, (view) => {
       this.view = view as View;
       this.show();
     }, "view");
@@ -107,7 +108,7 @@ export class See {
     if (!found) return [h("p", { className: "note" }, t("designing"))];
     const words = h("p", { className: "note" }, sentence(translate(found.words)));
     const colour = laneColour("twin");
-    const drawings: Node[] = [words];
+    const drawings: Node[] = [...(found.stable ? leastMargins(found) : []), words];
     if (found.L.length === 3) drawings.push(...frequency(found.L, colour));
     if (found.poles.length) drawings.push(poles(found.poles, colour));
     return drawings;

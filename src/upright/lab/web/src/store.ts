@@ -26,6 +26,13 @@ function which({ robot, drive, kit, controller }: Setup): string {
   return [robot, drive, kit, controller].join();
 }
 
+/** A push that began at `t` [s], of the size that its message has; one by hand: its impulse so far. */
+export interface Mark {
+  t: number;
+  what: string;
+  size: number;
+}
+
 /** Time and, for every body, its six states; then what the other plots need. */
 export class Traces {
   t: number[] = [];
@@ -33,6 +40,7 @@ export class Traces {
   estimate: number[] = [];
   volts: number[][] = [[], []];
   saturated: number[] = [];
+  marks: Mark[] = [];
   breaks: [number, number][] = []; // [s] two samples of which the second does not go on from the first
   other = false; // whether the next sample is another robot's or controller's
 
@@ -43,6 +51,7 @@ export class Traces {
     this.volts = [[], []];
     this.saturated = [];
     this.breaks = [];
+    this.marks = [];
   }
 
   add(s: Snapshot): void {
@@ -92,6 +101,7 @@ export class Traces {
     });
     history(Infinity);
     whole.breaks.push(...this.breaks);
+    whole.marks.push(...this.marks);
     Object.assign(this, whole);
   }
 
@@ -100,10 +110,12 @@ export class Traces {
     let keep = this.t.length;
     while (keep > 0 && this.t[keep - 1] >= t) keep -= 1;
     for (const trace of this.all()) trace.length = keep;
+    this.marks = this.marks.filter((mark) => mark.t < t);
   }
 
   private cut(count: number): void {
     for (const trace of this.all()) trace.splice(0, count);
+    this.marks = this.marks.filter((mark) => mark.t >= this.t[0]);
   }
 
   private all(): number[][] {
@@ -145,6 +157,17 @@ export class Store {
   /** Whether the controller that was chosen drives. */
   get settled(): boolean {
     return this.snapshot !== null && !this.waiting && this.changed?.busy === false;
+  }
+
+  /** Take notice of what is sent at the simulated time t [s]: for a link, and for a mark in the traces. */
+  note(message: ClientMessage, t: number): void {
+    const { hand } = this.last;
+    const { marks } = this.traces;
+    const held = hand.on;
+    this.last.note(message, t);
+    if (message.kind === "Strike") marks.push({ t, what: message.what, size: message.size });
+    else if (hand.on && !held) marks.push({ t, what: "hand", size: 0 });
+    else if (held && marks.at(-1)?.what === "hand") (marks.at(-1) as Mark).size = hand.impulse;
   }
 
   listen(listener: Listener): void {

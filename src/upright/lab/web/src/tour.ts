@@ -58,8 +58,8 @@ export class Tour {
         h("div", { className: "hints" }, part(t("tourDo"), step.do), part(t("tourWatch"), step.watch), part(t("tourAsk"), step.ask)),
         h("div", { className: "row" },
           button(t("previous"), () => this.move(-1, "previous"), { disabled: this.at === 0, "data-key": "tour-previous" }),
-          button(t("tourSet"), () => this.set(), { className: "main", "data-key": "tour-set" }),
-          button(t("next"), () => this.move(1, "next"), { disabled: this.at === STEPS.length - 1, "data-key": "tour-next" })),
+          button(t("tourSet"), () => this.set(), { className: this.at ? "main" : "", "data-key": "tour-set" }),
+          button(t("next"), () => this.move(1, "next"), { className: this.at ? "" : "main", disabled: this.at === STEPS.length - 1, "data-key": "tour-next" })),
         this.before ? button(t("tourBack"), () => this.back(), { className: "quiet", "data-key": "tour-back" }) : null),
     );
   }
