@@ -202,8 +202,9 @@ def stacked(table: str) -> str:
 
 SPANISH = {
     "Search": "Buscar", "On this page": "En esta página", "Contents": "Contenido", "Back to top": "Volver arriba",
-    "Next": "Siguiente", "Previous": "Anterior", "Home": "Inicio", "Start": "Inicio", "Course": "Curso",
-    "How to": "Recetas (en inglés)", "Concepts": "Conceptos (en inglés)", "Reference": "Referencia (en inglés)",
+    "Next": "Siguiente", "Previous": "Anterior", "Home": "Inicio",
+    "Start": "Inicio (en inglés)", "Course": "Curso (en inglés)", "How to": "Recetas (en inglés)",
+    "Concepts": "Conceptos (en inglés)", "Reference": "Referencia (en inglés)",
     "The project": "El proyecto (en inglés)",
 }  # fmt: skip
 """What stands round a page that is Spanish: words of the theme, and the parts of the site."""

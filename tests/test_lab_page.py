@@ -470,7 +470,9 @@ def test_a_newcomer_is_shown_the_tour(chromium, lab):
         until(page, "Boolean(document.querySelector('.scene.pinned'))")
         assert page.evaluate(lowest) < page.locator("#panel select").first.bounding_box()["y"] < 844 / 2, name
     page.click("[data-key=impulse]")  # which the tour asks for: in the corner of the room
-    assert page.locator("[data-key=impulse]").bounding_box()["y"] < page.locator(".slot .strip").first.bounding_box()["y"]
+    assert (
+        page.locator("[data-key=impulse]").bounding_box()["y"] < page.locator(".slot .strip").first.bounding_box()["y"]
+    )
     page.evaluate("upright.store.push({ kind: 'Strike', what: 'impulse', size: 0.8 })")
     page.click(".fell button")  # as is what stands it up again
     until(page, "!document.querySelector('.fell').textContent")

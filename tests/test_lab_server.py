@@ -393,6 +393,7 @@ def test_pages_are_served_to_this_site_alone(served):
     assert http.get(served, headers={"Origin": "http://evil.example"}).status_code == 403
     for path in ("assets/..%2f..%2fserver.py", "assets/%2e%2e/server.py", "files/x/run.csv", "docs", "openapi.json"):
         assert http.get(served + path).status_code == 404, path
+    assert "Open the lab" in http.get(served + "nowhere").text
 
 
 def test_a_foreign_socket_is_refused(served):

@@ -71,7 +71,8 @@ TASKS = (
          (*_ROBOT, "controller"), _held, texts={
         "es": ("A mano", "Ajuste las ganancias: que el robot soporte Sostener por delante y siga de pie 5 s después.",
                "¿Qué ganancia evita que se aleje rodando? ¿Cuál lo frena?"),
-        "en": ("By hand", "Move the gains until the robot survives Hold from the front and still stands 5 s after its release.",
+        "en": ("By hand", "Move the gains until the robot survives Hold from the front and still stands 5 s after its "
+               "release.",
                "Which gain keeps it from rolling away? Which one damps it?"),
     }),
     Task("payload", Setup(bodies=_BODIES, seed=1903, payload=LOAD[0], payload_height=LOAD[1]), _ROBOT, _held, texts={

@@ -20,8 +20,8 @@ _WORDS = {
         "dirección.",
         "Tarea", "Preparar la tarea", "Haga", "Piense", "Respuesta",
         "## Qué se entrega",
-        "Para cada tarea: presione *Poner de pie*, haga lo que se pide antes de un minuto y sin cambiar nada más, y luego "
-        "*Guardar* → *Entregar* con su nombre. El archivo contiene la configuración y sus acciones; con `upright "
+        "Para cada tarea: presione *Poner de pie*, haga lo que se pide antes de un minuto y sin cambiar nada más, y "
+        "luego *Guardar* → *Entregar* con su nombre. El archivo contiene la configuración y sus acciones; con `upright "
         "grade` otra máquina repite el ensayo. No lo modifique: se nota. Entregue los archivos y esta hoja.",
     ),
     "en": (
