@@ -18,7 +18,7 @@ import pytest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.body import Sample
-from upright.calibrate.knocks import unpushed, without_knocks
+from upright.calibrate.knocks import _calm, unpushed, without_knocks
 from upright.certify.actual import as_logged, doubted
 from upright.certify.agreement import LARGER, RED, Agreement, agreement
 from upright.certify.calibrated import _weighed, calibrated
@@ -169,6 +169,15 @@ def test_a_calibration_names_knocks_and_leaves_them_out_where_asked() -> None:
     assert "is left out" in said
     quiet = log.between(KNOCKS[-1].start + 1.0, log.t[-1])
     assert without_knocks([quiet], ROBOT, KIT, cut=True) == ([quiet], [])
+
+
+def test_a_part_between_knocks_in_which_the_wheels_stand_is_left_out() -> None:
+    """It tells of no motion: a robot that stuck by dry friction until it was knocked was refused as unlike its file."""
+    t = np.arange(0.0, 8.0, 0.01)
+    wheel = np.where(t < 2.5, 1e-3 * np.sin(3 * t), np.sin(3 * t))
+    log = Log(t, {"sensor/encoder_left": wheel, "sensor/encoder_right": wheel, GYRO: np.cos(3 * t)})
+    knock = (t > 2.5) & (t < 2.8)
+    assert [part.t[0] for part in _calm(log, knock)] == [pytest.approx(2.8)]
 
 
 def test_a_gyro_s_scale_is_corrected_once_before_a_calibration(monkeypatch: pytest.MonkeyPatch) -> None:

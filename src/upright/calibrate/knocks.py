@@ -32,6 +32,7 @@ PUSHED = 0.3  # [s] after it that are left out, in which the filter finds the st
 MOST_PUSHED = 0.5  # of a log that may be left out; where more would be, it is no push
 KNOCK = 10.0  # usual sizes of an innovation: on real logs without a push they reach 7, after a knock 20 to 35
 LEAST_CALM = 2.0  # [s] without a push, from which a calibration learns
+LEAST_MOVED = 0.05  # of how far the wheels turn in the part in which they turn most: a part that stands tells no motion
 MOST_NAMED = 4  # times of knocks in a sentence
 
 
@@ -126,6 +127,8 @@ def _calm(log: Log, there: NDArray[np.bool_]) -> list[Log]:
     several = np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1)
     long = [log.t[part[[0, -1]]] for part in several if len(part) * log.period > LEAST_CALM]
     calm = [one for one in (log.between(*ends) for ends in long) if all(np.ptp(one[n]) > 0 for n in RAW if n in one)]
+    moved = [max((np.ptp(one[n]) for n in RAW[:2] if n in one), default=0.0) for one in calm]
+    calm = [one for one, far in zip(calm, moved, strict=True) if far >= LEAST_MOVED * max(moved)]
     return calm if sum(map(len, calm)) > len(log) / 2 else [log]
 
 
