@@ -18,6 +18,7 @@ EXACT = 0.9999  # fraction of the difference between commands and file that a ch
 LOST_ROWS, LOST_WIDTH = 0.14, 0.02  # fraction of periods without a row that these robots' loops hardly survive
 FEW_LOST = 0.05  # below which lost rows are no cause
 LOST_BEFORE = 1.2  # times the fraction before: a loop that always loses so many rows has survived them
+IDLE = 0.3  # of the probability of a wheel that stands still, for a motor without torque: a log shows no difference
 TEMPER = 6.0  # nats that count as one between two faults: neighbouring rows share what is wrong with the model
 
 
@@ -62,11 +63,12 @@ def stuck_sensor(evidence: Evidence) -> list[Answer]:
     held, blind = evidence.jam
     side = "left" if still.channel.endswith("left") else "right"
     idle = max((fit.score for fit in evidence.fits if fit.fault == "motor" and side in fit.way), default=-math.inf)
-    jammed, dead = step(max(held, idle) - blind, TEMPER), step(idle - held, TEMPER)
+    jammed, dead = step(max(held, idle) - blind, TEMPER), IDLE * step(idle - held, TEMPER)
+    better = f"explains the motion better than a dumb encoder ({max(held, idle) - blind:+.0f} nats)"
     texts = {
         STUCK: f"a wheel that is held explains the motion less well than a dumb encoder ({held - blind:+.0f} nats)",
-        JAMMED: f"a wheel that is held explains the motion better than a dumb encoder ({held - blind:+.0f} nats)",
-        DEAD: f"a motor without torque explains the motion better than a wheel that is held ({idle - held:+.0f} nats)",
+        JAMMED: f"a wheel that is held {better}",
+        DEAD: f"a motor without torque whose friction holds the wheel {better}",
     }
     chances = {STUCK: 1 - jammed, JAMMED: jammed * (1 - dead), DEAD: jammed * dead}
     return [
