@@ -124,9 +124,9 @@ def of_push(evidence: Evidence, push: PushEstimate, lean: float) -> str:
     it = "With smaller pushes the same way it" if several else "It"
     return (
         f"a push {way} of {abs(push.impulse):.2g} N s at t = {push.start:.2f} s, "
-        f"{1e3 * (push.stop - push.start):.2g} ms long, explains {most(evidence.pushes_only.explained)} of the "
-        f"innovations. {it} makes the robot so fast that this counts as {caused:.2g}° of lean; the motors bring back "
-        f"{largest:.2g}° at most"
+        f"{1e3 * (push.stop - push.start):.2g} ms long, taken at {push.height:.2g} m above the axle, explains "
+        f"{most(evidence.pushes_only.explained)} of the innovations. {it} makes the robot so fast that this counts as "
+        f"{caused:.2g}° of lean; the motors bring back {largest:.2g}° at most"
     )
 
 

@@ -182,7 +182,7 @@ def basin_page(data: Dataset) -> Page:
         even = math.isclose(-low, high, rel_tol=1e-6)
         span = f"±{_in_degrees(high, data, across)}" if even else held
         it = "it recovers" if several == 1 else "most recover"
-        numbers = [(_step(data, across), f"step from start to start: so sure is the {words} of {span}")]
+        numbers = [(_step(data, across), f"between the starts tried, so that the {span} are that accurate")]
         best = _savable(data)
         if best < math.pi / 2:
             text = f"largest {words} from which any controller could save it, told the lean at once"

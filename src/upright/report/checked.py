@@ -176,7 +176,7 @@ def _pole_figure(poles: Complex, continuous: bool, count: str, motions: Sequence
     )
     high = 1.5 * (float(np.abs(poles.imag).max()) or 1.0)
     reach = max(10.0, 3 * float(np.abs(poles.real).max()))
-    ax.set(xscale="symlog", xlim=(-reach, reach), ylim=(-high, high))
+    ax.set(xscale="symlog", xlim=(-1.5 * reach, reach), ylim=(-high, high))
     numbered(ax.xaxis)
     ax.axvline(0, color=AXIS, linewidth=1)
     if not poles.imag.any():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
+LARGEST = 120.0  # [°] up to which ticks are 40° apart, so that the fall has one
 CUT = 1.2  # of the largest command: a law may ask for much more
 SHOWN = 0.02
 """Less likely causes are only in the JSON."""
@@ -60,7 +62,7 @@ def _sure(result: PostMortem) -> str:
     if not result.fell or not result.causes:
         return result.verdict
     likely = result.causes[0].likelihood
-    return f"it fell; {100 * likely:.0f} % probable" if likely >= SURE else "it fell; the cause is not clear"
+    return f"it fell; cause {100 * likely:.0f} % likely" if likely >= SURE else "it fell; the cause is not clear"
 
 
 def _numbers(result: PostMortem) -> list[tuple[str, str]]:
@@ -106,16 +108,25 @@ def _lead(result: PostMortem) -> str:
     if not best:
         return text
     text += f" {sentence(_plain(best.evidence))}" if best.evidence else ""
-    return f"{text} Next: {sentence(best.repair.rstrip('.'))}" if best.repair else text
+    largest = f"(`upright push-map --robot {result.robot}` finds the largest that it survives)"
+    repair = best.repair.rstrip(".").replace("(see `upright certify`)", largest)
+    repair = repair.replace("`upright design`", f"`upright design lqg --robot {result.robot}`")
+    return f"{text} Next: {sentence(repair)}" if repair else text
 
 
 def _plain(evidence: str) -> str:
-    """The first clause, without the filter's words."""
+    """The first clause, without the filter's words; of a push also what it did."""
+    push, _, did = evidence.partition(" of the innovations. ")
+    if did.startswith("It makes the robot so fast"):
+        return f"{_EXPLAINS.sub('', push)}. {did}"
     return (
         evidence.split("; ", maxsplit=1)[0]
         .split(". ", maxsplit=1)[0]
         .replace("of the innovations", "of the deviation from the model")
     )
+
+
+_EXPLAINS = re.compile(r",? explains [^,]*$")
 
 
 def _words(result: PostMortem) -> list[Item]:
@@ -146,6 +157,10 @@ def _figure(result: PostMortem) -> Figure:
     for level in (-math.degrees(LEANING), math.degrees(LEANING)):
         if np.nanmin(degrees) < level < np.nanmax(degrees):
             _level(pitch, s.t, level, f"{level:.0f}°: counts as the fall".replace("-", "−"))
+    if np.nanmax(np.abs(degrees)) < LARGEST:
+        pitch.set_yticks(
+            [tick for tick in range(-80, 81, 40) if np.nanmin(degrees) - 5 <= tick <= np.nanmax(degrees) + 5]
+        )
     line(reach, "lean", s.t, s.reserve, style=2, solid=True)
     _level(reach, s.t, 1.0, "no return")
     line(command, "requested command", s.t, np.clip(s.command, -CUT, CUT), step=True, style=1, solid=True)
@@ -159,6 +174,12 @@ def _figure(result: PostMortem) -> Figure:
     if math.isfinite(s.high) and s.high > 0:
         _level(nis, s.t, s.high, f"usual, up to {number(s.high, 2)}")
     command.set_ylim(-1.8, 1.8)
+    if (np.abs(s.command) > CUT).any():
+        above = bool((s.command > CUT).any())
+        command.annotate(
+            f"cut at {CUT:g}", (1, CUT if above else -CUT), (-2, 3 if above else -11), ha="right",
+            xycoords=("axes fraction", "data"), textcoords="offset points",
+        )  # fmt: skip
     reach.set_ylim(0, 1.5)
     known = result.fell and math.isfinite(result.onset)
     if not known:
