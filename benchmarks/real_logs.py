@@ -42,6 +42,8 @@ from upright.validate.loop import PITCH, closed_loop
 DATA = Path(__file__).parents[1] / "../shared/data"
 CUTS = (0.0, 0.15, 0.4)  # [s] off the end of an EV3 run, which ends in a fall: the same answer is wanted for each
 BANDS = (0, 6, 12)  # [Hz]
+ASKED = (3.0, 4.5)  # [Hz]
+PUT_DOWN = 0.4  # [s] until then a hand may hold the robot
 PRESETS = {"ev3way": "ev3way-large-wheels", "twipr": "twipr"}
 
 
@@ -119,6 +121,34 @@ def left_by_band(found: Calibration) -> str:
     return "; ".join(words)
 
 
+def per_volt(one: Run) -> str:
+    """How many rad/s gyro and wheels turn for a volt, by Welch's cross-spectra near `ASKED`, where every EV3 run has
+    coherent motion: no model is in it. Runs of one robot agree, if the logged command is what reached the motors."""
+    from scipy.signal import csd, welch
+
+    log = one.log.between(PUT_DOWN, np.inf)
+    t = np.arange(log.t[0], log.t[-1], log.period)
+    volts, gyro, wheels = (
+        np.interp(t, log.t, column)
+        for column in (
+            (log["applied/left"] + log["applied/right"]) / 2, log["sensor/gyro"],
+            (log["sensor/encoder_left"] + log["sensor/encoder_right"]) / 2,
+        )
+    )  # fmt: skip
+    size = min(64, len(t) // 2)
+    frequency, power = welch(volts, 1 / log.period, nperseg=size, detrend="linear")
+    words: list[str] = []
+    for wanted in ASKED:
+        at = int(np.argmin(np.abs(frequency - wanted)))
+        turn, roll = (
+            abs(csd(volts, y, 1 / log.period, nperseg=size, detrend="linear")[1][at] / power[at])
+            for y in (gyro, wheels)
+        )
+        rate = 2 * np.pi * frequency[at] * roll
+        words.append(f"at {frequency[at]:.1f} Hz gyro {turn:.2f}, wheels {rate:.2f} rad/s")
+    return "for a volt, " + "; ".join(words)
+
+
 def overlap(results: Sequence[tuple[Run, Calibration]], *, runs_apart: bool) -> str:
     """Pairs of intervals of one number that overlap, of two runs or of two cuts of one, and what is apart."""
     there, apart = 0, Counter[str]()
@@ -150,6 +180,8 @@ def alone(robot: str, model: Robot) -> list[tuple[Run, Calibration]]:
         print("".join(f"      refused: {reason}\n" for reason in found.refused), end="", flush=True)
         if not one.cut:
             print(f"      {left_by_band(found)}", flush=True)
+            if robot == "ev3way":
+                print(f"      {per_volt(one)}", flush=True)
         if not found.refused:
             results.append((one, found))
     return results
