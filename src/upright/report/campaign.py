@@ -35,13 +35,25 @@ def page_of(cases: Cases) -> Page:
     worst = max(counted, key=lambda case: (case.fell or 0) / case.n)
     knocks = harder(cases.origins)
     return Page(
-        _title(cases, worst), sections, _lead(cases, knocks), twin_note=False,
+        _title(cases, worst), sections, _lead(cases, knocks), _made(cases), twin_note=False,
         verdict=_verdict(counted, knocks), picture=Figure(_claim(cases), _limited(cases), _LINES),
         numbers=_numbers(cases, worst),
     )  # fmt: skip
 
 
 _LINES = "Thin lines: 95 % intervals."
+
+
+def _made(cases: Cases) -> dict[str, str]:
+    """Seed, length of the runs and versions, as of the first case."""
+    origin = cases.origins[0] if cases.origins else {}
+    seconds, versions = origin.get("scenario", {}).get("seconds"), origin.get("versions", {})
+    facts = {
+        "seed": str(origin.get("seed", "")),
+        "each run": f"{seconds:g} s" if seconds else "",
+        "versions": ", ".join(f"{name} {version}" for name, version in sorted(versions.items())),
+    }
+    return {name: text for name, text in facts.items() if text}
 
 
 def _verdict(counted: Sequence[CaseSummary], knocks: str) -> Verdict:
