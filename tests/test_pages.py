@@ -123,6 +123,22 @@ def test_the_first_screen_has_the_picture_and_no_axis_is_a_logarithm(
     page.close()
 
 
+@pytest.mark.parametrize(("width", "height"), [(1280, 900), (390, 844)])
+def test_the_first_screen_has_the_numbers_and_what_to_run_next(
+    pages: dict[str, Path], browser: Any, width: int, height: int
+) -> None:
+    page = browser.new_page(viewport={"width": width, "height": height})
+    below: dict[str, float] = {}
+    for name in KINDS:
+        page.goto(pages[name].as_uri())
+        for part in page.query_selector_all("header .numbers, header .next"):
+            box = part.bounding_box()
+            if box["y"] + box["height"] > height:
+                below[name] = box["y"] + box["height"]
+    page.close()
+    assert not below
+
+
 def test_a_pointer_over_a_figure_reads_its_lines(pages: dict[str, Path], browser: Any) -> None:
     page = browser.new_page(viewport={"width": 1280, "height": 900})
     page.goto(pages["comparison"].as_uri())
