@@ -157,7 +157,7 @@ def _shown(trial: RegulatedRobot, side: str, comparison: Comparison, measured: M
     numbers = {"force": force, "hold": PUSHES[side], **comparison.to_json()}
     logs = {f"{robot.name}-{side}-{name}": log for name, log in comparison.logs.items()}
     verdict = REPRODUCED if stood else NOT_AS_PRINTED
-    aside = "the shape, but the twin keeps swinging" if why and stood else ""
+    aside = "the curves agree, but the twin never settles to 5 %" if why and stood else ""
     return Claim(part, title, verdict, summary, numbers, items, logs, aside=aside)
 
 
@@ -232,7 +232,7 @@ def _tested(measured: dict[str, Measured]) -> Claim:
     }
     verdicts = {claim: count == len(every) for claim, count in held.items()}
     text = "; ".join(
-        f"the paper says that {claim}, and here that is so in {count} of {len(every)} cases"
+        f"“{claim}”, says the paper, and here it holds in {count or 'none'} of {len(every)} cases"
         if count < len(every)
         else f"{claim} in all cases"
         for claim, count in sorted(held.items(), key=lambda item: item[1])

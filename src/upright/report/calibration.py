@@ -285,7 +285,7 @@ def _doubts(c: Calibration) -> str:
     far = [f"the {spoken(e.name)} comes out {_times(e)}" for e in _far(c)]
     left_out = any(not w.white for w in c.whiteness)
     short = [*far, *(["the model leaves something out"] if left_out else [])]
-    return f" But {joined(short)}." if short else ""
+    return f" But {', '.join(short[:-1])}{', and ' if short[1:] else ''}{short[-1]}." if short else ""
 
 
 def _next(c: Calibration) -> str:

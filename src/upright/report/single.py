@@ -18,7 +18,6 @@ if TYPE_CHECKING:
 
     from upright.signals import Log
 
-ROOM = 0.12  # of a panel's height, above and below the curve, for a name
 LASTING = 0.5  # [s] of a push against which a robot leans
 
 
@@ -71,9 +70,10 @@ def band(comparison: Comparison, ax: Axes) -> None:
         if at < log.t[-1]:
             pitch = math.degrees(float(np.interp(at, log.t, log[f"{comparison.sources[label]}/pitch"])))
             ax.plot([at], [pitch], "o", markersize=6, color=AXIS, label="_settled")
-            away = 7 if pitch > 0 else -17
-            ax.annotate(f"settled after {settles(calm, 2)}", (at, pitch), (4, away), textcoords="offset points")
-            ax.margins(y=ROOM)
+            ax.annotate(
+                f"settled after {settles(calm, 2)}", (at, pitch), (at, 2.5 * math.degrees(limit)), va="bottom",
+                arrowprops={"arrowstyle": "-", "color": AXIS},
+            )  # fmt: skip
 
 
 def alone(comparison: Comparison, name: str) -> str:

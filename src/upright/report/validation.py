@@ -73,7 +73,7 @@ def page_of(result: Validation) -> Page:
     sections = [section for log in result.logs for section in _sections(log, len(result.logs) > 1)]
     half = f"Measured and predicted, half a second at a time: R² of {_each(worst)}"
     half = "Predictions of half a second lie on the readings" if worst.worst.r2 >= GOOD else half
-    starts = " ".join([_STARTS, *(note for note in worst.notes if note.startswith("Only "))])
+    starts = " ".join([_STARTS, *(note.replace(" -", " −") for note in worst.notes if note.startswith("Only "))])
     logs = ", ".join(Path(log.source).name for log in result.logs)
     return Page(
         _title(result), sections, _lead(result), {"kit": result.kit, "logs": logs}, False, verdict=verdict,
