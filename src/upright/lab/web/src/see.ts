@@ -108,7 +108,7 @@ export class See {
     if (!found) return [h("p", { className: "note" }, t("designing"))];
     const words = h("p", { className: "note" }, sentence(translate(found.words)));
     const colour = laneColour("twin");
-    const drawings: Node[] = [...(found.stable ? leastMargins(found) : []), words];
+    const drawings: Node[] = found.stable ? leastMargins(found) : [words];
     if (found.L.length === 3) drawings.push(...frequency(found.L, colour));
     if (found.poles.length) drawings.push(poles(found.poles, colour));
     return drawings;
