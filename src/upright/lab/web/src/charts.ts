@@ -22,7 +22,7 @@ export class Strip {
     this.plot = new uPlot(
       {
         width: 300, height, padding: [6, 18 * scale, 0, 0],
-        cursor: { show: false }, legend: { show: false }, hooks: { draw: [(u) => mark(u, scale, colours.push)] },
+        cursor: { show: false }, legend: { show: false }, hooks: { draw: [(u) => mark(u, scale, colours)] },
         scales: { x: { time: false }, y: { range: (_u, low, high) => around(low, high, floor) } },
         axes: [
           { ...axis, size: 20 * scale, values: (_u, ticks) => ticks.map((v) => (v < 0 ? "" : local(`${+v.toFixed(1)} s`))), space: 46 * scale },
@@ -59,12 +59,12 @@ function breaks(plot: uPlot): [number, number][] {
 }
 
 /** A line where each push began, with its name and size where there is room. */
-function mark(plot: uPlot, scale: number, colour: string): void {
+function mark(plot: uPlot, scale: number, { push: colour, paper }: ReturnType<typeof ink>): void {
   const { ctx, bbox: { left, top, width, height } } = plot;
   const pixels = scale * devicePixelRatio;
   let free = left; // of other words
   ctx.save();
-  Object.assign(ctx, { strokeStyle: colour, fillStyle: colour, lineWidth: pixels, font: `${11 * pixels}px system-ui, sans-serif`, textAlign: "left", textBaseline: "top" });
+  Object.assign(ctx, { strokeStyle: colour, lineWidth: pixels, font: `${11 * pixels}px system-ui, sans-serif`, textAlign: "left", textBaseline: "top" });
   for (const { t: time, what, size } of store.traces.marks) {
     const x = plot.valToPos(time, "x", true);
     if (x < left || x > left + width) continue;
@@ -75,8 +75,11 @@ function mark(plot: uPlot, scale: number, colour: string): void {
     ctx.stroke();
     const words = named(size || what !== "hand" ? `mark_${what}` : "mark_held").replace("{size}", digits(Math.abs(size), 2));
     const wide = ctx.measureText(words).width;
-    const from = Math.min(x + 4 * pixels, left + width - wide);
+    const from = x + 4 * pixels + wide < left + width ? x + 4 * pixels : x - 4 * pixels - wide; // beside its line
     if (from < free || wide > width * 0.8) continue;
+    ctx.fillStyle = paper;
+    ctx.fillRect(from - pixels, top, wide + 2 * pixels, 12 * pixels);
+    ctx.fillStyle = colour;
     ctx.fillText(words, from, top);
     free = from + wide;
   }

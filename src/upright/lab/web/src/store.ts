@@ -145,6 +145,7 @@ export class Store {
   recorded = 0; // [s] that a recording lasts; 0 in a session that lives
   send: (message: ClientMessage) => void = () => undefined;
   private listeners: Listener[] = [];
+  private sent: Mark | null = null; // a push that is on its way
   private waiting = false; // for the session to have the set-up that was chosen here
   private asked = -AGAIN;
   private missing = Infinity; // [s] since when there are holes that nobody was asked about
@@ -168,6 +169,7 @@ export class Store {
     if (message.kind === "Strike") marks.push({ t, what: message.what, size: message.size });
     else if (hand.on && !held) marks.push({ t, what: "hand", size: 0 });
     else if (held && marks.at(-1)?.what === "hand") (marks.at(-1) as Mark).size = hand.impulse;
+    if (message.kind === "Strike" || (hand.on && !held)) this.sent = marks.at(-1) ?? null;
   }
 
   listen(listener: Listener): void {
@@ -217,6 +219,7 @@ export class Store {
     switch (message.kind) {
       case "Snapshot":
         this.snapshot = message;
+        if (this.sent && message.f[0]) [this.sent.t, this.sent] = [message.t, null]; // it acts from now on
         if (!message.back) {
           this.recall(message);
           this.traces.add(message);
