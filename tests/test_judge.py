@@ -168,6 +168,21 @@ def test_what_is_refused_is_not_used_elsewhere(tmp_path: Path, monkeypatch: pyte
         read_posterior(path)
 
 
+@pytest.mark.parametrize(("before", "after", "taken"), [(0.04, 0.08, False), (0.4, 0.95, True), (0.9, 0.95, False)])
+def test_a_doubtful_number_is_taken_over_where_it_leaves_white_innovations(
+    monkeypatch: pytest.MonkeyPatch, before: float, after: float, *, taken: bool
+) -> None:
+    """Whiter alone is no reason: 0.04 and 0.08 are of a dead zone that passed for twice the mass; see `WHITE`."""
+    handed_over = import_module("upright.certify.calibrated")
+    fits = iter([SimpleNamespace(refused=(), temper=temper) for temper in (before, after)])
+    monkeypatch.setattr(handed_over, "as_logged", lambda _, setup: (setup, (), ()))
+    monkeypatch.setattr(handed_over, "_own", lambda *_: next(fits))
+    monkeypatch.setattr(handed_over, "doubted", lambda *_: ("another", "number"))
+    monkeypatch.setattr(handed_over, "learnt", lambda own, _: own)
+    own, numbers = handed_over.calibrated(Log(np.arange(9.0), {}, {}), SimpleNamespace(kit=None))
+    assert (own.temper, numbers) == ((after, ("number",)) if taken else (before, ()))
+
+
 @pytest.mark.parametrize(("seconds", "quantile"), [(2.0, 3.182), (10.0, 2.131), (20.0, 2.042)])
 def test_intervals_of_a_short_log_are_those_of_student(seconds: float, quantile: float) -> None:
     """Tables of Student's distribution, 97.5 %, for 3, 15 and 30 degrees of freedom: 3T/2M with a window of 1 s."""

@@ -23,6 +23,11 @@ WHITER = 1.25
 """Times the information that a log holds by its innovations' correlation (`Calibration.temper`), from which they are
 whiter: with the body's true mass 0.93 and 1.0, with 2.5 times that 0.38 and 0.42."""
 
+WHITE = 0.5
+"""From this `temper` on, between those, innovations are near enough to white for a number to be the cause. Where a
+dead zone was the cause, a body of 2.2 times its mass raised it from 0.04 to 0.08: the light was green, and the robot
+fell."""
+
 
 @dataclass(frozen=True, eq=False)
 class Learnt:
@@ -38,15 +43,15 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
 
     A calibration doubts no scale, no weighed mass and little of the electronics: where these are wrong it bends other
     numbers. So the log is first compared with the file, and what it contradicts is corrected. Where robots within the
-    file's spreads explain as much as one more number would, the log is calibrated with it too, and the robot with the
-    whiter innovations is kept. Raises `InvalidLog` where the calibration is refused.
+    file's spreads explain as much as one more number would, the log is calibrated with it too, and that robot is kept
+    where its innovations are whiter, and nearly white. Raises `InvalidLog` where the calibration is refused.
     """
     met, _, taken = as_logged(log, setup)
     own = _own(log, met, progress)
     unlike = own.refused or own.temper * WHITER < 1
     if unlike and (doubt := doubted(log, met, {s.name for s in taken})):
         other = _own(log, doubt[0], progress)
-        if not other.refused and (own.refused or other.temper > WHITER * own.temper):
+        if not other.refused and (own.refused or other.temper > max(WHITER * own.temper, WHITE)):
             own, taken = other, (*taken, doubt[1])
     if own.refused and taken:
         own, taken = _own(log, setup, progress), ()
