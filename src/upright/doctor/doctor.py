@@ -107,7 +107,7 @@ class Diagnosis(Shown):
                 at = sensors.limited(record, names)
                 for name, rows in zip(names, at, strict=True):
                     ax.plot(
-                        record.t[rows], record[name][rows], ".", color=COLOURS[3], markersize=5, label="at the limit"
+                        record.t[rows], record[name][rows], "o", color=COLOURS[3], markersize=2.5, label="at the limit"
                     )
         for segment in self.segments:
             if segment.kind != BALANCING:
