@@ -419,6 +419,7 @@ def test_a_campaign_is_ranked_by_falls_and_what_nobody_survived_has_a_dash():
     assert ["a", "0", "3"] in rows
     assert ["b", "100", "–"] in rows
     assert str(cases).splitlines()[-1].endswith("–")
+    assert "0 (≤ 0.03)" in str(cases)  # as the page's bound: 1 − 0.05^(1/100) = 2.95 %
 
 
 def test_a_campaign_names_the_cases_that_fall_and_not_their_mean_with_those_that_stand():
@@ -429,7 +430,7 @@ def test_a_campaign_names_the_cases_that_fall_and_not_their_mean_with_those_that
         for (robot, scene), count in fell.items()
     )
     page = page_of(cases)
-    assert page.title == "b, knock: all 100 robots fall; in the other cases 3 of 100 or fewer"
+    assert page.title == "All 100 b robots fall when knocked; in the other cases at most 3 of 100 do"
     assert [value for value, _ in page.numbers] == ["100 %", "3 %", "2 of 4"]
     assert page.verdict == Verdict("in 1 of 4 cases more fall than the 5 % that a certificate allows", "bad")
     assert "100 simulated variations of a or b." in page.lead
@@ -441,7 +442,7 @@ def test_a_campaign_says_what_is_done_in_each_scenario():
     cases.origins = [ensemble_of("nxtway-gs", pushes=push).origin() for push in pushes]
     assert (
         "Knock: pushed forward by 0.3 N s for 10 ms at the centre of mass. Hill: on a floor tilted by 5°."
-        in page_of(cases).lead
+        in page_of(cases).picture.note
     )
     # the cases have the same 100 robots: none of 200 would bound falls twice as well (1 − 0.05^(1/100) = 3.0 %)
     assert page_of(cases).numbers[0][0] == "≤ 3 %"
@@ -452,9 +453,11 @@ def test_a_knock_harder_than_a_certificates_is_said_and_no_red_light():
     fleets = {size: ensemble_of("nxtway-gs", pushes=(Impulse(impulse=size),)).origin() for size in (0.24, 0.3)}
     assert harder([fleets[0.24]]) == ""
     assert harder([fleets[0.24], ensemble_of("ev3way", pushes=(Impulse(impulse=0.24),)).origin()]) == (
-        " A certificate knocks ev3way there with only 0.0641 to 0.0845 N s."
-    )  # as hard a knock for both, and too hard for one
-    assert harder(list(fleets.values())) == " A certificate knocks nxtway-gs there with only 0.186 to 0.245 N s."
+        " The knock, 0.24 N s, is 2.8 times the hardest of a certificate for ev3way."
+    )  # as hard a knock for both, and too hard for one, whose certificate knocks with 0.0641 to 0.0845 N s
+    assert harder(list(fleets.values())) == (
+        " The knock, 0.3 N s, is 1.2 times the hardest of a certificate for nxtway-gs."
+    )
     assert [falls_verdict(30, 100, words).level for words in ("", "harder")] == ["bad", "warn"]
     # 4 of 100 fell, but with 95 % confidence up to 8.9 % may (Clopper and Pearson), which a certificate counts
     assert [falls_verdict(fell, 100).level for fell in (0, 4)] == ["good", "warn"]

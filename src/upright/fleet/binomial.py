@@ -23,6 +23,9 @@ def clopper_pearson(count: int, n: int, confidence: float = 0.95) -> Interval:
     return Interval(count / n, low, high)
 
 
+RARE = 0.05  # [1] up to here an upper bound says all; above, both ends of an interval count
+
+
 def upper_bound(count: int, n: int, confidence: float = 0.95) -> float:
     """Upper confidence bound of the true probability: p with P(no more than `count` of `n` | p) = 1 − `confidence`."""
     return clopper_pearson(count, n, 2 * confidence - 1).high  # one-sided: the whole remainder lies above

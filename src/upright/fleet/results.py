@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from upright.arrays import Array
 from upright.atomic import place_of, write_folder, writing
 from upright.errors import InvalidLog, MissingTool, UprightError
-from upright.fleet.binomial import Interval, clopper_pearson
+from upright.fleet.binomial import RARE, Interval, clopper_pearson, upper_bound
 from upright.fleet.ensemble import OUTCOMES, Ensemble, Index
 from upright.fleet.vary import kit_numbers
 from upright.reading import expanded, understood
@@ -42,7 +42,10 @@ class Summary(Shown):
     units: Mapping[str, str]
 
     def __str__(self) -> str:
-        chance = f"{self.chance.value:.3g} (95 %: {self.chance.low:.3g} … {self.chance.high:.3g})"
+        bounds = f"95 %: {self.chance.low:.3g} … {self.chance.high:.3g}"
+        if self.chance.value <= RARE:
+            bounds = f"at most {upper_bound(self.fell, self.n):.2g} with 95 % confidence"
+        chance = f"{self.chance.value:.3g} ({bounds})"
         lines = [f"{self.fell} of {self.n} robots fell; P(fall) = {chance}", "", "of those that stood:"]
         for name, (low, middle, high) in self.quantiles.items():
             words = OUTCOMES[name][1] if name in OUTCOMES else name

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from upright.arrays import Array
-from upright.fleet.binomial import Interval, clopper_pearson
+from upright.fleet.binomial import Interval, clopper_pearson, upper_bound
 from upright.fleet.ensemble import OUTCOMES
 from upright.tables import Listing, Shown, spoken
 
@@ -144,11 +144,14 @@ class Cases(Shown, tuple[CaseSummary, ...]):
         for k, level in enumerate(levels if 1 < len(levels) < len(COLOURS) else [None]):
             rows = np.array([i for i, mark in enumerate(marks) if level is None or mark == level], dtype=int)
             name = "robots that fell" if level is None else self.labelled(first, level)
+            name = name if level is None or percent[rows, 0].any() else "_"  # no bar, no line in the key
             ax.barh(rows, percent[rows, 0], height=0.6, color=COLOURS[k], label=name)
         ax.hlines(np.arange(len(worst)), percent[:, 1], percent[:, 2], linewidth=1.2, color=INK, zorder=3)
         for row, (value, _, high) in enumerate(percent.tolist()):
             ax.annotate(f"{number(value, 2)} %", (high, row), (4, 0), textcoords="offset points", va="center")
-        ax.set_xlim(0, max(1.0, 1.18 * float(np.nanmax(percent, initial=0.0))))
+        ax.set_xlim(0, max(1.0, 1.3 * float(np.nanmax(percent, initial=0.0))))
+        if ax.get_xlim()[1] > 100:  # room for the names, but no tick above 100 %
+            ax.set_xticks(np.arange(0, 101, 25))
         return legend(figure)
 
     def listing(self) -> Listing:
@@ -157,7 +160,8 @@ class Cases(Shown, tuple[CaseSummary, ...]):
         rows: list[list[str]] = []
         for case in self:
             chance = case.chance
-            fell = f"{case.fell} ({chance.low:.2g} … {chance.high:.2g})" if chance else "–"
+            bounds = f"{chance.low:.2g} … {chance.high:.2g}" if chance and case.fell else ""
+            fell = f"{case.fell} ({bounds or f'≤ {upper_bound(0, case.n):.2g}'})" if chance else "–"
             labels = [_short(case.labels.get(name, "")) for name in names]
             means = ["–" if (mean := case.mean(o)) is None else f"{mean:.4g}" for o in self.shown()]
             rows.append([*labels, str(case.n), fell, *means])

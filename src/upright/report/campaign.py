@@ -36,12 +36,13 @@ def page_of(cases: Cases) -> Page:
     knocks = harder(cases.origins)
     return Page(
         _title(cases, worst), sections, _lead(cases, knocks), _made(cases), twin_note=False,
-        verdict=_verdict(counted, knocks), picture=Figure(_claim(cases), _limited(cases), _LINES),
+        verdict=_verdict(counted, knocks), picture=Figure(_claim(cases), _limited(cases), _note(cases)),
         numbers=_numbers(cases, worst),
     )  # fmt: skip
 
 
-_LINES = "Thin lines: 95 % intervals."
+def _note(cases: Cases) -> str:
+    return f"{_scenarios(cases)} Thin lines: 95 % intervals.".strip()
 
 
 def _made(cases: Cases) -> dict[str, str]:
@@ -101,7 +102,7 @@ def _title(cases: Cases, worst: CaseSummary) -> str:
     apart = _apart(cases)
     if group:
         others = [case for case in cases.worst_first() if case not in group]
-        return f"{_shared(cases, group)}: {_counted(group)} fall; {_most(others)}"
+        return f"{sentence(_fallen(cases, group)).rstrip('.')}; {_most(others)}"
     if not apart:
         in_case = f", in all {len(cases)} cases about alike" if len(cases) > 1 else ""
         return f"{_chance(worst)} of the robots fall{in_case}"
@@ -127,26 +128,46 @@ def _group(cases: Cases) -> list[CaseSummary]:
     return worst if len(worst) < len(counted) else []
 
 
-def _shared(cases: Cases, group: Sequence[CaseSummary]) -> str:
-    """What the cases of a group have in common and no other case has; else how many they are."""
+def _labels(cases: Cases, group: Sequence[CaseSummary]) -> dict[str, str | float]:
+    """What the cases of a group have in common and no other case has; empty without."""
     labels = {name: values[0] for name in cases.varied()
               if len(values := list(dict.fromkeys(case.labels.get(name, "") for case in group))) == 1}  # fmt: skip
     alike = [case for case in cases if all(case.labels.get(name, "") == value for name, value in labels.items())]
-    if not labels or len(alike) > len(group):
-        return f"{len(group)} of {len(cases)} cases"
-    return ", ".join(cases.labelled(name, value) for name, value in labels.items())
+    return labels if len(alike) == len(group) else {}
 
 
-def _counted(group: Sequence[CaseSummary]) -> str:
-    """How many fell in these cases together."""
+def _shared(cases: Cases, group: Sequence[CaseSummary]) -> str:
+    """The labels of a group, else how many cases it has."""
+    labels = [cases.labelled(name, value) for name, value in _labels(cases, group).items()]
+    return ", ".join(labels) or f"{len(group)} of {len(cases)} cases"
+
+
+def _fallen(cases: Cases, group: Sequence[CaseSummary]) -> str:
+    """How many fell in these cases together: "all 1000 ev3way robots fall when knocked"."""
     fell, n = sum(case.fell or 0 for case in group), sum(case.n for case in group)
-    return f"all {n} robots" if fell == n else f"{fell} of {n} robots"
+    return f"{f'all {n}' if fell == n else f'{fell} of {n}'} {_robots_of(cases, group)}"
+
+
+def _robots_of(cases: Cases, group: Sequence[CaseSummary]) -> str:
+    """ "ev3way robots fall when knocked"."""
+    labels = _labels(cases, group)
+    if not labels:
+        return f"robots fall in {len(group)} of {len(cases)} cases"
+    robot, scene = (str(labels.pop(name, "")) for name in ("robot", "scenario"))
+    when = f" {SCENES.get(scene, f'in scenario {scene}')}" if scene else ""
+    others = "".join(f" with {cases.labelled(name, value)}" for name, value in labels.items())
+    return f"{robot} robots fall{when}{others}".strip()
+
+
+SCENES = {"knock": "when knocked", "slope": "on a slope"}
+"""Usual names of scenarios, and when that is."""
 
 
 def _most(others: Sequence[CaseSummary]) -> str:
     """How many fell in the worst of the other cases."""
     worst = max(others, key=lambda case: (case.fell or 0) / case.n)
-    return f"in the other cases {worst.fell} of {worst.n} or fewer" if worst.fell else "in the other cases none"
+    most = f"at most {worst.fell} of {worst.n} do" if worst.fell else "none does"
+    return f"in the other cases {most}"
 
 
 def _chance(case: CaseSummary) -> str:
@@ -173,7 +194,7 @@ def _apart(cases: Cases) -> list[tuple[str, Level, Level]]:
 
 
 def _lead(cases: Cases, knocks: str) -> str:
-    """What was run, how hard its `knocks` are, and what makes no difference."""
+    """How hard its `knocks` are, what makes no difference, and what was run."""
     sizes = sorted({case.n for case in cases})
     robots = " or ".join(dict.fromkeys(str(case.labels.get("robot", "")) for case in cases))
     same = "the same " if len(sizes) == 1 and _one_robot(cases) and len(cases) > 1 else ""
@@ -188,11 +209,11 @@ def _lead(cases: Cases, knocks: str) -> str:
         f", {pushed(cases.pushes)}" if known else f" in scenario {scenes[0]}" if len(scenes) == 1 and scenes[0] else ""
     )
     acts = f" {where(cases.pushes)}" if known and where(cases.pushes) else ""
-    first = f"{len(cases)} cases, each with {many}{scene}{acts}.{'' if known else _scenarios(cases)}"
+    first = f"{len(cases)} cases, each with {many}{scene}{acts}."
     apart = {name for name, *_ in _apart(cases)}
     alike = [spoken(name) for name in cases.varied() if name not in apart]
     second = f" The {joined(alike)} {'makes' if len(alike) == 1 else 'make'} no clear difference." if alike else ""
-    return f"{first}{knocks}{second}{_next(cases)}"
+    return f"{f'{knocks}{second} {first}'.strip()}{_next(cases)}"
 
 
 def _scenarios(cases: Cases) -> str:
@@ -281,17 +302,19 @@ def spread_table(spreads: Sequence[Mapping[str, Any]], units: Mapping[str, str])
 def _numbers(cases: Cases, worst: CaseSummary) -> list[tuple[str, str]]:
     if not worst.fell:
         at_most = f"≤ {_percent(upper_bound(0, worst.n))}"
-        return [(at_most, f"of the robots of a case fall (95 %, one-sided); the limit is {100 * MOST_FALLS:g} %")]
+        text = f"of the robots of a case fall, with 95 % confidence; a certificate allows {100 * MOST_FALLS:g} %"
+        return [(at_most, text)]
     if group := _group(cases):
         others = [case for case in cases.worst_first() if case not in group]
         chance, safe = together(group), sum(not case.fell for case in others)
-        numbers = [(_percent(chance.value), f"fall with {_shared(cases, group)} (95 %: {_within(chance)})")]
+        sure = f" (95 %: {_within(chance)})" if chance.value < 1 else ""
+        numbers = [(_percent(chance.value), f"of {_robots_of(cases, group)}{sure}")]
         if others[0].fell and others[0].chance:
             named = cases.names()[cases.index(others[0])]
-            inside = f"fall in the worst of the other cases, {named} (95 %: {_within(others[0].chance)})"
+            inside = f"fall in the next worst case, {named} (95 %: {_within(others[0].chance)})"
             numbers.append((_percent(others[0].chance.value), inside))
-        each = f": of each at most {_percent(upper_bound(0, others[-1].n))} fall (95 %, one-sided)" if safe else ""
-        return [*numbers, (f"{safe} of {len(cases)}", f"cases without a fall{each}")]
+        each = f" (at most {_percent(upper_bound(0, others[-1].n))} may, with 95 % confidence)" if safe else ""
+        return [*numbers, (f"{safe} of {len(cases)}", f"cases where none of {others[-1].n} fell{each}")]
     numbers: list[tuple[str, str]] = []
     name, levels = next(iter(cases.effects().items()), ("", {}))
     ranked = sorted(levels, key=lambda v: levels[v].value)
@@ -330,11 +353,8 @@ def _table(cases: Cases) -> Table:
         fell = None if case.fell is None else float(f"{100 * case.fell / case.n:.2g}")
         rows.append([name, fell, *(None if mean is None else factor * mean for mean, factor in means)])
     header = ["case", "fell [%]", *(kinds[o][0] for o in shown)]
-    caption = (
-        "The worst first; means of those that stood: largest pitch, time until it stays within "
-        f"±{math.degrees(SETTLED):.3g}° (– where none does), effort"
-    )
-    return Table(header, rows, caption, 3, even=True)
+    caption = f"Means of those that stood; “settles”: stays within ±{math.degrees(SETTLED):.3g}°"
+    return Table(header, rows, caption, 3, even=True, narrow=True)
 
 
 def _leaning(cases: Cases) -> list[str]:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from upright.bodies.body import FALLEN
 from upright.certify.verdict import MOST_FALLS
-from upright.fleet.binomial import upper_bound
+from upright.fleet.binomial import RARE, upper_bound
 from upright.fleet.ensemble import SETTLED
 from upright.fleet.fleet import Fleet, distribution, stood
 from upright.fleet.results import OUTCOMES, Summary, origin_of, summarise
@@ -239,25 +239,24 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     knocks = harder([origin_of(data)])
     acts = f" The push acts {where(pushes)}." if where(pushes) else ""
     lead = f"{_differ(data, robot)}{acts}{knocks}{_untold(summary, explained)} Next: {after}{all_vary}."
-    rare = summary.fell <= MOST_FALLS * summary.n
+    rare = summary.chance.value <= RARE
     bounds = f"{number(100 * chance.low, 2)} to {number(100 * chance.high, 2)} %"
     numbers = [
         (
             f"≤ {number(100 * upper_bound(summary.fell, summary.n), 2)} %" if rare else bounds,
-            f"of all such robots fall (95 %{', one-sided' if rare else ''}); a certificate allows "
-            f"{100 * MOST_FALLS:g} %",
+            f"of such robots fall, with 95 % confidence; a certificate allows {100 * MOST_FALLS:g} %",
         )
     ]
     if "peak_pitch" in summary.quantiles and np.isfinite(summary.quantiles["peak_pitch"][2]):
         peak, fall = math.degrees(summary.quantiles["peak_pitch"][2]), math.degrees(FALLEN)
-        text = f"or less is the largest pitch of 95 % of those that stood; at {fall:.0f}° a robot lies"
+        text = f"is the most that 95 % of those that stood leaned; at {fall:.0f}° a robot lies"
         numbers.append((f"{number(peak, 2)}°", text))
     if "settling" in kept and np.isfinite(kept["settling"]).all():
         _, half, most = kept["settling"]
         after = _called(data, "settling").removeprefix("settling time ")
         numbers.append((f"{half:.3g} s", f"{after} half of them stay within {_BAND}; 95 % after {most:.3g} s"))
     elif "travel" in kept and np.isfinite(kept["travel"][2]):
-        numbers.append((f"{kept['travel'][2]:.2g} m", "or less is how far 95 % of those that stood rolled"))
+        numbers.append((f"{kept['travel'][2]:.2g} m", "is the farthest that 95 % of those that stood rolled"))
     outcomes = ["fell"] if explained else names[:1]
     trends = [name for name in outcomes if explained or _clear(data, name)]
     causes = [figure for name in trends for figure in (over_strongest(data, name), influence(data, name)) if figure]
@@ -307,7 +306,7 @@ def _differ(data: Dataset, robot: str) -> str:
     """Whose relatives, in what they differ, and what holds them."""
     names = _varied(data)
     kind = (origin_of(data).get("controller") or {}).get("kind", "")
-    under = f", under {kind}" if kind else ""
+    under = f", under the controller {kind}" if kind else ""
     if 0 < len(names) <= FEW:
         varied = joined([f"{spoken(name)}{_range(data, name)}" for name in names])
         return f"Simulated robots that differ from {robot} only in {varied}{under}."

@@ -34,8 +34,8 @@ def _sizes(robot: Robot, kit: Kit) -> list[float]:
 
 
 def harder(origins: Sequence[Mapping[str, Any]]) -> str:
-    """How much harder the hardest knock of a robot is than those of a certificate on the same robot, as a sentence with
-    a space before it; nothing where it is not harder."""
+    """How many times as hard the hardest knock of a robot is as a certificate's hardest on the same robot, as a
+    sentence with a space before it; nothing where it is not harder."""
 
     def knock(origin: Mapping[str, Any]) -> float:
         return max((abs(p.get("impulse") or 0.0) for p in origin.get("scenario", {}).get("push") or ()), default=0.0)
@@ -44,7 +44,9 @@ def harder(origins: Sequence[Mapping[str, Any]]) -> str:
     for origin in hardest.values():  # one of each robot
         known = robot_of(origin)
         if known and knock(origin) and knock(origin) > max(_sizes(*known)):
-            return f" A certificate knocks {known[0].name} there with only {certified(*known)}."
+            times = number(knock(origin) / max(_sizes(*known)), 2)
+            size = number(knock(origin))
+            return f" The knock, {size} N s, is {times} times the hardest of a certificate for {known[0].name}."
     return ""
 
 

@@ -49,7 +49,8 @@ Cell = str | float | bool | Verdict | None
 class Table:
     """Rows under `header`; numbers are right-aligned and shown to `digits` significant digits, NaN and None as '–'.
 
-    A `Verdict` as a cell has its colour. With `even` the numbers of a column have as many decimals as its largest.
+    A `Verdict` as a cell has its colour. With `even` the numbers of a column have as many decimals as its largest. On a
+    phone the rows of a `narrow` table stay rows, since its names and heads wrap.
     """
 
     header: Sequence[str]
@@ -57,6 +58,7 @@ class Table:
     caption: str = ""
     digits: int = 4
     even: bool = False
+    narrow: bool = False
     kind: ClassVar[str] = "table"
 
     def __post_init__(self) -> None:
@@ -82,7 +84,7 @@ class Table:
         widths = [[min(len(text), 99 if kind == "number" else WRAPPED) for text, kind in cells] for cells in columns]
         broken = any(len(text) > 2 * WRAPPED for row in self.cells() for text, _ in row[1:])
         wide = len(self.header) > 3 and sum(max(column) + 1 for column in widths) > PHONE
-        return len(self.header) > 2 and (broken or wide)
+        return len(self.header) > 2 and (broken or wide) and not self.narrow
 
     def brief(self) -> list[bool]:
         """For each column whether name and cells are short, so that two of them stand beside each other on a card."""
