@@ -270,7 +270,7 @@ def test_a_number_that_a_log_knows_less_of_than_the_file_has_no_per_cent() -> No
     several = [loose if e.name == loose.name else e for e in found.parameters]
     page = str(page_of(replace(found, parameters=tuple(several), missed=("gyro: missed",))).html())
     assert "290 %" not in page
-    assert "Wider: the log knows less of it than the file" in page
+    assert "Wider: less certain than in the file" in page
     assert "Gyro: missed" in page
 
 
@@ -289,7 +289,9 @@ def test_no_bar_and_no_prior_of_a_positive_number_is_drawn_below_zero() -> None:
         assert band.get_x() * e.prior_spread >= -e.prior * (1 + 1e-9)
 
 
-def test_a_guess_that_the_log_contradicts_is_a_reservation_and_its_arrow_stands_at_its_own_bar() -> None:
+def test_a_guess_that_the_log_contradicts_is_a_reservation_and_its_arrow_stands_at_its_own_bar(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     """The page of a real run said that yaw inertia, 4.7 deviations off the file, keeps what was known before."""
     from matplotlib.text import Annotation
 
@@ -298,6 +300,7 @@ def test_a_guess_that_the_log_contradicts_is_a_reservation_and_its_arrow_stands_
     from upright.report.figure import Figure
     from upright.report.priors import FAR
 
+    monkeypatch.setitem(page_of.__globals__, "typed", lambda *_: "mine.toml")
     found = calibration()
     e = found["yaw_inertia"]
     at = e.prior + 4.7 * e.prior_spread
@@ -308,11 +311,31 @@ def test_a_guess_that_the_log_contradicts_is_a_reservation_and_its_arrow_stands_
     assert "reservation" in page.verdict.text
     words = f"The yaw inertia comes out at {number(at / e.prior, 2)} times the value of the robot's file"
     assert words in page.html().replace("\u00a0", " ").replace("&#x27;", "'")
+    assert "Its interval hardly narrows" in page.html()  # why a number that is not visible moves
+    assert "check the yaw inertia in the robot" in page.html()
     items = [item for section in page.sections for item in section.items if isinstance(item, Figure)]
     (ax,) = next(item for item in items if item.title.startswith("The 95 % interval of each")).drawing.axes
     places = {t.get_text(): t.xy[0] for t in ax.texts if isinstance(t, Annotation)}
     assert places.pop("→") == FAR
+    assert ax.get_legend_handles_labels()[1].count("outside that before") == 1
     assert max(places.values()) < 3.0  # a bar of its own of no other number reaches there
+
+
+def test_the_title_judges_the_part_that_was_not_fitted() -> None:
+    """A model that predicts what it was fitted to, and not the rest, was said to predict."""
+    from upright.report.calibration import page_of
+
+    found = calibration()
+    free = found.free[0]
+    assert found.held_out
+    late = free.when >= found.held_out[0]
+    wrong = replace(free, predicted=np.where(late, -free.measured, free.predicted))
+    assert "fitted to part of" in page_of(found).title
+    assert ", predicts the rest" in page_of(found).title
+    page = page_of(replace(found, free=(wrong, *found.free[1:])))
+    assert "partly predicts the rest" in page.title
+    assert page.picture is not None
+    assert "miss part of" in page.picture.title
 
 
 def test_a_run_that_differs_and_a_sensor_that_is_not_white_are_each_said_once() -> None:

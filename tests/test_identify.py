@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -405,6 +406,22 @@ def test_the_command_compares_all_methods(tmp_path: Path, capsys: pytest.Capture
     low, high = (said["models"]["calibrate"]["unstable_pole"][side] for side in ("low", "high"))
     assert low - 0.1 < POLE < high + 0.1  # 95 %, and the kit's gyro has a grain that this one has not
     assert "calibrate" in page.read_text("utf-8")
+
+
+def test_the_summary_of_one_method_names_the_one_that_the_page_takes(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from upright.report.identification import taken
+
+    log, page = tmp_path / "run.parquet", tmp_path / "page.html"
+    sensed().save(log)
+    ask = ["identify", str(log), "--robot", "nxtway-gs-measured", "--method", "least-squares", "--repeats", "0"]
+    assert main([*ask, "--report", str(page)]) == 0
+    said, shown = capsys.readouterr().out, page.read_text("utf-8")
+    named = re.search(r"(\S+) is the one to take", said)
+    assert named is not None
+    assert f"take {named[1]}" in shown  # the pill
+    assert taken(compared()) in IDENTIFIERS
 
 
 @pytest.mark.parametrize(

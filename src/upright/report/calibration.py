@@ -10,10 +10,7 @@ from pathlib import Path
 
 from upright.calibrate.calibration import (
     GOOD,
-    HELD,
-    NORMAL,
     PREDICTED,
-    QUIET,
     VERDICTS,
     VISIBLE,
     WIDER,
@@ -25,7 +22,7 @@ from upright.report import sensors
 from upright.report.figure import Figure
 from upright.report.made import command, typed
 from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
-from upright.report.priors import BOUNDED, CLOSE, MEASURED, NOT_VISIBLE, by_name, groups, measured, width
+from upright.report.priors import BOUNDED, CLOSE, MEASURED, NOT_VISIBLE, by_name, groups, measured, outside, width
 from upright.report.sensors import plain
 from upright.tables import joined, least, sentence, spoken
 
@@ -93,16 +90,20 @@ def _reservations(c: Calibration) -> list[str]:
             words.append(text if text in c.apart else _sentence(text))
     words += [
         f"The {spoken(e.name)} comes out {_times(e)}, beyond the 95 % interval that was known before. "
-        "Check that number of the file."
+        f"{_WEAKLY if e.verdict != VISIBLE else ''}Check that number of the file."
         for e in _far(c)
     ]
     if coloured:
         wide = f" So the intervals were made {number(c.widening, 2)} times as wide." if c.widening > WIDER else ""
         words.append(
             f"The model leaves something out. Its prediction errors (innovations) of the {joined(coloured)} are not "
-            f"white noise: later ones follow from earlier ones.{wide}"
+            f"white noise: later ones follow from earlier ones.{wide}{_TRY}"
         )
     return words
+
+
+_WEAKLY = "Its interval hardly narrows, so it counts as not visible; but what the log tells pulls it there. "
+_TRY = " Whether that matters, `upright validate` tells from another log."
 
 
 def repeated(c: Calibration) -> list[str]:
@@ -112,10 +113,7 @@ def repeated(c: Calibration) -> list[str]:
 
 def _far(c: Calibration) -> list[Estimate]:
     """Numbers that a file guessed, or states roughly, and that the log puts outside their 95 % interval."""
-    return [
-        e for e in c.parameters
-        if abs(e.shift) > NORMAL and not e.surprising and e.verdict not in (HELD, QUIET) and not c.refused
-    ]  # fmt: skip
+    return [e for e in c.parameters if outside(e) and not e.surprising and not c.refused]
 
 
 def _times(e: Estimate) -> str:
@@ -133,7 +131,7 @@ def _verdict(c: Calibration) -> Verdict:
         return Verdict("refused", "bad")
     if wrong:
         return Verdict(f"{len(wrong)} reservation{'s' if len(wrong) > 1 else ''}", "warn")
-    good = _least(c)[0] >= GOOD
+    good = _worst(c) >= GOOD
     return Verdict("no reservations" if good else "predicts in part", "good" if good else "warn")
 
 
@@ -142,10 +140,12 @@ def _title(c: Calibration) -> str:
         return f"The log does not describe {c.robot.name}"
     one = len(c.sources) < 2
     logs = _names_of(c) if len(c.sources) == 1 else "this log" if one else f"these {len(c.sources)} logs"
-    predicts = "predicts" if _least(c)[0] >= GOOD else "partly predicts"
+    predicts = "predicts" if _worst(c) >= GOOD else "partly predicts"
+    kept = one and bool(_held_out(c))
+    it = "the rest" if kept else "it" if one else "them"
     close = len(groups(c)[0])
     of = f"{close or 'none'} of its {len(c.parameters)} parameters {'are' if close > 1 else 'is'} measured"
-    return f"{c.robot.name}, fitted to {logs}, {predicts} {'it' if one else 'them'}; {of}"
+    return f"{c.robot.name}, fitted to {'part of ' if kept else ''}{logs}, {predicts} {it}; {of}"
 
 
 def _kind_of_verdict(e: Estimate) -> str:
@@ -197,7 +197,7 @@ def _measured(c: Calibration) -> Figure | None:
         return None
     drawn = [name for name in c.channels if name in PREDICTED] or c.channels
     rest = [f"{plain(name)} (R² {least(c.segments[name])})" for name in c.channels if name not in drawn]
-    good = _least(c)[0] >= GOOD
+    good = _worst(c) >= GOOD
     title = f"Predictions {'lie on' if good else 'miss part of'} the readings"
     title += ", also where nothing was fitted" if good and c.held_out else ""
     note = "Every half second the model starts anew; then it gets the commands alone."
@@ -210,6 +210,11 @@ def _least(c: Calibration) -> tuple[float, str]:
     sensors = {name: value for name, value in c.segments.items() if name.startswith("sensor/")}
     judged = {name: value for name, value in sensors.items() if name in PREDICTED} or sensors
     return min(((value, plain(name)) for name, value in judged.items()), default=(math.nan, ""))
+
+
+def _worst(c: Calibration) -> float:
+    """The smallest R² of half seconds, of all and of those that were not fitted."""
+    return min(_least(c)[0], *_held_out(c).values(), math.inf)
 
 
 def _held_out(c: Calibration) -> dict[str, float]:
@@ -299,7 +304,10 @@ def _next(c: Calibration) -> str:
     if not robot:
         return f"`{command() or f'upright calibrate {logs}'} -o robot.toml` writes this robot as a file."
     if _reservations(c):
-        return f"`upright validate {robot} LOG` tries it on another LOG of this robot."
+        check = (
+            f"check the {joined([spoken(e.name) for e in far])} in the robot's file, then " if (far := _far(c)) else ""
+        )
+        return f"{check}`upright validate {robot} LOG` with another LOG; design with this robot once it passes."
     return f"`upright design lqg --robot {robot} -o lqg.json` designs a controller for it."
 
 

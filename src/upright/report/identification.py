@@ -65,6 +65,11 @@ def _title(compared: MethodComparison) -> str:
     return f"{len(ranked)} of {len(compared.trials)} methods give a model that balances {name}"
 
 
+def taken(compared: MethodComparison) -> str:
+    """The method that the page says to take; empty where it names none."""
+    return _best(compared) if len(compared.models) > 1 and _ranked(compared) else ""
+
+
 def _best(compared: MethodComparison, without: str = "") -> str:
     """Of the methods, `without` one, whose regulators lean alike the one with the surest pole, since their order is
     chance."""
@@ -107,7 +112,7 @@ def _pole_figure(compared: MethodComparison) -> Figure:
         title = f"95 % intervals of the unstable pole; {those if inside else 'none contains'} the true one"
     still = [n for n, m in poles if m.pole.value <= 0]
     note = "The pole is the rate at which a lean grows. An interval shorter than its dot stands only in numbers."
-    note += f" By {joined(still)} the robot does not fall at all." if still else ""
+    note += f" The robot of {joined(still)} would not fall: that model is wrong." if still else ""
     return Figure(title, compared.plot(), note)
 
 
@@ -180,7 +185,7 @@ def _lead(compared: MethodComparison) -> str:
     """What was done, and what to run next."""
     fitted = compared.samples.fitted * compared.samples.dt
     done = (
-        f"Each model was fitted to the same {fitted:.2g} s of log. Its regulator then had to hold "
+        f"Each method fitted a model to the same {fitted:.2g} s of log. That model's regulator had to hold "
         f"{compared.judge.who}, let go at {math.degrees(HELD):.2g}°."
     )
     if len(compared.models) < 2:
@@ -189,16 +194,16 @@ def _lead(compared: MethodComparison) -> str:
     return f"{done} {_why(compared)} Next: {_next(compared)}" if ranked else done
 
 
-def _why(compared: MethodComparison, without: str = "") -> str:
+def _why(compared: MethodComparison) -> str:
     """Why the best of those that hold the robot is best: how far each leans, and how close its pole is."""
-    best, alike = _best(compared, without), _alike(compared, without)
+    best, alike = _best(compared), _alike(compared)
     degrees = [cell_text(math.degrees(compared.trials[m].largest or 0.0), 3) for m in alike]
     if len(alike) < 2:
-        return f"Under that of {best} it leaned least, {degrees[0]}°."
+        return f"With {best} it leaned least, {degrees[0]}°."
     ends = " to ".join(dict.fromkeys((degrees[0], degrees[-1])))
     pole = compared.models[best].pole
-    sure = f"; {best} tells the pole most closely" if math.isfinite(pole.high - pole.low) else ""
-    return f"Under those of {joined(alike)} it leaned about as far ({ends}°){sure}."
+    sure = f"; {best} knows the pole best" if math.isfinite(pole.high - pole.low) else ""
+    return f"With {joined(alike)} it leaned about as far ({ends}°){sure}."
 
 
 def _next(compared: MethodComparison) -> str:
@@ -216,8 +221,8 @@ def _about_trials(compared: MethodComparison) -> list[Item]:
     ]
     if _ranked(compared)[:1] and _best(compared) == PRIOR and len(_ranked(compared)) > 1:
         words.append(
-            f"{PRIOR.capitalize()} starts from the robot's file. From the log alone take {_best(compared, PRIOR)}. "
-            f"{_why(compared, PRIOR)}"
+            f"{PRIOR.capitalize()} starts from the robot's file. If its numbers are in doubt, take "
+            f"{_best(compared, PRIOR)}, which needs the log alone."
         )
     return [*words, Details("What the methods are", [methods_table(compared)])]
 
@@ -233,9 +238,9 @@ def trial_table(compared: MethodComparison) -> Table:
         for name, t in compared.trials.items()
     ]
     return Table(
-        ["method", "in the loop", "peak [°]", "rms at rest [°]"],
+        ["method", "in the loop", "largest lean [°]", "rms at rest [°]"],
         rows,
-        "Largest pitch after the release, and its rms in the last two seconds",
+        "Largest lean after the release, and its rms in the last two seconds",
         digits=3,
     )
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from upright.calibrate.calibration import NORMAL, VISIBLE, Calibration, Estimate
+from upright.calibrate.calibration import HELD, NORMAL, QUIET, VISIBLE, Calibration, Estimate
 from upright.plotting import COLOURS, INK, SMALL, SPAN, legend, number, rows_of
 from upright.report.figure import Figure
 from upright.report.page import cell_text
@@ -20,6 +20,7 @@ CLOSE = 0.25  # of a value: the half width of an interval up to which it counts 
 ONE_SIDED = 0.1  # of the upper end of an interval: a lower end below it says no more than zero would
 MEASURED, BOUNDED, NOT_VISIBLE = "measured", "bounded", f"not {VISIBLE}"
 FAR = 5.0  # standard deviations of the prior: the figure ends there
+OFF = COLOURS[1]  # of a number that the log puts outside what was known before
 ROOM = 0.08  # of the width, for the number beside the longest bar
 
 
@@ -45,16 +46,24 @@ def width(e: Estimate) -> float:
     return (e.high - e.low) / max(abs(e.high + e.low), 1e-300)
 
 
+def outside(e: Estimate) -> bool:
+    """Whether the log puts a number outside the 95 % interval that was known before."""
+    return abs(e.shift) > NORMAL and e.verdict not in (HELD, QUIET)
+
+
 def by_name(c: Calibration) -> Figure | None:
     drawn = [e for e in c.parameters if 0 < e.prior_spread < math.inf]
     if not drawn:
         return None
     note = f"Measured: at least twice as certain as before, and to ± {100 * CLOSE:g} % or better. "
     note += "Bounded: twice as certain, but less close, or at most so large. Not visible: the log adds little."
+    note += (
+        f" σ: standard deviation. The 95 % before ends at ± {NORMAL:.0f} σ, or where the number itself would be zero."
+    )
     if any(e.high - e.prior > FAR * e.prior_spread for e in drawn):
         note += " An arrow: the bar goes on."
     if any(e.wider for e in c.parameters):
-        note += " Wider: the log knows less of it than the file."
+        note += " Wider: less certain than in the file, because of what the model leaves out."
     return Figure("The 95 % interval of each parameter after this log, and before", _bars(c), note)
 
 
@@ -68,7 +77,7 @@ def _bars(c: Calibration) -> Drawing:
     }
     kept = {k: ([e for e in group if 0 < e.prior_spread < math.inf], tone) for k, (group, tone) in sorts.items()}
     names = [e.name for group, _ in kept.values() for e in group]
-    figure, ax = rows_of(names, "difference from the robot's file [its standard deviations]", "parameter")
+    figure, ax = rows_of(names, "difference from the robot's file [σ of the file]", "parameter")
     for label, (group, colour) in kept.items():
         if group:
             rows = [names.index(e.name) for e in group]
@@ -77,9 +86,13 @@ def _bars(c: Calibration) -> Drawing:
             no_dot = [e in bounded and e.name in PARAMETERS for e in group]
             low = [_zero(e) if side else x for e, x, side in zip(group, low, no_dot, strict=True)]
             ax.hlines(rows, low, np.minimum(high, FAR), linewidth=2.5, color=colour, label=label)
-            for row, x, end, side in zip(rows, value, high, no_dot, strict=True):
+            for e, row, x, end, side in zip(group, rows, value, high, no_dot, strict=True):
                 mark, size = ("|", 9.0) if side else ("o", 4.5)
-                ax.plot(end if side else x, row, mark, color=colour, markersize=size, markeredgewidth=size / 4.5)
+                tone = OFF if outside(e) else colour
+                ax.plot(end if side else x, row, mark, color=tone, markersize=size, markeredgewidth=size / 4.5)
+            if off := [(row, a, b) for e, row, a, b in zip(group, rows, low, high, strict=True) if outside(e)]:
+                at, ends, tops = zip(*off, strict=True)
+                ax.hlines(at, ends, np.minimum(tops, FAR), linewidth=2.5, color=OFF, label="outside that before")
             for e, row, x, end in zip(group, rows, value, high, strict=True):
                 place = max(end, x)
                 ax.annotate(
