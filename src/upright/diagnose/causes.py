@@ -30,7 +30,7 @@ REPAIRS = {
     DROPPED: "take logging and sockets out of the loop, relieve the bus, and count missed periods with a watchdog",
     SLIP: "clean tyres and floor, use softer tyres, or limit the command to the grip of the floor",
     BATTERY: "charge or change the battery; scale the duty by the measured voltage",
-    PUSH: "nothing is broken: push less, or design for larger pushes (see `upright certify`)",
+    PUSH: "nothing is broken: push less, or design for larger pushes (`upright push-map` finds the largest)",
     DELAY: "find the cause of the delay (bus, filter, sensor mode), or design for it",
     LOW: "raise the gain, or design a new controller (`upright design`)",
     HIGH: "lower the gain, or design a new controller (`upright design`)",

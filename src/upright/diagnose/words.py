@@ -126,8 +126,14 @@ def of_push(evidence: Evidence, push: PushEstimate, lean: float) -> str:
         f"a push {way} of {abs(push.impulse):.2g} N s at t = {push.start:.2f} s, "
         f"{1e3 * (push.stop - push.start):.2g} ms long, taken at {push.height:.2g} m above the axle, explains "
         f"{most(evidence.pushes_only.explained)} of the innovations. {it} makes the robot so fast that this counts as "
-        f"{caused:.2g}° of lean; the motors bring back {largest:.2g}° at most"
+        f"{caused:.2g}° of lean; the motors bring back {largest:.2g}° at most{_battery(evidence)}"
     )
+
+
+def _battery(evidence: Evidence) -> str:
+    """The battery of the kit, which limits what motors bring back; empty for a torque drive."""
+    volts = evidence.run.kit.battery.voltage
+    return f" with {volts:g} V" if evidence.run.robot.command_unit == "V" and math.isfinite(volts) else ""
 
 
 def of_demand(evidence: Evidence, demand: Demand) -> str:

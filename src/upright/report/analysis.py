@@ -114,7 +114,7 @@ def _lead(analysis: Analysis, first: str) -> str:
     here = f"--robot {analysis.robot}"
     after = f"`upright certify {analysis.controller} {here}` pushes such robots and counts falls."
     if 1 / analysis.both().Ms < CLOSE and analysis.controller != ROOMY:
-        after += f" For larger margins: `upright design {ROOMY} {here}`."
+        after = f"`upright design {ROOMY} {here}` has larger margins; or keep this one: {after}"
     return f"{below}{of} Next: {after}"
 
 
@@ -220,7 +220,7 @@ def _numbers(analysis: Analysis) -> list[tuple[str, str]]:
     more = f"more delay at the {_weakest(analysis)} tips it over; a period is {1e3 * analysis.period:g} ms"
     if first.delay < analysis.delay:
         more = f"more delay at the {first.channel} alone tips it over; of both motors' commands "
-        more += _milliseconds(both.delay)
+        more += f"{_milliseconds(both.delay)}; the target is {1e3 * analysis.period:g} ms"
     return [
         gains,
         (f"{cell_text(math.degrees(both.phase), 2)}°", _phase(both)),
@@ -233,7 +233,7 @@ def _milliseconds(seconds: float) -> str:
 
 
 def _phase(both: Margins) -> str:
-    return f"phase margin, by a {'lead' if both.leads else 'lag'}; the target is at least {PHASE:g}°"
+    return f"phase margin, until more {'lead' if both.leads else 'lag'} tips it over; the target is {PHASE:g}°"
 
 
 def _margins(analysis: Analysis) -> list[Item]:

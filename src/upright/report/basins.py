@@ -182,13 +182,14 @@ def basin_page(data: Dataset) -> Page:
         even = math.isclose(-low, high, rel_tol=1e-6)
         span = f"±{_in_degrees(high, data, across)}" if even else held
         it = "it recovers" if several == 1 else "most recover"
-        numbers = [(_step(data, across), f"between the starts tried, so that the {span} are that accurate")]
+        numbers: list[tuple[str, str]] = []
         best = _savable(data)
         if best < math.pi / 2:
-            text = f"largest {words} from which any controller could save it, told the lean at once"
+            text = f"largest {words} from which any controller could save it: linear model{_volts(data)}, lean known"
             numbers.append((f"±{_in_degrees(best, data, across)}", text))
         text = f"{up.replace('_', ' ')} from which {it}, where {words} is zero; tried every {_step(data, up)}"
         numbers.append((ends, text))
+        numbers.append((_step(data, across), f"accuracy of the {span}: the starts were that far apart"))
     verdict = Verdict(f"simulated: {_robots(several)}, one controller", "info")
     return Page(title, [], lead, provenance(data), False, verdict=verdict, picture=basin_figure(data), numbers=numbers)
 
@@ -210,6 +211,13 @@ and of gyro and encoders 16°."""
 
 def _robots(several: int) -> str:
     return "one robot" if several == 1 else f"{several} robots at each state"
+
+
+def _volts(data: Dataset) -> str:
+    """The battery of the kit; empty for a torque drive."""
+    known = robot_of(origin_of(data))
+    volts = known[1].battery.voltage if known and known[0].command_unit == "V" else math.inf
+    return f" with {volts:g} V" if math.isfinite(volts) else ""
 
 
 def _savable(data: Dataset) -> float:

@@ -108,8 +108,7 @@ def _lead(result: PostMortem) -> str:
     if not best:
         return text
     text += f" {sentence(_plain(best.evidence))}" if best.evidence else ""
-    largest = f"(`upright push-map --robot {result.robot}` finds the largest that it survives)"
-    repair = best.repair.rstrip(".").replace("(see `upright certify`)", largest)
+    repair = best.repair.rstrip(".").replace("`upright push-map`", f"`upright push-map --robot {result.robot}`")
     repair = repair.replace("`upright design`", f"`upright design lqg --robot {result.robot}`")
     return f"{text} Next: {sentence(repair)}" if repair else text
 
