@@ -98,14 +98,15 @@ def _lead(bench: Bench, take: str, firsts: Sequence[str], held: Sequence[str]) -
     text = f"{len(ranked)} controllers on a {bench.body} of {bench.robot}, knocked ever harder at the centre of mass"
     text += f"{_height(bench)}."
     names = list(ranked)
-    if len(firsts) == 1 and len(names) > 1 and ranked[names[1]] > 0:
+    if len(firsts) == 1 and len(names) > 1 and ranked[names[1]] > 0 and firsts[0] in _quick(bench):
         lead, step = ranked[names[0]] / ranked[names[1]], 1 + TOLERANCE
         least, most = (number(100 * (ratio - 1), 1) for ratio in (lead / step, lead * step))
         text += f" Limits are found to {100 * TOLERANCE:g} %: {names[0]} leads {names[1]} by {least} to {most} %."
     tied = _tied(bench, held)
     if take and len(tied) > 1:
         quick = "quick ones" if len(_quick(bench)) < len(names) else "controllers"
-        text += f" Of the {quick} the best {len(tied)} tie; of these {take} needs the least effort."
+        text += f" The best {len(tied)} {quick} are equally good, within the {100 * TOLERANCE:g} % to which limits are "
+        text += f"found; of these {take} needs the least effort."
     return text
 
 
@@ -140,7 +141,7 @@ def _numbers(bench: Bench, name: str) -> list[tuple[str, str]]:
     if falls is not None:
         fell = round(falls * DRAWN)
         bound = f"{cell_text(100 * upper_bound(fell, DRAWN), 2)} %"
-        text = f"of similar robots fall under {name}, let go from a lean: {fell} of {DRAWN} did (95 %, one-sided)"
+        text = f"of similar robots fall under {name}, let go from a lean: {fell} of {DRAWN} did (with 95 % confidence)"
         numbers.append((f"≤ {bound}", text))
     efforts = {n: effort for n in knocks if (effort := _worse(bench, n, "effort")) is not None}
     if name in efforts and len(numbers) < MOST:
@@ -205,7 +206,9 @@ def responses(bench: Bench, take: str = "") -> Figure:
     ranked = list(bench.ranked())
     chosen = [*([take] if take else []), *(name for name in ranked if name != take)]
     few = ranked if len(ranked) <= FEW else sorted([*chosen[: FEW - 1], ranked[-1]], key=ranked.index)
-    first = f"Drawn are {len(few)} of {len(ranked)}: the best, the one to take, and the last."
+    best = len(few) - 1 - bool(take)
+    these = f"{take}, the best {best} besides it" if take else f"the best {best}"
+    first = f"Drawn are {len(few)} of {len(ranked)}: {these}, and the last."
     knocked = any(row.impulse is not None for row in bench.rows)
     some = "" if few == ranked else first if knocked else "The tables have the other controllers too."
     title = f"Pitch while held and after; these fall: {', '.join(dict.fromkeys(fell))}" if fell else _leans(bench, few)

@@ -124,7 +124,7 @@ def _linear(model: LinearModel, unit_of_command: str = "V, or in N m for a robot
             Section("Poles", [Table([f"real part [{unit}]", f"imaginary part [{unit}]", "motion"], rows)]),
         ],
         f"The linear model of the robot's file, standing upright with motors at zero command: {equation}. "
-        "Next: `upright design lqg --robot ROBOT -o lqg.json`.", {}, False,
+        "Next: `upright design lqg --robot ROBOT -o lqg.json` designs a controller that holds it.", {}, False,
         verdict=Verdict("unstable without control" if unstable else "stable", "info"),
         picture=_pole_figure(poles, model.continuous, count, motions), numbers=numbers,
     )  # fmt: skip
@@ -138,7 +138,7 @@ def _others(poles: Sequence[complex], continuous: bool) -> list[tuple[str, str]]
 
 
 _POLE = {
-    True: "rate at which a lean grows: the unstable pole",
+    True: "rate at which a lean grows, the unstable pole: it doubles in 0.69 over this rate",
     False: "by which a lean grows every period: the unstable pole",
 }
 TURNING = ("yaw", "yaw_rate")
@@ -192,7 +192,7 @@ def _pole_figure(poles: Complex, continuous: bool, count: str, motions: Sequence
         same = {of for p, of in zip(poles.tolist(), motions, strict=True) if abs(p - pole) < 1e-5}
         words = [f"{several[pole]} poles"] if several[pole] > 1 else ["yaw"] if same == {"yaw"} else []
         text = number(pole.real, 3) + "".join(f" ({word})" for word in words)
-        beside = 6 if pole.real == 0 else 0  # not on the line at zero
+        beside = 6 if pole.real == 0 else -9 if words else 0  # neither on the line at zero nor over the left edge
         above = (beside, -22) if place % 2 else (beside, 9)  # neighbours do not overlap
         ax.annotate(text, (pole.real, pole.imag), above, textcoords="offset points", ha="left" if beside else "center")
     return Figure(f"{count}: right of the line" if not count.startswith("0 ") else count, legend(figure))

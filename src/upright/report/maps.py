@@ -139,15 +139,13 @@ def push_map_page(data: Dataset) -> Page:
     at_com = _at_centre(data)
     under = f" under {kind}" if kind else ""
     lead = f"Simulated{under}. A push is worst {height:.2g} m above the axle, {1e3 * duration:.2g} ms long."
-    if at_com and at_com[0] < height:
-        lead += " At the centre of mass, where `certify` and `bench-controllers` knock, it survives more."
     here = f"--robot {name}"
     lead += f" Next: `upright certify {kind or 'lqg'} {here}` counts how many similar robots fall."
     first, *rest = push_map_figures(data)
     ways = data["direction"].values.tolist()
     least = {d: float(impulse.sel(direction=d).min()) for d in ways}
     numbers = [
-        (f"{low / duration:.2g} N", f"is the force of this weakest push; it would stop a tennis ball of {_ball(low)}")
+        (f"{low / duration:.2g} N", f"is the force of this weakest push: like catching a tennis ball at {_ball(low)}")
     ]
     if at_com:
         text = f"survived at the centre of mass ({at_com[0]:.2g} m), {1e3 * KNOCK_DURATION:g} ms long"
@@ -171,7 +169,7 @@ def push_map_page(data: Dataset) -> Page:
     verdict = Verdict("simulated: one robot, one controller", "info")
     if "low" in data:
         weak = float(data["low"].values.min())
-        title += f"; 97.5 % of robots like it {cell_text(weak, 2)} N s"
+        title += f"; 97.5 % of similar robots survive {cell_text(weak, 2)} N s"
         verdict = Verdict("simulated: this robot and similar ones", "info")
     return Page(title, sections, lead, provenance(data), False, verdict=verdict, picture=first, numbers=numbers)
 
