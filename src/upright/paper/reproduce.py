@@ -25,7 +25,8 @@ from upright.tables import Shown
 LIGHT, HEAVY = "nxtway-gs", "herrera2015"
 
 LEAD = (
-    "The paper models a balancing NXT robot and pushes it. Here a simulated twin stands in for the robot: "
+    "The paper gives two models of a balancing NXT robot, and tests them by pushes. Here a simulated twin "
+    "stands in for the robot: "
     f"{HEAVY} is the paper's, {LIGHT} a lighter one."
 )
 PAPER = (
@@ -37,7 +38,7 @@ COUNTED = (
     "printed, with each misprint (1b)."
 )
 
-AFTER = " Next: `upright reproduce --log LOG --robot ROBOT` does the same with a log of your own robot."
+AFTER = " Next: `upright reproduce --log LOG --robot ROBOT` puts a LOG of your own robot beside both models."
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -74,7 +74,10 @@ def page_of(result: Diagnosis) -> Page:
 
 
 _KINDS = {"error": Verdict("fault", "bad"), "warning": Verdict("fault", "warn"), "note": Verdict("remark", "info")}
-_LEVELS = "Red: the log is wrong there. Amber: who fits a model must account for it. A remark is no fault."
+_LEVELS = (
+    "A fault must be mended, or allowed for, before a model is fitted. Where it is red, the log is wrong. "
+    "A remark needs nothing."
+)
 
 
 def _title(result: Diagnosis, faults: list[Finding]) -> str:

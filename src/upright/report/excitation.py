@@ -37,9 +37,9 @@ def page_of(plan: ExcitationPlan) -> Page:
         (f"≤ {number(100 * plan.checked.bound, 2)} %", _falls(plan)),
         (
             f"{cell_text(plan.checked.travel, 2)} m",
-            f"at most is how far 95 % of the robots travel; allowed {plan.limits.travel:g} m",
+            f"95 % of the robots travel no further; allowed {plan.limits.travel:g} m",
         ),
-        (f"{cell_text(math.degrees(plan.checked.peak), 2)}°", "at most is how far 95 % of the robots lean"),
+        (f"{cell_text(math.degrees(plan.checked.peak), 2)}°", "95 % of the robots lean no more"),
     ]
     return Page(
         _title(plan), sections, _lead(plan), facts, False, verdict=verdict, picture=_widths(plan),
@@ -56,7 +56,7 @@ def _falls(plan: ExcitationPlan) -> str:
 
 def _safe(plan: ExcitationPlan) -> str:
     """The limits are those of robots that stand without the excitation, which is said where some do not."""
-    only = ", once it balances" if plan.checked.dropped else ""
+    only = ", once the robot balances" if plan.checked.dropped else ""
     return f"within its limits{only}"
 
 
@@ -116,8 +116,8 @@ def _next() -> str:
         return f"`{command() or 'upright excite'} -o plan.json` writes the plan as a file."
     law = chosen("-c") or chosen("--controller")
     return (
-        f"`upright simulate{robot}{law} --excite {file} -o run.csv`, or your robot; then "
-        f"`upright calibrate run.csv{robot} -o robot.toml`."
+        f"`upright simulate{robot}{law} --excite {file} -o run.csv` tries it; on your robot, add it to its commands. "
+        f"Then `upright calibrate run.csv{robot} -o robot.toml` reads its log."
     )
 
 

@@ -132,7 +132,11 @@ def _lead(result: Validation) -> str:
     again = "`upright calibrate` with this log, which moves all parameters together"
     words = command().split()
     robot = words[2] if words[1:2] == ["validate"] and not words[2].startswith("-") else result.robot
-    then = f"`upright design lqg --robot {robot} -o lqg.json`" if result.worst.worst.r2 >= GOOD else again
+    then = (
+        f"`upright design lqg --robot {robot} -o lqg.json` designs a controller for it"
+        if result.worst.worst.r2 >= GOOD
+        else again
+    )
     then = f"`upright validate {robot} LOG` with a LOG of another run" if any(o.no_test for o in result.logs) else then
     dead = sorted({short(name) for log in result.logs for name in log.dead})
     never = f" Not judged, since constant: {joined(dead)}." if dead else ""
@@ -179,9 +183,7 @@ def _numbers(result: Validation) -> list[tuple[str, str]]:
     unsure = [log for log in result.logs if log.loop and log.caution]
     if unsure:
         low = min((c for log in unsure for c in log.loop), key=lambda c: c.r2)
-        words = (
-            f"R² of the whole run, simulated ({short(low.name)}); its law is known in part: no judgement of the robot"
-        )
+        words = f"R² of the whole run, simulated ({short(low.name)}); not judged, since the controller is known in part"
         numbers.append((_r2(low.r2), words))
     judged = [log for log in result.logs if log.loop and not log.caution]
     loops = [c for log in judged for c in log.loop]
@@ -202,7 +204,9 @@ def _numbers(result: Validation) -> list[tuple[str, str]]:
             f" of the {cell_text(100 * (1 - worst.r2), 2)} % of error left" if GOOD <= worst.r2 < 1 else " of the error"
         )
         removes = f"moved alone it removes {cell_text(100 * first.explains, 2)} %{left}"
-        numbers.append((spoken(first.name), f"the parameter to doubt first: {removes}"))
+        small = worst.r2 >= GOOD and all(abs(s.deviations) < 1 for s in shifts)  # as below
+        doubt = f"{removes}; no need to change it" if small else f"the parameter to doubt first: {removes}"
+        numbers.append((spoken(first.name), doubt))
     elif len(numbers) < MOST:
         numbers.append(("none", "of the parameters, changed alone, would make the prediction much better"))
     seconds = (f"{sum(log.seconds for log in result.logs):.3g} s", "of log predicted, half a second at a time")
