@@ -180,11 +180,6 @@ def _numbers(result: Validation) -> list[tuple[str, str]]:
     ]
     if own := result.worst.own_run:
         numbers.append((_r2(least(own).r2), "the same with friction, battery and delays fitted to this run"))
-    unsure = [log for log in result.logs if log.loop and log.caution]
-    if unsure:
-        low = min((c for log in unsure for c in log.loop), key=lambda c: c.r2)
-        words = f"R² of the whole run, simulated ({short(low.name)}); not judged, since the controller is known in part"
-        numbers.append((_r2(low.r2), words))
     judged = [log for log in result.logs if log.loop and not log.caution]
     loops = [c for log in judged for c in log.loop]
     if loops:
