@@ -259,7 +259,7 @@ HERE_TOO = re.compile(r"\[([^]]+)\]\(http://127\.0\.0\.1:8765/#([^)]+)\)|`#(cont
 def _tried(link: re.Match[str], language: str) -> str:
     """The same as a link to the lab that is a page of the site, in the page's language."""
     words, what = (link[1], link[2]) if link[1] else (f"<code>#{link[3]}</code>".replace("&", "&amp;"), link[3])
-    if what == f"lang={language}":
+    if what == f"lang={language}" and link.string[: link.start()].endswith("\n"):  # a paragraph of its own
         return f'<a class="now" href="try/index.html#{what}">{words}</a>'
     return f'<a href="try/index.html#{what.replace("&", "&amp;")}&amp;lang={language}">{words}</a>'
 

@@ -11,6 +11,7 @@ import { local, named, t } from "./texts";
 export class Strip {
   root: HTMLElement;
   private plot: uPlot;
+  private pushed = h("span", { className: "pushed-by", "aria-hidden": "true" });
 
   constructor(title: string, unit: string, lines: { label: string; colour: string; dash: number[]; width?: number }[], height: number, floor: number) {
     const colours = ink();
@@ -18,11 +19,11 @@ export class Strip {
     const axis = { stroke: colours.soft, grid: { stroke: colours.grid, width: 1 }, ticks: { show: false }, font: `${11 * scale}px system-ui, sans-serif` };
     const box = h("div", { className: "plot", "aria-hidden": "true" });
     box.style.setProperty("--height", `${height / 16}rem`);
-    this.root = h("figure", { className: "strip", role: "group", "aria-label": `${title} [${unit}]` }, h("figcaption", {}, h("b", {}, title), h("span", {}, unit)), box);
+    this.root = h("figure", { className: "strip", role: "group", "aria-label": `${title} [${unit}]` }, h("figcaption", {}, h("b", {}, title), this.pushed, h("span", {}, unit)), box);
     this.plot = new uPlot(
       {
         width: 300, height, padding: [6, 18 * scale, 0, 0],
-        cursor: { show: false }, legend: { show: false }, hooks: { draw: [(u) => mark(u, scale, colours)] },
+        cursor: { show: false }, legend: { show: false }, hooks: { draw: [(u) => this.name(mark(u, scale, colours.push))] },
         scales: { x: { time: false }, y: { range: (_u, low, high) => around(low, high, floor) } },
         axes: [
           { ...axis, size: 20 * scale, values: (_u, ticks) => ticks.map((v) => (v < 0 ? "" : local(`${+v.toFixed(1)} s`))), space: 46 * scale },
@@ -34,6 +35,11 @@ export class Strip {
       box,
     );
     new ResizeObserver(() => this.fit(box)).observe(box);
+  }
+
+  /** What the last push in sight was, beside the title: no word covers a curve. */
+  private name(words: string): void {
+    if (this.pushed.textContent !== words) this.pushed.textContent = words;
   }
 
   private fit(box: HTMLElement): void {
@@ -58,32 +64,25 @@ function breaks(plot: uPlot): [number, number][] {
     .filter(([from, to]) => from > left && to < left + width);
 }
 
-/** A line where each push began, with its name and size where there is room. */
-function mark(plot: uPlot, scale: number, { push: colour, paper }: ReturnType<typeof ink>): void {
+/** A line where each push began; the name and size of the last one, or nothing. */
+function mark(plot: uPlot, scale: number, colour: string): string {
   const { ctx, bbox: { left, top, width, height } } = plot;
   const pixels = scale * devicePixelRatio;
-  let free = left; // of other words
+  let words = "";
   ctx.save();
-  Object.assign(ctx, { strokeStyle: colour, lineWidth: pixels, font: `${11 * pixels}px system-ui, sans-serif`, textAlign: "left", textBaseline: "top" });
+  Object.assign(ctx, { strokeStyle: colour, lineWidth: pixels });
+  ctx.setLineDash([3 * pixels, 3 * pixels]);
   for (const { t: time, what, size } of store.traces.marks) {
     const x = plot.valToPos(time, "x", true);
     if (x < left || x > left + width) continue;
     ctx.beginPath();
-    ctx.setLineDash([3 * pixels, 3 * pixels]);
     ctx.moveTo(x, top);
     ctx.lineTo(x, top + height);
     ctx.stroke();
-    const words = named(size || what !== "hand" ? `mark_${what}` : "mark_held").replace("{size}", digits(Math.abs(size), 2));
-    const wide = ctx.measureText(words).width;
-    const from = x + 4 * pixels + wide < left + width ? x + 4 * pixels : x - 4 * pixels - wide; // beside its line
-    if (from < free || wide > width * 0.8) continue;
-    ctx.fillStyle = paper;
-    ctx.fillRect(from - pixels, top, wide + 2 * pixels, 12 * pixels);
-    ctx.fillStyle = colour;
-    ctx.fillText(words, from, top);
-    free = from + wide;
+    words = named(size || what !== "hand" ? `mark_${what}` : "mark_held").replace("{size}", digits(Math.abs(size), 2));
   }
   ctx.restore();
+  return words;
 }
 
 export function around(low: number, high: number, floor: number): [number, number] {

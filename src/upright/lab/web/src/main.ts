@@ -260,7 +260,7 @@ class Page {
 
   /** For who is here for the first time, where the tour is below the robot. */
   private invitation(): HTMLElement | null {
-    return this.newcomer ? button(t("newHere"), () => this.bring("Tour"), { className: "main", "data-key": "invitation" }) : null;
+    return this.newcomer ? button(t("newHere"), () => this.bring("Tour"), { "data-key": "invitation" }) : null;
   }
 
   /** Open a tab; on a phone, where it is below the robot, its first lines come into sight. */

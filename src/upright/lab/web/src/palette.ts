@@ -22,8 +22,8 @@ export function laneDash(name: string, bodies: string[]): number[] {
   return name === bodies[0] ? [] : (DASHES[name] ?? []);
 }
 
-export function ink(): { text: string; soft: string; grid: string; paper: string; push: string } {
+export function ink(): { text: string; soft: string; grid: string; push: string } {
   const style = getComputedStyle(document.documentElement);
   const get = (name: string) => style.getPropertyValue(name).trim();
-  return { text: get("--ink"), soft: get("--soft"), grid: get("--grid"), paper: get("--card"), push: get("--push") };
+  return { text: get("--ink"), soft: get("--soft"), grid: get("--grid"), push: get("--push") };
 }

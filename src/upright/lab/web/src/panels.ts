@@ -10,7 +10,7 @@ import { LEAN, STATES, SYMBOLS, UNITS, store } from "./store";
 import { OWN, named, t, translate, translated } from "./texts";
 import { legendEntry } from "./charts";
 import { sentence } from "./see";
-import { leastMargins } from "./verdict";
+import { atMotors, leastMargins } from "./verdict";
 
 const change = throttled(120, (part: Partial<Setup>) => store.change(part));
 let gathered: Partial<Setup> = {};
@@ -131,7 +131,7 @@ export class ControllerPanel extends Panel {
   private gains(): Node[] {
     const gain = store.analysed?.gain ?? [];
     if (!gain.length || ["gains", "off"].includes(store.setup.controller)) return [];
-    return [h("h4", {}, t("gain")), table(SYMBOLS, [gain[0].map((v) => digits(v, 3))], "gains")];
+    return [h("h4", {}, t("gain")), table(SYMBOLS, [gain[0].map((v) => digits(v, 3))], "gains"), h("p", { className: "note" }, t("gainNote", { unit: store.changed?.look.command_unit ?? "V" }))];
   }
 
   private analysis(): Node[] {
@@ -146,7 +146,7 @@ export class ControllerPanel extends Panel {
       [t("delayMargin"), a.delay === null ? t("unlimited") : `${digits(a.delay * 1000, 3)} ms`],
     ];
     if (!a.stable) parts.push(h("p", { className: "note" }, sentence(translate(a.words))));
-    else parts.push(...leastMargins(a), h("h4", {}, t("margins")), table([], rows, "margins"));
+    else parts.push(...leastMargins(a), atMotors(a), table([], rows, "margins"));
     return parts;
   }
 }
