@@ -945,10 +945,10 @@ def test_spanish_is_spanish_to_the_last_decimal(page):
             )
             assert re.findall(rf".*{ENGLISH}.*", text) == [], (name, view)
             assert re.findall(r"\d\.\d[^.]*", text) == [], (name, view)
-    for push, words in ((0.2, "0,2 N s, el mayor hasta ahora"), (0.05, "0,05 N s; el mayor hasta ahora 0,2 N s")):
+    for push, words in ((0.2, "0,2 N s, el mayor"), (0.05, "0,05 N s; el mayor hasta ahora 0,2 N s")):
         page.evaluate(f"upright.store.hear({{kind: 'Recovered', impulse: {push}, effort: 1, best: 0.2, fell: false}})")
         said = page.locator(".fell span").inner_text().replace("\N{NO-BREAK SPACE}", " ")
-        assert said == f"Se recuperó de {words}"
+        assert said == f"Se recuperó de un empujón de {words}"
     assert page.inner_text(".most").replace("\N{NO-BREAK SPACE}", " ") == "récord 0,2 N s"  # and stays there
     page.evaluate("upright.store.change({ robot: 'twipr', numbers: {} })")  # under the kit of a LEGO robot
     page.wait_for_selector("text=la electrónica 'nxt' actúa por tensión; se esperaba par, como en el robot")
