@@ -219,8 +219,8 @@ def _numbers(analysis: Analysis) -> list[tuple[str, str]]:
         gains = (_change(both.gain_low), f"weaker motors tip it over too; the target is {100 * WEAK:.0f} %")
     more = f"more delay at the {_weakest(analysis)} tips it over; a period is {1e3 * analysis.period:g} ms"
     if first.delay < analysis.delay:
-        more = f"more delay at the {first.channel} alone tips it over; of both motors' commands "
-        more += f"{_milliseconds(both.delay)}; the target is {1e3 * analysis.period:g} ms"
+        more = f"more delay at the {first.channel} tips it over, {_milliseconds(both.delay)} at both motors; "
+        more += f"the target is {1e3 * analysis.period:g} ms"
     return [
         gains,
         (f"{cell_text(math.degrees(both.phase), 2)}°", _phase(both)),
