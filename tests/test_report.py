@@ -542,6 +542,8 @@ def test_ratios_of_coefficients_keep_their_slash():
         ("identify a.csv -o b.json", "upright identify a.csv --report c.html", "identify a.csv -o b.json"),
         ("certify mpc --robot a", "upright bench-controllers -c mpc -c lqr", "certify mpc --robot a"),
         ("certify lqg --robot a", "", "certify lqg --robot a"),
+        ("certify lqg", "upright design lqg -o 'my lqg.json'", "certify 'my lqg.json'"),
+        ("design lqg --robot 'my robot.toml'", "upright calibrate a.csv", "design lqg --robot 'my robot.toml'"),
     ],
 )
 def test_what_to_run_next_keeps_the_robot_kit_and_controller_that_were_typed(following, command, completed_one):

@@ -23,7 +23,7 @@ def completed(lead: str, command: str) -> str:
     typed = shlex.split(command)[1:]
     if not mark or not typed:
         return lead
-    return answer + mark + _COMMAND.sub(lambda match: f"`{_continued(match[1].split(), typed)}`", following)
+    return answer + mark + _COMMAND.sub(lambda match: f"`{_continued(shlex.split(match[1]), typed)}`", following)
 
 
 _COMMAND = re.compile(r"`(upright [^`]+)`")
@@ -34,7 +34,7 @@ def _continued(words: Sequence[str], typed: Sequence[str]) -> str:
     before, was = _split(typed[1:])
     known = {LONG.get(name, name): value for name, value in was}
     if verb == typed[0] and any(LONG.get(name, name) == "--output" for name, _ in options):
-        return " ".join(words)  # a page that names the file to write names all
+        return _quoted(words)  # a page that names the file to write names all
     if verb == typed[0] and names == before:
         kept = [pair for pair in was if LONG.get(pair[0], pair[0]) != "--output"]
         added = [pair for pair in options if LONG.get(pair[0], pair[0]) not in {**known, "--output": ""}]
@@ -68,4 +68,9 @@ def _split(words: Sequence[str]) -> tuple[list[str], list[tuple[str, str]]]:
 
 
 def _joined(verb: str, names: Sequence[str], options: Sequence[tuple[str, str]]) -> str:
-    return " ".join(["upright", verb, *names, *(word for pair in options for word in pair if word)])
+    return _quoted(["upright", verb, *names, *(word for pair in options for word in pair if word)])
+
+
+def _quoted(words: Sequence[str]) -> str:
+    """A command as it can be typed: names of files may have spaces. Words that stand for others, LOG or …, stay."""
+    return " ".join(shlex.quote(word) if re.search(r"""[\s'"]""", word) else word for word in words)
