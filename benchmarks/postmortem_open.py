@@ -424,9 +424,9 @@ class Freezing(Stalling):
         return 0 <= self.now * self.spec.period - self.fault.onset < self.fault.size
 
     def step(self, measurement: Any, reference: Any) -> tuple[float, float]:
-        told = super().step(measurement, reference)
+        command = super().step(measurement, reference)
         self.skipped = []
-        return told
+        return command
 
 
 class Rebooting(Freezing):

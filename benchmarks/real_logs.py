@@ -138,8 +138,8 @@ def per_volt(one: Run) -> str:
     size = min(64, len(t) // 2)
     frequency, power = welch(volts, 1 / log.period, nperseg=size, detrend="linear")
     words: list[str] = []
-    for wanted in ASKED:
-        at = int(np.argmin(np.abs(frequency - wanted)))
+    for asked in ASKED:
+        at = int(np.argmin(np.abs(frequency - asked)))
         turn, roll = (
             abs(csd(volts, y, 1 / log.period, nperseg=size, detrend="linear")[1][at] / power[at])
             for y in (gyro, wheels)

@@ -89,6 +89,11 @@ def joined(names: Sequence[str]) -> str:
     return f"{', '.join(names[:-1])} and {names[-1]}" if len(names) > 1 else "".join(names)
 
 
+def short(channel: str) -> str:
+    """`sensor/encoder_left` as `encoder left`."""
+    return channel.removeprefix("sensor/").removeprefix("estimate/").replace("_", " ")
+
+
 SPOKEN = {
     "com_height": "centre of mass height", "asymmetry": "motor asymmetry", "constant_command": "command offset",
     "coulomb_friction": "Coulomb friction", "weight_moment/a22": "weight moment/a22",

@@ -22,6 +22,7 @@ from upright.logs.recording import SENSOR, Recording, first_noise
 from upright.physics.dynamics import turn_ratio
 from upright.physics.linear import unstable_pole
 from upright.robots import Robot, preset_names
+from upright.tables import short
 
 Array = NDArray[np.float64]
 
@@ -135,8 +136,7 @@ def poorly(problem: Problem, recording: Recording, z: Array, parts: Segments, *,
             if fraction
             else "the cause was not found"
         )
-        plain = name.removeprefix("sensor/").replace("_", " ")
-        texts.append(f"{plain}: half a second of free simulation explains {max(r2, 0):.0%} of it; {why}")
+        texts.append(f"{short(name)}: half a second of free simulation explains {max(r2, 0):.0%} of it; {why}")
     return texts
 
 

@@ -128,7 +128,8 @@ def _calm(log: Log, there: NDArray[np.bool_]) -> list[Log]:
     long = [log.t[part[[0, -1]]] for part in several if len(part) * log.period > LEAST_CALM]
     calm = [one for one in (log.between(*ends) for ends in long) if all(np.ptp(one[n]) > 0 for n in RAW if n in one)]
     moved = [max((np.ptp(one[n]) for n in RAW[:2] if n in one), default=0.0) for one in calm]
-    calm = [one for one, far in zip(calm, moved, strict=True) if far >= LEAST_MOVED * max(moved)]
+    least = LEAST_MOVED * max(moved, default=0.0)
+    calm = [one for one, far in zip(calm, moved, strict=True) if far >= least]
     return calm if sum(map(len, calm)) > len(log) / 2 else [log]
 
 

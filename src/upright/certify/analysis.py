@@ -22,7 +22,7 @@ from upright.control.state_space import controller_of
 from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import draw
-from upright.tables import Shown
+from upright.tables import Shown, short
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -93,7 +93,7 @@ class Analysis(Shown):
         fell, first = int((self.radii >= 1).sum()), self.weakest
         sentences = [
             self.both().words(),
-            f"With {1e3 * first.delay:.3g} ms more delay at the {first.channel} alone it becomes unstable.",
+            f"With {1e3 * first.delay:.3g} ms more delay at {_alone(first.channel)} it becomes unstable.",
             f"Both motors, varied independently: gains between {low * 100:.0f} and {high * 100:.0f} %, "
             f"or phases up to {math.degrees(disk_phase(self.disk)):.0f}°.",
             f"Of {len(self.radii)} robots drawn from the spreads, {fell} are unstable.",
@@ -261,9 +261,12 @@ def _at_input(loop: Loop, channel: str, delay: float, *, peaks: bool) -> Margins
     return replace(result, delay=min(result.delay, delay)) if channel == "both motors" else result
 
 
+def _alone(channel: str) -> str:
+    return channel if channel == "both motors" else f"the {channel} alone"
+
+
 def _at_output(loop: Loop, i: int, name: str, *, peaks: bool) -> Margins:
-    channel = name.removeprefix("sensor/").replace("_", " ")
-    return margins(loop.at_output, np.eye(len(loop.plant.C))[i], channel, peaks=peaks)
+    return margins(loop.at_output, np.eye(len(loop.plant.C))[i], short(name), peaks=peaks)
 
 
 def loop_margins(

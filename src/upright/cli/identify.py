@@ -68,7 +68,6 @@ def identify(
     from upright.control import write_controller
     from upright.identify.identify import ALL, identify_all, identify_one, study_of
     from upright.identify.judge import regulator
-    from upright.report.identification import taken
     from upright.robots import find_kit, find_robot
 
     _check_method(method, output or controller)
@@ -85,9 +84,12 @@ def identify(
     if model and output:
         model.save(output)
     write_page(comparison, report)
-    if model and comparison and (best := taken(comparison)) not in ("", method):
-        words = f"Of the methods compared on the page, {best} is the one to take: --method {best}."
-        model = replace(model, notes=(*model.notes, words))
+    if model and comparison:
+        from upright.report.identification import taken  # it loads matplotlib
+
+        if (best := taken(comparison)) not in ("", method):
+            words = f"Of the methods compared on the page, {best} is the one to take: --method {best}."
+            model = replace(model, notes=(*model.notes, words))
     if result := model or comparison:
         finish(result, as_json, written=(output, controller, report))
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from upright.diagnose.fall import limit
 from upright.diagnose.innovations import FilterRun, Signature, answer, entering, propagated
+from upright.tables import short
 
 Array = NDArray[np.float64]
 
@@ -202,7 +203,7 @@ def free_steps(run: FilterRun, onsets: Array) -> dict[str, Array]:
     rows = [i for i, name in enumerate(run.rows) if name != "sensor/compass"]
     shift = np.concatenate([after * (run.row == i)[:, None] for i in rows], axis=1)
     response = propagated(run, None, shift)[use]
-    names = [run.rows[i].removeprefix("sensor/").replace("_", " ") for i in rows]
+    names = [short(run.rows[i]) for i in rows]
     return free | {name: response[:, i * n : (i + 1) * n] for i, name in enumerate(names)}
 
 

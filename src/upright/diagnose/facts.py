@@ -10,6 +10,7 @@ from upright.diagnose.causes import DEAD, DROPPED, HIGH, JAMMED, LOW, NONE, SATU
 from upright.diagnose.chances import step
 from upright.diagnose.evidence import EXCURSION, Evidence
 from upright.diagnose.words import began, most, percent
+from upright.tables import short
 
 FACT = 0.98  # probability of what the commands themselves show
 PEGGED = 0.95  # fraction of the last second at the limit, where a constant command means saturation
@@ -53,7 +54,7 @@ def stuck_sensor(evidence: Evidence) -> list[Answer]:
     still = evidence.stuck
     if still is None:
         return []
-    name, seconds = still.channel.removeprefix("sensor/").replace("_", " "), evidence.fell_at - still.start
+    name, seconds = short(still.channel), evidence.fell_at - still.start
     text = f"the {name} reads {still.reading:.3g} in every row of the last {seconds:.2g} s, while "
     if still.clipped:
         text += "the wheels turn, and it stood there before and never went beyond: that is the end of its range"

@@ -102,9 +102,14 @@ PRODUCT = {"arduino": 17.7e-6, "avr": 17.7e-6, "nxc": 33e-6, "pybricks": 16e-6}
 """[s] of one product and its sum in float, of an LQG in the table of docs/firmware.md; C on 32 bits is quicker."""
 
 
+def computing_time(products: int, where: str) -> float:
+    """About how long a period's `products` take on a target [s]; 0 where that is not known."""
+    return products * PRODUCT.get(where, 0.0)
+
+
 def check_time(program: Program, where: str) -> None:
     """Raise `InvalidController` for a program whose products alone take `where` it runs longer than its period."""
-    time = program.operations() * PRODUCT.get(where, 0.0)
+    time = computing_time(program.operations(), where)
     if time > program.period:
         raise InvalidController(
             f"this {program.kind} takes about {time * 1e3:.0f} ms a period on {where}: {program.operations()} products",

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from upright.comparison import compare
 from upright.comparison.bench import DRAWN, KNOCK, TOLERANCE, Bench
-from upright.firmware.targets import PRODUCT
+from upright.firmware.targets import computing_time
 from upright.fleet.binomial import upper_bound
 from upright.plotting import AXIS, COLOURS, number
 from upright.report.figure import Figure
@@ -77,7 +77,7 @@ def _time(bench: Bench, name: str) -> float | None:
     """What a period of this controller's program takes on the kit's brick [s], estimated from its products; None where
     that is not known."""
     products = next((row.products for row in bench.rows if row.controller == name), None)
-    return products * PRODUCT[BRICKS[bench.kit][0]] if products and bench.kit in BRICKS else None
+    return computing_time(products, BRICKS[bench.kit][0]) if products and bench.kit in BRICKS else None
 
 
 def _quick(bench: Bench) -> list[str]:

@@ -44,7 +44,7 @@ def mark_largest(ax: Axes) -> None:
     ax.margins(y=0.15)
 
 
-def certified(robot: str, kind: str) -> str:
+def certify_command(robot: str, kind: str) -> str:
     """The command that certifies a controller of a robot, as far as both are known."""
     from upright.control.methods import OURS
 

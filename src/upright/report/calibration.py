@@ -23,8 +23,7 @@ from upright.report.figure import Figure
 from upright.report.made import command, typed
 from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
 from upright.report.priors import BOUNDED, CLOSE, MEASURED, NOT_VISIBLE, by_name, groups, measured, outside, width
-from upright.report.sensors import plain
-from upright.tables import joined, least, sentence, spoken
+from upright.tables import joined, least, sentence, short, spoken
 
 GIVEN = 3  # parameters named on the first screen
 STRONG = 0.9
@@ -85,7 +84,7 @@ def _reservations(c: Calibration) -> list[str]:
     for text in c.check():
         match = None if text in c.apart else _COLOURED.fullmatch(text.rstrip("."))
         if match:
-            coloured.append(plain(match[1]).strip())
+            coloured.append(short(match[1]).strip())
         else:
             words.append(text if text in c.apart else _sentence(text))
     words += [
@@ -167,7 +166,7 @@ def _numbers(c: Calibration) -> list[tuple[str, str]]:
     numbers: list[tuple[str, str]] = []
     if scores := _held_out(c):
         worst = min(scores, key=lambda name: scores[name])
-        words = f"R² of the {plain(worst)}, the worst sensor drawn, in the part not fitted; good from {GOOD:g}"
+        words = f"R² of the {short(worst)}, the worst sensor drawn, in the part not fitted; good from {GOOD:g}"
         numbers.append((least(scores[worst]), words))
     elif math.isfinite(lowest):
         numbers.append((least(lowest), f"R² of the {sensor}, the worst sensor drawn; good from {GOOD:g}"))
@@ -196,7 +195,7 @@ def _measured(c: Calibration) -> Figure | None:
     if not c.free:
         return None
     drawn = [name for name in c.channels if name in PREDICTED] or c.channels
-    rest = [f"{plain(name)} (R² {least(c.segments[name])})" for name in c.channels if name not in drawn]
+    rest = [f"{short(name)} (R² {least(c.segments[name])})" for name in c.channels if name not in drawn]
     good = _worst(c) >= GOOD
     title = f"Predictions {'lie on' if good else 'miss part of'} the readings"
     title += ", also where nothing was fitted" if good and c.held_out else ""
@@ -209,7 +208,7 @@ def _least(c: Calibration) -> tuple[float, str]:
     """The smallest R² of half seconds, and its sensor; a compass, which also turns with iron nearby, counts alone."""
     sensors = {name: value for name, value in c.segments.items() if name.startswith("sensor/")}
     judged = {name: value for name, value in sensors.items() if name in PREDICTED} or sensors
-    return min(((value, plain(name)) for name, value in judged.items()), default=(math.nan, ""))
+    return min(((value, short(name)) for name, value in judged.items()), default=(math.nan, ""))
 
 
 def _worst(c: Calibration) -> float:
@@ -363,7 +362,7 @@ def _pairs(c: Calibration) -> Table:
 
 def _whiteness(c: Calibration) -> Table:
     rows: list[list[Cell]] = [
-        [plain(w.sensor), w.rms, w.worst, w.ljung_box, w.input_test, w.threshold, w.white] for w in c.whiteness
+        [short(w.sensor), w.rms, w.worst, w.ljung_box, w.input_test, w.threshold, w.white] for w in c.whiteness
     ]
     header = ["sensor", "rms / expected", "correlation", "Ljung–Box", "commands", "threshold", "white"]
     return Table(header, rows)

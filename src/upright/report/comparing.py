@@ -13,7 +13,7 @@ from upright.comparison.comparison import NEGLIGIBLE
 from upright.comparison.metrics import nrmse_fit
 from upright.experiment import outcome_of
 from upright.plotting import line, number
-from upright.report.beside import certified, mark_largest, with_difference
+from upright.report.beside import certify_command, mark_largest, with_difference
 from upright.report.figure import Figure
 from upright.report.made import again, command, typed
 from upright.report.metrics import around, degrees, fit_tables, how, left_out, listed_metrics, words
@@ -110,7 +110,7 @@ def _lead(comparison: Comparison) -> str:
         what = comparison.kinds[comparison.reference]
         body = f"One run of {f'the {what}' if what else 'a robot'}"
         return f"{body}{f', under {kind}' if kind else ''}.{leans_into(comparison)} Next: {_next_body(comparison)}"
-    after = f"{certified(robot, kind)} pushes many similar robots under this controller"
+    after = f"{certify_command(robot, kind)} pushes many similar robots under this controller"
     return f"{who}{pushed}{several}.{stands}{_worse(comparison)} Next: {after}."
 
 

@@ -75,7 +75,7 @@ def page_of(result: Diagnosis) -> Page:
 
 _KINDS = {"error": Verdict("fault", "bad"), "warning": Verdict("fault", "warn"), "note": Verdict("remark", "info")}
 _LEVELS = (
-    "A fault must be mended, or allowed for, before a model is fitted. Where it is red, the log is wrong. "
+    "A fault must be repaired, or allowed for, before a model is fitted. Where it is red, the log is wrong. "
     "A remark needs nothing."
 )
 

@@ -21,7 +21,7 @@ def robot_of(origin: Mapping[str, Any]) -> tuple[Robot, Kit] | None:
                       delay=kit["delay"])  # fmt: skip
 
 
-def certified(robot: Robot, kit: Kit) -> str:
+def certificate_knocks(robot: Robot, kit: Kit) -> str:
     """With how much a certificate knocks a robot, with a low and a full battery: "0.186 to 0.245 N s"."""
     sizes = sorted(_sizes(robot, kit))
     return f"{' to '.join(dict.fromkeys(number(size, 3) for size in (sizes[0], sizes[-1])))} N s"

@@ -13,7 +13,7 @@ from upright.fleet.results import origin_of
 from upright.plotting import colour_map, legend, line, number, panels, round_levels
 from upright.report.campaign import provenance
 from upright.report.figure import Figure
-from upright.report.knocks import certified, robot_of
+from upright.report.knocks import certificate_knocks, robot_of
 from upright.report.page import Page, Section, Verdict, cell_text
 
 if TYPE_CHECKING:
@@ -187,7 +187,7 @@ def _at_centre(data: Dataset) -> tuple[float, float, str] | None:
     if not (durations[0] <= KNOCK_DURATION <= durations[-1] and heights[0] <= height <= heights[-1]):
         return None
     between = data["impulse"].min("direction").interp(height=height, duration=KNOCK_DURATION)
-    return height, float(between), certified(*known) if known else ""
+    return height, float(between), certificate_knocks(*known) if known else ""
 
 
 def _ends(data: Dataset, name: str, scale: float = 1.0) -> str:

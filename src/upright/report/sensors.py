@@ -8,6 +8,7 @@ from upright.calibrate.calibration import Calibration
 from upright.plotting import legend, line, number, panels
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Table, cell_text
+from upright.tables import short
 
 WORDS = (
     "R²: the log is simulated half a second at a time. Each simulation starts from a state fitted to that half second.",
@@ -24,7 +25,7 @@ def in_words(c: Calibration) -> list[Item]:
 
 
 def tables(c: Calibration) -> list[Item]:
-    free: list[list[Cell]] = [[plain(name), value] for name, value in c.segments.items() if name != "lost"]
+    free: list[list[Cell]] = [[short(name), value] for name, value in c.segments.items() if name != "lost"]
     items: list[Item] = [Table(["sensor", "R² of half seconds"], free)]
     if lost := c.segments.get("lost", 0.0):
         items.append(f"In {cell_text(100 * lost, 2)} % of these readings the simulated robot had fallen.")
@@ -35,10 +36,10 @@ def tables(c: Calibration) -> list[Item]:
         [_ahead(str(h)), *("worse than the mean" if fit < 0 else fit for fit in fits.values())]
         for h, fits in c.fits.items()
     ]
-    items.append(Table(["ahead", *map(plain, names)], rows, "Fit [%]", digits=3))
+    items.append(Table(["ahead", *map(short, names)], rows, "Fit [%]", digits=3))
     figure, (ax,) = panels(["fit on the part held out [%]"], "samples ahead", "log")
     for name in names:
-        line(ax, plain(name), [float(h) for h in c.fits], [fits[name] for fits in c.fits.values()])
+        line(ax, short(name), [float(h) for h in c.fits], [fits[name] for fits in c.fits.values()])
     for drawn in ax.lines:
         drawn.set(marker="o", markersize=4)
     ax.set_xticks([float(h) for h in c.fits], list(map(str, c.fits)))
@@ -50,7 +51,3 @@ def tables(c: Calibration) -> list[Item]:
 
 def _ahead(samples: str) -> str:
     return f"{samples} sample{'' if samples == '1' else 's'}"
-
-
-def plain(name: str) -> str:
-    return name.removeprefix("sensor/").replace("_", " ")

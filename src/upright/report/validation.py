@@ -12,7 +12,7 @@ from upright.calibrate.calibration import GOOD, PREDICTED
 from upright.report.figure import Figure
 from upright.report.made import command
 from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
-from upright.tables import joined, sentence, spoken
+from upright.tables import joined, sentence, short, spoken
 from upright.tables import least as least_of
 from upright.validate.loop import FreeLoop
 from upright.validate.validation import (
@@ -26,7 +26,6 @@ from upright.validate.validation import (
     half_second_figure,
     least,
     loop_figure,
-    short,
 )
 
 _HALF = (

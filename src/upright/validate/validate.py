@@ -37,7 +37,7 @@ from upright.logs.recording import SENSOR
 from upright.progress import Progress
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
-from upright.tables import sentence
+from upright.tables import sentence, short
 from upright.validate.law import CommandLaw, LinearLaw, law_by, law_of, recorded
 from upright.validate.loop import FreeLoop, closed_loop
 from upright.validate.validation import (
@@ -47,7 +47,6 @@ from upright.validate.validation import (
     channels_of,
     least,
     loop_channels,
-    short,
 )
 
 CHANCE = 2.0  # [deviations] of the gradient below which chance makes it

@@ -13,7 +13,7 @@ import numpy as np
 from upright.atomic import finite
 from upright.calibrate.calibration import GOOD, PREDICTED, Segments
 from upright.calibrate.own_run import RunEffect
-from upright.tables import Shown, joined
+from upright.tables import Shown, joined, short
 from upright.tables import least as least_of
 from upright.validate.loop import FreeLoop
 
@@ -146,11 +146,6 @@ def least(channels: Sequence[ChannelFit]) -> ChannelFit:
 def _line(c: ChannelFit) -> str:
     breaks = "" if c.breaks is None else f"   breaks at t = {c.breaks:.4g} s"
     return f"    {short(c.name):<20} R² {least_of(c.r2, 4):>7}   fit {c.fit:>5.1f} %{breaks}"
-
-
-def short(name: str) -> str:
-    """`sensor/encoder_left` as `encoder left`."""
-    return name.removeprefix("sensor/").removeprefix("estimate/").replace("_", " ")
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
