@@ -299,7 +299,7 @@ def _next(c: Calibration) -> str:
         return f"`upright doctor {logs.split()[0]}` looks for what is wrong with the log."
     if c.quiet:
         return "`upright excite -o plan.json` plans a run that tells more."
-    robot = typed("-o", "--output")
+    robot = typed("--output")
     if not robot:
         return f"`{command() or f'upright calibrate {logs}'} -o robot.toml` writes this robot as a file."
     if _reservations(c):

@@ -118,7 +118,7 @@ def _next_body(comparison: Comparison) -> str:
     """The same run in another body, and the comparison of both."""
     this = "twin" if comparison.kinds[comparison.reference].startswith("twin") else "model"
     other, body = ("model", "nonlinear") if this == "twin" else ("twin", "twin")
-    file, options = typed("-o", "--output"), ("-o", "--output", "--body", "-b")
+    file, options = typed("--output"), ("--output", "--body")
     if not command().startswith("upright simulate") or not file:
         return "`upright simulate … -o run.parquet` keeps a run, and `upright compare` shows it beside another."
     return (

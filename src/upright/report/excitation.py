@@ -111,10 +111,10 @@ GIVEN = 3  # parameters named on the first screen
 
 
 def _next() -> str:
-    file, robot = typed("-o", "--output"), chosen("--robot", "--kit")
+    file, robot = typed("--output"), chosen("--robot", "--kit")
     if not file:
         return f"`{command() or 'upright excite'} -o plan.json` writes the plan as a file."
-    law = chosen("-c") or chosen("--controller")
+    law = chosen("--controller")
     return (
         f"`upright simulate{robot}{law} --excite {file} -o run.csv` tries it; on your robot, add it to its commands. "
         f"Then `upright calibrate run.csv{robot} -o robot.toml` reads its log."

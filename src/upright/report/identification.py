@@ -207,7 +207,7 @@ def _why(compared: MethodComparison) -> str:
 
 
 def _next(compared: MethodComparison) -> str:
-    command = again("upright identify LOG", "--method", "-o", "--output", "-c", "--controller")
+    command = again("upright identify LOG", "--method", "--output", "--controller")
     return (
         f"`{command} --method {_best(compared)} -o model.json -c regulator.json` writes that model and its regulator."
     )

@@ -10,7 +10,7 @@ import numpy as np
 
 from upright.calibrate.calibration import GOOD, PREDICTED
 from upright.report.figure import Figure
-from upright.report.made import command
+from upright.report.made import command, parsed, quoted
 from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
 from upright.tables import joined, sentence, short, spoken
 from upright.tables import least as least_of
@@ -129,8 +129,8 @@ def _called(name: str, names: Collection[str]) -> str:
 def _lead(result: Validation) -> str:
     """Whether this is a test, how the worst sensor misses, what is not judged, and what to run next."""
     again = "`upright calibrate` with this log, which moves all parameters together"
-    words = command().split()
-    robot = words[2] if words[1:2] == ["validate"] and not words[2].startswith("-") else result.robot
+    made = parsed(command())
+    robot = quoted(made.arguments[:1]) if made.verb == "validate" and made.arguments else result.robot
     then = (
         f"`upright design lqg --robot {robot} -o lqg.json` designs a controller for it"
         if result.worst.worst.r2 >= GOOD
