@@ -80,18 +80,19 @@ def simulate(
     with patience(), closing(plant), progress("simulating") as show:  # hardware is stopped however this ends
         log = run(plant, design, pushes, reference=references, seconds=length, seed=seed, start=first, progress=show)
     written = log.save(output) if output else None
-    if not as_json and not (pushes or references or any(first) or excite):
-        typer.echo("nothing disturbs the robot; try: --push hold:0.1,until=1")
     _show(log, body=body, written=written, report=report, as_json=as_json)
 
 
 def _show(log: Log, *, body: str, written: Path | None, report: Path | None, as_json: bool) -> None:
     """Prints the outcome and the metrics of a run, and writes its page."""
     from upright.comparison import compare
-    from upright.experiment import outcome_of
+    from upright.experiment import motionless, outcome_of, undisturbed
+    from upright.experiment.outcome import PUSHED
 
     numbers, outcome = compare({body: log}), outcome_of(log)
     write_page(numbers, report)
+    if not as_json and undisturbed(log):
+        typer.echo("\n".join(filter(None, [f"nothing disturbs the robot; try: {PUSHED}", motionless(log)])))
     if not as_json:
         typer.echo(f"{outcome}\n")
     facts: dict[str, Any] = {"outcome": outcome.to_json(), "origin": log.origin}

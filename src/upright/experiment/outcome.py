@@ -11,6 +11,9 @@ import numpy as np
 from upright.bodies.body import FALLEN
 from upright.signals import Log
 
+PUSHED = "--push hold:0.1,until=1"
+"""What to add to a run that nothing disturbs."""
+
 
 @dataclass(frozen=True)
 class RunOutcome:
@@ -41,3 +44,32 @@ def outcome_of(log: Log) -> RunOutcome:
     lying = np.flatnonzero(np.abs(pitch) > FALLEN)
     lying = lying[lying > (upright[-1] if len(upright) else -1)]
     return RunOutcome(True, float(log.t[lying[0]])) if len(lying) else RunOutcome(None, float(log.t[-1] - log.t[0]))
+
+
+def undisturbed(log: Log) -> bool:
+    """Whether nothing but its own sensors disturbed the robot: by the log's origin it began at rest, exactly upright,
+    without a push, a slope, a reference or an excitation. False where the origin does not say."""
+    scenario: Any = log.origin.get("scenario")
+    if not isinstance(scenario, Mapping) or "start" not in scenario:
+        return False
+    kind = str(log.origin.get("controller", {}).get("kind", ""))
+    return not (any(scenario["start"]) or scenario.get("push") or scenario.get("reference") or "excitation" in kind)
+
+
+def motionless(log: Log) -> str:
+    """Why an undisturbed robot never moved, as a sentence; '' where it moved, or the log lacks its state or commands.
+
+    A controller that reads noise commands something; a kit's dead zone and resolution take away what is small.
+    """
+    sides = ("left", "right")
+    if not all(f"{kind}/{side}" in log for kind in ("command", "applied") for side in sides):
+        return ""
+    if not all(name in log and not np.ptp(log[name]) for name in ("truth/pitch", "truth/wheel")):
+        return ""
+    asked, given = (max(float(np.abs(log[f"{kind}/{side}"]).max()) for side in sides) for kind in ("command", "applied"))
+    if given:
+        return ""
+    if not asked:
+        return "Exactly upright it reads no lean, so every command is 0."
+    unit = log.unit("command/left")
+    return f"The sensors' noise makes commands of up to {asked:.2g} {unit}, too small to turn the motors."

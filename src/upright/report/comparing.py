@@ -11,14 +11,25 @@ from numpy.typing import NDArray
 from upright.comparison import Comparison
 from upright.comparison.comparison import NEGLIGIBLE
 from upright.comparison.metrics import nrmse_fit
-from upright.experiment import outcome_of
+from upright.experiment import motionless, outcome_of
 from upright.plotting import line, number
 from upright.report.beside import certify_command, mark_largest, with_difference
 from upright.report.figure import Figure
 from upright.report.made import again, command, typed
 from upright.report.metrics import around, degrees, fit_tables, how, left_out, listed_metrics, words
 from upright.report.page import Cell, Details, Page, Section, Table, Verdict, cell_text
-from upright.report.single import alone, band, leans_into, settles, travel, way
+from upright.report.single import (
+    alone,
+    band,
+    leans_into,
+    resting_figure,
+    settles,
+    travel,
+    untouched,
+    untouched_lead,
+    untouched_title,
+    way,
+)
 from upright.tables import sentence
 
 if TYPE_CHECKING:
@@ -39,13 +50,14 @@ DWARFED = 5.0
 
 def page_of(comparison: Comparison) -> Page:
     """The comparison's page, not yet written."""
-    first = "pitch" if "pitch" in comparison.signals else comparison.signals[0]
+    labels, first = list(comparison.logs), "pitch" if "pitch" in comparison.signals else comparison.signals[0]
     still = [name for name in comparison.signals if _is_still(comparison, name)]
     figures = [state_figure(comparison, name) for name in comparison.signals if name not in (first, *still)]
     quiet = [sentence(f"no motion of {' or '.join(name.replace('_', ' ') for name in still)}")] if still else []
     defined = Details("How these numbers are defined", how(comparison))
+    calm = untouched(comparison)
     sections = [
-        Section("Numbers", [listed_metrics(comparison), *fit_tables(comparison), defined]),
+        Section("Numbers", [listed_metrics(comparison), *fit_tables(comparison), defined], folded=calm and bool(motionless(comparison.logs[labels[0]]))),
         Section("Other states", [*figures, *quiet], folded=True),
     ]
     commands = comparison.plot_commands()
@@ -55,12 +67,15 @@ def page_of(comparison: Comparison) -> Page:
     )
     return Page(
         _title(comparison, first), sections, _lead(comparison), _provenance(comparison),
-        verdict=_verdict(comparison), picture=state_figure(comparison, first), numbers=_numbers(comparison),
+        verdict=_verdict(comparison), numbers=_numbers(comparison),
+        picture=(calm and resting_figure(comparison.logs[labels[0]])) or state_figure(comparison, first),
     )  # fmt: skip
 
 
 def _title(comparison: Comparison, first: str) -> str:
     """Who fell, or how well the runs agree; of one run what it did."""
+    if untouched(comparison):
+        return untouched_title(comparison)
     labels = list(comparison.logs)
     fell = [label for label, m in comparison.metrics.items() if m.fell]
     if len(labels) == 1:
@@ -95,6 +110,8 @@ def _fits(comparison: Comparison, first: str) -> dict[str, float]:
 
 def _lead(comparison: Comparison) -> str:
     """What was run: robot, controller, push; and what to run next."""
+    if untouched(comparison):
+        return untouched_lead(comparison)
     log = comparison.logs[comparison.reference]
     robot, kind = log.origin.get("robot", {}).get("name", ""), log.origin.get("controller", {}).get("kind", "")
     who = f"{robot} under {kind}" if robot and kind else robot or "One experiment"
@@ -197,6 +214,8 @@ def _verdict(comparison: Comparison) -> Verdict | None:
         worst = min(fits.values())
         levels = {"good": "good", "fair": "warn", "poor": "bad"}
         return Verdict(f"{words(first)}: {_grade(worst)} fit, {_RANGES[_grade(worst)]}", levels[_grade(worst)])
+    if untouched(comparison):
+        return Verdict("nothing disturbed it", "info")
     return None if any(f is None for f in fell) else Verdict("stood", "good")
 
 

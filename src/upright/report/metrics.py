@@ -38,7 +38,8 @@ def metrics_table(comparison: Comparison) -> Table:
         within = f"settling after the release, to ±{degrees(max(limit for _, limit in calm))}"
         rows.insert(0, [within, "s", *(seconds for seconds, _ in calm)])
     several = "Metrics of each run" if len(comparison.logs) > 1 else "Metrics of the run"
-    return Table(["", "unit", *comparison.logs], rows, several, digits=3)
+    heads = list(comparison.logs) if len(comparison.logs) > 1 else ["value"]
+    return Table(["", "unit", *heads], rows, several, digits=3)
 
 
 def listed_metrics(comparison: Comparison) -> Table:

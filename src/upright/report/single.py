@@ -1,4 +1,4 @@
-"""What a page says of a single run: which way it leans and rolls, and when it comes to rest."""
+"""What a page says of a single run: which way it leans and rolls, when it comes to rest, and that nothing pushed it."""
 
 from __future__ import annotations
 
@@ -6,9 +6,14 @@ import math
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from upright.comparison import Comparison
-from upright.plotting import AXIS
+from upright.experiment import motionless, outcome_of, undisturbed
+from upright.experiment.outcome import PUSHED
+from upright.plotting import AXIS, line, panels
+from upright.report.figure import Figure
+from upright.report.made import again
 from upright.report.metrics import degrees, words
 from upright.report.page import cell_text
 from upright.tables import sentence
@@ -17,6 +22,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from upright.signals import Log
+
+Array = NDArray[np.float64]
 
 LASTING = 0.5  # [s] of a push against which a robot leans
 
@@ -43,6 +50,8 @@ def travel(comparison: Comparison, label: str) -> tuple[str, str]:
     radius = comparison.logs[label].origin.get("robot", {}).get("wheel_radius")
     if not radius or not math.isfinite(turn):
         return degrees(turn), f"largest turn of the wheels{ahead}"
+    if not turn:
+        return "0 cm", "rolled: the wheels never turned"
     return f"{cell_text(100 * radius * turn, 2)} cm", f"furthest that it rolls{ahead}: {degrees(turn)} of the wheels"
 
 
@@ -85,7 +94,50 @@ def alone(comparison: Comparison, name: str) -> str:
             return "Pitch does not come to rest within the run"
         return f"Pitch has settled, within the dotted ±{degrees(limit)}, {settles(calm, 2)} after the release"
     source = f"{comparison.sources[label]}/{name}"
+    if untouched(comparison) and not np.ptp(log[source]):
+        return f"{sentence(words(name), '')} stays at 0°{log.unit(source).removeprefix('rad')}"
     finite = log[source][np.isfinite(log[source])]
     furthest = float(finite[np.abs(finite).argmax()]) if len(finite) else 0.0
     size, per = f"{'−' if furthest < 0 else ''}{degrees(furthest)}", log.unit(source).removeprefix("rad")
     return f"{sentence(words(name), '')} reaches {size}{per}"
+
+
+def untouched(comparison: Comparison) -> bool:
+    """Whether this is one run in which nothing disturbed the robot, and it stood."""
+    logs = list(comparison.logs.values())
+    return len(logs) == 1 and undisturbed(logs[0]) and not outcome_of(logs[0]).fell
+
+
+def untouched_title(comparison: Comparison) -> str:
+    """That nothing pushed it, and how far it swayed."""
+    ((label, log),) = comparison.logs.items()
+    name, peak = log.origin.get("robot", {}).get("name", "") or "the robot", comparison.metrics[label].pitch_peak
+    did = "stood still for" if motionless(log) else f"swayed by at most {cell_text(math.degrees(abs(peak)), 2)}° in"
+    return f"Nothing pushed {name}: it {did} {outcome_of(log).seconds:.4g} s"
+
+
+def untouched_lead(comparison: Comparison) -> str:
+    """Why the run tests nothing, and the same run with a push."""
+    ((label, log),) = comparison.logs.items()
+    kind, what = log.origin.get("controller", {}).get("kind", ""), comparison.kinds[label]
+    why = motionless(log) or "What its sensors misread is all that moves it."
+    began = f"A run of the {what}{f' under {kind}' if kind else ''}, begun exactly upright: it tests nothing."
+    command = f"{again('upright simulate', '--push')} {PUSHED}"
+    return f"{began} {why} Next: `{command}` pushes it for a second."
+
+
+def resting_figure(log: Log) -> Figure | None:
+    """The gyro's noise, and the commands that it makes but the motors do not follow; None without a gyro."""
+    if "sensor/gyro" not in log or not motionless(log) or not np.ptp(log["sensor/gyro"]):
+        return None
+    unit = log.unit("command/left")
+    figure, axes = panels(["gyro [°/s]", f"requested command, left [{unit}]", f"applied command, left [{unit}]"])
+    drawn: list[tuple[str, Array]] = [
+        ("gyro", np.degrees(log["sensor/gyro"])), ("requested", log["command/left"]), ("applied", log["applied/left"]),
+    ]  # fmt: skip
+    for ax, (name, values) in zip(axes, drawn, strict=True):
+        line(ax, name, log.t, values, step=True, style=0, solid=True)
+    most = 1.2 * float(np.abs(log["command/left"]).max())
+    for ax in axes[1:]:
+        ax.set_ylim(-most, most)
+    return Figure("Pitch stays at 0°: noise alone reaches the controller, and no command the motors", figure)
