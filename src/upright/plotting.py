@@ -124,10 +124,10 @@ def line(
 
 
 @styled
-def span(axes: Sequence[Axes], start: float, stop: float, name: str) -> None:
+def span(axes: Sequence[Axes], start: float, stop: float, name: str, colour: str = SPAN) -> None:
     """Shade [start, stop] of x in all `axes`."""
     for ax in axes:
-        ax.axvspan(start, stop, color=SPAN, alpha=0.22, linewidth=0, zorder=0, label=name)
+        ax.axvspan(start, stop, color=colour, alpha=0.22 if colour == SPAN else 0.12, linewidth=0, zorder=0, label=name)
 
 
 @styled

@@ -21,11 +21,14 @@ from upright.doctor.finding import (
     FEWEST,
     GYRO,
     LEFT,
+    ON_WHEELS,
     RIGHT,
     SEVERITIES,
+    STANDING,
     Finding,
     Record,
     Segment,
+    moment,
     note,
     warning,
 )
@@ -79,6 +82,24 @@ class Diagnosis(Shown):
         """The codes of all findings, in order."""
         return [finding.code for finding in self.findings]
 
+    @property
+    def faults(self) -> list[Finding]:
+        """What is not a mere note."""
+        return [finding for finding in self.findings if finding.severity != "note"]
+
+    @property
+    def kept(self) -> tuple[float, float] | None:
+        """The longest time on the wheels [s], to which a repair cuts the log; None where it keeps all rows."""
+        cuts = (fix.numbers for finding in self.findings for fix in finding.fixes if fix.kind == "cut")
+        return next(((start, stop) for start, stop in cuts), None)
+
+    def cut_away(self) -> list[Finding]:
+        """The faults that lie outside the time that is kept, so that the cut removes them."""
+        if self.kept is None:
+            return []
+        start, stop = self.kept
+        return [f for f in self.faults if f.span and (f.span[0] >= stop or f.span[1] < start)]
+
     def repaired(self) -> Log:
         """The log with every repair applied, in the order of the stages; raises `InvalidLog` if the result is no "
         "valid log."""
@@ -109,9 +130,12 @@ class Diagnosis(Shown):
                     ax.plot(
                         record.t[rows], record[name][rows], "o", color=COLOURS[3], markersize=2.5, label="at the limit"
                     )
+        off = ", ".join(dict.fromkeys(s.kind for s in self.segments if s.kind not in ON_WHEELS))
         for segment in self.segments:
-            if segment.kind != BALANCING:
-                span(axes, segment.start, segment.stop, "not balancing")
+            if segment.kind == STANDING:
+                span(axes, segment.start, segment.stop, STANDING, COLOURS[0])
+            elif segment.kind != BALANCING:
+                span(axes, segment.start, segment.stop, off)
         return legend(figure)
 
     def to_json(self) -> dict[str, Any]:
@@ -140,6 +164,9 @@ class Diagnosis(Shown):
             first, *rest = textwrap.wrap(text, 100)
             lines += [f"{finding.severity:8} {finding.code:22} {finding.channel:20} {first}"]
             lines += [" " * 53 + line for line in rest]
+        if self.kept and len(self.cut_away()) == len(self.faults) > 1:
+            start, stop = map(moment, self.kept)
+            lines.append(f"one cut removes all {len(self.faults)} faults: {start} ≤ t < {stop} s (--fix REPAIRED.csv)")
         return "\n".join(lines)
 
 

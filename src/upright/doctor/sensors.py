@@ -235,11 +235,12 @@ def saturation(record: Record) -> list[Finding]:
             limit = "gyro's range" if names[0] == GYRO else "largest command"
             unit = record.units.get(names[0], "").replace("1", "without a unit")
             top = f"{float(np.abs(record[names[0]]).max()):.4g} {unit}".rstrip()
-            evidence = f"{fraction:.1%} of the rows are at the {limit}, {top}, up to {longest} consecutive"
-            repair = "exclude these rows from a linear fit, or model the limit"
-            if names[0] == GYRO:
-                repair = "upright calibrate leaves these readings out"
-            findings.append(warning("saturation", names[0], evidence, repair))
+            at = record.t[limited(record, names).any(axis=0)]
+            when = f"up to {longest} consecutive, from {moment(at[0])} to {moment(at[-1])} s"
+            evidence = f"{fraction:.1%} of the rows are at the {limit}, {top}, {when}"
+            repair = "leave these rows out when a linear model is fitted, or model the limit"
+            repair = "upright calibrate leaves these readings out" if names[0] == GYRO else repair
+            findings.append(warning("saturation", names[0], evidence, repair, span=(float(at[0]), float(at[-1]))))
     return findings
 
 

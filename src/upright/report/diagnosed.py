@@ -10,7 +10,7 @@ import numpy as np
 
 from upright.doctor import delays, motion, segments, sensors, time, units
 from upright.doctor.doctor import Diagnosis
-from upright.doctor.finding import GYRO, LEFT, Finding, Record
+from upright.doctor.finding import BALANCING, GYRO, LEFT, STANDING, Finding, Record, moment
 from upright.doctor.physics import LEAST_ROWS
 from upright.logs import outliers
 from upright.report.figure import Figure
@@ -21,7 +21,7 @@ CHECKS = {
     "time stamps": ("time/",), "rows": ("samples/", "columns/"), "units": ("units/",),
     "signs and sides": ("motion/flipped", "motion/swapped"), "rates and angles": ("motion/int", "motion/diff"),
     "delays": ("delay/",), "gyro's bias": ("gyro/",), "readings": ("channel/", "estimate/", "encoder/wrapped"),
-    "encoder's resolution": ("encoder/",), "motors at their limit": ("saturation",),
+    "encoder's resolution": ("encoder/",), "motors and gyro at their limit": ("saturation",),
     "motion": ("motion/quiet", "segment/still", "segment/none"), "falls and slips": ("segment/",),
 }  # fmt: skip
 """What is checked → how the codes of its findings begin; a code counts for the first that fits."""
@@ -35,6 +35,7 @@ FAULTS = {
 WORDS = {
     "delay/sensor": "a late sensor", "delay/command": "late commands", "segment/fall": "a fall",
     "segment/slip": "a slip",
+    "saturation": "motors at their limit",
     "samples/controller": "rows left out", "samples/repeated": "repeated rows",
 }  # fmt: skip
 """The same for single codes, where that says more."""
@@ -44,20 +45,22 @@ ALIKE = 0.9  # of the rows: commands of both motors that are equal there lie on 
 
 def page_of(result: Diagnosis) -> Page:
     """The page, not yet written."""
-    faults = [f for f in result.findings if f.severity != "note"]
+    faults = result.faults
     rows: list[list[Cell]] = [
         [_KINDS[f.severity], _channel(f), sentence(_evidence(result, f)), _repair(f) or "nothing"]
         for f in result.findings
+        if f.code != "segment/cut"  # that is a number of the first screen
     ]
     columns: list[list[Cell]] = [[name, source.column] for name, source in result.mapping.channels.items()]
     renamed = any(name != column for name, column in columns)
     checks, values, limits = _checks(result), _values(result), _limits(result)
     checked_rows: list[list[Cell]] = [[*c, values.get(c[0], ""), limits[c[0]]] for c in checks]
-    passed = sum(verdict.level in ("good", "info") for _, verdict in checks)
+    failed = [name for name, verdict in checks if verdict.level not in ("good", "info")]
+    red = any(f.severity == "error" for f in faults)
     return Page(
         _title(result, faults),
         [
-            Section("Faults and remarks", [_LEVELS, Table(["", "channel", "evidence", "what to do"], rows)]),
+            Section("Faults and remarks", [f"{_FAULT}{_RED if red else ''}{_REMARK}", Table(["", "channel", "evidence", "what to do"], rows)]),
             Section("Checks", [_FINDING_FROM, Table(["check", "result", "measured", "a finding from"], checked_rows)],
                     folded=True),
             *([Section("Columns of the log", [Table(["channel", "column"], columns)], folded=True)] if renamed else []),
@@ -66,7 +69,7 @@ def page_of(result: Diagnosis) -> Page:
         {"columns read as": _mapped(result.mapping.name), "rows": str(result.rows)}, False,
         verdict=_verdict(result, faults), picture=_picture(result),
         numbers=[
-            (f"{passed} of {len(checks)}", "checks passed, from time stamps to falls; all are listed below"),
+            _counted(failed, len(checks)),
             _usable(result),
             (f"{result.period * 1e3:.4g} ms", f"from one row to the next; {result.rows} rows"),
         ],
@@ -74,25 +77,39 @@ def page_of(result: Diagnosis) -> Page:
 
 
 _KINDS = {"error": Verdict("fault", "bad"), "warning": Verdict("fault", "warn"), "note": Verdict("remark", "info")}
-_LEVELS = (
-    "A fault must be repaired, or allowed for, before a model is fitted. Where it is red, the log is wrong. "
-    "A remark needs nothing."
-)
+_FAULT = "A fault must be repaired, or allowed for, before a model is fitted. "
+_RED = "Where it is red, the log is wrong. "
+_REMARK = "A remark does not spoil the log; what it advises makes a model better."
+
+
+def _counted(failed: list[str], checks: int) -> tuple[str, str]:
+    """How many checks found a fault, and which."""
+    if not failed:
+        return f"{checks} of {checks}", "checks passed, from time stamps to falls; open “Checks” for all"
+    named = "; ".join(failed if len(failed) <= NAMED else [*failed[: NAMED - 1], "and others"])
+    return f"{len(failed)} of {checks}", f"checks found a fault: {named}"
 
 
 def _title(result: Diagnosis, faults: list[Finding]) -> str:
     name = result.source or "Log"
     if not faults:
         return f"{name}: no fault found"
+    if result.kept and _one_cut(result):
+        start, stop = result.kept
+        begins = f"from {moment(start)} to " if start > result.read.t[0] else "up to "
+        falls = any(f.code == "segment/fall" and f.span and f.span[0] >= stop for f in faults)
+        return f"{name}: usable {begins}{moment(stop)} s{', then the robot falls' if falls else ''}"
     kinds = list(dict.fromkeys(_in_words(f) for f in faults))
     more = len(kinds) - NAMED
     named = [*kinds[: NAMED - 1], f"{more + 1} more kinds"] if more > 0 else kinds
-    return f"{name}: {len(faults)} fault{'' if len(faults) == 1 else 's'}: {joined(named)}"
+    return f"{name} has {len(faults)} fault{'' if len(faults) == 1 else 's'}: {joined(named)}"
 
 
 def _in_words(finding: Finding) -> str:
     if finding.code.startswith("delay/sensor"):
         return f"a late {_channel(finding)}"
+    if finding.code == "saturation" and finding.channel == GYRO:
+        return "the gyro at its range"
     check = _check_of(finding)
     return WORDS.get(finding.code, FAULTS.get(check, check))
 
@@ -102,31 +119,41 @@ def _verdict(result: Diagnosis, faults: list[Finding]) -> Verdict:
         return Verdict("healthy: can be used as it is", "good")
     level = "bad" if any(f.severity == "error" for f in faults) else "warn"
     count = len(_repairable(result))
+    if _one_cut(result) and len(faults) > 1:
+        return Verdict(f"one cut removes all {len(faults)} faults", level)
     if len(faults) == 1:
         return Verdict("it can be repaired" if count else "it cannot be repaired", level)
     return Verdict(f"{count or 'none'} of the {len(faults)} can be repaired", level)
 
 
+def _one_cut(result: Diagnosis) -> bool:
+    """Whether every fault lies outside the time that a repair keeps."""
+    return bool(result.faults) and len(result.cut_away()) == len(result.faults)
+
+
 def _repairable(result: Diagnosis) -> list[Finding]:
     """The faults that the fixes remove: their own, or the cut that leaves their time out."""
-    cuts = [fix.numbers for f in result.findings for fix in f.fixes if fix.kind == "cut"]
-    return [
-        f for f in result.findings
-        if f.severity != "note"
-        and (f.fixes or (f.span and any(f.span[0] >= stop or f.span[1] <= start for start, stop in cuts)))
-    ]  # fmt: skip
+    away = result.cut_away()
+    return [f for f in result.faults if f.fixes or f in away]
 
 
 def _usable(result: Diagnosis) -> tuple[str, str]:
-    """The longest time on the wheels, which a repair keeps."""
-    cut = next((fix.numbers for f in result.findings for fix in f.fixes if fix.kind == "cut"), None)
-    if cut is None:
+    """How long it balances in the time that a repair keeps, and how long it stands still there."""
+    if result.kept is None:
         return f"{result.seconds:.4g} s", "length of the log"
-    start, stop = cut
-    return (
-        f"{stop - start:.3g} s",
-        f"of {result.seconds:.4g} s can be used, from {start:.3g} to {stop:.3g} s: the robot is on its wheels",
-    )
+    start, stop = result.kept
+    spans = {kind: _within(result, kind, start, stop) for kind in (BALANCING, STANDING)}
+    long = {kind: sum(b - a for a, b in several) for kind, several in spans.items()}
+    where = " and ".join(f"{moment(a)} to {moment(b)} s" for a, b in spans[BALANCING][:2])
+    more = " and later" if len(spans[BALANCING]) > 2 else ""
+    still = f"; standing still, {long[STANDING]:.3g} s, tells the gyro's noise only" if long[STANDING] > 0 else ""
+    return f"{long[BALANCING]:.3g} s", f"of {result.seconds:.3g} s it balances and can be used, {where}{more}{still}"
+
+
+def _within(result: Diagnosis, kind: str, start: float, stop: float) -> list[tuple[float, float]]:
+    """The times [s] in this pose, from `start` to `stop`."""
+    several = [(max(s.start, start), min(s.stop, stop)) for s in result.segments if s.kind == kind]
+    return [(a, b) for a, b in several if a < b]
 
 
 def _picture(result: Diagnosis) -> Figure | None:
@@ -150,7 +177,8 @@ def _evidence(result: Diagnosis, finding: Finding) -> str:
 
 
 def _repair(finding: Finding) -> str:
-    return finding.repair.replace("linear fit", "linear regression")
+    """The repair, with commands as code."""
+    return re.sub(r"\b(upright [a-z-]+)", r"`\1`", finding.repair)
 
 
 def _checks(result: Diagnosis) -> list[tuple[str, Verdict]]:
@@ -202,7 +230,7 @@ def _limits(result: Diagnosis) -> dict[str, str]:
         "gyro's bias": f"a mean of {cell_text(bias[1], 2)} rad/s" if bias else "",
         "readings": f"one value for {sensors.STUCK:g} s while others move; a hole; a single odd one",
         "encoder's resolution": f"steps of {sensors.COARSE_ENCODER:g} rad, or as coarse as the motion",
-        "motors at their limit": f"{100 * outliers.PILED:g} % of the rows at the largest",
+        "motors and gyro at their limit": f"{100 * outliers.PILED:g} % of the rows at the largest",
         "motion": f"an amplitude of the pitch below {sensors.QUIET:g} rad",
         "falls and slips": f"a fall; {segments.FAR:g} standard deviations off the pendulum equation",
     }  # fmt: skip
@@ -256,7 +284,7 @@ def _values(result: Diagnosis) -> dict[str, str]:
         largest = max(float(np.nanmax(np.abs(side), initial=0.0)) for side in sides)
         at, _ = sensors.at_limit(record, record.commands)
         top = f"{cell_text(largest, 2)} {record.units.get(record.commands[0], '')}"
-        values["motors at their limit"] = f"{cell_text(100 * at, 2)} % of the rows at the largest, {top}"
+        values["motors and gyro at their limit"] = f"{cell_text(100 * at, 2)} % of the rows at the largest, {top}"
     for check, agreed in AGREED.items():
         values[check] = agreed if passed[check] == "ok" else ""
     for finding in result.findings:  # the worst come first
@@ -271,6 +299,8 @@ def _advice(result: Diagnosis, faults: list[Finding]) -> str:
     name = result.source or "LOG"
     if not result.findings:
         return f"All checks pass. Next: `upright calibrate {name} --robot ROBOT -o robot.toml`."
+    if _one_cut(result):
+        return f"{_events(result)} Next: {_next(result, faults)}"
     first, *others = result.findings
     if not faults:
         remark = f" One remark, on the {_channel(first)}: {_evidence(result, first).rstrip('.')}."
@@ -282,12 +312,31 @@ def _advice(result: Diagnosis, faults: list[Finding]) -> str:
     return f"{text}{do} Next: {_next(result, faults)}"
 
 
+def _events(result: Diagnosis) -> str:
+    """What happens outside the time that is kept, in the order of time."""
+    assert result.kept
+    first = {_in_words(f): f.span[0] for f in sorted(result.faults, key=lambda f: -(f.span or (0.0,))[0]) if f.span}
+    events = [f"{name} from {moment(at)} s" for name, at in sorted(first.items(), key=lambda event: event[1])]
+    start, stop = map(moment, result.kept)
+    what = joined(events)
+    if events[0].startswith(WORDS["segment/fall"]):
+        falls = events[0].replace(WORDS["segment/fall"], "the robot falls")
+        what = f"{falls} on{', with ' if events[1:] else ''}{joined(events[1:])}"
+    return f"{sentence(what)} No fault lies between {start} and {stop} s."
+
+
 def _next(result: Diagnosis, faults: list[Finding]) -> str:
     """The repair, with what it does and what it leaves; else the calibration."""
     name = result.source or "LOG"
-    done = [f"{_channel(f)}, {f.repair}" for f in result.findings if f.fixes]
-    if not done:
+    fixed = [f for f in result.findings if f.fixes]
+    done = [f"{_channel(f)}, {f.repair}" for f in fixed if f.code != "segment/cut"]
+    repairs = [f"repairs: {'; '.join(done)}"] if done else []
+    if result.kept:
+        start, stop = map(moment, result.kept)
+        gone = "; the faults go with the rest" if _one_cut(result) else ""
+        repairs.append(f"{'It ' if done else ''}keeps {start} ≤ t < {stop} s{gone}")
+    if not fixed:
         return f"`upright calibrate {name} --robot ROBOT -o robot.toml`."
     kept = [_in_words(f) for f in faults if f not in _repairable(result)]
     left = f" It leaves {joined(list(dict.fromkeys(kept)))}." if kept else ""
-    return f"`upright doctor {name} --fix repaired.csv` repairs: {'; '.join(done)}.{left}"
+    return f"`upright doctor {name} --fix repaired.csv` {'. '.join(repairs)}.{left}"
