@@ -75,7 +75,9 @@ def aside(record: Record) -> list[Finding]:
         evidence += ": signs, units, delays and offsets are not judged there"
         code = f"segment/{segment.kind.replace(' ', '-')}"
         span = segment.start, segment.stop
-        findings.append(note(code, GYRO if GYRO in record else PITCH, evidence, "leave it out when a model is fitted", span=span))
+        findings.append(
+            note(code, GYRO if GYRO in record else PITCH, evidence, "leave it out when a model is fitted", span=span)
+        )
     return findings + _kept(record)
 
 
@@ -135,7 +137,9 @@ def _standing(record: Record, m: Resampled, a: int, b: int, rate: Array) -> Find
     evidence = f"wheels at rest from {moment(start)} to {moment(end)} s (rows {a} to {b - 1}): gyro noise "
     evidence += f"{rate[a:b].std():.2g} rad/s, mean command {driven:.2g} {unit}".rstrip()
     evidence += "; held by hand, or stuck by friction"
-    return note("segment/still", m.gyro_name, evidence, "leave these rows out when a model is fitted", span=(start, end))
+    return note(
+        "segment/still", m.gyro_name, evidence, "leave these rows out when a model is fitted", span=(start, end)
+    )
 
 
 def slips(record: Record) -> list[Finding]:
@@ -178,7 +182,9 @@ def _events(m: Resampled, miss: Array, loud: NDArray[np.bool_], scatter: float) 
         evidence += f"equation ({largest / scatter:.0f} standard deviations), in "
         if both > 0.35 and balance < 0.35:
             evidence = f"wheel slip {evidence}both directions"
-            findings.append(warning("segment/slip", LEFT, evidence, "leave these rows out when a model is fitted", span=span))
+            findings.append(
+                warning("segment/slip", LEFT, evidence, "leave these rows out when a model is fitted", span=span)
+            )
         else:
             evidence = f"a push {evidence}one direction"
             repair = "exclude these rows from a fit, or log the push"

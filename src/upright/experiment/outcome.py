@@ -66,7 +66,9 @@ def motionless(log: Log) -> str:
         return ""
     if not all(name in log and not np.ptp(log[name]) for name in ("truth/pitch", "truth/wheel")):
         return ""
-    asked, given = (max(float(np.abs(log[f"{kind}/{side}"]).max()) for side in sides) for kind in ("command", "applied"))
+    asked, given = (
+        max(float(np.abs(log[f"{kind}/{side}"]).max()) for side in sides) for kind in ("command", "applied")
+    )
     if given:
         return ""
     if not asked:

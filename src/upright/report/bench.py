@@ -162,7 +162,7 @@ def _milliseconds(seconds: float) -> str:
 
 _SMALLER = (
     f"Knocks of {1e3 * KNOCK:g} ms from front and back: drawn is the smaller limit. "
-    f"Controllers within {number(100 * TOLERANCE, 2)} % of the best of a place share it."
+    f"Limits are found to {number(100 * TOLERANCE, 2)} %: smaller differences mean nothing, and share a place."
 )
 
 
@@ -177,8 +177,8 @@ def _summary(bench: Bench) -> Table:
         rows.append([*row, *([None if time is None else 1e3 * time] if _brick(bench) else [])])
     caption = f"The worse of front and back; falls of {DRAWN} similar robots and effort when let go from a lean"
     header = ["controller", "knock [N s]", "falls [%]", f"effort [{_effort_unit(bench)}]"]
-    header += [f"computes on {_brick(bench)} [ms]"] if _brick(bench) else []
-    return Table(header, rows, caption, 2, even=True)
+    header += [f"on {_brick(bench)} [ms]"] if _brick(bench) else []
+    return Table(header, rows, caption, 2, even=True, narrow=True)
 
 
 def _unsettled(bench: Bench) -> list[str]:

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.comparison import Comparison
-from upright.plotting import AXIS, legend, line, panels, span
+from upright.comparison.metrics import last_part, nrmse_fit
+from upright.plotting import AXIS, BELOW, legend, line, panels, span
+from upright.report.metrics import percent, words
 from upright.report.page import cell_text
+from upright.tables import sentence
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -17,12 +21,16 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
+CLOSE, FAIR = 80.0, 50.0  # [%] of fit: from where two runs agree well, and at all
+AVERAGED = 0.3  # [s] over which quick swings (noise, rounded readings) average out, the answer to a push does not
+
 
 def with_difference(comparison: Comparison, t: Array, one: Array, other: Array) -> Figure:
     """Pitch of two runs [rad], and below it by how much the second exceeds the reference, at the times `t` [s]."""
     figure, axes = panels(["pitch [rad]", "difference [rad]"])
-    for label, log in comparison.logs.items():
-        line(axes[0], label, log.t, log[f"{comparison.sources[label]}/pitch"])
+    for style, (label, log) in enumerate(comparison.logs.items()):
+        line(axes[0], label, log.t, log[f"{comparison.sources[label]}/pitch"], style=style, solid=True)
+    axes[0].lines[0].set(**BELOW)
     line(axes[1], "difference", t, other - one, style=4, solid=True)
     for start, stop in comparison.pushed:
         span(axes, start, min(stop, float(t[-1])), "push acts")
@@ -39,9 +47,66 @@ def mark_largest(ax: Axes) -> None:
         return
     at = int(np.nanargmax(np.abs(y)))
     ax.plot([x[at]], [y[at]], "o", markersize=6, color=AXIS, label="_largest difference")
-    text = f"{cell_text(abs(float(y[at])), 3)}°"
-    ax.annotate(text, (x[at], y[at]), (6, 0), textcoords="offset points", va="center")
+    text = f"{cell_text(float(y[at]), 2)}°"
+    beside, side = (-6, "right") if x[at] > x[0] + 0.8 * (x[-1] - x[0]) else (6, "left")
+    ax.annotate(text, (x[at], y[at]), (beside, 0), textcoords="offset points", va="center", ha=side)
     ax.margins(y=0.15)
+
+
+def worse(comparison: Comparison) -> str:
+    """What fits badly although pitch fits, and whether quick swings alone explain it: then averages over a while
+    fit."""
+    worst = worst_state(comparison)
+    if not worst:
+        return ""
+    name, label, averaged = worst
+    plain = percent(comparison.fits[label][name])
+    if averaged < FAIR:
+        return f" {sentence(words(name), '')} fits {plain} only."
+    agrees = "agrees too" if averaged >= CLOSE else "agrees less"
+    return (
+        f" {sentence(words(name), '')} {agrees}: {averaged:.0f} % averaged over {AVERAGED:g} s; sample by sample "
+        f"{plain}, since noise differs in each run."
+    )
+
+
+def worst_state(comparison: Comparison) -> tuple[str, str, float] | None:
+    """Of two runs whose pitch fits the state that fits badly, the run, and the fit [%] of the means over `AVERAGED`."""
+    if len(comparison.fits) != 1 or "pitch" not in comparison.signals:
+        return None
+    ((label, fits),) = comparison.fits.items()
+    name = min(fits, key=lambda name: fits[name] if math.isfinite(fits[name]) else math.inf)
+    if not fits[name] < FAIR <= fits["pitch"]:
+        return None
+    t, one, other = both_runs(comparison, name, label)
+    return name, label, nrmse_fit(averaged_over(t, one)[1], averaged_over(t, other)[1])
+
+
+def averaged_over(t: Array, y: Array) -> tuple[Array, Array]:
+    """Means over `AVERAGED` and the times of their middles."""
+    window = np.full(max(1, round(AVERAGED / float(np.median(np.diff(t))))), 1.0)
+    window /= len(window)
+    return np.convolve(t, window, "valid"), np.convolve(y, window, "valid")
+
+
+def grazes(comparison: Comparison, within: float) -> bool:
+    """Whether two runs settle at different times since the later one passes `within` [rad] by no more than it swings at
+    rest, in the last quarter of the run."""
+    rest = {label: comparison.at_rest(label)[0] for label in comparison.logs}
+    late = max(rest, key=lambda label: rest[label])
+    run = comparison.released(late)
+    since = run.t - run.t[0]
+    between = run.size[(since > min(rest.values())) & (since <= rest[late])]
+    noise = float(run.size[last_part(len(run.size)) :].max())
+    return bool(len(between)) and 0 < float(between.max()) - within < noise
+
+
+def both_runs(comparison: Comparison, name: str, label: str) -> tuple[Array, Array, Array]:
+    """Times [s], the reference's state and that of a run at these times, while both last."""
+    reference, log = comparison.logs[comparison.reference], comparison.logs[label]
+    both = (reference.t >= log.t[0]) & (reference.t <= log.t[-1])
+    t, one = reference.t[both], reference[f"{comparison.sources[comparison.reference]}/{name}"][both]
+    return t, one, np.interp(t, log.t, log[f"{comparison.sources[label]}/{name}"])
 
 
 def certify_command(robot: str, kind: str) -> str:

@@ -10,13 +10,24 @@ from numpy.typing import NDArray
 
 from upright.comparison import Comparison
 from upright.comparison.comparison import NEGLIGIBLE
-from upright.comparison.metrics import nrmse_fit
 from upright.experiment import motionless, outcome_of
 from upright.plotting import line, number
-from upright.report.beside import certify_command, mark_largest, with_difference
+from upright.report.beside import (
+    AVERAGED,
+    CLOSE,
+    FAIR,
+    averaged_over,
+    both_runs,
+    certify_command,
+    grazes,
+    mark_largest,
+    with_difference,
+    worse,
+    worst_state,
+)
 from upright.report.figure import Figure
 from upright.report.made import again, command, typed
-from upright.report.metrics import around, degrees, fit_tables, how, left_out, listed_metrics, words
+from upright.report.metrics import around, degrees, fit_tables, how, left_out, listed_metrics, percent, words
 from upright.report.page import Cell, Details, Page, Section, Table, Verdict, cell_text
 from upright.report.single import (
     alone,
@@ -42,8 +53,6 @@ Array = NDArray[np.float64]
 
 MOST = 3  # numbers on the first screen
 NAMED = 4  # runs that a sentence names
-CLOSE, FAIR = 80.0, 50.0  # [%] of fit: from where two runs agree well, and at all
-AVERAGED = 0.3  # [s] over which quick swings (noise, rounded readings) average out, the answer to a push does not
 DWARFED = 5.0
 """A trace that leaves the reference's range by more than this many times its width is cut at the frame."""
 
@@ -56,8 +65,13 @@ def page_of(comparison: Comparison) -> Page:
     quiet = [sentence(f"no motion of {' or '.join(name.replace('_', ' ') for name in still)}")] if still else []
     defined = Details("How these numbers are defined", how(comparison))
     calm = untouched(comparison)
+    still_run = calm and bool(motionless(comparison.logs[labels[0]]))
     sections = [
-        Section("Numbers", [listed_metrics(comparison), *fit_tables(comparison), defined], folded=calm and bool(motionless(comparison.logs[labels[0]]))),
+        Section(
+            "Numbers",
+            [listed_metrics(comparison), *fit_tables(comparison), defined],
+            folded=still_run,
+        ),
         Section("Other states", [*figures, *quiet], folded=True),
     ]
     commands = comparison.plot_commands()
@@ -74,20 +88,10 @@ def page_of(comparison: Comparison) -> Page:
 
 def _title(comparison: Comparison, first: str) -> str:
     """Who fell, or how well the runs agree; of one run what it did."""
-    if untouched(comparison):
-        return untouched_title(comparison)
     labels = list(comparison.logs)
-    fell = [label for label, m in comparison.metrics.items() if m.fell]
     if len(labels) == 1:
-        log = comparison.logs[labels[0]]
-        robot, pushes = log.origin.get("robot", {}).get("name", "") or "The robot", comparison.pushed
-        lasting = f" for {min(pushes[0][1], log.t[-1]) - pushes[0][0]:.3g} s" if len(pushes) == 1 else ""
-        under = (
-            f", pushed {way(log)}{f'{len(pushes)} times ' if not lasting else ''}with {_force(log)}{lasting}"
-            if pushes
-            else ""
-        )
-        return f"{'Simulated, ' if comparison.kinds[labels[0]] else ''}{robot} {outcome_of(log)}{under}"
+        return _title_of_one(comparison)
+    fell = [label for label, m in comparison.metrics.items() if m.fell]
     if fell and len(fell) < len(labels):
         stood = [label for label in labels if label not in fell]
         if len(labels) > NAMED:
@@ -100,8 +104,23 @@ def _title(comparison: Comparison, first: str) -> str:
     worst = min(fits, key=lambda label: fits[label])
     follows = "follows" if fits[worst] >= FAIR else "does not follow"
     if len(fits) == 1:
-        return f"{sentence(worst, '')} {follows} {comparison.reference}: {words(first)} fits {_percent(fits[worst])}"
-    return f"{len(fits)} runs beside {comparison.reference}; the worst, {worst}, fits {_percent(fits[worst])}"
+        return f"{sentence(worst, '')} {follows} {comparison.reference}: {words(first)} fits {percent(fits[worst])}"
+    return f"{len(fits)} runs beside {comparison.reference}; the worst, {worst}, fits {percent(fits[worst])}"
+
+
+def _title_of_one(comparison: Comparison) -> str:
+    """What one robot did, under which push."""
+    if untouched(comparison):
+        return untouched_title(comparison)
+    ((label, log),) = comparison.logs.items()
+    robot, pushes = log.origin.get("robot", {}).get("name", "") or "The robot", comparison.pushed
+    lasting = f" for {min(pushes[0][1], log.t[-1]) - pushes[0][0]:.3g} s" if len(pushes) == 1 else ""
+    under = (
+        f", pushed {way(log)}{f'{len(pushes)} times ' if not lasting else ''}with {_force(log)}{lasting}"
+        if pushes
+        else ""
+    )
+    return f"{'Simulated, ' if comparison.kinds[label] else ''}{robot} {outcome_of(log)}{under}"
 
 
 def _fits(comparison: Comparison, first: str) -> dict[str, float]:
@@ -128,7 +147,7 @@ def _lead(comparison: Comparison) -> str:
         body = f"One run of {f'the {what}' if what else 'a robot'}"
         return f"{body}{f', under {kind}' if kind else ''}.{leans_into(comparison)} Next: {_next_body(comparison)}"
     after = f"{certify_command(robot, kind)} pushes many similar robots under this controller"
-    return f"{who}{pushed}{several}.{stands}{_worse(comparison)} Next: {after}."
+    return f"{who}{pushed}{several}.{stands}{worse(comparison)} Next: {after}."
 
 
 def _next_body(comparison: Comparison) -> str:
@@ -158,41 +177,6 @@ def _pushed_differently(comparison: Comparison) -> bool:
 
 
 DIFFERS = 0.2  # of the largest push
-
-
-def _worse(comparison: Comparison) -> str:
-    """What fits badly although pitch fits, and whether quick swings alone explain it: then averages over a while
-    fit."""
-    worst = _worst(comparison)
-    if not worst:
-        return ""
-    name, label, averaged = worst
-    plain = _percent(comparison.fits[label][name])
-    if averaged < FAIR:
-        return f" {sentence(words(name), '')} fits {plain} only."
-    return (
-        f" {sentence(words(name), '')} agrees too, {_percent(averaged)}, averaged over {AVERAGED:g} s. "
-        f"Sample by sample it fits {plain}, since noise differs in each run."
-    )
-
-
-def _worst(comparison: Comparison) -> tuple[str, str, float] | None:
-    """Of two runs whose pitch fits the state that fits badly, the run, and the fit [%] of the means over `AVERAGED`."""
-    if len(comparison.fits) != 1 or "pitch" not in comparison.signals:
-        return None
-    ((label, fits),) = comparison.fits.items()
-    name = min(fits, key=lambda name: fits[name] if math.isfinite(fits[name]) else math.inf)
-    if not fits[name] < FAIR <= fits["pitch"]:
-        return None
-    t, one, other = _both(comparison, name, label)
-    return name, label, nrmse_fit(_averaged(t, one)[1], _averaged(t, other)[1])
-
-
-def _averaged(t: Array, y: Array) -> tuple[Array, Array]:
-    """Means over `AVERAGED` and the times of their middles."""
-    window = np.full(max(1, round(AVERAGED / float(np.median(np.diff(t))))), 1.0)
-    window /= len(window)
-    return np.convolve(t, window, "valid"), np.convolve(y, window, "valid")
 
 
 def _grade(fit: float) -> str:
@@ -234,21 +218,30 @@ def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
         kept = [calm] if comparison.pushed and not m.fell else []
         return [(degrees(m.pitch_peak), "largest pitch"), *kept, travel(comparison, label)]
     fits = [
-        (_percent(fit["pitch"]), f"fit of {label} to {comparison.reference} in pitch; good from {CLOSE:g} %")
+        (percent(fit["pitch"]), f"fit of {label} to {comparison.reference} in pitch; good from {CLOSE:g} %")
         for label, fit in list(comparison.fits.items())[:1]
         if math.isfinite(fit.get("pitch", math.nan))
     ]
+    reference = comparison.reference
     apart = _apart(comparison, "pitch") if "pitch" in comparison.signals else {}
     fits += [
-        (degrees(size), f"largest difference in pitch between {comparison.reference} and {label}")
+        (
+            f"{cell_text(math.degrees(size), 2)}°",
+            f"largest difference in pitch between {comparison.reference} and {label}",
+        )
         for label, size in sorted(apart.items(), key=lambda item: -item[1])[:1]
     ]
     peaks = {label: degrees(m.pitch_peak) for label, m in comparison.metrics.items() if not m.fell}
     rest = [comparison.at_rest(label) for label in comparison.logs] if comparison.pushed else []
     if len(rest) == 2 and all(math.isfinite(seconds) for seconds, _ in rest):
-        times = " and ".join(cell_text(seconds, 3) for seconds, _ in rest)
-        within = degrees(max(size for _, size in rest))
-        fits.append((f"{times} s", f"{' and '.join(comparison.logs)} settle after the release, to ±{within}"))
+        times, both = " and ".join(cell_text(seconds, 3) for seconds, _ in rest), " and ".join(comparison.logs)
+        within = max(size for _, size in rest)
+        text = f"{both} settle after the release, to ±{degrees(within)}"
+        if grazes(comparison, within):
+            middle = f"about {cell_text(float(np.mean([seconds for seconds, _ in rest])), 2)} s"
+            fits.append((middle, f"until {both} settle, to ±{degrees(within)}; noise makes it {times} s"))
+        else:
+            fits.append((f"{times} s", text))
     if len(peaks) == len(comparison.logs) == 2 and len(fits) < MOST:
         return [*fits, (" and ".join(peaks.values()), f"largest pitch of {' and '.join(peaks)}")]
     return fits + [
@@ -257,19 +250,11 @@ def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
     ]  # fmt: skip
 
 
-def _both(comparison: Comparison, name: str, label: str) -> tuple[Array, Array, Array]:
-    """Times [s], the reference's state and that of a run at these times, while both last."""
-    reference, log = comparison.logs[comparison.reference], comparison.logs[label]
-    both = (reference.t >= log.t[0]) & (reference.t <= log.t[-1])
-    t, one = reference.t[both], reference[f"{comparison.sources[comparison.reference]}/{name}"][both]
-    return t, one, np.interp(t, log.t, log[f"{comparison.sources[label]}/{name}"])
-
-
 def _apart(comparison: Comparison, name: str) -> dict[str, float]:
     """The largest difference [unit of the state] of each run from the reference, while both last."""
     apart: dict[str, float] = {}
     for label in comparison.fits:
-        _, one, other = _both(comparison, name, label)
+        _, one, other = both_runs(comparison, name, label)
         apart[label] = float(np.nanmax(np.abs(one - other), initial=0.0))
     return apart
 
@@ -277,20 +262,24 @@ def _apart(comparison: Comparison, name: str) -> dict[str, float]:
 def state_figure(comparison: Comparison, name: str) -> Figure:
     """One state of all runs over time, under a title that says how they differ."""
     two = name == "pitch" and len(comparison.fits) == 1
-    figure = with_difference(comparison, *_both(comparison, name, *comparison.fits)) if two else comparison.plot(name)
+    figure = (
+        with_difference(comparison, *both_runs(comparison, name, *comparison.fits)) if two else comparison.plot(name)
+    )
     _in_degrees(figure)
     if name == "pitch" and comparison.pushed and len(comparison.logs) == 1:
         band(comparison, figure.axes[0])
     if two:
         mark_largest(figure.axes[1])
     limits, note = _limits(comparison, name)
-    worst = _worst(comparison)
+    worst = worst_state(comparison)
     if worst and worst[0] == name and worst[2] >= FAIR:
         _means(comparison, name, figure.axes[0])
         note = f"Lines: means over {AVERAGED:g} s. Pale: every sample. {note}".strip()
     if limits:
         scale = 180 / math.pi if "[°" in figure.axes[0].get_ylabel() else 1.0
         figure.axes[0].set_ylim(*(scale * limit for limit in limits))
+    if name == "pitch" and len(comparison.logs) > 1:
+        note = f"{note}{leans_into(comparison)}".strip()
     if part := around(comparison):
         figure.axes[0].set_xlim(*part)
         note = f"{note} {left_out(comparison, *part)}".strip()
@@ -316,7 +305,7 @@ def _means(comparison: Comparison, name: str, ax: Axes) -> None:
         if str(drawn.get_label()) in comparison.logs:
             drawn.set(alpha=0.3, linewidth=0.8, linestyle="-", label="_samples")
     for style, (label, log) in enumerate(comparison.logs.items()):
-        t, mean = _averaged(log.t, log[f"{comparison.sources[label]}/{name}"])
+        t, mean = averaged_over(log.t, log[f"{comparison.sources[label]}/{name}"])
         line(ax, label, t, factor * mean, style=style)
 
 
@@ -327,25 +316,20 @@ def _claim(comparison: Comparison, name: str) -> str:
         apart = _apart(comparison, name)
         if len(apart) == 1:
             ((label, size),) = apart.items()
-            return f"Pitch of {comparison.reference} and {label} differs by at most {degrees(size)}"
+            most = f"{cell_text(math.degrees(size), 2)}°"
+            return f"Pitch of {comparison.reference} and {label} differs by at most {most}"
         if len(apart) >= NAMED:
             far = max(apart, key=lambda label: apart[label])
             most = f"{far} differs most, by {degrees(apart[far])}"
             return f"Pitch of {len(apart)} runs beside {comparison.reference}: {most}"
         several = ", ".join(f"{label} {degrees(size)}" for label, size in apart.items())
         return f"Pitch beside that of {comparison.reference}, largest difference: {several}"
-    worst = _worst(comparison)
+    worst = worst_state(comparison)
     if worst and worst[0] == name and worst[2] >= FAIR:
         over = f"{sentence(words(name), '')} averaged over {AVERAGED:g} s"
-        return f"{over}: {worst[1]} fits {comparison.reference} {_percent(worst[2])}"
-    fits = (f"{label} {_percent(fits[name])}" for label, fits in comparison.fits.items())
+        return f"{over}: {worst[1]} fits {comparison.reference} {percent(worst[2])}"
+    fits = (f"{label} {percent(fits[name])}" for label, fits in comparison.fits.items())
     return f"{sentence(words(name), '')}, fit to {comparison.reference}: {', '.join(fits)}"
-
-
-def _percent(fit: float) -> str:
-    if math.isnan(fit):
-        return "none (no motion)"
-    return f"{cell_text(fit, 3)} %" if fit > 0 else "below 0 %"
 
 
 def _limits(comparison: Comparison, name: str) -> tuple[tuple[float, float] | None, str]:

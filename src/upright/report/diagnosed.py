@@ -56,11 +56,11 @@ def page_of(result: Diagnosis) -> Page:
     checks, values, limits = _checks(result), _values(result), _limits(result)
     checked_rows: list[list[Cell]] = [[*c, values.get(c[0], ""), limits[c[0]]] for c in checks]
     failed = [name for name, verdict in checks if verdict.level not in ("good", "info")]
-    red = any(f.severity == "error" for f in faults)
+    meaning = f"{_FAULT}{_RED if any(f.severity == 'error' for f in faults) else ''}{_REMARK}"
     return Page(
         _title(result, faults),
         [
-            Section("Faults and remarks", [f"{_FAULT}{_RED if red else ''}{_REMARK}", Table(["", "channel", "evidence", "what to do"], rows)]),
+            Section("Faults and remarks", [meaning, Table(["", "channel", "evidence", "what to do"], rows)]),
             Section("Checks", [_FINDING_FROM, Table(["check", "result", "measured", "a finding from"], checked_rows)],
                     folded=True),
             *([Section("Columns of the log", [Table(["channel", "column"], columns)], folded=True)] if renamed else []),

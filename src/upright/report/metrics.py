@@ -18,7 +18,8 @@ from upright.report.page import Cell, Table, cell_text
 BESIDE = 1.0  # [s] shown before a push and after it has settled
 SMALL = 0.6  # [1] of a run: less is shown alone
 QUIET = 0.1  # [1] of a state's range over a run: who moves less is near rest
-SPOKEN_NAMES = {"saturated": "motors at their limit", "wheel_travel": "largest turn of the wheels"}
+SPOKEN_NAMES = {"saturated": "motors at their limit", "wheel_travel": "largest turn of the wheels",
+                "overshoot": "overshoot, the swing back past upright"}  # fmt: skip
 """Metrics that a page calls otherwise than a terminal does."""
 BANDS = {"settling 2 %": 0.02, "settling 5 %": 0.05}
 """Settling times that noise may decide → their band, relative to the largest deviation."""
@@ -72,7 +73,7 @@ def fit_tables(comparison: Comparison) -> list[Table]:
         [label, *("diverges" if fits[name] < DIVERGED else fits[name] for name in fitted)]
         for label, fits in comparison.fits.items()
     ]
-    caption = f"NRMSE fit to {comparison.reference} [%]: 100 is perfect; 0 is that of a constant, its mean"
+    caption = f"Fit to {comparison.reference} [%], sample by sample: 100 is perfect; 0 is that of a constant, its mean"
     return [Table(["", *map(words, fitted)], rows, caption, digits=3)]
 
 
@@ -150,3 +151,10 @@ def degrees(angle: float) -> str:
 def words(name: str) -> str:
     """The name of a state, for readers."""
     return {"wheel": "wheel angle"}.get(name, name.replace("_", " "))
+
+
+def percent(fit: float) -> str:
+    """A fit [%] as text."""
+    if math.isnan(fit):
+        return "none (no motion)"
+    return f"{cell_text(fit, 3)} %" if fit > 0 else "below 0 %"

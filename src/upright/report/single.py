@@ -36,7 +36,7 @@ def way(log: Log) -> str:
 
 def leans_into(comparison: Comparison) -> str:
     """That a robot leans against a lasting push, which looks like a wrong sign; with a space before it."""
-    ((label, log),) = comparison.logs.items()
+    label, log = comparison.reference, comparison.logs[comparison.reference]
     if way(log) != "backward " or len(comparison.pushed) != 1 or comparison.metrics[label].fell:
         return ""
     start, stop = comparison.pushed[0]
