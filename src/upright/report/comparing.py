@@ -222,7 +222,6 @@ def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
         for label, fit in list(comparison.fits.items())[:1]
         if math.isfinite(fit.get("pitch", math.nan))
     ]
-    reference = comparison.reference
     apart = _apart(comparison, "pitch") if "pitch" in comparison.signals else {}
     fits += [
         (

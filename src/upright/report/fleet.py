@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -42,9 +43,9 @@ def histogram(data: Dataset, name: str) -> Figure:
     scale, unit = (100.0, "%") if unit == "1" else (scale, unit)
     middle, high = (scale * np.quantile(values, (0.5, 0.95))).tolist() if len(values) else (math.nan, math.nan)
     after = unit if unit == "°" else f" {unit}"
-    title = (
-        f"{sentence(words, '')} of those that stood: half below {_two(middle)}{after}, 95 % below {_two(high)}{after}"
-    )
+    at_zero = float((values == 0).mean()) if len(values) else 0.0
+    half = f"{100 * at_zero:.0f} % at 0" if at_zero >= 0.5 else f"half below {_two(middle)}"
+    title = f"{sentence(words, '')} of those that stood: {half}{after}, 95 % below {_two(high)}{after}"
     drawing, note = distribution(data, name), _GROUPS if name == "settling" else ""
     (ax,) = drawing.axes
     ax.xaxis.label.set_text(ax.get_xlabel().replace(str(data[name].attrs["long_name"]), words))
@@ -63,15 +64,51 @@ def histogram(data: Dataset, name: str) -> Figure:
 def _still(data: Dataset) -> str:
     """That some robots never left the place where they stood balanced, as a sentence with a space behind it; nothing
     where they were pushed, or all or none did."""
+    swings = _swinging(data)
+    if swings is None:
+        return ""
+    return (
+        f"Two groups: {int((~swings).sum())} robots never rolled, since small commands stay within the motors' dead "
+        "zone. The others were started by the sensors' noise, and swing. "
+    )
+
+
+def _swinging(data: Dataset) -> NDArray[np.bool_] | None:
+    """Of the robots that stood those that swing; None where there are no two groups, or a push moved them."""
     origin, rolled = origin_of(data), stood(data, "travel") if "travel" in data else np.empty(0)
     zone = ((origin.get("kit") or {}).get("motor") or {}).get("dead_zone", 0.0)
     still = int((rolled < STILL).sum())
     if origin.get("scenario", {}).get("push") or not zone or not MANY * len(rolled) < still < (1 - MANY) * len(rolled):
+        return None
+    return rolled >= STILL
+
+
+def _quantiles(data: Dataset, kept: Mapping[str, Sequence[float]], units: Mapping[str, str]) -> Table:
+    """The quantiles of each outcome; of two groups those of the robots that swing, since the others have zeros."""
+    swings, rows = _swinging(data), list[Sequence[Cell]]()
+    for name, quantiles in kept.items():
+        scale, unit = _scale(units[name])
+        scale, unit = (100.0, "%") if unit == "1" else (scale, unit)
+        of = quantiles if swings is None else np.quantile(stood(data, name)[swings], (0.05, 0.5, 0.95)).tolist()
+        rows.append([f"{_called(data, name)} [{unit}]", *(scale * value for value in of)])
+    who = "robots that stood" if swings is None else f"the {int(swings.sum())} that swing"
+    over = "the robots" if swings is None else "the robots that swing; the others stay at 0"
+    return Table([who, "5 %", "median", "95 %"], rows, f"Quantiles over {over}", 3)
+
+
+def _matters(data: Dataset, outcome: str) -> str:
+    """Whether an outcome follows what was varied, where few numbers were, as a sentence with a space before it."""
+    sizes = _correlations(data, outcome)
+    if not 0 < len(sizes) <= FEW:
         return ""
-    return (
-        f"Two groups: {still} robots never rolled, since small commands stay within the motors' dead zone. "
-        "The others were started by the sensors' noise, and swing. "
-    )
+    name, size = next(iter(sizes.items()))
+    limit, what = _chance(data, len(sizes)), _words(data, outcome).lower()
+    if abs(size) <= limit:
+        which = f"{spoken(name)} makes" if len(sizes) == 1 else "what was varied makes"
+        found = f"{number(abs(size), 1)}, by chance up to {number(limit, 1)}"
+        return f" {sentence(which, '')} no visible difference to the {what} (rank correlation {found})."
+    how = "clearly" if abs(size) > CLEAR else "a little"
+    return f" The {what} follows {spoken(name)} {how} (rank correlation {number(size, 2)})."
 
 
 STILL, MANY = 1e-3, 0.05  # [m] that a robot rolls at least; part of the robots that makes a group
@@ -175,6 +212,9 @@ def over_strongest(data: Dataset, outcome: str) -> Figure | None:
         if len(y):
             reached = f"{number(float(y.min()), 3)} to {number(float(y.max()), 3)}°"
             clear = f" and {how} with {spoken(name)}" if abs(size) > CLEAR else ""
+            alike = 0 < len(_correlations(data, outcome)) <= FEW and abs(size) <= _chance(data, 1)
+            clear = f", whatever the {spoken(name)}" if alike else clear
+            dots = f"{_still(data)}{sentence(dots, '')}"
             who = "Those that stood" if data["fell"].values.any() else "No robot fell"
             return Figure(f"{who}: the largest pitch is {reached}{clear}", figure, sentence(f"{dots}{far}"))
     return Figure(f"{_words(data, outcome)} {how} with {spoken(name)}: {dots}", figure)
@@ -221,30 +261,25 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     kept = {name: row for name, row in summary.quantiles.items() if pushes or name != "settling"}
     names = [name for name, row in kept.items() if np.isfinite(row[1]) and np.ptp(row) > 0]
     explained = _explained(data, summary.fell)
-    rows: list[list[Cell]] = []
-    for name, quantiles in kept.items():
-        scale, unit = _scale(summary.units[name])
-        scale, unit = (100.0, "%") if unit == "1" else (scale, unit)
-        rows.append([f"{_called(data, name)} [{unit}]", *(scale * value for value in quantiles)])
-    table = Table(["robots that stood", "5 %", "median", "95 %"], rows, "Quantiles over the robots", 3)
+    table = _quantiles(data, kept, summary.units)
     chance = summary.chance
     robot = origin_of(data)["robot"]["name"]
     after = f"`upright push-map --robot {robot}`, which finds the largest push"
     if not pushes:
-        after = (
-            f"`upright fleet --robot {robot} --samples {summary.n} --push impulse:0.1`: a robot at rest tests little"
-        )
+        after = f"`upright fleet --robot {robot} --samples {summary.n} --push impulse:0.1` pushes them"
     few = 0 < len(_varied(data)) <= FEW
-    all_vary = "; `--vary spread` varies all numbers of the robot" if few else ""
+    all_vary = "; with `--vary spread` all numbers of the robot vary" if few else ""
+    matters = _matters(data, "peak_pitch") if "peak_pitch" in names and not summary.fell else ""
     knocks = harder([origin_of(data)])
     acts = f" The push acts {where(pushes)}." if where(pushes) else ""
-    lead = f"{_differ(data, robot)}{acts}{knocks}{_untold(summary, explained)} Next: {after}{all_vary}."
+    lead = f"{_differ(data, robot)}{acts}{knocks}{matters}{_untold(summary, explained)} Next: {after}{all_vary}."
     rare = summary.chance.value <= RARE
     bounds = f"{number(100 * chance.low, 2)} to {number(100 * chance.high, 2)} %"
     numbers = [
         (
             f"≤ {number(100 * upper_bound(summary.fell, summary.n), 2)} %" if rare else bounds,
-            f"of such robots fall, with 95 % confidence; a certificate allows {100 * MOST_FALLS:g} %",
+            "of such robots fall, with 95 % confidence"
+            + (f"; a certificate allows {100 * MOST_FALLS:g} %" if pushes else ""),
         )
     ]
     if "peak_pitch" in summary.quantiles and np.isfinite(summary.quantiles["peak_pitch"][2]):
@@ -258,7 +293,7 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     elif "travel" in kept and np.isfinite(kept["travel"][2]):
         numbers.append((f"{kept['travel'][2]:.2g} m", "is the farthest that 95 % of those that stood rolled"))
     outcomes = ["fell"] if explained else names[:1]
-    trends = [name for name in outcomes if explained or _clear(data, name)]
+    trends = [name for name in outcomes if explained or matters or _clear(data, name)]
     causes = [figure for name in trends for figure in (over_strongest(data, name), influence(data, name)) if figure]
     histograms = [histogram(data, name) for name in names]
     picture = (causes or histograms or [None]).pop(0)
@@ -334,4 +369,6 @@ def _range(data: Dataset, name: str) -> str:
     if name not in data:
         return ""
     values, unit = data[name].values, data[name].attrs.get("unit", "")
+    if unit == "m" and float(values.max()) < 1:
+        values, unit = 1000 * values, "mm"
     return f" ({cell_text(float(values.min()), 3)} to {cell_text(float(values.max()), 3)}{f' {unit}' if unit else ''})"
