@@ -176,6 +176,7 @@ def _summary(bench: Bench) -> Table:
         row = [name, size, 100 * max(spreads) if spreads else None, max(efforts, default=None)]
         rows.append([*row, *([None if time is None else 1e3 * time] if _brick(bench) else [])])
     caption = f"The worse of front and back; falls of {DRAWN} similar robots and effort when let go from a lean"
+    caption += f"; what a period computes on {_brick(bench)}" if _brick(bench) else ""
     header = ["controller", "knock [N s]", "falls [%]", f"effort [{_effort_unit(bench)}]"]
     header += [f"on {_brick(bench)} [ms]"] if _brick(bench) else []
     return Table(header, rows, caption, 2, even=True, narrow=True)

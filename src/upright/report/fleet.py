@@ -92,7 +92,7 @@ def _quantiles(data: Dataset, kept: Mapping[str, Sequence[float]], units: Mappin
         of = quantiles if swings is None else np.quantile(stood(data, name)[swings], (0.05, 0.5, 0.95)).tolist()
         rows.append([f"{_called(data, name)} [{unit}]", *(scale * value for value in of)])
     who = "robots that stood" if swings is None else f"the {int(swings.sum())} that swing"
-    over = "the robots" if swings is None else "the robots that swing; the others stay at 0"
+    over = "the robots" if swings is None else "the robots that swing; the others hardly move"
     return Table([who, "5 %", "median", "95 %"], rows, f"Quantiles over {over}", 3)
 
 

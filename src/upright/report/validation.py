@@ -91,8 +91,7 @@ def _title(result: Validation) -> str:
     poor = {c.name for c in fits if c.r2 < GOOD}
     good = {c.name for c in fits} - poor
     if not poor:
-        sensors = f"all {len(good)} sensors" if len(good) > 1 else _named(good)
-        return f"{result.robot} {result.says(logs)}: R² ≥ {least_of(least_r2, 3)} of {sensors}"
+        return f"{result.robot} {result.says(logs)}: R² ≥ {least_of(least_r2, 3)} of {_named(good)}"
     lowest = f"R² {least_of(least_r2, 3)}" if least_r2 >= 0 else "R² below 0"
     lowest = f"{lowest}, needs {GOOD:g}" if len(poor) == 1 else f"least {lowest}, needs {GOOD:g}"
     if good:
@@ -160,7 +159,8 @@ def _tested(result: Validation) -> str:
     seconds = f"{sum(log.seconds for log in result.logs):.3g} s"
     if any(log.fitted is None for log in result.logs):
         return (
-            f"{seconds} of log. It is a test only if {result.robot} was not fitted to it, which its file does not say."
+            f"{seconds} of log. It is a test only if {result.robot} was not fitted to it, which its file does not say. "
+            "A log of a new run is a test for sure."
         )
     used = [log.no_test for log in result.logs if log.no_test]
     if not used:
@@ -189,8 +189,8 @@ def _numbers(result: Validation) -> list[tuple[str, str]]:
                 (f"{first.breaks:.2g} s", f"the whole run, simulated, follows the log; {_lost(loops, pushed)}")
             )
         else:
-            whole = f"R² of the whole run, simulated ({short(lowest.name)})"
-            numbers.append((cell_text(lowest.r2, 3), whole))
+            whole = f"R² of {short(lowest.name)} over the whole run, simulated: not judged, small errors add up"
+            numbers.append((_r2(lowest.r2), whole))
     shifts = [s for log in result.logs for s in log.shifts]
     if shifts:
         first = max(shifts, key=lambda s: s.explains)
@@ -294,7 +294,7 @@ def _whole(log: LogJudged) -> Verdict | None:
         return None
     ends = [_r2(end(c.r2 for c in log.loop)) for end in (min, max)]
     words = f"R² {' to '.join(dict.fromkeys(ends))}"
-    return Verdict(f"{words}: does not judge the robot" if log.caution else words, "info")
+    return Verdict(f"{words}: not judged", "info")
 
 
 _SMALL = "Each step is less than one standard deviation of what is known: no number has to be changed."

@@ -213,11 +213,14 @@ def half_second_figure(log: LogJudged) -> Figure:
     r2 = {c.name: min(c.r2, GOOD) for c in log.half_seconds}
     names = [name for name in log.segments.rows if name in PREDICTED] or list(log.segments.rows)
     names.sort(key=lambda name: r2.get(name, GOOD))
-    figure, axes = panels([_label(name) for name in names])
-    for ax, name in zip(axes, names, strict=True):
+    lowest = log.worst.name if log.worst.name in names else names[0]
+    figure, axes = panels([*map(_label, names), _label(lowest).replace(" [", ", error [")])
+    for ax, name in zip(axes, names, strict=False):
         t, measured, predicted = log.segments.series(name)
         line(ax, "measured", t, measured, style=4, below=True)
         line(ax, "predicted", t, predicted, style=1, solid=True)
+    t, measured, predicted = log.segments.series(lowest)
+    line(axes[-1], "_error", t, measured - predicted, style=0, solid=True)
     if log.simulated is not None and len(log.segments.when):
         width = NARROWEST * float(np.ptp(log.segments.when))
         for start, stop in log.simulated.pushes:
