@@ -93,10 +93,10 @@ def grazes(comparison: Comparison, within: float) -> bool:
     """Whether two runs settle at different times since the later one passes `within` [rad] by no more than it swings at
     rest, in the last quarter of the run."""
     rest = {label: comparison.at_rest(label)[0] for label in comparison.logs}
-    late = max(rest, key=lambda label: rest[label])
-    run = comparison.released(late)
+    slower = max(rest, key=lambda label: rest[label])
+    run = comparison.released(slower)
     since = run.t - run.t[0]
-    between = run.size[(since > min(rest.values())) & (since <= rest[late])]
+    between = run.size[(since > min(rest.values())) & (since <= rest[slower])]
     noise = float(run.size[last_part(len(run.size)) :].max())
     return bool(len(between)) and 0 < float(between.max()) - within < noise
 

@@ -105,8 +105,8 @@ def _matters(data: Dataset, outcome: str) -> str:
     limit, what = _chance(data, len(sizes)), _words(data, outcome).lower()
     if abs(size) <= limit:
         which = f"{spoken(name)} makes" if len(sizes) == 1 else "what was varied makes"
-        found = f"{number(abs(size), 1)}, by chance up to {number(limit, 1)}"
-        return f" {sentence(which, '')} no visible difference to the {what} (rank correlation {found})."
+        sure = f"{number(abs(size), 1)}, by chance up to {number(limit, 1)}"
+        return f" {sentence(which, '')} no visible difference to the {what} (rank correlation {sure})."
     how = "clearly" if abs(size) > CLEAR else "a little"
     return f" The {what} follows {spoken(name)} {how} (rank correlation {number(size, 2)})."
 
