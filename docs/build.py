@@ -31,7 +31,7 @@ import build as notebooks  # noqa: E402
 PARTS = {
     "Start": ("start", "first-robot", "lab"),
     "Course": ("notebooks/index", "lesson.en", "worksheet.en"),
-    "En español": ("index.es", "lesson.es", "worksheet.es", "notebooks/es/index"),
+    "En español": ("index.es", "start.es", "lab.es", "lesson.es", "worksheet.es", "notebooks/es/index"),
     "How to": ("how-to", "add-a-robot", "add-a-body", "add-a-controller", "examples/index"),
     "Concepts": (
         "model", "twin", "logs", "calibrate", "identify", "excite", "tune", "certificate", "post-mortem", "fleet",
@@ -59,7 +59,7 @@ REFERENCE = {
     "From a log": ("doctor", "calibrate", "identify", "validate", "excite", "post_mortem"),
     "Before it drives": ("certify", "parity"),
     "Many robots": ("fleet", "push_map"),
-    "For a notebook": ("lab_page",),
+    "For a notebook": ("lab_page", "language"),
     "The paper, and errors": ("reproduce", "UprightError"),
 }  # fmt: skip
 """What `import upright` offers, by what it is for; the rest comes last."""
@@ -83,13 +83,17 @@ def build(site: Path, *, draft: bool = False) -> int:
             _gallery(gallery)
             index = source / "index.md"
             _write(index, PICTURE.sub(TRY, index.read_text("utf-8")))
-            start = source / "start.md"
-            _write(start, re.sub(r"\A(# .+\n\n\*.+\*\n)", rf"\1\n{NOW}\n", start.read_text("utf-8"), count=1))
+            for name, button in (("start", NOW), ("start.es", AHORA)):
+                start = source / f"{name}.md"
+                _write(start, re.sub(r"\A(# .+\n\n\*.+\*\n)", rf"\1\n{button}\n", start.read_text("utf-8"), count=1))
+            for name, button in (("lab", NOW), ("lab.es", AHORA)):
+                lab = source / f"{name}.md"
+                _write(
+                    lab, re.sub(r"(\]\(lab(?:\.es)?\.webp\)\n)", rf"\1\n{button}\n", lab.read_text("utf-8"), count=1)
+                )
             for page in source.glob("*.e?.md"):
                 language = page.stem.rpartition(".")[2]
                 _write(page, HERE_TOO.sub(partial(_tried, language=language), page.read_text("utf-8")))
-            lab = source / "lab.md"
-            _write(lab, re.sub(r"(\]\(lab\.webp\)\n)", rf"\1\n{NOW}\n", lab.read_text("utf-8"), count=1))
         _order(source)
         arguments = ["-b", "html", "-c", str(HERE), "-W", "--keep-going", "-q", "-d", str(Path(scratch) / "doctrees")]
         if site.is_dir() and any(site.iterdir()) and not (site / "objects.inv").exists():
@@ -144,20 +148,21 @@ SWITCH = {"es": "English", "en": "Español"}
 
 
 def _switched(page: Path, text: str) -> str:
-    """A page NAME.LANGUAGE.md with the way to its other language below its first lines."""
+    """A page NAME.LANGUAGE.md, or NAME.md in English, with the way to its other language below its first lines."""
     name, _, language = page.stem.partition(".")
-    if language not in SWITCH:
+    (other,) = SWITCH.keys() - {language or "en"}
+    there = [page.with_name(file) for file in (f"{name}.{other}.md", f"{name}.md") if file != page.name]
+    target = next((file.name for file in there if file.exists()), "")
+    if not target or f"]({target})\n" in text.partition("\n## ")[0]:
         return text
-    (other,) = SWITCH.keys() - {language}
-    there = f"{name}.{other}.md" if page.with_name(f"{name}.{other}.md").exists() else f"{name}.md"
-    return re.sub(r"\A(# .+\n\n\*.+\*\n)", rf"\1\n[{SWITCH[language]}]({there})\n", text)
+    return re.sub(r"\A(# .+\n\n\*.+\*\n)", rf"\1\n[{SWITCH[language or 'en']}]({target})\n", text)
 
 
 ARCHIVE = "upright.zip"
 PACKED = ("pyproject.toml", "README.md", "LICENSE", "CITATION.cff", "CHANGELOG.md", "src", "examples", "notebooks")
 GET = {
     "start.md": ("## 1. Install\n\n", f"Download [{ARCHIVE}]({ARCHIVE}) and unpack it. "),
-    "index.es.md": ("## Instalar\n\n", f"Descargue [{ARCHIVE}]({ARCHIVE}) y descomprímalo. "),
+    "start.es.md": ("## 1. Instalar\n\n", f"Descargue [{ARCHIVE}]({ARCHIVE}) y descomprímalo. "),
 }
 """The pages that say how to install, each with its title and what stands below it on the site, where the archive is."""
 
@@ -243,10 +248,9 @@ def _glossary(source: Path) -> None:
     _write(source / "glossary.md", f"# Glossary\n\n*For everybody; English and Spanish.*\n{table}")
 
 
-NOW = (
-    '<p><a class="now" href="try/index.html">Push it yourself, now, in this browser</a> '
-    '<a class="now" href="try/index.html#lang=es" lang="es">Empújelo, aquí mismo</a></p>'
-)
+_AQUI = '<a class="now" href="try/index.html#lang=es" lang="es">Empújelo, aquí mismo</a>'
+NOW = f'<p><a class="now" href="try/index.html">Push it yourself, now, in this browser</a> {_AQUI}</p>'
+AHORA = f"<p>{_AQUI}</p>"
 PICTURE = re.compile(r"\[!\[[^]]*\]\(lab\.webp\)\]\(lab\.md#[\w-]+\)\n\n\[.*\n")
 SHOWN = '<img src="_images/lab.webp" alt="The lab: a robot is knocked and stays up">'
 TRY = f'{NOW}<p><a href="try/index.html">{SHOWN}</a></p>\n'
@@ -308,9 +312,10 @@ def _course(source: Path, draft: bool) -> None:
     files.mkdir()
     for text in notebooks.texts():
         names.append(text.stem)
-        ran = [(c, _node(c)) for c in notebooks.cells_of(text)] if draft else notebooks.executed(text, files)
+        plain = [(cell, notebooks.node_of(cell)) for cell in notebooks.cells_of(text)]
+        ran = dict.fromkeys(notebooks.LANGUAGES, plain) if draft else notebooks.executed(text, files)
         for lang in notebooks.LANGUAGES:
-            student = notebooks.notebook_of(ran, lang, teacher=False)
+            student = notebooks.notebook_of(ran[lang], lang, teacher=False)
             path = folder / lang / f"{text.stem}.md"
             take = path.with_suffix(".ipynb")
             _write(take, notebooks.nbformat.writes(student))
@@ -331,11 +336,6 @@ LANGUAGE = {
     "es": ("El curso: seis cuadernos", "Para estudiantes; lleve consigo un cuaderno, o léalo aquí."),
 }
 TAKE = {"en": "Take this notebook with you", "es": "Lleve consigo este cuaderno"}
-
-
-def _node(cell: notebooks.Cell) -> NotebookNode:
-    make = notebooks.nbformat.v4.new_markdown_cell if cell.prose else notebooks.nbformat.v4.new_code_cell
-    return make(cell.text)
 
 
 def _notebook_page(notebook: NotebookNode, page: Path, take: str, words: str) -> str:

@@ -19,6 +19,11 @@
 # El robot es el de Herrera, Chamorro, Gómez y Camacho (2015): un LEGO NXT, un giróscopo y dos motores. El artículo publica un
 # modelo lineal; los números de abajo son los que ese modelo determina.
 
+# %% lang="es"
+import upright as up
+
+up.language("es")  # figuras y tablas en español; lo que imprime print queda en inglés
+
 # %%
 import numpy as np
 

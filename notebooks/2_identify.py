@@ -50,6 +50,11 @@
 #
 # Los mínimos cuadrados buscan los $a$ y $b$ que hacen pequeño $y_{k+1} - a\,y_k - b\,u_k$.
 
+# %% lang="es"
+import upright as up
+
+up.language("es")  # figuras y tablas en español; lo que imprime print queda en inglés
+
 # %%
 import numpy as np
 

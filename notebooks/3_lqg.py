@@ -12,6 +12,21 @@
 # Tenemos el modelo de un robot que cae. Ahora lo mantenemos en pie: primero con todo el estado en la mano, luego con lo que muestran sus
 # sensores.
 
+# %% lang="es"
+import upright as up
+
+up.language(
+    "es",
+    {
+        "stays": "se queda",
+        "runs away": "se aleja",
+        "cheap": "barata",
+        "dear": "cara",
+        "LQR, true state": "LQR, estado verdadero",
+        "LQG, sensors": "LQG, sensores",
+    },
+)  # figuras y tablas en español; lo que imprime print queda en inglés
+
 # %%
 import dataclasses
 

@@ -13,6 +13,11 @@
 # Un controlador se diseña para un modelo y corre en un robot. La batería es más débil, el giróscopo llega tarde, el centro de masa está en
 # otra parte. ¿Cuánto de esto soporta el lazo? Primero lo calculamos y luego dejamos que el robot diga si es verdad.
 
+# %% lang="es"
+import upright as up
+
+up.language("es")  # figuras y tablas en español; lo que imprime print queda en inglés
+
 # %%
 import dataclasses
 

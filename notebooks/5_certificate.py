@@ -23,6 +23,11 @@
 # La mitad de los malos modelos viene de malos registros: grados tomados por radianes, un signo, una fila perdida. He aquí un
 # registro con una falta puesta a propósito.
 
+# %% lang="es"
+import upright as up
+
+up.language("es")  # figuras y tablas en español; lo que imprime print queda en inglés
+
 # %%
 import dataclasses
 

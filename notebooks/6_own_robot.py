@@ -44,6 +44,11 @@
 # T = 2\pi \sqrt{\frac{J_\psi + M L^2}{M g L}} \quad\Rightarrow\quad J_\psi = M g L \left(\frac{T}{2\pi}\right)^2 - M L^2 .
 # $$
 
+# %% lang="es"
+import upright as up
+
+up.language("es", {"hand-made": "hecho a mano"})  # figuras y tablas en español; lo que imprime print queda en inglés
+
 # %%
 import numpy as np
 

@@ -4,7 +4,9 @@
 
 A text is a Python file of cells, as jupytext and most editors read it. Beside the code, which serves both languages, a
 cell of prose is marked `lang="en"` or `lang="es"`. A cell with `tags=["answer"]` is in the teacher's notebook only; in
-the student's there is an empty cell in place of code. Answers are executed with everything else.
+the student's there is an empty cell in place of code. Answers are executed with everything else. Code with a `lang` is
+in that notebook only, and changes nothing but how results are shown (`up.language`). So it is executed after the rest,
+and all results are shown again.
 """
 
 from __future__ import annotations
@@ -35,7 +37,7 @@ OPTION = re.compile(r"""(\w+)=("[^"]*"|\[[^\]]*\])""")
 
 @dataclass(frozen=True)
 class Cell:
-    """A cell of prose (`lang` is its language) or of code (`lang` is empty), and whether it is an answer."""
+    """A cell of prose, in the language `lang`, or of code, empty where it serves both; and whether it is an answer."""
 
     text: str
     prose: bool
@@ -67,34 +69,68 @@ def _cell(where: str, part: str) -> Cell:
         raise ValueError(f"{where}: '{first}' is no head of a cell")
     options = {name: ast.literal_eval(value) for name, value in OPTION.findall(head["options"])}
     prose, lang, tags = bool(head["prose"]), options.pop("lang", ""), options.pop("tags", [])
-    if options or (prose and lang not in LANGUAGES) or not set(tags) <= {"answer"}:
+    if options or lang not in (LANGUAGES if prose else ("", *LANGUAGES)) or not set(tags) <= {"answer"}:
         raise ValueError(f"{where}: '{first}'; expected the lang of prose, {' or '.join(LANGUAGES)}, no tag but answer")
     lines = [re.sub(r"^# ?", "", line) if prose else line for line in body.strip("\n").split("\n")]
     return Cell("\n".join(lines), prose, lang, "answer" in tags)
 
 
-def executed(text: Path, folder: Path) -> list[tuple[Cell, NotebookNode]]:
-    """Every cell of a text with its executed node; files are written into `folder`. Raises what a cell raises."""
+Ran = Sequence[tuple[Cell, NotebookNode]]
+"""Every cell with its executed node."""
+
+
+def executed(text: Path, folder: Path) -> dict[str, Ran]:
+    """Every cell of a text with its executed node, by language; files are written into `folder`.
+
+    Raises what a cell raises.
+    """
     cells = cells_of(text)
-    make = {True: nbformat.v4.new_markdown_cell, False: nbformat.v4.new_code_cell}
-    notebook = nbformat.v4.new_notebook(cells=[make[cell.prose](cell.text) for cell in cells])
+    nodes = [node_of(cell) for cell in cells]
+    shared = [node for cell, node in zip(cells, nodes, strict=True) if not (cell.lang and not cell.prose)]
+    again: dict[str, list[NotebookNode]] = {}
+    count = sum(node.cell_type == "code" for node in shared)
+    for lang in LANGUAGES:
+        own = [node for cell, node in zip(cells, nodes, strict=True) if cell.lang == lang and not cell.prose]
+        shown = [nbformat.v4.new_code_cell(f"Out.get({k + 1})") for k in range(count)]
+        again[lang] = [*own, *shown] if own else []
+    notebook = nbformat.v4.new_notebook(cells=[*shared, *again["en"], *again["es"]])
     for number, node in enumerate(notebook.cells):
         node["id"] = f"cell-{number}"  # else they are random, and no two builds are alike
     where = {"metadata": {"path": folder}}
     NotebookClient(notebook, timeout=LIMIT, kernel_name="python3", resources=where, coalesce_streams=True).execute()
     for node in notebook.cells:
         node.metadata = {}  # when each cell ran
-    return list(zip(cells, notebook.cells, strict=True))
+    return {lang: _shown(cells, nodes, again[lang][-count:]) for lang in LANGUAGES}
 
 
-def notebook_of(ran: Sequence[tuple[Cell, NotebookNode]], lang: str, *, teacher: bool) -> NotebookNode:
+def _shown(cells: Sequence[Cell], nodes: Sequence[NotebookNode], again: Sequence[NotebookNode]) -> Ran:
+    """The nodes with the results of `again`, one for each cell of code for both languages, where there are any."""
+    ran: list[tuple[Cell, NotebookNode]] = []
+    results = iter(again)
+    for cell, node in zip(cells, nodes, strict=True):
+        if cell.lang or not again:
+            ran.append((cell, node))
+            continue
+        printed = [out for out in node.outputs if out.output_type != "execute_result"]
+        shown = [NotebookNode(out | {"execution_count": node.execution_count}) for out in next(results).outputs]
+        ran.append((cell, NotebookNode(node | {"outputs": [*printed, *shown]})))
+    return ran
+
+
+def node_of(cell: Cell) -> NotebookNode:
+    """A cell of a notebook that was not executed."""
+    make = nbformat.v4.new_markdown_cell if cell.prose else nbformat.v4.new_code_cell
+    return make(cell.text)
+
+
+def notebook_of(ran: Ran, lang: str, *, teacher: bool) -> NotebookNode:
     """The notebook of one language, with its outputs; without `teacher` the answers are taken out."""
     nodes = list(_chosen(ran, lang, teacher))
     kernel = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
     return nbformat.v4.new_notebook(cells=nodes, metadata=kernel | {"language_info": {"name": "python"}})
 
 
-def _chosen(ran: Sequence[tuple[Cell, NotebookNode]], lang: str, teacher: bool) -> Iterator[NotebookNode]:
+def _chosen(ran: Ran, lang: str, teacher: bool) -> Iterator[NotebookNode]:
     for cell, node in ran:
         if cell.lang not in ("", lang):
             continue
@@ -120,7 +156,7 @@ def build(folder: Path, names: Sequence[str] = ()) -> list[Path]:
                 for lang in LANGUAGES:
                     path = folder / reader / lang / f"{text.stem}.ipynb"
                     path.parent.mkdir(parents=True, exist_ok=True)
-                    nbformat.write(notebook_of(ran, lang, teacher=reader == "teacher"), path)
+                    nbformat.write(notebook_of(ran[lang], lang, teacher=reader == "teacher"), path)
                     labs_beside(path.parent, Path(scratch))
                     written.append(path)
     return written

@@ -19,7 +19,8 @@ CHECKOUT = Path(__file__).resolve().parents[1]
 SOURCE = CHECKOUT / "src" / "upright"
 
 ROOMS = (
-    "arrays", "errors", "interrupts", "atomic", "progress", "reading", "tables", "decimate", "plotting", "plugins",
+    "arrays", "errors", "interrupts", "atomic", "progress", "reading", "language", "tables", "decimate", "plotting",
+    "plugins",
     "signals", "robots",
     "physics", "compiled", "links", "bodies", "control", "logs", "doctor", "experiment", "kernel", "calibrate", "fleet",
     "firmware", "bricks", "parity", "excite", "identify", "validate", "certify", "tune", "diagnose", "flight",

@@ -3,6 +3,7 @@ is for, and links lead somewhere. An example that cannot run has a fence of `tex
 
 from __future__ import annotations
 
+import ast
 import math
 import re
 import shlex
@@ -203,3 +204,21 @@ def test_a_link_to_a_page_names_what_is_there(page: Path) -> None:
 @pytest.mark.parametrize("page", PAGES[2:], ids=lambda page: page.name)
 def test_each_page_says_for_whom_it_is(page: Path) -> None:
     assert re.match(r"# .+\n\n\*(For|Para) .+\.\*\n", page.read_text("utf-8"))
+
+
+SPANISH = sorted((ROOT / "docs").glob("*.es.md"))
+
+
+@pytest.mark.parametrize("page", SPANISH, ids=lambda page: page.name)
+def test_both_languages_give_the_same_commands_and_python(page: Path) -> None:
+    """In the same order; comments differ, and what builds the lab's page stands in English alone."""
+    name = page.name.removesuffix(".es.md")
+    english = next(p for p in (page.with_name(f"{name}.md"), page.with_name(f"{name}.en.md")) if p.exists())
+    given = [[words for words in commands(p) if words[0] not in ("cd", "npm")] for p in (page, english)]
+    assert given[0] == given[1]
+    written = [[ast.dump(ast.parse(block)) for block in blocks(p, "python")] for p in (page, english)]
+    assert written[0] == written[1]
+
+
+def test_both_languages_have_a_first_page_a_start_and_a_lab() -> None:
+    assert {"index.es.md", "start.es.md", "lab.es.md", "lesson.es.md", "worksheet.es.md"} <= {p.name for p in SPANISH}

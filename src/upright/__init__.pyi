@@ -34,6 +34,7 @@ from .fleet.fleet import fleet as fleet
 from .fleet.push_map import push_map as push_map
 from .identify.identify import identify as identify
 from .lab.framed import lab_page as lab_page
+from .language import language as language
 from .paper.reproduce import reproduce as reproduce
 from .parity.parity import parity as parity
 from .physics.linear import LinearModel as LinearModel

@@ -27,6 +27,7 @@ from numpy.typing import ArrayLike
 from upright.arrays import Array, Complex
 from upright.decimate import decimate
 from upright.errors import InvalidLog
+from upright.language import figure_translated
 from upright.tables import power_of_ten, spoken
 
 P = ParamSpec("P")
@@ -37,7 +38,6 @@ DASHES: tuple[Any, ...] = (
     "-", (0, (8, 3)), (0, (2, 2.5)), (0, (9, 3, 2, 3)), (0, (4, 3)), (0, (14, 4)), (0, (9, 3, 2, 3, 2, 3)),
 )  # fmt: skip
 MARKERS = ("x", "o", "s", "^", "D")
-SMALL = 7.5  # [pt]
 MAP = "viridis"  # grows lighter evenly, also for the colour-blind
 INK, AXIS, GRID, SPAN = "#5b6570", "#6b757f", "#e6e9ec", "#e69f00"
 
@@ -81,7 +81,7 @@ def panels(
     """An empty figure of panels above each other over one x; `labels` name their y, `x_scale` is "linear" or "log"."""
     height = height or min(PANEL, max((SCREEN - FOOT) / len(labels) - HEAD, LEAST))
     total = len(labels) * (HEAD + height) + FOOT
-    figure = _figure(WIDTH, total)
+    figure = _Picture(figsize=(WIDTH, total))
     axes: list[Axes] = []
     for row, label in enumerate(labels):
         bottom = total - (row + 1) * (HEAD + height)
@@ -135,7 +135,7 @@ def plane(x_label: str, y_label: str, *, circle: bool = False) -> tuple[Figure, 
     """An empty plane with one scale for both axes; `circle` draws the unit circle of a sampled system."""
     side = 4.6
     size = (LEFT + side + RIGHT, HEAD + side + FOOT)
-    figure = _figure(*size)
+    figure = _Picture(figsize=size)
     ax = _axes(figure, (LEFT / size[0], FOOT / size[1], side / size[0], side / size[1]))
     ax.set(ylabel=y_label)
     ax.set_xlabel(x_label, loc="right")
@@ -219,7 +219,7 @@ def rows_of(names: Sequence[str], x_label: str, y_label: str) -> tuple[Figure, A
     """An empty figure with one row for each name, the first on top."""
     left = min(2.75, 0.4 + 0.075 * max((len(name) for name in names), default=0))
     total = HEAD + (height := max(len(names), 2) * (0.24 if len(names) <= MANY else 0.2)) + FOOT
-    figure = _figure(WIDTH, total)
+    figure = _Picture(figsize=(WIDTH, total))
     ax = _axes(figure, (left / WIDTH, FOOT / total, (WIDTH - left - RIGHT) / WIDTH, height / total))
     texts = [spoken(name).replace("-0", "−0") for name in names]
     ax.set(yticks=range(len(names)), yticklabels=texts, ylabel=y_label, ylim=(len(names) - 0.4, -0.6), gid=ROWS)
@@ -243,7 +243,7 @@ def colour_map(
     """
     side, height, bar = 4.6, 2.7, 1.1
     size = (LEFT + side + bar, HEAD + height + FOOT)
-    figure = _figure(*size)
+    figure = _Picture(figsize=size)
     ax = _axes(figure, (LEFT / size[0], FOOT / size[1], side / size[0], height / size[1]))
     ax.set_xlabel(x_label, loc="right")
     finite = values[np.isfinite(values)]
@@ -279,7 +279,7 @@ def colour_map(
 def empty(columns: int, height: float) -> tuple[Figure, list[Axes]]:
     """A figure of drawings beside each other, without axes, to one scale across and up."""
     total = height + 0.3
-    figure = _figure(WIDTH, total)
+    figure = _Picture(figsize=(WIDTH, total))
     axes = [_axes(figure, (k / columns, 0.02, 1 / columns, height / total)) for k in range(columns)]
     for ax in axes:
         ax.set_aspect("equal", adjustable="box")
@@ -340,8 +340,8 @@ class _Numbers(Formatter):
         decimals = max(0, -int(np.floor(np.log10(step) + 1e-9))) if step > 0 else 4
         if decimals > 4 or largest >= 1e5:
             return [number(0.0 if abs(tick) < 1e-9 * step else float(tick), 3) for tick in ticks]
-        exact = [d for d in range(decimals, 5) if np.allclose(np.round(ticks, d), ticks, atol=1e-6 * step)]
-        decimals = exact[0] if exact else decimals
+        exact = (d for d in range(decimals, 5) if np.allclose(np.round(ticks, d), ticks, atol=1e-6 * step))
+        decimals = next(exact, decimals)
         return [f"{tick + 0.0:.{decimals}f}".replace("-", "−") for tick in np.round(ticks, decimals)]
 
 
@@ -356,6 +356,10 @@ class _Between(LogFormatter):
 class _Picture(Figure):
     """A figure that a notebook shows by itself: only figures of pyplot have a backend there."""
 
+    def savefig(self, *args: Any, **kwargs: Any) -> None:
+        with figure_translated(self):
+            super().savefig(*args, **kwargs)
+
     @styled
     def _repr_png_(self) -> tuple[bytes, dict[str, int]]:
         """The picture for screens of twice as many dots, and the size [px] to show it at."""
@@ -363,10 +367,6 @@ class _Picture(Figure):
         self.savefig(picture, format="png", dpi=2 * self.dpi)
         width, height = self.get_size_inches() * self.dpi
         return picture.getvalue(), {"width": round(width), "height": round(height)}
-
-
-def _figure(width: float, height: float) -> Figure:
-    return _Picture(figsize=(width, height))
 
 
 @styled

@@ -10,6 +10,8 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from html import escape
 
+from upright.language import translated
+
 
 @dataclass(frozen=True)
 class Listing:
@@ -35,9 +37,10 @@ class Listing:
         return self.text()
 
     def html(self, title: str = "") -> str:
-        """The table as HTML under a `title`."""
-        rows = [_html_row("th", self.header), *(_html_row("td", row) for row in self.rows)]
-        return f"<table><caption>{escape(title)}</caption>{''.join(rows)}</table>"
+        """The table as HTML under a `title`, in the chosen language; the first column holds names, and stays."""
+        body = ([first, *map(translated, rest)] for first, *rest in self.rows)
+        rows = [_html_row("th", [*map(translated, self.header)]), *(_html_row("td", row) for row in body)]
+        return f"<table><caption>{escape(translated(title))}</caption>{''.join(rows)}</table>"
 
     def _lines(self, row: Sequence[str], widths: Sequence[int], left: int, width: int | None) -> list[str]:
         right = [name in self.numbers for name in self.header]

@@ -63,24 +63,25 @@ _BODIES = ("nonlinear", "linear")
 TASKS = (
     Task("push", Setup(bodies=_BODIES, seed=1901), _ROBOT, _knocked, texts={
         "es": ("El mayor golpe", "Golpee el robot y deje que se recupere. Llegue al menos a 0,2 N s.",
-               "¿Por qué hay un golpe del que ningún controlador lo salva? Mire las tensiones en Ver."),
+               "¿Por qué hay un golpe del que ningún controlador lo salva? Mire *Ver → Tensión*."),
         "en": ("The largest knock", "Knock the robot and let it recover. Reach 0.2 N s at least.",
-               "Why is there a knock from which no controller saves it? Look at the voltages under See."),
+               "Why is there a knock from which no controller saves it? Look at *See → Voltage*."),
     }),
     Task("gains", Setup(bodies=_BODIES, seed=1902, controller="gains", gains=(-15.0, -1.0, 0.0, -0.5, 0.0, 0.0)),
          (*_ROBOT, "controller"), _held, texts={
-        "es": ("A mano", "Ajuste las ganancias: que el robot soporte Sostener por delante y siga de pie 5 s después.",
-               "¿Qué ganancia evita que se aleje rodando? ¿Cuál lo frena?"),
-        "en": ("By hand", "Move the gains until the robot survives Hold from the front and still stands 5 s after its "
-               "release.",
+        "es": ("A mano", "Ajuste las ganancias hasta que el robot soporte *Sostener por delante* y siga de pie 5 s "
+               "después de soltarlo.",
+               "¿Qué ganancia evita que se aleje rodando? ¿Cuál amortigua el balanceo?"),
+        "en": ("By hand", "Move the gains until the robot survives *Hold from the front* and still stands 5 s after "
+               "its release.",
                "Which gain keeps it from rolling away? Which one damps it?"),
     }),
     Task("payload", Setup(bodies=_BODIES, seed=1903, payload=LOAD[0], payload_height=LOAD[1]), _ROBOT, _held, texts={
-        "es": ("Una carga desconocida", "El robot lleva 300 g a 30 cm sobre el eje. Elija un controlador que soporte "
-               "Sostener por delante y siga de pie 5 s después.",
+        "es": ("Una carga desconocida", "El robot lleva 300 g a 30 cm sobre el eje. Elija un controlador con el que "
+               "el robot soporte *Sostener por delante* y siga de pie 5 s después de soltarlo.",
                "El controlador no conoce la carga. ¿Qué margen lo salva?"),
         "en": ("An unknown payload", "The robot carries 300 g, 30 cm above the axle. Choose a controller that survives "
-               "Hold from the front and still stands 5 s after its release.",
+               "*Hold from the front* and still stands 5 s after its release.",
                "The controller does not know the payload. Which margin saves it?"),
     }),
 )  # fmt: skip

@@ -15,19 +15,21 @@ LAB = "http://127.0.0.1:8765/"
 _WORDS = {
     "es": (
         "# Hoja de trabajo: un robot que se equilibra\n\n*Para estudiantes.*",
-        "Abra el laboratorio (`upright lab`, o la dirección que muestra su docente). Cada tarea empieza con su "
-        "enlace, que prepara el robot. En una clase, copie el enlace y pegue la parte desde `#` tras la "
-        "dirección.",
+        "Abra el laboratorio (`upright lab`, o la dirección que muestra su docente). Cada tarea empieza con un enlace "
+        "que prepara el robot. Si el laboratorio está en otra dirección, como en una clase, el enlace no lo abre. "
+        "Entonces copie el enlace y pegue la parte que empieza con `#` al final de la dirección de su laboratorio.",
         "Tarea", "Preparar la tarea", "Haga", "Piense", "Respuesta",
         "## Qué se entrega",
-        "Para cada tarea: presione *Poner de pie*, haga lo que se pide antes de un minuto y sin cambiar nada más, y "
-        "luego *Guardar* → *Entregar* con su nombre. El archivo contiene la configuración y sus acciones; con `upright "
-        "grade` otra máquina repite el ensayo. No lo modifique: se nota. Entregue los archivos y esta hoja.",
+        "Para cada tarea: presione *Poner de pie* y haga lo que se pide en menos de un minuto, sin cambiar nada más. "
+        "Después, en *Guardar*, escriba su nombre y presione *Entregar*. El archivo contiene la configuración y lo que "
+        "usted hizo; con `upright grade`, otro computador repite el ensayo. No modifique el archivo: se nota. Entregue "
+        "los archivos y esta hoja con sus respuestas.",
     ),
     "en": (
         "# Worksheet: a robot that balances\n\n*For students.*",
         "Open the lab (`upright lab`, or the address that your teacher shows). Each task begins with its link, which "
-        "sets the robot up. In a class, copy the link, and paste its part from `#` on behind the address.",
+        "sets the robot up. Where the lab has another address, as in a class, the link does not open it. Then copy "
+        "the link, and paste the part that begins with `#` at the end of your lab's address.",
         "Task", "Set up task", "Do", "Think", "Answer",
         "## What to hand in",
         "For each task: press *Stand up*, do what is asked within a minute and without any other change, then *Keep* → "

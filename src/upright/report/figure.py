@@ -79,7 +79,7 @@ class Figure:
         stream = io.StringIO()
         mark = hashlib.sha256(f"{self.title} {size}".encode()).hexdigest()[:8]
         with matplotlib.rc_context({"svg.fonttype": "none", "svg.hashsalt": mark}):
-            self.drawing.savefig(stream, format="svg", transparent=True, dpi=SHARP, metadata={"Date": None})
+            mpl.Figure.savefig(self.drawing, stream, format="svg", transparent=True, dpi=SHARP, metadata={"Date": None})
         body = re.search(r"</metadata>(.*)</svg>", stream.getvalue(), re.DOTALL)
         assert body
         width, height = (UNIT * inches for inches in self.drawing.get_size_inches())
