@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 import upright as up
+from upright.identify.methods import IDENTIFIERS
 from upright.language import SPANISH, figure_translated, language, translated
 from upright.plotting import bars, intervals
 from upright.report.figure import Figure as Drawn
@@ -20,8 +21,8 @@ from upright.tables import Listing, spoken
 
 GLOSSARY = Path(__file__).parents[1] / "docs" / "conventions.md"
 NXT, KIT = up.Robot.preset("nxtway-gs"), up.Kit.preset("nxt")
-SAME = {"robots", "LQR"}
-"""Words that are the same in both languages."""
+SAME = {"robots", "LQR", *IDENTIFIERS, "calibrate"}
+"""Words that are the same in both languages, and names that one types."""
 
 
 @pytest.fixture(autouse=True)
@@ -114,7 +115,7 @@ def test_no_figure_of_the_course_keeps_an_english_word() -> None:
         "prediction": calibration.plot_prediction(), "doctor": up.doctor(up.example("fall"), NXT).plot(),
         "validation": up.validate(NXT, up.example("pushed")).plot(), "log": log.plot("sensor/gyro", "command/left"),
         "identification": up.identify(log, NXT, method="all", runs=10).plot(),
-        "certificate": up.certify(law, NXT, samples=40, sweeps=False).plot(),
+        "certificate": up.certify(law, NXT, samples=100, sweeps=False).plot(),
         "fleet": up.fleet(NXT, n=40, controller=law, vary="spread", pushes=(push,), seconds=1.0).plot(),
     }  # fmt: skip
     assert {name: words for name, figure in figures.items() if figure and (words := left_in_english(figure))} == {}

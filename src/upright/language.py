@@ -60,7 +60,9 @@ SPANISH = {
     # many robots
     "robots": "robots", "robots that fell": "robots que cayeron", "robots that fall": "robots que caen",
     "case": "caso", "controller": "controlador", "limit": "límite", "travel": "recorrido",
-    "largest distance rolled": "mayor distancia recorrida", "largest lean": "mayor inclinación",
+    "largest distance rolled": "mayor distancia recorrida", "largest pitch": "mayor inclinación",
+    "stood for": "tiempo de pie", "settling time after the last push": "tiempo de asentamiento tras el último empujón",
+    "RMS pitch": "inclinación RMS", "effort": "esfuerzo", "saturated fraction": "saturación", "fell": "se cayó",
     "all pushes together, at most (95 %)": "todos juntos, como máximo (95 %)",
     "hold at {}, {} battery": "sostener a {}, batería {}", "knock of {} N s, {} battery": "golpe de {} N s, batería {}",
     "hold at {}": "sostener a {}", "knock of {} N s": "golpe de {} N s", "full": "plena", "low": "baja",

@@ -38,6 +38,7 @@ DASHES: tuple[Any, ...] = (
     "-", (0, (8, 3)), (0, (2, 2.5)), (0, (9, 3, 2, 3)), (0, (4, 3)), (0, (14, 4)), (0, (9, 3, 2, 3, 2, 3)),
 )  # fmt: skip
 MARKERS = ("x", "o", "s", "^", "D")
+SMALL = 7.5  # [pt]
 MAP = "viridis"  # grows lighter evenly, also for the colour-blind
 INK, AXIS, GRID, SPAN = "#5b6570", "#6b757f", "#e6e9ec", "#e69f00"
 
@@ -150,8 +151,7 @@ def plane(x_label: str, y_label: str, *, circle: bool = False) -> tuple[Figure, 
 @styled
 def points(ax: Axes, name: str, values: Sequence[complex], style: int | None = None, size: float = 7.0) -> None:
     """Complex numbers under one name, such as the poles of a closed loop; what is not finite is left out."""
-    names = _names(ax)
-    place = len(names) if style is None else style
+    place = len(_names(ax)) if style is None else style
     z: Complex = np.asarray(values, dtype=np.complex128).ravel()
     z = z[np.isfinite(z)]
     ax.plot(
@@ -173,14 +173,11 @@ def nyquist(response: ArrayLike, distance: float, reach: float = 3.0) -> Figure:
     ax.plot(real, -imaginary, color=COLOURS[0], linestyle=DASHES[2], label="negative frequencies")
     ax.add_patch(Circle((-1, 0), distance, facecolor=COLOURS[1], alpha=0.3, linewidth=0, label="distance 1 / Ms"))
     ax.plot([-1], [0], linestyle="", marker="x", markersize=8, color=COLOURS[1], label="−1")
-    inside = np.flatnonzero(np.abs(L) < 0.7 * reach)
+    inside = np.flatnonzero(np.abs(L[:-1]) < 0.7 * reach)
     if len(inside) > 1:
         at = inside[len(inside) // 3]
-        ends = [(float(L[k].real), float(L[k].imag)) for k in (at, at + 1)] if at + 1 < len(L) else []
-        if ends:
-            ax.annotate(
-                "", ends[1], ends[0], arrowprops={"arrowstyle": "-|>", "color": COLOURS[0], "mutation_scale": 16}
-            )
+        start, end = ((float(z.real), float(z.imag)) for z in L[at : at + 2])
+        ax.annotate("", end, start, arrowprops={"arrowstyle": "-|>", "color": COLOURS[0], "mutation_scale": 16})
     ax.set(xlim=(-reach, 0.8 * reach), ylim=(-0.9 * reach, 0.9 * reach))
     return legend(figure)
 
@@ -303,13 +300,16 @@ def edges(values: Array) -> tuple[float, float]:
 
 @styled
 def legend(figure: Figure) -> Figure:
-    """The same figure with the names of its lines, in the first panel that has each."""
+    """The same figure with the names of its lines, in the first panel that has each; a label may name one."""
     known: set[str] = set()
+    above: dict[str, Any] = {"loc": "lower right", "bbox_to_anchor": (1, 1), "ncols": 3, "frameon": False}
     for ax in figure.axes:
-        names = set(ax.get_legend_handles_labels()[1])
-        if names - known and len(names | known) > 1:
-            ax.legend(loc="best")
-        known |= names
+        handles, labels = ax.get_legend_handles_labels()
+        named = dict(zip(labels, handles, strict=True))
+        alone = len(named) == 1 and ax.get_ylabel().startswith(f"{labels[0]} ")
+        if named.keys() - known and len(named.keys() | known) > 1 and not alone:
+            ax.legend([*named.values()], [*named], **(above if ax.get_gid() == ROWS else {}))
+        known |= named.keys()
     return figure
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from matplotlib.patches import Arc, Circle, Polygon, Rectangle
 
-from upright.plotting import COLOURS, INK, empty, number
+from upright.plotting import COLOURS, INK, SMALL, empty, number
 from upright.robots import Robot
 from upright.signals import Log
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 TURN = 1.25  # [rad] of the wheel there, beyond the body
 LEAN = 0.35  # [rad] in the labelled drawing: enough to see ψ
-LETTERS, SMALL = 9.0, 7.5  # [pt]
+LETTERS = 9.0  # [pt]
 FLOOR = 0.05  # [m] between the marks on the floor of a filmstrip
 BODY, WHEEL = COLOURS[0], COLOURS[4]
 

@@ -145,7 +145,9 @@ class Log:
 
         names = channels or tuple(name for name in self.channels if re.search(PLOTTED, name)) or tuple(self.channels)
         units = list(dict.fromkeys(self.unit(name) for name in names))
-        figure, axes = panels([f"[{unit}]" for unit in units])
+        groups = [[name for name in names if self.unit(name) == unit] for unit in units]
+        alone = [f"{group[0]} " if len(group) == 1 else "" for group in groups]
+        figure, axes = panels([f"{name}[{unit}]" for name, unit in zip(alone, units, strict=True)])
         for name in names:
             line(axes[units.index(self.unit(name))], name, self.t, self[name])
         return legend(figure)
