@@ -31,11 +31,12 @@ fell."""
 
 @dataclass(frozen=True, eq=False)
 class Learnt:
-    """A robot with its kit, and the posterior of its parameters."""
+    """A robot with its kit, the posterior of its parameters, and what its file states that the log contradicts."""
 
     robot: Robot
     kit: Kit
     uncertainty: Uncertainty
+    contradicted: tuple[Support, ...] = ()
 
 
 def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) -> tuple[Learnt, tuple[Support, ...]]:
@@ -98,7 +99,8 @@ def learnt(calibration: Calibration, kit: Kit) -> Learnt:
         name: replace(sensor, delay=max(sensor.delay, delays.get(SENSOR.get(name, ""), 0.0) - dead_time))
         for name, sensor in kit.sensors.items()
     }
-    return Learnt(calibration.robot, replace(kit, sensors=sensors), uncertainty)
+    contradicted = tuple(Support.of_estimate(e) for e in calibration.parameters if e.surprising)
+    return Learnt(calibration.robot, replace(kit, sensors=sensors), uncertainty, contradicted)
 
 
 def _lognormal(s: Spread) -> Spread:

@@ -236,14 +236,14 @@ def certify(
     nominal, unknown = at_medians(given, posterior)
     parts, recording = find_kit(kit or nominal.kit), None if log is None else as_sent(raw_log(log, mapping))
     subject = {"robot": robot_facts(given), "kit": kit_facts(parts)}
-    wrong: tuple[Support, ...] = ()
+    wrong, contradicted = tuple[Support, ...](), tuple[Support, ...]()
     if recording and unknown is None and robots is None:
         assumed = find_controller(controller, nominal, parts, parts.period)
         as_filed = draw(nominal, FEWEST, seed)
         own, wrong = calibrated(
             recording, TrialSetup(kernel_controller(assumed, nominal, parts), nominal, as_filed, parts, seed), progress
         )
-        nominal, parts, unknown = own.robot, own.kit, own.uncertainty
+        nominal, parts, unknown, contradicted = own.robot, own.kit, own.uncertainty, own.contradicted
     design = find_controller(controller, nominal, parts, parts.period)
     family = draw(nominal, samples, seed, unknown) if robots is None else list(robots)
     _check_family(family, nominal)
@@ -254,7 +254,7 @@ def certify(
     runs, fallen, beyond = trials(setup)
     linear, period = linear_margins(design, setup.actual_robot, setup.actual_kit), design.spec.period
     fell, hopeless = int(fallen.sum()), int(beyond.sum())
-    compared = agreement(recording, setup) if recording else ()
+    compared, shown = agreement(recording, setup) if recording else (), (*shown, *contradicted)
     light, reasons = judge(len(family), fell, linear, runs, period, compared, shown, beyond=hopeless, taken=taken)
     examined = sweeps and robots is None and not setup.controller.called and red(fell, len(family))
     who = identity(design)

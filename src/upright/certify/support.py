@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from upright.arrays import Array
+from upright.calibrate.calibration import SURPRISE, Estimate
 from upright.calibrate.knocks import at_motors, moved_by
 from upright.certify.checks import TrialSetup, batteries
 from upright.certify.likelihood import FollowedLog, body_load, dead_zone, filtered_log, gyro_scale
@@ -24,6 +25,7 @@ from upright.logs.recording import commanded
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
+SHOWN = {"s": (1e3, "ms"), "m": (1e3, "mm"), "rad": (math.degrees(1), "°")}
 OUTSIDE = "outside what the log supports: "
 NORMAL = 1.96  # standard deviations either side that hold 95 % of a normal distribution
 DRAWN = 24  # robots whose differences stand for the spreads
@@ -54,7 +56,8 @@ LEAST_ZONE = 0.01  # of the largest command, where the kit has none
 @dataclass(frozen=True)
 class Support:
     """One number of a log: its `value` with the 95 % interval from `low` to `high` in `unit`, beside what the
-    certificate covers, from `least` to `most`."""
+    certificate covers, from `least` to `most`. Of a number that a calibration finds these are `SURPRISE` deviations of
+    what the robot's file states: `stated`, value and one deviation (None: no such number)."""
 
     name: str
     unit: str
@@ -63,11 +66,13 @@ class Support:
     high: float
     least: float
     most: float
+    stated: tuple[float, float] | None = None
 
     @property
     def outside(self) -> bool:
-        """Whether the whole interval lies outside what was assumed."""
-        return self.high < self.least or self.low > self.most
+        """Whether the whole interval lies outside what was assumed; of a stated number, its value."""
+        low, high = (self.value, self.value) if self.stated else (self.low, self.high)
+        return high < self.least or low > self.most
 
     @property
     def excess(self) -> float:
@@ -77,15 +82,27 @@ class Support:
     @classmethod
     def from_json(cls, data: Mapping[str, Any]) -> Support:
         """From a certificate's file."""
-        return cls(**data)
+        return cls(**{**data, "stated": tuple(data["stated"]) if data.get("stated") else None})
+
+    @classmethod
+    def of_estimate(cls, e: Estimate) -> Support:
+        """What a calibration finds of a number that the robot's file states."""
+        linear = math.isclose(e.prior + e.shift * e.prior_spread, e.value, rel_tol=1e-6)
+        wide = SURPRISE * e.prior_spread
+        least, most = (
+            e.prior + side * wide if linear else e.prior * math.exp(side * wide / e.prior) for side in (-1, 1)
+        )
+        name, stated = e.name.replace("_", " "), (e.prior, e.prior_spread)
+        return cls(name, e.unit, e.value, e.low, e.high, least, most, stated)
 
     def __str__(self) -> str:
-        scale, unit = (
-            (1e3, "ms") if self.unit == "s" else (math.degrees(1), "°") if self.unit == "rad" else (1, self.unit)
-        )
+        scale, unit = SHOWN.get(self.unit, (1.0, self.unit))
         value, least, most = (f"{round(scale * v, 6):.3g}" for v in (self.value, self.least, self.most))
         unit = f" {unit}" if unit not in ("1", "°") else "" if unit == "1" else unit
-        return f"{self.name} {value}{unit}, assumed {least} to {most}{unit}"
+        if self.stated is None:
+            return f"{self.name} {value}{unit}, assumed {least} to {most}{unit}"
+        value, stated, deviation = (f"{scale * v:.3g}" for v in (self.value, *self.stated))
+        return f"{self.name} {value}{unit}, file {stated} ± {deviation}{unit}"
 
 
 def contradictions(support: Sequence[Support]) -> list[str]:
