@@ -56,14 +56,14 @@ def as_logged(log: Log, setup: TrialSetup) -> tuple[TrialSetup, tuple[Support, .
             names |= new
             setup, now = as_disturbed(log, moved)
             shown = supported(log, setup)
-    shown = tuple(s for s in shown if s.name in (*names, *DIRECT, *NOT_LEARNT) or not _strays(s))
+    shown = tuple(s for s in shown if s.name in (*names, *DIRECT, *NOT_LEARNT) or not is_beyond(s))
     last = {s.name: s for s in shown}
     return setup, shown, tuple(_in_place_of(s, last.get(s.name, s), setup) for s in first if s.name in names)
 
 
 def _next(log: Log, setup: TrialSetup, shown: Sequence[Support], names: set[str], now: float) -> set[str]:
     """Which numbers to take over besides those of these `names`, with which the log surprises by `now`."""
-    strays = [s for s in shown if _strays(s) and s.name not in (*names, *NOT_LEARNT)]
+    strays = [s for s in shown if is_beyond(s) and s.name not in (*names, *NOT_LEARNT)]
     if direct := {s.name for s in strays if s.name in DIRECT}:
         return direct
     if not strays:
@@ -86,7 +86,7 @@ def _best(log: Log, setup: TrialSetup, several: Sequence[Support], known: Sequen
 def doubted(log: Log, setup: TrialSetup, names: Collection[str]) -> tuple[TrialSetup, Support] | None:
     """`setup` with a number that makes the log much likelier, beside those of these `names` that it knows, and what
     the log says of it; None where there is none. Robots within their spreads may explain the log as well."""
-    strays = [s for s in supported(log, setup) if _strays(s) and s.name not in (*names, *DIRECT, *NOT_LEARNT)]
+    strays = [s for s in supported(log, setup) if is_beyond(s) and s.name not in (*names, *DIRECT, *NOT_LEARNT)]
     if not strays:
         return None
     now, (best, then) = surprise(filtered_log(log, setup)[0]), _best(log, setup, strays, ())
@@ -129,7 +129,7 @@ def _in_place_of(assumed: Support, last: Support, setup: TrialSetup) -> Support:
     return replace(assumed, value=value, low=value - half, high=value + half)
 
 
-def _strays(s: Support) -> bool:
+def is_beyond(s: Support) -> bool:
     """Whether the log says another number than the one assumed, and its interval is not within what was assumed."""
     if "delay" in s.name and s.value <= 0:
         return False  # it harms no loop

@@ -7,10 +7,10 @@ from dataclasses import dataclass, replace
 from upright.calibrate.calibrate import calibrate
 from upright.calibrate.calibration import HELD, Calibration
 from upright.calibrate.knocks import unpushed
-from upright.certify.actual import as_logged, doubted
+from upright.certify.actual import as_logged, doubted, is_beyond
 from upright.certify.checks import TrialSetup
 from upright.certify.logged import LOADED
-from upright.certify.support import LOAD_KNOWN, Support
+from upright.certify.support import LOAD_KNOWN, Support, body_mass
 from upright.errors import InvalidLog
 from upright.logs.recording import SENSOR
 from upright.progress import Progress
@@ -45,7 +45,8 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
     A calibration doubts no scale, no weighed mass and little of the electronics: where these are wrong it bends other
     numbers. So the log is first compared with the file, and what it contradicts is corrected. Where robots within the
     file's spreads explain as much as one more number would, the log is calibrated with it too, and that robot is kept
-    where its innovations are whiter, and nearly white. Raises `InvalidLog` where the calibration is refused.
+    where its innovations are whiter, and nearly white. The mass of a robot with dry friction is that of a calibration
+    which takes it for a guess (`weighed`). Raises `InvalidLog` where the calibration is refused.
     """
     met, _, taken = as_logged(log, setup)
     own = _own(log, met, progress)
@@ -56,12 +57,27 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
             own, taken = other, (*taken, doubt[1])
     if own.refused and taken:
         own, taken = _own(log, setup, progress), ()
+    if setup.dry_friction and (found := weighed(log, met)):
+        own, taken = found[0], (*taken, found[1])
     if own.refused:
         raise InvalidLog(
             f"the log does not describe {setup.robot.name}: {own.refused[0]}",
             hint="upright doctor LOG; or certify without the log, or with the robot that it is of",
         )
     return learnt(own, setup.kit), taken
+
+
+def weighed(log: Log, setup: TrialSetup) -> tuple[Calibration, Support] | None:
+    """The calibration that takes the body's mass for a guess, and that mass, where it is not within what was assumed.
+
+    The filter of a certificate is linear, and takes dry friction for mass; that of a calibration knows it.
+    """
+    robot, kit = setup.actual_robot, setup.actual_kit
+    guess = robot.replace(provenance={name: s for name, s in robot.provenance.items() if name not in LOADED})
+    found = calibrate(unpushed(log, robot, kit), guess, kit)
+    e = found["body_mass"]
+    mass = replace(body_mass(setup, e.value, 0.0), low=e.low, high=e.high)
+    return (found, mass) if not found.refused and is_beyond(mass) else None
 
 
 def _own(log: Log, setup: TrialSetup, progress: Progress | None) -> Calibration:

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from upright.atomic import finite, write_json
 from upright.certify.actual import as_logged
 from upright.certify.agreement import RED, Agreement, agreement
-from upright.certify.calibrated import calibrated
+from upright.certify.calibrated import calibrated, weighed
 from upright.certify.checks import (
     PushTrial,
     RunCounter,
@@ -235,20 +235,27 @@ def certify(
     given = find_robot(robot)
     nominal, unknown = at_medians(given, posterior)
     parts, recording = find_kit(kit or nominal.kit), None if log is None else as_sent(raw_log(log, mapping))
+    rubs = nominal.coulomb_friction > 0
     subject = {"robot": robot_facts(given), "kit": kit_facts(parts)}
-    wrong, contradicted = tuple[Support, ...](), tuple[Support, ...]()
+    own, wrong, contradicted = None, tuple[Support, ...](), tuple[Support, ...]()
     if recording and unknown is None and robots is None:
         assumed = find_controller(controller, nominal, parts, parts.period)
         as_filed = draw(nominal, FEWEST, seed)
-        own, wrong = calibrated(
-            recording, TrialSetup(kernel_controller(assumed, nominal, parts), nominal, as_filed, parts, seed), progress
+        filed = TrialSetup(
+            kernel_controller(assumed, nominal, parts), nominal, as_filed, parts, seed, dry_friction=rubs
         )
+        own, wrong = calibrated(recording, filed, progress)
         nominal, parts, unknown, contradicted = own.robot, own.kit, own.uncertainty, own.contradicted
     design = find_controller(controller, nominal, parts, parts.period)
     family = draw(nominal, samples, seed, unknown) if robots is None else list(robots)
     _check_family(family, nominal)
-    setup = TrialSetup(kernel_controller(design, nominal, parts), nominal, family, parts, seed, threads)
+    setup = TrialSetup(
+        kernel_controller(design, nominal, parts), nominal, family, parts, seed, threads, dry_friction=rubs
+    )
     setup, shown, taken = as_logged(recording, setup) if recording else (setup, (), ())
+    if recording and rubs and not own:
+        found = weighed(recording, setup)
+        contradicted = (found[1],) if found else ()
     taken = (*taken, *(s for s in wrong if s.name not in {t.name for t in taken}))
     setup = replace(setup, progress=RunCounter(setup.runs, progress)) if progress else setup
     runs, fallen, beyond = trials(setup)

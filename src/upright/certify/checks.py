@@ -177,7 +177,8 @@ class TrialSetup:
     """A controller, the robots it drives, their kit, the seed of their noise, and the floor's slope [rad].
 
     Pushes have the sizes of `robot` and `kit`, which were assumed. What a log shows instead is `logged`, and is tried.
-    Its filter expects `disturbed` times the usual noise of forces and torques."""
+    Its filter expects `disturbed` times the usual noise of forces and torques. Of a robot with `dry_friction` it asks
+    no mass."""
 
     controller: KernelController
     robot: Robot
@@ -190,6 +191,7 @@ class TrialSetup:
     slope: float = 0.0
     logged: Logged | None = None
     disturbed: float = 1.0
+    dry_friction: bool = False
 
     @property
     def actual_kit(self) -> Kit:

@@ -26,6 +26,7 @@ from upright.robots import Kit, Robot
 from upright.signals import Log
 
 SHOWN = {"s": (1e3, "ms"), "m": (1e3, "mm"), "rad": (math.degrees(1), "°")}
+MASS = "body's mass"
 OUTSIDE = "outside what the log supports: "
 NORMAL = 1.96  # standard deviations either side that hold 95 % of a normal distribution
 DRAWN = 24  # robots whose differences stand for the spreads
@@ -82,7 +83,8 @@ class Support:
     @classmethod
     def from_json(cls, data: Mapping[str, Any]) -> Support:
         """From a certificate's file."""
-        return cls(**{**data, "stated": tuple(data["stated"]) if data.get("stated") else None})
+        stated = data.get("stated")
+        return replace(cls(**data), stated=None if stated is None else (stated[0], stated[1]))
 
     @classmethod
     def of_estimate(cls, e: Estimate) -> Support:
@@ -192,21 +194,25 @@ def _dynamics(log: Log, setup: TrialSetup) -> list[Support]:
     values, errors = fit.solved(path.errors)
     fitted = {name: (float(v), NORMAL * float(e)) for name, v, e in zip(names, values, errors, strict=True)}
     lag = tuple(log.period * x for x in fitted["gyro delay"])
-    mass, spread = robot.body_mass, float(np.std([r.body_mass for r in setup.robots]))
-    heavy, most_load = mass * body_load(log, setup), max(LOAD * mass, 2 * spread)
-    about_mass = {"least": mass - most_load, "most": mass + most_load}
     scale, within = gyro_scale(log, setup), {"least": 1 - GYRO_SCALE, "most": 1 + GYRO_SCALE}
     numbers = [
         _of("motors' strength", "1", 1.0, fitted["strength"], STRENGTH),
         _of("difference of the motors", "1", 0.0, fitted["asymmetry"], UNEQUAL),
         replace(_of("gyro's scale", "1", scale, (0.0, SCALE_KNOWN * scale), 0.0), **within),
         replace(_of("gyro's further delay", "s", 0.0, lag, LAG * log.period), least=LEAD * log.period),
-        replace(_of("body's mass", "kg", heavy, (0.0, LOAD_KNOWN * heavy), 0.0), **about_mass),
+        *([] if setup.dry_friction else [body_mass(setup, robot.body_mass * body_load(log, setup), LOAD_KNOWN)]),
         _slope(path, log.period, setup),
         *_noise(log, kit, path),
         _delay(fit, path, motors, log.period),
     ]  # fmt: skip
     return [*numbers, _dead_zone(path, setup, sent, motors)] if raw else numbers
+
+
+def body_mass(setup: TrialSetup, value: float, known: float) -> Support:
+    """The mass [kg] of the body, `known` to this part of it, beside what the certificate covers."""
+    mass, spread = setup.actual_robot.body_mass, float(np.std([r.body_mass for r in setup.robots]))
+    most = max(LOAD * mass, 2 * spread)
+    return Support(MASS, "kg", value, value * (1 - known), value * (1 + known), mass - most, mass + most)
 
 
 def _of(name: str, unit: str, middle: float, numbers: Sequence[float], around: float) -> Support:
