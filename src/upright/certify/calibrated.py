@@ -10,7 +10,7 @@ from upright.calibrate.knocks import unpushed
 from upright.certify.actual import as_logged, doubted, is_beyond
 from upright.certify.checks import TrialSetup
 from upright.certify.logged import LOADED
-from upright.certify.support import LOAD_KNOWN, Support, body_mass
+from upright.certify.support import LOAD_KNOWN, MASS, Support, body_mass
 from upright.errors import InvalidLog
 from upright.logs.recording import SENSOR
 from upright.progress import Progress
@@ -45,8 +45,8 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
     A calibration doubts no scale, no weighed mass and little of the electronics: where these are wrong it bends other
     numbers. So the log is first compared with the file, and what it contradicts is corrected. Where robots within the
     file's spreads explain as much as one more number would, the log is calibrated with it too, and that robot is kept
-    where its innovations are whiter, and nearly white. The mass of a robot with dry friction is that of a calibration
-    which takes it for a guess (`weighed`). Raises `InvalidLog` where the calibration is refused.
+    where its innovations are whiter, and nearly white. Last the mass is asked of a calibration which takes it for a
+    guess. Raises `InvalidLog` where the calibration is refused.
     """
     met, _, taken = as_logged(log, setup)
     own = _own(log, met, progress)
@@ -57,7 +57,7 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
             own, taken = other, (*taken, doubt[1])
     if own.refused and taken:
         own, taken = _own(log, setup, progress), ()
-    if setup.dry_friction and (found := weighed(log, met)):
+    if not own.refused and MASS not in {s.name for s in taken} and (found := weighed(log, met)):
         own, taken = found[0], (*taken, found[1])
     if own.refused:
         raise InvalidLog(
@@ -70,14 +70,16 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
 def weighed(log: Log, setup: TrialSetup) -> tuple[Calibration, Support] | None:
     """The calibration that takes the body's mass for a guess, and that mass, where it is not within what was assumed.
 
-    The filter of a certificate is linear, and takes dry friction for mass; that of a calibration knows it.
+    It weighs every other number within its spread. The filter of a certificate does not, and takes dry friction for
+    mass. Innovations far from white may be of another cause, but those of a robot with dry friction always are.
     """
     robot, kit = setup.actual_robot, setup.actual_kit
     guess = robot.replace(provenance={name: s for name, s in robot.provenance.items() if name not in LOADED})
     found = calibrate(unpushed(log, robot, kit), guess, kit)
     e = found["body_mass"]
     mass = replace(body_mass(setup, e.value, 0.0), low=e.low, high=e.high)
-    return (found, mass) if not found.refused and is_beyond(mass) else None
+    white = setup.dry_friction or found.temper > WHITE
+    return (found, mass) if white and not found.refused and is_beyond(mass) else None
 
 
 def _own(log: Log, setup: TrialSetup, progress: Progress | None) -> Calibration:
