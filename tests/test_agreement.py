@@ -234,7 +234,7 @@ def test_a_program_for_a_brick_asks_the_same_question(tmp_path: Path) -> None:
 def test_a_calibration_hands_on_its_posterior_and_longer_dead_times() -> None:
     names, covariance = ("com_height", "delay/gyro", "torque_constant"), np.diag([1e-6, 1e-8, 4e-6])
     late = SimpleNamespace(name="delay/gyro", value=0.03, verdict="visible")
-    calibration: Any = SimpleNamespace(names=names, covariance=covariance, robot=ROBOT, delays=(late,))
+    calibration: Any = SimpleNamespace(names=names, covariance=covariance, robot=ROBOT, delays=(late,), parameters=())
     found = learnt(calibration, KIT)
     assert {s.kind for s in found.uncertainty.spreads} == {"lognormal"}  # as a calibration takes positive numbers
     sizes = {s.name: s.high * s.low for s in found.uncertainty.spreads}  # to first order

@@ -174,13 +174,15 @@ def test_a_doubtful_number_is_taken_over_where_it_leaves_white_innovations(
 ) -> None:
     """Whiter alone is no reason: 0.04 and 0.08 are of a dead zone that passed for twice the mass; see `WHITE`."""
     handed_over = import_module("upright.certify.calibrated")
+    number = SimpleNamespace(name="number")
     fits = iter([SimpleNamespace(refused=(), temper=temper) for temper in (before, after)])
     monkeypatch.setattr(handed_over, "as_logged", lambda _, setup: (setup, (), ()))
     monkeypatch.setattr(handed_over, "_own", lambda *_: next(fits))
-    monkeypatch.setattr(handed_over, "doubted", lambda *_: ("another", "number"))
+    monkeypatch.setattr(handed_over, "doubted", lambda *_: ("another", number))
+    monkeypatch.setattr(handed_over, "weighed", lambda *_: None)
     monkeypatch.setattr(handed_over, "learnt", lambda own, _: own)
     own, numbers = handed_over.calibrated(Log(np.arange(9.0), {}, {}), SimpleNamespace(kit=None))
-    assert (own.temper, numbers) == ((after, ("number",)) if taken else (before, ()))
+    assert (own.temper, numbers) == ((after, (number,)) if taken else (before, ()))
 
 
 @pytest.mark.parametrize(("seconds", "quantile"), [(2.0, 3.182), (10.0, 2.131), (20.0, 2.042)])

@@ -18,15 +18,16 @@ import pytest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.body import Sample
+from upright.calibrate.calibration import Estimate
 from upright.calibrate.knocks import _calm, unpushed, without_knocks
 from upright.certify.actual import as_logged, doubted
 from upright.certify.agreement import LARGER, RED, Agreement, agreement
-from upright.certify.calibrated import _weighed, calibrated
+from upright.certify.calibrated import _weighed, calibrated, learnt, weighed
 from upright.certify.certificate import Certificate, certify
-from upright.certify.checks import TrialSetup, kernel_controller
+from upright.certify.checks import PushTrial, TrialSetup, kernel_controller
 from upright.certify.logged import Logged, as_sent, loaded
 from upright.certify.support import LOAD_KNOWN, Support, supported
-from upright.certify.verdict import GREEN
+from upright.certify.verdict import AMBER, GREEN, LinearMargins, judge
 from upright.control import Controller, make_controller
 from upright.errors import InvalidLog
 from upright.experiment import Drive, Impulse, Slope, run
@@ -283,3 +284,53 @@ def test_a_body_as_heavy_as_the_log_shows_keeps_its_source_and_is_known_as_well_
     assert known.body_mass == pytest.approx(0.5 * ROBOT.body_mass)
     assert known.provenance["body_mass"].spread == pytest.approx(LOAD_KNOWN * known.body_mass)
     assert known.provenance["wheel_mass"] == ROBOT.provenance["wheel_mass"]
+
+
+def estimate(name: str, value: float, prior: float, spread: float, shift: float, *, guess: bool = False) -> Estimate:
+    return Estimate(name=name, unit="m", value=value, low=0.9 * value, high=1.1 * value, prior=prior,
+                    prior_spread=spread, verdict="visible", shift=shift, shrink=0.2, guess=guess)  # fmt: skip
+
+
+def test_a_number_that_the_file_states_and_the_log_contradicts_makes_the_light_amber() -> None:
+    """Whatever else makes the calibration's innovations white: a body of a quarter of its mass was green with a wheel's
+    radius moved by 4.6 deviations in its place. 23 mm for 21 ± 0.5 mm are 3.8 deviations of its logarithm."""
+    radius = estimate("wheel_radius", 0.023, 0.021, 0.0005, math.log(23 / 21) * 21 / 0.5)
+    within = estimate("track", 0.162, 0.16, 0.001, 2.0)
+    guessed = estimate("com_height", 0.3, 0.1, 0.03, 6.0, guess=True)  # a guess is not stated
+    calibration: Any = SimpleNamespace(
+        names=("wheel_radius",), covariance=np.array([[1e-8]]), robot=ROBOT, delays=(),
+        parameters=(radius, within, guessed),
+    )  # fmt: skip
+    (found,) = learnt(calibration, KIT).contradicted
+    assert Support.from_json(json.loads(json.dumps(dataclasses.asdict(found)))) == found
+    trial = PushTrial("hold", "low", 1000, 0, saturated=0.0, travel=0.2, peak=0.1, cycle=0.01)
+    light, reasons = judge(1000, 0, LinearMargins(0.99, 0.5, 2.0, 0.02), [trial], 0.01, support=[found])
+    assert light == AMBER
+    assert reasons[0] == "outside what the log supports: wheel radius 23 mm, file 21 ± 0.5 mm"
+
+
+def test_a_stated_number_is_contradicted_from_three_deviations_on() -> None:
+    """On either scale on which a calibration moves it: three of 10 % are 30 %, or a factor of exp 0.3."""
+    for shift, outside in ((2.9, False), (3.1, True), (-3.1, True)):
+        for value in (1 + 0.1 * shift, math.exp(0.1 * shift)):
+            assert Support.of_estimate(estimate("track", value, 1.0, 0.1, shift)).outside is outside
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("load", "seen"), [(0.6, True), (1.0, False)])
+def test_a_calibration_that_takes_the_mass_for_a_guess_sees_a_lighter_body(load: float, *, seen: bool) -> None:
+    """Its interval holds the true mass, and of a robot as its file says nothing is taken over: 95 % of the time."""
+    log = with_channels(logged(NonlinearBody(loaded(ROBOT, load))), ("sensor/enc", GYRO, "command/"))
+    wide = dataclasses.replace(trial_setup(), robots=draw(ROBOT, 100, 0))
+    found = weighed(log, wide)
+    assert (found is not None) is seen
+    if found:
+        assert found[1].low < load * ROBOT.body_mass < found[1].high < ROBOT.body_mass
+
+
+def test_no_mass_is_asked_of_a_linear_filter_where_the_file_states_dry_friction() -> None:
+    """Of a TWIPR that differs in none it said 1.5 to 3 times its mass."""
+    rubs = dataclasses.replace(trial_setup(), dry_friction=True)
+    assert {s.name for s in supported(plain_log(), trial_setup())} - {s.name for s in supported(plain_log(), rubs)} == {
+        "body's mass"
+    }
