@@ -322,10 +322,10 @@ def test_a_calibration_that_takes_the_mass_for_a_guess_sees_a_lighter_body(load:
     """Its interval holds the true mass, and of a robot as its file says nothing is taken over: 95 % of the time."""
     log = with_channels(logged(NonlinearBody(loaded(ROBOT, load))), ("sensor/enc", GYRO, "command/"))
     wide = dataclasses.replace(trial_setup(), robots=draw(ROBOT, 100, 0))
-    found = weighed(log, wide)
-    assert (found is not None) is seen
-    if found:
-        assert found[1].low < load * ROBOT.body_mass < found[1].high < ROBOT.body_mass
+    masses = [mass for _, mass in weighed(log, wide)]
+    assert len(masses) == seen
+    for mass in masses:
+        assert mass.low < load * ROBOT.body_mass < mass.high < ROBOT.body_mass
 
 
 def test_no_mass_is_asked_of_a_linear_filter_where_the_file_states_dry_friction() -> None:

@@ -57,8 +57,9 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
             own, taken = other, (*taken, doubt[1])
     if own.refused and taken:
         own, taken = _own(log, setup, progress), ()
-    if not own.refused and MASS not in {s.name for s in taken} and (found := weighed(log, met)):
-        own, taken = found[0], (*taken, found[1])
+    if not own.refused and MASS not in {s.name for s in taken}:
+        for calibration, mass in weighed(log, met):
+            own, taken = calibration, (*taken, mass)
     if own.refused:
         raise InvalidLog(
             f"the log does not describe {setup.robot.name}: {own.refused[0]}",
@@ -67,19 +68,25 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
     return learnt(own, setup.kit), taken
 
 
-def weighed(log: Log, setup: TrialSetup) -> tuple[Calibration, Support] | None:
-    """The calibration that takes the body's mass for a guess, and that mass, where it is not within what was assumed.
+def weighed(log: Log, setup: TrialSetup) -> list[tuple[Calibration, Support]]:
+    """The calibration that takes the body's mass for a guess, and that mass, where it is not within what was assumed;
+    nothing where it is.
 
     It weighs every other number within its spread. The filter of a certificate does not, and takes dry friction for
     mass. Innovations far from white may be of another cause, but those of a robot with dry friction always are.
     """
     robot, kit = setup.actual_robot, setup.actual_kit
     guess = robot.replace(provenance={name: s for name, s in robot.provenance.items() if name not in LOADED})
-    found = calibrate(unpushed(log, robot, kit), guess, kit)
-    e = found["body_mass"]
+    own = calibrate(unpushed(log, robot, kit), guess, kit)
+    e = own["body_mass"]
     mass = replace(body_mass(setup, e.value, 0.0), low=e.low, high=e.high)
-    white = setup.dry_friction or found.temper > WHITE
-    return (found, mass) if white and not found.refused and is_beyond(mass) else None
+    white = setup.dry_friction or own.temper > WHITE
+    return [(own, mass)] if white and not own.refused and is_beyond(mass) else []
+
+
+def outside_mass(log: Log, setup: TrialSetup) -> tuple[Support, ...]:
+    """That mass alone, beside a posterior that is not of this log."""
+    return tuple(mass for _, mass in weighed(log, setup))
 
 
 def _own(log: Log, setup: TrialSetup, progress: Progress | None) -> Calibration:

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from upright.atomic import finite, write_json
 from upright.certify.actual import as_logged
 from upright.certify.agreement import RED, Agreement, agreement
-from upright.certify.calibrated import calibrated, weighed
+from upright.certify.calibrated import calibrated, outside_mass
 from upright.certify.checks import (
     PushTrial,
     RunCounter,
@@ -226,36 +226,29 @@ def certify(
     `posterior` is an `Uncertainty`, or a file by `upright calibrate --save`; its medians are then the nominal robot. By
     default robots are drawn from the spreads in the robot's file. `log` is a recording of this robot, read through
     `mapping`. Without a `posterior` the robot is first calibrated from it. What it contradicts of the assumptions is
-    tried as the log shows it, with the pushes that were asked for. `sweeps` adds further dead times and other periods,
-    on which the light does not depend. Controller, robot and kit may be names or files. A controller that no law
-    describes, such as one of your own, is called for each robot: 1000 samples take minutes. `progress` receives the
-    fraction done. Raises `SpecMismatch` for a controller that does not fit, `InvalidScenario` for too few samples,
-    `InvalidLog` for a log that cannot be compared.
+    tried as the log shows it. `sweeps` adds further dead times and other periods, on which the light does not depend.
+    Controller, robot and kit may be names or files. A controller of your own is called for each robot: 1000 samples
+    take minutes. `progress` receives the fraction done. Raises `SpecMismatch` for a controller that does not fit,
+    `InvalidScenario` for too few samples, `InvalidLog` for a log that cannot be compared.
     """
     given = find_robot(robot)
     nominal, unknown = at_medians(given, posterior)
     parts, recording = find_kit(kit or nominal.kit), None if log is None else as_sent(raw_log(log, mapping))
     rubs = nominal.coulomb_friction > 0
     subject = {"robot": robot_facts(given), "kit": kit_facts(parts)}
-    own, wrong, contradicted = None, tuple[Support, ...](), tuple[Support, ...]()
+    wrong, contradicted = tuple[Support, ...](), tuple[Support, ...]()
     if recording and unknown is None and robots is None:
-        assumed = find_controller(controller, nominal, parts, parts.period)
-        as_filed = draw(nominal, FEWEST, seed)
-        filed = TrialSetup(
-            kernel_controller(assumed, nominal, parts), nominal, as_filed, parts, seed, dry_friction=rubs
-        )
+        assumed = kernel_controller(find_controller(controller, nominal, parts, parts.period), nominal, parts)
+        filed = TrialSetup(assumed, nominal, draw(nominal, FEWEST, seed), parts, seed, dry_friction=rubs)
         own, wrong = calibrated(recording, filed, progress)
         nominal, parts, unknown, contradicted = own.robot, own.kit, own.uncertainty, own.contradicted
     design = find_controller(controller, nominal, parts, parts.period)
     family = draw(nominal, samples, seed, unknown) if robots is None else list(robots)
     _check_family(family, nominal)
-    setup = TrialSetup(
-        kernel_controller(design, nominal, parts), nominal, family, parts, seed, threads, dry_friction=rubs
-    )
+    driven = kernel_controller(design, nominal, parts)
+    setup = TrialSetup(driven, nominal, family, parts, seed, threads, dry_friction=rubs)
     setup, shown, taken = as_logged(recording, setup) if recording else (setup, (), ())
-    if recording and rubs and not own:
-        found = weighed(recording, setup)
-        contradicted = (found[1],) if found else ()
+    contradicted = outside_mass(recording, setup) if recording and rubs and posterior is not None else contradicted
     taken = (*taken, *(s for s in wrong if s.name not in {t.name for t in taken}))
     setup = replace(setup, progress=RunCounter(setup.runs, progress)) if progress else setup
     runs, fallen, beyond = trials(setup)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import KW_ONLY, dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -67,6 +67,7 @@ class Support:
     high: float
     least: float
     most: float
+    _: KW_ONLY
     stated: tuple[float, float] | None = None
 
     @property
@@ -95,7 +96,7 @@ class Support:
             e.prior + side * wide if linear else e.prior * math.exp(side * wide / e.prior) for side in (-1, 1)
         )
         name, stated = e.name.replace("_", " "), (e.prior, e.prior_spread)
-        return cls(name, e.unit, e.value, e.low, e.high, least, most, stated)
+        return cls(name, e.unit, e.value, e.low, e.high, least, most, stated=stated)
 
     def __str__(self) -> str:
         scale, unit = SHOWN.get(self.unit, (1.0, self.unit))
