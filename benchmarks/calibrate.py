@@ -26,12 +26,13 @@ import numpy as np
 
 from upright.bodies import Electronics
 from upright.bodies.twin import Twin
-from upright.calibrate.calibrate import annealed, calibrate, prepared, refined
+from upright.calibrate.calibrate import annealed, calibrate, prepared
 from upright.calibrate.calibration import VISIBLE
 from upright.calibrate.effects import FRACTIONS
 from upright.calibrate.fitting import Problem, events_of
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.parameters import ROLLING
+from upright.calibrate.refined import refined
 from upright.calibrate.summary import rolling_pole
 from upright.control import Estimated, kalman, lqr, make_controller
 from upright.control.excited import Excited, random_binary

@@ -9,11 +9,13 @@ import pytest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.calibrate.apart import apart
-from upright.calibrate.calibrate import FREEDOM, prepared, process
+from upright.calibrate.calibrate import prepared
 from upright.calibrate.effects import FRACTIONS, RUN, effects_of, maps_of, of_robot, respread, run_spreads, spread_of
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.own_run import spread_here
 from upright.calibrate.parameters import Parameter, parameters_of
+from upright.calibrate.process_noise import process
+from upright.calibrate.refined import FREEDOM
 from upright.control import Estimated, kalman, lqr
 from upright.control.excited import Excited, random_binary
 from upright.experiment import run

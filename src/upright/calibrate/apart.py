@@ -2,7 +2,8 @@
 
 Each run is fitted alone, from the optimum of all at its noise. Where a number of the robot, or a coefficient of its
 motion, then differs by more than chance, a run is not one of the same robot, or something in it is not in the
-equations. What belongs to a run (`effects`) is no such number.
+equations. What belongs to a run (`effects`) is no such number. Where one factor on a run's commands says most of what
+fits apart would, that is named in place of the numbers that it bends.
 """
 
 from __future__ import annotations
@@ -18,11 +19,13 @@ from numpy.typing import NDArray
 from scipy.special import ndtri
 
 from upright.calibrate.calibration import NORMAL
-from upright.calibrate.effects import RUN, run_spreads
+from upright.calibrate.effects import RUN, effects_of, run_spreads
+from upright.calibrate.electronics import BATTERY
 from upright.calibrate.fitting import Normal, Path, Problem
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.informativity import posterior
 from upright.calibrate.summary import HALVED, combined_numbers
+from upright.robots.uncertainty import GUESS
 
 Array = NDArray[np.float64]
 
@@ -31,6 +34,10 @@ COEFFICIENTS = ("a11", "a12", "a22", "weight_moment", "a22/a11", "weight_moment/
 CHANCE = 0.05  # probability that runs of one robot are said to differ, over all numbers and runs
 ITERATIONS = 10  # of Gauss–Newton, from the optimum of all runs
 MOST_NAMED = 2  # numbers in a sentence
+LEAST_GAIN = -math.log(CHANCE)  # [nats] by which a factor on a run's commands must be likelier than none
+MOST_OF_IT = 0.5  # [1] of what fits apart gain: the least that such a factor must gain
+WINDING, OTHER_WINDING = "motor_resistance", 4.0  # [1] standard deviations between runs: a copper wire 25 K warmer
+FACTORS = (-0.5, 0.0, 0.5)  # logarithms at which the search for it starts
 
 
 class _Number(NamedTuple):
@@ -74,10 +81,15 @@ def apart(problem: Problem, z: Array, sources: Sequence[str]) -> tuple[str, ...]
     gaps = [gap for one, other in combinations(runs, 2) for gap in _gaps(one, other, alone[one], alone[other])]
     limit = -float(ndtri(CHANCE / 2 / max(len(gaps), 1)))
     if not gaps or max(gaps).deviations <= limit:
-        return ()
+        acts = [factor for run in _other_windings(problem, z) if (factor := _acts(problem, z, run))]
+        return (_named(max(acts), sources),) if acts else ()
     furthest, left = max(gaps), {run: [g.deviations for g in gaps if run not in (g.run, g.other)] for run in runs}
     odd = min(runs, key=lambda run: max(left[run], default=0.0))
-    if len(runs) == 2 or max(left[odd], default=0.0) > limit:
+    limited = len(runs) > 2 and max(left[odd], default=0.0) <= limit
+    acts = [factor for run in ([odd] if limited else runs) if (factor := _acts(problem, z, run))]
+    if acts:
+        return (_named(max(acts), sources),)
+    if not limited:
         one, other = (f"log {run + 1}, {sources[run]}," for run in (furthest.run, furthest.other))
         words = _words([g for g in gaps if (g.run, g.other) == (furthest.run, furthest.other)], limit)
         return (f"Runs differ, most of all {one} and {other} in {words}. Nothing tells which of them has changed.",)
@@ -85,6 +97,64 @@ def apart(problem: Problem, z: Array, sources: Sequence[str]) -> tuple[str, ...]
     which = f"Log {odd + 1}, {sources[odd]},"
     words = _words(_gaps(odd, odd, alone[odd], rest), limit)
     return (f"{which} differs from the other runs: {words}. Look for what changed, or leave it out.",)
+
+
+def _other_windings(problem: Problem, z: Array) -> list[int]:
+    """Runs whose winding is off by more than any temperature makes it: a factor on their commands would look so."""
+    stated = {p.name: p.spread for p in effects_of(problem.asked, len(problem.recordings))}
+    return [
+        run
+        for run in range(len(problem.recordings))
+        for p, at in zip(problem.parameters, z, strict=True)
+        if p.name == f"{RUN}{run}/{WINDING}" and abs(at) * p.spread > OTHER_WINDING * stated[p.name]
+    ]
+
+
+class _Factor(NamedTuple):
+    """By how many nats a factor on the commands of a run is likelier than none, and the factor against the others'."""
+
+    gained: float
+    run: int
+    value: float
+    low: float
+    high: float
+
+
+def _acts(problem: Problem, z: Array, run: int) -> _Factor | None:
+    """The factor on the commands of `run`; None where it does not say most of what a fit of this run apart would."""
+    names = [p.name for p in problem.parameters]
+    own = f"{RUN}{run}/{BATTERY}"
+    if own not in names:
+        return None
+    i, battery = names.index(own), problem.parameters[names.index(BATTERY)]
+    p, unit = problem.parameters[i], battery.rate  # what a deviation of one is, in the factor's logarithm
+    free = replace(
+        problem, parameters=tuple(replace(q, spread=GUESS / unit) if q is p else q for q in problem.parameters)
+    )
+    none = gauss_newton(problem, z, iterations=ITERATIONS)
+    starts = [np.where(np.arange(len(z)) == i, size / GUESS, none.z) for size in FACTORS]
+    best = min((gauss_newton(free, at, iterations=ITERATIONS) for at in starts), key=lambda m: m.normal.objective)
+    joint = none.normal.objective
+    gained = joint - best.normal.objective - math.log(GUESS / unit / p.spread)
+    others = [other for other in range(len(problem.recordings)) if other != run]
+    separate = joint - sum(_fitted(problem, z, part)[2].objective for part in ([run], others))
+    if gained < max(LEAST_GAIN, MOST_OF_IT * separate):
+        return None
+    slope = np.zeros(len(z))
+    for other in range(len(problem.recordings)):
+        q = free.parameters[j := names.index(f"{RUN}{other}/{BATTERY}")]
+        slope[j] = q.spread * unit * (1.0 if other == run else -1.0 / len(others))
+    spread = math.sqrt(slope @ posterior(free, best.z, best.normal, best.paths) @ slope)
+    value, low, high = (math.exp(slope @ best.z + side * spread) for side in (0.0, -NORMAL, NORMAL))
+    return _Factor(gained, run, value, low, high) if low > 1 or high < 1 else None
+
+
+def _named(acts: _Factor, sources: Sequence[str]) -> str:
+    which, others = f"log {acts.run + 1}, {sources[acts.run]},", "other" if len(sources) == 2 else "others"
+    return (
+        f"The commands of {which} act {acts.value:.3g} times ({acts.low:.3g} to {acts.high:.3g}) as strongly as those "
+        f"of the {others} ({acts.gained:.0f} nats): look for a gain, a supply or a duty that differed."
+    )
 
 
 def _gaps(run: int, other: int, own: Sequence[_Number], others: Sequence[_Number]) -> list[_Gap]:

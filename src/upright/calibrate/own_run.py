@@ -8,19 +8,23 @@ run may have into what the equations leave out, such as a winding colder by a hu
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from upright.calibrate.calibrate import segmented
+from upright.calibrate.calibrate import prepared
 from upright.calibrate.calibration import Segments
 from upright.calibrate.effects import FRACTIONS, run_spreads
 from upright.calibrate.fitting import Problem
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.informativity import effective_fraction
 from upright.calibrate.parameters import Parameter
+from upright.calibrate.refined import Fitted, segmented
+from upright.calibrate.stated_gain import as_meant, stated_gains
 from upright.calibrate.validate import score, segments
+from upright.robots import Kit, Robot
+from upright.signals import Log
 
 ITERATIONS = 15  # of Gauss–Newton, at most
 
@@ -44,20 +48,49 @@ def spread_here(p: Parameter, between: float) -> float:
 def of_this_run(problem: Problem, limits: Mapping[str, float]) -> tuple[Segments, tuple[RunEffect, ...]] | None:
     """Half seconds of the one recording of `problem` with the numbers of its own run, and these; None where they
     predict no better than those that are known. `limits` are the variances of the sensors by their kit."""
-    spreads = run_spreads(problem.asked)
-    own = tuple(replace(p, spread=spread_here(p, spreads.get(p.name, 1.0))) for p in problem.parameters)
-    free = replace(problem, parameters=own, held=frozenset(p.name for p in own if p.name not in spreads))
-    known, recording = np.zeros(len(own)), problem.recordings[0]
-    fit = segmented(free, limits, known)
+    free, known = _free(problem), np.zeros(len(problem.parameters))
+    fit = _own_fit(free, limits)
     if not np.isfinite(fit.normal.objective):
         return None
-    tempered = replace(fit.problem, temper=effective_fraction(fit.problem, fit.normal, fit.paths))
-    z = gauss_newton(tempered, fit.z, iterations=ITERATIONS).z
+    tempered, z, recording = fit.problem, fit.z, problem.recordings[0]
     if score(tempered, z) <= score(free, known):
         return None
     effects = tuple(
         RunEffect(name=p.name, unit=p.unit, known=p.prior, here=float(p.value(at)))
-        for p, at in zip(own, z, strict=True)
-        if p.name in spreads
+        for p, at in zip(free.parameters, z, strict=True)
+        if p.name not in free.held
     )
     return segments(tempered, recording, z), effects
+
+
+def _free(problem: Problem) -> Problem:
+    """The problem in which only what belongs to the run moves."""
+    spreads = run_spreads(problem.asked)
+    own = tuple(replace(p, spread=spread_here(p, spreads.get(p.name, 1.0))) for p in problem.parameters)
+    return replace(problem, parameters=own, held=frozenset(p.name for p in own if p.name not in spreads))
+
+
+def _own_fit(free: Problem, limits: Mapping[str, float]) -> Fitted:
+    fit = segmented(free, limits, np.zeros(len(free.parameters)))
+    if not np.isfinite(fit.normal.objective):
+        return fit
+    tempered = replace(fit.problem, temper=effective_fraction(fit.problem, fit.normal, fit.paths))
+    least = gauss_newton(tempered, fit.z, iterations=ITERATIONS)
+    return Fitted(tempered, least.z, least.normal, least.paths)
+
+
+def as_driven(log: Log, robot: Robot, kit: Kit) -> tuple[Log, str]:
+    """`log` with the commands that drove the motors, where its file states a gain and a robot that is known tells on
+    which side of it they were logged, and that in words; the log as it is, and "", where none is stated."""
+
+    def fitted(logs: Sequence[Log]) -> Fitted:
+        problem, limits = prepared(logs, robot, kit, (), 0.0)
+        return _own_fit(_free(problem), limits)
+
+    if not stated_gains(log):
+        return log, ""
+    fit = fitted([log])
+    if not np.isfinite(fit.normal.objective):
+        return log, ""
+    _, (driven,), words = as_meant(fit, [log], kit, fitted)
+    return driven, " ".join(words)

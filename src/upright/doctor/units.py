@@ -102,10 +102,11 @@ def expected(robot: Robot | None) -> dict[str, tuple[float, float]]:
 
 
 def scales(record: Record, robot: Robot | None = None) -> list[Finding]:
-    """Scales of gyro and encoders, against each other and against possible robots."""
+    """Scales of gyro and encoders, against each other and against possible robots; without a gyro that works nothing
+    says what whole numbers of an encoder are."""
     m = motion(record)
     if m is None or m.gyro is None or m.gyro_name != GYRO:
-        return []
+        return _whole(record, "no gyro tells which")
     fit = m.law
     if fit.r2 < TRUSTED or min(fit.values, default=0.0) <= 0:
         return _of_no_unit(record, m.good, m.gyro)
@@ -156,16 +157,21 @@ _FASTEST = 35.0  # [rad/s] 2000 degrees per second, the largest range of the chi
 def _of_no_unit(record: Record, on: Mask, gyro: Array) -> list[Finding]:
     """Channels that are not in radians, where no motion tells in what: whole numbers of an encoder, and a gyro whose
     mean or largest reading no gyro in rad/s has."""
-    findings: list[Finding] = []
-    for name in (name for name in (LEFT, RIGHT) if counted(record[name]) and np.ptp(record[name]) > 2 * math.tau):
-        evidence = "whole numbers, so degrees or counts: this motion does not tell which"
-        findings.append(error("units/counts", name, evidence, "state unit and scale in a mapping"))
+    findings = _whole(record, "this motion does not tell which")
     mean, most = float(gyro[on].mean()), float(np.abs(gyro).max())
     if abs(mean) > LARGEST_OFFSET or most > _FASTEST:
         shown = f"its mean is {mean:.3g}" if abs(mean) > LARGEST_OFFSET else f"it reaches {most:.3g}"
         evidence = f"{shown}, as no gyro in rad/s: another unit, and this motion does not tell which"
         findings.append(error("units/counts", GYRO, evidence, "state unit and scale in a mapping: deg/s, …"))
     return findings
+
+
+def _whole(record: Record, why: str) -> list[Finding]:
+    """Encoders in whole numbers that go over more than two turns of radians."""
+    whole = [name for name in (LEFT, RIGHT) if name in record and counted(record[name])]
+    names = [name for name in whole if np.nanmax(record[name]) - np.nanmin(record[name]) > 2 * math.tau]
+    evidence, repair = f"whole numbers, so degrees or counts: {why}", "state unit and scale in a mapping"
+    return [error("units/counts", name, evidence, repair) for name in names]
 
 
 def _estimated(record: Record, m: Resampled, values: tuple[float, ...]) -> dict[str, float]:
@@ -201,12 +207,9 @@ def _gyro_by_gravity(record: Record, m: Resampled) -> float:
 
 
 def _penalty(
-    estimated: dict[str, float],
-    usual: dict[str, tuple[float, float]],
-    gravity: float,
-    units: Sequence[CommandUnit],
+    estimated: dict[str, float], usual: dict[str, tuple[float, float]], gravity: float, units: Sequence[CommandUnit],
     s: _Suspect,
-) -> float:
+) -> float:  # fmt: skip
     """Negative log prior density of the robot that results from correcting the suspect's scale, its commands in the
     likeliest of their `units`."""
     gyro, wheel = s.gyro, s.encoder
@@ -229,8 +232,7 @@ def _penalty(
 
 
 def _fine(estimated: dict[str, float], s: _Suspect) -> bool:
-    """Whether the sensors resolve enough: no robot balances on twenty counts per turn, nor on steps of 30 degrees per
-    second."""
+    """Whether the sensors resolve enough: no robot balances on twenty counts per turn, nor on steps of 30 °/s."""
     return estimated["grain"] / s.encoder < 0.3 and estimated["gyro_grain"] / s.gyro < 0.5  # [rad] and [rad/s]
 
 

@@ -14,10 +14,12 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.calibrate.calibrate import FREEDOM, prepared, process
+from upright.calibrate.calibrate import prepared
 from upright.calibrate.electronics import CONSTANT
 from upright.calibrate.fitting import STICKING, Problem, normal_equations, objective
 from upright.calibrate.informativity import too_quiet
+from upright.calibrate.process_noise import process
+from upright.calibrate.refined import FREEDOM
 from upright.robots import Kit, Robot
 from upright.signals import Log
 

@@ -28,7 +28,7 @@ from upright.logs.names import (
     recognised,
     unit_by_name,
 )
-from upright.logs.readers import DECIMATION, RawTable
+from upright.logs.readers import DECIMATION, GAINS, RawTable
 from upright.logs.units import UNITS
 from upright.reading import check_types, parse_toml, read_text, understood
 from upright.signals import Log
@@ -211,7 +211,8 @@ def apply(mapping: Mapping, table: RawTable) -> Log:
     """
     t, channels, units = channels_of(mapping, table)
     left_out = {DECIMATION: table.decimation[0]} if table.decimation[0] > 1 else {}
-    log = Log(t, channels, units, {"file": table.source, "mapping": mapping.name, **left_out, **table.origin})
+    stated = left_out | ({GAINS: table.gains} if table.gains else {})
+    log = Log(t, channels, units, {"file": table.source, "mapping": mapping.name, **stated, **table.origin})
     delays = {name: source.delay for name, source in mapping.channels.items() if source.delay}
     return undelayed(log, delays) if delays else log
 

@@ -26,6 +26,11 @@ Array = NDArray[np.float64]
 _NOTE = "# upright-log: "
 DECIMATION = "one_in"
 """In a log's origin: of how many rows its file has one, where the file says that others were left out."""
+GAINS = "stated_gains"
+"""In a log's origin: the gains that the lines before its header state, by their words."""
+_GAIN = re.compile(r"\b(?:gain|k)(?:\s*[=:]\s*|\s+(?:of\s+)?)(\d{1,2}(?:\.\d+)?)(?![\w.])", re.IGNORECASE)
+MOST_GAINS = 3  # that a file may state: where it lists more, they are those of a controller
+LARGEST_GAIN = 10.0  # [1] either way, of commands
 _DECIMATED = re.compile(r"\bdecim(?:at\w*)?\s*[=:]\s*(\d{1,4})\b", re.IGNORECASE)
 
 MAT_READER = [sys.executable, "-m", "upright.logs.mat_process"]
@@ -59,6 +64,16 @@ class RawTable:
         """One row in how many was logged, as the file says, with its words: (2, "decim=2"); (1, "") without any."""
         words = [match for line in self.comments if (match := _DECIMATED.search(line)) and int(match[1]) > 1]
         return (int(words[0][1]), words[0][0]) if words else (1, "")
+
+    @property
+    def gains(self) -> dict[str, float]:
+        """The gains other than one that the file states, by its words: {"gain=1.50": 1.5}; a list of many is that of a
+        controller, and none."""
+        stated = {
+            m[0]: float(m[1]) for line in self.comments if _NOTE.strip() not in line for m in _GAIN.finditer(line)
+        }
+        usable = {w: g for w, g in stated.items() if g != 1 and 1 / LARGEST_GAIN <= g <= LARGEST_GAIN}
+        return usable if len(usable) <= MOST_GAINS else {}
 
     def column(self, name: str) -> Array:
         """One column; raises `InvalidLog` for one that is missing or holds text."""

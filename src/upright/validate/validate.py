@@ -18,13 +18,14 @@ from pathlib import Path
 import numpy as np
 
 from upright.arrays import Array
-from upright.calibrate.calibrate import SEGMENT, SEGMENT_NOISE, prepared
+from upright.calibrate.calibrate import prepared
 from upright.calibrate.calibration import GOOD, PREDICTED, Segments
 from upright.calibrate.fitting import EQUATION, Problem, normal_equations, objective
 from upright.calibrate.informativity import effective_fraction
 from upright.calibrate.noise import learn_noise
-from upright.calibrate.own_run import of_this_run
+from upright.calibrate.own_run import as_driven, of_this_run
 from upright.calibrate.process_noise import process
+from upright.calibrate.refined import SEGMENT, SEGMENT_NOISE
 from upright.calibrate.validate import segments
 from upright.control import Controller, read_controller
 from upright.doctor.doctor import contradictions
@@ -89,12 +90,13 @@ def validate(
 
 def _judged(log: Log, robot: Robot, kit: Kit, controller: Controller | None) -> LogJudged:
     log, left = on_its_wheels(log)
+    log, meant = as_driven(log, robot, kit)
     problem, limits = prepared([log], robot, kit, (), 0.0)
     recording, z = problem.recordings[0], np.zeros(len(problem.parameters))
     parts, pushed = unpushed(segments(problem, recording, z), log)
     law, words = _law(log, recording.rows, controller)
     loop: FreeLoop | None = closed_loop(problem, recording, z, log, kit, law) if law else None
-    notes = [*([left] if left else []), *map(sentence, contradictions(log, robot)), *([pushed] if pushed else [])]
+    notes = [*filter(None, (left, meant)), *map(sentence, contradictions(log, robot)), *([pushed] if pushed else [])]
     dead = tuple(n for n in log.channels if n in SENSOR and n not in recording.rows and _never_changes(log[n]))
     notes += [f"The {short(name)} never changes, and is not judged: look at its plug and its port." for name in dead]
     half_seconds = channels_of(parts)

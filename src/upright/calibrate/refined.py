@@ -1,0 +1,218 @@
+"""From a start to parameters and noise of greatest likelihood, and where the innovations show that the model leaves
+something out, to those whose free simulation follows the log best."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.calibrate.effects import respread
+from upright.calibrate.fitting import STICKING, Normal, Path, Problem, normal_equations, objective
+from upright.calibrate.gauss_newton import gauss_newton
+from upright.calibrate.noise import Bounds, learn_noise
+from upright.calibrate.parameters import ROLLING, most_friction
+from upright.calibrate.process_noise import NOISE_TIME, process
+from upright.logs.recording import SENSOR
+from upright.physics.dynamics import motor_gain
+
+Array = NDArray[np.float64]
+
+
+class Fitted(NamedTuple):
+    """A problem, its parameters of greatest posterior z (parameters,), and the derivatives and filters there."""
+
+    problem: Problem
+    z: Array
+    normal: Normal
+    paths: Sequence[Path]
+
+
+FREEDOM = 0.015
+"""[1] Most process noise that is learnt, as a fraction of the commands and of the robot's weight."""
+
+SEGMENT = 0.5
+"""[s] Where innovations are not white, the filter forgets the state after each such time, and the fit is of what free
+simulations over it leave: a model that leaves something out then still is the one that predicts best."""
+SEGMENT_NOISE = 0.003  # [1] process noise within a segment, as a fraction of the commands: nearly none
+MISSING = 0.3  # [1] of a reading's change over a segment: its first deviation there
+LEVEL = 0.1  # [1] of what the best fit leaves: fits that leave so little more predict equally well
+SPREADS = 3  # turns in which parameters and the spreads between runs are fitted
+SETTLED = 0.05  # [1] deviations of the prior by which no parameter moves any more
+
+GYRO_DELAY_TRIALS = (-0.5, 0.5, 1.0)
+"""[periods] added to the gyro's delay where the best fit is fitted again: delays have optima a period apart.
+A fit from there must be likelier at the same noise, and predict half seconds better: either alone may be chance."""
+
+LEAST_WEIGHT = 0.1  # [1] weight of the readings below which the prior may outweigh them
+WORST_LOSS = 0.02  # [1] most R² of free simulation that the prior may then cost
+WEIGHT_TOLERANCE = 0.02  # [1] relative change of the readings' weight that asks for no other fit
+NOISE_TOLERANCE = 0.05  # [1] change of a variance's logarithm that asks for no other fit: a noise known to 2.5 %
+WHITE = 0.15  # [1] autocorrelation of innovations below which the model is taken for right: 3 deviations of 400 samples
+
+MOST_SENSOR = 1e6  # [1] most variance that is learnt of a sensor, over the one its kit has
+NOISE_RANGE = 1e-6  # [1] least process noise that is learnt, over the most
+
+
+def with_process(problem: Problem, fraction: float) -> Problem:
+    return replace(problem, noise={**problem.noise, **process(problem.recordings, problem.robot, fraction)})
+
+
+def sensor_bounds(limits: Mapping[str, float]) -> dict[str, tuple[float, float]]:
+    """Between which variances a sensor's noise is learnt, of those that its kit has."""
+    return {name: (variance / 4, variance * MOST_SENSOR) for name, variance in limits.items()}
+
+
+def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
+    """Parameters and noise of greatest likelihood; where the innovations show that the model is not right, those whose
+    free simulation follows the log best, and readings weighted by their effective sample size."""
+    from upright.calibrate.validate import worst_correlation
+
+    calm = with_process(problem, FREEDOM / 10)
+    start = calm if np.isfinite(objective(calm, z)[0]) else problem
+    rough = _settled(start, z, _bounds(problem, limits, FREEDOM))
+    best = _polished(rough, _bounds(problem, limits, FREEDOM))
+    if worst_correlation(*best) < WHITE:
+        return _tempered(*_between_runs(best))
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        others = pool.submit(_without_first, problem, limits)
+        fits = [rough, *pool.map(partial(segmented, problem, limits), (np.zeros_like(z), z, rough.z)), *others.result()]
+        best, level = _best_simulated(fits, [*pool.map(_simulated, fits)], LEVEL)
+        moved = pool.map(partial(_with_gyro_delay, best.problem, best.z), GYRO_DELAY_TRIALS)
+        tries = [fit for fit in moved if fit.normal.objective < best.normal.objective]
+        best, _ = _best_simulated([best, *tries], [level, *pool.map(_simulated, tries)])
+        several = [best, *fits] if len(problem.recordings) > 1 else [best]  # weighted, each may go elsewhere
+        last = [_tempered(*fit) for fit in pool.map(_between_runs, several)]
+        return _best_simulated(last, [*pool.map(_simulated, last)], LEVEL)[0]
+
+
+def _between_runs(fit: Fitted) -> Fitted:
+    """The same fit with the spreads between runs that it shows; of one run none can."""
+    for _ in range(SPREADS if len(fit.problem.recordings) > 1 else 0):
+        covariance = np.linalg.inv(fit.normal.hessian).astype(np.float64)
+        parameters, z = respread(fit.problem.parameters, fit.z, covariance)
+        fit = _fitted(replace(fit.problem, parameters=parameters), z, iterations=5)
+    return fit
+
+
+def segmented(problem: Problem, limits: Mapping[str, float], z: Array) -> Fitted:
+    """From z, the fit of what free simulations of half a second leave."""
+    problem = with_process(replace(problem, restart=SEGMENT), SEGMENT_NOISE)
+    bounds = sensor_bounds(limits)
+    first = {name: math.log(min(max(_changes(problem, name), low), high)) for name, (low, high) in bounds.items()}
+    problem = replace(problem, noise={**problem.noise, **first})
+    for _ in range(6):
+        problem = learn_noise(problem, z, bounds, iterations=5)
+        fit, before = _fitted(problem, z, iterations=5), z
+        z = fit.z
+        if np.abs(z - before).max() < SETTLED:
+            return fit
+    return _fitted(problem, z, iterations=10)
+
+
+def _without_first(problem: Problem, limits: Mapping[str, float]) -> list[Fitted]:
+    """From a fit without rolling friction, where that is asked: with it a bad optimum may be nearer to the prior."""
+    without, zero = replace(problem, held=problem.held | {ROLLING}), np.zeros(len(problem.parameters))
+    asked = ROLLING in {p.name for p in problem.parameters} - problem.held
+    return [segmented(problem, limits, segmented(without, limits, zero).z)] if asked else []
+
+
+def _changes(problem: Problem, sensor: str) -> float:
+    """Variance of a sensor's readings that a model which follows them roughly leaves over a segment."""
+    changes: list[float] = []
+    for r in problem.recordings:
+        lag = max(1, round(SEGMENT / r.period))
+        for row, name in enumerate(r.rows):
+            y = r.value[r.kind == row]
+            if SENSOR[name] == sensor and len(y) > lag:
+                changes.append(float(np.mean((y[lag:] - y[:-lag]) ** 2)) / 2)
+    return MISSING**2 * max(changes, default=0.0)
+
+
+def _fitted(problem: Problem, z: Array, *, iterations: int) -> Fitted:
+    """Gauss–Newton from z."""
+    result = gauss_newton(problem, z, iterations=iterations)
+    return Fitted(problem, result.z, result.normal, result.paths)
+
+
+def _simulated(fit: Fitted) -> float:
+    """How well the robot of a fit follows the log when it is simulated freely."""
+    from upright.calibrate.validate import score
+
+    return score(fit.problem, fit.z) if np.isfinite(fit.normal.objective) else -np.inf
+
+
+def _best_simulated(fits: Sequence[Fitted], scores: Sequence[float], level: float = 0.0) -> tuple[Fitted, float]:
+    """The fit with the best of these `scores`, and its score; of fits that leave more than it by a fraction of at most
+    `level`, the one whose numbers the prior takes for likeliest."""
+    least = max(scores) - level * (1 - max(scores)) if np.isfinite(max(scores)) else -np.inf
+    good = [(fit, value) for fit, value in zip(fits, scores, strict=True) if value >= least]
+    return min(good, key=lambda one: float(one[0].z @ one[0].z))
+
+
+def _with_gyro_delay(problem: Problem, z: Array, periods: float) -> Fitted:
+    """The fit from z with so many periods added to the gyro's delay."""
+    for i, p in enumerate(problem.parameters):
+        if p.name == "delay/gyro":
+            z = z.copy()
+            z[i] = max(p.coordinate(float(p.value(z[i])) + periods * problem.recordings[0].period), p.least)
+    return _fitted(problem, z, iterations=10)
+
+
+def _bounds(problem: Problem, limits: Mapping[str, float], fraction: float) -> Bounds:
+    top, dry = process(problem.recordings, problem.robot, fraction), most_friction(problem.robot)
+    top[STICKING] = max(top[STICKING], math.log((dry / motor_gain(problem.robot)) ** 2 * NOISE_TIME + 1e-30))
+    free = {
+        name: (math.exp(value) * NOISE_RANGE, math.exp(value)) for name, value in top.items() if name != "gyro_bias"
+    }
+    return {**sensor_bounds(limits), **free}
+
+
+def _settled(problem: Problem, z: Array, bounds: Bounds) -> Fitted:
+    """Parameters and noise in turn, until the noise of the sensors stays. Parameters first: noise that is learnt at
+    wrong ones explains what they leave, and then hides from the next fit that they are wrong."""
+    inside = {n: float(np.clip(problem.noise[n], np.log(low), np.log(high))) for n, (low, high) in bounds.items()}
+    within = replace(problem, noise={**problem.noise, **inside})
+    problem = within if np.isfinite(objective(within, z)[0]) else problem
+    for turn in range(6):
+        _, z, normal, paths = _fitted(problem, z, iterations=5)
+        before, problem = problem, learn_noise(problem, z, bounds, iterations=3 if turn else 5)
+        changed = {n: abs(problem.noise[n] - before.noise[n]) for n in bounds}
+        if max(changed.values()) < NOISE_TOLERANCE:
+            return Fitted(before, z, normal, paths)
+    return _fitted(problem, z, iterations=8)
+
+
+def _polished(fit: Fitted, bounds: Bounds) -> Fitted:
+    """The same in fine steps, where these are finer."""
+    fine = replace(fit.problem, fine=True)
+    if fine.longest == fit.problem.longest:
+        return fit
+    problem = learn_noise(fine, fit.z, bounds, iterations=2)
+    return _fitted(problem, fit.z, iterations=10)
+
+
+def _tempered(problem: Problem, z: Array, normal: Normal, paths: Sequence[Path]) -> Fitted:
+    """The same fit in fine steps, with readings weighted by their effective sample size against the prior. Where the
+    prior would then draw the fit away from what predicts the log, the fit stays and only its intervals widen."""
+    from upright.calibrate.informativity import effective_fraction
+    from upright.calibrate.validate import score
+
+    longest, problem, first = problem.longest, replace(problem, fine=True), z
+    for _ in range(2):
+        fraction = effective_fraction(problem, normal, paths)
+        if abs(fraction / problem.temper - 1) < WEIGHT_TOLERANCE and problem.longest == longest:
+            break
+        problem, longest = replace(problem, temper=fraction), problem.longest
+        _, z, normal, paths = _fitted(problem, z, iterations=10)
+    if problem.temper < LEAST_WEIGHT and score(problem, z) < score(problem, first) - WORST_LOSS:
+        value, paths = objective(problem, first)
+        return Fitted(problem, first, normal_equations(problem, first, paths, value), paths)
+    return Fitted(problem, z, normal, paths)

@@ -1,0 +1,124 @@
+"""A gain that a log's file states: are the logged commands those before it, or those after it?
+
+Both are tried, with the same parameters: the commands as they are logged, and times the gain, up to full duty. Where
+the motors were driven by the second, rows beyond full duty over the gain act less than in proportion, and the robot's
+own numbers, which its file gives, fit.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.calibrate.fitting import Problem
+from upright.calibrate.gauss_newton import gauss_newton
+from upright.calibrate.refined import Fitted
+from upright.errors import DesignFailed
+from upright.logs.raw import named
+from upright.logs.readers import GAINS
+from upright.logs.recording import commanded
+from upright.robots import Kit
+from upright.signals import Log
+
+Array = NDArray[np.float64]
+
+MARGIN = 10.0
+"""[nats] of log posterior, readings weighted by their effective sample size, by which commands before the gain must be
+likelier, at the noise of either fit: odds of e¹⁰, twenty thousand to one. A gain in a header may be of anything."""
+ITERATIONS = 10  # of Gauss–Newton, from each start
+
+SIDES = ("left", "right")
+
+
+def stated_gains(log: Log) -> dict[str, float]:
+    """The gains that the log's file states, by its words; of a body of ours none, since it logs what was applied."""
+    given = log.origin.get(GAINS)
+    return {str(words): float(gain) for words, gain in given.items()} if isinstance(given, dict) else {}
+
+
+def amplified(log: Log, gain: float, kit: Kit) -> Log:
+    """`log` with its commands times `gain`, up to full duty: the logged battery's voltage, or what the kit's motors get
+    at most."""
+    prefix = commanded(log)
+    most = np.full(len(log), min(kit.motor.limit, kit.battery.voltage))
+    if "sensor/battery" in log and log.unit(f"{prefix}/left") == log.unit("sensor/battery"):
+        most = log["sensor/battery"]
+    channels = {f"{prefix}/{side}": log[f"{prefix}/{side}"] for side in SIDES}
+    most = np.maximum(most, np.max(np.abs([*channels.values()]), axis=0))  # what was logged was possible
+    changed = {name: np.clip(gain * values, -most, most) for name, values in channels.items()}
+    origin = {name: value for name, value in log.origin.items() if name != GAINS} | {"times": gain}
+    return Log(log.t, {**log.channels, **changed}, log.units, origin)
+
+
+def commands_of(log: Log) -> Array:
+    """The commands of both motors (rows, 2)."""
+    return np.column_stack([log[f"{commanded(log)}/{side}"] for side in SIDES])
+
+
+def nats(fit: Fitted, run: int, commands: Array, other: Array | None = None) -> float:
+    """By how much the log posterior is larger, at the noise and weights of a fit, where a run's commands are `commands`
+    (rows, 2). Parameters are fitted anew from the fit's, and from `other` (parameters,) or the prior."""
+    recordings = list(fit.problem.recordings)
+    recordings[run] = replace(recordings[run], commands=np.ascontiguousarray(commands))
+    here, there = fit.problem, replace(fit.problem, recordings=tuple(recordings))
+    starts = [fit.z, *([other] if other is not None else [np.zeros_like(fit.z)])]
+    own = [fit.normal.objective, *([_least(here, other)] if other is not None else [])]
+    return min(own) - min(_least(there, z) for z in starts)
+
+
+def _least(problem: Problem, z: Array) -> float:
+    value = gauss_newton(problem, z, iterations=ITERATIONS).normal.objective
+    return float(value) if np.isfinite(value) else math.inf
+
+
+def as_meant(
+    fit: Fitted, logs: Sequence[Log], kit: Kit, search: Callable[[Sequence[Log]], Fitted]
+) -> tuple[Fitted, list[Log], list[str]]:
+    """The fit of the logs with the commands that drove the motors, these logs, and in words what was found of stated
+    gains. `fit` is that of the commands as logged, `search` fits other logs anew."""
+    chosen, notes = list(logs), dict[int, str]()
+    while tries := _tries(fit, chosen, kit, set(notes)):
+        likelier, run, words, log = max(tries, key=lambda one: one[0])
+        if likelier < MARGIN:
+            notes |= {i: _as_logged(chosen[i], what, value) for value, i, what, _ in sorted(tries, key=lambda t: t[0])}
+            break
+        anew = [log if i == run else one for i, one in enumerate(chosen)]
+        try:
+            other = search(anew)
+        except DesignFailed:
+            notes[run] = _as_logged(chosen[run], words, -math.inf)
+            continue
+        likelier = min(likelier, -nats(other, run, commands_of(chosen[run]), fit.z))
+        if likelier < MARGIN:
+            notes[run] = _as_logged(chosen[run], words, likelier)
+            continue
+        notes[run] = (
+            f"{named(log)} states {words}, and its commands are those before that gain: times {log.origin['times']:g}, "
+            f"up to full duty, they are {likelier:.0f} nats likelier than as logged ({MARGIN:g} are asked)."
+        )
+        fit, chosen = other, anew
+    return fit, chosen, [notes[run] for run in sorted(notes)]
+
+
+def _tries(fit: Fitted, logs: Sequence[Log], kit: Kit, notes: set[int]) -> list[tuple[float, int, str, Log]]:
+    """For each run and each gain that its file states, by how many nats commands before it are likelier."""
+    others = [
+        (run, words, amplified(log, gain, kit))
+        for run, log in enumerate(logs)
+        if run not in notes
+        for words, gain in stated_gains(log).items()
+    ]
+    return [(nats(fit, run, commands_of(other)), run, words, other) for run, words, other in others]
+
+
+def _as_logged(log: Log, words: str, likelier: float) -> str:
+    why = f"which are {-likelier:.0f} nats likelier than those before that gain"
+    if likelier == -math.inf:
+        why = "since no robot follows the log with those before that gain"
+    elif abs(likelier) < MARGIN:
+        why = f"since it cannot tell: {likelier:+.0f} nats for commands before that gain, and {MARGIN:g} are asked"
+    return f"{named(log)} states {words}: its commands are taken as logged, {why}."
