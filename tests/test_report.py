@@ -453,10 +453,10 @@ def test_a_knock_harder_than_a_certificates_is_said_and_no_red_light():
     fleets = {size: ensemble_of("nxtway-gs", pushes=(Impulse(impulse=size),)).origin() for size in (0.24, 0.3)}
     assert harder([fleets[0.24]]) == ""
     assert harder([fleets[0.24], ensemble_of("ev3way", pushes=(Impulse(impulse=0.24),)).origin()]) == (
-        " The knock, 0.24 N s, is 2.8 times the hardest of a certificate for ev3way."
+        " The knock, 0.24 N s, is 2.8 times the hardest that `upright certify` tries on ev3way."
     )  # as hard a knock for both, and too hard for one, whose certificate knocks with 0.0641 to 0.0845 N s
     assert harder(list(fleets.values())) == (
-        " The knock, 0.3 N s, is 1.2 times the hardest of a certificate for nxtway-gs."
+        " The knock, 0.3 N s, is 1.2 times the hardest that `upright certify` tries on nxtway-gs."
     )
     assert [falls_verdict(30, 100, words).level for words in ("", "harder")] == ["bad", "warn"]
     # 4 of 100 fell, but with 95 % confidence up to 8.9 % may (Clopper and Pearson), which a certificate counts

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import MappingProxyType
@@ -118,17 +118,39 @@ class Cases(Shown, tuple[CaseSummary, ...]):
         return dict(sorted(strongest.items(), key=lambda item: -abs(item[1][2] - item[1][1])))
 
     def worst_first(self) -> list[CaseSummary]:
-        """The cases whose falls are counted, the largest fraction that fell first; those that differ by less than a
-        part `TIED` of their interval are in the order of the plan."""
-        ranked = sorted((c for c in self if c.chance), key=lambda c: -c.chance.value if c.chance else 0.0)
-        place = {id(case): k for k, case in enumerate(self)}
-        groups: list[list[CaseSummary]] = []
-        for case in ranked:
-            if groups and _tied(groups[-1][0], case):
-                groups[-1].append(case)
-            else:
-                groups.append([case])
-        return [case for group in groups for case in sorted(group, key=lambda c: place[id(c)])]
+        """The cases whose falls are counted, the largest fraction that fell first; equal ones in the order of the
+        plan."""
+        return sorted((c for c in self if c.chance), key=lambda c: -c.chance.value if c.chance else 0.0)
+
+    def matters(self) -> dict[str, tuple[CaseSummary, CaseSummary]]:
+        """The labels that change the falls, each with the worse and the better of two cases that differ in it alone
+        and whose 95 % intervals are apart; of several such pairs the two that are furthest apart."""
+        pairs: dict[str, tuple[CaseSummary, CaseSummary]] = {}
+        for name in self.varied():
+            alike: dict[tuple[tuple[str, str | float], ...], list[CaseSummary]] = {}
+            for case in self.worst_first():
+                alike.setdefault(tuple(item for item in case.labels.items() if item[0] != name), []).append(case)
+            apart = [(c[0], c[-1]) for c in alike.values() if _low(c[0]) > _high(c[-1])]
+            if apart:
+                pairs[name] = max(apart, key=lambda pair: _value(pair[0]) - _value(pair[1]))
+        return pairs
+
+    def merged(self, without: Collection[str]) -> Cases:
+        """The same campaign with the cases together that differ in the labels `without` alone, each with as many runs
+        and the interval of as many robots as differ. It has names and falls, and no other outcomes."""
+        groups: dict[tuple[tuple[str, str | float], ...], list[CaseSummary]] = {}
+        for case in self:
+            kept = tuple(item for item in case.labels.items() if item[0] not in without)
+            groups.setdefault(kept, []).append(case)
+        whole = Cases(
+            CaseSummary(
+                dict(labels), sum(c.n for c in cases), sum(c.fell or 0 for c in cases),
+                together(cases) if all(c.chance for c in cases) else None, {},
+            )
+            for labels, cases in groups.items()
+        )  # fmt: skip
+        whole.units = self.units
+        return whole
 
     def plot(self) -> Figure:
         """The fraction that fell in each case [%] as a bar, its 95 % interval as a line, the `DRAWN` worst first; the
@@ -148,7 +170,7 @@ class Cases(Shown, tuple[CaseSummary, ...]):
             ax.barh(rows, percent[rows, 0], height=0.6, color=COLOURS[k], label=name)
         ax.hlines(np.arange(len(worst)), percent[:, 1], percent[:, 2], linewidth=1.2, color=INK, zorder=3)
         for row, (value, _, high) in enumerate(percent.tolist()):
-            ax.annotate(f"{number(value, 2)} %", (high, row), (4, 0), textcoords="offset points", va="center")
+            ax.annotate(f"{number(value, 3)} %", (high, row), (4, 0), textcoords="offset points", va="center")
         ax.set_xlim(0, max(1.0, 1.3 * float(np.nanmax(percent, initial=0.0))))
         if ax.get_xlim()[1] > 100:  # room for the names, but no tick above 100 %
             ax.set_xticks(np.arange(0, 101, 25))
@@ -180,12 +202,16 @@ DRAWN = 40  # cases at most in a figure
 END = 0.2  # [1] of the robots: those with the least, or the largest, values of a drawn number
 
 
-TIED = 0.25  # [1] of a 95 % interval: chance alone makes larger differences
+def _value(case: CaseSummary) -> float:
+    return case.chance.value if case.chance else np.nan
 
 
-def _tied(worse: CaseSummary, case: CaseSummary) -> bool:
-    one, other = worse.chance, case.chance
-    return one is not None and other is not None and one.value - other.value < TIED * (one.high - one.low)
+def _low(case: CaseSummary) -> float:
+    return case.chance.low if case.chance else np.nan
+
+
+def _high(case: CaseSummary) -> float:
+    return case.chance.high if case.chance else np.nan
 
 
 def together(cases: Sequence[CaseSummary]) -> Interval:

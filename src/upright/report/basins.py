@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from upright.fleet.results import origin_of
 from upright.plotting import COLOURS, GRID, INK, RIGHT, colour_map, legend, number
-from upright.report.campaign import provenance
 from upright.report.figure import Figure
 from upright.report.knocks import robot_of
 from upright.report.page import Page, Verdict, cell_text
+from upright.report.spreads import provenance
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

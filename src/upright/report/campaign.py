@@ -3,30 +3,33 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from upright.certify.verdict import MOST_FALLS
 from upright.fleet.binomial import Interval, upper_bound
 from upright.fleet.ensemble import SETTLED
-from upright.fleet.results import origin_of
 from upright.fleet.tally import Cases, CaseSummary, together
-from upright.plotting import AXIS, legend, number
+from upright.plotting import AXIS, MANY, legend, number
 from upright.report.figure import Figure
 from upright.report.knocks import harder, pushed, where
-from upright.report.page import Cell, Page, Section, Table, Verdict
+from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict
+from upright.report.spreads import matter_table, spread_table
 from upright.tables import joined, sentence, spoken
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Drawing
-    from xarray import Dataset
 
 
 def page_of(cases: Cases) -> Page:
     """The campaign's page, not yet written."""
-    sections = [Section("Cases", [_table(cases), *_leaning(cases)])]
+    shown = _shown(cases)
+    listed: list[Item] = [_table(cases), *_leaning(cases)]
+    if shown is not cases:
+        listed = [Details(f"All {len(cases)} cases in numbers", listed)]
+    sections = [Section("Cases", listed)]
     if drawn := cases.drawn():
-        sections.append(Section("Varied parameters that matter", [_matter(cases, drawn)]))
+        sections.append(Section("Varied parameters that matter", [matter_table(cases, drawn)]))
     if _one_robot(cases) and cases.spreads:
         sections.append(Section("What varies", [spread_table(cases.spreads, cases.units)], folded=True))
     counted = cases.worst_first()
@@ -36,13 +39,30 @@ def page_of(cases: Cases) -> Page:
     knocks = harder(cases.origins)
     return Page(
         _title(cases, worst), sections, _lead(cases, knocks), _made(cases), twin_note=False,
-        verdict=_verdict(counted, knocks), picture=Figure(_claim(cases), _limited(cases), _note(cases)),
-        numbers=_numbers(cases, worst),
+        verdict=_verdict(counted, knocks), picture=Figure(_claim(cases), _limited(shown), _note(cases)),
+        numbers=_numbers(cases, shown, worst),
     )  # fmt: skip
 
 
+def _shown(cases: Cases) -> Cases:
+    """The cases as they are drawn: many of them without the labels that make no difference."""
+    merged = cases.merged(_alike(cases))
+    return merged if len(cases) > MANY and 2 <= len(merged) < len(cases) and cases.worst_first() else cases
+
+
+def _alike(cases: Cases) -> list[str]:
+    """The labels that change the falls in no case."""
+    known = {*cases.matters(), *(name for name, *_ in _apart(cases))}
+    return [name for name in cases.varied() if name not in known]
+
+
 def _note(cases: Cases) -> str:
-    return f"{_scenarios(cases)} Thin lines: 95 % intervals.".strip()
+    note = f"{_scenarios(cases)} Thin lines: 95 % intervals."
+    if _shown(cases) is not cases:
+        levels = [str(len(cases.varied()[name])) for name in _alike(cases)]
+        named = joined([f"{spoken(name)}s" for name in _alike(cases)])
+        note += f" A row holds the runs with the {' and '.join(levels)} {named} together."
+    return note.strip()
 
 
 def _made(cases: Cases) -> dict[str, str]:
@@ -89,7 +109,7 @@ def falls_verdict(fallen: int, all_of_them: int, harder: str = "") -> Verdict:
     bound = upper_bound(fallen, all_of_them)
     few = bound <= MOST_FALLS
     if harder and not few:
-        return Verdict("pushed harder than for a certificate", "warn")
+        return Verdict("pushed harder than upright certify pushes", "warn")
     level = "bad" if fallen > MOST_FALLS * all_of_them else "good" if few else "warn"
     return Verdict(f"up to {_percent(bound)} may fall: {'below' if few else 'above'} the {limit}", level)
 
@@ -143,9 +163,12 @@ def _shared(cases: Cases, group: Sequence[CaseSummary]) -> str:
 
 
 def _fallen(cases: Cases, group: Sequence[CaseSummary]) -> str:
-    """How many fell in these cases together: "all 1000 ev3way robots fall when knocked"."""
+    """How many fell in these cases together: "all 1000 ev3way robots fall when knocked"; of several cases, which have
+    the same robots, in per cent."""
     fell, n = sum(case.fell or 0 for case in group), sum(case.n for case in group)
-    return f"{f'all {n}' if fell == n else f'{fell} of {n}'} {_robots_of(cases, group)}"
+    part = f"{fell} of {n}" if len(group) == 1 else f"{_percent(fell / n)} of the"
+    every = "all" if len(group) > 1 else f"all {n}"
+    return f"{every if fell == n else part} {_robots_of(cases, group)}"
 
 
 def _robots_of(cases: Cases, group: Sequence[CaseSummary]) -> str:
@@ -210,10 +233,42 @@ def _lead(cases: Cases, knocks: str) -> str:
     )
     acts = f" {where(cases.pushes)}" if known and where(cases.pushes) else ""
     first = f"{len(cases)} cases, each with {many}{scene}{acts}."
-    apart = {name for name, *_ in _apart(cases)}
-    alike = [spoken(name) for name in cases.varied() if name not in apart]
+    alike = [spoken(name) for name in _alike(cases)]
     second = f" The {joined(alike)} {'makes' if len(alike) == 1 else 'make'} no clear difference." if alike else ""
-    return f"{f'{knocks}{second} {first}'.strip()}{_next(cases)}"
+    return f"{f'{knocks}{_decides(cases)}{second}{_sometimes(cases)} {first}'.strip()}{_next(cases)}"
+
+
+def _decides(cases: Cases) -> str:
+    """The varied parameter that matters most, as a sentence with a space before it; nothing where chance explains the
+    falls."""
+    drawn = cases.drawn()
+    if not drawn or not _group(cases):
+        return ""
+    name, (case, least, most) = next(iter(drawn.items()))
+    (few, fewer), (many, more) = sorted([(least, "least"), (most, "most")])
+    return (
+        f" The {spoken(name)} decides most: of the fifth of the robots with the {more} {_percent(many)} fall, with the "
+        f"{fewer} {_percent(few)} ({_named(cases, case)})."
+    )
+
+
+def _named(cases: Cases, case: CaseSummary, without: Sequence[str] = ()) -> str:
+    """The labels of a case that make a difference."""
+    names = [name for name in cases.varied() if name not in (*_alike(cases), *without)]
+    return ", ".join(cases.labelled(name, case.labels.get(name, "")) for name in names)
+
+
+def _sometimes(cases: Cases) -> str:
+    """The labels that make a difference in some cases and not over all, each with where it is largest, as sentences
+    with a space before them."""
+    apart = {name for name, *_ in _apart(cases)}
+    words = ""
+    for name, (worse, better) in cases.matters().items():
+        if name not in apart and worse.chance and better.chance:
+            pair = [f"{cases.labelled(name, c.labels.get(name, ''))} {_percent(c.chance.value)}"
+                    for c in (worse, better) if c.chance]  # fmt: skip
+            words += f" The {spoken(name)} matters with {_named(cases, worse, [name])}: {' fall, '.join(pair)}."
+    return words
 
 
 def _scenarios(cases: Cases) -> str:
@@ -258,48 +313,7 @@ def _strongest(cases: Cases) -> list[tuple[str, str]]:
     return [(f"{number(100 * least, 2)} and {_percent(most)}", most_of_it)]
 
 
-MATTER = 8  # drawn numbers in the table
-
-
-def _matter(cases: Cases, drawn: Mapping[str, tuple[CaseSummary, float, float]]) -> Table:
-    """The drawn numbers over which falls change most."""
-    names = cases.names()
-    rows: list[list[Cell]] = [
-        [f"{spoken(name)}", 100 * least, 100 * most, names[cases.index(case)]]
-        for name, (case, least, most) in list(drawn.items())[:MATTER]
-    ]
-    caption = "Falls of the fifth of the robots with the least and with the most of it, where it matters most"
-    return Table(["parameter", "least fifth [%]", "largest fifth [%]", "case"], rows, caption, 3, even=True)
-
-
-def width(spread: Mapping[str, Any]) -> float:
-    """A spread relative to its middle [1]."""
-    if spread["kind"] == "lognormal":
-        return math.exp(spread["high"]) - 1
-    return abs(spread["high"] / spread["low"]) if spread["low"] else math.inf
-
-
-def size_of(spread: Mapping[str, Any], unit: str) -> str:
-    """How wide a distribution is: "0 to 0.01 s", "±5 %" of a normal one, "by a factor of 2" of a log-normal one."""
-    low, high = spread["low"], spread["high"]
-    if spread["kind"] == "lognormal":
-        return f"by a factor of {number(math.exp(high), 2)}"
-    if spread["kind"] == "normal":
-        return f"±{number(100 * width(spread), 2)} %" if low else f"±{number(high, 2)} {unit}"
-    return f"from {number(low, 3)} to {number(high, 3)} {unit}".strip()
-
-
-def spread_table(spreads: Sequence[Mapping[str, Any]], units: Mapping[str, str]) -> Table:
-    """Each number that varies, with its middle and its spread."""
-    rows: list[list[Cell]] = []
-    for spread in spreads:
-        unit = units.get(spread["name"], "")
-        middle = (spread["low"] + spread["high"]) / 2 if spread["kind"] == "uniform" else spread["low"]
-        rows.append([f"{spoken(spread['name'])} [{unit or '1'}]", middle, size_of(spread, unit)])
-    return Table(["number", "middle", "varies"], rows, "± and factors are one standard deviation")
-
-
-def _numbers(cases: Cases, worst: CaseSummary) -> list[tuple[str, str]]:
+def _numbers(cases: Cases, shown: Cases, worst: CaseSummary) -> list[tuple[str, str]]:
     if not worst.fell:
         at_most = f"≤ {_percent(upper_bound(0, worst.n))}"
         text = f"of the robots of a case fall, with 95 % confidence; a certificate allows {100 * MOST_FALLS:g} %"
@@ -308,11 +322,13 @@ def _numbers(cases: Cases, worst: CaseSummary) -> list[tuple[str, str]]:
         others = [case for case in cases.worst_first() if case not in group]
         chance, safe = together(group), sum(not case.fell for case in others)
         sure = f" (95 %: {_within(chance)})" if chance.value < 1 else ""
-        numbers = [(_percent(chance.value), f"of {_robots_of(cases, group)}{sure}")]
-        if others[0].fell and others[0].chance:
-            named = cases.names()[cases.index(others[0])]
-            inside = f"fall in the next worst case, {named} (95 %: {_within(others[0].chance)})"
-            numbers.append((_percent(others[0].chance.value), inside))
+        runs = f": {group[0].n} robots in {len(group)} cases" if len(group) > 1 and sure else ""
+        numbers = [(_percent(chance.value), f"of the {_robots_of(cases, group)}{runs}{sure}")]
+        outside = (c for c in shown.worst_first() if not any(c.labels.items() <= w.labels.items() for w in group))
+        after = next(outside, None)
+        if after and after.fell and after.chance:
+            inside = f"fall in the next worst case, {shown.names()[shown.index(after)]} (95 %: {_within(after.chance)})"
+            numbers.append((f"{number(100 * after.chance.value, 3)} %", inside))
         each = f" (at most {_percent(upper_bound(0, others[-1].n))} may, with 95 % confidence)" if safe else ""
         return [*numbers, (f"{safe} of {len(cases)}", f"cases where none of {others[-1].n} fell{each}")]
     numbers: list[tuple[str, str]] = []
@@ -350,7 +366,7 @@ def _table(cases: Cases) -> Table:
     order = [*(cases.index(case) for case in first), *(k for k, case in enumerate(cases) if case not in first)]
     for name, case in ((names[k], cases[k]) for k in order):
         means = [(case.mean(o), kinds[o][1]) for o in shown]
-        fell = None if case.fell is None else float(f"{100 * case.fell / case.n:.2g}")
+        fell = None if case.fell is None else 100 * case.fell / case.n
         rows.append([name, fell, *(None if mean is None else factor * mean for mean, factor in means)])
     header = ["case", "fell [%]", *(kinds[o][0] for o in shown)]
     caption = f"Means of those that stood; “settles”: stays within ±{math.degrees(SETTLED):.3g}°"
@@ -358,30 +374,18 @@ def _table(cases: Cases) -> Table:
 
 
 def _leaning(cases: Cases) -> list[str]:
-    """Why nothing settles on a slope."""
+    """Why robots do not settle on a slope."""
     on_slope = [case for case, origin in zip(cases, cases.origins, strict=False)
                 if any(push.get("angle") for push in origin.get("scenario", {}).get("push") or ())]  # fmt: skip
-    if not on_slope or any(case.mean("settling") is not None for case in on_slope):
+    never = [case for case in on_slope if case.mean("settling") is None]
+    if not never:
         return []
+    where = "On the slope no robot settles" if len(never) == len(on_slope) else "“–” on the slope: no robot settles"
     return [
-        f"On the slope no robot settles: to stand there it has to lean, by more than {math.degrees(SETTLED):.3g}°. "
+        f"{where}, since to stand there it has to lean, by more than {math.degrees(SETTLED):.3g}°. "
         "It stands all the same."
     ]
 
 
 def _percent(part: float) -> str:
     return f"{number(100 * part, 2)} %"
-
-
-def provenance(data: Dataset) -> dict[str, str]:
-    """Robot, controller, seed and versions for a page's foot."""
-    origin = origin_of(data)
-    controller, versions = origin.get("controller", {}), origin.get("versions", {})
-    facts = {
-        "robot": str(origin.get("robot", {}).get("name", "")),
-        "kit": str((origin.get("kit") or {}).get("name", "ideal")),
-        "controller": f"{controller.get('kind', '')} {str(controller.get('hash', ''))[:12]}".strip(),
-        "seed": str(origin.get("seed", "")),
-        "versions": ", ".join(f"{name} {number}" for name, number in sorted(versions.items())),
-    }
-    return {name: text for name, text in facts.items() if text}

@@ -17,11 +17,12 @@ from upright.fleet.fleet import Fleet, distribution, stood
 from upright.fleet.results import OUTCOMES, Summary, origin_of, summarise
 from upright.plotting import AXIS, INK, bars, legend, line, number, panels
 from upright.report.basins import basin_page
-from upright.report.campaign import falls_verdict, provenance, size_of, spread_table, width
+from upright.report.campaign import falls_verdict
 from upright.report.figure import Figure
 from upright.report.knocks import harder, pushed, where
 from upright.report.maps import push_map_page
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
+from upright.report.spreads import provenance, size_of, spread_table, width
 from upright.tables import joined, sentence, spoken
 
 if TYPE_CHECKING:

@@ -46,7 +46,9 @@ def harder(origins: Sequence[Mapping[str, Any]]) -> str:
         if known and knock(origin) and knock(origin) > max(_sizes(*known)):
             times = number(knock(origin) / max(_sizes(*known)), 2)
             size = number(knock(origin))
-            return f" The knock, {size} N s, is {times} times the hardest of a certificate for {known[0].name}."
+            return (
+                f" The knock, {size} N s, is {times} times the hardest that `upright certify` tries on {known[0].name}."
+            )
     return ""
 
 

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from upright.certify.recovery import KNOCK_DURATION
 from upright.fleet.results import origin_of
 from upright.plotting import colour_map, legend, line, number, panels, round_levels
-from upright.report.campaign import provenance
 from upright.report.figure import Figure
 from upright.report.knocks import certificate_knocks, robot_of
 from upright.report.page import Page, Section, Verdict, cell_text
+from upright.report.spreads import provenance
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
