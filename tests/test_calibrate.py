@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import cmath
 import json
+import math
 import re
 import sys
 from dataclasses import replace
@@ -303,9 +304,9 @@ def test_a_guess_that_the_log_contradicts_is_a_reservation_and_its_arrow_stands_
     monkeypatch.setitem(page_of.__globals__, "typed", lambda *_: "mine.toml")
     found = calibration()
     e = found["yaw_inertia"]
-    at = e.prior + 4.7 * e.prior_spread
-    off = replace(e, value=at, low=at - e.prior_spread, high=e.prior + 12 * e.prior_spread, guess=True, shift=4.7,
-                  verdict="prior dominates", shrink=0.58)  # fmt: skip
+    rate = e.prior_spread / e.prior  # of its logarithm, which the prior takes for normal
+    low, at, high = (e.prior * math.exp(z * rate) for z in (4.7 - 1.96 * 2, 4.7, 4.7 + 1.96 * 2))
+    off = replace(e, value=at, low=low, high=high, guess=True, shift=4.7, verdict="prior dominates", shrink=2.0)
     page = page_of(replace(found, parameters=tuple(off if p.name == e.name else p for p in found.parameters)))
     assert page.verdict is not None
     assert "reservation" in page.verdict.text
@@ -316,7 +317,10 @@ def test_a_guess_that_the_log_contradicts_is_a_reservation_and_its_arrow_stands_
     items = [item for section in page.sections for item in section.items if isinstance(item, Figure)]
     (ax,) = next(item for item in items if item.title.startswith("The 95 % interval of each")).drawing.axes
     places = {t.get_text(): t.xy[0] for t in ax.texts if isinstance(t, Annotation)}
-    assert places.pop("→") == FAR
+    (arrow,) = (text for text in places if text.startswith("→"))
+    assert places.pop(arrow) == pytest.approx(4.7 - 1.96 * 2)  # left of its bar, whose end is not drawn: 8.6 > 8
+    assert f"{number(at / e.prior, 2)} × the file" in arrow
+    assert FAR == 8.0
     assert ax.get_legend_handles_labels()[1].count("outside that before") == 1
     assert max(places.values()) < 3.0  # a bar of its own of no other number reaches there
 

@@ -436,6 +436,41 @@ def test_a_campaign_names_the_cases_that_fall_and_not_their_mean_with_those_that
     assert "100 simulated variations of a or b." in page.lead
 
 
+def campaign_of(fell, n=200):
+    """Cases of robot, controller, scenario and dead zone, each with how many of its robots fell."""
+    names = ("robot", "controller", "scenario", "motor.dead_zone")
+    return Cases(CaseSummary(dict(zip(names, key, strict=True)), n, k, clopper_pearson(k, n), {}) for key, k in fell)
+
+
+def test_the_next_worst_case_of_a_campaign_is_the_next_row_of_its_chart():
+    """4 % and 4.5 % are alike, but the tile named the 4 %; and 117 of 200 are 58.5 %, not 58."""
+    knocked = {("a", "lqr", "knock"): 117, ("a", "hinf", "knock"): 116, ("b", "hinf", "knock"): 8}
+    others = {("b", "hinf", "slope"): 9, ("b", "lqr", "knock"): 0, ("b", "lqr", "slope"): 0, ("a", "lqr", "slope"): 4,
+              ("a", "hinf", "slope"): 0}  # fmt: skip
+    cases = campaign_of(((*key, zone), k) for key, k in (knocked | others).items() for zone in (0.0, 0.4))
+    page = page_of(cases)
+    (ax,) = page.picture.drawing.axes
+    rows = [label.get_text() for label in ax.get_yticklabels()]
+    beside = [text.get_text() for text in ax.texts]
+    assert rows[:4] == ["a, lqr, knock", "a, hinf, knock", "b, hinf, slope", "b, hinf, knock"]
+    assert beside[:4] == ["58.5 %", "58 %", "4.5 %", "4 %"]
+    assert page.numbers[1][0] == beside[2]
+    assert "the next worst case, b, hinf, slope " in page.numbers[1][1]
+    # the same 200 robots stood for both dead zones: their interval is that of 200
+    low, high = clopper_pearson(9, 200)[1:]
+    assert f"(95 %: {100 * low:.2g} to {100 * high:.2g} %)" in page.numbers[1][1]
+    # 9 of 200 [2.1, 8.4] % are apart from 0 of 200 [0, 1.8] %: on b's slope the controller matters
+    assert "The motor.dead_zone makes no clear difference" in page.lead.replace("dead zone", "motor.dead_zone")
+    assert "On b, slope, the controller matters: 4.5 % fall with hinf, none with lqr." in page.lead
+    assert len(rows) == 8  # of 16 cases: both dead zones in one row
+
+
+def test_numbers_are_rounded_as_readers_round():
+    """Python takes a half to the even neighbour."""
+    assert [number(x, 2) for x in (58.5, 57.5, -58.5, 0.125)] == ["59", "58", "−59", "0.13"]
+    assert cell_text(58.5, 2) == "59"
+
+
 def test_a_campaign_says_what_is_done_in_each_scenario():
     cases = Cases(CaseSummary({"scenario": name}, 100, 0, clopper_pearson(0, 100), {}) for name in ("knock", "hill"))
     pushes = ((Impulse(impulse=0.3),), (Slope(angle=math.radians(5.0)),))

@@ -28,7 +28,7 @@ from upright.arrays import Array, Complex
 from upright.decimate import decimate
 from upright.errors import InvalidLog
 from upright.language import figure_translated
-from upright.tables import power_of_ten, spoken
+from upright.tables import HALF_UP, power_of_ten, spoken
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -390,8 +390,9 @@ def _names(panel: Axes) -> list[str]:
 
 
 def number(value: float, digits: int = 4) -> str:
-    """A finite number as text with a true minus sign, and powers of ten beyond 10⁵ or 10⁻⁴."""
-    rounded = float(f"{value:.{digits}g}")
+    """A finite number as text with a true minus sign, and powers of ten beyond 10⁵ or 10⁻⁴; a half goes away from
+    zero."""
+    rounded = float(f"{value * HALF_UP:.{digits}g}")
     if rounded == 0 or 1e-4 <= abs(rounded) < 1e5:
         return np.format_float_positional(rounded + 0.0, trim="-").replace("-", "−")
     mantissa, _, power = f"{rounded:.{digits - 1}e}".partition("e")

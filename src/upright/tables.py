@@ -132,6 +132,10 @@ def least(value: float, digits: int = 3) -> str:
     return f"{math.floor(value * 10**digits + 1e-9) / 10**digits:.{digits}f}".replace("-", "−")
 
 
+HALF_UP = 1 + 1e-12
+"""A number times this is rounded as readers round: Python takes a half to the even neighbour, 58.5 to 58."""
+
+
 def superscript(number: int) -> str:
     """A whole number as an exponent: −3 as ⁻³."""
     return str(number).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))

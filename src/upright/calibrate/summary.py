@@ -314,8 +314,10 @@ def _notes(
     rest = [e.name for e in every if e.wider and e.name not in runs]
     for names, why in ((runs, "the runs differ by more than that"), (rest, "what the model leaves out bends it")):
         if names:
-            less = f"Less is known of {', '.join(names)} than the robot's file states, since {why}"
-            notes.append(f"{less}: where that number was measured, state it by --known.")
+            notes.append(
+                f"This log leaves {', '.join(names)} less certain than the robot's file has it, since {why}. What "
+                "you measured yourself, fix by --known."
+            )
     if free["lost"] > 0.1:
         notes.append(
             f"In {free['lost']:.0%} of the half-second free simulations the model falls where the robot did not."

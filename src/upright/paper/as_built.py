@@ -17,7 +17,7 @@ from upright.control import Estimated, StateFeedback, kalman
 from upright.control.excited import Excited, random_binary
 from upright.experiment import Hold, run
 from upright.paper import printed
-from upright.paper.claim import NOT_AS_PRINTED, REPRODUCED, Claim
+from upright.paper.claim import Claim, judged
 from upright.paper.pushes import PUSHES, RELEASE, SECONDS, RegulatedRobot
 from upright.progress import Progress, unwatched
 from upright.report import Figure, Table
@@ -125,7 +125,7 @@ def chapter(trial: RegulatedRobot, kit: Kit, logs: Mapping[str, Log], progress: 
         f"{len(SEEDS)} seeds settles to 5 % later than both models, by more than a sample "
         f"({cell_text(printed.PERIOD)} s), or never."
     )
-    verdict = REPRODUCED if slower == len(cases) else NOT_AS_PRINTED
+    verdict = judged(c.slower for c in cases.values())
     numbers = {
         "friction": FRICTION, "backlash": PLAY, "seeds": list(SEEDS),
         "cases": {name: {**_plain(c), "slower": c.slower} for name, c in cases.items()},

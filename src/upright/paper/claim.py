@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import textwrap
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import KW_ONLY, dataclass, field
 from typing import Any
 
@@ -18,9 +18,19 @@ BEYOND = "beyond the paper"
 
 SHORT = 6  # rows of a table that is shown without being asked for
 
-IN_PART = "reproduced in part"  # a reproduced claim with an aside
+IN_PART = "reproduced in part"  # some of what the claim says holds, or all of it with an aside
 
 LEVEL_OF = {REPRODUCED: "good", IN_PART: "warn", NOT_AS_PRINTED: "bad", BEYOND: "info"}
+
+
+def judged(holds: Iterable[bool]) -> str:
+    """The verdict on a claim that says several things, by which of them hold: all, some, or none.
+
+    >>> judged([True, False])
+    'reproduced in part'
+    """
+    every = set(holds)
+    return REPRODUCED if False not in every else IN_PART if True in every else NOT_AS_PRINTED
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,7 +64,7 @@ class Claim:
     @property
     def first(self) -> str:
         """What holds of a claim that holds in part, and the first sentence of the summary."""
-        part = f"In part: {self.aside}. " if self.aside else ""
+        part = f"In part: {self.aside}. " if self.aside and self.says == IN_PART else ""
         return f"{part}{self.summary.split('. ')[0].rstrip('.')}."
 
     def why(self, width: int) -> str:
@@ -70,7 +80,7 @@ class Claim:
         shown = list(leading) or figures[:1] or short
         rest = [item for item in self.items if item not in shown]
         folded = [Details("Tables, figures and derivations", rest, printed=False)] if rest else []
-        part = [f"In part: {self.aside}."] if self.aside else []
+        part = [f"In part: {self.aside}."] if self.aside and self.says == IN_PART else []
         return Section(f"{self.part} {self.title}", [*part, self.summary, *shown, *folded], self.badge, folded=True)
 
     def to_json(self) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from dataclasses import asdict, replace
 
 import numpy as np
 
-from upright.paper.claim import NOT_AS_PRINTED, REPRODUCED, Claim
+from upright.paper.claim import NOT_AS_PRINTED, Claim, judged
 from upright.paper.derivation import Derivation, Model, derive
 from upright.paper.errata import WITNESS, Erratum, Proof, errata, prove
 from upright.physics.dynamics import accelerations
@@ -58,8 +58,9 @@ def _model() -> Claim:
     models: tuple[Model, Model] = ("published", "complete")
     off = {model: disagreement(model, robot) for model in models}
     summary = (
-        "With their misprints corrected, (11) to (24) agree with what SymPy derives from the energies, to "
-        f"{_power(max(off.values()))} of the largest acceleration. Compared are {STATES} random states and voltages. "
+        "With their misprints corrected, (11) to (24) agree with what computer algebra (SymPy) derives from the "
+        f"energies, to {_power(max(off.values()))} of the largest acceleration. Compared are {STATES} random states "
+        "and voltages. "
         "The complete model (chapter 2) agrees as well."
     )
     items: list[Item] = [
@@ -68,7 +69,7 @@ def _model() -> Claim:
         *(Formula(text) for text in without_loads(derive("published")).mathml),
         "with α = n K_t/R_m and β = n K_t K_b/R_m + f_m.",
     ]
-    verdict = REPRODUCED if max(off.values()) < ROUNDING else NOT_AS_PRINTED
+    verdict = judged(value < ROUNDING for value in off.values())
     numbers = {"states": STATES, "largest_relative_difference": off}
     return Claim("1a", "The nonlinear model, eqs. (11)–(24), corrected", verdict, summary, numbers, items)
 

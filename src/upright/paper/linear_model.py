@@ -13,7 +13,7 @@ from upright.control import Controller, Estimated, StateFeedback, kalman
 from upright.control.excited import Excited, random_binary
 from upright.experiment import run
 from upright.paper import printed
-from upright.paper.claim import BEYOND, NOT_AS_PRINTED, REPRODUCED, Claim
+from upright.paper.claim import BEYOND, Claim, judged
 from upright.paper.regression import LeastSquares, least_squares, rebuild_states, unstable_pole
 from upright.physics.linear import LinearModel, linearise
 from upright.report import Table
@@ -83,8 +83,8 @@ def _fitted(log: Log, fit: LeastSquares) -> Claim:
     offset = float(np.abs(fit.offset).max())
     good = blocks[0].agrees and blocks[1].agrees and fit.full_rank
     summary = (
-        f"Least squares on {fit.samples} samples gives the printed pitch block within {blocks[0].units:.1f} units of "
-        "the last printed digit. With the sign of the yaw inputs turned, the yaw block is within "
+        f"Least squares on {fit.samples} samples gives the printed numbers of pitch and wheels, to within "
+        f"{blocks[0].units:.1f} of their last digit. With the sign of the yaw inputs turned, the yaw block is within "
         f"{blocks[1].units:.1f}. X_g has rank {fit.rank} of 9 and condition number {fit.condition:.1f}; the "
         f"independent term is at most {cell_text(offset, 2)}."
     )
@@ -102,7 +102,7 @@ def _fitted(log: Log, fit: LeastSquares) -> Claim:
         _matrices("A and B, fitted", fit.model.A, fit.model.B),
         _matrices("A and B, printed in (34) and (35)", printed.A, printed.B),
     ]
-    verdict = REPRODUCED if good else NOT_AS_PRINTED
+    verdict = judged([good])
     return Claim(
         "3a",
         "Linear model by least squares, eqs. (33)–(35)",
@@ -111,7 +111,7 @@ def _fitted(log: Log, fit: LeastSquares) -> Claim:
         numbers,
         [table, *both],
         {"identification": log},
-        aside="only with the sign of the yaw inputs turned",
+        aside="in the printed matrix the motors turn the robot the other way",
     )
 
 

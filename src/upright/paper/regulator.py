@@ -10,7 +10,7 @@ import numpy as np
 from upright.arrays import Array
 from upright.control import Lqr, StateFeedback, dlqr
 from upright.paper import printed
-from upright.paper.claim import NOT_AS_PRINTED, Claim
+from upright.paper.claim import Claim, judged
 from upright.physics.linear import LinearModel, linearise
 from upright.plotting import legend, plane, points
 from upright.report import Figure, Table
@@ -50,7 +50,7 @@ def chapter(light: Robot) -> Claim:
         light.name: _radius(linearise(light).c2d(printed.PERIOD), feedback),
     }
     summary = (
-        f"dlqr of the printed A, B, Q, R gives a pitch gain of {cell_text(clean.gain[0, 0], 3)} (printed: "
+        f"The regulator (LQR) of the printed A, B, Q, R has a pitch gain of {cell_text(clean.gain[0, 0], 3)} (printed: "
         f"{cell_text(printed.KU1[0], 3)}) and a wheel gain of {cell_text(clean.gain[0, 2], 2)} (printed: "
         f"{cell_text(printed.KU1[2], 2)}). A search covers the 30 orders of the diagonal of Q, and R = r·I with r from "
         f"1 to 10⁴. Its smallest distance from the printed gains is {100 * nearest:.0f} % (RMS over the six gains). "
@@ -64,7 +64,11 @@ def chapter(light: Robot) -> Claim:
         "nearest_relative_distance": nearest, "nearest_Q": permutation, "nearest_r": price, "largest_eigenvalue": loops,
     }  # fmt: skip
     items = [_gains(clean.gain, as_printed.gain), _stability(loops), _poles(feedback, clean)]
-    return Claim("4", "The regulator and its gains, eqs. (36)–(38)", NOT_AS_PRINTED, summary, numbers, items)
+    same = np.abs(np.abs(clean.gain[0] / printed.KU1) - 1) < SAME
+    return Claim("4", "The regulator and its gains, eqs. (36)–(38)", judged(same.tolist()), summary, numbers, items)
+
+
+SAME = 0.05  # [1] of a printed gain: closer is the same to two digits, as it was printed
 
 
 def nearest_gain() -> tuple[float, list[float], float]:

@@ -13,17 +13,17 @@ from upright.calibrate.calibration import (
     PREDICTED,
     VERDICTS,
     VISIBLE,
-    WIDER,
     Calibration,
     Estimate,
 )
-from upright.plotting import number
+from upright.plotting import legend, line, number, panels
 from upright.report import sensors
+from upright.report.doubts import again_with, doubts, off, repeated, reservations
 from upright.report.figure import Figure
 from upright.report.made import command, typed
 from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
-from upright.report.priors import BOUNDED, CLOSE, MEASURED, NOT_VISIBLE, by_name, groups, measured, outside, width
-from upright.tables import joined, least, sentence, short, spoken
+from upright.report.priors import BOUNDED, CLOSE, MEASURED, NOT_VISIBLE, by_name, groups, measured, width
+from upright.tables import joined, least, power_of_ten, sentence, short, spoken
 
 GIVEN = 3  # parameters named on the first screen
 STRONG = 0.9
@@ -32,12 +32,12 @@ STRONG = 0.9
 
 def page_of(calibration: Calibration) -> Page:
     """The calibration's page, not yet written."""
-    wrong = _reservations(calibration)
+    wrong = reservations(calibration)
     others = (*calibration.delays, *calibration.electronics)
     drawn = [figure for figure in (_measured(calibration), by_name(calibration)) if figure]
     notes = [_as_words(note) for note in calibration.notes if note not in repeated(calibration)]
     sections = [
-        *([Section("Reservations", wrong)] if wrong else []),
+        *([Section("Reservations", [*wrong, *_closer(calibration)])] if wrong else []),
         Section("Parameters", [*drawn[1:], *notes, *_by_origin(calibration)]),
         Section(
             "Predictions of each sensor", [*sensors.in_words(calibration), *sensors.tables(calibration)], folded=True
@@ -78,60 +78,16 @@ def _names_of(c: Calibration) -> str:
     return ", ".join(Path(source).name for source in c.sources)
 
 
-def _reservations(c: Calibration) -> list[str]:
-    """What speaks against the calibration; sensors with the same fault are named in one sentence."""
-    words, coloured = list[str](), list[str]()
-    for text in c.check():
-        match = None if text in c.apart else _COLOURED.fullmatch(text.rstrip("."))
-        if match:
-            coloured.append(short(match[1]).strip())
-        else:
-            words.append(text if text in c.apart else _sentence(text))
-    words += [
-        f"The {spoken(e.name)} comes out {_times(e)}, beyond the 95 % interval that was known before. "
-        f"{_WEAKLY if e.verdict != VISIBLE else ''}Check that number of the file."
-        for e in _far(c)
-    ]
-    if coloured:
-        wide = f" So the intervals were made {number(c.widening, 2)} times as wide." if c.widening > WIDER else ""
-        words.append(
-            f"The model leaves something out. Its prediction errors (innovations) of the {joined(coloured)} are not "
-            f"white noise: later ones follow from earlier ones.{wide}{_TRY}"
-        )
-    return words
-
-
-_WEAKLY = "Its interval hardly narrows, so it counts as not visible; but what the log tells pulls it there. "
-_TRY = " Whether that matters, `upright validate` tells from another log."
-
-
-def repeated(c: Calibration) -> list[str]:
-    """Notes whose content is among the reservations."""
-    return [note for note in c.notes if note.startswith("The innovations are not white")]
-
-
-def _far(c: Calibration) -> list[Estimate]:
-    """Numbers that a file guessed, or states roughly, and that the log puts outside their 95 % interval."""
-    return [e for e in c.parameters if outside(e) and not e.surprising and not c.refused]
-
-
-def _times(e: Estimate) -> str:
-    """How an estimate compares with the file: as a factor, where the file's value is not zero."""
-    return f"at {number(e.value / e.prior, 2)} times the value of the robot's file" if e.prior else "far from its file"
-
-
-_COLOURED = re.compile(r"innovations of the (.+) are not white")
-
-
 def _verdict(c: Calibration) -> Verdict:
-    """Whether anything speaks against the fit."""
-    wrong = _reservations(c)
+    """Whether anything speaks against the fit, and so whether a controller may be designed with this robot."""
+    wrong = reservations(c)
     if c.refused:
         return Verdict("refused", "bad")
     if wrong:
-        return Verdict(f"{len(wrong)} reservation{'s' if len(wrong) > 1 else ''}", "warn")
+        so = "do not use it yet" if off(c) else "validate it first"
+        return Verdict(f"{len(wrong)} reservation{'s' if len(wrong) > 1 else ''}: {so}", "warn")
     good = _worst(c) >= GOOD
-    return Verdict("no reservations" if good else "predicts in part", "good" if good else "warn")
+    return Verdict("ready for a design" if good else "predicts in part", "good" if good else "warn")
 
 
 def _title(c: Calibration) -> str:
@@ -154,22 +110,18 @@ def _kind_of_verdict(e: Estimate) -> str:
     return MEASURED if measured(e) else BOUNDED
 
 
-def _sentence(text: str) -> str:
-    return sentence(text.replace("sensor/", "").replace("_", " "))
-
-
 def _numbers(c: Calibration) -> list[tuple[str, str]]:
     """How well it predicts, how fast the robot falls, and how late its gyro is."""
     if c.refused:
         return []
-    (lowest, sensor), pole = _least(c), c["unstable_pole"]
-    numbers: list[tuple[str, str]] = []
-    if scores := _held_out(c):
+    pole, numbers = c["unstable_pole"], list[tuple[str, str]]()
+    held = _held_out(c)
+    if scores := held or {name: c.segments[name] for name in c.channels}:
         worst = min(scores, key=lambda name: scores[name])
-        words = f"R² of the {short(worst)}, the worst sensor drawn, in the part not fitted; good from {GOOD:g}"
-        numbers.append((least(scores[worst]), words))
-    elif math.isfinite(lowest):
-        numbers.append((least(lowest), f"R² of the {sensor}, the worst sensor drawn; good from {GOOD:g}"))
+        part = f" in the part not fitted ({least(c.segments[worst])} over all of it)" if held else ""
+        words = f"R² of the {short(worst)}, the worst of {len(scores)} sensors,{part}; good from {GOOD:g}"
+        unfair = scores[worst] < GOOD and worst not in PREDICTED and len(scores) > 1
+        numbers.append((least(scores[worst]), f"{words}{', but iron nearby turns it' if unfair else ''}"))
     if pole.value > 0:
         doubles = number(1e3 * math.log(2) / pole.value, 2)
         within = f"95 %: {cell_text(pole.low, 3)} to {cell_text(pole.high, 3)}"
@@ -200,7 +152,8 @@ def _measured(c: Calibration) -> Figure | None:
     title = f"Predictions {'lie on' if good else 'miss part of'} the readings"
     title += ", also where nothing was fitted" if good and c.held_out else ""
     note = "Every half second the model starts anew; then it gets the commands alone."
-    note += f" Not drawn: {joined(rest)}." if rest else ""
+    iron = ", which iron nearby also turns" if any("compass" in name for name in rest) else ""
+    note += f" Not drawn: {joined(rest)}{iron}." if rest else ""
     return Figure(title, c.plot_prediction(), note)
 
 
@@ -213,21 +166,35 @@ def _least(c: Calibration) -> tuple[float, str]:
 
 def _worst(c: Calibration) -> float:
     """The smallest R² of half seconds, of all and of those that were not fitted."""
-    return min(_least(c)[0], *_held_out(c).values(), math.inf)
+    return min(_least(c)[0], *(value for name, value in _held_out(c).items() if name in PREDICTED), math.inf)
 
 
 def _held_out(c: Calibration) -> dict[str, float]:
-    """R² of the half seconds that were not fitted, of each sensor that is drawn; empty where all were."""
+    """R² of the half seconds that were not fitted, of each sensor; empty where all were."""
     if not c.held_out or not c.free:
         return {}
     free, (start, _) = c.free[0], c.held_out
     rest = free.when >= start
     part = replace(free, **{name: getattr(free, name)[rest] for name in _READINGS})
-    return {
-        name: part.r_squared(name)
-        for name in free.rows
-        if name in PREDICTED and (part.row == free.rows.index(name)).sum() > 2
-    }
+    return {name: part.r_squared(name) for name in free.rows if (part.row == free.rows.index(name)).sum() > 2}
+
+
+CLOSER = 1.5  # [s] of the worst reading, drawn larger
+
+
+def _closer(c: Calibration) -> list[Item]:
+    """The reading that is predicted worst, over a short while of the end of the log."""
+    judged = {name: c.segments[name] for name in c.channels if name in PREDICTED}
+    if not c.free or not judged or min(judged.values()) >= GOOD:
+        return []
+    name = min(judged, key=lambda one: judged[one])
+    t, measured, predicted = c.free[0].series(name)
+    inside = t >= t.max(initial=0.0) - CLOSER
+    figure, (ax,) = panels([f"{short(name)} [{PREDICTED[name]}]"])
+    line(ax, "measured", t[inside], measured[inside], style=4, below=True)
+    line(ax, "predicted", t[inside], predicted[inside], style=1, solid=True)
+    title = f"The {short(name)} closer: the last {CLOSER:g} s of the log"
+    return [Figure(title, legend(figure), "Gaps: every half second the model starts anew.")]
 
 
 _READINGS = ("row", "when", "measured", "predicted", "segment")
@@ -276,20 +243,35 @@ def _lead(c: Calibration) -> str:
         if len(named) > GIVEN + 1:
             named = [*named[:GIVEN], f"{len(named) - GIVEN} more"]
         text = f"The log measures {joined(named)}" if named else "The log measures no parameter"
-        more = len(bounded) + len(rough)
-        text += f"{' and' if named else ', but'} bounds {more}{' more' if named else ''}" if more else ""
+        text += _bounds(len(bounded), len(rough), more=bool(named))
         rest = sum(e.verdict != VISIBLE for e in c.parameters)
-        text += f"; the other {rest} are not visible in it." if rest else "."
-        text += _doubts(c)
+        together = ", or only together with others" if c.unseen else ""
+        text += f"; the other {rest} are not visible in it{together}." if rest else "."
+        if rest == len(c.parameters):
+            text = f"None of the {rest} is visible in the log: it adds little to what the robot's file says."
+        text += doubts(c) or _enough(c)
     return f"{text} Next: {_next(c)}".strip()
 
 
-def _doubts(c: Calibration) -> str:
-    """The reservations in a few words."""
-    far = [f"the {spoken(e.name)} comes out {_times(e)}" for e in _far(c)]
-    left_out = any(not w.white for w in c.whiteness)
-    short = [*far, *(["the model leaves something out"] if left_out else [])]
-    return f" But {', '.join(short[:-1])}{', and ' if short[1:] else ''}{short[-1]}." if short else ""
+def _bounds(bounded: int, rough: int, more: bool) -> str:
+    """What the log says of the numbers that it does not measure closely."""
+    parts = [f"gives {rough}{' more' * more} roughly"] if rough else []
+    if bounded:
+        of = "" if rough else " more" * more
+        parts.append(f"says of {bounded}{of} how large {'they are' if bounded > 1 else 'it is'} at most")
+    return f"{',' if parts and not more else ''}{' and ' if more and parts else ' but ' * bool(parts)}{joined(parts)}"
+
+
+def _enough(c: Calibration) -> str:
+    """That balancing needs less than all parameters, where the log tells that well."""
+    pole = c["unstable_pole"]
+    if not measured(pole) or _worst(c) < GOOD:
+        return ""
+    return f" Balancing depends on few combinations: of these the unstable pole is known to ± {_per_cent(pole)} %."
+
+
+def _per_cent(e: Estimate) -> str:
+    return cell_text(100 * width(e), 2)
 
 
 def _next(c: Calibration) -> str:
@@ -302,10 +284,8 @@ def _next(c: Calibration) -> str:
     robot = typed("--output")
     if not robot:
         return f"`{command() or f'upright calibrate {logs}'} -o robot.toml` writes this robot as a file."
-    if _reservations(c):
-        check = (
-            f"check the {joined([spoken(e.name) for e in far])} in the robot's file, then " if (far := _far(c)) else ""
-        )
+    if reservations(c):
+        check = again_with(c, command())
         return f"{check}`upright validate {robot} LOG` with another LOG; design with this robot once it passes."
     return f"`upright design lqg --robot {robot} -o lqg.json` designs a controller for it."
 
@@ -314,10 +294,13 @@ def _by_origin(c: Calibration) -> list[Item]:
     """The numbers that the log determines; those that stay as they were are pressed for."""
     close, bounded, rough = groups(c)
     known = [*close, *rough, *bounded]  # as in the figure
+    known += [e for e in off(c) if e not in known]
     rest = [e for e in c.parameters if e not in known]
-    if not known or not rest:
+    if not rest:
         return [_estimates(c.parameters)]
-    return [_estimates(known), Details(f"The {len(rest)} that are not visible", [_estimates(rest)])]
+    others = "others" if any(e.verdict != VISIBLE for e in known) else "parameters"
+    folded = Details(f"The {len(rest)} {others} that are not visible", [_estimates(rest)])
+    return [*([_estimates(known)] if known else []), folded]
 
 
 def _estimates(estimates: Sequence[Estimate]) -> Table:
@@ -331,13 +314,27 @@ def _named(e: Estimate) -> str:
 
 
 def _before(e: Estimate) -> str:
-    return _whole(f"{cell_text(e.prior, 3)} ± {cell_text(e.prior_spread, 2)}")
+    return _whole(in_one_power([e.prior, e.prior_spread], " ± "))
 
 
 def _interval(e: Estimate) -> str:
     if e.low == 0:
         return _whole(f"at most {cell_text(e.high, 3)}")
-    return _whole(f"{cell_text(e.low, 3)} … {cell_text(e.high, 3)}")
+    return _whole(in_one_power([e.low, e.high], " … "))
+
+
+def in_one_power(values: Sequence[float], between: str) -> str:
+    """Numbers beside each other, with one power of ten where any needs one.
+
+    >>> in_one_power([9.354e-07, 3.88e-05], " … ")
+    '(0.0935 … 3.88) · 10⁻⁵'
+    """
+    texts = [cell_text(value, 3) for value in values]
+    largest = max(abs(value) for value in values)
+    if not any(" · " in text for text in texts) or not 0 < largest < math.inf:
+        return between.join(texts)
+    power = math.floor(math.log10(largest))
+    return f"({between.join(cell_text(value / 10**power, 3) for value in values)}) · {power_of_ten(power)}"
 
 
 def _meanings() -> Table:

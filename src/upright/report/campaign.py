@@ -59,9 +59,9 @@ def _alike(cases: Cases) -> list[str]:
 def _note(cases: Cases) -> str:
     note = f"{_scenarios(cases)} Thin lines: 95 % intervals."
     if _shown(cases) is not cases:
-        levels = [str(len(cases.varied()[name])) for name in _alike(cases)]
-        named = joined([f"{spoken(name)}s" for name in _alike(cases)])
-        note += f" A row holds the runs with the {' and '.join(levels)} {named} together."
+        known = cases.varied()
+        named = [joined([cases.labelled(name, level) for level in known[name]]) for name in _alike(cases)]
+        note += f" A row counts the runs with {', '.join(named)} together."
     return note.strip()
 
 
@@ -109,7 +109,7 @@ def falls_verdict(fallen: int, all_of_them: int, harder: str = "") -> Verdict:
     bound = upper_bound(fallen, all_of_them)
     few = bound <= MOST_FALLS
     if harder and not few:
-        return Verdict("pushed harder than upright certify pushes", "warn")
+        return Verdict("harder than upright certify pushes", "warn")
     level = "bad" if fallen > MOST_FALLS * all_of_them else "good" if few else "warn"
     return Verdict(f"up to {_percent(bound)} may fall: {'below' if few else 'above'} the {limit}", level)
 
@@ -265,9 +265,10 @@ def _sometimes(cases: Cases) -> str:
     words = ""
     for name, (worse, better) in cases.matters().items():
         if name not in apart and worse.chance and better.chance:
-            pair = [f"{cases.labelled(name, c.labels.get(name, ''))} {_percent(c.chance.value)}"
-                    for c in (worse, better) if c.chance]  # fmt: skip
-            words += f" The {spoken(name)} matters with {_named(cases, worse, [name])}: {' fall, '.join(pair)}."
+            hard, easy = (cases.labelled(name, c.labels.get(name, "")) for c in (worse, better))
+            few = _percent(better.chance.value) if better.fell else "none"
+            words += f" On {_named(cases, worse, [name])}, the {spoken(name)} matters: {_percent(worse.chance.value)} "
+            words += f"fall with {hard}, {few} with {easy}."
     return words
 
 

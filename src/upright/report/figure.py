@@ -33,9 +33,11 @@ ABOVE = 0.14  # [inches] that a row is higher on a phone, for letters that stood
 LONG, ROW = 2.0, 0.46  # [inches] of names left of rows: longer ones stand above their rows on a phone, so high each
 SCALE, SQUARE = 0.5, 3.0  # [inches]: a scale of colours is narrower, a plane or a map higher
 
+PAPER = "#fdfdfb"  # ground of letters that stand across lines
+
 _VARIABLES = {colour: f"var(--c{k})" for k, colour in enumerate(plotting.COLOURS)} | {
     plotting.INK: "var(--soft)", plotting.AXIS: "var(--axis)", plotting.GRID: "var(--grid)",
-    plotting.SPAN: "var(--span)",
+    plotting.SPAN: "var(--span)", PAPER: "var(--paper)",
 }  # fmt: skip
 """Colours of a drawing → variables of the style sheet."""
 
@@ -186,7 +188,15 @@ def _names_above(ax: Any) -> list[Any]:
     ax.tick_params(axis="y", labelleft=False)
     across, names = ax.get_yaxis_transform(), ax.yaxis.get_major_formatter().format_ticks(ax.get_yticks())
     return [
-        ax.annotate(name, (0, row - 0.49), (3, 0), xycoords=across, textcoords="offset points", va="center")
+        ax.annotate(
+            name,
+            (0, row - 0.49),
+            (3, 0),
+            xycoords=across,
+            textcoords="offset points",
+            va="center",
+            bbox={"facecolor": PAPER, "edgecolor": "none", "pad": 0.5},
+        )
         for row, name in zip(ax.get_yticks(), names, strict=True)
     ]
 

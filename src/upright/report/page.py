@@ -18,7 +18,7 @@ from upright.atomic import write_text
 from upright.errors import UnknownName, UprightError
 from upright.report.figure import Figure
 from upright.report.terms import explained
-from upright.tables import power_of_ten
+from upright.tables import HALF_UP, power_of_ten
 
 if TYPE_CHECKING:
     from jinja2 import Template
@@ -221,7 +221,7 @@ def cell_text(cell: Cell, digits: int = 4) -> str:
         return str(cell).replace("-", "−")
     if cell is None or math.isnan(cell):
         return "–"
-    mantissa, e, power = f"{cell:.{digits}g}".partition("e")
+    mantissa, e, power = f"{cell * HALF_UP:.{digits}g}".partition("e")
     return (f"{mantissa} · {power_of_ten(int(power))}" if e else mantissa).replace("-", "−").replace("inf", "∞")
 
 
@@ -239,7 +239,7 @@ def _decimals(cells: Sequence[Cell], digits: int) -> int | None:
 def _with_decimals(cell: Cell, digits: int, decimals: int | None) -> str:
     if decimals is None or not isinstance(cell, float) or not math.isfinite(cell):
         return cell_text(cell, digits)
-    return f"{cell:.{decimals}f}".replace("-", "−")
+    return f"{cell * HALF_UP:.{decimals}f}".replace("-", "−")
 
 
 def bound(markup: str) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 CLOSE = 0.25  # of a value: the half width of an interval up to which it counts as measured
 ONE_SIDED = 0.1  # of the upper end of an interval: a lower end below it says no more than zero would
 MEASURED, BOUNDED, NOT_VISIBLE = "measured", "bounded", f"not {VISIBLE}"
-FAR = 5.0  # standard deviations of the prior: the figure ends there
+FAR = 8.0  # standard deviations of the prior: the figure ends there
 OFF = COLOURS[1]  # of a number that the log puts outside what was known before
 ROOM = 0.08  # of the width, for the number beside the longest bar
 
@@ -55,12 +55,13 @@ def by_name(c: Calibration) -> Figure | None:
     drawn = [e for e in c.parameters if 0 < e.prior_spread < math.inf]
     if not drawn:
         return None
-    note = f"Measured: at least twice as certain as before, and to ± {100 * CLOSE:g} % or better. "
-    note += "Bounded: twice as certain, but less close, or at most so large. Not visible: the log adds little."
-    note += (
-        f" σ: standard deviation. The 95 % before ends at ± {NORMAL:.0f} σ, or where the number itself would be zero."
-    )
-    if any(e.high - e.prior > FAR * e.prior_spread for e in drawn):
+    close, bounded, rough = groups(c)
+    note = f"Measured: at least twice as certain as before, and to ± {100 * CLOSE:g} % or better. " if close else ""
+    note += "Bounded: twice as certain, but known roughly, or only how large it is at most (≤, in the unit of the "
+    note = f"{note}table). " if bounded or rough else note.partition("Bounded")[0]
+    note += "Not visible: the log adds little. σ: standard deviation, of the logarithm where a number must be positive."
+    note += f" The 95 % before ends at ± {NORMAL:.0f} σ, or at zero."
+    if any(_z(e, e.high) > FAR for e in drawn):
         note += " An arrow: the bar goes on."
     if any(e.wider for e in c.parameters):
         note += " Wider: less certain than in the file, because of what the model leaves out."
@@ -81,7 +82,7 @@ def _bars(c: Calibration) -> Drawing:
     for label, (group, colour) in kept.items():
         if group:
             rows = [names.index(e.name) for e in group]
-            value, low, high = ([(x - e.prior) / e.prior_spread for e, x in zip(group, xs, strict=True)]
+            value, low, high = ([_z(e, x) for e, x in zip(group, xs, strict=True)]
                                 for xs in zip(*((e.value, e.low, e.high) for e in group), strict=True))  # fmt: skip
             no_dot = [e in bounded and e.name in PARAMETERS for e in group]
             low = [_zero(e) if side else x for e, x, side in zip(group, low, no_dot, strict=True)]
@@ -95,16 +96,14 @@ def _bars(c: Calibration) -> Drawing:
                 ax.hlines(at, ends, np.minimum(tops, FAR), linewidth=2.5, color=OFF, label="outside that before")
             for e, row, x, end in zip(group, rows, value, high, strict=True):
                 place = max(end, x)
-                ax.annotate(
-                    f"→ {_beside(e)}".strip() if place > FAR else _beside(e),
-                    (min(place, FAR), row),
-                    (6, 0),
-                    textcoords="offset points",
-                    va="center",
-                    size=SMALL,
-                )
+                text = f"→ {_beside(e)}".strip() if place > FAR else _beside(e)
+                where: dict[str, Any] = {"textcoords": "offset points", "va": "center", "size": SMALL}
+                if outside(e) and x > 0:  # the end may be the figure's
+                    ax.annotate(text, (min(low[rows.index(row)], x), row), (-6, 0), ha="right", **where)
+                else:
+                    ax.annotate(text, (min(place, FAR), row), (6, 0), **where)
     every = [e for group, _ in kept.values() for e in group]
-    least = [max(-NORMAL, _zero(e)) if e.name in PARAMETERS else -NORMAL for e in every]
+    least = [max(-NORMAL, _zero(e)) if e.name in PARAMETERS and not _logarithmic(e) else -NORMAL for e in every]
     ax.barh(
         range(len(every)),
         [NORMAL - x for x in least],
@@ -121,13 +120,32 @@ def _bars(c: Calibration) -> Drawing:
     return legend(figure)
 
 
+def _logarithmic(e: Estimate) -> bool:
+    """Whether the deviations of a number are those of its logarithm, as of what must be positive: the end of its
+    interval is then where the logarithm has it."""
+    if min(e.prior, e.low, e.value) <= 0 or e.high <= e.value:
+        return False
+    half, linear = NORMAL * e.shrink, (e.high - e.value) / e.prior_spread
+    return abs(math.log(e.high / e.value) * e.prior / e.prior_spread - half) < abs(linear - half)
+
+
+def _z(e: Estimate, value: float) -> float:
+    """A value of a number in standard deviations of its prior."""
+    if _logarithmic(e) and value > 0:
+        return math.log(value / e.prior) * e.prior / e.prior_spread
+    return (value - e.prior) / e.prior_spread
+
+
 def _zero(e: Estimate) -> float:
     """Where zero lies, which no number of a robot is below, in standard deviations of the prior."""
     return -e.prior / e.prior_spread
 
 
 def _beside(e: Estimate) -> str:
-    """What stands beside a bar: how closely the log tells the number, where it does."""
+    """What stands beside a bar: how closely the log tells the number, where it does, or where it puts it."""
+    if outside(e):
+        times = f", {number(e.value / e.prior, 2)} × the file" if e.prior else ""
+        return f"{cell_text(e.value, 2)} {e.unit}{times}"
     if e.wider:
         return "wider"
     if e.verdict != VISIBLE:

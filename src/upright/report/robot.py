@@ -34,14 +34,18 @@ def labelled(robot: Robot) -> Figure:
     side.plot([0, tip[0]], [R, tip[1]], linestyle="--", color=INK, linewidth=0.8)
     side.add_patch(Arc((0, R), 1.7 * height, 1.7 * height, theta1=90 - math.degrees(LEAN), theta2=90, color=COLOURS[1]))
     side.text(
-        0.9 * height * math.sin(LEAN / 2), R + 0.9 * height * math.cos(LEAN / 2), "ψ", color=COLOURS[1], ha="center"
+        0.9 * height * math.sin(LEAN / 2),
+        R + 0.9 * height * math.cos(LEAN / 2),
+        "ψ, pitch  ",
+        color=COLOURS[1],
+        ha="right",
     )
     side.plot([centre[0]], [centre[1]], "o", markersize=5, color=COLOURS[4])
-    side.annotate("centre of mass", centre, (14, -4), textcoords="offset points")
+    side.annotate("centre of mass, L above the axle", centre, (14, -4), textcoords="offset points")
     side.annotate("", centre, (0, R), arrowprops={"arrowstyle": "<->", "color": INK, "shrinkA": 0, "shrinkB": 0})
     side.text(0.5 * centre[0] + 0.15 * R, R + 0.42 * (centre[1] - R), "L", va="center")
     side.annotate("", (R * math.cos(0.9), R - R * math.sin(0.9)), (0, R), arrowprops={"arrowstyle": "->", "color": INK})
-    side.text(0.5 * R * math.cos(0.9) + 0.1 * R, R - 0.5 * R * math.sin(0.9), "R", va="center")
+    side.text(1.1 * R, 0.35 * R, "R, wheel radius", va="center")
     side.add_patch(Arc((0, R), 2.6 * R, 2.6 * R, theta1=90 - math.degrees(TURN), theta2=90, color=COLOURS[2]))
     at = (1.3 * R * math.sin(TURN), R + 1.3 * R * math.cos(TURN))
     side.plot([0, at[0]], [R, at[1]], linestyle="--", color=COLOURS[2], linewidth=0.8)
@@ -95,11 +99,11 @@ def _above(ax: Axes, robot: Robot) -> None:
         ax.add_patch(Rectangle((-R, side * half - thick), 2 * R, 2 * thick, fill=False, edgecolor=WHEEL, linewidth=1.8))
     out = 1.2 * max(R, depth / 2)
     ax.annotate("", (-out, half), (-out, -half), arrowprops={"arrowstyle": "<->", "color": INK})
-    ax.text(-1.1 * out, 0, "W", ha="right", va="center")
+    ax.text(-1.1 * out, 0, "W, track", ha="right", va="center")
     ax.annotate("", (1.4 * out, 0), (0, 0), arrowprops={"arrowstyle": "->", "color": INK})
     ax.text(1.5 * out, 0, "ahead", va="center")
     ax.add_patch(Arc((0, 0), 1.6 * out, 1.6 * out, theta1=0, theta2=50, color=COLOURS[3]))
-    ax.text(0.9 * out * math.cos(0.5), 0.9 * out * math.sin(0.5), " φ", color=COLOURS[3])
+    ax.text(0.9 * out * math.cos(0.5), 0.9 * out * math.sin(0.5), " φ, yaw", color=COLOURS[3])
     reach = 1.35 * max(half, 1.6 * R)
     ax.set(xlim=(-1.2 * reach, 1.5 * reach), ylim=(-reach, reach))
     ax.set_title("from above", loc="center", fontsize=LETTERS)

@@ -1,0 +1,119 @@
+"""What speaks against a `Calibration`, in words: each reservation, and all of them in short."""
+
+from __future__ import annotations
+
+import re
+
+from upright.calibrate.calibration import VISIBLE, WIDER, Calibration, Estimate
+from upright.plotting import number
+from upright.report.page import cell_text
+from upright.report.priors import outside
+from upright.tables import joined, sentence, short, spoken
+
+MEASURABLE = ("wheel_mass", "wheel_radius", "body_mass", "track", "com_height")
+"""Numbers that a scale, a ruler or a balance point gives."""
+
+
+def reservations(c: Calibration) -> list[str]:
+    """What speaks against the calibration; sensors with the same fault are named in one sentence."""
+    words, coloured = list[str](), list[str]()
+    for text in c.check():
+        match = None if text in c.apart else _COLOURED.fullmatch(text.rstrip("."))
+        if match:
+            coloured.append(short(match[1]).strip())
+        elif c.refused or not _CONTRADICTED.fullmatch(text):
+            words.append(text if text in c.apart else sentence(text.replace("sensor/", "").replace("_", " ")))
+    words += _numbers(c)
+    if coloured:
+        wide = f" So the intervals were made {number(c.widening, 2)} times as wide." if c.widening > WIDER else ""
+        words.append(
+            f"The model leaves something out. Its prediction errors (innovations) of the {joined(coloured)} are not "
+            f"white noise: later ones follow from earlier ones.{wide}{_TRY}"
+        )
+    return words
+
+
+def _numbers(c: Calibration) -> list[str]:
+    """Each number outside of what was known, and after the last why one moves that is not visible."""
+    words = [_one(c, e) for e in off(c)]
+    weak = sum(e.verdict != VISIBLE for e in off(c))
+    if weak:
+        words[-1] += _WEAKLY if weak == 1 else _BOTH
+    return words
+
+
+def _one(c: Calibration, e: Estimate) -> str:
+    """A number that the log puts outside what was known before."""
+    far = f", {abs(e.shift):.1f} standard deviations away" if e.surprising else ""
+    was = f"{cell_text(e.prior, 3)} ± {cell_text(e.prior_spread, 2)} {e.unit}"
+    check = "Measure it again." if e.name in MEASURABLE else "Check that number of the file."
+    return (
+        f"The {spoken(e.name)} comes out {_times(e)}: {cell_text(e.value, 3)} {e.unit}, not {was}{far}."
+        f"{_heavy(c, e)} {check}"
+    )
+
+
+def _heavy(c: Calibration, e: Estimate) -> str:
+    """That no robot has such wheels, as a sentence with a space before it."""
+    body = c.robot.body_mass
+    if e.name != "wheel_mass" or e.value < body:
+        return ""
+    return f" No robot has that: one wheel would weigh more than the whole body ({cell_text(body, 2)} kg)."
+
+
+_WEAKLY = (
+    " Its interval hardly narrows, so the log does not tell it: the fit moves it to make up for something else, in the "
+    "model, in the log or in another number."
+)
+_BOTH = (
+    " The intervals of these numbers hardly narrow, so the log does not tell them: the fit moves them to make up for "
+    "something else, in the model or in the log."
+)
+_TRY = " Whether that matters, `upright validate` tells from another log."
+_COLOURED = re.compile(r"innovations of the (.+) are not white")
+_CONTRADICTED = re.compile(r"\w+ contradicts its prior by [\d.]+ deviations")
+
+
+def repeated(c: Calibration) -> list[str]:
+    """Notes whose content is among the reservations."""
+    said = ("The innovations are not white", *(() if c.refused else ("The log contradicts the stated value",)))
+    return [note for note in c.notes if note.startswith(said)]
+
+
+def off(c: Calibration) -> list[Estimate]:
+    """Numbers that the log puts outside the 95 % interval that was known before."""
+    return [e for e in c.parameters if (outside(e) or e.surprising) and not c.refused]
+
+
+def _times(e: Estimate) -> str:
+    """How an estimate compares with the file: as a factor, where the file's value is not zero."""
+    return f"at {number(e.value / e.prior, 2)} times the value of the robot's file" if e.prior else "far from its file"
+
+
+def doubts(c: Calibration) -> str:
+    """The reservations in a few words, as a sentence with a space before it."""
+    wrong = off(c)
+    far = [f"the {spoken(e.name)} comes out {_times(e) if k == 0 else _times(e).partition(' the value')[0]}"
+           f" ({cell_text(e.value, 2)} {e.unit}{', more than the body' if _heavy(c, e) else ''})"
+           for k, e in enumerate(wrong)]  # fmt: skip
+    left_out = any(not w.white for w in c.whiteness)
+    words = [*far, *(["the model leaves something out"] if left_out else [])]
+    unfit = ": do not design with this robot yet" if wrong else ""
+    return f" But {joined(words)}{unfit}." if words else ""
+
+
+def again_with(c: Calibration, made: str) -> str:
+    """What to do about numbers outside of what was known: measure what can be measured, and fit again."""
+    wrong = off(c)
+    measure = [e for e in wrong if e.name in MEASURABLE]
+    rest = joined([spoken(e.name) for e in wrong if e not in measure])
+    check = f"check the {rest} in the robot's file, then " if rest else ""
+    if not measure:
+        return check
+    known = " ".join(f"--known {e.name}" for e in measure)
+    them, they = ("them", "they are") if len(measure) > 1 else ("it", "it is")
+    named = joined([spoken(e.name) for e in measure])
+    return (
+        f"{check}measure the {named}, write {them} into the robot's file, and calibrate again, now that {they} known: "
+        f"`{made} {known}`. Then "
+    )
