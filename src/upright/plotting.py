@@ -390,8 +390,7 @@ def _names(panel: Axes) -> list[str]:
 
 
 def number(value: float, digits: int = 4) -> str:
-    """A finite number as text with a true minus sign, and powers of ten beyond 10⁵ or 10⁻⁴; a half goes away from
-    zero."""
+    """A finite number as text: a half goes away from zero, a true minus sign, powers of ten beyond 10⁵ or 10⁻⁴."""
     rounded = float(f"{value * HALF_UP:.{digits}g}")
     if rounded == 0 or 1e-4 <= abs(rounded) < 1e5:
         return np.format_float_positional(rounded + 0.0, trim="-").replace("-", "−")
