@@ -76,8 +76,8 @@ _CONTRADICTED = re.compile(r"\w+ contradicts its prior by [\d.]+ deviations")
 
 def repeated(c: Calibration) -> list[str]:
     """Notes whose content is among the reservations."""
-    said = ("The innovations are not white", *(() if c.refused else ("The log contradicts the stated value",)))
-    return [note for note in c.notes if note.startswith(said)]
+    starts = ("The innovations are not white", *(() if c.refused else ("The log contradicts the stated value",)))
+    return [note for note in c.notes if note.startswith(starts)]
 
 
 def off(c: Calibration) -> list[Estimate]:
