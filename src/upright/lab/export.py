@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -23,7 +22,7 @@ from upright.lab.messages import VERSION, Setup, Welcome
 from upright.lab.plant import BY_HAND, EXPORTED, LOAD, OFF, Plant, behind, body_of, families, is_bare, loaded
 from upright.lab.printed import linear_plant, printed_law, printed_robot, reading
 from upright.lab.recording import MARK, inlined, page_text
-from upright.lab.tasks import analysed
+from upright.lab.tasks import analysed, smallest
 from upright.lab.views import catalogue, equations, look_of, robot_info
 from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot, kit_names, preset_names
@@ -140,7 +139,8 @@ def _designed(robot: Robot, kit: Kit, name: str) -> tuple[str, dict[str, Any]]:
     gain = gain_of(controller)
     own: dict[str, Any] = {"truth": controller.spec.reads_truth, "gains": [] if gain is None else gain[0, :6].tolist()}
     if least and least.stable:
-        own["least"] = [None if math.isinf(least.delay) else round(least.delay, 6), least.delay_at]
+        rounded = {k: round(v, 6) if isinstance(v, float) else v for k, v in smallest(least).items()}
+        own["least"] = rounded
     return text, {**facts, **own, "analysed": plain(analysis)}
 
 

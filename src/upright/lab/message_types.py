@@ -32,6 +32,13 @@ def message(cls: type[T]) -> type[T]:
     return dataclass(frozen=True)(cls)
 
 
+@message
+class Acted:
+    """The last `Strike` or `StandUp` acts from `t` [s] on."""
+
+    t: float
+
+
 @dataclass(frozen=True)
 class FamilyInfo:
     """A controller family: whether `largest` and `gains` mean anything to it."""

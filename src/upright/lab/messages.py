@@ -15,6 +15,7 @@ from annotated_types import Interval, MaxLen
 from upright.lab.message_types import (
     MOST_ITEMS,
     STRICT,
+    Acted,
     FamilyInfo,
     NamedNumbers,
     Numbers,
@@ -25,7 +26,7 @@ from upright.lab.message_types import (
     message,
 )  # fmt: skip
 
-VERSION = 5
+VERSION = 6
 """Raised whenever a message changes; a page of another version is refused with a sentence that says what to do."""
 
 BodyName = Literal["twin", "nonlinear", "linear", "published", "calibrated"]
@@ -296,12 +297,17 @@ class Equations:
 @message
 class Light:
     """The certificate's light: "green", "amber", "red", or "none" while it is computed, with its reasons, and the
-    smallest `delay` [s] that makes the loop unstable, with the channel where it does."""
+    smallest `delay` [s] that makes the loop unstable, with the channel where it does; so the gain factors [1], too. A
+    channel is empty where no smallest margin is known."""
 
     light: Literal["green", "amber", "red", "none"]
     reasons: tuple[str, ...]
     delay: float | None = None
     delay_at: str = ""
+    gain_low: float | None = None
+    low_at: str = ""
+    gain_high: float | None = None
+    high_at: str = ""
 
 
 @message
@@ -388,5 +394,5 @@ class Board:
 
 ServerMessage = (
     Welcome | Refused | Changed | Analysed | Equations | Light | Progress | JobResult | Made | Notice | Recovered
-    | History | Snapshot | Board | Catalogue
+    | History | Snapshot | Board | Catalogue | Acted
 )  # fmt: skip

@@ -6,6 +6,7 @@ desk has done by `reported`; snapshots and events come out. The same sequence gi
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -20,6 +21,7 @@ from upright.lab.desk import Desk
 from upright.lab.display import KEPT, Display
 from upright.lab.handin import Recorder, RunResult, result_of
 from upright.lab.lane import Lane
+from upright.lab.message_types import Acted
 from upright.lab.messages import (
     VERSION,
     Analysed,
@@ -203,8 +205,6 @@ class Session:
 
     def _controller(self) -> Controller:
         """A fresh instance for one lane, by copying what was designed."""
-        import copy
-
         return copy.deepcopy(self._designed)
 
     def _begin_design(self, setup: Setup, plant: Plant) -> tuple[Controller, str]:
@@ -257,8 +257,7 @@ class Session:
             return
         plant = plant_of(setup)
         before = (self.setup, self.plant, self._designed, self._busy)
-        main = self.lanes[0]
-        start = [0.0] * 6 if main.fallen else main.state()
+        start = [0.0] * 6 if self.lanes[0].fallen else self.lanes[0].state()
         states = {lane.name: lane.state() for lane in self.lanes if not lane.fallen}
         same_robot = plant.nominal == self.plant.nominal
         redesign = design_part(setup) != design_part(self.setup) or not same_robot or plant.kit != self.plant.kit
@@ -284,6 +283,7 @@ class Session:
         self.score = Score(best=self.score.best)
         self._build((message.pitch, 0.0, 0.0, 0.0, 0.0, 0.0))
         self._recorder.begin(self.t, message.pitch, *self._steer)
+        self._events.append(Acted(self.t))
 
     def _broadcast(self, message: Broadcast) -> None:
         self._change(Change(message.setup))
@@ -296,6 +296,7 @@ class Session:
         if message.what in ("front", "back") and abs(message.size) > 1.0:
             raise InvalidScenario(f"a hold at {message.size:g} rad", expected="at most 1 rad", likely="degrees")
         self._pushing.strike(message, self.t)
+        self._events.append(Acted(self.t))
 
     def _steer_to(self, message: Steer) -> None:
         self._steer = (message.speed, message.rate)
@@ -322,8 +323,7 @@ class Session:
         self._events += [Progress(message.job, 1.0), Notice("info", f"{message.job}: stopped")]
 
     def _save(self, message: Save) -> None:
-        task, args = self._keeping(message)
-        self._desk.submit((self.name, f"keep {message.what}"), task, args)
+        self._desk.submit((self.name, f"keep {message.what}"), *self._keeping(message))
 
     def _uploaded(self, message: Uploaded) -> None:
         if message.what == "robot":

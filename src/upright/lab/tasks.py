@@ -22,6 +22,7 @@ from upright.signals import Log
 if TYPE_CHECKING:
     from upright.certify import Certificate
     from upright.certify.loop import Loop
+    from upright.certify.verdict import LinearMargins
 
 Report = Callable[[float], None]
 
@@ -98,9 +99,17 @@ def light(report: Report, setup: Setup) -> Light:  # noqa: ARG001 (it is over be
 
 
 def _lit(certificate: Certificate) -> Light:
-    linear = certificate.linear
-    delay, at = (finite(linear.delay), linear.delay_at) if linear and linear.stable else (None, "")
-    return Light(certificate.light, certificate.reasons, delay, at or "both motors")  # type: ignore[arg-type]
+    return Light(certificate.light, certificate.reasons, **smallest(certificate.linear))  # type: ignore[arg-type]
+
+
+def smallest(linear: LinearMargins | None) -> dict[str, Any]:
+    """What a `Light` says of the smallest margins of all places; nothing where there are none."""
+    if linear is None or not linear.stable:
+        return {}
+    return {
+        "delay": finite(linear.delay), "delay_at": linear.delay_at, "gain_low": linear.gain_low,
+        "low_at": linear.low_at, "gain_high": finite(linear.gain_high), "high_at": linear.high_at,
+    }  # fmt: skip
 
 
 def certify(report: Report, setup: Setup) -> tuple[Light, JobResult]:

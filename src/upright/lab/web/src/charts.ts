@@ -26,7 +26,7 @@ export class Strip {
         cursor: { show: false }, legend: { show: false }, hooks: { draw: [(u) => this.name(mark(u, scale, colours.push))] },
         scales: { x: { time: false }, y: { range: (_u, low, high) => around(low, high, floor) } },
         axes: [
-          { ...axis, size: 20 * scale, values: (_u, ticks) => ticks.map((v) => (v < 0 ? "" : local(`${+v.toFixed(1)} s`))), space: 46 * scale },
+          { ...axis, size: 20 * scale, values: (_u, ticks) => ticks.map((v) => (v < 0 ? "" : local(`${+v.toFixed(2)} s`))), space: 46 * scale },
           { ...axis, size: 46 * scale, space: (_u: uPlot, _axis: number, _low: number, _high: number, tall: number) => Math.min(18 * scale, tall / 2.5), values: (_u, ticks) => ticks.map((v) => local(String(+v.toPrecision(4)).replace("-", "−"))) },
         ],
         series: [{}, ...lines.map((l) => ({ label: l.label, stroke: l.colour, width: (l.width ?? 1.6) * scale, dash: l.dash, points: { show: false }, spanGaps: false, gaps: (u: uPlot, _i: number, _from: number, _to: number, holes: [number, number][]) => [...holes, ...breaks(u)].sort(([a], [b]) => a - b) }))],
@@ -97,25 +97,28 @@ const FLOORS = [0.05, 0.3, 0.5, 1, 0.05, 0.2]; // half heights below which noise
 
 /** A phone, upright or on its side: the pitch stands by itself, right below the robot. */
 export const small = matchMedia("(max-width: 40rem), (max-width: 62rem) and (max-height: 32rem)");
+const sideways = matchMedia("(min-width: 40.01rem)"); // of a small one
 
 export class Charts {
-  root = h("section", { className: "charts", "aria-label": t("charts") });
+  root = h("section", { className: "charts" });
   private strips: (Strip | null)[] = []; // of the six states; none where it is not shown
   private legend = h("div", { className: "legend" });
   slot = h("div", { className: "slot" }); // in the scene
 
   constructor(private seconds: () => number) {
-    small.addEventListener("change", () => this.build());
+    for (const one of [small, sideways]) one.addEventListener("change", () => this.build());
   }
 
   /** New charts: other bodies, another language or theme. */
   build(): void {
+    this.root.setAttribute("aria-label", t("charts"));
     const bodies = store.changed?.bodies ?? [];
     const lines = bodies.map((name) => ({ label: named(name), colour: laneColour(name), dash: laneDash(name, bodies) }));
     const more = remembered.getItem("curves") === "all";
     this.strips = STATES.map((name, i) => (more || FIRST.includes(i) ? new Strip(`${SYMBOLS[i]}  ${named(name)}`, UNITS[i], lines, 104, FLOORS[i]) : null));
     replace(this.legend, ...bodies.map((name) => legendEntry(name)));
-    const near = this.strips.filter((_, i) => small.matches && FIRST.includes(i)).map((strip) => strip?.root);
+    const first = small.matches ? (sideways.matches ? FIRST.slice(0, 1) : FIRST) : [];
+    const near = this.strips.filter((_, i) => first.includes(i)).map((strip) => strip?.root);
     const rest = this.strips.map((strip) => strip?.root).filter((root) => !near.includes(root));
     const other = button(t(more ? "fewerCurves" : "moreCurves"), () => {
       remembered.setItem("curves", more ? "first" : "all");
@@ -130,8 +133,10 @@ export class Charts {
   draw(): void {
     const { t: time, x } = store.traces;
     if (!time.length || x.length !== store.changed?.bodies.length) return;
-    const end = store.snapshot?.back ? store.snapshot.t : (time.at(-1) as number);
-    const start = end - this.seconds();
+    const [seconds, last] = [this.seconds(), time.at(-1) as number];
+    const still = store.lain === null ? last : Math.min(last, store.lain + 0.1 * seconds); // where all lie, nothing moves: the fall stays in sight
+    const end = store.snapshot?.back ? store.snapshot.t : Math.max(still, time[0] + seconds); // from left to right at first
+    const start = end - seconds;
     let first = time.length;
     while (first > 0 && time[first - 1] >= start) first -= 1;
     first = Math.max(0, first - 1);

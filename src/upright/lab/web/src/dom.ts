@@ -17,7 +17,28 @@ export function h<K extends keyof HTMLElementTagNameMap>(tag: K, props: Props = 
 }
 
 export function replace(parent: Element, ...children: Child[]): void {
-  parent.replaceChildren(...children.filter((child): child is Node | string => Boolean(child)));
+  keepingFocus(() => parent.replaceChildren(...children.filter((child): child is Node | string => Boolean(child))));
+}
+
+/** Do what exchanges elements; where the one with the focus goes, the new one with its key gets it. */
+export function keepingFocus(act: () => void): void {
+  const key = (document.activeElement as HTMLElement | null)?.dataset?.key;
+  act();
+  if (key && document.activeElement === document.body) document.querySelector<HTMLElement>(`[data-key="${key}"]`)?.focus({ preventScroll: true });
+}
+
+const sayings = new WeakMap<Element, () => string>();
+
+/** Words that follow the language for as long as they stand on the page. */
+export function said(words: () => string): HTMLElement {
+  const element = h("span", { className: "said" }, words());
+  sayings.set(element, words);
+  return element;
+}
+
+/** Say in the chosen language what stands there. */
+export function sayAgain(root: ParentNode): void {
+  for (const element of root.querySelectorAll(".said")) element.textContent = sayings.get(element)?.() ?? "";
 }
 
 export function button(text: string, act: () => void, props: Props = {}): HTMLButtonElement {
@@ -117,7 +138,7 @@ export function plainNumbers(text: string): string {
 export function table(header: string[], rows: string[][], className = ""): HTMLElement {
   const head = header.length ? h("thead", {}, h("tr", {}, ...header.map((text) => h("th", { scope: "col" }, text)))) : null;
   const body = h("tbody", {}, ...rows.map((row) => h("tr", {}, ...row.map((text) => h("td", {}, text)))));
-  return h("div", { className: "table", tabIndex: 0 }, h("table", { className }, head, body));
+  return h("div", { className: "table", tabIndex: 0, "data-key": className && `table-${className}` }, h("table", { className }, head, body));
 }
 
 /** At most one call each `wait` ms, the last one always. */

@@ -2,14 +2,14 @@
 // lab/session.py does, as far as that needs no Python.
 import { Recorder, micro } from "./handin";
 import type { RunResult } from "./handin";
-import type { Analysed, Catalogue, Changed, ClientMessage, Equations, Look, Setup, Snapshot, Welcome } from "./messages";
+import type { Analysed, Catalogue, Changed, ClientMessage, Equations, Light, Look, Setup, Snapshot, Welcome } from "./messages";
 import { DEFAULT_SETUP } from "./messages";
 import type { Offer } from "./link";
 import { analysed, shown } from "./margins";
 import type { Plant } from "./margins";
 import { Loop, combined, linearMotion } from "./simulator";
 import type { Kit, Law, Motion, Push } from "./simulator";
-import { STATES, UNITS, store } from "./store";
+import { STATES, UNITS, UNLIT, store } from "./store";
 
 export interface Controller {
   kind: string;
@@ -18,7 +18,7 @@ export interface Controller {
   stride: number;
   gains: number[];
   analysed?: Analysed;
-  least?: [number | null, string]; // [s] the smallest delay margin of all places, and where
+  least?: Partial<Light>; // the smallest margins of all places, and where
   plant?: Plant; // of gains by hand, which are analysed here
   S?: number[][];
   Sy?: number[][];
@@ -210,8 +210,7 @@ export class LocalSession {
     if (another) store.hear(facts.equations);
     store.analysed = null;
     window.clearTimeout(this.thinking);
-    const [delay, delay_at] = controller?.least ?? [null, ""];
-    store.hear({ kind: "Light", light: "none", reasons: [], delay, delay_at });
+    store.hear({ ...UNLIT, ...controller?.least });
     if (!controller) return;
     const { plant } = controller;
     if (controller.analysed) store.hear({ ...controller.analysed, L: [shown(facts.every), ...controller.analysed.L] });
@@ -260,6 +259,7 @@ export class LocalSession {
     this.waiting = false;
     this.build(this.lanes.map(() => [pitch, 0, 0, 0, 0, 0]));
     this.recorder.begin(this.t, pitch, this.steer);
+    store.hear({ kind: "Acted", t: this.t });
   }
 
   /** What the page saw, as lab/handin.py's result_of says. */
@@ -295,6 +295,7 @@ export class LocalSession {
   private strike(what: string, size: number): void {
     const { look, equations } = this.facts;
     const start = this.t;
+    store.hear({ kind: "Acted", t: start });
     if (what === "pull_left" || what === "pull_right") {
       this.pulled = { until: start + PULL, force: what === "pull_left" ? size : -size };
       this.active.push({ force: size, start, duration: PULL, height: 0 });

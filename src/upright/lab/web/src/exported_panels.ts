@@ -68,7 +68,7 @@ function shell(command: string): HTMLElement {
   const copy = button(t("copy"), () => {
     getSelection()?.selectAllChildren(code); // to be copied by hand where this may not be done
     void navigator.clipboard?.writeText(command).then(() => (copy.textContent = t("copied")), () => undefined);
-  }, { "aria-label": `${t("copy")}: ${command}` });
+  }, { "aria-label": `${t("copy")}: ${command}`, "data-key": `copy-${command.replace(/\W+/g, "-")}` });
   return h("div", { className: "shell" }, code, copy);
 }
 
@@ -76,8 +76,11 @@ function shell(command: string): HTMLElement {
 export class PythonPanel {
   root = h("div", { className: "panel-body" });
 
+  private shown = "";
+
   build(): void {
     const { robot, controller } = store.setup;
+    this.shown = JSON.stringify([robot, controller]);
     const values: Record<string, string> = { robot, controller };
     const bare = ["off", "gains"].includes(controller); // which no command knows by name
     const own = texts().python.map(([what, command]) => [what, bare ? command.replace(" -c {controller}", "") : command]);
@@ -89,16 +92,17 @@ export class PythonPanel {
   }
 
   update(): void {
-    this.build();
+    if (this.shown !== JSON.stringify([store.setup.robot, store.setup.controller])) this.build();
   }
 }
 
 /** Copies the link to this robot, controller and push; where that is not allowed, shows it to be copied by hand. */
-export function linkButton(say: (text: string) => void): HTMLElement {
+export function linkButton(say: (words: () => string) => void): HTMLElement {
   return button(t("lookAtThis"), () => {
-    const link = address();
+    const [link, { kept }] = [address(), store.last];
     const shown = () => window.prompt(t("lookAtThis"), link);
-    if (navigator.clipboard) navigator.clipboard.writeText(link).then(() => say(`${t("lookCopied")} ${t(store.last.kept)}`), shown);
+    const words = () => `${t(location.protocol === "file:" ? "lookHere" : "lookCopied")} ${t(kept)}`;
+    if (navigator.clipboard) navigator.clipboard.writeText(link).then(() => say(words), shown);
     else shown();
   }, { "data-key": "look", title: t("lookTip") });
 }

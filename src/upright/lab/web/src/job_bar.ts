@@ -1,5 +1,5 @@
 // A job that takes its time: what it does, how far it is, and how long it still takes by its own pace so far.
-import { button, h } from "./dom";
+import { fresh, h, said } from "./dom";
 import type { ClientMessage, Job } from "./messages";
 import { store } from "./store";
 import { named, t } from "./texts";
@@ -19,11 +19,12 @@ export class JobBar {
 
   constructor(readonly job: Job) {
     const keeping = job.startsWith("keep ");
-    const label = keeping ? t("writing") : named(job);
-    this.done.setAttribute("aria-label", label);
-    const what = keeping ? "" : named(`doing_${job}`);
+    const label = said(() => (keeping ? t("writing") : named(job)));
+    label.id = fresh("job");
+    this.done.setAttribute("aria-labelledby", label.id);
+    const what = said(() => (keeping ? "" : named(`doing_${job}`)));
     const stop: ClientMessage = { kind: "Cancel", job };
-    this.root = h("div", { className: "bar" }, h("b", {}, label), button(t("stop"), () => store.send(stop), { "data-key": `stop-${job}` }), this.done, this.words, h("p", { className: "note" }, what));
+    this.root = h("div", { className: "bar" }, h("b", {}, label), h("button", { type: "button", onclick: () => store.send(stop), "data-key": `stop-${job}` }, said(() => t("stop"))), this.done, this.words, h("p", { className: "note" }, what));
     const timer = window.setInterval(() => (this.share < 1 ? this.say() : window.clearInterval(timer)), AGAIN);
     this.say();
   }

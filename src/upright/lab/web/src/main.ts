@@ -2,7 +2,7 @@
 import { Charts, small } from "./charts";
 import { LocalSession, exported } from "./exported";
 import { ExportedRobotPanel, PythonPanel, linkButton } from "./exported_panels";
-import { button, degrees, digits, h, replace, select, slider, throttled } from "./dom";
+import { button, degrees, digits, h, keepingFocus, replace, said, sayAgain, select, slider, throttled } from "./dom";
 import { isLink, tokenIn } from "./link";
 import type { ServerMessage } from "./messages";
 import { Line } from "./net";
@@ -19,7 +19,7 @@ import { Steering } from "./steering";
 import { LEAN, store } from "./store";
 import { ClassPanel } from "./board";
 import "./style.css";
-import { LANGUAGES, OWN, choose, fixed, language, named, t, texts, translate, translated } from "./texts";
+import { LANGUAGES, choose, fixed, language, named, noticed, t, texts, translate } from "./texts";
 import { Tour } from "./tour";
 
 const TABS = ["Tour", "Controller", "Robot", "Kit", "See", "Identify", "Keep", "Class", "Python"] as const;
@@ -27,6 +27,7 @@ type Tab = (typeof TABS)[number];
 const EXPORTED: readonly Tab[] = ["Tour", "Controller", "Robot", "See", "Keep", "Python"]; // the tabs of a page without Python
 
 const PINNED = 0.19; // of the window's height that the room takes while it is pinned, as in the style sheet
+const SHOWN = 10; // [s] of the clock that the curves show: in slow motion less of the robot's time, and more of what is quick
 const SEEN = 400; // [ms] from the first picture to the work on another one
 
 /** Whether the browser draws in three dimensions, and whether by a processor that is made for it. */
@@ -41,7 +42,7 @@ function drawing(): { able: boolean; quick: boolean } {
 class Page {
   private deeper: (() => Stage) | null = null; // the room that takes the side view's place
   private room: Stage = this.furnish();
-  private charts = new Charts(() => this.seconds);
+  private charts = new Charts(() => SHOWN * this.speed);
   private see = new See();
   private controller = new ControllerPanel();
   private local: LocalSession | null = null;
@@ -54,7 +55,6 @@ class Page {
   private classes = new ClassPanel();
   private newcomer = !remembered.getItem("toured") && !isLink(location.hash);
   private tab: Tab = this.newcomer ? "Tour" : "Controller";
-  private seconds = 10;
   private knock = 0.05;
   private speed = 1;
   private scrub = h("input", { type: "range", min: "-60", max: "0", step: "0.02", value: "0", className: "scrub", "data-key": "scrub" });
@@ -71,7 +71,7 @@ class Page {
   private state: State = "connecting";
   private drawn = 0;
   private down: boolean | null = null; // whether the robot lies, as the page says; not known before it is seen
-  private lost = ""; // what made it fall
+  private lost: (() => string) | null = null; // what made it fall
   private best: Record<string, number> = {}; // [N s] the largest push that was recovered from, of each robot under each controller
   private most = h("span", { className: "most", title: "" });
   private telling = 0;
@@ -89,6 +89,7 @@ class Page {
     const asked = new URLSearchParams(location.hash.slice(1)).get("lang") ?? "";
     choose(Object.hasOwn(LANGUAGES, asked) ? asked : remembered.getItem("language") ?? (navigator.language.startsWith("es") ? "es" : "en"));
     store.listen((message) => this.hear(message));
+    store.say = (words, level = "info") => this.toast(words, level);
     store.corrected = () => this.toasts.querySelectorAll(".toast.error").forEach((toast) => toast.remove());
     this.scrub.addEventListener("input", () => store.send({ kind: "Scrub", back: Number(this.scrub.max) - Number(this.scrub.value) }));
     this.equip();
@@ -145,7 +146,7 @@ class Page {
       h("a", { className: "skip", href: "#panel", onclick: () => this.panel.focus() }, t("skip")),
       h("h1", {}, h("span", { className: "mark", "aria-hidden": "true" }), t("title")),
       h("p", { className: "what" }, t("what")), this.light, h("span", { className: "grow" }), this.clock, this.status,
-      exported ? linkButton((text) => this.toast(text, "info")) : null,
+      exported ? linkButton((words) => this.toast(words, "info")) : null,
       select("", languages, language(), (key) => this.speak(key), "language"),
       button("◐", () => this.theme(document.documentElement.dataset.theme === "dark" ? "light" : "dark"), { "aria-label": t("theme"), title: t("theme"), "data-key": "theme" }),
       button("?", () => this.help(), { "aria-label": t("help"), title: t("help"), "data-key": "help" }));
@@ -154,7 +155,7 @@ class Page {
     this.pin(scene);
     replace(this.app, header, h("main", {}, scene, this.panels(), this.charts.root), this.toasts, this.spoken);
     this.lamp();
-    if (!store.snapshot && !store.recorded) this.fell.textContent = t("starting");
+    if (!store.snapshot && !store.recorded) this.tell(said(() => t("starting")));
     if (store.changed) this.rebuild();
   }
 
@@ -288,9 +289,11 @@ class Page {
   private fill(): void {
     if (!store.catalogue || !store.changed) return;
     const built = { Controller: this.controller, Robot: this.robot, Kit: this.kit, See: this.see, Identify: this.identify, Keep: this.keep, Tour: this.tour, Class: this.classes, Python: this.python }[this.tab];
-    if (exported && built === this.keep) this.keep.buildExported();
-    else built.build();
-    replace(this.panel, built.root);
+    keepingFocus(() => {
+      if (exported && built === this.keep) this.keep.buildExported();
+      else built.build();
+      replace(this.panel, built.root);
+    });
   }
 
   private rebuild(): void {
@@ -313,7 +316,7 @@ class Page {
 
   private hear(message: ServerMessage): void {
     switch (message.kind) {
-      case "Welcome": this.build(); break;
+      case "Welcome": keepingFocus(() => this.build()); break;
       case "Catalogue": this.fill(); break;
       case "Changed": {
         const first = !this.panel.firstChild;
@@ -330,9 +333,9 @@ class Page {
       case "Equations": if (this.tab === "See") this.see.show(); break;
       case "Snapshot": this.transported(); break;
       case "Progress": this.identify.progress(message.job, message.fraction); if (message.job === "certify") this.controller.certifying(message.fraction); break;
-      case "JobResult": this.identify.found(); this.toast(`${t(message.job as "doctor" | "calibrate" | "certify")}: ${translate(message.title)}`, message.ok ? "info" : message.job === "certify" ? "error" : "warn"); if (latestLog && this.tab === "Identify") this.identify.build(); break;
-      case "Made": this.keep.made(message.name, message.url.startsWith("blob:") ? message.url : store.files + message.url); this.toast(t("made", { name: message.name }), "info"); break;
-      case "Notice": this.toast(message.key === OWN ? message.text : message.key ? named(message.key) : noticed(message.text), message.level); break;
+      case "JobResult": this.identify.found(); this.toast(() => `${t(message.job as "doctor" | "calibrate" | "certify")}: ${translate(message.title)}`, message.ok ? "info" : message.job === "certify" ? "error" : "warn"); if (latestLog && this.tab === "Identify") keepingFocus(() => this.identify.build()); break;
+      case "Made": this.keep.made(message.name, message.url.startsWith("blob:") ? message.url : store.files + message.url); this.toast(() => t("made", { name: message.name }), "info"); break;
+      case "Notice": this.toast(() => (message.key ? named(message.key) : noticed(message.text)), message.level); break;
       case "Recovered": this.recovered(message.impulse, message.fell); break;
       case "Board": if (this.tab === "Class") this.classes.update(); break;
     }
@@ -346,6 +349,7 @@ class Page {
 
   private lamp(): void {
     const light = lamplight();
+    this.app.classList.toggle("loose", store.falls || (store.changed?.busy ?? false)); // nothing balances it
     if (store.recorded && (store.lit?.light ?? "none") === "none") return replace(this.light);
     this.light.title = t("lightNote");
     replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span", {}, `${t("certificate")}:`), h("span", {}, certificate()[1]?.textContent ?? ""));
@@ -357,11 +361,11 @@ class Page {
     const best = Math.max(this.best[key] ?? 0, fell ? 0 : impulse);
     if (best) this.best[key] = best;
     this.champion();
-    const values = { impulse: digits(impulse), best: digits(best) };
-    if (fell) this.lost = t("lostPush", values);
+    const values = () => ({ impulse: digits(impulse), best: digits(best) });
+    if (fell) this.lost = () => t("lostPush", values());
     if (this.down) return this.lie();
     if (fell) return;
-    this.tell(h("span", {}, t(impulse < best ? "recovered" : "recoveredMost", values)));
+    this.tell(said(() => t(impulse < best ? "recovered" : "recoveredMost", values())));
     this.telling = window.setTimeout(() => this.tell(), 6000);
   }
 
@@ -381,7 +385,8 @@ class Page {
   }
 
   private lie(): void {
-    this.tell(h("span", {}, this.lost || t("fallen")), store.recorded ? null : button(t("standUp"), () => this.stand(), { className: "main" }));
+    const stand = h("button", { type: "button", className: "main", onclick: () => this.stand() }, said(() => t("standUp")));
+    this.tell(said(this.lost ?? (() => t("fallen"))), store.recorded ? null : stand);
   }
 
   private transported(): void {
@@ -394,7 +399,7 @@ class Page {
     this.clock.textContent = `${fixed(s.t, 1)} ${store.recorded ? `/ ${fixed(store.recorded, 1)} ` : ""}s`;
     const fell = Boolean(s.x[0][8]);
     if (fell !== this.down) {
-      if (!fell) this.lost = "";
+      if (!fell) this.lost = null;
       this.down = fell;
       if (fell) this.lie();
       else this.tell();
@@ -439,9 +444,10 @@ class Page {
     replace(this.app, h("main", { className: "refused", role: "alert" }, h("h1", {}, t("refused")), h("p", {}, translate(reason)), button("↻", () => location.reload())));
   }
 
-  private toast(text: string, level: "info" | "warn" | "error"): void {
-    if (this.toasts.lastElementChild?.firstElementChild?.textContent === text) return;
-    const toast = h("div", { className: `toast ${level}` }, h("span", {}, text), button("×", () => toast.remove(), { "aria-label": t("close") }));
+  private toast(words: () => string, level: "info" | "warn" | "error"): void {
+    if (this.toasts.lastElementChild?.firstElementChild?.textContent === words()) return;
+    const close = h("button", { type: "button", onclick: () => toast.remove() }, h("span", { "aria-hidden": "true" }, "×"), h("span", { className: "hidden" }, said(() => t("close"))));
+    const toast = h("div", { className: `toast ${level}` }, said(words), close);
     this.toasts.append(toast);
     while (this.toasts.children.length > 3) this.toasts.firstElementChild?.remove();
     window.setTimeout(() => toast.remove(), level === "error" ? 15000 : 6000);
@@ -452,8 +458,7 @@ class Page {
     remembered.setItem("language", key);
     this.build();
     this.says(this.state);
-    this.tell();
-    this.down = null;
+    sayAgain(this.app);
     this.app.querySelector<HTMLElement>("[data-key=language]")?.focus();
   }
 
@@ -469,10 +474,13 @@ class Page {
   private help(): void {
     const pushes = (["impulse", "size", "front", "back", "pull", "tilt", "step"] as const).map((key) => [t(key === "pull" ? "pullBoth" : key === "back" ? "backPush" : key), t(`${key}Tip`)]);
     const rows = [...pushes, ...texts().keys].map(([key, what]) => h("tr", {}, h("th", { scope: "row" }, key), h("td", {}, what)));
+    const title = h("h2", { tabIndex: -1 }, t("help"));
     const dialog = h("dialog", { className: "help", "aria-label": t("help"), onclose: () => dialog.remove() },
-      h("h2", {}, t("help")), h("table", {}, h("tbody", {}, ...rows)), button(t("close"), () => dialog.close(), { className: "main" }));
+      title, h("table", {}, h("tbody", {}, ...rows)), button(t("close"), () => dialog.close(), { className: "main" }));
     this.app.append(dialog);
     dialog.showModal();
+    title.focus(); // its first line is seen, not its button at the end
+    dialog.scrollTop = 0;
   }
 
   /** Keys of the whole page; what has the focus keeps its own. */
@@ -553,11 +561,6 @@ class Page {
   grasp(): { x: number; y: number } {
     return this.room.grasp();
   }
-}
-
-/** A notice in the chosen language, or as it is, with a word on that. */
-function noticed(text: string): string {
-  return translated(text) ? translate(text) : t("original", { text });
 }
 
 const page = new Page(document.getElementById("app") as HTMLElement);

@@ -1,6 +1,6 @@
 // Generated from src/upright/lab/messages.py by python -m upright.lab.typescript; do not edit.
 
-export const VERSION = 5;
+export const VERSION = 6;
 
 export type BodyName = "twin" | "nonlinear" | "linear" | "published" | "calibrated";
 
@@ -9,6 +9,11 @@ export type Job = "certify" | "doctor" | "calibrate" | "design";
 export type Keep = "csv" | "parquet" | "report" | "replay" | "controller" | "robot" | "handin";
 
 export type PushName = "front" | "back" | "impulse" | "pull_left" | "pull_right";
+
+export interface Acted {
+  kind: "Acted";
+  t: number;
+}
 
 export interface FamilyInfo {
   name: string;
@@ -229,6 +234,10 @@ export interface Light {
   reasons: string[];
   delay: number | null;
   delay_at: string;
+  gain_low: number | null;
+  low_at: string;
+  gain_high: number | null;
+  high_at: string;
 }
 
 export interface Progress {
@@ -327,4 +336,5 @@ export type ServerMessage =
   | History
   | Snapshot
   | Board
-  | Catalogue;
+  | Catalogue
+  | Acted;

@@ -5,7 +5,7 @@ import type { Offer } from "./link";
 import { DEFAULT_SETUP } from "./messages";
 import type { BodyName } from "./messages";
 import { LEAN, store } from "./store";
-import { OWN, t } from "./texts";
+import { t } from "./texts";
 
 const AFTER = 1000; // [ms] from the controller to the push
 const MODELS: BodyName[] = ["nonlinear", "linear"]; // with which a class begins, as lab/classroom.py
@@ -36,12 +36,12 @@ export function open(): void {
   const { setup, push, robot, controller, left } = fromLink(location.hash, offer());
   const { robots } = offer();
   store.change(setup);
-  const words = [
+  const words = () => [
     robot && t("noSuchRobot", { name: robot, shown: setup.robot, all: Object.keys(robots).join(", ") }),
     controller && t("noSuchController", { name: controller, shown: setup.controller, all: robots[setup.robot].controllers.join(", ") }),
     left.length && t("leftOut", { parts: left.join(", ") }),
-  ].filter(Boolean);
-  if (words.length) store.hear({ kind: "Notice", level: "error", text: words.join(" "), key: OWN });
+  ].filter(Boolean).join(" ");
+  if (words()) store.say(words, "error");
   store.last.name(push);
   window.clearTimeout(timer);
   const wait = () => {

@@ -1,5 +1,5 @@
 // The panels below: controller, robot, kit, what was found, what is kept. Each builds itself from the store.
-import { button, degrees, digits, fresh, h, numberField, plainNumbers, replace, select, slider, table, throttled } from "./dom";
+import { button, degrees, digits, fresh, h, keepingFocus, numberField, plainNumbers, replace, said, sayAgain, select, slider, table, throttled } from "./dom";
 import type { Slider } from "./dom";
 import type { BodyName, Job, Keep, Setup } from "./messages";
 import { exported } from "./exported";
@@ -7,7 +7,7 @@ import { JobBar } from "./job_bar";
 import { address } from "./opening";
 import { session } from "./remember";
 import { LEAN, STATES, SYMBOLS, UNITS, store } from "./store";
-import { OWN, named, t, translate, translated } from "./texts";
+import { named, noticed, t, translate, translated } from "./texts";
 import { legendEntry } from "./charts";
 import { sentence } from "./see";
 import { atMotors, leastMargins } from "./verdict";
@@ -74,7 +74,7 @@ export class ControllerPanel extends Panel {
   override update(): void {
     const box = this.root.querySelector<HTMLSelectElement>("[data-key=controller]");
     if (box && document.activeElement !== box) box.value = store.setup.controller;
-    const shape = `${store.setup.controller} ${store.changed?.look.command_unit} ${this.byHand().length}`;
+    const shape = `${store.setup.controller} ${store.changed?.look.command_unit} ${store.setup.controller === "gains" ? this.byHand().length : ""}`; // what is known of the loop comes and goes
     if (shape !== this.shape) this.shapeWeights(shape);
     this.sliders.forEach((s, i) => s.set(store.setup.controller === "gains" ? (this.byHand()[i] ?? 0) : this.sizes()[i]));
     replace(this.gain, ...this.gains());
@@ -146,7 +146,7 @@ export class ControllerPanel extends Panel {
       [t("delayMargin"), a.delay === null ? t("unlimited") : `${digits(a.delay * 1000, 3)} ms`],
     ];
     if (!a.stable) parts.push(h("p", { className: "note" }, sentence(translate(a.words))));
-    else parts.push(...leastMargins(a), atMotors(a), table([], rows, "margins"));
+    else parts.push(...leastMargins(a), atMotors(), table([], rows, "margins"));
     return parts;
   }
 }
@@ -178,12 +178,14 @@ export function certificate(): (Node | null)[] {
 export class RobotPanel extends Panel {
   private sliders: [keyof Setup, Slider][] = [];
   private table = h("div", { className: "parameters" });
+  private fields = new Map<string, ReturnType<typeof numberField>>();
   private shown = "";
   private opened = false;
   private title = h("p", { className: "note" });
 
   build(): void {
     this.shown = "";
+    this.fields.clear();
     const robots = (store.catalogue?.robots ?? []).map((r): [string, string] => [r.name, r.name]);
     if (!robots.some(([name]) => name === store.setup.robot)) robots.push([store.setup.robot, store.setup.robot]);
     const preset = select(t("preset"), robots, store.setup.robot, (v) => this.choose(v), "robot");
@@ -241,13 +243,16 @@ export class RobotPanel extends Panel {
   private parameters(): void {
     const base = store.catalogue?.robots.find((r) => r.name === store.setup.robot)?.numbers ?? {};
     const values = { ...base, ...store.setup.numbers };
-    const rows = Object.entries(values).map(([name, value]) => {
+    if (Object.keys(values).join() === [...this.fields.keys()].join()) return this.fields.forEach((field, name) => field.set(values[name])); // who types in one goes on
+    this.fields.clear();
+    const rows = Object.keys(values).map((name) => {
       const id = fresh("number");
       const field = numberField((v) => store.change({ numbers: { ...store.setup.numbers, [name]: v } }), { id, "data-key": `number-${name}` });
-      field.set(value);
+      this.fields.set(name, field);
       const symbol = store.catalogue?.symbols[name] ?? "";
       return h("div", { className: "parameter" }, h("label", { "for": id }, `${translate(name.replaceAll("_", " "))} ${symbol}`), field.root, h("span", {}, (store.catalogue?.units[name] ?? "").replace(/^1$/, "")));
     });
+    this.fields.forEach((field, name) => field.set(values[name]));
     replace(this.table, ...rows, button(t("ownNumbers"), () => store.change({ numbers: {}, drive: "" }), { className: "quiet", "data-key": "own-numbers" }));
   }
 }
@@ -294,17 +299,17 @@ let opened: () => void = () => undefined; // called where a log was opened
 
 async function send(file: File, what: "log" | "robot"): Promise<void> {
   const address = `upload/${store.session}?what=${what}&name=${encodeURIComponent(file.name)}`;
-  store.hear({ kind: "Notice", level: "info", text: t("uploaded", { name: file.name }), key: OWN });
+  store.say(() => t("uploaded", { name: file.name }));
   try {
     const answer = await fetch(address, { method: "POST", body: file });
-    const said = (await answer.json()) as { name?: string; error?: string };
-    if (said.error) store.hear({ kind: "Notice", level: "error", text: said.error, key: "" });
+    const { name, error } = (await answer.json()) as { name?: string; error?: string };
+    if (error) store.say(() => noticed(error), "error");
     else if (what === "log") {
-      latestLog = said.name ?? "";
+      latestLog = name ?? "";
       opened();
     }
   } catch {
-    store.hear({ kind: "Notice", level: "error", text: t("lost"), key: OWN });
+    store.say(() => t("lost"), "error");
   }
 }
 
@@ -323,7 +328,7 @@ export class IdentifyPanel extends Panel {
 
   constructor() {
     super();
-    opened = () => this.build();
+    opened = () => keepingFocus(() => this.build());
   }
 
   build(): void {
@@ -349,8 +354,8 @@ export class IdentifyPanel extends Panel {
 
   private compare(): void {
     store.send({ kind: "Save", what: "report", name: this.source });
-    const text = t([...this.shares.keys()].some((job) => job !== "design") ? "compareWaits" : "comparing");
-    store.hear({ kind: "Notice", level: "info", text, key: OWN });
+    const key = [...this.shares.keys()].some((job) => job !== "design") ? "compareWaits" : "comparing";
+    store.say(() => t(key));
   }
 
   progress(job: Job, share: number): void {
@@ -378,7 +383,10 @@ export class IdentifyPanel extends Panel {
 }
 
 export class KeepPanel extends Panel {
-  private links = h("div", { className: "links", role: "status" });
+  private files = new Map<string, HTMLElement>();
+  private saved = h("p", { className: "saved" });
+  private linked = h("div", {});
+  private links = h("div", { className: "links", role: "status" }, this.linked, this.saved);
 
   constructor(private picture: () => Promise<Blob | null>) {
     super();
@@ -386,6 +394,7 @@ export class KeepPanel extends Panel {
 
   /** Without Python there are the traces, the picture and the hand-in to keep. */
   buildExported(): void {
+    sayAgain(this.links);
     const csv = button(t("csv"), () => store.send({ kind: "Save", what: "csv", name: "" }), { "data-key": "keep-csv" });
     replace(this.root, h("div", { className: "column wide" },
       h("p", { className: "note" }, t("csvNote")), h("div", { className: "row" }, csv, this.pictureButton()),
@@ -393,6 +402,7 @@ export class KeepPanel extends Panel {
   }
 
   build(): void {
+    sayAgain(this.links);
     const kinds: [string, [Keep, string][]][] = [
       [t("keepData"), [["csv", t("csv")], ["parquet", t("parquet")]]], [t("keepPages"), [["report", t("report")], ["replay", t("replay")]]],
       [t("keepFiles"), [["controller", t("controllerFile")], ["robot", t("robotFile")]]],
@@ -413,7 +423,7 @@ export class KeepPanel extends Panel {
       if (name.value.trim()) store.send({ kind: "Save", what: "handin", name: name.value.trim() });
       else {
         name.focus();
-        store.hear({ kind: "Notice", level: "info", text: t("nameMissing"), key: OWN });
+        store.say(() => t("nameMissing"));
       }
     };
     return h("div", { className: "row hand-in" }, h("label", { "for": id }, t("yourName")), name, button(t("handIn"), send, { "data-key": "keep-handin" }));
@@ -429,17 +439,19 @@ export class KeepPanel extends Panel {
   }
 
   private async copy(): Promise<void> {
-    const link = address();
+    const [link, { kept }] = [address(), store.last];
     history.replaceState(null, "", link);
     await navigator.clipboard?.writeText(link).catch(() => undefined);
     const field = h("input", { readOnly: true, value: link, "aria-label": t("link"), className: "address" });
-    this.links.prepend(h("p", { className: "note" }, `${t("linkCopied")} ${t(store.last.kept)}`, field));
+    replace(this.linked, h("p", { className: "note" }, said(() => `${t("linkCopied")} ${t(kept)}`)), field);
     field.select();
   }
 
+  /** Saved at once; the newest of each name can be had again. */
   made(name: string, url: string): void {
-    const link = h("a", { href: url, download: name }, t("made", { name }));
-    this.links.prepend(h("p", {}, link));
+    const link = h("a", { href: url, download: name }, name);
+    this.files.set(name, link);
+    replace(this.saved, said(() => t("saved")), ...[...this.files.values()].flatMap((one) => [" ", one]));
     link.click();
   }
 }

@@ -43,8 +43,17 @@ export class Traces {
   marks: Mark[] = [];
   breaks: [number, number][] = []; // [s] two samples of which the second does not go on from the first
   other = false; // whether the next sample is another robot's or controller's
+  from = -Infinity; // [s] up to which nothing is shown
+
+  /** Forget what was before t [s], here and in the history. */
+  begin(t: number): void {
+    this.reset(this.x.length);
+    this.from = t;
+    this.other = false;
+  }
 
   reset(bodies: number): void {
+    this.from = -Infinity;
     this.t = [];
     this.x = Array.from({ length: bodies }, () => STATES.map(() => []));
     this.estimate = [];
@@ -56,7 +65,7 @@ export class Traces {
 
   add(s: Snapshot): void {
     const last = this.t.at(-1);
-    if (last !== undefined && s.t <= last) return;
+    if (s.t <= this.from || (last !== undefined && s.t <= last)) return;
     if (s.x.length !== this.x.length) this.reset(s.x.length);
     this.push(s.t, s.x, s.e[0] ?? NaN, s.x[0][6], s.x[0][7], s.s);
     if (this.t.length > LONGEST + 400) this.cut(this.t.length - LONGEST);
@@ -90,7 +99,7 @@ export class Traces {
     let k = 0;
     const history = (until: number) => {
       for (; k < times.length && times[k] < until - 1e-3; k += 1) {
-        if (times[k] - (whole.t.at(-1) ?? -Infinity) < APART) continue;
+        if (times[k] <= this.from || times[k] - (whole.t.at(-1) ?? -Infinity) < APART) continue;
         const [row, rest] = [rows[k], rows[k].slice(6 * bodies)];
         whole.push(times[k], Array.from({ length: bodies }, (_, i) => row.slice(6 * i, 6 * i + 6)), rest[0], rest[1], rest[2], rest[3]);
       }
@@ -102,7 +111,7 @@ export class Traces {
     history(Infinity);
     whole.breaks.push(...this.breaks);
     whole.marks.push(...this.marks);
-    Object.assign(this, whole);
+    Object.assign(this, whole, { from: this.from, other: this.other });
   }
 
   /** Forget everything from time t on: the session went back. */
@@ -123,6 +132,9 @@ export class Traces {
   }
 }
 
+/** What is known of a loop before its certificate. */
+export const UNLIT: Light = { kind: "Light", light: "none", reasons: [], delay: null, delay_at: "", gain_low: null, low_at: "", gain_high: null, high_at: "" };
+
 type Listener = (message: ServerMessage) => void;
 
 export class Store {
@@ -142,17 +154,35 @@ export class Store {
   setup: Setup = DEFAULT_SETUP;
   last = new LastPush(); // for a link
   corrected: () => void = () => undefined; // called where the set-up is changed here
+  say: (words: () => string, level?: "info" | "warn" | "error") => void = () => undefined; // to whoever looks at the page
   recorded = 0; // [s] that a recording lasts; 0 in a session that lives
   send: (message: ClientMessage) => void = () => undefined;
   private listeners: Listener[] = [];
   private sent: Mark | null = null; // a push that is on its way
   private waiting = false; // for the session to have the set-up that was chosen here
+  private fresh = false; // whether the curves begin anew when the robot stands up
+  lain: number | null = null; // [s] since when every body lies
   private asked = -AGAIN;
   private missing = Infinity; // [s] since when there are holes that nobody was asked about
 
   /** Whether nothing balances the robot: upright it would stand for seconds. */
   get falls(): boolean {
     return this.setup.controller === "off" || this.analysed?.stable === false;
+  }
+
+  /** Begin with empty curves: `act` stands the robot up to another run. */
+  anew(act: () => void): void {
+    this.fresh = true;
+    act();
+    if (this.fresh) this.traces.begin(Infinity);
+  }
+
+  /** A push or a lean that was asked for acts from t [s] on. */
+  private acted(t: number): void {
+    if (this.fresh) this.traces.begin(t);
+    else if (this.sent) this.sent.t = t;
+    this.fresh = false;
+    this.sent = null;
   }
 
   /** Whether the controller that was chosen drives. */
@@ -167,9 +197,10 @@ export class Store {
     const held = hand.on;
     this.last.note(message, t);
     if (message.kind === "Strike") marks.push({ t, what: message.what, size: message.size });
+    else if (message.kind === "StandUp" && message.pitch) marks.push({ t, what: "tilt", size: message.pitch });
     else if (hand.on && !held) marks.push({ t, what: "hand", size: 0 });
     else if (held && marks.at(-1)?.what === "hand") (marks.at(-1) as Mark).size = hand.impulse;
-    if (message.kind === "Strike" || (hand.on && !held)) this.sent = marks.at(-1) ?? null;
+    if (message.kind === "Strike" || message.kind === "StandUp" || (hand.on && !held)) this.sent = marks.at(-1) ?? null;
   }
 
   listen(listener: Listener): void {
@@ -201,7 +232,7 @@ export class Store {
 
   private forget(): void {
     this.analysed = null;
-    this.lit = { kind: "Light", light: "none", reasons: [], delay: null, delay_at: "" };
+    this.lit = UNLIT;
     for (const listener of this.listeners) listener(this.lit);
   }
 
@@ -219,13 +250,15 @@ export class Store {
     switch (message.kind) {
       case "Snapshot":
         this.snapshot = message;
-        if (this.sent && message.f[0]) [this.sent.t, this.sent] = [message.t, null]; // it acts from now on
+        if (this.sent?.what === "hand" && message.f[0]) [this.sent.t, this.sent] = [message.t, null];
+        if (!message.back) this.lain = message.x.every((row) => row[8]) ? (this.lain ?? message.t) : null;
         if (!message.back) {
           this.recall(message);
           this.traces.add(message);
         }
         break;
       case "Welcome":
+        this.traces.from = -Infinity; // its time may begin anew
         this.role = message.role;
         this.session = message.session;
         this.files = message.files;
@@ -242,6 +275,7 @@ export class Store {
         if (this.waiting) return;
         this.lit = message;
         break;
+      case "Acted": this.acted(message.t); break;
       case "Board": this.board = message; break;
       case "JobResult": this.found = message; break;
       case "History": this.traces.fill(message.t, message.rows); break;

@@ -29,8 +29,6 @@ export function t(key: Plain, values: Record<string, string | number> = {}): str
   return chosen[key].replace(/\{(\w+)\}/g, (_, name: string) => numeral(String(values[name] ?? "")));
 }
 
-export const OWN = "own"; // key of a notice that is this page's, in the chosen language already
-
 /** A text by a key that comes from the server, or the key itself. */
 export function named(key: string): string {
   const found = (chosen as unknown as Record<string, unknown>)[key];
@@ -69,4 +67,9 @@ export function translate(text: string): string {
 /** Whether the chosen language has words for a sentence of the server. */
 export function translated(text: string): boolean {
   return chosen === en || PHRASES.some(([pattern]) => pattern.test(text));
+}
+
+/** A notice of the server in the chosen language, or as it is, with a word on that. */
+export function noticed(text: string): string {
+  return translated(text) ? translate(text) : t("original", { text });
 }

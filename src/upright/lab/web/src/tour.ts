@@ -88,9 +88,11 @@ export class Tour {
       this.build();
       this.root.querySelector<HTMLButtonElement>("[data-key=tour-set]")?.focus();
     }
-    store.change({ ...DEFAULT_SETUP, ...setup });
-    this.run(speed ?? 1);
-    store.send({ kind: "StandUp", pitch: lean });
+    store.anew(() => {
+      this.run(speed ?? 1); // first, so that nothing of the robot before is seen
+      store.change({ ...DEFAULT_SETUP, ...setup });
+      store.send({ kind: "StandUp", pitch: lean });
+    });
     if (strike) window.setTimeout(() => store.send({ kind: "Strike", what: strike, size: strike === "front" ? 0.1 : -0.12 }), 1000);
   }
 }

@@ -1,6 +1,7 @@
-// Whether the smallest margins are enough, in plain words.
+// Whether the smallest margins are enough, in plain words: once every place is known where the loop can be broken.
 import { digits, h } from "./dom";
-import type { Analysed } from "./messages";
+import { exported } from "./exported";
+import type { Analysed, Light } from "./messages";
 import { store } from "./store";
 import { t, translate } from "./texts";
 
@@ -8,23 +9,38 @@ const [LEAST_GAIN, LEAST_DELAY] = [0.04, 0.25]; // below which a margin is thin 
 
 /** The smallest margins in plain words and with a verdict: how much later, stronger or weaker the loop bears. */
 export function leastMargins(a: Analysed): Node[] {
-  const every = store.changed?.period ?? 0.01;
-  const [delay, place] = weakest(a);
-  const verdict = (enough: boolean, words: string) => h("p", { className: `verdict ${enough ? "good" : "bad"}` }, h("b", {}, t(enough ? "enough" : "thin")), ` ${words}`);
-  const [down, up] = [1 - (a.gain_low ?? 0), (a.gain_high ?? Infinity) - 1];
-  const percent = (part: number) => digits(100 * part, 2);
-  return [
-    delay === null ? verdict(true, t("anyDelay")) : verdict(delay >= LEAST_DELAY * every, t("leastDelay", { delay: digits(delay * 1000, 2), place: translate(place), least: digits(LEAST_DELAY * every * 1000, 2) })),
-    verdict(Math.min(down, up) >= LEAST_GAIN, up === Infinity ? t("leastGainLow", { down: percent(down) }) : t("leastGain", { down: percent(down), up: percent(up) })),
-  ];
+  const lit = store.lit;
+  const known = Boolean(lit?.delay_at);
+  const thin = tight(known && lit ? lit : a); // no smallest margin is larger than one
+  if (!known || !lit) return [h("p", { className: `verdict ${thin ? "bad" : "open"}` }, thin && h("b", {}, `${t("thinMotors")} `), thin ? "" : t(exported ? "placesPython" : lit?.reasons.length ? "placesCertificate" : "placesPending"))];
+  const red = lit.light === "red" || lit.light === "amber" ? lit.light : null;
+  const words = t(thin ? "thin" : red === "red" ? "enoughRed" : red ? "enoughAmber" : "enough");
+  return [h("p", { className: `verdict ${thin ? "bad" : red ? "open" : "good"}` }, h("b", {}, words), ` ${delayed(lit)} ${scaled(lit)}`)];
 }
 
-/** The smallest delay margin [s] and its place; at the motors as long as no other is known. */
-function weakest(a: Analysed): [number | null, string] {
-  return typeof store.lit?.delay === "number" ? [store.lit.delay, store.lit.delay_at ?? ""] : [a.delay, "both motors"];
+function tight({ delay, gain_low, gain_high }: Pick<Light, "delay" | "gain_low" | "gain_high">): boolean {
+  return (delay ?? Infinity) < least() || Math.min(1 - (gain_low ?? 0), (gain_high ?? Infinity) - 1) < LEAST_GAIN;
+}
+
+/** The shortest delay margin that is enough [s]. */
+function least(): number {
+  return LEAST_DELAY * (store.changed?.period ?? 0.01);
+}
+
+function delayed({ delay, delay_at }: Light): string {
+  if (delay === null) return t("anyDelay");
+  return t("leastDelay", { delay: digits(delay * 1000, 2), place: translate(delay_at), least: digits(least() * 1000, 2) });
+}
+
+function scaled({ gain_low, low_at, gain_high, high_at }: Light): string {
+  const percent = (part: number) => digits(100 * part, 2);
+  const down = { down: percent(1 - (gain_low ?? 0)), low: translate(low_at) };
+  return gain_high === null ? t("leastGainLow", down) : t("leastGain", { ...down, up: percent(gain_high - 1), high: translate(high_at) });
 }
 
 /** The heading of the margins at the motors, which are not always the smallest. */
-export function atMotors(a: Analysed): Node {
-  return h("h4", {}, t("margins"), weakest(a)[1] === "both motors" ? "" : ` ${t("notWeakest")}`);
+export function atMotors(): Node {
+  const { delay_at, low_at, high_at } = store.lit ?? { delay_at: "", low_at: "", high_at: "" };
+  const elsewhere = [delay_at, low_at, high_at].some((place) => place && place !== "both motors");
+  return h("h4", {}, t("margins"), elsewhere ? ` ${t("notWeakest")}` : "");
 }
