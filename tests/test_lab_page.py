@@ -505,7 +505,7 @@ def test_the_keyboard_alone_does_it(page):
     page.keyboard.up("b")
     until(page, "upright.store.snapshot.f[0] === 0")
     page.keyboard.press("?")
-    assert page.locator("dialog.help").is_visible()
+    assert page.locator("dialog.help").evaluate("e => [e.scrollTop, e.scrollHeight > e.clientHeight]") == [0, True]
     page.keyboard.press("Escape")
     page.locator("#tab-Controller").focus()
     page.keyboard.press("ArrowRight")
@@ -695,7 +695,18 @@ def test_from_phone_to_wall_nothing_is_cut_off(page, size):
     if size == (844, 390):  # a phone on its side shows robot, pitch, a push and the open tab at once
         parts = ".room, .slot .strip, [data-key=impulse], #tab-Tour, #panel h3"
         seen = f"[...document.querySelectorAll('{parts}')].map(e => e.getBoundingClientRect().bottom <= innerHeight)"
-        assert page.evaluate(seen) == [True] * 6  # two curves
+        assert page.evaluate(seen) == [True] * 5
+        whole = seen.replace("[data-key=impulse]", ".transport")  # nor is a button below the fold
+        for language in ("en", "es"):
+            page.select_option("[data-key=language]", language)
+            assert page.evaluate(whole) == [True] * 5
+            tabs = page.locator(".tabs")
+            assert tabs.evaluate("e => e.scrollWidth - e.clientWidth") <= 0, language
+            page.evaluate("upright.store.hear({kind: 'Recovered', impulse: 0.1, effort: 1, best: 0.2, fell: true})")
+            page.evaluate("upright.page.lie()")
+            room, fell = (page.locator(name).bounding_box() for name in (".room", ".fell"))
+            assert fell["y"] >= room["y"] + room["height"], "what is said covers no robot"
+        assert page.locator(".slot .plot").bounding_box()["height"] >= 80  # twice what two curves had
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
@@ -984,3 +995,99 @@ def test_a_hand_in_of_the_page_is_graded(page, tmp_path):
     fetched.value.save_as(tmp_path / "ana.json")
     graded = grade_file(tmp_path / "ana.json")
     assert (graded.student, graded.task, graded.verdict) == ("Ana", "push", "ok"), graded.why
+
+
+def test_no_margin_is_judged_before_every_place_is_known(page):
+    """What is said last is what `linear_margins` finds; before it, nothing is called enough or the weakest place."""
+    from upright.certify.verdict import linear_margins
+    from upright.control import CONTROLLERS
+    from upright.robots import Kit
+
+    page.evaluate("""() => {
+        window.shown = [];
+        const said = () => document.querySelector('.verdict')?.innerText ?? '';
+        upright.store.listen(() => shown.push([upright.store.lit?.light ?? 'none', said()]));
+        upright.store.change({robot: 'twipr', kit: 'twipr', controller: 'lqg'});
+    }""")
+    until(page, "upright.store.settled && upright.store.lit?.delay_at")
+    said = page.inner_text(".verdict")
+    robot, kit = Robot.preset("twipr"), Kit.preset("twipr")
+    least = linear_margins(CONTROLLERS["lqg"](robot, kit, kit.period), robot, kit)
+    assert least
+    numbers = [float(text) for text in re.findall(r"\d+(?:\.\d+)?(?= ms more| % weaker| % stronger)", said)]
+    true = [1e3 * least.delay, 100 * (1 - least.gain_low), 100 * (least.gain_high - 1)]
+    assert numbers == pytest.approx(true, rel=0.05)  # two digits are shown
+    assert re.findall(r"\((.*?)\)", said) == [least.delay_at, least.low_at, least.high_at]
+    waiting = {text for light, text in page.evaluate("shown") if light == "none" and text}
+    assert len(waiting) == 1
+    assert not re.search(r"\d|suffice|weakest", waiting.pop())
+
+
+def test_what_has_the_focus_keeps_it(page):
+    """While a design comes and goes: a slider goes on by keys, and Tab leads to the next field."""
+    page.locator("[data-key=weight-0]").focus()
+    for step in range(1, 5):
+        page.keyboard.press("ArrowLeft")
+        until(
+            page,
+            f"upright.store.settled && upright.store.analysed && upright.store.setup.largest[0] < {0.15 * 0.98**step}",
+        )
+        assert page.evaluate("document.activeElement.dataset.key") == "weight-0"
+    assert page.evaluate("upright.store.snapshot.r[1]") == 0  # no key has turned the robot
+    tab(page, "Robot")
+    page.click("summary")
+    for key in ("body_mass", "wheel_mass"):
+        field = page.locator(f"[data-key=number-{key}]")
+        field.focus()
+        field.fill(str(float(field.input_value()) * 1.01))
+        page.keyboard.press("Enter")
+        until(page, f"upright.store.settled && upright.store.changed.setup.numbers.{key}")
+        assert page.evaluate("document.activeElement.dataset.key") == f"number-{key}"
+    tab(page, "Identify")
+    page.click("[data-key=doctor]")
+    until(page, "upright.store.found?.job === 'doctor'")
+    assert page.evaluate("document.activeElement.dataset.key") == "doctor"
+
+
+def test_the_fall_of_the_tour_fills_its_curve(page):
+    """Its curve begins with the lean, in a window of a second, and stays when the robots lie; and nobody says that it
+    balances by itself."""
+    assert page.locator(".hint").inner_text().startswith("It balances")
+    page.keyboard.press("n")
+    page.click("[data-key=tour-next]")
+    page.click("[data-key=tour-set]")
+    until(page, "upright.store.changed.setup.controller === 'off'")
+    assert not page.locator(".hint > span").is_visible()
+    until(page, "upright.store.lain")
+    first, fallen = page.evaluate("[upright.store.traces.t[0], upright.store.lain]")
+    assert page.evaluate("upright.store.traces.x[0][0][0]") == pytest.approx(0.02, abs=0.01)
+    until(page, f"upright.store.snapshot.t > {fallen} + 1.1")  # a window later
+    low, high = page.evaluate("(({min, max}) => [min, max])(upright.page.charts.strips[0].plot.scales.x)")
+    assert high - low == pytest.approx(1.0)
+    assert low - 0.3 < first < fallen < high  # the fall takes half of it
+    assert fallen - first > 0.4
+
+
+def test_what_is_said_follows_the_language(page):
+    """Messages that stand there when the language is changed, in the room, in the corner and in a tab not open then."""
+    tab(page, "Keep")
+    page.click("[data-key=link]")
+    page.click("[data-key=keep-robot]")
+    until(page, "document.querySelector('.saved a')")
+    tab(page, "Controller")
+    page.evaluate("upright.store.hear({kind: 'Notice', level: 'error', text: '', key: 'tooMany'})")
+    page.evaluate("upright.store.hear({kind: 'Recovered', impulse: 0.2, effort: 1, best: 0.2, fell: false})")
+    page.select_option("[data-key=language]", "es")
+    texts = json.loads((WEB / "src" / "texts" / "es.json").read_text("utf-8"))
+    assert (
+        page.inner_text(".fell").replace("\N{NO-BREAK SPACE}", " ") == "Se recuperó de un empujón de 0,2 N s, el mayor"
+    )
+    assert texts["tooMany"] in page.locator(".toast").all_inner_texts()[-1]
+    tab(page, "Keep")
+    assert re.findall(rf".*{ENGLISH}.*", page.inner_text(".links .note")) == []
+    assert page.inner_text(".saved").startswith(texts["saved"])
+    page.evaluate("upright.store.push({ kind: 'Strike', what: 'impulse', size: 0.8 })")
+    until(page, "document.querySelector('.fell button')")
+    for language, words in (("en", "It fell"), ("es", "Se cayó")):
+        page.select_option("[data-key=language]", language)
+        assert page.inner_text(".fell").startswith(words)

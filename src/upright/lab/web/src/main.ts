@@ -210,6 +210,7 @@ class Page {
     this.pauseButton.onclick = () => this.pause();
     const speeds: [string, string][] = [["0.05", "× 1/20"], ["0.1", "× 1/10"], ["0.25", "× 1/4"], ["0.5", "× 1/2"], ["1", "× 1"]];
     const speed = select(t("speed"), speeds, String(this.speed), (v) => this.run(Number(v), store.snapshot?.paused), "speed");
+    speed.querySelector("select")?.setAttribute("aria-label", t("speed"));
     const step = button(t("step"), () => store.send({ kind: "Step", periods: 1 }), { title: t("stepTip"), "data-key": "step" });
     const line = t(store.recorded ? "timeLine" : "back");
     this.scrub.setAttribute("aria-label", line);
