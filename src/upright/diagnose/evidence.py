@@ -114,6 +114,10 @@ class Toppling:
         """The lean [rad] that a push gives the robot."""
         return (self.per_impulse + push.height * self.per_height) * push.impulse
 
+    def largest_like(self, push: PushEstimate) -> float:
+        """The impulse [N s] of the largest push at the same height that the motors bring back."""
+        return self.largest / abs(self.per_impulse + push.height * self.per_height)
+
     def beyond(self, push: PushEstimate) -> float:
         """The push over the largest that the motors bring back [1]. They act while it lasts, so that a force counts
         the less the later it comes: by exp(−λt)."""

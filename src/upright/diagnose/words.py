@@ -12,7 +12,7 @@ from upright.diagnose.beyond import Leftover
 from upright.diagnose.changes import PART
 from upright.diagnose.evidence import EXCURSION, FOREIGN, Demand, Evidence
 from upright.diagnose.fall import LEANING
-from upright.diagnose.fault_fits import FaultFit, PushEstimate
+from upright.diagnose.fault_fits import PUSH_ERROR, FaultFit, PushEstimate
 from upright.physics.dynamics import motor_gain
 
 Array = NDArray[np.float64]
@@ -122,18 +122,22 @@ def of_push(evidence: Evidence, push: PushEstimate, lean: float) -> str:
     caused, largest = (math.degrees(angle) for angle in (lean, min(evidence.toppling.largest, LEANING)))
     several = lean > 1.01 * abs(evidence.toppling.lean(push))
     it = "With smaller pushes the same way it" if several else "It"
+    lasted, most_saved = push.stop - push.start, evidence.toppling.largest_like(push)
+    took = "shorter than a sample" if lasted < evidence.run.kit.period else f"{1e3 * lasted:.2g} ms long"
+    sure = f"{100 * PUSH_ERROR:.0f} %"
     return (
-        f"a push {way} of {abs(push.impulse):.2g} N s at t = {push.start:.2f} s, "
-        f"{1e3 * (push.stop - push.start):.2g} ms long, taken at {push.height:.2g} m above the axle, explains "
-        f"{most(evidence.pushes_only.explained)} of the innovations. {it} makes the robot so fast that this counts as "
-        f"{caused:.2g}° of lean; the motors bring back {largest:.2g}° at most{_battery(evidence)}"
+        f"a push {way} of {abs(push.impulse):.2g} N s at t = {push.start:.2f} s, {took}, known to {sure} "
+        f"if it hit {push.height:.2g} m above the axle, explains {most(evidence.pushes_only.explained)} of the "
+        "innovations. "
+        f"{it} makes the robot so fast that this counts as {caused:.2g}° of lean; the motors bring back {largest:.2g}° "
+        f"at most{_battery(evidence)}, a push of {most_saved:.2g} N s there"
     )
 
 
 def _battery(evidence: Evidence) -> str:
     """The battery of the kit, which limits what motors bring back; empty for a torque drive."""
     volts = evidence.run.kit.battery.voltage
-    return f" with {volts:g} V" if evidence.run.robot.command_unit == "V" and math.isfinite(volts) else ""
+    return f" with a battery of {volts:g} V" if evidence.run.robot.command_unit == "V" and math.isfinite(volts) else ""
 
 
 def of_demand(evidence: Evidence, demand: Demand) -> str:
@@ -153,7 +157,7 @@ def of_low(evidence: Evidence) -> str:
 
 def of_high(evidence: Evidence) -> str:
     if evidence.motors.swings < 1:
-        return f"{sound(evidence)}, and the commands were large without swings"
+        return f"{sound(evidence)}, and the commands were large without swings, as a high gain makes them"
     return (
         f"{sound(evidence)}, and the commands changed sign {evidence.motors.swings:.1g} times a second with growing "
         "swings"

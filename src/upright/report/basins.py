@@ -67,7 +67,7 @@ def basin_figure(data: Dataset) -> Figure:
     note = f"Tried: {whole}, every {steps}"
     note += f", with {_several(data)} robots at each state." if family else "."
     note += " Drawn is the part around what recovers."
-    note += "" if family else " The border is smoothed between them. Similar robots: add --vary spread -n 20."
+    note += "" if family else " The border is smoothed between them. Similar robots: add `--vary spread` and `-n 20`."
     apart = float(data["island"].values.mean())
     islands = f" {100 * apart:.2g} % of these states are islands: from states between them and rest the robot falls."
     return Figure(title, drawing, note + (islands if apart else ""))
@@ -168,7 +168,7 @@ def basin_page(data: Dataset) -> Page:
     lead = (
         f"{'It' if _several(data) == 1 else 'A robot'} recovers if it still stands {origin['scenario']['seconds']:g} s "
         f"later{f', under {kind}' if kind else ''}. "
-        f"Wheels and yaw start at rest.{_why(data)} "
+        f"{_why(data).strip()} "
         f"Next: `upright push-map --robot {name}{f' --controller {kind}' if kind else ''}` does the same for pushes."
     )
     numbers = [(percent, "of the states tried recover")]
@@ -189,7 +189,7 @@ def basin_page(data: Dataset) -> Page:
             numbers.append((f"±{_in_degrees(best, data, across)}", text))
         text = f"{up.replace('_', ' ')} from which {it}, where {words} is zero; tried every {_step(data, up)}"
         numbers.append((ends, text))
-        numbers.append((_step(data, across), f"accuracy of the {span}: the starts were that far apart"))
+        numbers.append((span, f"hold it closer to upright than that at its start; found to {_step(data, across)}"))
     verdict = Verdict(f"simulated: {_robots(several)}, one controller", "info")
     return Page(title, [], lead, provenance(data), False, verdict=verdict, picture=basin_figure(data), numbers=numbers)
 
@@ -200,7 +200,7 @@ def _why(data: Dataset) -> str:
     reads = (origin_of(data).get("controller") or {}).get("reads") or ()
     blind = bool(reads) and not any(name == "truth/pitch" or "accel" in name for name in reads)
     less = blind and min(-low, high) < WELL * _savable(data) < math.inf
-    why = " Less than the motors could save: no sensor shows a lean at rest, so it notices the fall late."
+    why = " That is less than the motors could save: no sensor shows a lean at rest, so it notices the fall late."
     return why if less else ""
 
 

@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from upright.bodies.body import FALLEN
 from upright.comparison import compare
 from upright.comparison.bench import DRAWN, KNOCK, TOLERANCE, Bench
 from upright.firmware.targets import computing_time
@@ -106,7 +107,9 @@ def _lead(bench: Bench, take: str, firsts: Sequence[str], held: Sequence[str]) -
     if take and len(tied) > 1:
         quick = "quick ones" if len(_quick(bench)) < len(names) else "controllers"
         text += f" The best {len(tied)} {quick} are equally good, within the {100 * TOLERANCE:g} % to which limits are "
-        text += f"found; of these {take} needs the least effort."
+        turns = {name: _worse(bench, name, "travel") for name in tied}
+        least = all(turn is not None and turn >= (turns[take] or 0.0) for turn in turns.values())
+        text += f"found; of these {take} needs the least effort{' and rolls least' if least and turns[take] else ''}."
     return text
 
 
@@ -223,7 +226,8 @@ def _leans(bench: Bench, names: Sequence[str]) -> str:
     if len(ranked) < 2 or not peaks[ranked[-1]]:
         return "Pitch, held at a lean and let go"
     most, least = (f"{name} ({number(math.degrees(peaks[name]), 2)}°)" for name in (ranked[0], ranked[-1]))
-    return f"Pitch, held at a lean and let go: of those shown {most} leans most, {least} least"
+    far = f"; at {math.degrees(FALLEN):.0f}° a robot lies"
+    return f"Pitch, held at a lean and let go: of those shown {most} leans most, {least} least{far}"
 
 
 FEW = 4  # curves that can be told apart in one panel

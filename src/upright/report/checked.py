@@ -15,6 +15,7 @@ from upright.plotting import AXIS, COLOURS, PANEL, bars, legend, number, numbere
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
 from upright.robots import Robot, find_kit
+from upright.tables import joined
 
 
 def page_of(result: Parity | LinearModel) -> Page:
@@ -91,7 +92,10 @@ def _linear(model: LinearModel, unit_of_command: str = "V, or in N m for a robot
     unit = "1/s" if model.continuous else "1"
     unstable = _unstable(model)
     motions = _motions(model, poles)
-    rows: list[list[Cell]] = [[p.real, p.imag, of] for p, of in zip(poles.tolist(), motions, strict=True)]
+    several: Sequence[complex] = poles.tolist()
+    real = not poles.imag.any()
+    rows: list[list[Cell]] = [[p.real, *([] if real else [p.imag]), of] for p, of in zip(several, motions, strict=True)]
+    parts = [f"pole, all real [{unit}]"] if real else [f"real part [{unit}]", f"imaginary part [{unit}]"]
     named = [SYMBOLS.get(state, state) for state in model.states]
     rates = [f"d{name}/dt" if model.continuous else f"next {name}" for name in named]
     matrices = [
@@ -111,7 +115,7 @@ def _linear(model: LinearModel, unit_of_command: str = "V, or in N m for a robot
     )
     numbers = [
         *(
-            (f"{cell_text(p.real, 3)}{' 1/s' if model.continuous else ''}", _POLE[model.continuous])
+            (f"{cell_text(p.real, 3)}{' 1/s' if model.continuous else ''}", _pole(p, model.continuous))
             for p in unstable[:1]
         ),
         *([(doubles, _DOUBLES)] if unstable else []),
@@ -120,8 +124,8 @@ def _linear(model: LinearModel, unit_of_command: str = "V, or in N m for a robot
     return Page(
         linear_title(model),
         [
-            Section("Matrices", [*legend_of, *matrices]),
-            Section("Poles", [Table([f"real part [{unit}]", f"imaginary part [{unit}]", "motion"], rows)]),
+            Section("Matrices", [*legend_of, *matrices, "All digits: `upright linearise --json`."]),
+            Section("Poles", [Table([*parts, "motion"], rows)]),
         ],
         f"The linear model of the robot's file, standing upright with motors at zero command: {equation}. "
         "Next: `upright design lqg --robot ROBOT -o lqg.json` designs a controller that holds it.", {}, False,
@@ -137,10 +141,14 @@ def _others(poles: Sequence[complex], continuous: bool) -> list[tuple[str, str]]
     return [(f"{still} of {len(poles)}", f"poles {at}: where it has rolled or turned, it stays")] if still else []
 
 
-_POLE = {
-    True: "rate at which a lean grows, the unstable pole: it doubles in 0.69 over this rate",
-    False: "by which a lean grows every period: the unstable pole",
-}
+def _pole(pole: complex, continuous: bool) -> str:
+    """What an unstable pole means; of a real one how long a lean takes to double."""
+    if not continuous:
+        return "by which a lean grows every period: the unstable pole"
+    doubles = f": it doubles in 0.69 / {cell_text(pole.real, 3)} = {_doubling(pole.real)}" if not pole.imag else ""
+    return f"rate at which a lean grows, the unstable pole{doubles}"
+
+
 TURNING = ("yaw", "yaw_rate")
 
 
@@ -156,7 +164,8 @@ def _motions(model: LinearModel, poles: Complex) -> list[str]:
     for pole in poles.tolist():
         near = min(range(len(left)), key=lambda k, p=pole: abs(left[k] - p), default=-1)
         turns = near >= 0 and abs(left[near] - pole) < 1e-6 * (1 + abs(pole))
-        motions.append("yaw" if turns else "pitch and wheels")
+        rolls = abs(pole) < 1e-9
+        motions.append(("turning" if rolls else "yaw") if turns else "rolling" if rolls else "pitch and wheels")
         if turns:
             del left[near]
     return motions
@@ -190,7 +199,8 @@ def _pole_figure(poles: Complex, continuous: bool, count: str, motions: Sequence
     several = Counter(complex(round(p.real, 6), round(p.imag, 6)) for p in poles.tolist())
     for place, pole in enumerate(sorted(several, key=lambda p: p.real)):
         same = {of for p, of in zip(poles.tolist(), motions, strict=True) if abs(p - pole) < 1e-5}
-        words = [f"{several[pole]} poles"] if several[pole] > 1 else ["yaw"] if same == {"yaw"} else []
+        words = [joined(sorted(same - {""})) or f"{several[pole]} poles"] if several[pole] > 1 else []
+        words = words or (["yaw"] if same == {"yaw"} else [])
         text = number(pole.real, 3) + "".join(f" ({word})" for word in words)
         beside = 6 if pole.real == 0 else -9 if words else 0  # neither on the line at zero nor over the left edge
         above = (beside, -22) if place % 2 else (beside, 9)  # neighbours do not overlap

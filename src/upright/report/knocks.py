@@ -23,11 +23,12 @@ def robot_of(origin: Mapping[str, Any]) -> tuple[Robot, Kit] | None:
 
 def certificate_knocks(robot: Robot, kit: Kit) -> str:
     """With how much a certificate knocks a robot, with a low and a full battery: "0.186 to 0.245 N s"."""
-    sizes = sorted(_sizes(robot, kit))
+    sizes = sorted(knock_sizes(robot, kit))
     return f"{' to '.join(dict.fromkeys(number(size, 3) for size in (sizes[0], sizes[-1])))} N s"
 
 
-def _sizes(robot: Robot, kit: Kit) -> list[float]:
+def knock_sizes(robot: Robot, kit: Kit) -> list[float]:
+    """With how much a certificate knocks a robot [N s], one for each battery."""
     from upright.certify.checks import batteries, standard_pushes
 
     return [[*standard_pushes(robot, kit, volts).values()][-1].size for volts in batteries(robot, kit) or (None,)]
@@ -43,8 +44,8 @@ def harder(origins: Sequence[Mapping[str, Any]]) -> str:
     hardest = {str(origin.get("robot", {}).get("name", "")): origin for origin in sorted(origins, key=knock)}
     for origin in hardest.values():  # one of each robot
         known = robot_of(origin)
-        if known and knock(origin) and knock(origin) > max(_sizes(*known)):
-            times = number(knock(origin) / max(_sizes(*known)), 2)
+        if known and knock(origin) and knock(origin) > max(knock_sizes(*known)):
+            times = number(knock(origin) / max(knock_sizes(*known)), 2)
             size = number(knock(origin))
             return (
                 f" The knock, {size} N s, is {times} times the hardest that `upright certify` tries on {known[0].name}."

@@ -12,9 +12,11 @@ from upright.certify.recovery import KNOCK_DURATION
 from upright.fleet.results import origin_of
 from upright.plotting import colour_map, legend, line, number, panels, round_levels
 from upright.report.figure import Figure
-from upright.report.knocks import certificate_knocks, robot_of
+from upright.report.knocks import certificate_knocks, knock_sizes, robot_of
 from upright.report.page import Page, Section, Verdict, cell_text
 from upright.report.spreads import provenance
+from upright.robots import Kit, Robot
+from upright.tables import least
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -113,10 +115,12 @@ def _slices(part: Any, direction: str) -> Figure:
     rows = np.unique(np.rint(np.array([0.25, 0.5, 1.0]) * (part.sizes["height"] - 1)).astype(int)).tolist()
     labels = [f"impulse survived, {float(part['height'].values[row]):.2g} m above the axle [N s]" for row in rows]
     figure, axes = panels(labels, "duration of the push [s]")
-    bands = {"low": "2.5 % of robots survive less", "high": "97.5 % of robots survive less"} if "low" in part else {}
+    ends = {"low": "the weakest 2.5 % of robots are below", "high": "the strongest 2.5 % are above"}
+    bands = ends if "low" in part else {}
     for ax, row in zip(axes, rows, strict=True):
         for name, text in {"impulse": "nominal robot", **bands}.items():
             line(ax, text, part["duration"].values, part[name].values[row])
+        ax.set_ylim(0)
     title = f"Pushed {direction}: largest impulse over the duration of the push"
     if bands:
         low, high = (part[name].values[rows] / part["impulse"].values[rows] for name in ("low", "high"))
@@ -138,21 +142,22 @@ def push_map_page(data: Dataset) -> Page:
     kind = (origin.get("controller") or {}).get("kind", "")
     at_com = _at_centre(data)
     under = f" under {kind}" if kind else ""
-    lead = f"Simulated{under}. A push is worst {height:.2g} m above the axle, {1e3 * duration:.2g} ms long."
+    top = " (the highest tried)" if height == float(data["height"].values.max()) else ""
+    lead = f"Simulated{under}. A push is worst {height:.2g} m above the axle{top}, {1e3 * duration:.2g} ms long."
     here = f"--robot {name}"
     lead += f" Next: `upright certify {kind or 'lqg'} {here}` counts how many similar robots fall."
     first, *rest = push_map_figures(data)
     ways = data["direction"].values.tolist()
-    least = {d: float(impulse.sel(direction=d).min()) for d in ways}
+    smallest = {d: float(impulse.sel(direction=d).min()) for d in ways}
     numbers = [
         (f"{low / duration:.2g} N", f"is the force of this weakest push: like catching a tennis ball at {_ball(low)}")
     ]
     if at_com:
         text = f"survived at the centre of mass ({at_com[0]:.2g} m), {1e3 * KNOCK_DURATION:g} ms long"
-        text += f"; a certificate knocks there with {at_com[2]}" if at_com[2] else ""
+        text += f"; {at_com[2]}" if at_com[2] else ""
         numbers.append((f"{cell_text(at_com[1], 2)} N s", text))
-    numbers += [(f"{cell_text(least[d], 3)} N s", f"survived at the worst place, {d}") for d in ways
-                if least[d] > 1.05 * low]  # fmt: skip
+    numbers += [(f"{cell_text(smallest[d], 3)} N s", f"survived at the worst place, {d}") for d in ways
+                if smallest[d] > 1.05 * low]  # fmt: skip
     long = float(impulse.isel(duration=-1).min())
     longest = number(float(data["duration"].values[-1]), 2)
     numbers.append((f"{cell_text(long, 2)} N s", f"survived at every height if the push lasts {longest} s"))
@@ -165,11 +170,11 @@ def push_map_page(data: Dataset) -> Page:
         Section("The limit over the duration of the push", [*rest, *_alike(data)]),
         Section("How this was tried", [tried], folded=True),
     ]
-    title = f"{name} survives every push up to {cell_text(low, 2)} N s"
+    title = f"{name} survives every push tried up to {least(low, 2)} N s"
     verdict = Verdict("simulated: one robot, one controller", "info")
     if "low" in data:
         weak = float(data["low"].values.min())
-        title += f"; 97.5 % of similar robots survive {cell_text(weak, 2)} N s"
+        title += f"; 97.5 % of similar robots survive {least(weak, 2)} N s"
         verdict = Verdict("simulated: this robot and similar ones", "info")
     return Page(title, sections, lead, provenance(data), False, verdict=verdict, picture=first, numbers=numbers)
 
@@ -187,7 +192,15 @@ def _at_centre(data: Dataset) -> tuple[float, float, str] | None:
     if not (durations[0] <= KNOCK_DURATION <= durations[-1] and heights[0] <= height <= heights[-1]):
         return None
     between = data["impulse"].min("direction").interp(height=height, duration=KNOCK_DURATION)
-    return height, float(between), certificate_knocks(*known) if known else ""
+    return height, float(between), _beside(float(between), *known) if known else ""
+
+
+def _beside(survived: float, robot: Robot, kit: Kit) -> str:
+    """This impulse [N s] beside those of a certificate."""
+    sizes = knock_sizes(robot, kit)
+    if survived > max(sizes):
+        return f"more than the {certificate_knocks(robot, kit)} of a certificate"
+    return f"{'less than' if survived < min(sizes) else 'beside'} the {certificate_knocks(robot, kit)} of a certificate"
 
 
 def _ends(data: Dataset, name: str, scale: float = 1.0) -> str:

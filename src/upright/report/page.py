@@ -283,6 +283,13 @@ def _code(text: str) -> str:
     return f"<code>{' '.join(f'<span>{word}</span>' if '-' in word else word for word in text.split(' '))}</code>"
 
 
+def whole_in_prose(markup: str) -> str:
+    """HTML in whose text, but not in code or tags, no line breaks inside a name with a hyphen."""
+    parts = _VERBATIM.split(markup)
+    whole = r'<span class="unit">\g<0></span>'
+    return "".join(part if i % 3 else _HYPHENED.sub(whole, part) for i, part in enumerate(parts) if i % 3 != 2)
+
+
 def whole_names(text: str) -> str:
     """Text as HTML, in which no line breaks inside a name with a hyphen, such as nxtway-gs."""
     return _HYPHENED.sub(r'<span class="unit">\g<0></span>', escape(text))
@@ -322,4 +329,5 @@ def _template() -> Template:
     environment.filters["bound"] = bound
     environment.filters["united"] = united
     environment.filters["whole_names"] = whole_names
+    environment.filters["whole_in_prose"] = whole_in_prose
     return environment.get_template("page.html")

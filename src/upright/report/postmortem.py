@@ -51,7 +51,7 @@ _READ = (
     "simulated robot counts as fallen at 80°, where it lies; many logs end before that. The second "
     "panel divides the lean by the largest one that the motors can recover from. Lean and speeds of body and wheels "
     "count together, as the unstable motion that they make. Dashed there: the point of no return. The third panel is "
-    "what the controller requests, cut at {cut:g} times what the motors give. The last panel, logarithmic, "
+    "what the controller requests, drawn up to {cut:g} times what the motors give. The last panel, logarithmic, "
     "compares the readings with what the model expects, over a tenth of a second. Without faults it stays below the "
     "dashed line in 39 of 40 cases or more."
 )
@@ -70,13 +70,31 @@ def _numbers(result: PostMortem) -> list[tuple[str, str]]:
     known = result.fell and math.isfinite(result.onset)
     numbers = [(f"{result.fell_at - result.onset:.2g} s", "from the first sign to the fall")] if known else []
     lost = _lost(result)
-    if known and lost is not None:
+    if pushed := _push(result):
+        numbers.append(pushed)
+    elif known and lost is not None:
         numbers.append((f"{lost - result.onset:.2g} s", "from the first sign until the motors could no longer save it"))
     likely = [c for k, c in enumerate(result.causes[:3]) if c.likelihood >= (WORTH if k else SHOWN)]
     if not likely:
         return numbers
     others = "".join(f"; {c.name} {100 * c.likelihood:.0f} %" for c in likely[1:])
     return [*numbers, (f"{100 * likely[0].likelihood:.0f} %", f"probability of this cause{others}")]
+
+
+def _push(result: PostMortem) -> tuple[str, str] | None:
+    """The largest push that the motors bring back, beside the one that came; None where another cause is first."""
+    match = _PUSH.search(result.causes[0].evidence) if result.causes and result.causes[0].name == PUSH else None
+    if match is None:
+        return None
+    came = f"this one had {match['size']}, ±{match['sure']}"
+    return match["most"], f"the largest such push that any controller could save; {came}"
+
+
+_PUSH = re.compile(
+    r"(?P<push>a push \w+ of (?P<size>[\d.]+ N s) at t = [\d.]+ s),.* known to (?P<sure>\d+ %) if .*"
+    r"(?P<worth>counts as [\d.]+° of lean; the motors bring back [\d.]+° at most).* a push of "
+    r"(?P<most>[\d.]+ N s) there"
+)
 
 
 def _lost(result: PostMortem) -> float | None:
@@ -115,17 +133,13 @@ def _lead(result: PostMortem) -> str:
 
 def _plain(evidence: str) -> str:
     """The first clause, without the filter's words; of a push also what it did."""
-    push, _, did = evidence.partition(" of the innovations. ")
-    if did.startswith("It makes the robot so fast"):
-        return f"{_EXPLAINS.sub('', push)}. {did}"
+    if match := _PUSH.search(evidence):
+        return f"{match['push']} made it so fast that this {match['worth']}"
     return (
         evidence.split("; ", maxsplit=1)[0]
         .split(". ", maxsplit=1)[0]
         .replace("of the innovations", "of the deviation from the model")
     )
-
-
-_EXPLAINS = re.compile(r",? explains [^,]*$")
 
 
 def _words(result: PostMortem) -> list[Item]:
@@ -156,9 +170,10 @@ def _figure(result: PostMortem) -> Figure:
     for level in (-math.degrees(LEANING), math.degrees(LEANING)):
         if np.nanmin(degrees) < level < np.nanmax(degrees):
             _level(pitch, s.t, level, f"{level:.0f}°: counts as the fall".replace("-", "−"))
+    apart = 20 if np.nanmax(np.abs(degrees)) < LARGEST / 1.5 else 40
     if np.nanmax(np.abs(degrees)) < LARGEST:
         pitch.set_yticks(
-            [tick for tick in range(-80, 81, 40) if np.nanmin(degrees) - 5 <= tick <= np.nanmax(degrees) + 5]
+            [tick for tick in range(-80, 81, apart) if np.nanmin(degrees) - 5 <= tick <= np.nanmax(degrees) + 5]
         )
     line(reach, "lean", s.t, s.reserve, style=2, solid=True)
     _level(reach, s.t, 1.0, "no return")
@@ -176,7 +191,7 @@ def _figure(result: PostMortem) -> Figure:
     if (np.abs(s.command) > CUT).any():
         above = bool((s.command > CUT).any())
         command.annotate(
-            f"cut at {CUT:g}", (1, CUT if above else -CUT), (-2, 3 if above else -11), ha="right",
+            f"drawn up to {CUT:g}", (1, CUT if above else -CUT), (-2, 3 if above else -11), ha="right",
             xycoords=("axes fraction", "data"), textcoords="offset points",
         )  # fmt: skip
     reach.set_ylim(0, 1.5)
@@ -194,7 +209,10 @@ def _figure(result: PostMortem) -> Figure:
     lasted = result.fell_at - result.onset
     note = "Shaded: from the first sign to the fall."
     if lost is not None and result.causes and result.causes[0].name == PUSH:
-        note += " The curves are a filter's, which follows a push some hundredths of a second late."
+        note += (
+            " The curves are a filter's, which follows a push some hundredths of a second late: the push itself "
+            "decided, not the time after it."
+        )
     if lost is not None and (s.reserve[(s.t >= start) & (s.t < lost)] > 1).any():
         note += " The lean passed “no return” before and came back: this limit, the model's, is rough here."
     return Figure(f"From the first sign at {result.onset:.2f} s to the fall it took {lasted:.2g} s", figure, note)
@@ -205,5 +223,6 @@ BEFORE, AFTER = 0.4, 0.2  # [s] shown before the onset, at least, and after the 
 
 def _level(ax: Axes, t: Array, level: float, name: str) -> None:
     """A dashed line across, with its name at its left end."""
-    line(ax, "_level", t[[0, -1]], [level] * 2, style=5)
+    line(ax, "_level", t[[0, -1]], [level] * 2, style=4)
+    ax.lines[-1].set(linewidth=0.9)
     ax.annotate(name, (0.005, level), (0, 4), xycoords=("axes fraction", "data"), textcoords="offset points")
