@@ -152,9 +152,10 @@ def _intro(c: Certificate) -> str:
         f"{c.samples} robots drawn from the uncertainty of {c.robot}, in the nonlinear model with kit {c.kit}. "
         f"{c.fell} fell in at least one trial: with 95 % confidence the probability is below {100 * c.bound:.2g} %. "
         f"{_pushes(c)} "
-        f"“Limit of the best controller”: the largest such push that any controller could survive with that battery, "
-        f"in the nonlinear model and with a command one period late (`upright basin` marks the linear model's). "
-        f"Holds are {100 * HELD:g} % of it, knocks {100 * KNOCKED:g} %. “Beyond every controller”: so many of those that fell. "
+        "“Limit of the best controller”: the largest such push that any controller could survive with that battery, "
+        "in the nonlinear model and with a command one period late (`upright basin` marks the linear model's). "
+        f"Holds are {100 * HELD:g} % of it, knocks {100 * KNOCKED:g} %. “Beyond every controller”: so many of those "
+        "that fell. "
         f"The last four columns are 95 % quantiles of the robots that stood. Sway is half of pitch's "
         f"range in the last seconds.{last}"
     )
