@@ -8,7 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from upright.bodies import NonlinearBody
+from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.body import FALLEN
 from upright.comparison import (
     active_intervals,
@@ -21,12 +21,12 @@ from upright.comparison import (
     saturated_fraction,
     settling_time,
 )
-from upright.control import StateFeedback, lqr
+from upright.control import StateFeedback, lqg, lqr
 from upright.errors import InvalidLog, UnknownName
-from upright.experiment import Hold, outcome_of, run
+from upright.experiment import Hold, motionless, outcome_of, run, undisturbed
 from upright.report.comparing import page_of
 from upright.report.metrics import around, left_out, metrics_table
-from upright.robots import Robot
+from upright.robots import Robot, find_kit, find_robot
 from upright.signals import STATE_NAMES, Log
 
 NXT = Robot.preset("nxtway-gs")
@@ -334,3 +334,45 @@ def test_one_of_many_runs_that_was_pushed_and_fell_is_named_and_no_page_says_tha
     assert "i differs most" in page.picture.title
     alone = page_of(compare({"calm": still}))
     assert not any("release" in words for _, words in alone.numbers)
+
+
+@pytest.mark.parametrize(("name", "moves"), [("nxtway-gs", False), ("ev3way", True)])
+def test_a_run_that_nothing_disturbs_is_no_test_and_says_why_it_stands_still(name: str, moves: bool) -> None:
+    """Of nxtway-gs noise stays within the dead zone of its motors, 0.25 V; ev3way is moved by it."""
+    robot = find_robot(name)
+    kit = find_kit(robot.kit)
+    log = run(Electronics(NonlinearBody(robot), kit), lqg(robot, kit), seconds=2.0)
+    assert undisturbed(log)
+    assert bool(np.ptp(log["truth/pitch"])) is moves
+    assert bool(np.abs(log["applied/left"]).max()) is moves
+    assert bool(motionless(log)) is not moves
+    if not moves:
+        assert 0 < np.abs(log["command/left"]).max() < kit.motor.dead_zone
+    page = page_of(compare({"model": log}))
+    assert page.verdict is not None
+    assert (page.verdict.text, page.verdict.level) == ("nothing disturbed it", "info")
+    assert "--push" in page.following
+
+
+def test_a_push_a_start_or_a_log_from_elsewhere_is_not_undisturbed() -> None:
+    robot = find_robot("nxtway-gs")
+    kit = find_kit(robot.kit)
+    body, law = Electronics(NonlinearBody(robot), kit), lqg(robot, kit)
+    assert not undisturbed(run(body, law, [Hold(force=0.1, stop=0.1)], seconds=0.2))
+    assert not undisturbed(run(body, law, seconds=0.2, start=[0.01, *[0.0] * 5]))
+    assert not undisturbed(pushed())
+
+
+def test_settling_times_that_noise_decides_are_one_number() -> None:
+    """Two runs decay from 0.1 rad within 0.02 rad after 0.8 s; a last swing of one, at 1.5 s, passes that by 0.004 rad,
+    less than both sway at rest. A swing by 0.03 rad is no noise."""
+    one = pushed()
+    sway = 0.01 * np.sin(9.0 * one.t)
+
+    def swung(size: float) -> Log:
+        swing = np.exp(-(((one.t - 3.5) / 0.05) ** 2)) * size
+        return Log(one.t, {**one.channels, "truth/pitch": one["truth/pitch"] + sway + swing}, one.units, one.origin)
+
+    texts = [page_of(compare({"a": swung(0.0), "b": swung(size)})).numbers[-1] for size in (0.018, 0.06)]
+    assert texts[0][0].startswith("about ")
+    assert not texts[1][0].startswith("about ")

@@ -19,6 +19,7 @@ from upright.doctor.doctor import Diagnosis, contradictions, doctor
 from upright.doctor.physics import _r_squared, _solved
 from upright.errors import InvalidLog
 from upright.experiment import Drive, Hold, Impulse, run
+from upright.experiment.examples import example
 from upright.logs.mapping import Mapping, Source
 from upright.logs.outliers import single
 from upright.logs.readers import RawTable, read_table
@@ -408,3 +409,23 @@ def test_what_a_law_asks_for_beyond_the_battery_is_no_per_cent(knock: float) -> 
     assert np.abs(raw["command/left"]).max() > 2 * raw["sensor/battery"].max()
     assert "units/command" not in doctor(raw).codes()
     assert contradictions(raw, robot) == []
+
+
+def test_one_cut_removes_what_comes_with_a_fall() -> None:
+    """Pushed over at 5 s: motors and gyro reach their limits in the fall. Without it the same doctor finds no fault."""
+    fallen = doctor(example("fall"))
+    assert {f.code for f in fallen.faults} == {"saturation", "segment/fall"}
+    assert fallen.cut_away() == fallen.faults
+    assert doctor(fallen.repaired()).healthy
+    assert f"one cut removes all {len(fallen.faults)} faults: 0 ≤ t < " in str(fallen)
+
+
+def test_a_limit_that_is_reached_while_it_balances_too_stays() -> None:
+    """The fall's commands again, from 3 s on in a log that goes on: no cut takes them away."""
+    log = example("fall")
+    early = (log.t > 3.5) & (log.t < 3.6)
+    columns = {name: np.where(early, np.abs(log[name]).max(), log[name]) for name in ("applied/left", "applied/right")}
+    result = doctor(Log(log.t, {**log.channels, **columns}, log.units, log.origin))
+    kept = [f.code for f in result.faults if f not in result.cut_away()]
+    assert "saturation" in kept
+    assert "one cut" not in str(result)

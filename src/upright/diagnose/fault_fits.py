@@ -25,7 +25,6 @@ TRIED = 3  # signatures of each kind, by their squares alone, that are tried wit
 LEAST_GAIN = 3.0  # nats that a push must add to the score beyond the price of its numbers
 FAULT_NUMBERS, PUSH_NUMBERS = 2, 3  # free numbers: size and onset; size, start and length
 MORE_NUMBERS = {"payload": 2}  # height and place before the axle
-PUSH_ERROR = 0.07  # of an impulse: planted pushes that fell nxtway-gs come out that much too small, at most
 CORRELATED = 3.0  # readings of one sample share what is wrong with the model, and count as one
 
 

@@ -12,7 +12,7 @@ from upright.diagnose.beyond import Leftover
 from upright.diagnose.changes import PART
 from upright.diagnose.evidence import EXCURSION, FOREIGN, Demand, Evidence
 from upright.diagnose.fall import LEANING
-from upright.diagnose.fault_fits import PUSH_ERROR, FaultFit, PushEstimate
+from upright.diagnose.fault_fits import FaultFit, PushEstimate
 from upright.physics.dynamics import motor_gain
 
 Array = NDArray[np.float64]
@@ -124,11 +124,9 @@ def of_push(evidence: Evidence, push: PushEstimate, lean: float) -> str:
     it = "With smaller pushes the same way it" if several else "It"
     lasted, most_saved = push.stop - push.start, evidence.toppling.largest_like(push)
     took = "shorter than a sample" if lasted < evidence.run.kit.period else f"{1e3 * lasted:.2g} ms long"
-    sure = f"{100 * PUSH_ERROR:.0f} %"
     return (
-        f"a push {way} of {abs(push.impulse):.2g} N s at t = {push.start:.2f} s, {took}, known to {sure} "
-        f"if it hit {push.height:.2g} m above the axle, explains {most(evidence.pushes_only.explained)} of the "
-        "innovations. "
+        f"a push {way} of about {abs(push.impulse):.2g} N s at t = {push.start:.2f} s, {took}, if it hit "
+        f"{push.height:.2g} m above the axle, explains {most(evidence.pushes_only.explained)} of the innovations. "
         f"{it} makes the robot so fast that this counts as {caused:.2g}° of lean; the motors bring back {largest:.2g}° "
         f"at most{_battery(evidence)}, a push of {most_saved:.2g} N s there"
     )

@@ -167,8 +167,7 @@ def basin_page(data: Dataset) -> Page:
     kind = (origin.get("controller") or {}).get("kind", "")
     lead = (
         f"{'It' if _several(data) == 1 else 'A robot'} recovers if it still stands {origin['scenario']['seconds']:g} s "
-        f"later{f', under {kind}' if kind else ''}. "
-        f"{_why(data).strip()} "
+        f"later{f', under {kind}' if kind else ''}.{_why(data)} "
         f"Next: `upright push-map --robot {name}{f' --controller {kind}' if kind else ''}` does the same for pushes."
     )
     numbers = [(percent, "of the states tried recover")]
@@ -200,7 +199,7 @@ def _why(data: Dataset) -> str:
     reads = (origin_of(data).get("controller") or {}).get("reads") or ()
     blind = bool(reads) and not any(name == "truth/pitch" or "accel" in name for name in reads)
     less = blind and min(-low, high) < WELL * _savable(data) < math.inf
-    why = " That is less than the motors could save: no sensor shows a lean at rest, so it notices the fall late."
+    why = " It saves less than the motors could: no sensor shows a lean at rest, so it notices the fall late."
     return why if less else ""
 
 

@@ -13,6 +13,7 @@ from upright.parity.parity import Parity
 from upright.physics.linear import Complex, LinearModel
 from upright.plotting import AXIS, COLOURS, PANEL, bars, legend, number, numbered, panels, plane, points
 from upright.report.figure import Figure
+from upright.report.made import again
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
 from upright.robots import Robot, find_kit
 from upright.tables import joined
@@ -52,7 +53,7 @@ _SYMBOLS = (
 def linear_page(model: LinearModel, robot: Robot) -> Page:
     """The page of the linear model of a `robot`, which is named on it."""
     page, period, rate = _linear(model, robot.command_unit), find_kit(robot.kit).period, _fastest(model)
-    words = f"periods of its controller ({1e3 * period:g} ms) in which a lean doubles"
+    words = f"times its controller acts, every {1e3 * period:g} ms, before a lean doubles"
     numbers = [
         (number(math.log(2) / rate / period, 2), words) if text == _DOUBLES else (value, text)
         for value, text in page.numbers
@@ -124,7 +125,7 @@ def _linear(model: LinearModel, unit_of_command: str = "V, or in N m for a robot
     return Page(
         linear_title(model),
         [
-            Section("Matrices", [*legend_of, *matrices, "All digits: `upright linearise --json`."]),
+            Section("Matrices", [*legend_of, *matrices, f"All digits: `{again('upright linearise')} --json`."]),
             Section("Poles", [Table([*parts, "motion"], rows)]),
         ],
         f"The linear model of the robot's file, standing upright with motors at zero command: {equation}. "

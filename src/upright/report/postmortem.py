@@ -86,14 +86,16 @@ def _push(result: PostMortem) -> tuple[str, str] | None:
     match = _PUSH.search(result.causes[0].evidence) if result.causes and result.causes[0].name == PUSH else None
     if match is None:
         return None
-    came = f"this one had {match['size']}, ±{match['sure']}"
-    return match["most"], f"the largest such push that any controller could save; {came}"
+    close = abs(float(match["came"]) / float(match["most"]) - 1) < CLOSE
+    came = f"this one had about {match['came']} N s{', too close to tell' if close else ''}"
+    return f"{match['most']} N s", f"the largest such push that any controller could save; {came}"
 
 
+CLOSE = 0.1  # of an impulse: planted ones come out 3 to 7 % small (`benchmarks/push_size.py`, 25 November 2026)
 _PUSH = re.compile(
-    r"(?P<push>a push \w+ of (?P<size>[\d.]+ N s) at t = [\d.]+ s),.* known to (?P<sure>\d+ %) if .*"
+    r"(?P<push>a push \w+ of about (?P<came>[\d.]+) N s at t = [\d.]+ s),.*"
     r"(?P<worth>counts as [\d.]+° of lean; the motors bring back [\d.]+° at most).* a push of "
-    r"(?P<most>[\d.]+ N s) there"
+    r"(?P<most>[\d.]+) N s there"
 )
 
 
