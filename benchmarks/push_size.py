@@ -41,12 +41,13 @@ def main() -> None:
         log = run(body, controller, [blow], seconds=6.0, seed=int(random.integers(10**6)))
         _, evidence = gather(raw_log(log), robot, kit, None, unwatched)
         pushes = [p for p in evidence.pushes_only.pushes if p.start > evidence.fell_at - EXCURSION] if evidence else []
-        if not evidence or not pushes:
+        if evidence is None or not pushes:
             print(
                 f"{impulse:+.3f} N s for {1e3 * length:g} ms: {'no push seen' if evidence else 'it stood'}", flush=True
             )
             continue
-        push = max(pushes, key=lambda p: abs(evidence.toppling.lean(p)))
+        lean = evidence.toppling.lean
+        push = max(pushes, key=lambda p: abs(lean(p)))
         ratios.append(push.impulse / impulse)
         print(
             f"{impulse:+.3f} N s for {1e3 * length:g} ms: {push.impulse:+.3f} N s, {ratios[-1]:.3f} of it", flush=True

@@ -358,7 +358,7 @@ def test_a_push_a_start_or_a_log_from_elsewhere_is_not_undisturbed() -> None:
     robot = find_robot("nxtway-gs")
     kit = find_kit(robot.kit)
     body, law = Electronics(NonlinearBody(robot), kit), lqg(robot, kit)
-    assert not undisturbed(run(body, law, [Hold(force=0.1, stop=0.1)], seconds=0.2))
+    assert not undisturbed(run(body, law, [Hold(pitch=0.1, until=0.1)], seconds=0.2))
     assert not undisturbed(run(body, law, seconds=0.2, start=[0.01, *[0.0] * 5]))
     assert not undisturbed(pushed())
 
