@@ -16,7 +16,6 @@ from upright.report.figure import Figure
 from upright.report.made import again
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
 from upright.robots import Robot, find_kit
-from upright.tables import joined
 
 
 def page_of(result: Parity | LinearModel) -> Page:
@@ -166,7 +165,7 @@ def _motions(model: LinearModel, poles: Complex) -> list[str]:
         near = min(range(len(left)), key=lambda k, p=pole: abs(left[k] - p), default=-1)
         turns = near >= 0 and abs(left[near] - pole) < 1e-6 * (1 + abs(pole))
         rolls = abs(pole) < 1e-9
-        motions.append(("turning" if rolls else "yaw") if turns else "rolling" if rolls else "pitch and wheels")
+        motions.append("yaw" if turns else "rolling" if rolls else "pitch and wheels")
         if turns:
             del left[near]
     return motions
@@ -200,7 +199,7 @@ def _pole_figure(poles: Complex, continuous: bool, count: str, motions: Sequence
     several = Counter(complex(round(p.real, 6), round(p.imag, 6)) for p in poles.tolist())
     for place, pole in enumerate(sorted(several, key=lambda p: p.real)):
         same = {of for p, of in zip(poles.tolist(), motions, strict=True) if abs(p - pole) < 1e-5}
-        words = [joined(sorted(same - {""})) or f"{several[pole]} poles"] if several[pole] > 1 else []
+        words = [", ".join(sorted(same - {""})) or f"{several[pole]} poles"] if several[pole] > 1 else []
         words = words or (["yaw"] if same == {"yaw"} else [])
         text = number(pole.real, 3) + "".join(f" ({word})" for word in words)
         beside = 6 if pole.real == 0 else -9 if words else 0  # neither on the line at zero nor over the left edge
