@@ -287,7 +287,8 @@ def _gallery(page: Path) -> None:
         names.pop("figure", None)
         exec(compile(fence[1], "gallery.md", "exec"), names)
         figure: Any = names["figure"]
-        for key, ax in [(key, ax) for ax in figure.axes if (key := ax.get_legend())]:
+        keys = [(key, ax) for ax in figure.axes if (key := ax.get_legend())]
+        for key, ax in keys:
             key.set_loc("upper left")  # beside the panel, over no line
             key.set_bbox_to_anchor((1.0, 1.0), ax.transAxes)
         number, (width, height) = next(count), figure.get_size_inches()
@@ -296,11 +297,23 @@ def _gallery(page: Path) -> None:
             path = f"gallery-{number}-{name}.svg"
             tall = scale if round_ones else max(scale, 0.8)
             figure.set_size_inches(scale * width, tall * height)
+            if name == "narrow":
+                _key_below(figure, keys)
             figure.savefig(page.with_name(path), bbox_inches="tight")
             shown += f"![What the example below draws]({path}){{.{name}}}\n"
         return f"{shown}\n{fence[0]}"
 
     _write(page, FENCE.sub(drawn, page.read_text("utf-8")))
+
+
+def _key_below(figure: Any, keys: Sequence[tuple[Any, Any]]) -> None:
+    """One key for all panels, below them, where a phone has no room beside them."""
+    named: dict[str, Any] = {}
+    for key, ax in keys:
+        key.set_visible(False)
+        named |= dict(zip(*reversed(ax.get_legend_handles_labels()), strict=True))
+    if named:
+        figure.legend([*named.values()], [*named], loc="upper left", bbox_to_anchor=(0.0, 0.0), frameon=False)
 
 
 def _course(source: Path, draft: bool) -> None:
@@ -355,17 +368,30 @@ def _notebook_page(notebook: NotebookNode, page: Path, take: str, words: str) ->
 
 def _output(output: NotebookNode, page: Path, name: str) -> str:
     if output.output_type == "stream":
-        return _block(f"<pre>{escape(output.text)}</pre>") if output.name == "stdout" else ""
+        return _block(_printed(output.text)) if output.name == "stdout" else ""
     data = output.data
     if "image/png" in data:
         path = page.parent / f"{name}.png"
         path.write_bytes(base64.b64decode(data["image/png"]))
         width = output.metadata.get("image/png", {}).get("width")
-        return f"![A figure that this cell draws]({path.name})" + (f"{{width={width}px}}\n" if width else "\n")
+        return f"![{DRAWN[page.parent.name]}]({path.name})" + (f"{{width={width}px}}\n" if width else "\n")
     if "<iframe" in (framed := data.get("text/html", "")):
         own = re.sub(r'(src|href)="(lab-[^"]+)', rf'\1="../\2&amp;lang={page.parent.name}', framed)
         return _block(own)  # both languages show the same page
-    return _block(framed or f"<pre>{escape(data.get('text/plain', ''))}</pre>")
+    return _block(framed or _printed(data.get("text/plain", "")))
+
+
+DRAWN = {"en": "A figure that this cell draws", "es": "La figura que dibuja esta celda"}
+
+
+def _printed(text: str) -> str:
+    """What a cell prints: a sentence breaks below its own indent, and a row of a table below its last cell."""
+    lines: list[str] = []
+    for line in text.rstrip("\n").split("\n"):
+        cells = [gap.end() for gap in re.finditer(r"(?<=\S) {2,}(?=\S)", line)]
+        hang = cells[-1] if cells else len(line) - len(line.lstrip()) + 2
+        lines.append(f'<span class="printed{" cells" * bool(cells)}" style="--in: {hang}ch">{escape(line)}\n</span>')
+    return f"<pre>{''.join(lines)}</pre>"
 
 
 def _block(html: str) -> str:

@@ -107,6 +107,8 @@ def accessible(_app: Sphinx, _page: str, _template: str, context: dict[str, Any]
         ('role="heading">', 'role="heading" aria-level="2">'),
         ('<div class="highlight"><pre>', '<div class="highlight"><pre tabindex="0">'),
         ('<div class="table-wrapper', '<div tabindex="0" class="table-wrapper'),
+        ('<p><img alt="A figure that', '<p tabindex="0"><img alt="A figure that'),
+        ('<p><img alt="La figura que', '<p tabindex="0"><img alt="La figura que'),
     ):
         for name in ("furo_navigation_tree", "body"):
             context[name] = context.get(name, "").replace(old, new)
@@ -127,6 +129,9 @@ COLUMN, PHONE, MANY, BRIEF = 90, 40, 7, 14
 """Letters of a line of code, of a line of a table on a phone, columns in the usual type, letters of half a card."""
 
 
+QUANTITY = re.compile(r"(?<=\d) (?=(?:s|ms|min|h|m|cm|mm|kg|g|N|V|rad|Hz|°|%|1/s|kB|MB)\b|%)")
+"""Between a number and its unit, where no line breaks."""
+
 DARK = (
     r'<img\1src="_images/lab\2.webp" class="only-light" loading="lazy"\3>'
     r'<img\1src="_static/lab-dark\2.webp" class="only-dark" loading="lazy"\3>'
@@ -140,6 +145,8 @@ def readable(_app: Sphinx, _page: str, _template: str, context: dict[str, Any], 
     body = PYTHON.sub(lambda block: block[1] + rows(block[2]), body)
     body = LONG.sub(lambda word: f'<span class="pre long">{re.sub("(?=[#?]|&amp;)", "<wbr>", word[1])}<', body)
     body = TABLE.sub(lambda table: stacked(table[0]), body)
+    parts = re.split(r"(<(pre|math)\b.*?</\2>)", body, flags=re.DOTALL)
+    body = "".join(part if k % 3 else QUANTITY.sub("\u00a0", part) for k, part in enumerate(parts) if k % 3 < 2)
     context["body"] = re.sub(r'<img([^>]*?)src="_images/lab(\.es)?\.webp"([^>]*)>', DARK, body)
 
 
@@ -227,7 +234,13 @@ def in_spanish(page: str) -> bool:
     return page.endswith(".es") or page.startswith("notebooks/es/")
 
 
-def spanish(_app: Sphinx, page: str, _template: str, context: dict[str, Any], _tree: object) -> None:
+def _has_spanish(app: Sphinx, link: str) -> bool:
+    """Whether the English page at a link is there in Spanish too, which stands in its own part of the tree."""
+    name, _, language = link.rpartition("/")[2].removesuffix(".html").partition(".")
+    return language != "es" and f"{name}.es" in app.env.found_docs
+
+
+def spanish(app: Sphinx, page: str, _template: str, context: dict[str, Any], _tree: object) -> None:
     """The frame of a Spanish page is Spanish; the pages that it leads to keep their own language."""
     if not in_spanish(page):
         return
@@ -238,6 +251,8 @@ def spanish(_app: Sphinx, page: str, _template: str, context: dict[str, Any], _t
     context |= {"language": "es", "_": said, "gettext": said}
     captions = re.compile(r'(?<=<span class="caption-text">)[^<]+')
     tree = context.get("furo_navigation_tree", "")
+    twice = re.compile(r'<li class="toctree-l1"><a class="reference internal" href="([^"#]+)">[^<]*</a></li>\n?')
+    tree = twice.sub(lambda link: "" if _has_spanish(app, link[1]) else link[0], tree)
     head, *parts = captions.sub(lambda found: SPANISH.get(found[0], found[0]), tree).split('<p class="caption"')
     parts.sort(key=lambda part: ">En español<" not in part)  # its own part comes first
     context["furo_navigation_tree"] = '<p class="caption"'.join([head, *parts])

@@ -121,11 +121,11 @@ validation.plot()
 # $1 - 0.05^{1/n} \approx 3/n$ with 95 % confidence.
 # %% [markdown] lang="es"
 # En medios segundos predice el giróscopo y los codificadores. El lazo cerrado libre se rompe cerca del primer empujón, a los 3 s: ningún modelo puede saber de un
-# empujón que ningún canal contiene. El compás tiene un ruido de 1° y el robot no gira, así que no hay nada que predecir.
+# empujón que ningún canal contiene. La brújula tiene un ruido de 1° y el robot no gira, así que no hay nada que predecir.
 #
 # ## 4. ¿Puede conducir?
 #
-# Un diseño para el robot calibrado, y luego la pregunta que una sola simulación no puede responder. El *certificado* saca robots de todo lo que no se sabe, da
+# Un diseño para el robot calibrado, y luego la pregunta que una sola simulación no puede responder. El *certificado* sortea robots según todo lo que no se sabe, da
 # a cada uno una batería llena y una vacía, lo empuja y cuenta. Si quedan en pie $n$ robots, la probabilidad de una caída está por debajo de
 # $1 - 0.05^{1/n} \approx 3/n$ con 95 % de confianza.
 
