@@ -381,16 +381,19 @@ def _output(output: NotebookNode, page: Path, name: str) -> str:
     return _block(framed or _printed(data.get("text/plain", "")))
 
 
+CELL = 20
+"""Letters: what begins further in goes on with the last cell of a row."""
 DRAWN = {"en": "A figure that this cell draws", "es": "La figura que dibuja esta celda"}
 
 
 def _printed(text: str) -> str:
-    """What a cell prints: a sentence breaks below its own indent, and a row of a table below its last cell."""
+    """What a cell prints: a sentence breaks below its own indent, and a row of a table below its last cell (not on a phone)."""
     lines: list[str] = []
     for line in text.rstrip("\n").split("\n"):
         cells = [gap.end() for gap in re.finditer(r"(?<=\S) {2,}(?=\S)", line)]
         hang = cells[-1] if cells else len(line) - len(line.lstrip()) + 2
-        lines.append(f'<span class="printed{" cells" * bool(cells)}" style="--in: {hang}ch">{escape(line)}\n</span>')
+        row = " cells" * (bool(cells) or hang > CELL)
+        lines.append(f'<span class="printed{row}" style="--in: {hang}ch">{escape(line)}\n</span>')
     return f"<pre>{''.join(lines)}</pre>"
 
 

@@ -107,8 +107,6 @@ def accessible(_app: Sphinx, _page: str, _template: str, context: dict[str, Any]
         ('role="heading">', 'role="heading" aria-level="2">'),
         ('<div class="highlight"><pre>', '<div class="highlight"><pre tabindex="0">'),
         ('<div class="table-wrapper', '<div tabindex="0" class="table-wrapper'),
-        ('<p><img alt="A figure that', '<p tabindex="0"><img alt="A figure that'),
-        ('<p><img alt="La figura que', '<p tabindex="0"><img alt="La figura que'),
     ):
         for name in ("furo_navigation_tree", "body"):
             context[name] = context.get(name, "").replace(old, new)

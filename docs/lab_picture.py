@@ -23,6 +23,8 @@ FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader
 EVERY = 8  # periods of 10 ms between two pictures
 PICTURES = 56
 WIDTH = 800  # [px] of the picture
+KNOCK = 0.12  # [N s], as the slider beside the button shows it
+SLIDE = "(slider, size) => { slider.value = Math.log(size); slider.dispatchEvent(new Event('input')); }"
 HERE = Path(__file__).resolve().parent
 
 
@@ -43,10 +45,11 @@ def film(scheme: Literal["light", "dark"], language: str, target: Path) -> None:
         page = browser.new_page(viewport={"width": 1200, "height": 675}, color_scheme=scheme, locale=language)
         page.goto(page_file.as_uri())
         page.wait_for_selector("canvas.room")  # which takes the side view's place
+        page.eval_on_selector("[data-key=knock]", SLIDE, KNOCK)
         page.evaluate("upright.store.send({ kind: 'Step', periods: 200 })")
         for k in range(PICTURES):
             if k in (6, 34):
-                size = 0.12 if k == 6 else -0.12
+                size = KNOCK if k == 6 else -KNOCK
                 page.evaluate(f"upright.store.send({{ kind: 'Strike', what: 'impulse', size: {size} }})")
             page.evaluate(f"upright.store.send({{ kind: 'Step', periods: {EVERY} }})")
             page.evaluate("document.querySelector('.toasts').replaceChildren()")

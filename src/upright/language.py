@@ -36,7 +36,7 @@ SPANISH = {
     "nonlinear model": "modelo no lineal", "real robot": "robot real", "push": "empujón",
     "push acts": "actúa el empujón",
     "measured": "medido", "predicted": "predicho", "simulated freely": "simulado libremente",
-    "push, not simulated": "empujón, sin simular", "lost": "perdido", "not balancing": "sin equilibrio",
+    "push, not simulated": "empujón, sin simular", "lost": "perdido", "{}, error": "{}, error", "not balancing": "sin equilibrio",
     "at the limit": "en el límite", "held out: not used in the fit": "apartado: no se usó en el ajuste",
     "skill": "acierto", "prediction horizon": "horizonte de predicción",
     # a loop
