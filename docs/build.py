@@ -387,7 +387,7 @@ DRAWN = {"en": "A figure that this cell draws", "es": "La figura que dibuja esta
 
 
 def _printed(text: str) -> str:
-    """What a cell prints: a sentence breaks below its own indent, and a row of a table below its last cell (not on a phone)."""
+    """What a cell prints: a sentence breaks below its indent, a row below its last cell (not on a phone)."""
     lines: list[str] = []
     for line in text.rstrip("\n").split("\n"):
         cells = [gap.end() for gap in re.finditer(r"(?<=\S) {2,}(?=\S)", line)]

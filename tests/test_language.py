@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 import upright as up
+from upright.doctor.finding import BALANCING, FALLEN, FALLING, LYING, MOVED, OVER, RISING, STANDING
 from upright.identify.methods import IDENTIFIERS
 from upright.language import SPANISH, figure_translated, language, translated
 from upright.plotting import bars, intervals
@@ -92,6 +93,12 @@ def test_names_of_ones_own_and_another_language() -> None:
         language("fr")
     language()
     assert translated("stays (twin)") == "stays (twin)"
+
+
+def test_every_pose_has_a_name_and_a_list_of_them_too() -> None:
+    for pose in (BALANCING, STANDING, LYING, OVER, RISING, FALLING, FALLEN, MOVED):
+        assert translated(pose) != pose
+    assert translated(f"{RISING}, {FALLING}") == "levantándose, cayendo"
 
 
 def test_a_table_keeps_the_names_of_its_rows() -> None:

@@ -36,7 +36,10 @@ SPANISH = {
     "nonlinear model": "modelo no lineal", "real robot": "robot real", "push": "empujón",
     "push acts": "actúa el empujón",
     "measured": "medido", "predicted": "predicho", "simulated freely": "simulado libremente",
-    "push, not simulated": "empujón, sin simular", "lost": "perdido", "{}, error": "{}, error", "not balancing": "sin equilibrio",
+    "push, not simulated": "empujón, sin simular", "lost": "perdido", "{}, error": "{}, error",
+    "balancing": "en equilibrio", "standing still": "de pie, quieto",
+    "lying": "caído", "upside down": "cabeza abajo", "standing up": "levantándose", "falling": "cayendo",
+    "fallen": "tras caer", "moved": "movido",
     "at the limit": "en el límite", "held out: not used in the fit": "apartado: no se usó en el ajuste",
     "skill": "acierto", "prediction horizon": "horizonte de predicción",
     # a loop
@@ -114,15 +117,15 @@ def _patterns() -> list[tuple[re.Pattern[str], str]]:
 
 def translated(text: str) -> str:
     """The text in the language that was chosen, or as it is: its words, then those before a unit or a bracket."""
-    if not _words or not text:
-        return text
-    if text in _words:
-        return _words[text]
+    if text in _words or not _words:
+        return _words.get(text, text)
     if re.fullmatch(_NUMBER, text):
         return text.replace(".", ",")
     for pattern, words in _patterns():
         if match := pattern.fullmatch(text):
             return words.format(*map(translated, match.groups()))
+    if len(listed := text.split(", ")) > 1 and all(part in _words for part in listed):
+        return ", ".join(map(translated, listed))
     if match := _UNIT.fullmatch(text):
         return f"{translated(match[1])} {match[2][0]}{translated(match[2][1:-1])}{match[2][-1]}"
     return text
