@@ -88,12 +88,12 @@ robot
 #
 # | símbolo | significado |
 # |---|---|
-# | $\psi$ | cabeceo (*pitch*): inclinación del cuerpo, positiva hacia adelante |
+# | $\psi$ | inclinación (*pitch*) del cuerpo, positiva hacia adelante |
 # | $\theta$ | ángulo medio de las ruedas (*wheel*), positivo si el robot avanza |
 # | $\varphi$ | rumbo (*yaw*), positivo hacia la izquierda |
 #
 # El estado es $x = [\psi, \dot\psi, \theta, \dot\theta, \varphi, \dot\varphi]$ y el mando $u = [v_l, v_r]$ contiene las tensiones de los
-# dos motores. Aquí bastan el cabeceo y las ruedas; girar es un problema aparte.
+# dos motores. Aquí bastan la inclinación y las ruedas; girar es un problema aparte.
 #
 # ## De las energías a las ecuaciones
 #
@@ -257,8 +257,8 @@ up.compare(falls).plot("pitch", "wheel")
 # Balanced robots stay near that point. Here a controller (the third notebook makes it) catches the robot from four leans. Look at the
 # *fit* of the linear model: 100 % means equal, 0 % means no better than a constant.
 # %% [markdown] lang="es"
-# Durante medio segundo no se distinguen. Luego la inclinación es grande, y primero se separan las ruedas. (El cabeceo aquí
-# casi no.) Es el destino usual de un modelo lineal: es cierto cerca del punto donde se hizo.
+# Durante medio segundo no se distinguen. Luego la inclinación es grande, y primero se separan las ruedas; las dos
+# inclinaciones, aquí casi nada. Es el destino usual de un modelo lineal: es cierto cerca del punto donde se hizo.
 #
 # ## Ahora con un controlador
 #

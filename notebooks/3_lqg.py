@@ -50,7 +50,7 @@ print(np.round(np.abs(model.poles()), 4))
 # ## Realimentar a mano
 #
 # La realimentación es $u = -K x$. Un robot que se inclina hacia adelante tiene que avanzar, hasta quedar bajo su centro de masa. Por eso
-# las ganancias del cabeceo son negativas: $-K$ hace de una inclinación positiva una tensión positiva. Realimentemos el cabeceo, su
+# las ganancias de la inclinación son negativas: $-K$ hace de una inclinación positiva una tensión positiva. Realimentemos la inclinación, su
 # velocidad y la velocidad de las ruedas, y dejemos fuera dónde están las ruedas.
 
 # %%
@@ -87,7 +87,7 @@ up.compare({"stays": pushed(stays), "runs away": pushed(runs_away)}).plot("pitch
 # where the second line is Riccati's equation.
 # %% [markdown] lang="es"
 # Los dos quedan en pie. Pero nadie le dijo al segundo que volviera: su polo en 1 sigue ahí. Una ganancia en el ángulo de las ruedas lo trae a casa.
-# Mire bien el cabeceo: para volver, el robot debe inclinarse hacia atrás, y para inclinarse hacia atrás primero avanza más.
+# Mire bien la inclinación: para volver, el robot debe inclinarse hacia atrás, y para inclinarse hacia atrás primero avanza más.
 #
 # ## Que elija la matemática: LQR
 #
@@ -146,7 +146,7 @@ compared.plot("pitch", "wheel")
 # ## Lo que ve un robot
 #
 # Hasta aquí usamos el estado verdadero. Un robot LEGO tiene dos codificadores (pasos de 1°) y un giróscopo. Un codificador está en el
-# cuerpo y lee $\theta_l - \psi$. Nada mide el cabeceo. El giróscopo mide su velocidad: ¿por qué no integrarla?
+# cuerpo y lee $\theta_l - \psi$. Nada mide la inclinación. El giróscopo mide su velocidad: ¿por qué no integrarla?
 
 # %%
 body = up.Electronics(up.Twin(robot), kit)
@@ -191,7 +191,7 @@ log.plot("truth/pitch", "estimate/pitch")
 # $$
 #
 # El nuestro tiene dos estados más: el sesgo del giróscopo y un empuje constante. Un robot inclinado acelera, así que los
-# codificadores saben, al cabo de un rato, cuál tuvo que ser el cabeceo.
+# codificadores saben, al cabo de un rato, cuál tuvo que ser la inclinación.
 #
 # ## Dos diseños que no se estorban
 #
@@ -257,7 +257,7 @@ up.lab_page(robot, ["lqg", "lqr"], push="impulse:0.1", folder="lab-lqg")
 # %% [markdown] lang="es"
 # ## Ejercicios
 #
-# **1.** Haga la tensión cada vez más cara (`1e2 * R`, `1e4 * R`, `1e6 * R`). ¿A qué valor va el polo del cabeceo? Compare con
+# **1.** Haga la tensión cada vez más cara (`1e2 * R`, `1e4 * R`, `1e6 * R`). ¿A qué valor va el polo de la inclinación? Compare con
 # $e^{-\lambda T}$, donde $\lambda$ es el polo de la caída.
 
 # %% tags=["answer"]

@@ -22,7 +22,7 @@ SPANISH = {
     "right command": "mando derecho", "left": "izquierda", "right": "derecha", "battery": "batería",
     "wheel mass": "masa de una rueda", "wheel radius": "radio de la rueda", "wheel inertia": "inercia de una rueda",
     "body mass": "masa del cuerpo", "track": "ancho de vía", "centre of mass height": "altura centro de masa",
-    "pitch inertia": "inercia de inclinación", "yaw inertia": "inercia de giro", "roll inertia": "inercia de balanceo",
+    "pitch inertia": "inercia de cabeceo", "yaw inertia": "inercia de guiñada", "roll inertia": "inercia de balanceo",
     "rotor inertia": "inercia del rotor", "gear ratio": "relación de transmisión",
     "motor resistance": "resistencia del motor", "back emf": "constante de fcem",
     "torque constant": "constante de par", "motor friction": "fricción del motor",
