@@ -82,6 +82,7 @@ def test_the_reference_has_everything_that_the_package_offers(site: Path) -> Non
 
 def test_notebooks_are_there_in_both_languages_without_answers(site: Path) -> None:
     for text in (ROOT / "notebooks").glob("[0-9]_*.py"):
+        pictures: list[list[str]] = []
         for lang in ("en", "es"):
             page = (site / "notebooks" / lang / f"{text.stem}.html").read_text("utf-8")
             other = {"en": "es", "es": "en"}[lang]
@@ -91,10 +92,13 @@ def test_notebooks_are_there_in_both_languages_without_answers(site: Path) -> No
             (taken,) = re.findall(r'href="([^"]*\.ipynb)"', page)
             cells = json.loads((site / "notebooks" / lang / taken).read_text("utf-8"))["cells"]
             assert not [cell for cell in cells if "answer" in cell["metadata"].get("tags", ())]
-            assert any("image/png" in out.get("data", {}) for cell in cells for out in cell.get("outputs", ()))
+            drawn = [out.get("data", {}).get("image/png") for cell in cells for out in cell.get("outputs", ())]
+            pictures.append([png for png in drawn if png])
             assert "<img" in page
             assert ("<iframe" in page) == (text.stem in ("3_lqg", "6_own_robot"))
             assert len(json.dumps(cells)) < 1e6  # figures; a lab is a file beside
+        assert 0 < len(pictures[0]) == len(pictures[1])
+        assert not set(pictures[0]) & set(pictures[1])  # each has its language: the words are in test_language.py
 
 
 def test_a_spanish_page_leads_to_spanish_ones_first(site: Path) -> None:
@@ -103,6 +107,7 @@ def test_a_spanish_page_leads_to_spanish_ones_first(site: Path) -> None:
     assert captions[0] == "En español"
     assert page.index('href="notebooks/es/index.html"') < page.index('href="notebooks/index.html"')
     assert '<a class="now" href="try/index.html#lang=es">' in page
+    assert {"start.html", "lesson.en.html"}.isdisjoint(target for _, target in links(site / "index.es.html"))  # twice
     assert "___" not in (site / "worksheet.es.html").read_text("utf-8")  # a line to write on, as long as there is room
 
 
