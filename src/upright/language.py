@@ -56,7 +56,7 @@ SPANISH = {
     "difference from the value before [its standard deviations]":
         "diferencia con el valor anterior [sus desviaciones típicas]",
     "unstable pole": "polo inestable", "true pole": "polo verdadero", "method": "método",
-    "its regulator holds the robot": "su regulador sostiene el robot", "its regulator does not": "su regulador no",
+    "its regulator holds the robot": "su regulador lo sostiene", "its regulator does not": "su regulador no",
     "default": "por defecto", "chosen": "elegido", "others of the front": "otros del frente",
     "gain margin": "margen de ganancia",
     "largest knock survived": "mayor golpe soportado",
