@@ -46,9 +46,9 @@ STYLE: dict[str, Any] = {
     "font.family": ["DejaVu Sans"], "font.size": 9.0, "axes.titlesize": 9.0, "axes.labelsize": 9.0,
     "text.color": INK, "axes.labelcolor": "#1d2126", "axes.titlecolor": "#1d2126", "axes.edgecolor": AXIS,
     "xtick.color": AXIS, "ytick.color": AXIS, "xtick.labelcolor": INK, "ytick.labelcolor": INK,
-    "axes.grid": True, "axes.axisbelow": True, "grid.color": GRID, "grid.linewidth": 0.8,
+    "axes.grid": True, "axes.axisbelow": True, "grid.color": GRID, "grid.linewidth": 0.8, "legend.columnspacing": 1.0,
     "axes.linewidth": 0.8, "axes.spines.top": False, "axes.spines.right": False, "lines.linewidth": 1.4,
-    "legend.fontsize": 9.0, "legend.framealpha": 0.8, "legend.columnspacing": 1.0, "path.simplify": False, "figure.dpi": 100.0,
+    "legend.fontsize": 9.0, "legend.framealpha": 0.8, "path.simplify": False, "figure.dpi": 100.0,
     "axes.titlelocation": "left", "axes.titlepad": 8.0, "image.cmap": MAP, "axes.unicode_minus": True,
 }  # fmt: skip
 
