@@ -82,6 +82,11 @@ class Estimate:
         return not self.guess and self.shrink > WIDER
 
     @property
+    def outside(self) -> bool:
+        """Whether the fit puts the number outside the 95 % interval that was known before."""
+        return abs(self.shift) > NORMAL and self.verdict not in (HELD, QUIET)
+
+    @property
     def surprising(self) -> bool:
         """Whether the log contradicts a prior that was not a guess."""
         return not self.guess and abs(self.shift) > SURPRISE
@@ -353,5 +358,5 @@ class Calibration(Shown):
 
 
 def _line(e: Estimate) -> str:
-    mark = "  contradicts its prior" if e.surprising else ""
+    mark = "  contradicts its prior" if e.surprising else "  outside what was known before" if e.outside else ""
     return f"  {e.name:<18} {e.value:>11.5g} {f'[{e.low:.4g}, {e.high:.4g}]':<24} {e.unit:<10} {e.verdict}{mark}"

@@ -208,7 +208,8 @@ class ExcitationPlan(Shown):
         lines = [head, *(f"  {100 * part:3.0f} % of its energy: {name}" for name, part in self.division.items()), ""]
         lines += [
             f"{c.fell} of {c.samples} robots fell under {self.margin:g} times it: probability of a fall below "
-            f"{c.bound:.2%}; saturated {c.saturated:.1%}, travel {c.travel:.2f} m, pitch up to {c.peak:.2f} rad", "",
+            f"{c.bound:.2%}; saturated {c.saturated:.1%}, travel up to {c.travel:.2g} m, pitch up to "
+            f"{math.degrees(c.peak):.2g}°", "",
             f"{'95 % interval of':<20}{'before':>12}{'after':>12}{'dither':>12}{'held 40 ms':>12}{'100 runs':>12}",
         ]  # fmt: skip
         lines += [_row(p) for p in self.predicted if p.after < VISIBLE * p.before]

@@ -7,7 +7,6 @@ import re
 from upright.calibrate.calibration import VISIBLE, WIDER, Calibration, Estimate
 from upright.plotting import number
 from upright.report.page import cell_text
-from upright.report.priors import outside
 from upright.tables import joined, sentence, short, spoken
 
 MEASURABLE = ("wheel_mass", "wheel_radius", "body_mass", "track", "com_height")
@@ -82,7 +81,7 @@ def repeated(c: Calibration) -> list[str]:
 
 def off(c: Calibration) -> list[Estimate]:
     """Numbers that the log puts outside the 95 % interval that was known before."""
-    return [e for e in c.parameters if (outside(e) or e.surprising) and not c.refused]
+    return [e for e in c.parameters if (e.outside or e.surprising) and not c.refused]
 
 
 def _times(e: Estimate) -> str:

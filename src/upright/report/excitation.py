@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.excite.plan import VISIBLE, ExcitationPlan, Predicted
-from upright.plotting import AXIS, COLOURS, INK, SMALL, legend, line, number, numbered, panels, rows_of
+from upright.plotting import AXIS, BESIDE, COLOURS, INK, WIDTH, legend, line, number, numbered, panels, rows_of
 from upright.report.figure import Figure
 from upright.report.made import chosen, command, typed
 from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
@@ -22,17 +22,17 @@ def page_of(plan: ExcitationPlan) -> Page:
     """The plan's page, not yet written."""
     wrong = plan.check()
     several = f"{len(wrong)} reservation{'s' if len(wrong) > 1 else ''}"
-    verdict = Verdict(several, "warn") if wrong else Verdict(_safe(plan), "good")
+    verdict = Verdict(several, "warn") if wrong else Verdict("within all limits", "good")
     sections = [
         *([Section("Reservations", wrong)] if wrong else []),
         Section("The run", [_over_time(plan)]),
-        Section("Limits", [_limits(plan), _checked_words(plan), *plan.notes]),
+        Section("Limits", [_limits(plan), _checked_words(plan), *_rest(plan)]),
         Section("Frequencies and energy", [_spectrum(plan), _energies(plan), _energy(plan)], folded=True),
         Section("Predicted intervals", [_PREDICTED, *_tables(plan)], folded=True),
         Section("Beside a random dither", [_beside_dither(plan)], folded=True),
         Section("Alternatives", [_TRIED.format(_focus(plan)), _tried(plan)], folded=True),
     ]
-    facts = {"controller": plan.hash[:12], "seed": str(plan.seed), "kit": plan.kit}
+    facts = {"controller": f"{plan.controller}, {plan.hash[:12]}", "seed": str(plan.seed), "kit": plan.kit}
     numbers = [
         (f"≤ {number(100 * plan.checked.bound, 2)} %", _falls(plan)),
         (
@@ -49,15 +49,9 @@ def page_of(plan: ExcitationPlan) -> Page:
 
 def _falls(plan: ExcitationPlan) -> str:
     c = plan.checked
-    of = " that stand without it" if c.dropped else ""
+    of = f" that stand without it ({c.dropped} more do not)" if c.dropped else ""
     counted = f"{c.fell} of {c.samples} simulated robots{of}"
     return f"fall, with 95 % confidence: {counted}; allowed {100 * plan.limits.falls:g} %"
-
-
-def _safe(plan: ExcitationPlan) -> str:
-    """The limits are those of robots that stand without the excitation, which is said where some do not."""
-    only = ", once the robot balances" if plan.checked.dropped else ""
-    return f"within its limits{only}"
 
 
 _WHAT = (
@@ -104,19 +98,21 @@ def _lead(plan: ExcitationPlan) -> str:
     from upright.excite.search import COMBINED
 
     way = "a mix of random steps, sines, drives and turns" if plan.way == COMBINED else f"a {plan.way}"
-    return f"While {plan.controller} balances the robot, {way} is added to its commands.{most} Next: {_next()}"
+    return f"While {plan.controller} balances the robot, {way} is added to its commands.{most} Next: {_next(plan)}"
 
 
 GIVEN = 3  # parameters named on the first screen
 
 
-def _next() -> str:
+def _next(plan: ExcitationPlan) -> str:
+    every = f"every {1e3 * plan.hold * plan.period:g} ms"
     file, robot = typed("--output"), chosen("--robot", "--kit")
     if not file:
         return f"`{command() or 'upright excite'} -o plan.json` writes the plan as a file."
     law = chosen("--controller")
     return (
-        f"`upright simulate{robot}{law} --excite {file} -o run.csv` tries it; on your robot, add it to its commands. "
+        f"`upright simulate{robot}{law} --excite {file} -o run.csv` tries it. Your own robot adds to its commands, "
+        f"{every}, the next row of `excitation` in {file}: left and right motor. "
         f"Then `upright calibrate run.csv{robot} -o robot.toml` reads its log."
     )
 
@@ -222,12 +218,23 @@ def _widths(plan: ExcitationPlan) -> Figure:
         if kept.any():
             ax.barh(rows[kept], after[kept], height=0.6, color=colour, label=label)
     for row, p in enumerate(own):
-        ax.annotate(_beside(p), (100, row), (8, 0), textcoords="offset points", va="center", size=SMALL)
+        if after[row] < THIN:
+            ax.annotate(
+                f"{number(after[row], 2)} %", (after[row], row), (4, 0), textcoords="offset points", va="center"
+            )
+        text = ax.annotate(_beside(p), (1, row), (8, 0), xycoords=ax.get_yaxis_transform(), textcoords="offset points",
+                           va="center")  # fmt: skip
+        text.set_gid(BESIDE)
+    box = ax.get_position()
+    left, above = ax.yaxis.label.get_position()
+    ax.set_position((box.x0, box.y0, box.width - COLUMN / WIDTH, box.height))
+    ax.yaxis.set_label_coords(left * box.width / ax.get_position().width, above)
     ax.axvline(100 * VISIBLE, linestyle="--", linewidth=1, color=AXIS, label="half")
-    ax.set(xlim=(0, WIDE), xticks=range(0, 101, 25))
+    ax.set(xlim=(0, 103), xticks=range(0, 101, 25))
     note = (
         f"Measured: at most half is left, and ± {100 * CLOSE:g} % of the value or less. "
-        "Bounded: at most half, but less close. Numbers: the uncertainty before → after, or the most that is possible."
+        "Bounded: at most half, but less close. Numbers: half of the 95 % interval, in per cent of the value, before → "
+        "after; or how large the value is at most."
     )
     return Figure("How much of each uncertainty the run should leave", legend(figure), note)
 
@@ -238,11 +245,17 @@ def _beside(p: Predicted) -> str:
         return ""
     low, high = p.value - p.after / 2, p.value + p.after / 2
     if low < ONE_SIDED * high:
-        return f"≤ {cell_text(high, 2)}"
+        return f"≤ {cell_text(high, 2)} {p.unit}"
     return f"± {number(_per_cent(p, p.before), 2)} → {number(_per_cent(p, p.after), 2)} %"
 
 
-WIDE = 170.0  # [%] of the axis: the numbers stand right of the bars
+COLUMN = 1.75  # [inches] right of the bars, for the numbers
+THIN = 5.0  # [%] of a bar that is hardly seen, so that its number stands beside it
+
+
+def _rest(plan: ExcitationPlan) -> list[str]:
+    """The plan's notes, but for the robots that do not stand, which are said above."""
+    return [note for note in plan.notes if "fall without an excitation" not in note]
 
 
 def _shrunk(plan: ExcitationPlan) -> list[Predicted]:
@@ -294,11 +307,11 @@ def _named(p: Predicted) -> str:
 
 def _checked_words(plan: ExcitationPlan) -> str:
     c = plan.checked
+    alone = f"The {c.dropped} more that were drawn fall without an excitation, and do not count. " if c.dropped else ""
     times = "this excitation" if plan.margin == 1 else f"this excitation made {plan.margin:g} times as large"
     return (
         f"{c.samples} robots drawn from the uncertainty of {plan.robot}, in the nonlinear model with kit {plan.kit} "
-        f"and {times}: {c.fell} fell. With 95 % confidence the probability of a fall is "
-        f"below {100 * c.bound:.2g} %. The other values are 95 % quantiles of the robots."
+        f"and {times}: {c.fell} fell. {alone}The values besides that of a fall are 95 % quantiles of the robots."
     )
 
 
@@ -310,7 +323,7 @@ def _limits(plan: ExcitationPlan) -> Table:
         ["travel [m]", c.travel, limits.travel],
         ["largest lean [°]", math.degrees(c.peak), "none"],
     ]
-    return Table(["", "at most", "limit"], rows, "Predicted, with 95 % confidence or as 95 % quantiles", 3)
+    return Table(["", "at most", "limit"], rows, "Predicted, with 95 % confidence or as 95 % quantiles", 2)
 
 
 def _tried(plan: ExcitationPlan) -> Table:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from upright.calibrate.calibration import HELD, NORMAL, QUIET, VISIBLE, Calibration, Estimate
+from upright.calibrate.calibration import NORMAL, VISIBLE, Calibration, Estimate
 from upright.plotting import COLOURS, INK, SMALL, SPAN, legend, number, rows_of
 from upright.report.figure import Figure
 from upright.report.page import cell_text
@@ -44,11 +44,6 @@ def measured(e: Estimate) -> bool:
 def width(e: Estimate) -> float:
     """Half of the interval over the value."""
     return (e.high - e.low) / max(abs(e.high + e.low), 1e-300)
-
-
-def outside(e: Estimate) -> bool:
-    """Whether the log puts a number outside the 95 % interval that was known before."""
-    return abs(e.shift) > NORMAL and e.verdict not in (HELD, QUIET)
 
 
 def by_name(c: Calibration) -> Figure | None:
@@ -89,16 +84,16 @@ def _bars(c: Calibration) -> Drawing:
             ax.hlines(rows, low, np.minimum(high, FAR), linewidth=2.5, color=colour, label=label)
             for e, row, x, end, side in zip(group, rows, value, high, no_dot, strict=True):
                 mark, size = ("|", 9.0) if side else ("o", 4.5)
-                tone = OFF if outside(e) else colour
+                tone = OFF if e.outside else colour
                 ax.plot(end if side else x, row, mark, color=tone, markersize=size, markeredgewidth=size / 4.5)
-            if off := [(row, a, b) for e, row, a, b in zip(group, rows, low, high, strict=True) if outside(e)]:
+            if off := [(row, a, b) for e, row, a, b in zip(group, rows, low, high, strict=True) if e.outside]:
                 at, ends, tops = zip(*off, strict=True)
                 ax.hlines(at, ends, np.minimum(tops, FAR), linewidth=2.5, color=OFF, label="outside that before")
             for e, row, x, end in zip(group, rows, value, high, strict=True):
                 place = max(end, x)
                 text = f"→ {_beside(e)}".strip() if place > FAR else _beside(e)
                 where: dict[str, Any] = {"textcoords": "offset points", "va": "center", "size": SMALL}
-                if outside(e) and x > 0:  # the end may be the figure's
+                if e.outside and x > 0:  # the end may be the figure's
                     ax.annotate(text, (min(low[rows.index(row)], x), row), (-6, 0), ha="right", **where)
                 else:
                     ax.annotate(text, (min(place, FAR), row), (6, 0), **where)
@@ -143,7 +138,7 @@ def _zero(e: Estimate) -> float:
 
 def _beside(e: Estimate) -> str:
     """What stands beside a bar: how closely the log tells the number, where it does, or where it puts it."""
-    if outside(e):
+    if e.outside:
         times = f", {number(e.value / e.prior, 2)} × the file" if e.prior else ""
         return f"{cell_text(e.value, 2)} {e.unit}{times}"
     if e.wider:
