@@ -55,7 +55,14 @@ class Reproduction(Shown):
     def __str__(self) -> str:
         width = max(len(f.title) for f in self.claims)
         rows = [f"{f.part:<3} {f.title:<{width}}  {f.says}\n{f.why(100)}" for f in self.claims]
-        return "\n".join([*rows, "", f"wrote {self.folder / 'report.html'}, results.json and the logs beside it"])
+        return "\n".join(
+            [
+                *rows,
+                "",
+                f"{title(self.claims)}.",
+                f"wrote {self.folder / 'report.html'}, results.json and the logs beside it",
+            ]
+        )
 
     def to_json(self) -> dict[str, Any]:
         """All numbers, as written to results.json."""
@@ -115,13 +122,20 @@ def _page(claims: Sequence[Claim]) -> Page:
         ]),
     ]  # fmt: skip
     sections = [*opening, *(claim.section() for claim in claims)]
-    rest = ((counted[IN_PART], "in part"), (len(failed), "not as printed"))
-    title = f"Herrera et al. (2015): {counted[REPRODUCED]} of {len(judged)} claims reproduced"
-    title += "".join(f", {n} {words}" for n, words in rest if n)
     holds = len(judged) - len(failed)
     verdict = Verdict("all as printed", "good") if not failed else Verdict(f"{holds} hold at least in part", "warn")
     facts = {"command": "upright reproduce", "paper": PAPER, **_versions()}
-    return Page(title, sections, f"{LEAD}{missed}{AFTER}", facts, verdict=verdict, picture=again, numbers=numbers)
+    return Page(
+        title(claims), sections, f"{LEAD}{missed}{AFTER}", facts, verdict=verdict, picture=again, numbers=numbers
+    )
+
+
+def title(claims: Sequence[Claim]) -> str:
+    """How many of the paper's claims hold: "Herrera et al. (2015): 4 of 10 claims reproduced, 4 in part"."""
+    says = [claim.says for claim in claims if claim.says != BEYOND]
+    rest = ((says.count(IN_PART), "in part"), (says.count(NOT_AS_PRINTED), "not as printed"))
+    counts = f"{says.count(REPRODUCED)} of {len(says)} claims reproduced"
+    return f"Herrera et al. (2015): {counts}{''.join(f', {n} {words}' for n, words in rest if n)}"
 
 
 def _findings(claims: Sequence[Claim]) -> list[tuple[str, str]]:
