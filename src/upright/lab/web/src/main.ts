@@ -50,7 +50,7 @@ class Page {
   private python = new PythonPanel();
   private kit = new KitPanel();
   private identify = new IdentifyPanel();
-  private keep = new KeepPanel(() => this.room.picture());
+  private keep = new KeepPanel(() => this.picture());
   private tour = new Tour((speed) => this.run(speed));
   private classes = new ClassPanel();
   private newcomer = !remembered.getItem("toured") && !isLink(location.hash);
@@ -474,7 +474,9 @@ class Page {
 
   private help(): void {
     const pushes = (["impulse", "size", "front", "back", "pull", "tilt", "step"] as const).map((key) => [t(key === "pull" ? "pullBoth" : key === "back" ? "backPush" : key), t(`${key}Tip`)]);
-    const rows = [...pushes, ...texts().keys].map(([key, what]) => h("tr", {}, h("th", { scope: "row" }, key), h("td", {}, what)));
+    const [robot, floor, finger, ...keys] = texts().keys; // a telephone has neither mouse nor keys
+    const hands = matchMedia("(hover: none)").matches ? [finger, ...pushes] : [...pushes, robot, floor, finger, ...keys];
+    const rows = hands.map(([key, what]) => h("tr", {}, h("th", { scope: "row" }, key), h("td", {}, what)));
     const title = h("h2", { tabIndex: -1 }, t("help"));
     const dialog = h("dialog", { className: "help", "aria-label": t("help"), onclose: () => dialog.remove() },
       title, h("table", {}, h("tbody", {}, ...rows)), button(t("close"), () => dialog.close(), { className: "main" }));
@@ -551,7 +553,7 @@ class Page {
   }
 
   picture(): Promise<Blob | null> {
-    return this.room.picture();
+    return this.room.picture([store.setup.robot, named(store.setup.controller), `${fixed(store.snapshot?.t ?? 0, 1)} s`, "upright lab"].join("  ·  "));
   }
 
   address(): string {

@@ -51,7 +51,7 @@ export class ControllerPanel extends Panel {
       h("div", { className: "column" }, choice, this.weights),
       h("div", { className: "column full" }, this.gain),
       h("div", { className: exported ? "column full" : "column" }, this.numbers),
-      exported ? null : h("div", { className: "column" }, this.light, certify, this.working),
+      exported ? h("p", { className: "note column full" }, t("noCertificateHere")) : h("div", { className: "column" }, this.light, certify, this.working),
     );
     this.update();
   }

@@ -1,12 +1,12 @@
 // The room: the robot with its shadow, the ghosts of the models beside it, and the hand that pushes.
 import {
-  AmbientLight, ArrowHelper, BoxGeometry, CanvasTexture, Color, CylinderGeometry, DirectionalLight, Fog, Group,
-  HemisphereLight, Mesh, MeshStandardMaterial, PCFSoftShadowMap, PerspectiveCamera, Plane, PlaneGeometry, Raycaster,
+  AmbientLight, BoxGeometry, CanvasTexture, Color, CylinderGeometry, DirectionalLight, Fog, Group,
+  HemisphereLight, Mesh, MeshBasicMaterial, MeshStandardMaterial, PCFSoftShadowMap, PerspectiveCamera, Plane, PlaneGeometry, Raycaster,
   RepeatWrapping, Scene, SRGBColorSpace, Vector2, Vector3, WebGLRenderer,
 } from "three";
 import type { Material } from "three";
 import type { Look, Snapshot } from "./messages";
-import { laneColour } from "./palette";
+import { ink, laneColour } from "./palette";
 import { ghostPlace } from "./places";
 import { forceOf, sizeOf } from "./stage";
 import type { Hand, Stage } from "./stage";
@@ -14,6 +14,7 @@ import type { Hand, Stage } from "./stage";
 const FOLLOWED = 120; // [ms] in which the camera makes up most of what it is behind
 const CELL = 0.1; // [m] of the floor's grid
 const REPEAT = 60;
+const PICTURE = 1920; // [pixels] of the width of a picture that is kept
 
 /** One robot: yaw round its axle's middle, body pitching, wheels rolling. */
 class Figure {
@@ -56,8 +57,10 @@ class Figure {
     };
     const shell = solid(this.own, 0.55);
     part(wide, H * 0.94, D, shell, 0, base + H * 0.5, 0);
-    if (full) {
-      part(W * 0.8, R * 0.5, D * 0.55, solid("#3b424a", 0.6), 0, 0, 0);
+    if (full) part(W * 0.8, R * 0.5, D * 0.55, solid("#3b424a", 0.6), 0, 0, 0);
+    if (full && this.look.command_unit !== "V") {
+      for (const up of [0.22, 0.5, 0.78]) part(wide * 1.01, H * 0.03, D * 1.02, solid("#20262c", 0.6), 0, base + H * up, 0); // shelves
+    } else if (full) { // a brick with screen and buttons
       part(wide * 0.72, H * 0.26, D * 0.04, solid("#20262c", 0.25), D * 0.5, base + H * 0.72, 0);
       part(wide * 0.62, H * 0.18, D * 0.05, solid("#b9d8c4", 0.3), D * 0.505, base + H * 0.73, 0);
       part(wide * 0.16, H * 0.08, D * 0.08, solid("#f4f5f6", 0.5), D * 0.5, base + H * 0.42, 0);
@@ -144,7 +147,10 @@ export class Room implements Stage {
   private figures: Figure[] = [];
   private bodies: string[] = [];
   private look: Look | null = null;
-  private arrow = new ArrowHelper(new Vector3(1, 0, 0), new Vector3(), 0.1, 0xc98a00, 0.03, 0.02);
+  private arrow = new Group(); // along y: a shaft of length 1 below a head
+  private shaft: Mesh;
+  private head: Mesh;
+  private ink = new MeshBasicMaterial(); // of the arrow
   private eye = { azimuth: 0.5, height: 0.26, away: 1 };
   private grip: { at: Vector3; mouse: Vector2; height: number } | null = null; // `at` on the body, in its own axes
   private turning: { x: number; y: number } | null = null;
@@ -169,6 +175,9 @@ export class Room implements Stage {
     this.sun.shadow.mapSize.set(1024, 1024);
     this.sun.shadow.radius = 6;
     this.sun.shadow.bias = -0.0005;
+    this.shaft = new Mesh(new CylinderGeometry(1, 1, 1, 16), this.ink);
+    this.head = new Mesh(new CylinderGeometry(0, 1, 1, 24), this.ink);
+    this.arrow.add(this.shaft, this.head);
     this.arrow.visible = false;
     this.ground.add(this.floor, this.arrow);
     this.scene.add(this.ground, this.sky, this.sun, this.sun.target, new AmbientLight("#ffffff", 0.35));
@@ -179,6 +188,7 @@ export class Room implements Stage {
   /** The colours of the theme that is on. */
   paint(): void {
     const dark = document.documentElement.dataset.theme === "dark";
+    this.ink.color.set(ink().push);
     const air = new Color(dark ? "#1b2026" : "#f4f3ef");
     this.scene.background = air;
     this.scene.fog = new Fog(air, 1.2 * this.size() + 1.2, 3 * this.size() + 2.2);
@@ -242,8 +252,12 @@ export class Room implements Stage {
     const at = new Vector3(main.x + lean * Math.cos(yaw), look.wheel_radius + height * Math.cos(pitch), main.z - lean * Math.sin(yaw));
     const surface = look.body_depth / 2 + 0.004;
     this.arrow.position.copy(at).addScaledVector(heading, -length - surface);
-    this.arrow.setDirection(heading);
-    this.arrow.setLength(length, length * 0.32, length * 0.2);
+    this.arrow.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), heading);
+    const [thick, tip] = [this.size() * 0.014, Math.min(length * 0.6, this.size() * 0.13)];
+    this.shaft.scale.set(thick, length - tip, thick);
+    this.shaft.position.y = (length - tip) / 2;
+    this.head.scale.set(3 * thick, tip, 3 * thick);
+    this.head.position.y = length - tip / 2;
   }
 
   /** Draw; `elapsed` [ms] since the last time tells whether this machine needs fewer pixels. */
@@ -295,10 +309,25 @@ export class Room implements Stage {
     return main ? Math.hypot(main.x - this.centre.x, main.z - this.centre.z) > 1e-3 : false;
   }
 
-  /** A picture of what is seen, as PNG. */
-  picture(): Promise<Blob | null> {
+  /** A picture of what is seen, as PNG: large enough to be shown, with a line of words below it. */
+  picture(words: string): Promise<Blob | null> {
+    const { clientWidth: w, clientHeight: h } = this.canvas;
+    this.renderer.setPixelRatio(PICTURE / w);
+    this.renderer.setSize(w, h, false);
     this.renderer.render(this.scene, this.camera);
-    return new Promise((done) => this.canvas.toBlob(done));
+    const { width, height } = this.canvas;
+    const [whole, line] = [document.createElement("canvas"), Math.round(PICTURE / 28)];
+    Object.assign(whole, { width, height: height + line });
+    const pen = whole.getContext("2d") as CanvasRenderingContext2D;
+    const style = getComputedStyle(document.documentElement);
+    pen.fillStyle = style.getPropertyValue("--card");
+    pen.fillRect(0, 0, width, height + line);
+    pen.drawImage(this.canvas, 0, 0);
+    Object.assign(pen, { fillStyle: style.getPropertyValue("--ink"), font: `${0.45 * line}px system-ui, sans-serif`, textBaseline: "middle" });
+    pen.fillText(words, 0.4 * line, height + line / 2, width - 0.8 * line);
+    this.stale = true;
+    this.draw(0); // as it was
+    return new Promise((done) => whole.toBlob(done));
   }
 
   turn(azimuth: number, height: number): void {

@@ -15,7 +15,7 @@ export interface Stage {
   furnish(look: Look, bodies: string[]): void;
   move(s: Snapshot): void;
   draw(elapsed: number): void;
-  picture(): Promise<Blob | null>;
+  picture(words: string): Promise<Blob | null>;
   turn(azimuth: number, height: number): void;
   zoom(factor: number): void;
   /** Where the middle of the robot's body is [CSS pixels from the upper left], for whoever wants to grasp it. */

@@ -1,5 +1,6 @@
 // A tour, from a first push along the paper: what to do, what to watch, and a question. A page without Python has those that
 // need neither the twin nor a design.
+import { small } from "./charts";
 import { button, h, replace } from "./dom";
 import { exported } from "./exported";
 import { DEFAULT_SETUP } from "./messages";
@@ -58,7 +59,7 @@ export class Tour {
         h("div", { className: "hints" }, part(t("tourDo"), step.do), part(t("tourWatch"), step.watch), part(t("tourAsk"), step.ask)),
         h("div", { className: "row" },
           button(t("previous"), () => this.move(-1, "previous"), { disabled: this.at === 0, "data-key": "tour-previous" }),
-          button(t("tourSet"), () => this.set(), { className: this.at ? "main" : "", "data-key": "tour-set" }),
+          this.at || this.before ? button(t("tourSet"), () => this.set(), { className: this.at ? "main" : "", "data-key": "tour-set" }) : null, // at first all is ready
           button(t("next"), () => this.move(1, "next"), { className: this.at ? "" : "main", disabled: this.at === STEPS.length - 1, "data-key": "tour-next" })),
         this.before ? button(t("tourBack"), () => this.back(), { className: "quiet", "data-key": "tour-back" }) : null),
     );
@@ -69,7 +70,10 @@ export class Tour {
     this.at = Math.min(Math.max(this.at + by, 0), STEPS.length - 1);
     this.build();
     const key = (name: string) => this.root.querySelector<HTMLButtonElement>(`[data-key=tour-${name}]:enabled`);
-    (key(used) ?? key("set"))?.focus();
+    (key(used) ?? key("set") ?? key("next"))?.focus({ preventScroll: small.matches });
+    const panel = this.root.parentElement;
+    if (panel) panel.scrollTop = 0;
+    if (small.matches && this.root.getBoundingClientRect().top < 0) panel?.parentElement?.scrollIntoView(); // each step is seen from its title on
   }
 
   /** The robot, controller and speed as they were before the tour. */
