@@ -24,6 +24,7 @@ Array = NDArray[np.float64]
 RAPID = 0.75  # of the NIS, that slow steps leave where a disturbance is too rapid for them
 SHOWS = 4.0  # standard deviations of an innovation, from which a disturbance shows: its steps may begin before
 LOUD, BLOCK = 0.5, 0.2  # squared innovations over their mean, in blocks of so many seconds, from which they show
+BEYOND = 0.9  # of the time, in which the body turns faster than its gyro shows
 STEP_COST = 0.5  # of a step of a disturbance of any shape, over that of a number that is chosen among many onsets
 
 
@@ -41,15 +42,25 @@ class Leftover:
     nis: float
 
 
-def jam_or_stuck(run: FilterRun, stuck: StuckSensor, window: Window, bank: Bank) -> tuple[float, float]:
+def jam_or_stuck(run: FilterRun, stuck: StuckSensor, window: Window, bank: Bank) -> tuple[float, float, float]:
     """How well a wheel that is held, by any torque, and an encoder that tells nothing explain a constant encoder: both
-    scores [nats]."""
+    scores [nats], and the NIS that the better one leaves."""
     side = "left" if stuck.channel.endswith("left") else "right"
     nothing = replace(with_pushes(bank), rest=bank.y, spent=2)
     held = _of_channel(f"{side} motor", nothing, bank, bank, since=max(stuck.start, float(bank.steps[0])))
     values = np.where(run.log.t > stuck.start, np.nan, run.log[stuck.channel])
     blind = Log(run.log.t, {**run.log.channels, stuck.channel: values}, run.log.units, run.log.origin)
-    return held.score, with_pushes(window.bank(follow(blind, run.robot, run.kit)), against=bank).score
+    dumb = with_pushes(window.bank(follow(blind, run.robot, run.kit)), against=bank)
+    return held.score, dumb.score, held.nis if held.score > dumb.score else dumb.nis
+
+
+def goes_beyond(run: FilterRun, stuck: StuckSensor, end: float) -> bool:
+    """Whether the body turns faster, the same way, than a gyro that stands still shows, as the other sensors have it up
+    to `end` [s]: then it is at the end of its range. Of one that is stuck the rate has any size and sign."""
+    values = np.where(run.log.t >= stuck.start, np.nan, run.log[stuck.channel])
+    blind = follow(Log(run.log.t, {**run.log.channels, stuck.channel: values}, run.log.units), run.robot, run.kit)
+    rate = blind.after[(blind.t > stuck.start) & (blind.t <= end) & (blind.row >= 0), 1]
+    return len(rate) > 0 and bool(np.mean(np.sign(stuck.reading) * rate > abs(stuck.reading)) > BEYOND)
 
 
 def leftover(fits: Sequence[FaultFit], window: Window, bank: Bank) -> Leftover | None:

@@ -18,6 +18,10 @@ EXPLAINED, LIKE_A_PUSH, EXPLAINED_WIDTH = 0.55, 0.74, 0.03
 """Most NIS that a fault may leave over what pushes alone leave, that a slip may leave beside a push that topples, and
 the width of both steps."""
 
+FITS_BADLY, FITS_WIDTH, DOUBT = 1.45, 0.05, 0.75
+"""NIS over the calm one beyond which a hypothesis leaves something, the width of that step, and the probability that
+something else took part then: so it was in most of such falls (docs/post-mortem.md)."""
+
 EMPTY = 0.02  # of its voltage: less is no supply, or a driver that is off
 TOPPLES = 0.3  # [rad] lean that a push must be worth to topple, or
 TOPPLES_OF_LARGEST = 0.4  # of the largest lean that the motors bring back
@@ -75,6 +79,11 @@ def toppled(evidence: Evidence) -> tuple[float, float, PushEstimate | None]:
     limit = min(TOPPLES, TOPPLES_OF_LARGEST * evidence.toppling.largest)
     chance = step(lean / limit - 1, LIMIT_WIDTH) * step(largest.score - PUSH_SCORE, PUSH_SCORE_WIDTH)
     return chance, lean, largest
+
+
+def unexplained(evidence: Evidence, nis: float) -> float:
+    """How likely something else took part, or was the cause, where a hypothesis leaves such a NIS."""
+    return DOUBT * step(nis / evidence.calm - FITS_BADLY, FITS_WIDTH)
 
 
 def worth(evidence: Evidence, several: Sequence[PushEstimate]) -> tuple[float, PushEstimate | None]:

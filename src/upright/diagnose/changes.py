@@ -46,6 +46,16 @@ def scaled_sensors(run: FilterRun) -> dict[str, tuple[str, ...]]:
     return {n.removeprefix("sensor/").replace("_rate", ""): (n,) for n in names if n in run.rows} | several
 
 
+def channels_of(run: FilterRun, way: str) -> tuple[str, ...]:
+    """The log's channels that a wrong scale concerns: of encoders that agree, which the filter reads as one, both."""
+    names = scaled_sensors(run)[way]
+    encoders = [name for name in run.rows if "encoder" in name]
+    if len(encoders) > 1 or list(names) != encoders:
+        return names
+    both = (names[0].replace("left", side).replace("right", side) for side in ("left", "right"))
+    return tuple(name for name in both if name in run.log)
+
+
 def scales(run: FilterRun, onsets: Array) -> list[Signature]:
     """Readings of the wrong scale from an onset on: the amplitude is the fraction of the reading that is too much."""
     several = scaled_sensors(run)

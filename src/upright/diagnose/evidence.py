@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from typing import Any
 
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from upright.atomic import finite
 from upright.control import Controller
-from upright.diagnose.beyond import Leftover, jam_or_stuck, leftover
+from upright.diagnose.beyond import Leftover, goes_beyond, jam_or_stuck, leftover
 from upright.diagnose.causes import foreign, noisy
 from upright.diagnose.fall import (
     StuckSensor,
@@ -21,6 +21,7 @@ from upright.diagnose.fall import (
     fall_time,
     falling,
     falling_lean,
+    far_from_zero,
     frozen_rows,
     held_command,
     last_fall,
@@ -30,6 +31,7 @@ from upright.diagnose.fall import (
     stuck_sensor,
 )
 from upright.diagnose.fault_fits import FaultFit, PushEstimate, fits, with_commands
+from upright.diagnose.forces import forced
 from upright.diagnose.innovations import FilterRun, follow
 from upright.diagnose.law import CommandMatch, matched, references
 from upright.diagnose.pairs import Pair, paired
@@ -156,7 +158,8 @@ class Evidence:
     `fits` are the hypotheses, the likeliest first, `pairs` two faults at once, and `left` is what the likeliest leaves,
     where it leaves something. `ordinary` is the scale of the innovations before the fall, `calm` that of its calmer
     seconds, `nis` their mean square in the window. A `stuck` sensor has the scores of a jammed wheel and of a dumb
-    encoder in `jam`. `match` compares the recorded commands with the file's, whose loop is `stable`. `lost` is the
+    encoder, and the NIS that the better one leaves, in `jam`. `match` compares the recorded commands with the file's,
+    whose loop is `stable`. `lost` is the
     fraction of periods without a row since a time [s] in the last second, before it, and that time;
     `battery` the voltage [V] before and at the fall. `demand` is None where the references never change.
     """
@@ -170,7 +173,7 @@ class Evidence:
     pairs: tuple[Pair, ...]
     left: Leftover | None
     stuck: StuckSensor | None
-    jam: tuple[float, float] | None
+    jam: tuple[float, float, float] | None
     toppling: Toppling
     motors: MotorUse
     match: CommandMatch | None
@@ -217,6 +220,8 @@ def gather(
         if fell_at is None:
             return run, None
     several = sharpened(run, several, window, bank)
+    if not foreign and _unexplained(several, bank):
+        several = forced(run, several, window, bank)
     frozen = frozen_rows(run)
     if not foreign and frozen[(log.t > fell_at - REPEATING) & (log.t <= fell_at)].sum() >= 2:
         stale = stale_rows(log) & (log.t >= log.t[np.flatnonzero(frozen)[0]] - 0.1)
@@ -260,6 +265,8 @@ def _evidence(
     most, mode, model = limit(robot, run.kit, run.asked), falling(robot), linearise(robot)
     match, stable, notes = _match(run, controller, end)
     stuck = stuck_sensor(log, run.kit, end)
+    if stuck and "gyro" in stuck.channel and not stuck.clipped:
+        stuck = replace(stuck, beyond=far_from_zero(stuck, run.kit) and goes_beyond(run, stuck, end))
     jam = jam_or_stuck(run, stuck, window, bank) if stuck and "encoder" in stuck.channel else None
     met = [fit for fit in several if possible(fit, end)]
     calm = calm_of(run, window)

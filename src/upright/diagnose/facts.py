@@ -7,7 +7,7 @@ import math
 from dataclasses import dataclass
 
 from upright.diagnose.causes import DEAD, DROPPED, HIGH, JAMMED, LOW, NONE, SATURATION, STUCK
-from upright.diagnose.chances import step
+from upright.diagnose.chances import step, unexplained
 from upright.diagnose.evidence import EXCURSION, Evidence
 from upright.diagnose.words import began, most, percent
 from upright.tables import short
@@ -56,14 +56,17 @@ def stuck_sensor(evidence: Evidence) -> list[Answer]:
         return []
     name, seconds = short(still.channel), evidence.fell_at - still.start
     text = f"the {name} reads {still.reading:.3g} in every row of the last {seconds:.2g} s, while "
-    if still.clipped:
-        text += "the wheels turn, and it stood there before and never went beyond: that is the end of its range"
-        return [Answer(FACT, NONE, still.start, text)]
+    if still.clipped or still.beyond:
+        before = "it stood there before and never went beyond"
+        why = before if still.clipped else "by the other sensors the body turns faster the same way"
+        return [Answer(FACT, NONE, still.start, f"{text}the wheels turn, and {why}: that is the end of its range")]
     if evidence.jam is None:
         return [Answer(FACT, STUCK, still.start, text + "the wheels turn")]
-    held, blind = evidence.jam
+    held, blind, leaves = evidence.jam
     side = "left" if still.channel.endswith("left") else "right"
-    idle = max((fit.score for fit in evidence.fits if fit.fault == "motor" and side in fit.way), default=-math.inf)
+    dead_ones = [fit for fit in evidence.fits if fit.fault == "motor" and (side in fit.way or "both" in fit.way)]
+    idle, left = max(((fit.score, fit.nis) for fit in dead_ones), default=(-math.inf, math.inf))
+    leaves = left if idle > max(held, blind) else leaves
     jammed, dead = step(max(held, idle) - blind, TEMPER), IDLE * step(idle - held, TEMPER)
     better = f"explains the motion better than a dumb encoder ({max(held, idle) - blind:+.0f} nats)"
     texts = {
@@ -72,9 +75,14 @@ def stuck_sensor(evidence: Evidence) -> list[Answer]:
         DEAD: f"a motor without torque whose friction holds the wheel {better}",
     }
     chances = {STUCK: 1 - jammed, JAMMED: jammed * (1 - dead), DEAD: jammed * dead}
+    unknown = unexplained(evidence, leaves)
+    more = f"{text}the other one turns, but before that, or beside it, something else is wrong (NIS {leaves:.3g})"
     return [
-        Answer(FACT * chance, name, still.start, f"{text}the other one turns; {texts[name]}")
-        for name, chance in chances.items()
+        *(
+            Answer(FACT * (1 - unknown) * chance, name, still.start, f"{text}the other one turns; {texts[name]}")
+            for name, chance in chances.items()
+        ),
+        Answer(FACT * unknown, NONE, still.start, more),
     ]
 
 

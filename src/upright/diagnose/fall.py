@@ -192,12 +192,20 @@ def frozen_rows(run: FilterRun) -> Mask:
 @dataclass(frozen=True)
 class StuckSensor:
     """A sensor, by its channel, that gave one and the same `reading` from `start` [s] on to the fall, while others
-    moved; `clipped` where that is the end of its range."""
+    moved; `clipped` where it stood there before and never went beyond, `beyond` where the body turns faster the same
+    way: both are the end of its range."""
 
     channel: str
     reading: float
     start: float
     clipped: bool = False
+    beyond: bool = False
+
+
+def far_from_zero(stuck: StuckSensor, kit: Kit) -> bool:
+    """Whether a sensor stands still at many of its steps from zero."""
+    sensor = kit.sensors.get(stuck.channel)
+    return abs(stuck.reading) > (CLIPPED_GRAINS * sensor.quantum if sensor else 0.0)
 
 
 def stuck_sensor(log: Log, kit: Kit, end: float) -> StuckSensor | None:

@@ -69,3 +69,39 @@ def propagate(phi: Any, pushed: Any, shifted: Any, reads: Any, gains: Any, devia
         for fault in range(faults):
             response[i, fault] = innovation[fault] / deviation[i]
     return response
+
+
+@njit
+def observe(
+    constants: Any, steps: int, first: Any, u: Any, spans: Any, reads: Any, gains: Any, readings: Any, deviation: Any,
+    forces: Any,
+) -> Any:  # fmt: skip
+    """Whitened innovations (lanes, events) of a robot with these `constants` from the state `first` on, under the
+    commands u (events, 2), and `forces` [N] and moments [N m] (lanes, events, 2).
+
+    A filter that has the `gains` (events, states) corrects the state by what the `readings` (events,) show beyond it.
+    """
+    n, size = len(spans), gains.shape[1]
+    seen = np.zeros((len(forces), n))
+    whole = np.zeros((len(constants) + 4, 1))
+    whole[: len(constants), 0] = constants
+    known = constants_rolling(block_of(whole), 0)
+    for lane in range(len(forces)):
+        x = first.copy()
+        for i in range(n):
+            h = spans[i] / steps
+            if h > 0:
+                a, b, c, d, e, f = x[0], x[1], x[2], x[3], x[4], x[5]
+                left, right, force, moment = u[i, 0], u[i, 1], forces[lane, i, 0], forces[lane, i, 1]
+                for _ in range(steps):
+                    a, b, c, d, e, f = rk4_rolling(a, b, c, d, e, f, h, left, right, force, moment, *known)
+                x[0], x[1], x[2], x[3], x[4], x[5] = a, b, c, d, e, f
+            if math.isnan(deviation[i]):
+                continue
+            innovation = readings[i]
+            for state in range(size):
+                innovation -= reads[i, state] * x[state]
+            for state in range(size):
+                x[state] += gains[i, state] * innovation
+            seen[lane, i] = innovation / deviation[i]
+    return seen

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.diagnose.changes import MOTORS, drag, lost_command, scaled_sensors
+from upright.diagnose.changes import MOTORS, channels_of, drag, lost_command
 from upright.diagnose.fall import without
 from upright.diagnose.fault_fits import FaultFit, dearer, remaining, with_pushes
 from upright.diagnose.innovations import FilterRun, follow
@@ -54,7 +54,7 @@ def remedied(run: FilterRun, *fits: FaultFit) -> FilterRun | None:
             elapsed = run.log.t - fit.onset
             channels[GYRO] = channels[GYRO] - fit.size * np.where(elapsed >= 0, elapsed if fit.way == "ramp" else 1, 0)
         elif fit.fault == "scale":
-            names = scaled_sensors(run)[fit.way]
+            names = channels_of(run, fit.way)
             channels |= {name: _rescaled(run.log.t, name, channels[name], fit) for name in names}
         else:
             sent = _sent(run, fit, sent)

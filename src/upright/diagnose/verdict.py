@@ -28,6 +28,8 @@ from upright.diagnose.causes import (
 from upright.diagnose.chances import (
     EXPLAINED,
     EXPLAINED_WIDTH,
+    FITS_BADLY,
+    FITS_WIDTH,
     LIMIT_WIDTH,
     PUSH_SCORE,
     PUSH_SCORE_WIDTH,
@@ -40,6 +42,7 @@ from upright.diagnose.chances import (
     step,
     surer,
     toppled,
+    unexplained,
     worth,
 )
 from upright.diagnose.evidence import FOREIGN, Evidence
@@ -47,6 +50,7 @@ from upright.diagnose.facts import FACT, TEMPER, Answer, changed_gain, lost_rows
 from upright.diagnose.fall import blocked
 from upright.diagnose.fault_fits import FaultFit
 from upright.diagnose.sizes import possible
+from upright.diagnose.usual import SECONDS
 from upright.diagnose.words import (
     at_limit,
     began,
@@ -79,9 +83,9 @@ UNKNOWN, UNKNOWN_LEAVES = (-5.0, 29.0), (0.65, 0.8)
 UNKNOWN_WIDTH, UNKNOWN_LEAVES_WIDTH = 3.0, 0.03
 """The same of a disturbance of any shape: it explains far more for nearly as many nats, or more for many nats."""
 
-FITS_BADLY, FITS_WIDTH, OF_ITS_SIZE, DOUBT = 1.45, 0.05, 0.03, 0.16
-"""NIS over the calm one beyond which a fault leaves something, how much more it has to be of the NIS without any fault,
-since errors of the model grow with it, and the probability that something else keeps then."""
+OF_ITS_SIZE = 0.03
+"""Of the NIS without any fault, that a fault has to leave for a disturbance of another shape to be sure: errors of the
+model grow with it."""
 
 WALL_HEIGHT, WALL_HOLDS = 0.6, 2.0
 """Where a wall holds a robot, over the height of its centre of mass, and what it takes, over the robot's momentum: the
@@ -96,6 +100,7 @@ PUSH_LEAVES = 0.065  # of the NIS without any fault, that a fault and a push bes
 LITTLE = 0.3  # of the calm NIS beyond it, which pushes beside one fault leave where it stands for two
 NOISE = 0.1  # of the calm NIS, that counts as nothing left
 FITS_TWO = 2.7  # NIS over the calm one, that two faults may leave
+SURVIVED = 0.1  # [s] after the beginning of what is judged: a fault that shows earlier was there before
 HALF = 0.8  # of the lean that topples, from which a push beside a fault is a cause of its own
 
 JUMP = 0.22  # [m/s] sudden change of the reference speed that asks too much, or
@@ -186,6 +191,9 @@ def _two(evidence: Evidence) -> list[Answer]:
     answers: list[Answer] = []
     for pair in evidence.pairs[:1]:
         names = [name_of(fit) for fit in (pair.first, pair.second)]
+        first = min(pair.first.onset, pair.second.onset)
+        if first < evidence.fell_at - SECONDS + SURVIVED:  # it was there before, and the robot stood
+            continue
         if names[0] == names[1] or not all(possible(fit, evidence.fell_at) for fit in (pair.first, pair.second)):
             continue
         chance = step(pair.score - max(best.score, pair.alone) - TWO, TWO_WIDTH)
@@ -196,7 +204,7 @@ def _two(evidence: Evidence) -> list[Answer]:
             chance *= step(pair.score - evidence.left.score, TWO_WIDTH)
         chance *= step(FITS_TWO - pair.second.nis / evidence.calm, FITS_WIDTH)
         text = f"{of_fault(evidence, pair.first)}; with it, {of_fault(evidence, pair.second)}"
-        answers.append(Answer(FACT * chance, " and ".join(names), min(pair.first.onset, pair.second.onset), text))
+        answers.append(Answer(FACT * chance, " and ".join(names), first, text))
     if best.fault not in NAMES or best.fault == "slip":  # a slip and a push look alike
         return answers
     lean, push = worth(evidence, best.pushes)
@@ -228,15 +236,17 @@ def _none(evidence: Evidence) -> list[Answer]:
         step(gained - nats, UNKNOWN_WIDTH) * step(fraction - leaves, UNKNOWN_LEAVES_WIDTH)
         for nats, fraction in zip(UNKNOWN, UNKNOWN_LEAVES, strict=True)
     )
-    badly = step(best.nis / evidence.calm - FITS_BADLY, FITS_WIDTH)
+    badly = unexplained(evidence, best.nis)
     if best.fault == "slip":  # of a coarse grid of floors
         shaped *= SLIPPERY
-    shaped *= badly
-    if not (best.fault == "motor" and left.channel.removesuffix(" motor") in best.way):  # a dead motor has no torque
+        badly *= SLIPPERY
+    shaped *= step(best.nis / evidence.calm - FITS_BADLY, FITS_WIDTH)
+    side = left.channel.removesuffix(" motor")
+    if not (best.fault == "motor" and (side in best.way or "both" in best.way)):  # a dead motor has no torque
         shaped *= step((best.nis - evidence.calm) / evidence.nis - OF_ITS_SIZE, OF_ITS_SIZE / 6)
     wild = step(math.log(max(best.nis, 1e-9) / (UNSOUND * evidence.calm)), UNSOUND_WIDTH)
     wild *= step(best.nis / evidence.nis - UNSOUND_LEAVES, EXPLAINED_WIDTH)
-    return [Answer(FACT * max(shaped, wild, DOUBT * badly), NONE, left.onset, of_leftover(evidence, left))]
+    return [Answer(FACT * max(shaped, wild, badly), NONE, left.onset, of_leftover(evidence, left))]
 
 
 def _driven_into(evidence: Evidence) -> list[Answer]:
@@ -248,7 +258,8 @@ def _driven_into(evidence: Evidence) -> list[Answer]:
         low = push.height < WALL_HEIGHT * robot.com_height  # the wheels touch first
         if wall is not None and low and abs(push.impulse) > WALL_HOLDS * mass * abs(wall.speed):
             sure = step(push.score - PUSH_SCORE, PUSH_SCORE_WIDTH)
-            free = 1 - max((holds(evidence, fit) for fit in evidence.fits if fit.fault in NAMES), default=0.0)
+            others = [fit for fit in evidence.fits if fit.fault in NAMES and possible(fit, evidence.fell_at)]
+            free = 1 - max((holds(evidence, fit) for fit in others), default=0.0)
             text = (
                 f"the robot drove at {wall.speed:.2g} m/s and its wheels were held from t = {wall.start:.2f} s on, "
                 f"within {1e3 * max(wall.further, 0.0):.0f} mm, by {abs(push.impulse):.2g} N s"
@@ -258,13 +269,12 @@ def _driven_into(evidence: Evidence) -> list[Answer]:
 
 
 def _pushed(evidence: Evidence) -> list[Answer]:
-    """Whether a push in the last excursion is worth a lean that topples; of one that motors bring back it is less sure
-    that it was alone."""
+    """Whether a push in the last excursion is worth a lean that topples: for the robot as it should be, so that a load
+    that went, or a slope, may have helped it."""
     chance, lean, push = toppled(evidence)
     if push is None:
         return []
-    chance *= 1 - HELPED * (1 - step(evidence.toppling.beyond(push) - 1, LIMIT_WIDTH))
-    return [Answer(PUSHED * chance, PUSH, push.start, of_push(evidence, push, lean))]
+    return [Answer(PUSHED * (1 - HELPED) * chance, PUSH, push.start, of_push(evidence, push, lean))]
 
 
 def _steady_load(evidence: Evidence) -> list[Answer]:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.diagnose.beyond import Leftover
-from upright.diagnose.changes import PART
+from upright.diagnose.changes import PART, channels_of
 from upright.diagnose.evidence import EXCURSION, FOREIGN, Demand, Evidence
 from upright.diagnose.fall import LEANING
 from upright.diagnose.fault_fits import FaultFit, PushEstimate
@@ -73,8 +73,8 @@ def _dropped_text(_: Evidence, fit: FaultFit) -> str:
     return f"readings that repeat exactly in {percent(fit.size)} of the rows while the wheels turn,"
 
 
-def _scale_text(_: Evidence, fit: FaultFit) -> str:
-    several = fit.way == "encoders"
+def _scale_text(evidence: Evidence, fit: FaultFit) -> str:
+    several = len(channels_of(evidence.run, fit.way)) == 2
     name = "both encoders" if several else "the " + fit.way.replace("_", " ")
     return f"{name} that show{'' if several else 's'} {1 / max(1 - fit.size, 1e-3):.2g} times the motion"
 

@@ -1,0 +1,199 @@
+"""Pushes, slopes and steady loads by the equations of motion themselves: where a robot falls, they are not small.
+
+The bank's signatures are linear, on a grid of times and heights. From the best of them on, the numbers of all forces
+are searched by an observer: the equations with these forces, corrected by the gains that the filter had.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.compiled.generated import constants
+from upright.diagnose.fault_fits import PUSH_NUMBERS, FaultFit, PushEstimate, score_of
+from upright.diagnose.innovations import FilterRun
+from upright.diagnose.remedy import Window
+from upright.diagnose.signatures import Bank, beside, unknown_parameters
+from upright.physics.integrate import PREDICTED, substeps
+from upright.physics.linear import linearise
+from upright.robots import PARAMETERS
+
+Array = NDArray[np.float64]
+
+FORCED = ("ramp", "load")  # faults that are forces themselves, by onset, rise and size
+ROUNDS, ENOUGH = 12, 0.003  # most steps of a search, and the fraction of the squares from which it goes on
+DAMPINGS = (1e-3, 1e-1, 1.0, 10.0)  # of a step, over its curvature (Levenberg and Marquardt)
+SHORTEST, HIGHEST = 0.004, 2.2  # [s] of a push, and its height over that of the centre of mass
+SLOWEST = 3.0  # [s] in which a slope or a load grows
+BEHIND = 100.0  # nats behind the likeliest, up to which a hypothesis is searched
+MOST = 6  # hypotheses that are searched
+LOST = 1e6  # standard deviations that stand for an innovation of a robot that fell over
+
+
+@dataclass(frozen=True, eq=False)
+class Observer:
+    """The window's `part` of a run under forces that the run does not know of."""
+
+    part: FilterRun
+
+    @cached_property
+    def _given(self) -> tuple[Any, ...]:
+        part, p = self.part, self.part.robot
+        numbers = np.array([float(np.ravel(one)[0]) for one in constants([getattr(p, n) for n in PARAMETERS], 1.0)])
+        fastest = float(np.abs(linearise(p).poles()).max())
+        steps = substeps(float(part.spans.max()), fastest, PREDICTED, numbers=p.numbers())
+        reads, error = part.reads[part.row], np.nan_to_num(part.innovation)
+        reading = error + (reads * (part.after - part.gains * error[:, None])).sum(axis=1)
+        deviation = np.where(part.readings, np.sqrt(part.variance), np.nan)
+        arrays = (part.before[0], part.command, part.spans, reads, part.gains, reading, deviation)
+        return numbers, steps, *(np.ascontiguousarray(one, dtype=np.float64) for one in arrays)
+
+    @cached_property
+    def _unforced(self) -> Array:
+        return self._seen(np.zeros((1, len(self.part.t), 2)))[0]
+
+    def _seen(self, forces: Array) -> Array:
+        from upright.diagnose.propagation import observe
+
+        seen = observe(*self._given, np.ascontiguousarray(forces))[:, self.part.readings]
+        return np.clip(np.nan_to_num(seen, nan=LOST), -LOST, LOST)
+
+    def added(self, forces: Array) -> Array:
+        """What forces [N] and moments [N m], (lanes, events, 2), add to the whitened innovations (readings, lanes)."""
+        return (self._seen(forces) - self._unforced).T
+
+    def since(self, start: float, rise: float = 0.0) -> Array:
+        """How much of a force that begins at `start` [s], and grows within a time [s], acts in each span (events,)."""
+        t, spans = self.part.t, np.maximum(self.part.spans, 1e-9)
+        return np.clip((t - spans / 2 - start) / rise if rise > 0 else (t - start) / spans, 0.0, 1.0)
+
+
+@dataclass(frozen=True, eq=False)
+class _Search:
+    """The numbers of a fault's own force (onset [s], rise [s], size), and of the pushes beside it by start, stop [s],
+    impulse [N s] and height [m]; without them the innovations `left` (readings,) are left."""
+
+    observer: Observer
+    fit: FaultFit
+    left: Array
+    basis: Array
+
+    @property
+    def own(self) -> int:
+        """How many numbers the fault's own force has."""
+        return 3 if self.fit.fault in FORCED else 0
+
+    def first(self) -> Array:
+        """Where the search begins."""
+        fit = self.fit
+        pushes = [x for push in fit.pushes for x in (push.start, push.stop, push.impulse, push.height)]
+        return np.array(([fit.onset, float(fit.way.split()[1]), fit.size] if self.own else []) + pushes)
+
+    def steps(self, count: int) -> Array:
+        """A small change of each number."""
+        p = self.observer.part.robot
+        mass, own = p.body_mass + 2 * p.wheel_mass, [2e-3, 1e-2, 1e-3] if self.own else []
+        return np.array(own + [1e-3, 1e-3, 1e-3 * mass, 0.02 * p.com_height] * ((count - self.own) // 4))
+
+    def inside(self, x: Array) -> Array:
+        """The nearest numbers that a robot meets."""
+        x, t = x.copy(), self.observer.part.t
+        if self.own:
+            x[0], x[1] = np.clip(x[0], t[0], t[-1]), np.clip(x[1], 0.02, SLOWEST)
+        for push in x[self.own :].reshape(-1, 4):
+            push[0] = np.clip(push[0], t[0], t[-1] - SHORTEST)
+            push[1] = max(push[1], push[0] + SHORTEST)
+            push[3] = np.clip(push[3], 0.0, HIGHEST * self.observer.part.robot.com_height)
+        return x
+
+    def rest(self, *several: Array) -> Array:
+        """What numbers leave of the innovations (readings, lanes)."""
+        observer, p = self.observer, self.observer.part.robot
+        forces = np.zeros((len(several), len(observer.part.t), 2))
+        slope = (-(p.body_mass + 2 * p.wheel_mass) * p.gravity, -p.body_mass * p.com_height * p.gravity)
+        both = np.array(slope if self.fit.fault == "ramp" else (1.0, 0.0))
+        for lane, x in enumerate(several):
+            if self.own:
+                forces[lane] += observer.since(x[0], x[1])[:, None] * both * x[2]
+            for start, stop, impulse, height in x[self.own :].reshape(-1, 4):
+                on = observer.since(start) - observer.since(stop)
+                forces[lane] += on[:, None] * (np.array([1.0, height]) * impulse / (stop - start))
+        return self.left[:, None] + beside(self.basis, observer.added(forces))
+
+    def least(self) -> Array:
+        """The numbers of least squares near the first."""
+        x = self.inside(self.first())
+        change = self.steps(len(x))
+        for _ in range(ROUNDS if len(x) else 0):
+            y = self.rest(x, *(x + row for row in np.diag(change)))
+            J = (y[:, 1:] - y[:, :1]) / change
+            curvature, slope, squares = J.T @ J, J.T @ y[:, 0], float(y[:, 0] @ y[:, 0])
+            size = np.diag(np.maximum(np.diag(curvature), 1e-9 * np.diag(curvature).max() + 1e-30))
+            tried = [self.inside(x - np.linalg.solve(curvature + d * size, slope)) for d in DAMPINGS]
+            left = (self.rest(*tried) ** 2).sum(axis=0)
+            i = int(np.argmin(left))
+            if not left[i] < squares:
+                break
+            x = tried[i]
+            if left[i] > (1 - ENOUGH) * squares:
+                break
+        return x
+
+
+def forced(run: FilterRun, fits: Sequence[FaultFit], window: Window, bank: Bank) -> list[FaultFit]:
+    """All fits, the likeliest of those with forces by the equations of motion themselves; the likeliest first."""
+    top, searched = max(fit.score for fit in fits), set[tuple[str, str]]()
+    several = list(fits)
+    for i, fit in enumerate(fits):
+        kind = (fit.fault, "" if fit.fault in FORCED else fit.way)
+        moves = (fit.pushes or fit.fault in FORCED) and fit.fault != "slip" and kind not in searched
+        if moves and (fit.fault == "none" or (fit.score > top - BEHIND and len(searched) < MOST)):
+            searched.add(kind)
+            several[i] = refined(run, fit, window, bank)
+    return sorted(several, key=lambda fit: -fit.score)
+
+
+def refined(run: FilterRun, fit: FaultFit, window: Window, bank: Bank) -> FaultFit:
+    """The fit with the numbers of its forces that leave the smallest innovations, and without pushes that add less than
+    their price; as it was where the search finds nothing better."""
+    part = window.of(fit.run if fit.run is not None else run)
+    basis = unknown_parameters(part)
+    left = beside(basis, part.whitened)
+    if fit.run is None and fit.fault not in (*FORCED, "none"):
+        if len(fit.values) != len(left):
+            return fit
+        left = left + fit.values
+    best = _found(_Search(Observer(part), fit, left, basis), bank)
+    while best.pushes:
+        weakest = min(best.pushes, key=lambda push: push.score)
+        kept = tuple(push for push in best.pushes if push is not weakest)
+        fewer = replace(best, pushes=kept, spent=best.spent - PUSH_NUMBERS)
+        fewer = _found(_Search(Observer(part), fewer, left, basis), bank)
+        if fewer.score < best.score:
+            break
+        best = fewer
+    return best if best.score > fit.score else fit
+
+
+def _found(search: _Search, bank: Bank) -> FaultFit:
+    """The fit of the least squares of a search; a push's score is what the others miss without it."""
+    fit, own, x = search.fit, search.own, search.least()
+    pushes = x[own:].reshape(-1, 4).tolist()
+    spent = search.fit.spent
+    rest = search.rest(x)[:, 0]
+    score = score_of(bank, rest, spent)
+    lacking = [np.delete(x, slice(own + 4 * i, own + 4 * i + 4)) for i in range(len(pushes))]
+    lesser = [score_of(bank, one, spent - PUSH_NUMBERS) for one in (search.rest(x)[:, 0] for x in lacking)]
+    estimates = tuple(PushEstimate(*push, score - one) for push, one in zip(pushes, lesser, strict=True))
+    nis = float(rest @ rest) / len(rest)
+    explained = 1 - nis / max(float(bank.y @ bank.y) / len(bank.y), 1e-12)
+    fit = replace(fit, score=score, pushes=estimates, explained=explained, nis=nis, rest=rest)
+    if not own:
+        return fit
+    values = search.rest(x[:own])[:, 0] - search.left
+    return replace(fit, onset=float(x[0]), way=f"within {x[1]:.2g} s", size=float(x[2]), values=values)
