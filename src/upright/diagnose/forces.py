@@ -1,4 +1,4 @@
-"""Pushes, slopes and steady loads by the equations of motion themselves: where a robot falls, they are not small.
+"""Pushes, slopes, loads and slippery floors by the equations of motion: where a robot falls, they are not small.
 
 The bank's signatures are linear, on a grid of times and heights. From the best of them on, the numbers of all forces
 are searched by an observer: the equations with these forces, corrected by the gains that the filter had.
@@ -6,6 +6,7 @@ are searched by an observer: the equations with these forces, corrected by the g
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -15,10 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.compiled.generated import constants
-from upright.diagnose.fault_fits import PUSH_NUMBERS, FaultFit, PushEstimate, score_of
+from upright.diagnose.fault_fits import PUSH_NUMBERS, VISIBLE_SLIP, FaultFit, PushEstimate, score_of, with_pushes
 from upright.diagnose.innovations import FilterRun
 from upright.diagnose.remedy import Window
-from upright.diagnose.signatures import Bank, beside, unknown_parameters
+from upright.diagnose.signatures import YOUNGEST, Bank, beside, unknown_parameters
+from upright.physics.dynamics import motor_damping, motor_gain
 from upright.physics.integrate import PREDICTED, substeps
 from upright.physics.linear import linearise
 from upright.robots import PARAMETERS
@@ -26,27 +28,37 @@ from upright.robots import PARAMETERS
 Array = NDArray[np.float64]
 
 FORCED = ("ramp", "load")  # faults that are forces themselves, by onset, rise and size
+SUBSTEP = 0.001  # [s] of the motion of wheels that slip, which lose their load within milliseconds
+GRIPS = np.geomspace(0.003, 0.3, 24)  # friction coefficients that are tried first
+SINCE = 0.5  # [s] between the times from which the floor is tried
 ROUNDS, ENOUGH = 12, 0.003  # most steps of a search, and the fraction of the squares from which it goes on
 DAMPINGS = (1e-3, 1e-1, 1.0, 10.0)  # of a step, over its curvature (Levenberg and Marquardt)
 SHORTEST, HIGHEST = 0.004, 2.2  # [s] of a push, and its height over that of the centre of mass
 SLOWEST = 3.0  # [s] in which a slope or a load grows
 BEHIND = 100.0  # nats behind the likeliest, up to which a hypothesis is searched
 MOST = 6  # hypotheses that are searched
+LEAVES = 1.2  # of the usual NIS, up to which the likeliest leaves nothing for a slip to explain
+STARTS = 3  # times from which the floor is slippery, from which a search starts
+AGAIN = 2  # most times that pushes are looked for beside a slip
 LOST = 1e6  # standard deviations that stand for an innovation of a robot that fell over
 
 
 @dataclass(frozen=True, eq=False)
 class Observer:
-    """The window's `part` of a run under forces that the run does not know of."""
+    """The window's `part` of a run under forces that the run does not know of, and where its wheels `slip` in steps as
+    short as that needs."""
 
     part: FilterRun
+    slip: bool = False
 
     @cached_property
     def _given(self) -> tuple[Any, ...]:
         part, p = self.part, self.part.robot
         numbers = np.array([float(np.ravel(one)[0]) for one in constants([getattr(p, n) for n in PARAMETERS], 1.0)])
         fastest = float(np.abs(linearise(p).poles()).max())
-        steps = substeps(float(part.spans.max()), fastest, PREDICTED, numbers=p.numbers())
+        longest = float(part.spans.max())
+        steps = substeps(longest, fastest, PREDICTED, numbers=p.numbers())
+        steps = max(steps, math.ceil(longest / SUBSTEP)) if self.slip else steps
         reads, error = part.reads[part.row], np.nan_to_num(part.innovation)
         reading = error + (reads * (part.after - part.gains * error[:, None])).sum(axis=1)
         deviation = np.where(part.readings, np.sqrt(part.variance), np.nan)
@@ -54,18 +66,32 @@ class Observer:
         return numbers, steps, *(np.ascontiguousarray(one, dtype=np.float64) for one in arrays)
 
     @cached_property
-    def _unforced(self) -> Array:
-        return self._seen(np.zeros((1, len(self.part.t), 2)))[0]
+    def _floor(self) -> tuple[Array, Array]:
+        p = self.part.robot
+        total, lever, rotors = (
+            p.body_mass + 2 * p.wheel_mass,
+            p.body_mass * p.com_height,
+            p.gear_ratio**2 * p.rotor_inertia,
+        )
+        inertia, wheel = lever * p.com_height + p.pitch_inertia + 2 * rotors, 2 * p.wheel_inertia + 2 * rotors
+        numbers = (total, lever, inertia, wheel, 2 * rotors, p.wheel_radius, motor_gain(p), 2 * motor_damping(p),
+                   2 * p.wheel_friction, 2 * p.coulomb_friction, max(p.stiction_rate, 1e-6), p.gravity)  # fmt: skip
+        return np.ascontiguousarray(self.part.t, dtype=np.float64), np.array(numbers)
 
-    def _seen(self, forces: Array) -> Array:
+    @cached_property
+    def _unforced(self) -> Array:
+        return self._seen(np.zeros((1, len(self.part.t), 2)), np.zeros((1, 2)))[0]
+
+    def _seen(self, forces: Array, floors: Array) -> Array:
         from upright.diagnose.propagation import observe
 
-        seen = observe(*self._given, np.ascontiguousarray(forces))[:, self.part.readings]
+        seen = observe(*self._given, np.ascontiguousarray(forces), *self._floor, floors)[:, self.part.readings]
         return np.clip(np.nan_to_num(seen, nan=LOST), -LOST, LOST)
 
-    def added(self, forces: Array) -> Array:
-        """What forces [N] and moments [N m], (lanes, events, 2), add to the whitened innovations (readings, lanes)."""
-        return (self._seen(forces) - self._unforced).T
+    def added(self, forces: Array, floors: Array) -> Array:
+        """What forces [N] and moments [N m], (lanes, events, 2), and `floors` (lanes, 2) that hold no more than a
+        fraction of the weight (0: any) from a time [s] on, add to the whitened innovations (readings, lanes)."""
+        return (self._seen(forces, floors) - self._unforced).T
 
     def since(self, start: float, rise: float = 0.0) -> Array:
         """How much of a force that begins at `start` [s], and grows within a time [s], acts in each span (events,)."""
@@ -75,35 +101,40 @@ class Observer:
 
 @dataclass(frozen=True, eq=False)
 class _Search:
-    """The numbers of a fault's own force (onset [s], rise [s], size), and of the pushes beside it by start, stop [s],
-    impulse [N s] and height [m]; without them the innovations `left` (readings,) are left."""
+    """The numbers of a fault's own force (onset [s], rise [s], size; of a floor its friction coefficient, `since` a
+    time [s]), and of the pushes beside it by start, stop [s], impulse [N s] and height [m]; without them `left`
+    (readings,) are the innovations."""
 
     observer: Observer
     fit: FaultFit
     left: Array
     basis: Array
+    since: float = 0.0
 
     @property
     def own(self) -> int:
         """How many numbers the fault's own force has."""
-        return 3 if self.fit.fault in FORCED else 0
+        return 1 if self.fit.fault == "slip" else 3 if self.fit.fault in FORCED else 0
 
     def first(self) -> Array:
         """Where the search begins."""
         fit = self.fit
         pushes = [x for push in fit.pushes for x in (push.start, push.stop, push.impulse, push.height)]
-        return np.array(([fit.onset, float(fit.way.split()[1]), fit.size] if self.own else []) + pushes)
+        onset = [fit.onset, float(fit.way.split()[1])] if self.own == 3 else []
+        return np.array([*onset, *([fit.size] if self.own else []), *pushes])
 
     def steps(self, count: int) -> Array:
         """A small change of each number."""
         p = self.observer.part.robot
-        mass, own = p.body_mass + 2 * p.wheel_mass, [2e-3, 1e-2, 1e-3] if self.own else []
+        mass, own = p.body_mass + 2 * p.wheel_mass, {3: [2e-3, 1e-2, 1e-3], 1: [1e-4]}.get(self.own, [])
         return np.array(own + [1e-3, 1e-3, 1e-3 * mass, 0.02 * p.com_height] * ((count - self.own) // 4))
 
     def inside(self, x: Array) -> Array:
         """The nearest numbers that a robot meets."""
         x, t = x.copy(), self.observer.part.t
-        if self.own:
+        if self.own == 1:
+            x[0] = np.clip(x[0], GRIPS[0], 1.0)
+        if self.own == 3:
             x[0], x[1] = np.clip(x[0], t[0], t[-1]), np.clip(x[1], 0.02, SLOWEST)
         for push in x[self.own :].reshape(-1, 4):
             push[0] = np.clip(push[0], t[0], t[-1] - SHORTEST)
@@ -116,14 +147,16 @@ class _Search:
         observer, p = self.observer, self.observer.part.robot
         forces = np.zeros((len(several), len(observer.part.t), 2))
         slope = (-(p.body_mass + 2 * p.wheel_mass) * p.gravity, -p.body_mass * p.com_height * p.gravity)
-        both = np.array(slope if self.fit.fault == "ramp" else (1.0, 0.0))
+        both, floors = np.array(slope if self.fit.fault == "ramp" else (1.0, 0.0)), np.zeros((len(several), 2))
         for lane, x in enumerate(several):
-            if self.own:
+            if self.own == 1:
+                floors[lane] = self.since, x[0]
+            if self.own == 3:
                 forces[lane] += observer.since(x[0], x[1])[:, None] * both * x[2]
             for start, stop, impulse, height in x[self.own :].reshape(-1, 4):
                 on = observer.since(start) - observer.since(stop)
                 forces[lane] += on[:, None] * (np.array([1.0, height]) * impulse / (stop - start))
-        return self.left[:, None] + beside(self.basis, observer.added(forces))
+        return self.left[:, None] + beside(self.basis, observer.added(forces, floors))
 
     def least(self) -> Array:
         """The numbers of least squares near the first."""
@@ -155,7 +188,44 @@ def forced(run: FilterRun, fits: Sequence[FaultFit], window: Window, bank: Bank)
         if moves and (fit.fault == "none" or (fit.score > top - BEHIND and len(searched) < MOST)):
             searched.add(kind)
             several[i] = refined(run, fit, window, bank)
+    slip = next((fit for fit in several if fit.fault == "slip"), None)
+    if slip is not None and max(several, key=lambda fit: fit.score).nis > LEAVES * bank.scale:
+        several.append(slipped(run, slip, window, bank))
     return sorted(several, key=lambda fit: -fit.score)
+
+
+def slipped(run: FilterRun, fit: FaultFit, window: Window, bank: Bank) -> FaultFit:
+    """A slip on the floor that leaves the smallest innovations by the equations of motion, and the pushes beside it."""
+    part = window.of(run)
+    basis = unknown_parameters(part)
+    left = beside(basis, part.whitened)
+    search = _Search(Observer(part, slip=True), replace(fit, pushes=()), left, basis)
+    times = np.arange(part.t[0], part.t[-1] - YOUNGEST, SINCE)
+    if not len(times):
+        return fit
+    left_by = np.array([(replace(search, since=float(t)).rest(*GRIPS[:, None]) ** 2).sum(axis=0) for t in times])
+    best = replace(fit, score=-math.inf)
+    for part_of in np.array_split(np.arange(len(times)), min(STARTS, len(times))):
+        i, j = np.unravel_index(int(np.argmin(left_by[part_of])), left_by[part_of].shape)
+        start = replace(search, since=float(times[part_of][i]))
+        best = max(best, _with_pushes(start, float(GRIPS[j]), bank), key=lambda one: one.score)
+    shows = np.flatnonzero(np.abs(best.values[: len(bank.then)]) > VISIBLE_SLIP)
+    best = replace(best, onset=float(bank.then[shows[0]])) if len(shows) else best
+    return best if best.score > fit.score else fit
+
+
+def _with_pushes(search: _Search, grip: float, bank: Bank) -> FaultFit:
+    """The slip on a floor near one that was tried, and the pushes beside it, looked for again where it moved."""
+    best = replace(search.fit, size=grip, score=-math.inf)
+    for _ in range(AGAIN):
+        bare = replace(search, fit=best).rest(np.array([best.size]))[:, 0]
+        pushed = with_pushes(bank, beside=bare)
+        again = replace(best, pushes=pushed.pushes, spent=pushed.spent)
+        again = _lessened(_found(replace(search, fit=again), bank), search, bank)
+        if again.score <= best.score:
+            break
+        best = again
+    return best
 
 
 def refined(run: FilterRun, fit: FaultFit, window: Window, bank: Bank) -> FaultFit:
@@ -168,16 +238,21 @@ def refined(run: FilterRun, fit: FaultFit, window: Window, bank: Bank) -> FaultF
         if len(fit.values) != len(left):
             return fit
         left = left + fit.values
-    best = _found(_Search(Observer(part), fit, left, basis), bank)
-    while best.pushes:
-        weakest = min(best.pushes, key=lambda push: push.score)
-        kept = tuple(push for push in best.pushes if push is not weakest)
-        fewer = replace(best, pushes=kept, spent=best.spent - PUSH_NUMBERS)
-        fewer = _found(_Search(Observer(part), fewer, left, basis), bank)
-        if fewer.score < best.score:
-            break
-        best = fewer
+    search = _Search(Observer(part), fit, left, basis)
+    best = _lessened(_found(search, bank), search, bank)
     return best if best.score > fit.score else fit
+
+
+def _lessened(fit: FaultFit, search: _Search, bank: Bank) -> FaultFit:
+    """The fit without pushes that add less than their price."""
+    while fit.pushes:
+        weakest = min(fit.pushes, key=lambda push: push.score)
+        kept = tuple(push for push in fit.pushes if push is not weakest)
+        fewer = _found(replace(search, fit=replace(fit, pushes=kept, spent=fit.spent - PUSH_NUMBERS)), bank)
+        if fewer.score < fit.score:
+            break
+        fit = fewer
+    return fit
 
 
 def _found(search: _Search, bank: Bank) -> FaultFit:
@@ -196,4 +271,6 @@ def _found(search: _Search, bank: Bank) -> FaultFit:
     if not own:
         return fit
     values = search.rest(x[:own])[:, 0] - search.left
+    if own == 1:
+        return replace(fit, size=float(x[0]), values=values)
     return replace(fit, onset=float(x[0]), way=f"within {x[1]:.2g} s", size=float(x[2]), values=values)

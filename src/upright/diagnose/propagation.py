@@ -72,14 +72,55 @@ def propagate(phi: Any, pushed: Any, shifted: Any, reads: Any, gains: Any, devia
 
 
 @njit
+def slide(
+    floor: Any, pitch: Any, pitch_rate: Any, wheel_rate: Any, u: Any, force: Any, moment: Any, grip: Any, slipped: Any,
+    h: Any,
+) -> Any:  # fmt: skip
+    """The acceleration of slipping [m/s²] within h [s] on a floor that holds `grip` of the weight, of wheels that slip
+    at `slipped` [m/s] before, and how fast they slip then; the equations are those of `slip.slipping`."""
+    total, lever, inertia, wheel, rotors, radius, gain, damping, friction, dry, slow, gravity = floor
+    cos, sin, rate = math.cos(pitch), math.sin(pitch), wheel_rate - pitch_rate
+    torque = gain * u - damping * rate - dry * rate / math.sqrt(rate * rate + slow * slow)
+    across, ratio = lever * cos, rotors / wheel
+    inner = inertia - rotors * ratio
+    whole = total * inner - across * across
+    # ẍ, ψ̈ and θ̈ without the floor's force, by a newton of it, and by a newton metre of the motors
+    turning = torque - friction * wheel_rate
+    x, y = lever * pitch_rate * pitch_rate * sin + force, lever * gravity * sin - torque + moment + ratio * turning
+    move, falling = (inner * x - across * y) / whole, (total * y - across * x) / whole
+    free = radius * (turning + rotors * falling) / wheel - move
+    x, y = 1.0, -ratio * radius
+    move, tipped = (inner * x - across * y) / whole, (total * y - across * x) / whole
+    held = radius * (-radius + rotors * tipped) / wheel - move
+    x, y = 0.0, ratio - 1.0
+    move, lean = (inner * x - across * y) / whole, (total * y - across * x) / whole
+    driven = radius * (1.0 + rotors * lean) / wheel - move
+    needed, drop = -free / held, lever * sin  # a body that falls weighs less
+    weight = total * gravity - lever * pitch_rate * pitch_rate * cos - drop * falling
+    if slipped == 0.0 and abs(needed) <= grip * (weight - drop * tipped * needed):
+        return 0.0, 0.0
+    way = math.copysign(1.0, slipped if slipped != 0.0 else needed)
+    sliding = free + held * way * max(0.0, grip * weight / (1.0 + way * grip * drop * tipped))
+    lost = driven * damping / radius * h
+    if lost > 1e-6:
+        sliding *= -math.expm1(-lost) / lost
+    after = slipped + sliding * h
+    if slipped != 0.0 and way * after <= 0.0:
+        return -slipped / h, 0.0
+    return sliding, after
+
+
+@njit
 def observe(
     constants: Any, steps: int, first: Any, u: Any, spans: Any, reads: Any, gains: Any, readings: Any, deviation: Any,
-    forces: Any,
+    forces: Any, t: Any, floor: Any, floors: Any,
 ) -> Any:  # fmt: skip
     """Whitened innovations (lanes, events) of a robot with these `constants` from the state `first` on, under the
-    commands u (events, 2), and `forces` [N] and moments [N m] (lanes, events, 2).
+    commands u (events, 2), and `forces` [N] and moments [N m] (lanes, events, 2), on `floors` (lanes, 2) that from a
+    time [s] on hold no more than a fraction of the weight (0: any).
 
-    A filter that has the `gains` (events, states) corrects the state by what the `readings` (events,) show beyond it.
+    `floor` are the numbers of the sums of forces on wheels that slip (`slide`). A filter that has the `gains` (events,
+    states) corrects the state by what the `readings` (events,) show beyond it.
     """
     n, size = len(spans), gains.shape[1]
     seen = np.zeros((len(forces), n))
@@ -87,14 +128,19 @@ def observe(
     whole[: len(constants), 0] = constants
     known = constants_rolling(block_of(whole), 0)
     for lane in range(len(forces)):
-        x = first.copy()
+        x, slipped = first.copy(), 0.0
         for i in range(n):
             h = spans[i] / steps
             if h > 0:
                 a, b, c, d, e, f = x[0], x[1], x[2], x[3], x[4], x[5]
                 left, right, force, moment = u[i, 0], u[i, 1], forces[lane, i, 0], forces[lane, i, 1]
                 for _ in range(steps):
-                    a, b, c, d, e, f = rk4_rolling(a, b, c, d, e, f, h, left, right, force, moment, *known)
+                    axle, body = force, moment
+                    if floors[lane, 1] > 0 and t[i] >= floors[lane, 0]:
+                        sliding, slipped = slide(floor, a, b, d, left + right, axle, body, floors[lane, 1], slipped, h)
+                        axle += floor[0] * sliding
+                        body += floor[1] * math.cos(a) * sliding
+                    a, b, c, d, e, f = rk4_rolling(a, b, c, d, e, f, h, left, right, axle, body, *known)
                 x[0], x[1], x[2], x[3], x[4], x[5] = a, b, c, d, e, f
             if math.isnan(deviation[i]):
                 continue

@@ -26,6 +26,7 @@ from upright.diagnose.causes import (
     Cause,
 )
 from upright.diagnose.chances import (
+    DOUBT,
     EXPLAINED,
     EXPLAINED_WIDTH,
     FITS_BADLY,
@@ -95,6 +96,7 @@ UNSOUND, UNSOUND_WIDTH, UNSOUND_LEAVES = 2.5, 0.2, 0.1
 """NIS that the likeliest fault may leave over that of calmer seconds, the width of that step in its logarithm, and what
 it may leave besides, over the NIS without any fault: beyond both, nothing explains the fall."""
 
+ODD = 15.0  # nats by which a size that no robot meets must explain more than the likeliest: something acts like it
 SLIPPERY = 0.3  # of the probability of something unknown that is left where a slip explains most
 PUSH_LEAVES = 0.065  # of the NIS without any fault, that a fault and a push beside it may leave
 LITTLE = 0.3  # of the calm NIS beyond it, which pushes beside one fault leave where it stands for two
@@ -192,7 +194,8 @@ def _two(evidence: Evidence) -> list[Answer]:
     for pair in evidence.pairs[:1]:
         names = [name_of(fit) for fit in (pair.first, pair.second)]
         first = min(pair.first.onset, pair.second.onset)
-        if first < evidence.fell_at - SECONDS + SURVIVED:  # it was there before, and the robot stood
+        readings = [fit for fit in (pair.first, pair.second) if fit.fault in ("bias", "scale")]
+        if any(fit.onset < evidence.fell_at - SECONDS + SURVIVED for fit in readings):  # the robot stood with it
             continue
         if names[0] == names[1] or not all(possible(fit, evidence.fell_at) for fit in (pair.first, pair.second)):
             continue
@@ -214,6 +217,7 @@ def _two(evidence: Evidence) -> list[Answer]:
     chance = step(lean / limit - HALF, LIMIT_WIDTH) * holds(evidence, best)
     chance *= step(push.score - PUSH_BESIDE, PUSH_SCORE_WIDTH)
     chance *= step(PUSH_LEAVES - (best.nis - evidence.calm) / evidence.nis, PUSH_LEAVES / 6)
+    chance *= 1 - unexplained(evidence, best.nis)
     text = f"{of_fault(evidence, best)}; and {of_push(evidence, push, lean)}"
     name = f"{name_of(best)} and {PUSH}"
     left = 1 - sum(one.probability for one in answers)
@@ -246,7 +250,13 @@ def _none(evidence: Evidence) -> list[Answer]:
         shaped *= step((best.nis - evidence.calm) / evidence.nis - OF_ITS_SIZE, OF_ITS_SIZE / 6)
     wild = step(math.log(max(best.nis, 1e-9) / (UNSOUND * evidence.calm)), UNSOUND_WIDTH)
     wild *= step(best.nis / evidence.nis - UNSOUND_LEAVES, EXPLAINED_WIDTH)
-    return [Answer(FACT * max(shaped, wild, badly), NONE, left.onset, of_leftover(evidence, left))]
+    answers = [Answer(FACT * max(shaped, wild, badly), NONE, left.onset, of_leftover(evidence, left))]
+    odd = max((fit for fit in evidence.fits if fit.fault in NAMES), key=lambda fit: fit.score, default=best)
+    if odd is not best and not possible(odd, evidence.fell_at):
+        chance = step(odd.score - best.score - ODD, TEMPER) * (1 - unexplained(evidence, odd.nis) / DOUBT)
+        text = f"{of_fault(evidence, odd)}, which is more than robots meet: something that acts like it"
+        answers.append(Answer(FACT * (1 - answers[0].probability) * chance, NONE, odd.onset, text))
+    return answers
 
 
 def _driven_into(evidence: Evidence) -> list[Answer]:
