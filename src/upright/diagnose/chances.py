@@ -22,6 +22,10 @@ FITS_BADLY, FITS_WIDTH, DOUBT = 1.45, 0.05, 0.75
 """NIS over the calm one beyond which a hypothesis leaves something, the width of that step, and the probability that
 something else took part then: so it was in most of such falls (docs/post-mortem.md)."""
 
+KNOWN_TO, BY_MODEL = 0.05, 0.8
+"""Of its size, to which what a robot does is known, since its parameters are; and the most of the calm NIS that this
+may leave, since small changes of them are beside every hypothesis already."""
+
 EMPTY = 0.02  # of its voltage: less is no supply, or a driver that is off
 TOPPLES = 0.3  # [rad] lean that a push must be worth to topple, or
 TOPPLES_OF_LARGEST = 0.4  # of the largest lean that the motors bring back
@@ -83,7 +87,8 @@ def toppled(evidence: Evidence) -> tuple[float, float, PushEstimate | None]:
 
 def unexplained(evidence: Evidence, nis: float) -> float:
     """How likely something else took part, or was the cause, where a hypothesis leaves such a NIS."""
-    return DOUBT * step(nis / evidence.calm - FITS_BADLY, FITS_WIDTH)
+    by_model = min(KNOWN_TO**2 * evidence.nis / evidence.calm, BY_MODEL)
+    return DOUBT * step(nis / evidence.calm - FITS_BADLY - by_model, FITS_WIDTH)
 
 
 def worth(evidence: Evidence, several: Sequence[PushEstimate]) -> tuple[float, PushEstimate | None]:

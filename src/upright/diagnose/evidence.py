@@ -31,7 +31,7 @@ from upright.diagnose.fall import (
     stuck_sensor,
 )
 from upright.diagnose.fault_fits import FaultFit, PushEstimate, fits, with_commands
-from upright.diagnose.forces import FORCED, forced, refined
+from upright.diagnose.forces import forced, pair_refined
 from upright.diagnose.innovations import FilterRun, follow
 from upright.diagnose.law import CommandMatch, matched, references
 from upright.diagnose.pairs import Pair, paired
@@ -272,7 +272,7 @@ def _evidence(
     calm = calm_of(run, window)
     more = met[0].nis > EXPLAINED * calm or (met[0].fault != "none" and met[0].pushes)  # that a fault leaves
     open_ = not stuck and window.usual <= FOREIGN and bool(more)
-    pairs = [_sharper(run, pair, window, bank) for pair in paired(run, met, window, bank)] if open_ else []
+    pairs = [pair_refined(run, pair, window, bank) for pair in paired(run, met, window, bank)] if open_ else []
     if window.usual > FOREIGN:
         notes = (*notes, foreign(window.usual, robot))
     elif robot.noise:
@@ -287,13 +287,6 @@ def _evidence(
         lost=lost_lately(log, run.kit.period, end),
         demand=_demand(log, robot, most, end), battery=_battery(log, end), notes=notes,
     )  # fmt: skip
-
-
-def _sharper(run: FilterRun, pair: Pair, window: Window, bank: Bank) -> Pair:
-    """The pair with its forces by the equations of motion, where the log was freed of the rest."""
-    known = pair.second.run is not None and pair.second.fault not in ("payload", "radius")
-    moves = pair.second.pushes or pair.second.fault in FORCED
-    return replace(pair, second=refined(run, pair.second, window, bank)) if known and moves else pair
 
 
 def _match(

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from upright.compiled.generated import constants
 from upright.diagnose.fault_fits import PUSH_NUMBERS, VISIBLE_SLIP, FaultFit, PushEstimate, score_of, with_pushes
 from upright.diagnose.innovations import FilterRun
+from upright.diagnose.pairs import Pair
 from upright.diagnose.remedy import Window
 from upright.diagnose.signatures import YOUNGEST, Bank, beside, unknown_parameters
 from upright.physics.dynamics import motor_damping, motor_gain
@@ -29,7 +30,7 @@ Array = NDArray[np.float64]
 
 FORCED = ("ramp", "load")  # faults that are forces themselves, by onset, rise and size
 SUBSTEP = 0.001  # [s] of the motion of wheels that slip, which lose their load within milliseconds
-GRIPS = np.geomspace(0.003, 0.3, 24)  # friction coefficients that are tried first
+GRIPS = np.geomspace(0.003, 0.3, 20)  # friction coefficients that are tried first
 SINCE = 0.5  # [s] between the times from which the floor is tried
 ROUNDS, ENOUGH = 12, 0.003  # most steps of a search, and the fraction of the squares from which it goes on
 DAMPINGS = (1e-3, 1e-1, 1.0, 10.0)  # of a step, over its curvature (Levenberg and Marquardt)
@@ -38,6 +39,7 @@ SLOWEST = 3.0  # [s] in which a slope or a load grows
 BEHIND = 100.0  # nats behind the likeliest, up to which a hypothesis is searched
 MOST = 6  # hypotheses that are searched
 LEAVES = 1.2  # of the usual NIS, up to which the likeliest leaves nothing for a slip to explain
+LITTLE = 0.5  # of the squares, that the floor by itself leaves where there may be a slip
 STARTS = 3  # times from which the floor is slippery, from which a search starts
 AGAIN = 2  # most times that pushes are looked for beside a slip
 LOST = 1e6  # standard deviations that stand for an innovation of a robot that fell over
@@ -204,6 +206,8 @@ def slipped(run: FilterRun, fit: FaultFit, window: Window, bank: Bank) -> FaultF
     if not len(times):
         return fit
     left_by = np.array([(replace(search, since=float(t)).rest(*GRIPS[:, None]) ** 2).sum(axis=0) for t in times])
+    if left_by.min() > LITTLE * float(left @ left):
+        return fit
     best = replace(fit, score=-math.inf)
     for part_of in np.array_split(np.arange(len(times)), min(STARTS, len(times))):
         i, j = np.unravel_index(int(np.argmin(left_by[part_of])), left_by[part_of].shape)
@@ -243,6 +247,13 @@ def refined(run: FilterRun, fit: FaultFit, window: Window, bank: Bank) -> FaultF
     return best if best.score > fit.score else fit
 
 
+def pair_refined(run: FilterRun, pair: Pair, window: Window, bank: Bank) -> Pair:
+    """The pair with its forces by the equations of motion, where the log was freed of the rest."""
+    known = pair.second.run is not None and pair.second.fault not in ("payload", "radius", "slip")
+    moves = pair.second.pushes or pair.second.fault in FORCED
+    return replace(pair, second=refined(run, pair.second, window, bank)) if known and moves else pair
+
+
 def _lessened(fit: FaultFit, search: _Search, bank: Bank) -> FaultFit:
     """The fit without pushes that add less than their price."""
     while fit.pushes:
@@ -264,7 +275,10 @@ def _found(search: _Search, bank: Bank) -> FaultFit:
     score = score_of(bank, rest, spent)
     lacking = [np.delete(x, slice(own + 4 * i, own + 4 * i + 4)) for i in range(len(pushes))]
     lesser = [score_of(bank, one, spent - PUSH_NUMBERS) for one in (search.rest(x)[:, 0] for x in lacking)]
-    estimates = tuple(PushEstimate(*push, score - one) for push, one in zip(pushes, lesser, strict=True))
+    estimates = tuple(
+        PushEstimate(start, stop, impulse, height, score - one)
+        for (start, stop, impulse, height), one in zip(pushes, lesser, strict=True)
+    )
     nis = float(rest @ rest) / len(rest)
     explained = 1 - nis / max(float(bank.y @ bank.y) / len(bank.y), 1e-12)
     fit = replace(fit, score=score, pushes=estimates, explained=explained, nis=nis, rest=rest)

@@ -73,7 +73,7 @@ HELPED = 0.1
 """Probability that something else took part in a fall that one cause explains: what is known of the log is that it does
 not show it, and what is known of the robot is not that this cause alone fells it. Of ten pairs of faults neither of
 which fells the robot, three do not show in their logs (docs/post-mortem.md); where pairs are a quarter of all falls,
-that is one fall in ten. Not of a push that the motors cannot bring back, which needs no help."""
+that is one fall in ten."""
 
 
 TWO, TWO_WIDTH, TWO_LEAVE = 25.0, 5.0, 0.75
@@ -207,7 +207,7 @@ def _two(evidence: Evidence) -> list[Answer]:
             chance *= step(pair.score - evidence.left.score, TWO_WIDTH)
         chance *= step(FITS_TWO - pair.second.nis / evidence.calm, FITS_WIDTH)
         text = f"{of_fault(evidence, pair.first)}; with it, {of_fault(evidence, pair.second)}"
-        answers.append(Answer(FACT * chance, " and ".join(names), first, text))
+        answers.append(Answer((1 - HELPED) * FACT * chance, " and ".join(names), first, text))
     if best.fault not in NAMES or best.fault == "slip":  # a slip and a push look alike
         return answers
     lean, push = worth(evidence, best.pushes)
@@ -221,7 +221,7 @@ def _two(evidence: Evidence) -> list[Answer]:
     text = f"{of_fault(evidence, best)}; and {of_push(evidence, push, lean)}"
     name = f"{name_of(best)} and {PUSH}"
     left = 1 - sum(one.probability for one in answers)
-    return [*answers, Answer(left * FACT * chance, name, min(best.onset, push.start), text)]
+    return [*answers, Answer(left * (1 - HELPED) * FACT * chance, name, min(best.onset, push.start), text)]
 
 
 def _beyond_noise(evidence: Evidence, nis: float) -> float:
@@ -270,6 +270,8 @@ def _driven_into(evidence: Evidence) -> list[Answer]:
             sure = step(push.score - PUSH_SCORE, PUSH_SCORE_WIDTH)
             others = [fit for fit in evidence.fits if fit.fault in NAMES and possible(fit, evidence.fell_at)]
             free = 1 - max((holds(evidence, fit) for fit in others), default=0.0)
+            slip = max((fit.score for fit in others if fit.fault == "slip"), default=-math.inf)
+            free *= step(evidence.pushes_only.score - slip, TEMPER)  # wheels that slip go no further either
             text = (
                 f"the robot drove at {wall.speed:.2g} m/s and its wheels were held from t = {wall.start:.2f} s on, "
                 f"within {1e3 * max(wall.further, 0.0):.0f} mm, by {abs(push.impulse):.2g} N s"

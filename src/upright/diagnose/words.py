@@ -13,6 +13,7 @@ from upright.diagnose.changes import PART, channels_of
 from upright.diagnose.evidence import EXCURSION, FOREIGN, Demand, Evidence
 from upright.diagnose.fall import LEANING
 from upright.diagnose.fault_fits import FaultFit, PushEstimate
+from upright.diagnose.sizes import turned
 from upright.physics.dynamics import motor_gain
 
 Array = NDArray[np.float64]
@@ -76,7 +77,10 @@ def _dropped_text(_: Evidence, fit: FaultFit) -> str:
 def _scale_text(evidence: Evidence, fit: FaultFit) -> str:
     several = len(channels_of(evidence.run, fit.way)) == 2
     name = "both encoders" if several else "the " + fit.way.replace("_", " ")
-    return f"{name} that show{'' if several else 's'} {1 / max(1 - fit.size, 1e-3):.2g} times the motion"
+    verb = "show" if several else "shows"
+    if turned(fit):
+        return f"{name} that {verb} the motion with the wrong sign"
+    return f"{name} that {verb} {1 / max(1 - fit.size, 1e-3):.2g} times the motion"
 
 
 def _motor_text(_: Evidence, fit: FaultFit) -> str:
