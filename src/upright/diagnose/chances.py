@@ -26,6 +26,10 @@ KNOWN_TO, BY_MODEL = 0.05, 0.8
 """Of its size, to which what a robot does is known, since its parameters are; and the most of the calm NIS that this
 may leave, since small changes of them are beside every hypothesis already."""
 
+LATE = 0.03
+"""Of the NIS without any fault, that late readings and repeated ones leave: delays between whole periods, and those of
+readings, are only near to those of commands, and not every repeated row is one."""
+
 EMPTY = 0.02  # of its voltage: less is no supply, or a driver that is off
 TOPPLES = 0.3  # [rad] lean that a push must be worth to topple, or
 TOPPLES_OF_LARGEST = 0.4  # of the largest lean that the motors bring back
@@ -85,9 +89,11 @@ def toppled(evidence: Evidence) -> tuple[float, float, PushEstimate | None]:
     return chance, lean, largest
 
 
-def unexplained(evidence: Evidence, nis: float) -> float:
+def unexplained(evidence: Evidence, nis: float, fault: str = "") -> float:
     """How likely something else took part, or was the cause, where a hypothesis leaves such a NIS."""
     by_model = min(KNOWN_TO**2 * evidence.nis / evidence.calm, BY_MODEL)
+    if fault in ("delay", "dropped"):
+        by_model = LATE * evidence.nis / evidence.calm
     return DOUBT * step(nis / evidence.calm - FITS_BADLY - by_model, FITS_WIDTH)
 
 

@@ -217,7 +217,7 @@ def _two(evidence: Evidence) -> list[Answer]:
     chance = step(lean / limit - HALF, LIMIT_WIDTH) * holds(evidence, best)
     chance *= step(push.score - PUSH_BESIDE, PUSH_SCORE_WIDTH)
     chance *= step(PUSH_LEAVES - (best.nis - evidence.calm) / evidence.nis, PUSH_LEAVES / 6)
-    chance *= 1 - unexplained(evidence, best.nis)
+    chance *= 1 - unexplained(evidence, best.nis, best.fault)
     text = f"{of_fault(evidence, best)}; and {of_push(evidence, push, lean)}"
     name = f"{name_of(best)} and {PUSH}"
     left = 1 - sum(one.probability for one in answers)
@@ -240,7 +240,7 @@ def _none(evidence: Evidence) -> list[Answer]:
         step(gained - nats, UNKNOWN_WIDTH) * step(fraction - leaves, UNKNOWN_LEAVES_WIDTH)
         for nats, fraction in zip(UNKNOWN, UNKNOWN_LEAVES, strict=True)
     )
-    badly = unexplained(evidence, best.nis)
+    badly = unexplained(evidence, best.nis, best.fault)
     if best.fault == "slip":  # of a coarse grid of floors
         shaped *= SLIPPERY
         badly *= SLIPPERY
@@ -253,7 +253,7 @@ def _none(evidence: Evidence) -> list[Answer]:
     answers = [Answer(FACT * max(shaped, wild, badly), NONE, left.onset, of_leftover(evidence, left))]
     odd = max((fit for fit in evidence.fits if fit.fault in NAMES), key=lambda fit: fit.score, default=best)
     if odd is not best and not possible(odd, evidence.fell_at):
-        chance = step(odd.score - best.score - ODD, TEMPER) * (1 - unexplained(evidence, odd.nis) / DOUBT)
+        chance = step(odd.score - best.score - ODD, TEMPER) * (1 - unexplained(evidence, odd.nis, odd.fault) / DOUBT)
         text = f"{of_fault(evidence, odd)}, which is more than robots meet: something that acts like it"
         answers.append(Answer(FACT * (1 - answers[0].probability) * chance, NONE, odd.onset, text))
     return answers
