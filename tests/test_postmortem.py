@@ -519,19 +519,19 @@ def test_a_log_whose_gyro_has_the_other_sign_sends_its_reader_to_the_doctor() ->
     assert any("upright doctor" in note and "sensor/gyro: its sign" in note for note in found.notes)
 
 
-BEYOND = {  # planted in MuJoCo: cause, way, size, what is said, a part of why
-    "encoders that agree": ("sensor mis-scaled", "encoders", 1.9, SCALED, "both encoders that show 1.9 times"),
-    "one encoder counts backwards": ("wrong sign", "encoder_left", 1.0, REVERSED, "with the wrong sign"),
-    "a gyro is clipped at once": ("clipped", "gyro", 0.15, NONE, "the end of its range"),
+BEYOND = {  # planted in MuJoCo: cause, way, size, a knock after it [N s], what is said, a part of why
+    "encoders that agree": ("sensor mis-scaled", "encoders", 1.9, 0.0, SCALED, "both encoders that show 1.9 times"),
+    "one encoder counts backwards": ("wrong sign", "encoder_left", 1.0, 0.0, REVERSED, "with the wrong sign"),
+    "a gyro is clipped": ("clipped", "gyro", 0.15, 0.15, NONE, "the end of its range"),
 }
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", BEYOND)
 def test_what_no_list_had_is_named_or_none_of_these(name: str) -> None:
-    cause, way, size, said, why = BEYOND[name]
+    cause, way, size, knock, said, why = BEYOND[name]
     body = open_bench.BrokenBody(Twin(NXT), KIT, bench.Fault(cause, way, ONSET, size), 1)
-    knocks = [Impulse(impulse=0.05, start=0.7, duration=0.02), Impulse(impulse=0.15, start=ONSET + 0.5, duration=0.02)]
+    knocks = [Impulse(impulse=0.05, start=0.7, duration=0.02), Impulse(impulse=knock, start=ONSET + 0.5, duration=0.02)]
     log = run(body, designed(), knocks, seconds=7.0, seed=2)
     assert log.origin["outcome"]["fell"]
     names = [n for n in log.channels if n.startswith(("sensor/", "command/"))]

@@ -14,9 +14,9 @@ from upright.diagnose.words import gained
 SURE, SURE_WIDTH = 15.0, 3.0
 """Nats by which a fault must explain more than pushes alone to be as likely as not, and the width of that step."""
 
-EXPLAINED, LIKE_A_PUSH, EXPLAINED_WIDTH = 0.55, 0.74, 0.03
-"""Most NIS that a fault may leave over what pushes alone leave, that a slip may leave beside a push that topples, and
-the width of both steps."""
+EXPLAINED, LIKE_A_PUSH, EXPLAINED_WIDTH, ONLY_NOISE = 0.55, 0.74, 0.03, 1.1
+"""Most NIS that a fault may leave over what pushes alone leave, that a slip may leave beside a push that topples, the
+width of both steps, and the NIS over the calm one that is noise, where the likelihood alone decides."""
 
 FITS_BADLY, FITS_WIDTH, DOUBT = 1.45, 0.05, 0.75
 """NIS over the calm one beyond which a hypothesis leaves something, the width of that step, and the probability that
@@ -26,7 +26,7 @@ KNOWN_TO, BY_MODEL = 0.05, 0.8
 """Of its size, to which what a robot does is known, since its parameters are; and the most of the calm NIS that this
 may leave, since small changes of them are beside every hypothesis already."""
 
-LATE = 0.03
+BY_TIMES = 0.03
 """Of the NIS without any fault, that late readings and repeated ones leave: delays between whole periods, and those of
 readings, are only near to those of commands, and not every repeated row is one."""
 
@@ -53,11 +53,12 @@ def best_of(evidence: Evidence) -> FaultFit:
 
 
 def holds(evidence: Evidence, fit: FaultFit) -> float:
-    """How likely a fault is a cause at all: it explains much more than pushes alone, and most of what those leave; a
-    slip, which looks like a push, has to leave less where a push would topple by itself."""
+    """How likely a fault is a cause at all: it explains much more than pushes alone, and most of what those leave, or all
+    of it; a slip, which looks like a push, has to leave less where a push would topple by itself."""
     sure = surer(evidence, fit)
     if fit.fault != "slip":
-        return sure * enough(evidence, fit, EXPLAINED)
+        noise = step(ONLY_NOISE - fit.nis / evidence.calm, EXPLAINED_WIDTH)
+        return sure * max(enough(evidence, fit, EXPLAINED), noise)
     like = enough(evidence, fit, LIKE_A_PUSH)
     return sure * like * (1 - toppled(evidence)[0] * (1 - like))
 
@@ -93,7 +94,7 @@ def unexplained(evidence: Evidence, nis: float, fault: str = "") -> float:
     """How likely something else took part, or was the cause, where a hypothesis leaves such a NIS."""
     by_model = min(KNOWN_TO**2 * evidence.nis / evidence.calm, BY_MODEL)
     if fault in ("delay", "dropped"):
-        by_model = LATE * evidence.nis / evidence.calm
+        by_model = BY_TIMES * evidence.nis / evidence.calm
     return DOUBT * step(nis / evidence.calm - FITS_BADLY - by_model, FITS_WIDTH)
 
 

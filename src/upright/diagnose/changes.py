@@ -163,7 +163,7 @@ def payloads(run: FilterRun, onsets: Array) -> list[Signature]:
     p, when = run.robot, onsets[::2]
     on = ((run.t - run.spans / 2)[:, None] >= when)[:, None, :]
     kinds = [(mass, height) for mass in PAYLOADS for height in PAYLOAD_HEIGHTS]
-    changes = entering(run, [_with_mass(p, mass * p.body_mass, height * p.com_height) for mass, height in kinds])
+    changes = entering(run, [with_mass(p, mass * p.body_mass, height * p.com_height) for mass, height in kinds])
     pushed = np.concatenate([changes[:, :, i, None] * on for i in range(len(kinds))], axis=2)
     response, n = propagated(run, pushed)[run.readings], len(when)
     return [
@@ -191,7 +191,7 @@ def placed(payloads: Sequence[Signature], y: Array, moments: Array, onsets: Arra
     return signatures
 
 
-def _with_mass(p: Any, mass: float, height: float) -> dict[str, float]:
+def with_mass(p: Any, mass: float, height: float) -> dict[str, float]:
     """How a point mass at a height changes mass, centre of mass and inertia about it."""
     total = p.body_mass + mass
     lower = mass * (height - p.com_height) / total

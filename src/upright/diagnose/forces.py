@@ -7,15 +7,15 @@ are searched by an observer: the equations with these forces, corrected by the g
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.compiled.generated import constants
+from upright.diagnose.changes import with_mass
 from upright.diagnose.fault_fits import PUSH_NUMBERS, VISIBLE_SLIP, FaultFit, PushEstimate, score_of, with_pushes
 from upright.diagnose.innovations import FilterRun
 from upright.diagnose.pairs import Pair
@@ -28,7 +28,11 @@ from upright.robots import PARAMETERS
 
 Array = NDArray[np.float64]
 
-FORCED = ("ramp", "load")  # faults that are forces themselves, by onset, rise and size
+FORCED = {"ramp": 3, "load": 3, "radius": 2, "payload": 4, "slip": 1}
+"""Faults that are forces or another robot, and how many numbers they have: onset [s], rise [s] and size; onset and the
+lost part of the radius; onset, mass and height over those of the body, and the torque of its weight [N m]; the friction
+coefficient of a floor."""
+
 SUBSTEP = 0.001  # [s] of the motion of wheels that slip, which lose their load within milliseconds
 GRIPS = np.geomspace(0.003, 0.3, 20)  # friction coefficients that are tried first
 SINCE = 0.5  # [s] between the times from which the floor is tried
@@ -54,21 +58,30 @@ class Observer:
     slip: bool = False
 
     @cached_property
-    def _given(self) -> tuple[Any, ...]:
-        part, p = self.part, self.part.robot
-        numbers = np.array([float(np.ravel(one)[0]) for one in constants([getattr(p, n) for n in PARAMETERS], 1.0)])
-        fastest = float(np.abs(linearise(p).poles()).max())
-        longest = float(part.spans.max())
-        steps = substeps(longest, fastest, PREDICTED, numbers=p.numbers())
-        steps = max(steps, math.ceil(longest / SUBSTEP)) if self.slip else steps
+    def _followed(self) -> tuple[int, tuple[Array, ...]]:
+        part = self.part
+        fastest, longest = float(np.abs(linearise(part.robot).poles()).max()), float(part.spans.max())
+        steps = substeps(longest, fastest, PREDICTED, numbers=part.robot.numbers())
         reads, error = part.reads[part.row], np.nan_to_num(part.innovation)
         reading = error + (reads * (part.after - part.gains * error[:, None])).sum(axis=1)
         deviation = np.where(part.readings, np.sqrt(part.variance), np.nan)
-        arrays = (part.before[0], part.command, part.spans, reads, part.gains, reading, deviation)
-        return numbers, steps, *(np.ascontiguousarray(one, dtype=np.float64) for one in arrays)
+        arrays = (part.before[0], part.t, part.command, part.spans, reads, part.gains, reading, deviation)
+        contiguous = tuple(np.ascontiguousarray(one, dtype=np.float64) for one in arrays)
+        return max(steps, math.ceil(longest / SUBSTEP)) if self.slip else steps, contiguous
 
     @cached_property
-    def _floor(self) -> tuple[Array, Array]:
+    def usual(self) -> Array:
+        """The constants of the robot as it should be."""
+        return self.constants({})
+
+    def constants(self, changes: Mapping[str, float]) -> Array:
+        """The constants of the robot with parameters that are larger by these amounts."""
+        numbers = self.part.robot.numbers()
+        values = [numbers[name] + changes.get(name, 0.0) for name in PARAMETERS]
+        return np.array([float(np.ravel(one)[0]) for one in constants(values, 1.0)])
+
+    @cached_property
+    def _floor(self) -> Array:
         p = self.part.robot
         total, lever, rotors = (
             p.body_mass + 2 * p.wheel_mass,
@@ -78,22 +91,26 @@ class Observer:
         inertia, wheel = lever * p.com_height + p.pitch_inertia + 2 * rotors, 2 * p.wheel_inertia + 2 * rotors
         numbers = (total, lever, inertia, wheel, 2 * rotors, p.wheel_radius, motor_gain(p), 2 * motor_damping(p),
                    2 * p.wheel_friction, 2 * p.coulomb_friction, max(p.stiction_rate, 1e-6), p.gravity)  # fmt: skip
-        return np.ascontiguousarray(self.part.t, dtype=np.float64), np.array(numbers)
+        return np.array(numbers)
 
     @cached_property
     def _unforced(self) -> Array:
-        return self._seen(np.zeros((1, len(self.part.t), 2)), np.zeros((1, 2)))[0]
+        nothing = np.zeros((1, len(self.part.t), 2)), np.zeros((1, 2))
+        return self._innovations(self.usual[None], np.full(1, np.inf), *nothing)[0]
 
-    def _seen(self, forces: Array, floors: Array) -> Array:
+    def _innovations(self, robots: Array, onsets: Array, forces: Array, floors: Array) -> Array:
         from upright.diagnose.propagation import observe
 
-        seen = observe(*self._given, np.ascontiguousarray(forces), *self._floor, floors)[:, self.part.readings]
-        return np.clip(np.nan_to_num(seen, nan=LOST), -LOST, LOST)
+        steps, followed = self._followed
+        robots = np.vstack([robots, self.usual])
+        whitened = observe(steps, followed, self._floor, robots, onsets, forces, floors)[:, self.part.readings]
+        return np.clip(np.nan_to_num(whitened, nan=LOST), -LOST, LOST)
 
-    def added(self, forces: Array, floors: Array) -> Array:
-        """What forces [N] and moments [N m], (lanes, events, 2), and `floors` (lanes, 2) that hold no more than a
-        fraction of the weight (0: any) from a time [s] on, add to the whitened innovations (readings, lanes)."""
-        return (self._seen(forces, floors) - self._unforced).T
+    def added(self, robots: Array, onsets: Array, forces: Array, floors: Array) -> Array:
+        """What `robots` by their constants (lanes, constants) from the onsets (lanes,) [s] on, `forces` [N] and moments
+        [N m], (lanes, events, 2), and `floors` (lanes, 2) that hold no more than a fraction of the weight (0: any) from
+        a time [s] on, add to the whitened innovations (readings, lanes)."""
+        return (self._innovations(robots, onsets, forces, floors) - self._unforced).T
 
     def since(self, start: float, rise: float = 0.0) -> Array:
         """How much of a force that begins at `start` [s], and grows within a time [s], acts in each span (events,)."""
@@ -103,9 +120,8 @@ class Observer:
 
 @dataclass(frozen=True, eq=False)
 class _Search:
-    """The numbers of a fault's own force (onset [s], rise [s], size; of a floor its friction coefficient, `since` a
-    time [s]), and of the pushes beside it by start, stop [s], impulse [N s] and height [m]; without them `left`
-    (readings,) are the innovations."""
+    """The numbers of a fault (`FORCED`; of a floor `since` a time [s]), and of the pushes beside it by start, stop [s],
+    impulse [N s] and height [m]; without them `left` (readings,) are the innovations."""
 
     observer: Observer
     fit: FaultFit
@@ -115,20 +131,24 @@ class _Search:
 
     @property
     def own(self) -> int:
-        """How many numbers the fault's own force has."""
-        return 1 if self.fit.fault == "slip" else 3 if self.fit.fault in FORCED else 0
+        """How many numbers the fault has."""
+        return FORCED.get(self.fit.fault, 0)
 
     def first(self) -> Array:
         """Where the search begins."""
         fit = self.fit
         pushes = [x for push in fit.pushes for x in (push.start, push.stop, push.impulse, push.height)]
-        onset = [fit.onset, float(fit.way.split()[1])] if self.own == 3 else []
-        return np.array([*onset, *([fit.size] if self.own else []), *pushes])
+        own = {
+            0: [], 1: [fit.size], 2: [fit.onset, fit.size], 4: [fit.onset, fit.size, 1.0, 0.0],
+        }  # fmt: skip
+        own[3] = [fit.onset, float(fit.way.split()[1]), fit.size] if self.own == 3 else []
+        return np.array([*own[self.own], *pushes])
 
     def steps(self, count: int) -> Array:
         """A small change of each number."""
         p = self.observer.part.robot
-        mass, own = p.body_mass + 2 * p.wheel_mass, {3: [2e-3, 1e-2, 1e-3], 1: [1e-4]}.get(self.own, [])
+        mass, torque = p.body_mass + 2 * p.wheel_mass, 1e-3 * p.body_mass * p.gravity * p.com_height
+        own = ([], [1e-4], [2e-3, 1e-3], [2e-3, 1e-2, 1e-3], [2e-3, 1e-2, 2e-2, torque])[self.own]
         return np.array(own + [1e-3, 1e-3, 1e-3 * mass, 0.02 * p.com_height] * ((count - self.own) // 4))
 
     def inside(self, x: Array) -> Array:
@@ -136,8 +156,11 @@ class _Search:
         x, t = x.copy(), self.observer.part.t
         if self.own == 1:
             x[0] = np.clip(x[0], GRIPS[0], 1.0)
-        if self.own == 3:
-            x[0], x[1] = np.clip(x[0], t[0], t[-1]), np.clip(x[1], 0.02, SLOWEST)
+        if self.own > 1:
+            x[0] = np.clip(x[0], t[0], t[-1])
+            x[1] = np.clip(x[1], *{2: (0.01, 0.85), 3: (0.02, SLOWEST), 4: (-0.95, 5.0)}[self.own])
+        if self.own == 4:
+            x[2] = np.clip(x[2], 0.0, HIGHEST)
         for push in x[self.own :].reshape(-1, 4):
             push[0] = np.clip(push[0], t[0], t[-1] - SHORTEST)
             push[1] = max(push[1], push[0] + SHORTEST)
@@ -146,19 +169,26 @@ class _Search:
 
     def rest(self, *several: Array) -> Array:
         """What numbers leave of the innovations (readings, lanes)."""
-        observer, p = self.observer, self.observer.part.robot
-        forces = np.zeros((len(several), len(observer.part.t), 2))
+        observer, p, lanes = self.observer, self.observer.part.robot, len(several)
+        forces, floors = np.zeros((lanes, len(observer.part.t), 2)), np.zeros((lanes, 2))
+        robots, onsets = np.repeat(observer.usual[None], lanes, axis=0), np.full(lanes, np.inf)
         slope = (-(p.body_mass + 2 * p.wheel_mass) * p.gravity, -p.body_mass * p.com_height * p.gravity)
-        both, floors = np.array(slope if self.fit.fault == "ramp" else (1.0, 0.0)), np.zeros((len(several), 2))
+        both = np.array(slope if self.fit.fault == "ramp" else (1.0, 0.0))
         for lane, x in enumerate(several):
             if self.own == 1:
                 floors[lane] = self.since, x[0]
+            if self.own == 2:
+                onsets[lane], robots[lane] = x[0], observer.constants({"wheel_radius": -x[1] * p.wheel_radius})
             if self.own == 3:
                 forces[lane] += observer.since(x[0], x[1])[:, None] * both * x[2]
+            if self.own == 4:
+                heavier = with_mass(p, x[1] * p.body_mass, x[2] * p.com_height)
+                onsets[lane], robots[lane] = x[0], observer.constants(heavier)
+                forces[lane, :, 1] += observer.since(x[0]) * x[3]
             for start, stop, impulse, height in x[self.own :].reshape(-1, 4):
                 on = observer.since(start) - observer.since(stop)
                 forces[lane] += on[:, None] * (np.array([1.0, height]) * impulse / (stop - start))
-        return self.left[:, None] + beside(self.basis, observer.added(forces, floors))
+        return self.left[:, None] + beside(self.basis, observer.added(robots, onsets, forces, floors))
 
     def least(self) -> Array:
         """The numbers of least squares near the first."""
@@ -225,7 +255,7 @@ def _with_pushes(search: _Search, grip: float, bank: Bank) -> FaultFit:
         bare = replace(search, fit=best).rest(np.array([best.size]))[:, 0]
         pushed = with_pushes(bank, beside=bare)
         again = replace(best, pushes=pushed.pushes, spent=pushed.spent)
-        again = _lessened(_found(replace(search, fit=again), bank), search, bank)
+        again = _lessened(_best_fit(replace(search, fit=again), bank), search, bank)
         if again.score <= best.score:
             break
         best = again
@@ -243,13 +273,13 @@ def refined(run: FilterRun, fit: FaultFit, window: Window, bank: Bank) -> FaultF
             return fit
         left = left + fit.values
     search = _Search(Observer(part), fit, left, basis)
-    best = _lessened(_found(search, bank), search, bank)
+    best = _lessened(_best_fit(search, bank), search, bank)
     return best if best.score > fit.score else fit
 
 
 def pair_refined(run: FilterRun, pair: Pair, window: Window, bank: Bank) -> Pair:
     """The pair with its forces by the equations of motion, where the log was freed of the rest."""
-    known = pair.second.run is not None and pair.second.fault not in ("payload", "radius", "slip")
+    known = pair.second.run is not None and pair.second.fault != "slip"
     moves = pair.second.pushes or pair.second.fault in FORCED
     return replace(pair, second=refined(run, pair.second, window, bank)) if known and moves else pair
 
@@ -259,14 +289,14 @@ def _lessened(fit: FaultFit, search: _Search, bank: Bank) -> FaultFit:
     while fit.pushes:
         weakest = min(fit.pushes, key=lambda push: push.score)
         kept = tuple(push for push in fit.pushes if push is not weakest)
-        fewer = _found(replace(search, fit=replace(fit, pushes=kept, spent=fit.spent - PUSH_NUMBERS)), bank)
+        fewer = _best_fit(replace(search, fit=replace(fit, pushes=kept, spent=fit.spent - PUSH_NUMBERS)), bank)
         if fewer.score < fit.score:
             break
         fit = fewer
     return fit
 
 
-def _found(search: _Search, bank: Bank) -> FaultFit:
+def _best_fit(search: _Search, bank: Bank) -> FaultFit:
     """The fit of the least squares of a search; a push's score is what the others miss without it."""
     fit, own, x = search.fit, search.own, search.least()
     pushes = x[own:].reshape(-1, 4).tolist()
@@ -287,4 +317,7 @@ def _found(search: _Search, bank: Bank) -> FaultFit:
     values = search.rest(x[:own])[:, 0] - search.left
     if own == 1:
         return replace(fit, size=float(x[0]), values=values)
-    return replace(fit, onset=float(x[0]), way=f"within {x[1]:.2g} s", size=float(x[2]), values=values)
+    if own == 3:
+        return replace(fit, onset=float(x[0]), way=f"within {x[1]:.2g} s", size=float(x[2]), values=values)
+    way = fit.way if own == 2 else "added" if x[1] > 0 else "dropped"
+    return replace(fit, onset=float(x[0]), way=way, size=float(x[1]), values=values)

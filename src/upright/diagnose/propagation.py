@@ -72,13 +72,14 @@ def propagate(phi: Any, pushed: Any, shifted: Any, reads: Any, gains: Any, devia
 
 
 @njit
-def slide(
-    floor: Any, pitch: Any, pitch_rate: Any, wheel_rate: Any, u: Any, force: Any, moment: Any, grip: Any, slipped: Any,
-    h: Any,
-) -> Any:  # fmt: skip
+def slide(floor: Any, moving: Any, u: Any, acting: Any, grip: Any, slipped: Any, h: Any) -> Any:
     """The acceleration of slipping [m/s²] within h [s] on a floor that holds `grip` of the weight, of wheels that slip
-    at `slipped` [m/s] before, and how fast they slip then; the equations are those of `slip.slipping`."""
+    at `slipped` [m/s] before, and how fast they slip then; the equations are those of `slip.slipping`. The robot is
+    `moving` with a pitch [rad], pitch rate and wheel rate [rad/s] under the sum u of both commands, and a force [N] and
+    a moment [N m] are `acting`."""
     total, lever, inertia, wheel, rotors, radius, gain, damping, friction, dry, slow, gravity = floor
+    pitch, pitch_rate, wheel_rate = moving
+    force, moment = acting
     cos, sin, rate = math.cos(pitch), math.sin(pitch), wheel_rate - pitch_rate
     torque = gain * u - damping * rate - dry * rate / math.sqrt(rate * rate + slow * slow)
     across, ratio = lever * cos, rotors / wheel
@@ -111,33 +112,37 @@ def slide(
 
 
 @njit
-def observe(
-    constants: Any, steps: int, first: Any, u: Any, spans: Any, reads: Any, gains: Any, readings: Any, deviation: Any,
-    forces: Any, t: Any, floor: Any, floors: Any,
-) -> Any:  # fmt: skip
-    """Whitened innovations (lanes, events) of a robot with these `constants` from the state `first` on, under the
-    commands u (events, 2), and `forces` [N] and moments [N m] (lanes, events, 2), on `floors` (lanes, 2) that from a
-    time [s] on hold no more than a fraction of the weight (0: any).
+def observe(steps: int, followed: Any, floor: Any, robots: Any, onsets: Any, forces: Any, floors: Any) -> Any:
+    """Whitened innovations (lanes, events) of robots under `forces` [N] and moments [N m] (lanes, events, 2), on
+    `floors` (lanes, 2) that from a time [s] on hold no more than a fraction of the weight (0: any).
 
-    `floor` are the numbers of the sums of forces on wheels that slip (`slide`). A filter that has the `gains` (events,
-    states) corrects the state by what the `readings` (events,) show beyond it.
+    The filter `followed` a log: its first state, times [s], commands u (events, 2), spans [s], reads and gains (events,
+    states), readings and deviations (events,). It corrects the state by what the readings show beyond it. The constants
+    of the `robots` (lanes + 1, constants) are those of a lane from its onset (lanes,) [s] on, and the last ones before.
+    `floor` are the numbers of the sums of forces on wheels that slip (`slide`).
     """
-    n, size = len(spans), gains.shape[1]
-    seen = np.zeros((len(forces), n))
-    whole = np.zeros((len(constants) + 4, 1))
-    whole[: len(constants), 0] = constants
-    known = constants_rolling(block_of(whole), 0)
-    for lane in range(len(forces)):
+    first, t, u, spans, reads, gains, readings, deviation = followed
+    n, size, lanes = len(spans), gains.shape[1], len(forces)
+    result = np.zeros((lanes, n))
+    whole = np.zeros((robots.shape[1] + 4, 1))
+    whole[:-4, 0] = robots[lanes]
+    usual = constants_rolling(block_of(whole), 0)
+    for lane in range(lanes):
+        whole[:-4, 0] = robots[lane]
+        changed = constants_rolling(block_of(whole), 0)
         x, slipped = first.copy(), 0.0
         for i in range(n):
             h = spans[i] / steps
             if h > 0:
                 a, b, c, d, e, f = x[0], x[1], x[2], x[3], x[4], x[5]
                 left, right, force, moment = u[i, 0], u[i, 1], forces[lane, i, 0], forces[lane, i, 1]
+                known = changed if t[i] >= onsets[lane] else usual
                 for _ in range(steps):
                     axle, body = force, moment
                     if floors[lane, 1] > 0 and t[i] >= floors[lane, 0]:
-                        sliding, slipped = slide(floor, a, b, d, left + right, axle, body, floors[lane, 1], slipped, h)
+                        sliding, slipped = slide(
+                            floor, (a, b, d), left + right, (axle, body), floors[lane, 1], slipped, h
+                        )
                         axle += floor[0] * sliding
                         body += floor[1] * math.cos(a) * sliding
                     a, b, c, d, e, f = rk4_rolling(a, b, c, d, e, f, h, left, right, axle, body, *known)
@@ -149,5 +154,5 @@ def observe(
                 innovation -= reads[i, state] * x[state]
             for state in range(size):
                 x[state] += gains[i, state] * innovation
-            seen[lane, i] = innovation / deviation[i]
-    return seen
+            result[lane, i] = innovation / deviation[i]
+    return result
