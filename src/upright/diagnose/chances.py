@@ -53,8 +53,8 @@ def best_of(evidence: Evidence) -> FaultFit:
 
 
 def holds(evidence: Evidence, fit: FaultFit) -> float:
-    """How likely a fault is a cause at all: it explains much more than pushes alone, and most of what those leave, or all
-    of it; a slip, which looks like a push, has to leave less where a push would topple by itself."""
+    """How likely a fault is a cause at all: it explains much more than pushes alone, and most of what those leave, or
+    all of it; a slip, which looks like a push, has to leave less where a push would topple by itself."""
     sure = surer(evidence, fit)
     if fit.fault != "slip":
         noise = step(ONLY_NOISE - fit.nis / evidence.calm, EXPLAINED_WIDTH)
