@@ -30,7 +30,7 @@ from upright.calibrate.calibrate import calibrate, prepared
 from upright.calibrate.calibration import VISIBLE, Calibration, Estimate
 from upright.calibrate.filter_log import filter_log
 from upright.calibrate.fitting import Problem
-from upright.calibrate.own_run import of_this_run
+from upright.calibrate.own_run import as_driven, of_this_run
 from upright.calibrate.validate import segments
 from upright.errors import UprightError
 from upright.logs.raw import raw_log
@@ -80,7 +80,9 @@ def visible(found: Calibration) -> dict[str, Estimate]:
 
 def known(found: Calibration, other: Run) -> tuple[Problem, np.ndarray]:
     """The problem of a run, and what a calibration says of its parameters."""
-    problem, _ = prepared([other.log], found.robot, find_kit(found.robot.kit), (), 0.0)
+    kit = find_kit(found.robot.kit)
+    log, _ = as_driven(other.log, found.known_robot(), kit)
+    problem, _ = prepared([log], found.robot, kit, (), 0.0)
     beside = {e.name: e.value for e in (*found.delays, *found.electronics)}
     return problem, np.array([p.coordinate(beside[p.name]) if p.name in beside else 0.0 for p in problem.parameters])
 
@@ -96,7 +98,8 @@ def own_effects(found: Calibration, other: Run) -> dict[str, float]:
     """The same with what belongs to the other run fitted to it, as `upright validate` does; as known, where that
     predicts no better."""
     robot = found.known_robot()
-    fitted = of_this_run(*prepared([other.log], robot, find_kit(robot.kit), (), 0.0))
+    log, _ = as_driven(other.log, robot, find_kit(robot.kit))
+    fitted = of_this_run(*prepared([log], robot, find_kit(robot.kit), (), 0.0))
     return {name: fitted[0].r_squared(name) for name in fitted[0].rows} if fitted else crossed(found, other)
 
 
