@@ -102,7 +102,9 @@ def whiteness(recording: Recording, path: Path) -> list[Whiteness]:
 
 
 def correlations(r: Array, lags: int) -> Array:
-    """Autocorrelation at lags 1 to `lags`."""
+    """Autocorrelation at lags 1 to `lags`; zero of fewer readings than that."""
+    if len(r) <= lags:
+        return np.zeros(lags)
     r = r - r.mean()
     power = max(float(r @ r), 1e-300)
     return np.array([float(r[lag:] @ r[:-lag]) / power for lag in range(1, lags + 1)])
