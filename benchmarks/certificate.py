@@ -3,6 +3,7 @@
     python benchmarks/certificate.py                      # 40 controllers on each side, six presets: half an hour
     python benchmarks/certificate.py --robots twipr --sides 10
     python benchmarks/certificate.py --defaults           # the light of every method on every preset with its kit
+    python benchmarks/certificate.py --defaults --methods hinf robust
     python benchmarks/certificate.py --exactly 100        # drawn robots, each under controllers designed for itself
 
 A controller is designed for a robot and spoilt in one way, or not at all. Its certificate knows the robot by the
@@ -198,11 +199,11 @@ def counts(name: str, cases: Sequence[Case]) -> str:
             f"{few['green']:>7}{few['amber']:>7}{few['red']:>5}{between:>9}")  # fmt: skip
 
 
-def defaults(robots: Sequence[str], samples: int) -> None:
-    """The light of every method on every robot with its kit, over the spreads in its file."""
+def defaults(robots: Sequence[str], samples: int, methods: Sequence[str]) -> None:
+    """The light of these methods (none: every one) on every robot with its kit, over the spreads in its file."""
     for name in robots:
         for method, entry in CONTROLLERS.items():
-            if entry.reads_truth or not entry.benched:
+            if entry.reads_truth or not entry.benched or (methods and method not in methods):
                 continue
             robot = Robot.preset(name)
             try:
@@ -244,11 +245,12 @@ def main() -> None:
     parser.add_argument("--samples", type=int, default=1000)
     parser.add_argument("--each", action="store_true", help="print every case")
     parser.add_argument("--defaults", action="store_true", help="instead: the light of every method on every preset")
+    parser.add_argument("--methods", nargs="+", default=[], help="with --defaults: these alone")
     parser.add_argument("--exactly", type=int, default=0, metavar="COUNT", help="instead: robots known exactly")
     asked = parser.parse_args()
     started = time.perf_counter()
     if asked.defaults:
-        defaults(asked.robots, asked.samples)
+        defaults(asked.robots, asked.samples, asked.methods)
     elif asked.exactly:
         exactly(asked.robots, asked.exactly)
     else:
