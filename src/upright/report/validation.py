@@ -174,7 +174,7 @@ def _numbers(result: Validation) -> list[tuple[str, str]]:
     numbers = [
         (
             _r2(worst.r2),
-            f"R² of the {short(worst.name)} over half seconds, the worst sensor; passes from {GOOD:g}",
+            f"R² of the {short(worst.name)} over half seconds, the worst of gyro and encoders; passes from {GOOD:g}",
         )
     ]
     if own := result.worst.own_run:

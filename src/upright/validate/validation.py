@@ -180,8 +180,8 @@ class Validation(Shown):
         never = f"; {joined(sorted(dead))} never change{'s' if len(dead) == 1 else ''}" if dead else ""
         return (
             f"{self.robot} {self.says('this log' if len(self.logs) == 1 else f'these {len(self.logs)} logs')}: "
-            f"over half seconds the {short(log.worst.name)}{several} has the smallest R², {r2}{never}"
-            + "".join(f"; no test: {one.no_test}" for one in self.logs if one.no_test)
+            f"over half seconds the {short(log.worst.name)}{several} has the smallest R² of gyro and encoders, "
+            f"{r2}{never}" + "".join(f"; no test: {one.no_test}" for one in self.logs if one.no_test)
         )
 
     def says(self, logs: str) -> str:
