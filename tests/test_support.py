@@ -286,15 +286,15 @@ def test_a_body_as_heavy_as_the_log_shows_keeps_its_source_and_is_known_as_well_
     assert known.provenance["wheel_mass"] == ROBOT.provenance["wheel_mass"]
 
 
-def estimate(name: str, value: float, prior: float, spread: float, shift: float, *, guess: bool = False) -> Estimate:
+def estimate(name: str, value: float, prior: float, spread: float, shift: float, **more: Any) -> Estimate:
     return Estimate(name=name, unit="m", value=value, low=0.9 * value, high=1.1 * value, prior=prior,
-                    prior_spread=spread, verdict="visible", shift=shift, shrink=0.2, guess=guess)  # fmt: skip
+                    prior_spread=spread, verdict="visible", shift=shift, shrink=0.2, **more)  # fmt: skip
 
 
 def test_a_number_that_the_file_states_and_the_log_contradicts_makes_the_light_amber() -> None:
     """Whatever else makes the calibration's innovations white: a body of a quarter of its mass was green with a wheel's
     radius moved by 4.6 deviations in its place. 23 mm for 21 ± 0.5 mm are 3.8 deviations of its logarithm."""
-    radius = estimate("wheel_radius", 0.023, 0.021, 0.0005, math.log(23 / 21) * 21 / 0.5)
+    radius = estimate("wheel_radius", 0.023, 0.021, 0.0005, math.log(23 / 21) * 21 / 0.5, scale="logarithm")
     within = estimate("track", 0.162, 0.16, 0.001, 2.0)
     guessed = estimate("com_height", 0.3, 0.1, 0.03, 6.0, guess=True)  # a guess is not stated
     calibration: Any = SimpleNamespace(
@@ -312,8 +312,8 @@ def test_a_number_that_the_file_states_and_the_log_contradicts_makes_the_light_a
 def test_a_stated_number_is_contradicted_from_three_deviations_on() -> None:
     """On either scale on which a calibration moves it: three of 10 % are 30 %, or a factor of exp 0.3."""
     for shift, outside in ((2.9, False), (3.1, True), (-3.1, True)):
-        for value in (1 + 0.1 * shift, math.exp(0.1 * shift)):
-            assert Support.of_estimate(estimate("track", value, 1.0, 0.1, shift)).outside is outside
+        for scale, value in (("linear", 1 + 0.1 * shift), ("logarithm", math.exp(0.1 * shift))):
+            assert Support.of_estimate(estimate("track", value, 1.0, 0.1, shift, scale=scale)).outside is outside
 
 
 @pytest.mark.slow

@@ -22,7 +22,7 @@ from upright.calibrate.calibration import NORMAL
 from upright.calibrate.effects import RUN, effects_of, run_spreads
 from upright.calibrate.electronics import BATTERY
 from upright.calibrate.fitting import Normal, Path, Problem
-from upright.calibrate.gauss_newton import gauss_newton
+from upright.calibrate.gauss_newton import Minimum, gauss_newton
 from upright.calibrate.informativity import posterior
 from upright.calibrate.summary import HALVED, combined_numbers
 from upright.robots.uncertainty import GUESS
@@ -77,18 +77,17 @@ def apart(problem: Problem, z: Array, sources: Sequence[str]) -> tuple[str, ...]
     Each two runs are compared. The one that differs is that without which the others agree best.
     """
     runs = range(len(problem.recordings))
-    alone = [_numbers(*_fitted(problem, z, [run])) for run in runs] if len(runs) > 1 else []
+    fits = [_fitted(problem, z, [run]) for run in runs] if len(runs) > 1 else []
+    alone, least = [_numbers(*fit) for fit in fits], [fit[2].objective for fit in fits]
     gaps = [gap for one, other in combinations(runs, 2) for gap in _gaps(one, other, alone[one], alone[other])]
     limit = -float(ndtri(CHANCE / 2 / max(len(gaps), 1)))
     if not gaps or max(gaps).deviations <= limit:
-        acts = [factor for run in _other_windings(problem, z) if (factor := _acts(problem, z, run))]
-        return (_named(max(acts), sources),) if acts else ()
+        return _likeliest(problem, z, _other_windings(problem, z), least, sources)
     furthest, left = max(gaps), {run: [g.deviations for g in gaps if run not in (g.run, g.other)] for run in runs}
     odd = min(runs, key=lambda run: max(left[run], default=0.0))
     limited = len(runs) > 2 and max(left[odd], default=0.0) <= limit
-    acts = [factor for run in ([odd] if limited else runs) if (factor := _acts(problem, z, run))]
-    if acts:
-        return (_named(max(acts), sources),)
+    if acts := _likeliest(problem, z, [odd] if limited else runs, least, sources):
+        return acts
     if not limited:
         one, other = (f"log {run + 1}, {sources[run]}," for run in (furthest.run, furthest.other))
         words = _words([g for g in gaps if (g.run, g.other) == (furthest.run, furthest.other)], limit)
@@ -120,24 +119,36 @@ class _Factor(NamedTuple):
     high: float
 
 
-def _acts(problem: Problem, z: Array, run: int) -> _Factor | None:
-    """The factor on the commands of `run`; None where it does not say most of what a fit of this run apart would."""
+def _likeliest(
+    problem: Problem, z: Array, runs: Sequence[int], least: Sequence[float], sources: Sequence[str]
+) -> tuple[str, ...]:
+    """The likeliest factor on the commands of one of `runs`, in words; nothing where none says enough. `least` are the
+    objectives of all runs, each fitted by itself."""
+    if not runs:
+        return ()
+    none = gauss_newton(problem, z, iterations=ITERATIONS)
+    acts = [factor for run in runs if (factor := _acts(problem, z, run, none, least[run]))]
+    return (_named(max(acts), sources),) if acts else ()
+
+
+def _acts(problem: Problem, z: Array, run: int, none: Minimum, own: float) -> _Factor | None:
+    """The factor on the commands of `run`; None where it does not say most of what a fit of this run apart would.
+    `none` is the fit without a factor, `own` the objective of the run fitted by itself."""
     names = [p.name for p in problem.parameters]
-    own = f"{RUN}{run}/{BATTERY}"
-    if own not in names:
+    supply = f"{RUN}{run}/{BATTERY}"
+    if supply not in names:
         return None
-    i, battery = names.index(own), problem.parameters[names.index(BATTERY)]
+    i, battery = names.index(supply), problem.parameters[names.index(BATTERY)]
     p, unit = problem.parameters[i], battery.rate  # what a deviation of one is, in the factor's logarithm
     free = replace(
         problem, parameters=tuple(replace(q, spread=GUESS / unit) if q is p else q for q in problem.parameters)
     )
-    none = gauss_newton(problem, z, iterations=ITERATIONS)
     starts = [np.where(np.arange(len(z)) == i, size / GUESS, none.z) for size in FACTORS]
     best = min((gauss_newton(free, at, iterations=ITERATIONS) for at in starts), key=lambda m: m.normal.objective)
     joint = none.normal.objective
     gained = joint - best.normal.objective - math.log(GUESS / unit / p.spread)
     others = [other for other in range(len(problem.recordings)) if other != run]
-    separate = joint - sum(_fitted(problem, z, part)[2].objective for part in ([run], others))
+    separate = joint - own - _fitted(problem, z, others)[2].objective
     if gained < max(LEAST_GAIN, MOST_OF_IT * separate):
         return None
     slope = np.zeros(len(z))

@@ -6,12 +6,13 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.atomic import finite
+from upright.calibrate.parameters import Parameter
 from upright.errors import InvalidRobot
 from upright.physics.linear import rolling, unstable_pole
 from upright.robots import Kit, Robot
@@ -56,7 +57,8 @@ FOREIGN = 6.0
 class Estimate:
     """A number with its 95 % interval, the prior it had (value and one standard deviation), and the verdict on it.
 
-    `shift` is how far it moved, and `shrink` how uncertain it still is, in deviations of its prior.
+    `shift` is how far it moved, and `shrink` how uncertain it still is, in deviations of its prior: those of the
+    number, or of its logarithm, by its `scale`.
     """
 
     name: str
@@ -70,6 +72,12 @@ class Estimate:
     shift: float
     shrink: float
     guess: bool = False
+    scale: Literal["linear", "logarithm"] = "linear"
+
+    @property
+    def asked(self) -> Parameter:
+        """The number with its prior, as it was asked."""
+        return Parameter(self.name, self.unit, self.prior, self.prior_spread, self.scale)
 
     @property
     def spread(self) -> float:

@@ -12,8 +12,8 @@ from functools import partial
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.calibrate.effects import respread
 from upright.calibrate.fitting import STICKING, Normal, Path, Problem, normal_equations, objective
 from upright.calibrate.gauss_newton import gauss_newton
@@ -22,8 +22,6 @@ from upright.calibrate.parameters import ROLLING, most_friction
 from upright.calibrate.process_noise import NOISE_TIME, process
 from upright.logs.recording import SENSOR
 from upright.physics.dynamics import motor_gain
-
-Array = NDArray[np.float64]
 
 
 class Fitted(NamedTuple):

@@ -12,8 +12,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.calibrate.fitting import Problem
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.refined import Fitted
@@ -23,8 +23,6 @@ from upright.logs.readers import GAINS
 from upright.logs.recording import commanded
 from upright.robots import Kit
 from upright.signals import Log
-
-Array = NDArray[np.float64]
 
 MARGIN = 10.0
 """[nats] of log posterior, readings weighted by their effective sample size, by which commands before the gain must be

@@ -155,7 +155,7 @@ def _estimate(p: Parameter, z: float, spread: float, held: bool) -> Estimate:
     verdict = HELD if held else BOUND if pressed else VISIBLE if spread < HALVED else PRIOR
     return Estimate(
         name=p.name, unit=p.unit, value=float(p.value(z)), low=low, high=high, prior=p.prior, prior_spread=p.spread,
-        verdict=verdict, shift=z, shrink=spread, guess=p.guess,
+        verdict=verdict, shift=z, shrink=spread, guess=p.guess, scale=p.scale,
     )  # fmt: skip
 
 

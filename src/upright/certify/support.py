@@ -90,11 +90,7 @@ class Support:
     @classmethod
     def of_estimate(cls, e: Estimate) -> Support:
         """What a calibration finds of a number that the robot's file states."""
-        linear = math.isclose(e.prior + e.shift * e.prior_spread, e.value, rel_tol=1e-6)
-        wide = SURPRISE * e.prior_spread
-        least, most = (
-            e.prior + side * wide if linear else e.prior * math.exp(side * wide / e.prior) for side in (-1, 1)
-        )
+        least, most = (float(e.asked.value(side * SURPRISE)) for side in (-1, 1))
         name, stated = e.name.replace("_", " "), (e.prior, e.prior_spread)
         return cls(name, e.unit, e.value, e.low, e.high, least, most, stated=stated)
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.diagnose.fall import StuckSensor
+from upright.diagnose.fall import StuckSensor, without
 from upright.diagnose.fault_fits import (
     FaultFit,
     score_of,
@@ -17,7 +17,6 @@ from upright.diagnose.fault_fits import (
 from upright.diagnose.innovations import FilterRun, follow
 from upright.diagnose.remedy import Window
 from upright.diagnose.signatures import Bank
-from upright.signals import Log
 
 Array = NDArray[np.float64]
 
@@ -48,8 +47,7 @@ def jam_or_stuck(run: FilterRun, stuck: StuckSensor, window: Window, bank: Bank)
     side = "left" if stuck.channel.endswith("left") else "right"
     nothing = replace(with_pushes(bank), rest=bank.y, spent=2)
     held = _of_channel(f"{side} motor", nothing, bank, bank, since=max(stuck.start, float(bank.steps[0])))
-    values = np.where(run.log.t > stuck.start, np.nan, run.log[stuck.channel])
-    blind = Log(run.log.t, {**run.log.channels, stuck.channel: values}, run.log.units, run.log.origin)
+    blind = without(run.log, run.log.t > stuck.start, stuck.channel)
     dumb = with_pushes(window.bank(follow(blind, run.robot, run.kit)), against=bank)
     return held.score, dumb.score, held.nis if held.score > dumb.score else dumb.nis
 
@@ -57,8 +55,7 @@ def jam_or_stuck(run: FilterRun, stuck: StuckSensor, window: Window, bank: Bank)
 def goes_beyond(run: FilterRun, stuck: StuckSensor, end: float) -> bool:
     """Whether the body turns faster, the same way, than a gyro that stands still shows, as the other sensors have it up
     to `end` [s]: then it is at the end of its range. Of one that is stuck the rate has any size and sign."""
-    values = np.where(run.log.t >= stuck.start, np.nan, run.log[stuck.channel])
-    blind = follow(Log(run.log.t, {**run.log.channels, stuck.channel: values}, run.log.units), run.robot, run.kit)
+    blind = follow(without(run.log, run.log.t >= stuck.start, stuck.channel), run.robot, run.kit)
     rate = blind.after[(blind.t > stuck.start) & (blind.t <= end) & (blind.row >= 0), 1]
     return len(rate) > 0 and bool(np.mean(np.sign(stuck.reading) * rate > abs(stuck.reading)) > BEYOND)
 

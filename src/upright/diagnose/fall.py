@@ -292,7 +292,8 @@ def blocked(log: Log, robot: Robot, start: float, force: float) -> Blocked | Non
     return Blocked(start, speed, float(after.max())) if stands else None
 
 
-def without(log: Log, rows: Mask) -> Log:
-    """The log without the readings of some rows; its commands stay."""
-    channels = {n: np.where(rows, np.nan, v) if n.startswith("sensor/") else v for n, v in log.channels.items()}
+def without(log: Log, rows: Mask, *sensors: str) -> Log:
+    """The log without the readings of some rows, of these channels or of all sensors; its commands stay."""
+    names = sensors or [name for name in log.channels if name.startswith("sensor/")]
+    channels = {**log.channels, **{name: np.where(rows, np.nan, log[name]) for name in names}}
     return Log(log.t, channels, log.units, log.origin)

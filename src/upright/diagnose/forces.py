@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.compiled.generated import constants
 from upright.diagnose.changes import with_mass
 from upright.diagnose.fault_fits import PUSH_NUMBERS, VISIBLE_SLIP, FaultFit, PushEstimate, score_of, with_pushes
@@ -25,8 +25,6 @@ from upright.physics.dynamics import motor_damping, motor_gain
 from upright.physics.integrate import PREDICTED, substeps
 from upright.physics.linear import linearise
 from upright.robots import PARAMETERS
-
-Array = NDArray[np.float64]
 
 FORCED = {"ramp": 3, "load": 3, "radius": 2, "payload": 4, "slip": 1}
 """Faults that are forces or another robot, and how many numbers they have: onset [s], rise [s] and size; onset and the

@@ -102,7 +102,7 @@ PUSH_LEAVES = 0.065  # of the NIS without any fault, that a fault and a push bes
 LITTLE = 0.3  # of the calm NIS beyond it, which pushes beside one fault leave where it stands for two
 NOISE = 0.1  # of the calm NIS, that counts as nothing left
 FITS_TWO = 2.7  # NIS over the calm one, that two faults may leave
-SURVIVED = 0.1  # [s] after the beginning of what is judged: a fault that shows earlier was there before
+STOOD = 0.1  # [s] after the beginning of what is judged: a fault that shows earlier was there before
 HALF = 0.8  # of the lean that topples, from which a push beside a fault is a cause of its own
 
 JUMP = 0.22  # [m/s] sudden change of the reference speed that asks too much, or
@@ -195,7 +195,7 @@ def _two(evidence: Evidence) -> list[Answer]:
         names = [name_of(fit) for fit in (pair.first, pair.second)]
         first = min(pair.first.onset, pair.second.onset)
         readings = [fit for fit in (pair.first, pair.second) if fit.fault in ("bias", "scale")]
-        if any(fit.onset < evidence.fell_at - SECONDS + SURVIVED for fit in readings):  # the robot stood with it
+        if any(fit.onset < evidence.fell_at - SECONDS + STOOD for fit in readings):  # the robot stood with it
             continue
         if names[0] == names[1] or not all(possible(fit, evidence.fell_at) for fit in (pair.first, pair.second)):
             continue

@@ -120,7 +120,7 @@ class Cases(Shown, tuple[CaseSummary, ...]):
     def worst_first(self) -> list[CaseSummary]:
         """The cases whose falls are counted, the largest fraction that fell first; equal ones in the order of the
         plan."""
-        return sorted((c for c in self if c.chance), key=lambda c: -c.chance.value if c.chance else 0.0)
+        return sorted((c for c in self if c.chance), key=lambda c: -_chance(c).value)
 
     def matters(self) -> dict[str, tuple[CaseSummary, CaseSummary]]:
         """The labels that change the falls, each with the worse and the better of two cases that differ in it alone
@@ -130,9 +130,9 @@ class Cases(Shown, tuple[CaseSummary, ...]):
             alike: dict[tuple[tuple[str, str | float], ...], list[CaseSummary]] = {}
             for case in self.worst_first():
                 alike.setdefault(tuple(item for item in case.labels.items() if item[0] != name), []).append(case)
-            apart = [(c[0], c[-1]) for c in alike.values() if _low(c[0]) > _high(c[-1])]
+            apart = [(c[0], c[-1]) for c in alike.values() if _chance(c[0]).low > _chance(c[-1]).high]
             if apart:
-                pairs[name] = max(apart, key=lambda pair: _value(pair[0]) - _value(pair[1]))
+                pairs[name] = max(apart, key=lambda pair: _chance(pair[0]).value - _chance(pair[1]).value)
         return pairs
 
     def merged(self, without: Collection[str]) -> Cases:
@@ -202,16 +202,8 @@ DRAWN = 40  # cases at most in a figure
 END = 0.2  # [1] of the robots: those with the least, or the largest, values of a drawn number
 
 
-def _value(case: CaseSummary) -> float:
-    return case.chance.value if case.chance else np.nan
-
-
-def _low(case: CaseSummary) -> float:
-    return case.chance.low if case.chance else np.nan
-
-
-def _high(case: CaseSummary) -> float:
-    return case.chance.high if case.chance else np.nan
+def _chance(case: CaseSummary) -> Interval:
+    return case.chance or Interval(np.nan, np.nan, np.nan)
 
 
 def together(cases: Sequence[CaseSummary]) -> Interval:

@@ -56,7 +56,7 @@ def by_name(c: Calibration) -> Figure | None:
     note = f"{note}table). " if bounded or rough else note.partition("Bounded")[0]
     note += "Not visible: the log adds little. σ: standard deviation, of the logarithm where a number must be positive."
     note += f" The 95 % before ends at ± {NORMAL:.0f} σ, or at zero."
-    if any(_z(e, e.high) > FAR for e in drawn):
+    if any(e.asked.coordinate(e.high) > FAR for e in drawn):
         note += " An arrow: the bar goes on."
     if any(e.wider for e in c.parameters):
         note += " Wider: less certain than in the file, because of what the model leaves out."
@@ -77,7 +77,7 @@ def _bars(c: Calibration) -> Drawing:
     for label, (group, colour) in kept.items():
         if group:
             rows = [names.index(e.name) for e in group]
-            value, low, high = ([_z(e, x) for e, x in zip(group, xs, strict=True)]
+            value, low, high = ([e.asked.coordinate(x) for e, x in zip(group, xs, strict=True)]
                                 for xs in zip(*((e.value, e.low, e.high) for e in group), strict=True))  # fmt: skip
             no_dot = [e in bounded and e.name in PARAMETERS for e in group]
             low = [_zero(e) if side else x for e, x, side in zip(group, low, no_dot, strict=True)]
@@ -98,7 +98,7 @@ def _bars(c: Calibration) -> Drawing:
                 else:
                     ax.annotate(text, (min(place, FAR), row), (6, 0), **where)
     every = [e for group, _ in kept.values() for e in group]
-    least = [max(-NORMAL, _zero(e)) if e.name in PARAMETERS and not _logarithmic(e) else -NORMAL for e in every]
+    least = [max(-NORMAL, _zero(e)) if e.name in PARAMETERS and e.scale == "linear" else -NORMAL for e in every]
     ax.barh(
         range(len(every)),
         [NORMAL - x for x in least],
@@ -113,22 +113,6 @@ def _bars(c: Calibration) -> Drawing:
     low = min(low, -1.1 * NORMAL)
     ax.set_xlim(low, high + ROOM * (high - low))
     return legend(figure)
-
-
-def _logarithmic(e: Estimate) -> bool:
-    """Whether the deviations of a number are those of its logarithm, as of what must be positive: the end of its
-    interval is then where the logarithm has it."""
-    if min(e.prior, e.low, e.value) <= 0 or e.high <= e.value:
-        return False
-    half, linear = NORMAL * e.shrink, (e.high - e.value) / e.prior_spread
-    return abs(math.log(e.high / e.value) * e.prior / e.prior_spread - half) < abs(linear - half)
-
-
-def _z(e: Estimate, value: float) -> float:
-    """A value of a number in standard deviations of its prior."""
-    if _logarithmic(e) and value > 0:
-        return math.log(value / e.prior) * e.prior / e.prior_spread
-    return (value - e.prior) / e.prior_spread
 
 
 def _zero(e: Estimate) -> float:

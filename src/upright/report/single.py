@@ -6,8 +6,8 @@ import math
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.comparison import Comparison
 from upright.experiment import motionless, outcome_of, undisturbed
 from upright.experiment.outcome import PUSHED
@@ -22,8 +22,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from upright.signals import Log
-
-Array = NDArray[np.float64]
 
 LASTING = 0.5  # [s] of a push against which a robot leans
 
