@@ -161,6 +161,18 @@ def calibrated(folder: Path, robot: Robot) -> Calibration:
 
 
 @pytest.mark.slow
+def test_a_dead_zone_that_the_robot_does_not_have_is_no_gain() -> None:
+    """The kit of a LEGO NXT has motors with a dead zone of 0.25 V. The gain that the file states is that of an
+    amplifier, and no command reaches full duty: nothing tells a gain from another motor."""
+    bot = Bot(body=1.3, com=0.08, radius=0.04, inertia=4e-3)
+    table = metric(logged(bot, Course(free=10.0, excitation=1.0), seed=21), bot)
+    log = apply(propose(table), replace(table, comments=("gain=2.0 (gyro amplifier)",)))
+    assert np.abs(log["command/left"]).max() < 4.0  # of 8 V
+    (words,) = (note for note in calibrate(log, known(bot)).notes if "states gain" in note)
+    assert "taken as logged" in words
+
+
+@pytest.mark.slow
 def test_a_back_emf_of_the_motor_before_its_gear_is_named(tmp_path: Path) -> None:
     """A fiftieth of what brakes the wheel: friction stood for the rest, 28 deviations of its guess, and the page
     blamed the wheel's radius."""

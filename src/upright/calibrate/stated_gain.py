@@ -84,6 +84,12 @@ def as_meant(
         if likelier < MARGIN:
             notes |= {i: _as_logged(chosen[i], what, value) for value, i, what, _ in sorted(tries, key=lambda t: t[0])}
             break
+        if not _cut_shows(fit, run, chosen[run], log):
+            notes[run] = (
+                f"{_undecided(chosen[run], words)}. Times {log.origin['times']:g} they explain the log better, but a "
+                "stronger motor or a smaller dead zone would do the same: nothing shows that they are cut at full duty."
+            )
+            continue
         anew = [log if i == run else one for i, one in enumerate(chosen)]
         try:
             other = search(anew)
@@ -96,10 +102,17 @@ def as_meant(
             continue
         notes[run] = (
             f"{named(log)} states {words}, and its commands are those before that gain: times {log.origin['times']:g}, "
-            f"up to full duty, they are {likelier:.0f} nats likelier than as logged ({MARGIN:g} are asked)."
+            f"up to full duty, they explain the log better (log posterior {likelier:+.0f}, from {MARGIN:+g} it counts)."
         )
         fit, chosen = other, anew
     return fit, chosen, [notes[run] for run in sorted(notes)]
+
+
+def _cut_shows(fit: Fitted, run: int, logged: Log, amplified: Log) -> bool:
+    """Whether commands times a gain and cut at full duty are likelier than those times it alone: a factor is also what
+    another motor would be, or another dead zone."""
+    factor = amplified.origin["times"] * commands_of(logged)
+    return nats(fit, run, commands_of(amplified)) > nats(fit, run, factor)
 
 
 def _tries(fit: Fitted, logs: Sequence[Log], kit: Kit, notes: set[int]) -> list[tuple[float, int, str, Log]]:
@@ -113,10 +126,16 @@ def _tries(fit: Fitted, logs: Sequence[Log], kit: Kit, notes: set[int]) -> list[
     return [(nats(fit, run, commands_of(other)), run, words, other) for run, words, other in others]
 
 
+def _undecided(log: Log, words: str) -> str:
+    return (
+        f"{named(log)} states {words}, but not whether its commands were logged before or after that gain. They are "
+        "taken as logged"
+    )
+
+
 def _as_logged(log: Log, words: str, likelier: float) -> str:
-    why = f"which are {-likelier:.0f} nats likelier than those before that gain"
     if likelier == -math.inf:
-        why = "since no robot follows the log with those before that gain"
-    elif abs(likelier) < MARGIN:
-        why = f"since it cannot tell: {likelier:+.0f} nats for commands before that gain, and {MARGIN:g} are asked"
-    return f"{named(log)} states {words}: its commands are taken as logged, {why}."
+        return f"{_undecided(log, words)}: times that gain, no robot follows the log."
+    better = "hardly better" if likelier > 0 else "no better" if likelier > -MARGIN else "worse"
+    decides = f"log posterior {likelier:+.0f}, from {MARGIN:+g} it counts"
+    return f"{_undecided(log, words)}: times that gain they explain the log {better} ({decides})."
