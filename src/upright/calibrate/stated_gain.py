@@ -22,14 +22,12 @@ from upright.logs.raw import named
 from upright.logs.readers import GAINS
 from upright.logs.recording import commanded
 from upright.robots import Kit
-from upright.signals import Log
+from upright.signals import SIDES, Log
 
 MARGIN = 10.0
 """[nats] of log posterior, readings weighted by their effective sample size, by which commands before the gain must be
 likelier, at the noise of either fit: odds of e¹⁰, twenty thousand to one. A gain in a header may be of anything."""
 ITERATIONS = 10  # of Gauss–Newton, from each start
-
-SIDES = ("left", "right")
 
 
 def stated_gains(log: Log) -> dict[str, float]:

@@ -20,11 +20,10 @@ from upright.physics.dynamics import turn_ratio
 from upright.physics.linear import LinearModel, delay_line, linearise_rolling
 from upright.physics.sensing import sensor_matrix
 from upright.robots import Kit, Robot, Sensor
-from upright.signals import STATE_NAMES
+from upright.signals import SIDES, STATE_NAMES
 
 RAW = ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro")
 GYRO = RAW[2]
-SIDES = ("left", "right")
 
 _SAME = 1e-9  # of a period: equal times may differ by rounding
 _FINEST = 1e-10  # [unit²] variance of a sensor said to be perfect, so that the filter stays defined

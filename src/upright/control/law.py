@@ -24,9 +24,8 @@ from upright.control.linear_controller import LinearController, as_linear
 from upright.control.mpc import PredictiveController, Splitting
 from upright.control.sliding import SlidingMode
 from upright.errors import InvalidController
-from upright.signals import STATE_NAMES
+from upright.signals import SIDES, STATE_NAMES
 
-SIDES = ("left", "right")
 ROUNDING = 1e-13  # relative: what a product of matrices leaves of a zero
 
 

@@ -11,11 +11,10 @@ from upright.doctor.poses import segments
 from upright.doctor.time import unit
 from upright.doctor.wrapped import wrapped
 from upright.errors import InvalidLog
-from upright.logs.names import SIDES
 from upright.logs.outliers import in_words
 from upright.logs.raw import RATES
 from upright.logs.recording import commanded
-from upright.signals import Log
+from upright.signals import SIDES, Log
 
 FITTED = (*ON_WHEELS, FALLING)
 """Poses that the equations describe: until it reaches the floor, a robot that falls rolls on its wheels."""

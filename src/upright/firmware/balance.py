@@ -20,7 +20,7 @@ from upright.arrays import Array
 from upright.compiled.program import Program, Repeat
 from upright.compiled.tracer import Form, Tracer
 from upright.control.controller import Controller, controller_hash
-from upright.control.law import SIDES, command_forms, dot, memory_forms
+from upright.control.law import command_forms, dot, memory_forms
 from upright.errors import SpecMismatch
 from upright.firmware.incremental import incremental
 from upright.firmware.readings import calibrate, inputs, kept, moved, numbers, reading
@@ -44,7 +44,7 @@ from upright.firmware.setup import (
 )
 from upright.firmware.targets import BATTERY, COMPASS, ENCODERS, GYRO, Driver, driver, find_target, largest
 from upright.robots import Kit, Robot
-from upright.signals import STATE_NAMES
+from upright.signals import SIDES, STATE_NAMES
 
 
 def trace(

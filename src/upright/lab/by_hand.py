@@ -9,11 +9,11 @@ from upright.compiled.tracer import Form, Tracer
 from upright.control.delay import RAW, sampled
 from upright.control.feedback import StateFeedback
 from upright.control.kalman import RECOVERED, kalman_filter
-from upright.control.law import SIDES, as_law, dot, program
+from upright.control.law import as_law, dot, program
 from upright.control.observed import observed
 from upright.control.observer import observer, steady_state
 from upright.robots import Kit, Robot
-from upright.signals import STATE_NAMES
+from upright.signals import SIDES, STATE_NAMES
 
 
 def gains_program(robot: Robot, kit: Kit) -> Program:

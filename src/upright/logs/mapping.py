@@ -21,7 +21,6 @@ from upright.logs.names import (
     GYRO,
     OTHER_GYRO,
     RATE,
-    SIDES,
     by_letter,
     direction_of,
     is_motor,
@@ -31,7 +30,7 @@ from upright.logs.names import (
 from upright.logs.readers import DECIMATION, GAINS, RawTable
 from upright.logs.units import UNITS
 from upright.reading import check_types, parse_toml, read_text, understood
-from upright.signals import Log
+from upright.signals import SIDES, Log
 from upright.signals.header import TIME
 from upright.signals.signal import KNOWN
 

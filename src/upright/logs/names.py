@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
+from upright.signals import SIDES
 from upright.signals.header import TIME
 
 GYRO = "sensor/gyro"
@@ -34,14 +35,14 @@ _BODY_RATE = (
     r"|(?:gyro|\bgyr|gir[oó](?:sc[oó]pio)?)(?! (?:x|z|off\w*|bias|temp\w*)\b)(?: (?:y|raw|rate|spd|speed))?\b|\bg ?y\b"
     r"|angular (?:velocity|rate) y\b"
 )
-SIDES = {"left": r"(?:l|left|izq\w*)", "right": r"(?:r|right|der(?:echa|echo)?)"}
+SIDE_WORDS = {"left": r"(?:l|left|izq\w*)", "right": r"(?:r|right|der(?:echa|echo)?)"}
 
 _WORDS: Sequence[tuple[str, str]] = (
-    *((rf"^(?!.*\b{_RATE}\b)(?=.*\b(?:{_DRIVEN})\b).*\b{s}\b|^m {s}$", f"command/{n}") for n, s in SIDES.items()),
-    (rf"{_ENCODER}{SIDES['left']}\b|\b{SIDES['left']} ?{_WHEEL}", "sensor/encoder_left"),
-    (rf"{_ENCODER}{SIDES['right']}\b|\b{SIDES['right']} ?{_WHEEL}", "sensor/encoder_right"),
-    *((rf"\b{_RATE} ?{s}\b|\b{s} {_RATE}\b", f"{RATE}sensor/encoder_{name}") for name, s in SIDES.items()),
-    *((rf"{_COMMAND} ?{s}\b|\b{s} {_COMMAND}\b", f"command/{name}") for name, s in SIDES.items()),
+    *((rf"^(?!.*\b{_RATE}\b)(?=.*\b(?:{_DRIVEN})\b).*\b{s}\b|^m {s}$", f"command/{n}") for n, s in SIDE_WORDS.items()),
+    (rf"{_ENCODER}{SIDE_WORDS['left']}\b|\b{SIDE_WORDS['left']} ?{_WHEEL}", "sensor/encoder_left"),
+    (rf"{_ENCODER}{SIDE_WORDS['right']}\b|\b{SIDE_WORDS['right']} ?{_WHEEL}", "sensor/encoder_right"),
+    *((rf"\b{_RATE} ?{s}\b|\b{s} {_RATE}\b", f"{RATE}sensor/encoder_{name}") for name, s in SIDE_WORDS.items()),
+    *((rf"{_COMMAND} ?{s}\b|\b{s} {_COMMAND}\b", f"command/{name}") for name, s in SIDE_WORDS.items()),
     (r"\b(?:pitch|tilt|lean|inclin\w*)(?: (?:rad|deg|x10|est\w*|angle))*$|gyro ?(?:ang\w*|est\w*)", "estimate/pitch"),
     (_BODY_RATE, GYRO),
     (r"gyro x\b|\bg ?x\b", OTHER_GYRO),

@@ -15,13 +15,12 @@ from upright.bodies.electronics import drive
 from upright.compiled.fixed import fractions, memory
 from upright.compiled.program import Kind, Program
 from upright.control.controller import Controller, ControllerSpec
-from upright.control.law import SIDES
 from upright.firmware.setup import CALIBRATION_TIME
 from upright.firmware.targets import BATTERY, COMPASS, GYRO, OFFSET
 from upright.firmware.tools import ExecutionFailed
 from upright.parity.executor import Executor, Values
 from upright.robots import Battery, Kit
-from upright.signals import STATE_NAMES
+from upright.signals import SIDES, STATE_NAMES
 
 TOLERANCE = {"double": 1e-6, "float": 1e-4}
 """The largest difference of a command [V or N m] from the design's, by arithmetic; fixed point states its own."""

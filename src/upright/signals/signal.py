@@ -47,12 +47,13 @@ ESTIMATE = _prefixed("estimate")
 REFERENCE = _prefixed("reference")
 
 
+SIDES = ("left", "right")
+
+
 def command_signals(unit: str) -> tuple[Signal, ...]:
     """The two commands asked for and the two really applied, in the drive's `unit` (V or N m)."""
     return tuple(
-        Signal(f"{prefix}/{side}", unit, f"u_{side[0]}")
-        for prefix in ("command", "applied")
-        for side in ("left", "right")
+        Signal(f"{prefix}/{side}", unit, f"u_{side[0]}") for prefix in ("command", "applied") for side in SIDES
     )
 
 
