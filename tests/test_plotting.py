@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -64,6 +65,13 @@ def test_a_calibration_draws_estimates_against_the_prior() -> None:
     assert [tick.get_text() for tick in ax.get_yticklabels()] == ["body mass"]  # a prior without spread has no scale
     assert ax.lines[0].get_xdata().tolist() == [2.0]  # (3 − 2) kg over 0.5 kg
     assert ax.collections[0].get_segments()[0][:, 0].tolist() == [0.0, 5.0]  # (2 − 2) / 0.5 and (4.5 − 2) / 0.5
+
+
+def test_what_must_be_positive_is_drawn_by_its_logarithm() -> None:
+    mass = replace(estimate("body_mass", 0.5), scale="logarithm")  # half a kilogram of two: σ is a quarter of e
+    (ax,) = replace(calibration(), parameters=(mass,)).plot().axes
+    assert ax.lines[0].get_xdata()[0] == pytest.approx(4 * np.log(3 / 2))
+    assert ax.collections[0].get_segments()[0][:, 0] == pytest.approx([0.0, 4 * np.log(4.5 / 2)])
 
 
 def test_an_analysis_draws_bode_on_logarithmic_axes(analysis: Analysis) -> None:

@@ -294,14 +294,12 @@ class Calibration(Shown):
         }  # fmt: skip
 
     def plot(self) -> Figure:
-        """Each parameter's estimate and 95 % interval against its prior, in standard deviations of the prior; what the
-        log determines best comes first."""
+        """Each parameter's estimate and 95 % interval against its prior, in standard deviations of the prior (of the
+        logarithm where that has them); what the log determines best comes first."""
         from upright.plotting import intervals, legend, span
 
         known = sorted((e for e in self.parameters if 0 < e.prior_spread < np.inf), key=lambda e: e.shrink)
-        numbers = np.array([[e.value, e.low, e.high] for e in known]).reshape(-1, 3)
-        prior, spread = np.array([(e.prior, e.prior_spread) for e in known]).reshape(-1, 2, 1).swapaxes(0, 1)
-        shifts = (numbers - prior) / spread
+        shifts = np.array([[e.asked.coordinate(x) for x in (e.value, e.low, e.high)] for e in known]).reshape(-1, 3)
         x_label = "difference from the value before [its standard deviations]"
         figure = intervals([e.name for e in known], shifts[:, 0], shifts[:, 1:], x_label, "parameter")
         span(figure.axes, -NORMAL, NORMAL, "95 % before this log")
