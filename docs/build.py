@@ -25,8 +25,9 @@ from sphinx.cmd.build import build_main
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
-sys.path[:0] = [str(ROOT / "notebooks")]
+sys.path[:0] = [str(ROOT / "notebooks"), str(HERE)]
 import build as notebooks  # noqa: E402
+from sentences import parts_of  # noqa: E402
 
 PARTS = {
     "Start": ("start", "first-robot", "lab"),
@@ -183,14 +184,16 @@ WHOM = re.compile(r"\A(?:---\n.*?---\n)?# [^\n]+\n\n\*(.+?)\*\n", re.DOTALL)
 
 
 def _about(source: Path, site: Path) -> None:
-    """For whom each page is, which stands below it where it is found: `site.js` shows it."""
+    """For whom each page is, and its sentences, which stand below it where it is found: `site.js` shows them."""
     pages = {
         page.relative_to(source).with_suffix("").as_posix(): page.read_text("utf-8") for page in source.rglob("*.md")
     }
     whom = {
         name: " ".join(found[1].replace("`", "").split()) for name, text in pages.items() if (found := WHOM.match(text))
     }
-    _write(site / "_static" / "about.js", f"window.aboutPages = {json.dumps(whom, ensure_ascii=False)};\n")
+    texts = {name: text for name in pages if (text := parts_of((site / f"{name}.html").read_text("utf-8")))}
+    about = json.dumps({"whom": whom, "texts": texts}, ensure_ascii=False, separators=(",", ":"))
+    _write(site / "_static" / "about.js", f"window.aboutPages = {about};\n")
 
 
 def _texts(source: Path) -> list[str]:

@@ -21,9 +21,10 @@ from upright.comparison import (
     saturated_fraction,
     settling_time,
 )
+from upright.comparison.swaying import LEVEL, answer
 from upright.control import StateFeedback, lqg, lqr
 from upright.errors import InvalidLog, UnknownName
-from upright.experiment import Hold, motionless, outcome_of, run, undisturbed
+from upright.experiment import Hold, Impulse, motionless, outcome_of, run, undisturbed
 from upright.report.comparing import page_of
 from upright.report.metrics import around, left_out, metrics_table
 from upright.robots import Robot, find_kit, find_robot
@@ -376,3 +377,52 @@ def test_settling_times_that_noise_decides_are_one_number() -> None:
     texts = [page_of(compare({"a": swung(0.0), "b": swung(size)})).numbers[-1] for size in (0.018, 0.06)]
     assert texts[0][0].startswith("about ")
     assert not texts[1][0].startswith("about ")
+
+
+def swaying(rng: np.random.Generator, answered: float, sway: float = 1.0) -> np.ndarray:
+    """60 s of a decaying answer to a push at 5 s, and a sway of 0.1 s correlation (a first-order filter of noise)."""
+    t = np.arange(6000) * 0.01
+    noise, keep = np.zeros(6000), math.exp(-0.01 / 0.1)
+    for k, shock in enumerate(rng.normal(0.0, math.sqrt(1 - keep**2), 5999), start=1):
+        noise[k] = keep * noise[k - 1] + shock
+    push = t >= 5.0
+    return sway * noise + answered * push * np.exp(-np.where(push, t - 5.0, 0.0) / 0.3)
+
+
+@pytest.mark.parametrize(("other", "sway", "most"), [(20.0, 1.0, 1.0), (14.0, 1.0, 0.2), (20.0, 3.0, 0.0)])
+def test_two_runs_differ_by_sway_only_where_the_answer_to_the_push_is_the_same(
+    other: float, sway: float, most: float
+) -> None:
+    """The same answer is called another one in LEVEL of all cases: of 60 in no more than 10, but for one in a thousand.
+
+    An answer smaller by 6 of 20 (with a sway of 1, over 1 s 6 e^{-t/0.3} has a root mean square of 2.3, that of the
+    difference of two sways 1.4) is found in most cases, a sway of three times the size in all.
+    """
+    rng, t = np.random.default_rng(20261125), np.arange(6000) * 0.01
+    found = [answer(t, swaying(rng, 20.0), swaying(rng, other, sway), ((5.0, 5.01),), 1.0) for _ in range(60)]
+    share = sum(one is not None and one.sway_only for one in found) / 60
+    assert share <= most
+    assert most < 1.0 or share >= 1 - 10 / 60
+    assert LEVEL == 0.05
+
+
+def test_a_short_run_says_nothing_of_its_sway() -> None:
+    rng, t = np.random.default_rng(1), np.arange(2000) * 0.01
+    one, other = swaying(rng, 20.0)[:2000], swaying(rng, 20.0)[:2000]
+    assert answer(t, one, other, ((5.0, 5.01),), 1.0) is None  # 14 windows of 1 s at rest, and 19 are needed
+    assert answer(t, one, other, ((5.0, math.inf),), 1.0) is None  # a push that never ends
+    assert answer(t, one, other, (), 1.0) is None
+    assert answer(t, one, other, ((5.0, 5.01),), math.nan) is None  # a run that never rests
+
+
+def test_a_long_run_that_noise_makes_another_one_is_no_poor_fit() -> None:
+    """The same robot twice, with other noise: most of 30 s is sway, so that the fit of the whole is poor."""
+    kit = find_kit("nxt")
+    body, law = Electronics(NonlinearBody(NXT), kit), lqg(NXT, kit)
+    push = Impulse(impulse=0.05, start=2.0)
+    compared = compare({f"run {seed}": run(body, law, push, seconds=30.0, seed=seed) for seed in (31, 32)})
+    page = page_of(compared)
+    assert compared.fits["run 32"]["pitch"] < 50
+    assert page.title == "Run 32: no further from run 31 than by their sway at rest"
+    assert page.verdict is not None
+    assert page.verdict.level == "good"

@@ -141,6 +141,14 @@ def test_in_a_browser_from_a_folder(site: Path, browser: Any, width: int) -> Non
     page.goto((site / "search.html").as_uri() + "?q=kalman")
     page.wait_for_selector("#search-results li a")
     page.wait_for_selector("#search-results li a[href^='notebooks/es'] ~ .whom:text('Para estudiantes')")
+    for language, other in (("en", "es"), ("es", "en")):  # first the pages of one's own, each with what it says of it
+        page.goto((site / f"notebooks/{language}/index.html").as_uri())
+        page.locator(".sidebar-search").first.evaluate("(box) => { box.value = 'kalman'; box.form.submit(); }")
+        page.wait_for_selector(f"#search-results li a[href^='notebooks/{other}']")
+        found = page.eval_on_selector_all("#search-results li > a", "(all) => all.map((a) => a.getAttribute('href'))")
+        own = [k for k, name in enumerate(found) if ("/es/" in name or ".es." in name) == (language == "es")]
+        assert own == list(range(len(own))), found
+        assert "Kalman" in page.inner_text(f"#search-results li:has(a[href^='notebooks/{language}/3_lqg']) mark")
     page.close()
     assert not [url for url in asked if not url.startswith(("file:", "data:"))]
     assert not errors

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from upright.atomic import finite
-from upright.comparison import metrics, resting
+from upright.comparison import metrics, resting, swaying
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import outcome_of
 from upright.signals import STATE_NAMES, Log
@@ -174,6 +174,16 @@ class Comparison(Shown):
         `resting.at_rest`; where the run never rests NaN and 5 % of its largest pitch."""
         seconds, within = resting.at_rest({name: self.released(name) for name in self.logs}, label)
         return seconds, 0.05 * abs(self.metrics[label].pitch_peak) if math.isnan(seconds) else within
+
+    def answer(self, label: str, name: str = "pitch") -> swaying.Answer | None:
+        """How a run and the reference answer the pushes until both are at rest: `swaying.answer`."""
+        one, log = self.logs[self.reference], self.logs[label]
+        t = one.t[(one.t >= log.t[0]) & (one.t <= log.t[-1])]
+        names = (f"{self.sources[self.reference]}/{name}", f"{self.sources[label]}/{name}")
+        rest = max(self.at_rest(each)[0] for each in (self.reference, label))
+        return swaying.answer(
+            t, one[names[0]][np.isin(one.t, t)], np.interp(t, log.t, log[names[1]]), self.pushed, rest
+        )
 
     def listing(self) -> Listing:
         """Metrics and fits, one column for each log."""

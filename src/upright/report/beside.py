@@ -109,6 +109,20 @@ def both_runs(comparison: Comparison, name: str, label: str) -> tuple[Array, Arr
     return t, one, np.interp(t, log.t, log[f"{comparison.sources[label]}/{name}"])
 
 
+def sways_only(comparison: Comparison) -> bool:
+    """Whether no run differs from the reference in pitch by more than both sway at rest, while a push is answered."""
+    answers = [comparison.answer(label) for label, fit in comparison.fits.items() if math.isfinite(fit["pitch"])]
+    return bool(answers) and all(answer is not None and answer.sway_only for answer in answers)
+
+
+def fit_number(comparison: Comparison, label: str, fit: float) -> tuple[str, str]:
+    """How well a run's pitch fits: while a push is answered, where the runs differ by their sway only."""
+    of = f"fit of {label} to {comparison.reference} in pitch"
+    if fit < FAIR and sways_only(comparison) and (answer := comparison.answer(label)):
+        return percent(answer.fit), f"{of}, from the push until both are calm; later each sways by itself"
+    return percent(fit), f"{of}; good from {CLOSE:g} %"
+
+
 def certify_command(robot: str, kind: str) -> str:
     """The command that certifies a controller of a robot, as far as both are known."""
     from upright.control.methods import OURS

@@ -19,8 +19,10 @@ from upright.report.beside import (
     averaged_over,
     both_runs,
     certify_command,
+    fit_number,
     grazes,
     mark_largest,
+    sways_only,
     with_difference,
     worse,
     worst_state,
@@ -41,7 +43,7 @@ from upright.report.single import (
     untouched_title,
     way,
 )
-from upright.tables import sentence
+from upright.tables import joined, sentence
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -101,6 +103,14 @@ def _title(comparison: Comparison, first: str) -> str:
     fits = _fits(comparison, first)
     if not fits:
         return f"{', '.join(labels)} compared"
+    if first == "pitch" and min(fits.values()) < FAIR and sways_only(comparison):
+        names = sentence(joined(list(fits)) if len(fits) < NAMED else f"{len(fits)} runs", "")
+        return f"{names}: no further from {comparison.reference} than by their sway at rest"
+    return _worst(comparison, fits, first)
+
+
+def _worst(comparison: Comparison, fits: dict[str, float], first: str) -> str:
+    """Of the worst run how well it fits."""
     worst = min(fits, key=lambda label: fits[label])
     follows = "follows" if fits[worst] >= FAIR else "does not follow"
     if len(fits) == 1:
@@ -196,6 +206,8 @@ def _verdict(comparison: Comparison) -> Verdict | None:
     fits = _fits(comparison, first)
     if fits:
         worst = min(fits.values())
+        if worst < FAIR and first == "pitch" and sways_only(comparison):
+            return Verdict("pitch: differs by sway only", "good")
         levels = {"good": "good", "fair": "warn", "poor": "bad"}
         return Verdict(f"{words(first)}: {_grade(worst)} fit, {_RANGES[_grade(worst)]}", levels[_grade(worst)])
     if untouched(comparison):
@@ -218,7 +230,7 @@ def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
         kept = [calm] if comparison.pushed and not m.fell else []
         return [(degrees(m.pitch_peak), "largest pitch"), *kept, travel(comparison, label)]
     fits = [
-        (percent(fit["pitch"]), f"fit of {label} to {comparison.reference} in pitch; good from {CLOSE:g} %")
+        fit_number(comparison, label, fit["pitch"])
         for label, fit in list(comparison.fits.items())[:1]
         if math.isfinite(fit.get("pitch", math.nan))
     ]

@@ -73,7 +73,14 @@ export class Tour {
     (key(used) ?? key("set") ?? key("next"))?.focus({ preventScroll: small.matches });
     const panel = this.root.parentElement;
     if (panel) panel.scrollTop = 0;
-    if (small.matches && this.root.getBoundingClientRect().top < 0) panel?.parentElement?.scrollIntoView(); // each step is seen from its title on
+    if (small.matches) this.upward(panel?.parentElement?.querySelector(".tabs"));
+  }
+
+  /** Each step is seen from its title on: below the robot, where a phone docks it. */
+  private upward(tabs?: Element | null): void {
+    if (!tabs) return;
+    const docked = Math.max(...[tabs, document.documentElement].map((one, i) => parseFloat(getComputedStyle(one)[i ? "scrollPaddingTop" : "scrollMarginTop"]) || 0));
+    if (this.root.getBoundingClientRect().top < docked + tabs.clientHeight) (docked ? tabs : tabs.parentElement)?.scrollIntoView();
   }
 
   /** The robot, controller and speed as they were before the tour. */
