@@ -175,7 +175,7 @@ class Comparison(Shown):
         seconds, within = resting.at_rest({name: self.released(name) for name in self.logs}, label)
         return seconds, 0.05 * abs(self.metrics[label].pitch_peak) if math.isnan(seconds) else within
 
-    def answer(self, label: str, name: str = "pitch") -> swaying.Answer | None:
+    def answer(self, label: str, name: str = "pitch") -> swaying.Answered | None:
         """How a run and the reference answer the pushes until both are at rest: `swaying.answer`."""
         one, log = self.logs[self.reference], self.logs[label]
         t = one.t[(one.t >= log.t[0]) & (one.t <= log.t[-1])]

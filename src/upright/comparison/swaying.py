@@ -16,14 +16,14 @@ LEVEL = 0.05
 to differ. So 19 windows at rest are needed for each push, or nothing is said."""
 
 
-class Answer(NamedTuple):
+class Answered(NamedTuple):
     """Two runs from a push until both are near zero: the fit [%], and whether they differ by no more than they sway."""
 
     fit: float
     sway_only: bool
 
 
-def answer(t: Array, one: Array, other: Array, pushes: tuple[tuple[float, float], ...], rest: float) -> Answer | None:
+def answer(t: Array, one: Array, other: Array, pushes: tuple[tuple[float, float], ...], rest: float) -> Answered | None:
     """Runs `one` and `other` (n,) at the times t (n,) [s] of even steps, each push answered for `rest` [s] more.
 
     While a push is answered the root mean square of the difference is compared with that of every window of the same
@@ -44,7 +44,7 @@ def answer(t: Array, one: Array, other: Array, pushes: tuple[tuple[float, float]
     largest = max(rms(apart[(t >= start) & (t < stop)]) for start, stop in spans)
     limit = float(np.quantile(windows, 1 - LEVEL / len(spans)))
     alike = 1 / STEADY <= ratio <= STEADY
-    return Answer(nrmse_fit(one[answered], other[answered]), bool(alike and largest <= limit))
+    return Answered(nrmse_fit(one[answered], other[answered]), bool(alike and largest <= limit))
 
 
 def _windows(apart: Array, calm: np.ndarray, length: int) -> Array:
