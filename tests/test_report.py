@@ -20,7 +20,7 @@ from upright.comparison.bench import Bench, BenchRow
 from upright.decimate import decimate
 from upright.errors import InvalidLog, UnknownName, UprightError
 from upright.experiment.pushes import Impulse, Slope
-from upright.fleet.binomial import clopper_pearson
+from upright.fleet.binomial import clopper_pearson, upper_bound
 from upright.fleet.fleet import ensemble_of
 from upright.fleet.tally import Cases, CaseSummary, Moments
 from upright.plotting import (
@@ -414,7 +414,9 @@ def test_a_campaign_is_ranked_by_falls_and_what_nobody_survived_has_a_dash():
     (ax,) = cases.plot().axes
     assert [label.get_text() for label in ax.get_yticklabels()] == ["b", "a"]
     html = page_of(cases).html().replace("\u00a0", " ")
-    assert "With b 96 to 100 % of the robots fall, with a at most 3.6 %" in html  # 1 − 0.025^(1/100) = 3.6 %
+    assert (
+        "With b 96 to 100 % of the robots fall, with a at most 3 %" in html
+    )  # as in the figure: 1 − 0.05^(1/100) = 2.95 %
     rows = [re.findall(r"<td[^>]*>([^<]*)</td>", row) for row in re.split("<tr[^>]*>", html)]
     assert ["a", "0", "3"] in rows
     assert ["b", "100", "–"] in rows
@@ -433,7 +435,7 @@ def test_a_campaign_names_the_cases_that_fall_and_not_their_mean_with_those_that
     assert page.title == "All 100 b robots fall when knocked; in the other cases at most 3 of 100 do"
     assert [value for value, _ in page.numbers] == ["100 %", "3 %", "2 of 4"]
     assert page.verdict == Verdict("in 1 of 4 cases more fall than the 5 % that a certificate allows", "bad")
-    assert "100 simulated variations of a or b." in page.lead
+    assert "4 cases = 2 robots × 2 scenarios, each with 100 simulated variations of its robot." in page.lead
 
 
 def campaign_of(fell, n=200):
@@ -460,9 +462,13 @@ def test_the_next_worst_case_of_a_campaign_is_the_next_row_of_its_chart():
     low, high = clopper_pearson(9, 200)[1:]
     assert f"(95 %: {100 * low:.2g} to {100 * high:.2g} %)" in page.numbers[1][1]
     # 9 of 200 [2.1, 8.4] % are apart from 0 of 200 [0, 1.8] %: on b's slope the controller matters
-    assert "The motor.dead_zone makes no clear difference" in page.lead.replace("dead zone", "motor.dead_zone")
-    assert "On b, slope, the controller matters: 4.5 % fall with hinf, none with lqr." in page.lead
+    note = page.picture.note
+    assert "the runs with dead zone 0 and dead zone 0.4 together: that makes no clear difference." in note
+    assert "On b, slope, the controller matters: 4.5 % fall with hinf, none with lqr." in note
     assert len(rows) == 8  # of 16 cases: both dead zones in one row
+    # where none of the 200 fell, the line ends at the tile's bound, 1 − 0.05^(1/200), and not at a two-sided one
+    (lines,) = ax.collections
+    assert lines.get_segments()[-1][:, 0].tolist() == pytest.approx([0.0, 100 * upper_bound(0, 200)])
 
 
 def test_numbers_are_rounded_as_readers_round():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 
@@ -11,6 +12,11 @@ class Interval(NamedTuple):
     value: float
     low: float
     high: float
+
+    @property
+    def top(self) -> float:
+        """The upper end that is shown: where none was counted, that of `upper_bound` at the same confidence (95 %)."""
+        return self.high if self.value else 1 - (1 - self.high) ** (math.log(0.05) / math.log(0.025))
 
 
 def clopper_pearson(count: int, n: int, confidence: float = 0.95) -> Interval:

@@ -160,7 +160,7 @@ class Cases(Shown, tuple[CaseSummary, ...]):
         names, worst, effects = self.names(), self.worst_first()[:DRAWN], self.effects()
         chances = [c.chance or Interval(np.nan, np.nan, np.nan) for c in worst]
         figure, ax = rows_of([names[self.index(case)] for case in worst], "robots that fell [%]", "case")
-        percent = 100 * np.array(chances).reshape(-1, 3)
+        percent = 100 * np.array([(c.value, c.low, c.top) for c in chances]).reshape(-1, 3)
         first, levels = next(iter(effects.items()), ("", {}))
         marks = [case.labels.get(first, "") for case in worst]
         for k, level in enumerate(levels if 1 < len(levels) < len(COLOURS) else [None]):

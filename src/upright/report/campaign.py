@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 from upright.certify.verdict import MOST_FALLS
 from upright.fleet.binomial import Interval, upper_bound
 from upright.fleet.ensemble import SETTLED
-from upright.fleet.tally import Cases, CaseSummary, together
+from upright.fleet.tally import END, Cases, CaseSummary, together
 from upright.plotting import AXIS, MANY, legend, number
 from upright.report.figure import Figure
 from upright.report.knocks import harder, pushed, where
-from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict
-from upright.report.spreads import matter_table, spread_table
+from upright.report.page import Cell, Page, Section, Table, Verdict
+from upright.report.spreads import directions, matter_table, product, spread_table
 from upright.tables import joined, sentence, spoken
 
 if TYPE_CHECKING:
@@ -24,12 +24,14 @@ if TYPE_CHECKING:
 def page_of(cases: Cases) -> Page:
     """The campaign's page, not yet written."""
     shown = _shown(cases)
-    listed: list[Item] = [_table(cases), *_leaning(cases)]
-    if shown is not cases:
-        listed = [Details(f"All {len(cases)} cases in numbers", listed)]
-    sections = [Section("Cases", listed)]
-    if drawn := cases.drawn():
-        sections.append(Section("Varied parameters that matter", [matter_table(cases, drawn)]))
+    drawn, listed = cases.drawn(), [_table(cases), *_leaning(cases)]
+    sections = (
+        [Section("Varied parameters that matter", [*directions(drawn), matter_table(cases, drawn)])] if drawn else []
+    )
+    if shown is cases:
+        sections.insert(0, Section("Cases", listed))
+    else:
+        sections.append(Section(f"All {len(cases)} cases in numbers", listed, folded=True))
     if _one_robot(cases) and cases.spreads:
         sections.append(Section("What varies", [spread_table(cases.spreads, cases.units)], folded=True))
     counted = cases.worst_first()
@@ -61,8 +63,8 @@ def _note(cases: Cases) -> str:
     if _shown(cases) is not cases:
         known = cases.varied()
         named = [joined([cases.labelled(name, level) for level in known[name]]) for name in _alike(cases)]
-        note += f" A row counts the runs with {', '.join(named)} together."
-    return note.strip()
+        note += f" A row counts the runs with {', '.join(named)} together: that makes no clear difference."
+    return f"{note}{_sometimes(cases)}".strip()
 
 
 def _made(cases: Cases) -> dict[str, str]:
@@ -109,7 +111,7 @@ def falls_verdict(fallen: int, all_of_them: int, harder: str = "") -> Verdict:
     bound = upper_bound(fallen, all_of_them)
     few = bound <= MOST_FALLS
     if harder and not few:
-        return Verdict("harder than upright certify pushes", "warn")
+        return Verdict("knock beyond the certificate's range", "warn")
     level = "bad" if fallen > MOST_FALLS * all_of_them else "good" if few else "warn"
     return Verdict(f"up to {_percent(bound)} may fall: {'below' if few else 'above'} the {limit}", level)
 
@@ -199,7 +201,7 @@ def _chance(case: CaseSummary) -> str:
 
 def _within(chance: Interval) -> str:
     """A 95 % interval of a probability, or its upper end where none fell."""
-    low, high = number(100 * chance.low, 2), number(100 * chance.high, 2)
+    low, high = number(100 * chance.low, 2), number(100 * chance.top, 2)
     return f"{low} to {high} %" if chance.value else f"at most {high} %"
 
 
@@ -220,6 +222,7 @@ def _lead(cases: Cases, knocks: str) -> str:
     """How hard its `knocks` are, what makes no difference, and what was run."""
     sizes = sorted({case.n for case in cases})
     robots = " or ".join(dict.fromkeys(str(case.labels.get("robot", "")) for case in cases))
+    robots = "its robot" if not _one_robot(cases) and "=" in product(cases) else robots
     same = "the same " if len(sizes) == 1 and _one_robot(cases) and len(cases) > 1 else ""
     many = (
         f"{same}{sizes[0]} simulated variations of {robots or 'the robot'}"
@@ -232,10 +235,10 @@ def _lead(cases: Cases, knocks: str) -> str:
         f", {pushed(cases.pushes)}" if known else f" in scenario {scenes[0]}" if len(scenes) == 1 and scenes[0] else ""
     )
     acts = f" {where(cases.pushes)}" if known and where(cases.pushes) else ""
-    first = f"{len(cases)} cases, each with {many}{scene}{acts}."
-    alike = [spoken(name) for name in _alike(cases)]
+    first = f"{product(cases)}, each with {many}{scene}{acts}."
+    alike = [spoken(name) for name in _alike(cases)] if _shown(cases) is cases else []
     second = f" The {joined(alike)} {'makes' if len(alike) == 1 else 'make'} no clear difference." if alike else ""
-    return f"{f'{knocks}{_decides(cases)}{second}{_sometimes(cases)} {first}'.strip()}{_next(cases)}"
+    return f"{f'{knocks}{_decides(cases)}{second} {first}'.strip()}{_next(cases)}"
 
 
 def _decides(cases: Cases) -> str:
@@ -245,10 +248,11 @@ def _decides(cases: Cases) -> str:
     if not drawn or not _group(cases):
         return ""
     name, (case, least, most) = next(iter(drawn.items()))
-    (few, fewer), (many, more) = sorted([(least, "least"), (most, "most")])
+    (few, fewer), (many, more) = sorted([(least, "smallest"), (most, "largest")])
+    part = f"among the {100 * END:g} %"
     return (
-        f" The {spoken(name)} decides most: of the fifth of the robots with the {more} {_percent(many)} fall, with the "
-        f"{fewer} {_percent(few)} ({_named(cases, case)})."
+        f" The {spoken(name)} decides most: {part} of robots with the {more} {spoken(name)} {_percent(many)} fall, "
+        f"{part} with the {fewer} {_percent(few)} ({_named(cases, case)})."
     )
 
 
@@ -291,7 +295,8 @@ def _next(cases: Cases) -> str:
         of = f" --robot {worst}" if worst else ""
         kind = str(cases.worst_first()[0].labels.get("controller", ""))
         of += f" --controller {kind}" if worst and kind else ""
-        return f" Next: `upright push-map{of}` finds the largest push that it survives."
+        case = f"{worst} survives{f' under {kind}' if kind else ''}, the worst case" if worst else "it survives"
+        return f" Next: `upright push-map{of}` finds the largest push that {case}."
     best = "the best" if any(name == "controller" for name, *_ in _apart(cases)) else "a"
     return f" Next: `upright tune` {best} controller." if any(case.fell for case in cases) else ""
 
@@ -310,7 +315,7 @@ def _strongest(cases: Cases) -> list[tuple[str, str]]:
         return []
     name, (case, least, most) = next(iter(drawn.items()))
     of_case = f", {cases.names()[cases.index(case)]}" if len(cases) > 1 else ""
-    most_of_it = f"fall with the least and the most {spoken(name)} (a fifth of the robots each{of_case})"
+    most_of_it = f"fall with the smallest and the largest {spoken(name)} ({100 * END:g} % of the robots each{of_case})"
     return [(f"{number(100 * least, 2)} and {_percent(most)}", most_of_it)]
 
 

@@ -7,9 +7,10 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from upright.fleet.results import origin_of
+from upright.fleet.tally import END
 from upright.plotting import number
 from upright.report.page import Cell, Table
-from upright.tables import spoken
+from upright.tables import joined, spoken
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -68,9 +69,19 @@ def matter_table(cases: Cases, drawn: Mapping[str, tuple[CaseSummary, float, flo
         [spoken(name), _varies(cases, case, name), 100 * least, 100 * most, names[cases.index(case)]]
         for name, (case, least, most) in list(drawn.items())[:MATTER]
     ]
-    caption = "Falls of the fifth of the robots with the least and with the most of it, where it matters most"
-    header = ["parameter", "varies", "least fifth [%]", "largest fifth [%]", "case"]
+    part = f"{100 * END:g} %"
+    caption = f"Robots that fall: of the {part} with the smallest value, and of the {part} with the largest"
+    header = ["parameter", "varies", f"smallest {part}: fell [%]", f"largest {part}: fell [%]", "where it matters most"]
     return Table(header, rows, caption, 3, even=True)
+
+
+def directions(drawn: Mapping[str, tuple[CaseSummary, float, float]]) -> list[str]:
+    """Which way each drawn number keeps robots from falling."""
+    ways = {"smaller": list[str](), "larger": list[str]()}
+    for name, (_, least, most) in list(drawn.items())[:MATTER]:
+        ways["smaller" if least < most else "larger"].append(spoken(name))
+    texts = [f"a {way} {joined(names)}" for way, names in ways.items() if names]
+    return [f"Fewer robots fall with {', and with '.join(texts)}. ±, × and ÷ are one standard deviation."]
 
 
 def _varies(cases: Cases, case: CaseSummary, name: str) -> str:
@@ -81,5 +92,21 @@ def _varies(cases: Cases, case: CaseSummary, name: str) -> str:
     if spread is None:
         return ""
     unit = cases.units.get(name, "")
-    size = size_of(spread, unit)
-    return size if spread["kind"] == "uniform" else f"{number(spread['low'], 3)} {unit} {size}"
+    size = size_of(spread, unit).replace("by a factor of", "× or ÷")
+    return size if spread["kind"] == "uniform" else f"{number(spread['low'], 3)} {unit}, {size}"
+
+
+def product(cases: Cases) -> str:
+    """What the cases combine, where they are all combinations: "24 cases = 2 robots × 3 controllers × 4 dead zones"."""
+    varied = cases.varied()
+    if len(varied) < 2 or math.prod(map(len, varied.values())) != len(cases):
+        return f"{len(cases)} cases"
+    parts = [f"{len(values)} {_several(spoken(name))}" for name, values in varied.items()]
+    return f"{len(cases)} cases = {' × '.join(parts)}"
+
+
+def _several(word: str) -> str:
+    """The plural: "controllers", "inertias", "masses", "frequencies"."""
+    if word.endswith("y") and not word.endswith(("ay", "ey", "oy")):
+        return f"{word[:-1]}ies"
+    return f"{word}{'es' if word.endswith(('s', 'x')) else 's'}"
