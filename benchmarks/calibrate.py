@@ -27,8 +27,8 @@ import numpy as np
 from upright.bodies import Electronics
 from upright.bodies.twin import Twin
 from upright.calibrate.calibrate import annealed, calibrate, prepared
-from upright.calibrate.calibration import VISIBLE
 from upright.calibrate.effects import FRACTIONS
+from upright.calibrate.estimate import VISIBLE
 from upright.calibrate.fitting import Problem, events_of
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.parameters import ROLLING

@@ -38,7 +38,8 @@ import numpy as np
 from upright.bodies import Electronics
 from upright.bodies.twin import Twin
 from upright.calibrate.calibrate import calibrate
-from upright.calibrate.calibration import VISIBLE, Calibration
+from upright.calibrate.calibration import Calibration
+from upright.calibrate.estimate import VISIBLE
 from upright.control import make_controller
 from upright.control.excited import Excited, random_binary
 from upright.errors import UprightError

@@ -27,7 +27,8 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the command `upright` d
 import numpy as np
 
 from upright.calibrate.calibrate import calibrate, prepared
-from upright.calibrate.calibration import VISIBLE, Calibration, Estimate
+from upright.calibrate.calibration import Calibration
+from upright.calibrate.estimate import VISIBLE, Estimate
 from upright.calibrate.filter_log import filter_log
 from upright.calibrate.fitting import Problem
 from upright.calibrate.own_run import as_driven, of_this_run

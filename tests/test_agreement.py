@@ -15,7 +15,8 @@ import pytest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.body import Sample
-from upright.calibrate.calibration import HELD, Calibration
+from upright.calibrate.calibration import Calibration
+from upright.calibrate.estimate import HELD
 from upright.certify.actual import as_logged
 from upright.certify.agreement import AMBER, RED, Agreement, agreement
 from upright.certify.calibrated import learnt

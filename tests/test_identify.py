@@ -16,7 +16,7 @@ import pytest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
-from upright.calibrate.calibration import Estimate
+from upright.calibrate.estimate import Estimate
 from upright.cli.main import USER_ERROR, main
 from upright.control import Estimated, kalman, lqr, make_controller, read_controller
 from upright.control.excited import Excited, random_binary

@@ -15,7 +15,8 @@ import pytest
 from upright.bodies import NonlinearBody
 from upright.calibrate import judge
 from upright.calibrate.calibrate import prepared
-from upright.calibrate.calibration import FOREIGN, REFUSED, VISIBLE, Calibration, Estimate, Segments
+from upright.calibrate.calibration import Calibration, Segments
+from upright.calibrate.estimate import FOREIGN, REFUSED, VISIBLE, Estimate
 from upright.calibrate.fitting import normal_equations, objective
 from upright.calibrate.informativity import student
 from upright.calibrate.judge import reasons, unpredicted
@@ -145,7 +146,7 @@ def test_a_refused_fit_writes_no_robot_unless_asked(
 
 
 def test_refused_is_a_verdict_with_a_meaning() -> None:
-    from upright.calibrate.calibration import VERDICTS
+    from upright.calibrate.estimate import VERDICTS
 
     assert REFUSED in VERDICTS
     assert "refused" in Calibration.__dataclass_fields__

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from upright.calibrate.calibration import VISIBLE, Calibration, Estimate
+from upright.calibrate.calibration import Calibration
+from upright.calibrate.estimate import VISIBLE, Estimate
 from upright.certify.analysis import Analysis, analyse
 from upright.comparison import compare
 from upright.control import lqr

@@ -18,7 +18,7 @@ import pytest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.body import Sample
-from upright.calibrate.calibration import Estimate
+from upright.calibrate.estimate import Estimate
 from upright.calibrate.knocks import _calm, unpushed, without_knocks
 from upright.certify.actual import as_logged, doubted
 from upright.certify.agreement import LARGER, RED, Agreement, agreement

@@ -18,9 +18,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ndtri
 
-from upright.calibrate.calibration import NORMAL
 from upright.calibrate.effects import RUN, effects_of, run_spreads
 from upright.calibrate.electronics import BATTERY
+from upright.calibrate.estimate import NORMAL
 from upright.calibrate.fitting import Normal, Path, Problem
 from upright.calibrate.gauss_newton import Minimum, gauss_newton
 from upright.calibrate.informativity import posterior

@@ -6,13 +6,13 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.atomic import finite
-from upright.calibrate.parameters import Parameter
+from upright.calibrate.estimate import HELD, NORMAL, VISIBLE, Estimate
 from upright.errors import InvalidRobot
 from upright.physics.linear import rolling, unstable_pole
 from upright.robots import Kit, Robot
@@ -24,16 +24,6 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
 
-VISIBLE, PRIOR, BOUND, HELD, REFUSED = "visible", "prior dominates", "at its bound", "not fitted", "refused"
-QUIET = "too quiet"
-VERDICTS = {
-    VISIBLE: "the log halves the prior's uncertainty, or better",
-    PRIOR: "the log adds little to the prior; the value is meaningful only together with the others",
-    BOUND: "the log takes a value that was above zero down to its bound of zero; the interval is one-sided",
-    HELD: "the log holds too little information: the value is the prior's",
-    QUIET: "the robot moves too little: the value is partly an image of the sensors' steps",
-    REFUSED: "the fit does not describe the robot, so that no number of it is determined",
-}
 PREDICTED = {
     "sensor/gyro": "rad/s", "sensor/encoder_left": "rad", "sensor/encoder_right": "rad",
     "sensor/encoder_rate_left": "rad/s", "sensor/encoder_rate_right": "rad/s",
@@ -44,60 +34,6 @@ HELD_OUT = 0.1  # [s] a shorter end of a log is none that was held out
 GOOD = 0.9
 """[1] R² of half seconds from which a channel is predicted."""
 FAR = 4.0  # a reading missed by more than twice its deviation counts as missed by that: one fall is not the whole score
-NORMAL = 1.96  # standard deviations either side that hold 95 % of a normal distribution
-SURPRISE = 3.0
-"""Prior deviations beyond which the log contradicts a stated value."""
-WIDER = 1.05
-"""Of a prior's deviation: from here up, by more than rounding, a fit leaves a number less certain than its file."""
-FOREIGN = 6.0
-"""Prior deviations of a stated value beyond which the log is of another robot."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Estimate:
-    """A number with its 95 % interval, the prior it had (value and one standard deviation), and the verdict on it.
-
-    `shift` is how far it moved, and `shrink` how uncertain it still is, in deviations of its prior: those of the
-    number, or of its logarithm, by its `scale`.
-    """
-
-    name: str
-    unit: str
-    value: float
-    low: float
-    high: float
-    prior: float
-    prior_spread: float
-    verdict: str
-    shift: float
-    shrink: float
-    guess: bool = False
-    scale: Literal["linear", "logarithm"] = "linear"
-
-    @property
-    def asked(self) -> Parameter:
-        """The number with its prior, as it was asked."""
-        return Parameter(self.name, self.unit, self.prior, self.prior_spread, self.scale)
-
-    @property
-    def spread(self) -> float:
-        """One standard deviation, as a quarter of the interval's width over 0.98."""
-        return (self.high - self.low) / (2 * NORMAL)
-
-    @property
-    def wider(self) -> bool:
-        """Whether the log knows less of the number than the robot's file states."""
-        return not self.guess and self.shrink > WIDER
-
-    @property
-    def outside(self) -> bool:
-        """Whether the fit puts the number outside the 95 % interval that was known before."""
-        return abs(self.shift) > NORMAL and self.verdict not in (HELD, QUIET)
-
-    @property
-    def surprising(self) -> bool:
-        """Whether the log contradicts a prior that was not a guess."""
-        return not self.guess and abs(self.shift) > SURPRISE
 
 
 @dataclass(frozen=True)
@@ -332,7 +268,7 @@ class Calibration(Shown):
     def listing(self) -> Listing:
         """All estimates with interval, prior and verdict, one row each."""
         everything = (*self.parameters, *self.delays, *self.electronics, *self.combinations)
-        rows = [[e.name, f"{e.value:.5g}", f"{e.low:.4g} to {e.high:.4g}", e.unit, f"{e.prior:.4g}", e.verdict]
+        rows = [[e.name, f"{e.value:.5g}", f"{e.low:.4g} to {e.high:.4g}", e.unit, f"{e.prior:.4g}", e.called]
                 for e in everything]  # fmt: skip
         return Listing(("name", "value", "95 % interval", "unit", "prior", "verdict"), rows, ("value", "prior"))
 
@@ -364,5 +300,5 @@ class Calibration(Shown):
 
 
 def _line(e: Estimate) -> str:
-    mark = "  contradicts its prior" if e.surprising else "  outside what was known before" if e.outside else ""
-    return f"  {e.name:<18} {e.value:>11.5g} {f'[{e.low:.4g}, {e.high:.4g}]':<24} {e.unit:<10} {e.verdict}{mark}"
+    mark = ", outside of what was known before" if e.off and e.verdict == VISIBLE else ""
+    return f"  {e.name:<18} {e.value:>11.5g} {f'[{e.low:.4g}, {e.high:.4g}]':<24} {e.unit:<10} {e.called}{mark}"

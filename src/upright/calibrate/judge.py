@@ -13,8 +13,9 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.calibrate.calibration import FOREIGN, GOOD, PREDICTED, Estimate, Segments
+from upright.calibrate.calibration import GOOD, PREDICTED, Segments
 from upright.calibrate.electronics import MEANING
+from upright.calibrate.estimate import FOREIGN, Estimate
 from upright.calibrate.fitting import Problem
 from upright.calibrate.parameters import columns
 from upright.calibrate.validate import score

@@ -11,21 +11,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.calibrate.calibration import (
-    BOUND,
-    HELD,
-    NORMAL,
-    PRIOR,
-    QUIET,
-    REFUSED,
-    SURPRISE,
-    VISIBLE,
-    Calibration,
-    Estimate,
-    Segments,
-)
+from upright.calibrate.calibration import Calibration, Segments
 from upright.calibrate.effects import FRACTIONS, of_robot
 from upright.calibrate.electronics import MEANING
+from upright.calibrate.estimate import BOUND, HELD, NORMAL, PRIOR, QUIET, REFUSED, SURPRISE, VISIBLE, Estimate
 from upright.calibrate.fitting import Normal, Path, Problem, around, slopes_of
 from upright.calibrate.informativity import information, posterior, unseen_directions
 from upright.calibrate.judge import poorly, proposed, reasons

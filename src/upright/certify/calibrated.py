@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from upright.calibrate.calibrate import calibrate
-from upright.calibrate.calibration import HELD, Calibration
+from upright.calibrate.calibration import Calibration
+from upright.calibrate.estimate import HELD
 from upright.calibrate.knocks import unpushed
 from upright.certify.actual import as_logged, doubted, is_beyond
 from upright.certify.checks import TrialSetup

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from upright.arrays import Array
-from upright.calibrate.calibration import SURPRISE, Estimate
+from upright.calibrate.estimate import SURPRISE, Estimate
 from upright.calibrate.knocks import at_motors, moved_by
 from upright.certify.checks import TrialSetup, batteries
 from upright.certify.likelihood import FollowedLog, body_load, dead_zone, filtered_log, gyro_scale

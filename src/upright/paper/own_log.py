@@ -18,7 +18,7 @@ from upright.arrays import Array
 from upright.atomic import finite
 from upright.bodies import LinearBody
 from upright.calibrate.calibrate import calibrate, prepared
-from upright.calibrate.calibration import NORMAL
+from upright.calibrate.estimate import NORMAL
 from upright.calibrate.filter_log import filter_log
 from upright.comparison import Comparison, compare
 from upright.comparison.metrics import active_intervals

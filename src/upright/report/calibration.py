@@ -8,14 +8,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from upright.calibrate.calibration import (
-    GOOD,
-    PREDICTED,
-    VERDICTS,
-    VISIBLE,
-    Calibration,
-    Estimate,
-)
+from upright.calibrate.calibration import GOOD, PREDICTED, Calibration
+from upright.calibrate.estimate import VERDICTS, VISIBLE, Estimate
 from upright.plotting import legend, line, number, panels
 from upright.report import sensors
 from upright.report.doubts import again_with, doubts, off, repeated, reservations

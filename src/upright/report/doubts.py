@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 
-from upright.calibrate.calibration import VISIBLE, WIDER, Calibration, Estimate
+from upright.calibrate.calibration import Calibration
+from upright.calibrate.estimate import VISIBLE, WIDER, Estimate
 from upright.plotting import number
 from upright.report.page import cell_text
 from upright.tables import joined, sentence, short, spoken

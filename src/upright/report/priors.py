@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from upright.calibrate.calibration import NORMAL, VISIBLE, Calibration, Estimate
+from upright.calibrate.calibration import Calibration
+from upright.calibrate.estimate import NORMAL, VISIBLE, Estimate
 from upright.plotting import COLOURS, INK, SMALL, SPAN, legend, number, rows_of
 from upright.report.figure import Figure
 from upright.report.page import cell_text
