@@ -40,7 +40,7 @@ SPANISH = {
     "balancing": "en equilibrio", "standing still": "de pie, quieto",
     "lying": "caído", "upside down": "cabeza abajo", "standing up": "levantándose", "falling": "cayendo",
     "fallen": "tras caer", "moved": "movido",
-    "at the limit": "en el límite", "held out: not used in the fit": "apartado: no se usó en el ajuste",
+    "at the limit": "en el límite", "held out: not fitted": "apartado: no se ajustó",
     "skill": "acierto", "prediction horizon": "horizonte de predicción",
     # a loop
     "magnitude": "magnitud", "phase": "fase", "frequency": "frecuencia", "loop gain": "ganancia de lazo",

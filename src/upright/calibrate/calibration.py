@@ -28,6 +28,8 @@ PREDICTED = {
     "sensor/gyro": "rad/s", "sensor/encoder_left": "rad", "sensor/encoder_right": "rad",
     "sensor/encoder_rate_left": "rad/s", "sensor/encoder_rate_right": "rad/s",
 }  # fmt: skip
+"""Readings by which a calibration is judged, with their units."""
+DRAWN = PREDICTED | {"sensor/compass": "rad"}
 """Readings that `Calibration.plot_prediction` draws, with their units."""
 
 HELD_OUT = 0.1  # [s] a shorter end of a log is none that was held out
@@ -243,19 +245,19 @@ class Calibration(Shown):
 
     def plot_prediction(self) -> Figure:
         """Measured readings, and what the calibrated robot predicts from the commands alone for half a second at a
-        time; one panel for the gyro and each encoder of the first log."""
-        from upright.plotting import legend, line, panels, span
+        time; one panel for the gyro, each encoder and the compass of the first log."""
+        from upright.plotting import COLOURS, legend, line, panels, span
 
         free = self.free[0]
-        names = [name for name in free.rows if name in PREDICTED] or list(free.rows)
-        labels = [f"{n.removeprefix('sensor/').replace('_', ' ')} [{PREDICTED.get(n, '')}]" for n in names]
+        names = [name for name in free.rows if name in DRAWN] or list(free.rows)
+        labels = [f"{n.removeprefix('sensor/').replace('_', ' ')} [{DRAWN.get(n, '')}]" for n in names]
         figure, axes = panels(labels)
         for ax, name in zip(axes, names, strict=True):
             t, measured, predicted = free.series(name)
             line(ax, "measured", t, measured, style=4, below=True)
             line(ax, "predicted", t, predicted, style=1, solid=True)
         if self.held_out:
-            span(axes, *self.held_out, "held out: not used in the fit")
+            span(axes, *self.held_out, "held out: not fitted", COLOURS[0])
         return legend(figure)
 
     @property

@@ -15,7 +15,7 @@ VERDICTS = {
     BOUND: "the log takes a value that was above zero down to its bound of zero; the interval is one-sided",
     HELD: "the log holds too little information: the value is the prior's",
     QUIET: "the robot moves too little: the value is partly an image of the sensors' steps",
-    REFUSED: "the fit does not describe the robot, so that no number of it is determined",
+    REFUSED: "the calibration does not describe the robot, so that no number of it is determined",
 }
 MEASURED, BOUNDED, NOT_VISIBLE = "measured", "bounded", f"not {VISIBLE}"
 MOVED = f"{NOT_VISIBLE}, yet moved: doubtful"

@@ -27,7 +27,7 @@ from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.physics.linear import unstable_pole
 from upright.robots import PARAMETERS, FittedLog, Provenance, Robot
 from upright.signals import Log
-from upright.tables import sentence
+from upright.tables import joined, sentence
 
 Array = NDArray[np.float64]
 
@@ -299,13 +299,17 @@ def _notes(
             )
     elif other:
         notes.append(f"The log may be of another robot than the file{other}.")
+    moved = [e for e in every if e.outside and not e.surprising and e.name in PARAMETERS]
+    if moved:
+        times = [f"{e.name}{f' ({e.value / e.prior:.2g} times the file)' if e.prior else ''}" for e in moved]
+        notes.append(f"Outside of what was known before: {', '.join(times)}. Check the file, and the log.")
     runs = [e.name for e in every if e.wider and e.name in FRACTIONS and len(problem.recordings) > 1]
     rest = [e.name for e in every if e.wider and e.name not in runs]
-    for names, why in ((runs, "the runs differ by more than that"), (rest, "what the model leaves out bends it")):
+    for names, why in ((runs, "since the runs differ by more than that"), (rest, "because of the model's error")):
         if names:
             notes.append(
-                f"This log leaves {', '.join(names)} less certain than the robot's file has it, since {why}. What "
-                "you measured yourself, fix by --known."
+                f"After this log {joined(names)} {'are' if len(names) > 1 else 'is'} less certain than before, {why}. "
+                "Fix what you measured with --known."
             )
     if free["lost"] > 0.1:
         notes.append(

@@ -5,18 +5,17 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 
 from upright.calibrate.calibration import GOOD, PREDICTED, Calibration
-from upright.calibrate.estimate import VERDICTS, VISIBLE, Estimate
-from upright.plotting import legend, line, number, panels
+from upright.calibrate.estimate import BOUNDED, CLOSE, MEASURED, MOVED, NOT_VISIBLE, PRIOR, VERDICTS, VISIBLE, Estimate
+from upright.plotting import number
 from upright.report import sensors
-from upright.report.doubts import again_with, doubts, off, repeated, reservations
-from upright.report.figure import Figure
+from upright.report.doubts import FACTOR, again_with, doubts, off, repeated, reservations
 from upright.report.made import command, typed
 from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
-from upright.report.priors import BOUNDED, CLOSE, MEASURED, NOT_VISIBLE, by_name, groups, measured, width
+from upright.report.priors import by_name, groups
+from upright.report.readings import closer, held_out, over_time, worst
 from upright.tables import joined, least, power_of_ten, sentence, short, spoken
 
 GIVEN = 3  # parameters named on the first screen
@@ -28,10 +27,13 @@ def page_of(calibration: Calibration) -> Page:
     """The calibration's page, not yet written."""
     wrong = reservations(calibration)
     others = (*calibration.delays, *calibration.electronics)
-    drawn = [figure for figure in (_measured(calibration), by_name(calibration)) if figure]
-    notes = [_as_words(note) for note in calibration.notes if note not in repeated(calibration)]
+    drawn = [figure for figure in (over_time(calibration), by_name(calibration)) if figure]
+    notes = [item for note in calibration.notes if note not in repeated(calibration)
+             for item in _note(calibration, note)]  # fmt: skip
+    near = closer(calibration)
     sections = [
-        *([Section("Reservations", [*wrong, *_closer(calibration)])] if wrong else []),
+        *([Section(near.title.partition(" over ")[0] + " closer", [near])] if near else []),
+        *([Section("Reservations", wrong)] if wrong else []),
         Section("Parameters", [*drawn[1:], *notes, *_by_origin(calibration)]),
         Section(
             "Predictions of each sensor", [*sensors.in_words(calibration), *sensors.tables(calibration)], folded=True
@@ -44,7 +46,7 @@ def page_of(calibration: Calibration) -> Page:
         ),
         Section("What the log does not separate", _undetermined(calibration), folded=True),
         Section("Innovations", [_INNOVATIONS, _whiteness(calibration)], folded=True),
-        Section("Measured, bounded, not visible", [_meanings()], folded=True),
+        Section("What the labels mean", [_meanings()], folded=True),
     ]
     kept = {
         "prior": calibration.prior.name,
@@ -80,7 +82,7 @@ def _verdict(c: Calibration) -> Verdict:
     if wrong:
         so = "do not use it yet" if off(c) else "validate it first"
         return Verdict(f"{len(wrong)} reservation{'s' if len(wrong) > 1 else ''}: {so}", "warn")
-    good = _worst(c) >= GOOD
+    good = worst(c) >= GOOD
     return Verdict("ready for a design" if good else "predicts in part", "good" if good else "warn")
 
 
@@ -89,19 +91,12 @@ def _title(c: Calibration) -> str:
         return f"The log does not describe {c.robot.name}"
     one = len(c.sources) < 2
     logs = _names_of(c) if len(c.sources) == 1 else "this log" if one else f"these {len(c.sources)} logs"
-    predicts = "predicts" if _worst(c) >= GOOD else "partly predicts"
-    kept = one and bool(_held_out(c))
+    predicts = "predicts" if worst(c) >= GOOD else "partly predicts"
+    kept = one and bool(held_out(c))
     it = "the rest" if kept else "it" if one else "them"
     close = len(groups(c)[0])
     of = f"{close or 'none'} of its {len(c.parameters)} parameters {'are' if close > 1 else 'is'} measured"
     return f"{c.robot.name}, fitted to {'part of ' if kept else ''}{logs}, {predicts} {it}; {of}"
-
-
-def _kind_of_verdict(e: Estimate) -> str:
-    """The verdict as one of three words, the third with its reason."""
-    if e.verdict != VISIBLE:
-        return f"{NOT_VISIBLE} ({e.verdict})"
-    return MEASURED if measured(e) else BOUNDED
 
 
 def _numbers(c: Calibration) -> list[tuple[str, str]]:
@@ -109,22 +104,26 @@ def _numbers(c: Calibration) -> list[tuple[str, str]]:
     if c.refused:
         return []
     pole, numbers = c["unstable_pole"], list[tuple[str, str]]()
-    held = _held_out(c)
+    held = held_out(c)
     if scores := held or {name: c.segments[name] for name in c.channels}:
-        worst = min(scores, key=lambda name: scores[name])
-        part = f" in the part not fitted ({least(c.segments[worst])} over all of it)" if held else ""
-        words = f"R² of the {short(worst)}, the worst of {len(scores)} sensors,{part}; good from {GOOD:g}"
-        unfair = scores[worst] < GOOD and worst not in PREDICTED and len(scores) > 1
-        numbers.append((least(scores[worst]), f"{words}{', but iron nearby turns it' if unfair else ''}"))
+        last = min(scores, key=lambda name: scores[name])
+        part = f" in the part not fitted ({least(c.segments[last])} over all of it)" if held else ""
+        words = f"R² of the {short(last)}, the worst of {len(scores)} sensors,{part}; good from {GOOD:g}"
+        unfair = scores[last] < GOOD and last not in PREDICTED and len(scores) > 1
+        numbers.append((least(scores[last]), f"{words}{'; iron nearby disturbs it' if unfair else ''}"))
     if pole.value > 0:
         doubles = number(1e3 * math.log(2) / pole.value, 2)
         within = f"95 %: {cell_text(pole.low, 3)} to {cell_text(pole.high, 3)}"
         grows = f"until a lean has doubled: unstable pole {_value(pole)} {pole.unit} ({within})"
+        grows += "" if pole.verdict == VISIBLE else ", mostly from the robot's file"
         numbers.append((_whole(f"{doubles} ms"), grows))
     gyro = next((e for e in c.delays if e.name == "delay/gyro" and e.verdict == VISIBLE), None)
     if gyro:
         ms = [number(1e3 * x, 2) for x in (gyro.value, gyro.low, gyro.high)]
-        numbers.append((_whole(f"{ms[0]} ms"), f"from a command until the gyro shows it (95 %: {ms[1]} to {ms[2]})"))
+        text = f"from a command until the gyro shows it (95 %: {ms[1]} to {ms[2]})"
+        wheels = next((e for e in c.delays if e.name == "delay/encoder" and e.verdict == VISIBLE), None)
+        text += f"; the encoders after {number(1e3 * wheels.value, 2)} ms" if wheels else ""
+        numbers.append((_whole(f"{ms[0]} ms"), text))
     return numbers
 
 
@@ -137,63 +136,6 @@ def _value(e: Estimate) -> str:
     return cell_text(e.value, 3)
 
 
-def _measured(c: Calibration) -> Figure | None:
-    if not c.free:
-        return None
-    drawn = [name for name in c.channels if name in PREDICTED] or c.channels
-    rest = [f"{short(name)} (R² {least(c.segments[name])})" for name in c.channels if name not in drawn]
-    good = _worst(c) >= GOOD
-    title = f"Predictions {'lie on' if good else 'miss part of'} the readings"
-    title += ", also where nothing was fitted" if good and c.held_out else ""
-    note = "Every half second the model starts anew; then it gets the commands alone."
-    iron = ", which iron nearby also turns" if any("compass" in name for name in rest) else ""
-    note += f" Not drawn: {joined(rest)}{iron}." if rest else ""
-    return Figure(title, c.plot_prediction(), note)
-
-
-def _least(c: Calibration) -> tuple[float, str]:
-    """The smallest R² of half seconds, and its sensor; a compass, which also turns with iron nearby, counts alone."""
-    sensors = {name: value for name, value in c.segments.items() if name.startswith("sensor/")}
-    judged = {name: value for name, value in sensors.items() if name in PREDICTED} or sensors
-    return min(((value, short(name)) for name, value in judged.items()), default=(math.nan, ""))
-
-
-def _worst(c: Calibration) -> float:
-    """The smallest R² of half seconds, of all and of those that were not fitted."""
-    return min(_least(c)[0], *(value for name, value in _held_out(c).items() if name in PREDICTED), math.inf)
-
-
-def _held_out(c: Calibration) -> dict[str, float]:
-    """R² of the half seconds that were not fitted, of each sensor; empty where all were."""
-    if not c.held_out or not c.free:
-        return {}
-    free, (start, _) = c.free[0], c.held_out
-    rest = free.when >= start
-    part = replace(free, **{name: getattr(free, name)[rest] for name in _READINGS})
-    return {name: part.r_squared(name) for name in free.rows if (part.row == free.rows.index(name)).sum() > 2}
-
-
-CLOSER = 1.5  # [s] of the worst reading, drawn larger
-
-
-def _closer(c: Calibration) -> list[Item]:
-    """The reading that is predicted worst, over a short while of the end of the log."""
-    judged = {name: c.segments[name] for name in c.channels if name in PREDICTED}
-    if not c.free or not judged or min(judged.values()) >= GOOD:
-        return []
-    name = min(judged, key=lambda one: judged[one])
-    t, measured, predicted = c.free[0].series(name)
-    inside = t >= t.max(initial=0.0) - CLOSER
-    figure, (ax,) = panels([f"{short(name)} [{PREDICTED[name]}]"])
-    line(ax, "measured", t[inside], measured[inside], style=4, below=True)
-    line(ax, "predicted", t[inside], predicted[inside], style=1, solid=True)
-    title = f"The {short(name)} closer: the last {CLOSER:g} s of the log"
-    return [Figure(title, legend(figure), "Gaps: every half second the model starts anew.")]
-
-
-_READINGS = ("row", "when", "measured", "predicted", "segment")
-
-
 def _undetermined(c: Calibration) -> list[Item]:
     pairs = _pairs(c)
     words: list[Item] = list(map(_as_words, c.unseen)) or ["The log determines every direction."]
@@ -203,6 +145,18 @@ def _undetermined(c: Calibration) -> list[Item]:
             "name it with `--known`."
         )
     return [*words, *([pairs] if pairs.rows else [])]
+
+
+def _note(c: Calibration, note: str) -> list[Item]:
+    """A note in words, with the names of its logs without their folders; what it was judged by, in brackets at its end,
+    is pressed for."""
+    for source in c.sources:
+        note = note.replace(source, Path(source).name)
+    text, bracket, judged = note.removesuffix(").").partition(" (log posterior ")
+    if not bracket:
+        return [_as_words(note)]
+    why = sentence(f"log posterior of these commands less that of those as logged: {judged}")
+    return [_as_words(f"{text}."), Details("How that was judged", [why])]
 
 
 def _as_words(text: str) -> str:
@@ -233,7 +187,7 @@ def _lead(c: Calibration) -> str:
         text = sentence(c.refused[0])
     else:
         close, bounded, rough = groups(c)
-        named = [f"{spoken(e.name)} (± {cell_text(100 * width(e), 2)} %)" for e in close]
+        named = [f"{spoken(e.name)} (± {cell_text(100 * e.width, 2)} %)" for e in close]
         if len(named) > GIVEN + 1:
             named = [*named[:GIVEN], f"{len(named) - GIVEN} more"]
         text = f"The log measures {joined(named)}" if named else "The log measures no parameter"
@@ -242,7 +196,7 @@ def _lead(c: Calibration) -> str:
         together = ", or only together with others" if c.unseen else ""
         text += f"; the other {rest} are not visible in it{together}." if rest else "."
         if rest == len(c.parameters):
-            text = f"None of the {rest} is visible in the log: it adds little to what the robot's file says."
+            text = f"The log shows none of the {rest} clearly: it adds little to what the robot's file says."
         text += doubts(c) or _enough(c)
     return f"{text} Next: {_next(c)}".strip()
 
@@ -259,13 +213,16 @@ def _bounds(bounded: int, rough: int, more: bool) -> str:
 def _enough(c: Calibration) -> str:
     """That balancing needs less than all parameters, where the log tells that well."""
     pole = c["unstable_pole"]
-    if not measured(pole) or _worst(c) < GOOD:
+    if not pole.measured or worst(c) < GOOD:
         return ""
-    return f" Balancing depends on few combinations: of these the unstable pole is known to ± {_per_cent(pole)} %."
+    return (
+        " That is enough: balancing depends on few combinations of them, and the most important, the unstable pole, is "
+        f"known to ± {_per_cent(pole)} %."
+    )
 
 
 def _per_cent(e: Estimate) -> str:
-    return cell_text(100 * width(e), 2)
+    return cell_text(100 * e.width, 2)
 
 
 def _next(c: Calibration) -> str:
@@ -299,8 +256,8 @@ def _by_origin(c: Calibration) -> list[Item]:
 
 def _estimates(estimates: Sequence[Estimate]) -> Table:
     """Values with their intervals, what was known before, and how well the log knows them."""
-    rows: list[list[Cell]] = [[_named(e), e.value, _interval(e), _before(e), _kind_of_verdict(e)] for e in estimates]
-    return Table(["", "value", "95 % interval", "before ± σ", "this log"], rows, digits=3)
+    rows: list[list[Cell]] = [[_named(e), e.value, _interval(e), _before(e), e.called] for e in estimates]
+    return Table(["", "value", "95 % interval", "before, with σ", "this log"], rows, digits=3)
 
 
 def _named(e: Estimate) -> str:
@@ -308,7 +265,9 @@ def _named(e: Estimate) -> str:
 
 
 def _before(e: Estimate) -> str:
-    return _whole(in_one_power([e.prior, e.prior_spread], " ± "))
+    if e.asked.rate > FACTOR:  # of its logarithm
+        return _whole(f"{cell_text(e.prior, 3)} × or ÷ {cell_text(math.exp(e.asked.rate), 2)}")
+    return _whole(in_one_power([e.prior, e.prior_spread], " ± ", e.high))
 
 
 def _interval(e: Estimate) -> str:
@@ -317,16 +276,20 @@ def _interval(e: Estimate) -> str:
     return _whole(in_one_power([e.low, e.high], " … "))
 
 
-def in_one_power(values: Sequence[float], between: str) -> str:
-    """Numbers beside each other, with one power of ten where any needs one.
+def in_one_power(values: Sequence[float], between: str, beside: float = 0.0) -> str:
+    """Numbers beside each other, with one power of ten where any needs one; that of the number `beside` them, where
+    they are not far from it.
 
     >>> in_one_power([9.354e-07, 3.88e-05], " … ")
     '(0.0935 … 3.88) · 10⁻⁵'
+    >>> in_one_power([1e-05, 5.52e-04], " ± ", beside=3.88e-05)
+    '(1 ± 55.2) · 10⁻⁵'
     """
     texts = [cell_text(value, 3) for value in values]
     largest = max(abs(value) for value in values)
     if not any(" · " in text for text in texts) or not 0 < largest < math.inf:
         return between.join(texts)
+    largest = beside if beside and 0.01 < largest / abs(beside) < 100 else largest
     power = math.floor(math.log10(largest))
     return f"({between.join(cell_text(value / 10**power, 3) for value in values)}) · {power_of_ten(power)}"
 
@@ -336,8 +299,15 @@ def _meanings() -> Table:
         [MEASURED, f"{VERDICTS[VISIBLE]}; the interval is at most {100 * CLOSE:g} % of the value either side"],
         [BOUNDED, f"{VERDICTS[VISIBLE]}; but the interval is wider, or reaches zero"],
     ]
-    others = ([f"{NOT_VISIBLE} ({kind})", text] for kind, text in VERDICTS.items() if kind != VISIBLE)
-    return Table(["verdict", "meaning"], [*kinds, *others])
+    kinds += [[NOT_VISIBLE, VERDICTS[PRIOR]], [MOVED, _MOVED]]
+    others = ([f"{NOT_VISIBLE} ({kind})", text] for kind, text in VERDICTS.items() if kind not in (VISIBLE, PRIOR))
+    return Table(["label", "meaning"], [*kinds, *others])
+
+
+_MOVED = (
+    "the log adds little, and yet moves the number outside of what was known before: that makes up for something "
+    "else, in the model, in the log or in another number"
+)
 
 
 def _pairs(c: Calibration) -> Table:
@@ -355,5 +325,5 @@ def _whiteness(c: Calibration) -> Table:
     rows: list[list[Cell]] = [
         [short(w.sensor), w.rms, w.worst, w.ljung_box, w.input_test, w.threshold, w.white] for w in c.whiteness
     ]
-    header = ["sensor", "rms / expected", "correlation", "Ljung–Box", "commands", "threshold", "white"]
+    header = ["sensor", "size / expected", "correlation", "Ljung–Box", "commands", "threshold", "white"]
     return Table(header, rows)

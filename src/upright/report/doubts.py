@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 
 from upright.calibrate.calibration import Calibration
@@ -10,6 +11,8 @@ from upright.plotting import number
 from upright.report.page import cell_text
 from upright.tables import joined, sentence, short, spoken
 
+FACTOR = 0.25
+"""[1] From this deviation of a logarithm on, it is written as a factor."""
 MEASURABLE = ("wheel_mass", "wheel_radius", "body_mass", "track", "com_height")
 """Numbers that a scale, a ruler or a balance point gives."""
 
@@ -46,6 +49,8 @@ def _one(c: Calibration, e: Estimate) -> str:
     """A number that the log puts outside what was known before."""
     far = f", {abs(e.shift):.1f} standard deviations away" if e.surprising else ""
     was = f"{cell_text(e.prior, 3)} ± {cell_text(e.prior_spread, 2)} {e.unit}"
+    if e.asked.rate > FACTOR:
+        was = f"{cell_text(e.prior, 3)} {e.unit}, × or ÷ {cell_text(math.exp(e.asked.rate), 2)}"
     check = "Measure it again." if e.name in MEASURABLE else "Check that number of the file."
     return (
         f"The {spoken(e.name)} comes out {_times(e)}: {cell_text(e.value, 3)} {e.unit}, not {was}{far}."
@@ -62,27 +67,28 @@ def _heavy(c: Calibration, e: Estimate) -> str:
 
 
 _WEAKLY = (
-    " Its interval hardly narrows, so the log does not tell it: the fit moves it to make up for something else, in the "
-    "model, in the log or in another number."
+    " Its interval hardly narrows, so the log does not show it: the calibration moves it to make up for something "
+    "else, in the model, in the log or in another number."
 )
 _BOTH = (
-    " The intervals of these numbers hardly narrow, so the log does not tell them: the fit moves them to make up for "
-    "something else, in the model or in the log."
+    " The intervals of these numbers hardly narrow, so the log does not show them: the calibration moves them to make "
+    "up for something else, in the model or in the log."
 )
-_TRY = " Whether that matters, `upright validate` tells from another log."
+_TRY = " Whether that matters, `upright validate` shows with another log."
 _COLOURED = re.compile(r"innovations of the (.+) are not white")
 _CONTRADICTED = re.compile(r"\w+ contradicts its prior by [\d.]+ deviations")
 
 
 def repeated(c: Calibration) -> list[str]:
     """Notes whose content is among the reservations."""
-    starts = ("The innovations are not white", *(() if c.refused else ("The log contradicts the stated value",)))
+    numbers = ("The log contradicts the stated value", "Outside of what was known before")
+    starts = ("The innovations are not white", *(() if c.refused else numbers))
     return [note for note in c.notes if note.startswith(starts)]
 
 
 def off(c: Calibration) -> list[Estimate]:
     """Numbers that the log puts outside the 95 % interval that was known before."""
-    return [e for e in c.parameters if (e.outside or e.surprising) and not c.refused]
+    return [e for e in c.parameters if e.off and not c.refused]
 
 
 def _times(e: Estimate) -> str:
@@ -92,14 +98,19 @@ def _times(e: Estimate) -> str:
 
 def doubts(c: Calibration) -> str:
     """The reservations in a few words, as a sentence with a space before it."""
-    wrong = off(c)
-    far = [f"the {spoken(e.name)} comes out {_times(e) if k == 0 else _times(e).partition(' the value')[0]}"
-           f" ({cell_text(e.value, 2)} {e.unit}{', more than the body' if _heavy(c, e) else ''})"
+    wrong, left_out = off(c), any(not w.white for w in c.whiteness)
+    if not wrong:
+        return " But the model leaves something out." if left_out else ""
+    far = [f"the {spoken(e.name)} {_comes(e) if k == 0 else _comes(e).removeprefix('comes out ')} "
+           f"({cell_text(e.value, 2)} {e.unit}{', more than the body' if _heavy(c, e) else ''})"
            for k, e in enumerate(wrong)]  # fmt: skip
-    left_out = any(not w.white for w in c.whiteness)
-    words = [*far, *(["the model leaves something out"] if left_out else [])]
-    unfit = ": do not design with this robot yet" if wrong else ""
-    return f" But {joined(words)}{unfit}." if words else ""
+    why = ": something in the model or in the log is wrong" if any(e.verdict != VISIBLE for e in wrong) else ""
+    more = " The model leaves something out." if left_out and not why else ""
+    return f" But {joined(far)}{why}.{more} Do not design with this robot yet."
+
+
+def _comes(e: Estimate) -> str:
+    return f"comes out at {number(e.value / e.prior, 2)} times the file" if e.prior else "comes out far from its file"
 
 
 def again_with(c: Calibration, made: str) -> str:
@@ -111,9 +122,8 @@ def again_with(c: Calibration, made: str) -> str:
     if not measure:
         return check
     known = " ".join(f"--known {e.name}" for e in measure)
-    them, they = ("them", "they are") if len(measure) > 1 else ("it", "it is")
+    them = "them" if len(measure) > 1 else "it"
     named = joined([spoken(e.name) for e in measure])
     return (
-        f"{check}measure the {named}, write {them} into the robot's file, and calibrate again, now that {they} known: "
-        f"`{made} {known}`. Then "
+        f"{check}measure the {named}, write {them} into the robot's file, and calibrate again: `{made} {known}`. Then "
     )

@@ -8,18 +8,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from upright.calibrate.calibration import Calibration
-from upright.calibrate.estimate import NORMAL, VISIBLE, Estimate
+from upright.calibrate.estimate import BOUNDED, CLOSE, MEASURED, NORMAL, NOT_VISIBLE, VISIBLE, Estimate
 from upright.plotting import COLOURS, INK, SMALL, SPAN, legend, number, rows_of
 from upright.report.figure import Figure
 from upright.report.page import cell_text
 from upright.robots import PARAMETERS
+from upright.tables import spoken
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Drawing
 
-CLOSE = 0.25  # of a value: the half width of an interval up to which it counts as measured
-ONE_SIDED = 0.1  # of the upper end of an interval: a lower end below it says no more than zero would
-MEASURED, BOUNDED, NOT_VISIBLE = "measured", "bounded", f"not {VISIBLE}"
 FAR = 8.0  # standard deviations of the prior: the figure ends there
 OFF = COLOURS[1]  # of a number that the log puts outside what was known before
 ROOM = 0.08  # of the width, for the number beside the longest bar
@@ -27,24 +25,9 @@ ROOM = 0.08  # of the width, for the number beside the longest bar
 
 def groups(c: Calibration) -> tuple[list[Estimate], list[Estimate], list[Estimate]]:
     """What the log measures, the closest first; what it only bounds from above; and what it gives roughly."""
-    visible = sorted((e for e in c.parameters if e.verdict == VISIBLE and not c.refused), key=width)
-    close, bounded = [e for e in visible if measured(e)], [e for e in visible if one_sided(e)]
+    visible = sorted((e for e in c.parameters if e.verdict == VISIBLE and not c.refused), key=lambda e: e.width)
+    close, bounded = [e for e in visible if e.measured], [e for e in visible if e.one_sided]
     return close, bounded, [e for e in visible if e not in bounded and e not in close]
-
-
-def one_sided(e: Estimate) -> bool:
-    """Whether the log only says how large a number is at most."""
-    return e.low * e.high <= 0 or e.low < ONE_SIDED * e.high
-
-
-def measured(e: Estimate) -> bool:
-    """Whether the log tells a number closely."""
-    return e.verdict == VISIBLE and not one_sided(e) and width(e) <= CLOSE
-
-
-def width(e: Estimate) -> float:
-    """Half of the interval over the value."""
-    return (e.high - e.low) / max(abs(e.high + e.low), 1e-300)
 
 
 def by_name(c: Calibration) -> Figure | None:
@@ -53,15 +36,31 @@ def by_name(c: Calibration) -> Figure | None:
         return None
     close, bounded, rough = groups(c)
     note = f"Measured: at least twice as certain as before, and to ± {100 * CLOSE:g} % or better. " if close else ""
-    note += "Bounded: twice as certain, but known roughly, or only how large it is at most (≤, in the unit of the "
-    note = f"{note}table). " if bounded or rough else note.partition("Bounded")[0]
-    note += "Not visible: the log adds little. σ: standard deviation, of the logarithm where a number must be positive."
+    if bounded or rough:
+        note += "Bounded: twice as certain, but known roughly, or only how large it is at most (≤). "
+    note += f"Not visible: the log adds little. σ: standard deviation{_factor(drawn)}."
     note += f" The 95 % before ends at ± {NORMAL:.0f} σ, or at zero."
     if any(e.asked.coordinate(e.high) > FAR for e in drawn):
         note += " An arrow: the bar goes on."
     if any(e.wider for e in c.parameters):
         note += " Wider: less certain than in the file, because of what the model leaves out."
-    return Figure("The 95 % interval of each parameter after this log, and before", _bars(c), note)
+    seen, far = len(close) + len(bounded) + len(rough), sum(e.off and e.verdict != VISIBLE for e in drawn)
+    title = (
+        f"The 95 % interval of each parameter after this log, and before: {seen or 'none'} of {len(c.parameters)} at "
+    )
+    title += f"least halved{f', {far} moved far off' if far else ''}"
+    return Figure(title, _bars(c), note)
+
+
+def _factor(drawn: list[Estimate]) -> str:
+    """That of the logarithm a deviation is a factor, with the parameter that has the largest."""
+    positive = [e for e in drawn if e.scale == "logarithm"]
+    if not positive:
+        return ""
+    e = max(positive, key=lambda e: e.asked.rate)
+    return (
+        f"; of numbers that must be positive a factor, × or ÷ {number(math.exp(e.asked.rate), 2)} for {spoken(e.name)}"
+    )
 
 
 def _bars(c: Calibration) -> Drawing:
@@ -125,9 +124,9 @@ def _beside(e: Estimate) -> str:
     """What stands beside a bar: how closely the log tells the number, where it does, or where it puts it."""
     if e.outside:
         times = f", {number(e.value / e.prior, 2)} × the file" if e.prior else ""
-        return f"{cell_text(e.value, 2)} {e.unit}{times}"
+        return f"{times.removeprefix(', ')}, wider" if times and e.wider else f"{cell_text(e.value, 2)} {e.unit}{times}"
     if e.wider:
         return "wider"
     if e.verdict != VISIBLE:
         return ""
-    return f"≤ {cell_text(e.high, 2)}" if one_sided(e) else f"± {number(100 * width(e), 2)} %"
+    return f"≤ {cell_text(e.high, 2)} {e.unit}" if e.one_sided else f"± {number(100 * e.width, 2)} %"
