@@ -44,11 +44,9 @@ def by_name(c: Calibration) -> Figure | None:
         note += " An arrow: the bar goes on."
     if any(e.wider for e in c.parameters):
         note += " Wider: less certain than in the file, because of what the model leaves out."
-    seen, far = len(close) + len(bounded) + len(rough), sum(e.off and e.verdict != VISIBLE for e in drawn)
-    title = (
-        f"The 95 % interval of each parameter after this log, and before: {seen or 'none'} of {len(c.parameters)} at "
-    )
-    title += f"least halved{f', {far} moved far off' if far else ''}"
+    halved, far = len(close) + len(bounded) + len(rough), sum(e.off and e.verdict != VISIBLE for e in drawn)
+    title = "The 95 % interval of each parameter after this log, and before: "
+    title += f"{halved or 'none'} of {len(c.parameters)} at least halved{f', {far} moved far off' if far else ''}"
     return Figure(title, _bars(c), note)
 
 
@@ -58,9 +56,7 @@ def _factor(drawn: list[Estimate]) -> str:
     if not positive:
         return ""
     e = max(positive, key=lambda e: e.asked.rate)
-    return (
-        f"; of numbers that must be positive a factor, × or ÷ {number(math.exp(e.asked.rate), 2)} for {spoken(e.name)}"
-    )
+    return f"; of numbers that must be positive a factor, × or ÷ {number(math.exp(e.asked.rate), 2)} for the {spoken(e.name)}"
 
 
 def _bars(c: Calibration) -> Drawing:
