@@ -32,7 +32,7 @@ def page_of(plan: ExcitationPlan) -> Page:
         Section("Beside a random dither", [_beside_dither(plan)], folded=True),
         Section("Alternatives", [_TRIED.format(_focus(plan)), _tried(plan)], folded=True),
     ]
-    facts = {"controller": f"{plan.controller}, {plan.hash[:12]}", "seed": str(plan.seed), "kit": plan.kit}
+    facts = {"controller": f"{plan.controller} (fingerprint {plan.hash[:12]})", "seed": str(plan.seed), "kit": plan.kit}
     numbers = [
         (f"≤ {number(100 * plan.checked.bound, 2)} %", _falls(plan)),
         (
@@ -49,9 +49,9 @@ def page_of(plan: ExcitationPlan) -> Page:
 
 def _falls(plan: ExcitationPlan) -> str:
     c = plan.checked
-    of = f" that stand without it ({c.dropped} more do not)" if c.dropped else ""
-    counted = f"{c.fell} of {c.samples} simulated robots{of}"
-    return f"fall, with 95 % confidence: {counted}; allowed {100 * plan.limits.falls:g} %"
+    louder = f", with the signal {100 * (plan.margin - 1):.0f} % larger" if plan.margin > 1 else ""
+    counted = f"{c.fell} of {c.samples} simulated robots fell{louder}"
+    return f"may fall, with 95 % confidence: {counted}; allowed {100 * plan.limits.falls:g} %"
 
 
 _WHAT = (
@@ -111,18 +111,33 @@ def _next(plan: ExcitationPlan) -> str:
         return f"`{command() or 'upright excite'} -o plan.json` writes the plan as a file."
     law = chosen("--controller")
     return (
-        f"`upright simulate{robot}{law} --excite {file} -o run.csv` tries it. Your own robot adds to its commands, "
-        f"{every}, the next row of `excitation` in {file}: left and right motor. "
-        f"Then `upright calibrate run.csv{robot} -o robot.toml` reads its log."
+        f"`upright simulate{robot}{law} --excite {file} -o run.csv` tries it. On your own robot: `excitation` in "
+        f"{file} has a row {every}, two numbers [{plan.unit}]. Add the first to the left command, the second to the "
+        f"right, and log the sums. Then `upright calibrate run.csv{robot} -o robot.toml`."
     )
 
 
 def _over_time(plan: ExcitationPlan) -> Figure:
     t = np.arange(len(plan.excitation)) * plan.hold * plan.period
-    figure, axes = panels([f"both motors [{plan.unit}]", f"(right − left) / 2 [{plan.unit}]"])
-    for ax, (name, wave) in zip(axes, _waves(plan).items(), strict=True):
-        line(ax, name, t, wave, step=True, solid=True)
-    return Figure("The excitation over time", legend(figure), _WHAT)
+    figure, axes = panels([f"driving: both motors [{plan.unit}]", f"turning: (right − left) / 2 [{plan.unit}]"])
+    sizes: list[str] = []
+    for style, (ax, (name, wave)) in enumerate(zip(axes, _waves(plan).items(), strict=True)):
+        line(ax, f"_{name}", t, wave, step=True, solid=True, style=style)
+        sizes.append(f"{name} up to {cell_text(float(np.abs(wave).max()), 2)} {plan.unit}")
+    return Figure(f"The excitation over time: {' and '.join(sizes)}{_of_most(plan)}", figure, _WHAT)
+
+
+def _of_most(plan: ExcitationPlan) -> str:
+    """What the motors of its kit get at most, where the kit is known here."""
+    from upright.errors import UprightError
+    from upright.robots import Kit
+
+    try:
+        kit = Kit.preset(plan.kit)
+    except UprightError:
+        return ""
+    most = min(kit.motor.limit, kit.battery.voltage)
+    return f"; the motors get at most {most:g} V" if plan.unit == "V" and math.isfinite(most) else ""
 
 
 def _waves(plan: ExcitationPlan) -> dict[str, Array]:
@@ -233,10 +248,12 @@ def _widths(plan: ExcitationPlan) -> Figure:
     ax.set(xlim=(0, 103), xticks=range(0, 101, 25))
     note = (
         f"Measured: at most half is left, and ± {100 * CLOSE:g} % of the value or less. "
-        "Bounded: at most half, but less close. Numbers: half of the 95 % interval, in per cent of the value, before → "
-        "after; or how large the value is at most."
+        f"Bounded: at most half is left, but not to ± {100 * CLOSE:g} %. ±: half of the 95 % interval, in per cent of "
+        "the value, before → after. ≤: the largest value that stays possible."
     )
-    return Figure("How much of each uncertainty the run should leave", legend(figure), note)
+    halved = sum(_kind(p) != NOT_VISIBLE for p in own)
+    title = f"The run should at least halve the uncertainty of {halved} of {len(own)} parameters"
+    return Figure(title, legend(figure), note)
 
 
 def _beside(p: Predicted) -> str:
@@ -311,7 +328,7 @@ def _checked_words(plan: ExcitationPlan) -> str:
     times = "this excitation" if plan.margin == 1 else f"this excitation made {plan.margin:g} times as large"
     return (
         f"{c.samples} robots drawn from the uncertainty of {plan.robot}, in the nonlinear model with kit {plan.kit} "
-        f"and {times}: {c.fell} fell. {alone}The values besides that of a fall are 95 % quantiles of the robots."
+        f"and {times}: {c.fell} fell. {alone}"
     )
 
 

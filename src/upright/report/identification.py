@@ -30,7 +30,7 @@ def page_of(compared: MethodComparison) -> Page:
     facts = {
         "samples": f"{data.fitted} fitted of {len(data.log)}",
         "period": f"{data.dt * 1e3:.4g} ms",
-        "states from": data.source,
+        "angles and rates from": data.source,
         "robot": data.robot.name,
         "kit": data.kit.name,
     }
@@ -112,7 +112,9 @@ def _pole_figure(compared: MethodComparison) -> Figure:
         title = f"95 % intervals of the unstable pole; {those if inside else 'none contains'} the true one"
     still = [n for n, m in poles if m.pole.value <= 0]
     note = "The pole is the rate at which a lean grows. An interval shorter than its dot stands only in numbers."
-    note += f" The robot of {joined(still)} would not fall: that model is wrong." if still else ""
+    gives = f"{joined(still)} {'gives' if len(still) == 1 else 'give'}".capitalize()
+    models = "that model is" if len(still) == 1 else "those models are"
+    note += f" {gives} a stable pole; a balancing robot falls, so {models} wrong." if still else ""
     return Figure(title, compared.plot(), note)
 
 
@@ -199,18 +201,41 @@ def _why(compared: MethodComparison) -> str:
     best, alike = _best(compared), _alike(compared)
     degrees = [cell_text(math.degrees(compared.trials[m].largest or 0.0), 3) for m in alike]
     if len(alike) < 2:
-        return f"With {best} it leaned least, {degrees[0]}°."
+        return f"With {_explained(best)} it leaned least, {degrees[0]}°."
     ends = " to ".join(dict.fromkeys((degrees[0], degrees[-1])))
     pole = compared.models[best].pole
     sure = f"; {best} knows the pole best" if math.isfinite(pole.high - pole.low) else ""
-    return f"With {joined(alike)} it leaned about as far ({ends}°){sure}."
+    return (
+        f"Under the regulators of {joined([_explained(m) for m in alike])} it leaned about equally far ({ends}°){sure}."
+    )
+
+
+SHORT = {
+    "least-squares": "plain regression", "total-least-squares": "regression with noise in all states",
+    "instrumental": "regression that noise does not bias", "subspace": "a model from the log alone",
+    "calibrate": "corrects the robot's file",
+}  # fmt: skip
+"""What a method is, in a few words."""
+
+
+def _explained(method: str) -> str:
+    return f"{method} ({SHORT[method]})" if method in SHORT else method
 
 
 def _next(compared: MethodComparison) -> str:
     command = again("upright identify LOG", "--method", "--output", "--controller")
     return (
         f"`{command} --method {_best(compared)} -o model.json -c regulator.json` writes that model and its regulator."
+        f"{_without_file(compared)}"
     )
+
+
+def _without_file(compared: MethodComparison) -> str:
+    """What to take where the robot's file may be wrong, as a sentence with a space before it."""
+    if _best(compared) != PRIOR or len(_ranked(compared)) < 2:
+        return ""
+    other = _best(compared, PRIOR)
+    return f" {PRIOR.capitalize()} trusts the robot's file; if in doubt of it, take {other}, which needs the log alone."
 
 
 def _about_trials(compared: MethodComparison) -> list[Item]:
@@ -219,10 +244,11 @@ def _about_trials(compared: MethodComparison) -> list[Item]:
         "Weights, filter noise and kit are the same for all; only the model differs. Tested on "
         f"{compared.judge.who}: held at {math.degrees(HELD):.2g}° for a second, then released for seven seconds."
     ]
-    if _ranked(compared)[:1] and _best(compared) == PRIOR and len(_ranked(compared)) > 1:
+    leans = {m: t.restless for m, t in compared.trials.items() if t.holds and t.restless is not None}
+    if len(leans) > 1 and (calm := min(leans, key=lambda m: leans[m])) != _best(compared):
         words.append(
-            f"{PRIOR.capitalize()} starts from the robot's file. If its numbers are in doubt, take "
-            f"{_best(compared, PRIOR)}, which needs the log alone."
+            f"At rest {calm} is calmest. What to take goes by the largest lean, and of about equal ones by the surest "
+            "pole."
         )
     return [*words, Details("What the methods are", [methods_table(compared)])]
 

@@ -56,7 +56,8 @@ def _factor(drawn: list[Estimate]) -> str:
     if not positive:
         return ""
     e = max(positive, key=lambda e: e.asked.rate)
-    return f"; of numbers that must be positive a factor, × or ÷ {number(math.exp(e.asked.rate), 2)} for the {spoken(e.name)}"
+    factor = f"× or ÷ {number(math.exp(e.asked.rate), 2)} for the {spoken(e.name)}"
+    return f"; of numbers that must be positive a factor, {factor}"
 
 
 def _bars(c: Calibration) -> Drawing:
