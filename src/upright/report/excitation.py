@@ -119,10 +119,10 @@ def _next(plan: ExcitationPlan) -> str:
 
 def _over_time(plan: ExcitationPlan) -> Figure:
     t = np.arange(len(plan.excitation)) * plan.hold * plan.period
-    figure, axes = panels([f"driving: both motors [{plan.unit}]", f"turning: (right − left) / 2 [{plan.unit}]"])
+    figure, axes = panels([f"driving of both motors [{plan.unit}]", f"turning by (right − left) / 2 [{plan.unit}]"])
     sizes: list[str] = []
     for style, (ax, (name, wave)) in enumerate(zip(axes, _waves(plan).items(), strict=True)):
-        line(ax, f"_{name}", t, wave, step=True, solid=True, style=style)
+        line(ax, name, t, wave, step=True, solid=True, style=style)
         sizes.append(f"{name} up to {cell_text(float(np.abs(wave).max()), 2)} {plan.unit}")
     return Figure(f"The excitation over time: {' and '.join(sizes)}{_of_most(plan)}", figure, _WHAT)
 
