@@ -32,11 +32,13 @@ from upright.diagnose.causes import CANNOT_TELL, CAUSES, DEAD, NAMES, NO_FALL, N
 from upright.diagnose.evidence import Series, gather
 from upright.diagnose.fall import lost_lately, stuck_sensor
 from upright.diagnose.fault_fits import FaultFit, fits
+from upright.diagnose.forces import sliding
 from upright.diagnose.innovations import driven, follow
 from upright.diagnose.pairs import together
-from upright.diagnose.propagation import fly
+from upright.diagnose.propagation import fly, slide
 from upright.diagnose.remedy import Window, remedied, searched
 from upright.diagnose.signatures import bank
+from upright.diagnose.slip import _slip_acceleration
 from upright.errors import InvalidLog, InvalidRobot
 from upright.experiment import Drive, Impulse, Push, run
 from upright.experiment.examples import example
@@ -309,6 +311,42 @@ def test_json_brings_it_back() -> None:
     page = page_of(found).html()
     assert found.verdict in page
     assert "<svg" in page
+
+
+def test_a_push_is_named_with_its_numbers() -> None:
+    """Page and JSON take them from the cause, not from its sentence."""
+    planted = Impulse(impulse=0.5, start=ONSET, duration=0.01)
+    found = post_mortem(logged("push too large", "push", after=[planted]), NXT, KIT)
+    push = found.causes[0].push
+    assert push is not None
+    assert push.impulse == pytest.approx(planted.impulse, rel=0.1)  # 3 to 7 % small (docs/post-mortem.md)
+    assert push.start == pytest.approx(ONSET, abs=KIT.period)
+    assert PostMortem.from_json(json.loads(json.dumps(found.to_json()))).causes == found.causes
+    known = dataclasses.replace(push, impulse=-0.46, counts=math.radians(41), largest=math.radians(35), most=0.4)
+    first = dataclasses.replace(found.causes[0], evidence="other words", push=known)
+    page = page_of(dataclasses.replace(found, causes=(first, *found.causes[1:])))
+    assert "push backward of about 0.46 N s" in page.lead
+    assert "41° of lean; the motors bring back 35° at most" in page.lead
+    assert page.numbers[1][0] == "0.4 N s"
+    other = dataclasses.replace(first, push=None)
+    assert "N s" not in str(page_of(dataclasses.replace(found, causes=(other, *found.causes[1:]))).numbers)
+
+
+def test_wheels_slip_by_the_same_equations_in_both_places() -> None:
+    """Without grip: compiled, as matrices, and in closed form where wheels and upright body turn together."""
+    robot = dataclasses.replace(NXT, coulomb_friction=4e-3, rolling_friction=5e-3, wheel_friction=1e-3)
+    moving, command = (0.2, 0.7, 3.0), 1.5
+    before = np.array([[moving[0], moving[1], 0.0, moving[2], 0.0, 0.0]])
+    run_of = SimpleNamespace(robot=robot, before=before, command=np.full((1, 2), command / 2))
+    free = float(_slip_acceleration(run_of)[0][0])  # type: ignore[arg-type]
+    # within a nanosecond nothing falls off; the floor holds 1e-12 of the weight: both below rounding times 1e4
+    compiled = slide(sliding(robot), moving, command, (0.0, 0.0), 1e-12, 0.0, 1e-9)[0]
+    assert compiled == pytest.approx(free, rel=1e-6)
+    loose = dataclasses.replace(robot, rotor_inertia=0.0)
+    rate = 3.0
+    drag = loose.wheel_friction * rate + loose.rolling_friction * rate / math.hypot(rate, loose.stiction_rate)
+    spun = slide(sliding(loose), (0.0, rate, rate), 0.0, (0.0, 0.0), 1e-12, 0.0, 1e-9)[0]
+    assert spun == pytest.approx(-loose.wheel_radius * drag / loose.wheel_inertia, rel=1e-6)
 
 
 def test_no_return_is_where_the_lean_stays_beyond_what_can_be_recovered() -> None:

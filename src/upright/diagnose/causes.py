@@ -49,14 +49,35 @@ REPAIRS = {
 
 
 @dataclass(frozen=True)
+class Blow:
+    """A push that fells a robot: its `impulse` [N s], positive forward, `start` [s] and `height` [m] above the axle,
+    the lean [rad] that its speed `counts` as, the `largest` lean [rad] and the impulse, `most` [N s], that the motors
+    bring back, and the fraction of the innovations `explained` by it."""
+
+    impulse: float
+    start: float
+    height: float
+    counts: float
+    largest: float
+    most: float
+    explained: float
+
+    def __str__(self) -> str:
+        way = "forward" if self.impulse > 0 else "backward"
+        return f"a push {way} of about {abs(self.impulse):.2g} N s at t = {self.start:.2f} s"
+
+
+@dataclass(frozen=True)
 class Cause:
-    """A possible cause: its `likelihood`, since when [s] (NaN: unknown), evidence in words and numbers, the repair."""
+    """A possible cause: its `likelihood`, since when [s] (NaN: unknown), evidence in words and numbers, the repair; of
+    a push also its numbers."""
 
     name: str
     likelihood: float
     onset: float
     evidence: str
     repair: str
+    push: Blow | None = None
 
 
 def noisy(noise: Mapping[str, float]) -> str:

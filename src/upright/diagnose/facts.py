@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from upright.diagnose.causes import DEAD, DROPPED, HIGH, JAMMED, LOW, NONE, SATURATION, STUCK
+from upright.diagnose.causes import DEAD, DROPPED, HIGH, JAMMED, LOW, NONE, SATURATION, STUCK, Blow
 from upright.diagnose.chances import step, unexplained
 from upright.diagnose.evidence import EXCURSION, Evidence
 from upright.diagnose.words import began, most, percent
@@ -31,6 +31,7 @@ class Answer:
     name: str
     onset: float
     evidence: str
+    push: Blow | None = None
 
 
 def stuck(evidence: Evidence) -> list[Answer]:

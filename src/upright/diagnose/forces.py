@@ -24,7 +24,7 @@ from upright.diagnose.signatures import YOUNGEST, Bank, beside, unknown_paramete
 from upright.physics.dynamics import motor_damping, motor_gain
 from upright.physics.integrate import PREDICTED, substeps
 from upright.physics.linear import linearise
-from upright.robots import PARAMETERS
+from upright.robots import PARAMETERS, Robot
 
 FORCED = {"ramp": 3, "load": 3, "radius": 2, "payload": 4, "slip": 1}
 """Faults that are forces or another robot, and how many numbers they have: onset [s], rise [s] and size; onset and the
@@ -45,6 +45,17 @@ LITTLE = 0.5  # of the squares, that the floor by itself leaves where there may 
 STARTS = 3  # times from which the floor is slippery, from which a search starts
 AGAIN = 2  # most times that pushes are looked for beside a slip
 LOST = 1e6  # standard deviations that stand for an innovation of a robot that fell over
+
+
+def sliding(p: Robot) -> Array:
+    """The numbers of a robot's sums of forces on wheels that slip, in the order of `propagation.slide`."""
+    total, lever, rotors = p.body_mass + 2 * p.wheel_mass, p.body_mass * p.com_height, p.gear_ratio**2 * p.rotor_inertia
+    inertia, wheel = lever * p.com_height + p.pitch_inertia + 2 * rotors, 2 * p.wheel_inertia + 2 * rotors
+    numbers = (
+        total, lever, inertia, wheel, 2 * rotors, p.wheel_radius, motor_gain(p), 2 * motor_damping(p),
+        2 * p.wheel_friction, 2 * p.coulomb_friction, 2 * p.rolling_friction, max(p.stiction_rate, 1e-6), p.gravity,
+    )  # fmt: skip
+    return np.array(numbers)
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,19 +90,6 @@ class Observer:
         return np.array([float(np.ravel(one)[0]) for one in constants(values, 1.0)])
 
     @cached_property
-    def _floor(self) -> Array:
-        p = self.part.robot
-        total, lever, rotors = (
-            p.body_mass + 2 * p.wheel_mass,
-            p.body_mass * p.com_height,
-            p.gear_ratio**2 * p.rotor_inertia,
-        )
-        inertia, wheel = lever * p.com_height + p.pitch_inertia + 2 * rotors, 2 * p.wheel_inertia + 2 * rotors
-        numbers = (total, lever, inertia, wheel, 2 * rotors, p.wheel_radius, motor_gain(p), 2 * motor_damping(p),
-                   2 * p.wheel_friction, 2 * p.coulomb_friction, max(p.stiction_rate, 1e-6), p.gravity)  # fmt: skip
-        return np.array(numbers)
-
-    @cached_property
     def _unforced(self) -> Array:
         nothing = np.zeros((1, len(self.part.t), 2)), np.zeros((1, 2))
         return self._innovations(self.usual[None], np.full(1, np.inf), *nothing)[0]
@@ -101,7 +99,9 @@ class Observer:
 
         steps, followed = self._followed
         robots = np.vstack([robots, self.usual])
-        whitened = observe(steps, followed, self._floor, robots, onsets, forces, floors)[:, self.part.readings]
+        whitened = observe(steps, followed, sliding(self.part.robot), robots, onsets, forces, floors)[
+            :, self.part.readings
+        ]
         return np.clip(np.nan_to_num(whitened, nan=LOST), -LOST, LOST)
 
     def added(self, robots: Array, onsets: Array, forces: Array, floors: Array) -> Array:

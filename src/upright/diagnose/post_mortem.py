@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from upright.atomic import finite
 from upright.control import Controller, controller_hash, read_controller
-from upright.diagnose.causes import CANNOT_TELL, NO_FALL, NONE, Cause
+from upright.diagnose.causes import CANNOT_TELL, NO_FALL, NONE, Blow, Cause
 from upright.diagnose.evidence import EXCURSION, FOREIGN, Evidence, Series, gather, series_of
 from upright.diagnose.fall import against, last_fall
 from upright.diagnose.verdict import ranked, reversed_causes
@@ -80,7 +80,7 @@ class PostMortem(Shown):
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is not known."""
         numbers = {k: finite(v) for k, v in asdict(self).items() if k not in ("causes", "series")}
-        causes = [{k: finite(v) for k, v in asdict(cause).items()} for cause in self.causes]
+        causes = [_plain(asdict(cause)) for cause in self.causes]
         return {"file": KIND, "version": VERSION} | numbers | {"causes": causes, "series": self.series.to_json()}
 
     @classmethod
@@ -244,8 +244,14 @@ def kit_of(log: Log, robot: Robot) -> Kit:
     return Kit.preset(named[1] if named and named[1] in kit_names() else robot.kit)
 
 
+def _plain(data: dict[str, Any]) -> dict[str, Any]:
+    return {k: finite(v) for k, v in data.items()} | ({"push": _plain(data["push"])} if data.get("push") else {})
+
+
 def _cause(data: dict[str, Any]) -> Cause:
-    given: dict[str, Any] = data | {"onset": _number(data["onset"])}
+    push: dict[str, Any] | None = data.get("push")
+    blow = Blow(**{name: _number(v) for name, v in push.items()}) if push else None
+    given: dict[str, Any] = data | {"onset": _number(data["onset"]), "push": blow}
     return Cause(**given)
 
 

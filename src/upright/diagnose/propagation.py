@@ -77,7 +77,7 @@ def slide(floor: Any, moving: Any, u: Any, acting: Any, grip: Any, slipped: Any,
     at `slipped` [m/s] before, and how fast they slip then; the equations are those of `slip.slipping`. The robot is
     `moving` with a pitch [rad], pitch rate and wheel rate [rad/s] under the sum u of both commands, and a force [N] and
     a moment [N m] are `acting`."""
-    total, lever, inertia, wheel, rotors, radius, gain, damping, friction, dry, slow, gravity = floor
+    total, lever, inertia, wheel, rotors, radius, gain, damping, friction, dry, rolling, slow, gravity = floor
     pitch, pitch_rate, wheel_rate = moving
     force, moment = acting
     cos, sin, rate = math.cos(pitch), math.sin(pitch), wheel_rate - pitch_rate
@@ -86,7 +86,7 @@ def slide(floor: Any, moving: Any, u: Any, acting: Any, grip: Any, slipped: Any,
     inner = inertia - rotors * ratio
     whole = total * inner - across * across
     # ẍ, ψ̈ and θ̈ without the floor's force, by a newton of it, and by a newton metre of the motors
-    turning = torque - friction * wheel_rate
+    turning = torque - friction * wheel_rate - rolling * wheel_rate / math.sqrt(wheel_rate * wheel_rate + slow * slow)
     x, y = lever * pitch_rate * pitch_rate * sin + force, lever * gravity * sin - torque + moment + ratio * turning
     move, falling = (inner * x - across * y) / whole, (total * y - across * x) / whole
     free = radius * (turning + rotors * falling) / wheel - move

@@ -55,6 +55,7 @@ from upright.diagnose.usual import SECONDS
 from upright.diagnose.words import (
     at_limit,
     began,
+    blow,
     nothing,
     of_demand,
     of_fault,
@@ -138,8 +139,10 @@ def ranked(evidence: Evidence) -> tuple[Cause, ...]:
     order = sorted((name for name in odds if odds[name] > LEAST), key=lambda name: -odds[name])
     total = sum(odds[name] for name in order)
     return tuple(
-        Cause(name, odds[name] / total, min(best[name].onset, evidence.fell_at), best[name].evidence, _repair(name))
-        for name in order
+        Cause(
+            name, odds[name] / total, min(answer.onset, evidence.fell_at), answer.evidence, _repair(name), answer.push
+        )
+        for name, answer in ((name, best[name]) for name in order)
     )
 
 
@@ -286,7 +289,8 @@ def _pushed(evidence: Evidence) -> list[Answer]:
     chance, lean, push = toppled(evidence)
     if push is None:
         return []
-    return [Answer(PUSHED * (1 - HELPED) * chance, PUSH, push.start, of_push(evidence, push, lean))]
+    text = of_push(evidence, push, lean)
+    return [Answer(PUSHED * (1 - HELPED) * chance, PUSH, push.start, text, blow(evidence, push, lean))]
 
 
 def _steady_load(evidence: Evidence) -> list[Answer]:

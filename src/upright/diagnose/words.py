@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.diagnose.beyond import Leftover
+from upright.diagnose.causes import Blow
 from upright.diagnose.changes import PART, channels_of
 from upright.diagnose.evidence import EXCURSION, FOREIGN, Demand, Evidence
 from upright.diagnose.fall import LEANING
@@ -121,18 +122,25 @@ _FAULT_TEXTS = {
 }  # fmt: skip
 
 
+def blow(evidence: Evidence, push: PushEstimate, lean: float) -> Blow:
+    """The numbers of a push that, with smaller ones the same way, counts as this `lean` [rad]."""
+    toppling = evidence.toppling
+    saved = min(toppling.largest, LEANING), toppling.largest_like(push)
+    return Blow(push.impulse, push.start, push.height, lean, *saved, evidence.pushes_only.explained)
+
+
 def of_push(evidence: Evidence, push: PushEstimate, lean: float) -> str:
-    way = "forward" if push.impulse > 0 else "backward"
-    caused, largest = (math.degrees(angle) for angle in (lean, min(evidence.toppling.largest, LEANING)))
+    found = blow(evidence, push, lean)
+    caused, largest = math.degrees(found.counts), math.degrees(found.largest)
     several = lean > 1.01 * abs(evidence.toppling.lean(push))
     it = "With smaller pushes the same way it" if several else "It"
-    lasted, most_saved = push.stop - push.start, evidence.toppling.largest_like(push)
+    lasted = push.stop - push.start
     took = "shorter than a sample" if lasted < evidence.run.kit.period else f"{1e3 * lasted:.2g} ms long"
     return (
-        f"a push {way} of about {abs(push.impulse):.2g} N s at t = {push.start:.2f} s, {took}, if it hit "
-        f"{push.height:.2g} m above the axle, explains {most(evidence.pushes_only.explained)} of the innovations. "
+        f"{found}, {took}, if it hit {found.height:.2g} m above the axle, explains {most(found.explained)} of the "
+        f"innovations. "
         f"{it} makes the robot so fast that this counts as {caused:.2g}° of lean; the motors bring back {largest:.2g}° "
-        f"at most{_battery(evidence)}, a push of {most_saved:.2g} N s there"
+        f"at most{_battery(evidence)}, a push of {found.most:.2g} N s there"
     )
 
 
@@ -159,7 +167,7 @@ def of_low(evidence: Evidence) -> str:
 
 def of_high(evidence: Evidence) -> str:
     if evidence.motors.swings < 1:
-        return f"{sound(evidence)}, and the commands were large without swings, as a high gain makes them"
+        return f"{sound(evidence)}; a high gain also makes large commands, but mostly swings first, and here were none"
     return (
         f"{sound(evidence)}, and the commands changed sign {evidence.motors.swings:.1g} times a second with growing "
         "swings"

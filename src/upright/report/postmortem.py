@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-import re
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from upright.diagnose import PostMortem
-from upright.diagnose.causes import NO_FALL, PUSH
+from upright.diagnose.causes import NO_FALL, Cause
 from upright.diagnose.fall import LEANING
+from upright.diagnose.verdict import HELPED, PUSHED
 from upright.plotting import INK, line, number, numbered, panels, span
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 LARGEST = 120.0  # [°] up to which ticks are 40° apart, so that the fall has one
 CUT = 1.2  # of the largest command: a law may ask for much more
+FAR = 1.5  # of the largest lean to recover from
 SHOWN = 0.02
 """Less likely causes are only in the JSON."""
 
@@ -31,7 +32,7 @@ SHOWN = 0.02
 def page_of(result: PostMortem) -> Page:
     """The post-mortem's page, not yet written."""
     level = "good" if result.verdict == NO_FALL else "bad" if result.fell else "info"
-    evidence = [*_words(result), *([_causes(result)] if result.causes else [])]
+    evidence = [*_words(result), *([_causes(result)] if result.causes else []), *_most(result)]
     sections = [Section("Cause", evidence)] if evidence else []
     drawn = len(result.series.t) > 1
     if drawn:
@@ -53,7 +54,21 @@ _READ = (
     "count together, as the unstable motion that they make. Dashed there: the point of no return. The third panel is "
     "what the controller requests, drawn up to {cut:g} times what the motors give. The last panel, logarithmic, "
     "compares the readings with what the model expects, over a tenth of a second. Without faults it stays below the "
-    "dashed line in 39 of 40 cases or more."
+    "dashed line in 39 of 40 cases or more. `upright doctor` smooths the gyro, so its fall begins some hundredths of a "
+    "second before the first sign."
+)
+
+
+def _most(result: PostMortem) -> list[Item]:
+    """Why no push is surer."""
+    if not result.causes or result.causes[0].push is None:
+        return []
+    return [_MOST.format(100 * PUSHED * (1 - HELPED))]
+
+
+_MOST = (
+    "No push gets more than {:.0f} %: in about one fall of ten something helps that the log does not show, and a fault "
+    "may look like a push."
 )
 
 
@@ -83,20 +98,17 @@ def _numbers(result: PostMortem) -> list[tuple[str, str]]:
 
 def _push(result: PostMortem) -> tuple[str, str] | None:
     """The largest push that the motors bring back, beside the one that came; None where another cause is first."""
-    match = _PUSH.search(result.causes[0].evidence) if result.causes and result.causes[0].name == PUSH else None
-    if match is None:
+    push = result.causes[0].push if result.causes else None
+    if push is None:
         return None
-    close = abs(float(match["came"]) / float(match["most"]) - 1) < CLOSE
-    came = f"this one had about {match['came']} N s{', too close to tell' if close else ''}"
-    return f"{match['most']} N s", f"the largest such push that any controller could save; {came}"
+    close = abs(abs(push.impulse) / push.most - 1) < CLOSE
+    came = f"this one had about {abs(push.impulse):.2g} N s{f', known to {100 * KNOWN:.0f} %' if close else ''}"
+    return f"{push.most:.2g} N s", f"the largest such push that any controller could save; {came}"
 
 
-CLOSE = 0.1  # of an impulse: planted ones come out 3 to 7 % small (`benchmarks/push_size.py`, 25 November 2026)
-_PUSH = re.compile(
-    r"(?P<push>a push \w+ of about (?P<came>[\d.]+) N s at t = [\d.]+ s),.*"
-    r"(?P<worth>counts as [\d.]+° of lean; the motors bring back [\d.]+° at most).* a push of "
-    r"(?P<most>[\d.]+) N s there"
-)
+KNOWN, CLOSE = 0.07, 0.1
+"""How well an impulse is known: planted ones come out 3 to 7 % small (`benchmarks/push_size.py`, 25 November 2026); and
+from how near to the limit on that is said."""
 
 
 def _lost(result: PostMortem) -> float | None:
@@ -127,18 +139,19 @@ def _lead(result: PostMortem) -> str:
     best = result.causes[0] if result.causes else None
     if not best:
         return text
-    text += f" {sentence(_plain(best.evidence))}" if best.evidence else ""
+    text += f" {sentence(_plain(best))}" if best.evidence else ""
     repair = best.repair.rstrip(".").replace("`upright push-map`", f"`upright push-map --robot {result.robot}`")
     repair = repair.replace("`upright design`", f"`upright design lqg --robot {result.robot}`")
     return f"{text} Next: {sentence(repair)}" if repair else text
 
 
-def _plain(evidence: str) -> str:
-    """The first clause, without the filter's words; of a push also what it did."""
-    if match := _PUSH.search(evidence):
-        return f"{match['push']} made it so fast that this {match['worth']}"
+def _plain(cause: Cause) -> str:
+    """The first clause of the evidence, without the filter's words; of a push what it did."""
+    if push := cause.push:
+        counts, largest = (f"{math.degrees(angle):.2g}°" for angle in (push.counts, push.largest))
+        return f"{push} made it so fast that this counts as {counts} of lean; the motors bring back {largest} at most"
     return (
-        evidence.split("; ", maxsplit=1)[0]
+        cause.evidence.split("; ", maxsplit=1)[0]
         .split(". ", maxsplit=1)[0]
         .replace("of the innovations", "of the deviation from the model")
     )
@@ -149,10 +162,20 @@ def _words(result: PostMortem) -> list[Item]:
     return [*missing, *map(sentence, result.notes)]
 
 
+def _evidence(cause: Cause) -> str:
+    """The evidence; of a push only what the lead does not say."""
+    if not (push := cause.push):
+        return f"{cause.evidence}."
+    return (
+        f"that push alone explains {100 * min(push.explained, 0.999):.3g} % of the innovations, assumed to hit "
+        f"{push.height:.2g} m above the axle."
+    )
+
+
 def _causes(result: PostMortem) -> Table:
     rows: list[list[Cell]] = [
-        [c.name, f"{100 * c.likelihood:.0f} %", f"{c.evidence}.", c.repair]
-        for c in result.causes
+        [c.name, f"{100 * c.likelihood:.0f} %", _evidence(c) if k == 0 else f"{c.evidence}.", c.repair]
+        for k, c in enumerate(result.causes)
         if c.likelihood >= SHOWN
     ]
     if rest := 100 - sum(round(100 * c.likelihood) for c in result.causes if c.likelihood >= SHOWN):
@@ -192,25 +215,26 @@ def _figure(result: PostMortem) -> Figure:
     command.set_ylim(-1.8, 1.8)
     if (np.abs(s.command) > CUT).any():
         above = bool((s.command > CUT).any())
-        command.annotate(
-            f"drawn up to {CUT:g}", (1, CUT if above else -CUT), (-2, 3 if above else -11), ha="right",
-            xycoords=("axes fraction", "data"), textcoords="offset points",
-        )  # fmt: skip
-    reach.set_ylim(0, 1.5)
+        _cut(command, CUT if above else -CUT, above=above)
+    reach.set_ylim(0, FAR)
+    if np.nanmax(s.reserve, initial=0.0) > FAR:
+        _cut(reach, FAR, above=False)
     known = result.fell and math.isfinite(result.onset)
     if not known:
         return Figure("The last seconds", figure)
+    pushed = bool(result.causes) and result.causes[0].push is not None
     if (lost := _lost(result)) is not None:
         reach.plot(lost, 1.0, "o", color=INK, markersize=6)
         last_half = lost > (result.onset + result.fell_at) / 2
-        words, beside = f"after {lost - result.onset:.2g} s", (-8, -12) if last_half else (8, -12)
+        after = f"{lost - result.onset:.2g} s"
+        words, beside = f"{after} after the push" if pushed else f"after {after}", (-8, -12) if last_half else (8, -12)
         reach.annotate(words, (lost, 1.0), beside, textcoords="offset points", ha="right" if last_half else "left")
     span(axes, max(result.onset, float(s.t[0])), result.fell_at, "_trouble")
-    start = max(float(s.t[0]), result.onset - max(BEFORE, result.fell_at - result.onset))
+    start = max(float(s.t[0]), result.onset - max(BEFORE, 0.7 * (result.fell_at - result.onset)))
     axes[0].set_xlim(start, min(float(s.t[-1]), result.fell_at + AFTER))
     lasted = result.fell_at - result.onset
     note = "Shaded: from the first sign to the fall."
-    if lost is not None and result.causes and result.causes[0].name == PUSH:
+    if lost is not None and pushed:
         note += (
             " The curves are a filter's, which follows a push some hundredths of a second late: the push itself "
             "decided, not the time after it."
@@ -220,7 +244,15 @@ def _figure(result: PostMortem) -> Figure:
     return Figure(f"From the first sign at {result.onset:.2f} s to the fall it took {lasted:.2g} s", figure, note)
 
 
-BEFORE, AFTER = 0.4, 0.2  # [s] shown before the onset, at least, and after the fall
+BEFORE, AFTER = 0.3, 0.2  # [s] shown before the onset, at least, and after the fall
+
+
+def _cut(ax: Axes, level: float, *, above: bool) -> None:
+    """Up to where a curve is drawn, in words `above` or below that level at the right end."""
+    ax.annotate(
+        f"drawn up to {abs(level):g}", (1, level), (-2, 3 if above else -11), ha="right",
+        xycoords=("axes fraction", "data"), textcoords="offset points",
+    )  # fmt: skip
 
 
 def _level(ax: Axes, t: Array, level: float, name: str) -> None:
