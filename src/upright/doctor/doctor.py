@@ -124,7 +124,7 @@ class Diagnosis(Shown):
                 side = name.rpartition("_")[2] if "_" in name else name.rpartition("/")[2]
                 colour = style if side in ("left", "right") else 4
                 line(ax, side, record.t, record[name], step=title == "commands", style=colour, solid=True)
-            if title == "commands" and any(finding.code.startswith("saturation") for finding in self.findings):
+            if any(finding.code.startswith("saturation") and finding.channel in names for finding in self.findings):
                 at = sensors.limited(record, names)
                 for name, rows in zip(names, at, strict=True):
                     ax.plot(

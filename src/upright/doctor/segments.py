@@ -35,6 +35,7 @@ from upright.logs.outliers import runs
 _MOST = 10  # reported events of one kind
 _BEFORE = 0.1  # [s] before a fall begins, up to which the rows are used
 _LINEAR = 0.4  # [rad] lean beyond which sin ψ differs from ψ by more than slips do
+_IDLE = 0.01  # of the largest command, up to which a robot at rest gets none
 FAR = 8.0  # standard deviations of the pendulum equation's residual
 _LEAST = 20  # rows of a cut, below which a log is left whole
 
@@ -132,10 +133,12 @@ def still(record: Record) -> list[Finding]:
 
 def _standing(record: Record, m: Resampled, a: int, b: int, rate: Array) -> Finding:
     start, end = float(m.t[a]), float(m.t[b - 1])
-    driven = float(np.abs((m.commands[0] + m.commands[1])[a:b] / 2).mean()) if m.commands is not None else 0.0
+    mean = np.abs(m.commands[0] + m.commands[1]) / 2 if m.commands is not None else np.zeros(len(m.t))
+    driven, most = float(mean[a:b].mean()), float(mean.max())
     unit = record.units.get(record.commands[0], "") if record.commands else ""
     evidence = f"wheels at rest from {moment(start)} to {moment(end)} s (rows {a} to {b - 1}): gyro noise "
-    evidence += f"{rate[a:b].std():.2g} rad/s, mean command {driven:.2g} {unit}".rstrip()
+    evidence += f"{rate[a:b].std():.2g} rad/s, "
+    evidence += f"mean command {driven:.2g} {unit}".rstrip() if driven > _IDLE * most else "no command"
     evidence += "; held by hand, or stuck by friction"
     return note(
         "segment/still", m.gyro_name, evidence, "leave these rows out when a model is fitted", span=(start, end)

@@ -238,7 +238,7 @@ def saturation(record: Record) -> list[Finding]:
             at = record.t[limited(record, names).any(axis=0)]
             when = f"up to {longest} consecutive, from {moment(at[0])} to {moment(at[-1])} s"
             evidence = f"{fraction:.1%} of the rows are at the {limit}, {top}, {when}"
-            repair = "leave these rows out when a linear model is fitted, or model the limit"
+            repair = "leave these rows out when a linear model is fitted, or use one that knows the limit"
             repair = "upright calibrate leaves these readings out" if names[0] == GYRO else repair
             findings.append(warning("saturation", names[0], evidence, repair, span=(float(at[0]), float(at[-1]))))
     return findings
@@ -345,7 +345,7 @@ def quiet(record: Record) -> list[Finding]:
         return []
     evidence = f"the pitch amplitude is only {swing:.2g} rad: resolution and friction are as large as the dynamics"
     name = GYRO if GYRO in record else PITCH
-    return [note("motion/quiet", name, evidence, "excite the robot before identifying inertias")]
+    return [note("motion/quiet", name, evidence, "add a signal that makes it swing (upright excite), for a model")]
 
 
 def amplitude(record: Record) -> float:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from upright.doctor import delays, motion, segments, sensors, time, units
 from upright.doctor.doctor import Diagnosis
-from upright.doctor.finding import BALANCING, GYRO, LEFT, STANDING, Finding, Record, moment
+from upright.doctor.finding import BALANCING, GYRO, LEFT, RIGHT, STANDING, Finding, Record, moment
 from upright.doctor.physics import LEAST_ROWS
 from upright.logs import outliers
 from upright.report.figure import Figure
@@ -21,7 +22,7 @@ CHECKS = {
     "time stamps": ("time/",), "rows": ("samples/", "columns/"), "units": ("units/",),
     "signs and sides": ("motion/flipped", "motion/swapped"), "rates and angles": ("motion/int", "motion/diff"),
     "delays": ("delay/",), "gyro's bias": ("gyro/",), "readings": ("channel/", "estimate/", "encoder/wrapped"),
-    "encoder's resolution": ("encoder/",), "motors and gyro at their limit": ("saturation",),
+    "encoder's resolution": ("encoder/",), "limits of motors and gyro": ("saturation",),
     "motion": ("motion/quiet", "segment/still", "segment/none"), "falls and slips": ("segment/",),
 }  # fmt: skip
 """What is checked → how the codes of its findings begin; a code counts for the first that fits."""
@@ -40,7 +41,8 @@ WORDS = {
 }  # fmt: skip
 """The same for single codes, where that says more."""
 NAMED = 4  # faults in the title
-ALIKE = 0.9  # of the rows: commands of both motors that are equal there lie on each other
+ALIKE = 0.9  # of the rows: both sides that are equal there lie on each other
+SEEN = 0.01  # of the largest value: a smaller difference is narrower than a line
 
 
 def page_of(result: Diagnosis) -> Page:
@@ -55,7 +57,6 @@ def page_of(result: Diagnosis) -> Page:
     renamed = any(name != column for name, column in columns)
     checks, values, limits = _checks(result), _values(result), _limits(result)
     checked_rows: list[list[Cell]] = [[*c, values.get(c[0], ""), limits[c[0]]] for c in checks]
-    failed = [name for name, verdict in checks if verdict.level not in ("good", "info")]
     meaning = f"{_FAULT}{_RED if any(f.severity == 'error' for f in faults) else ''}{_REMARK}"
     return Page(
         _title(result, faults),
@@ -69,7 +70,7 @@ def page_of(result: Diagnosis) -> Page:
         {"columns read as": _mapped(result.mapping.name), "rows": str(result.rows)}, False,
         verdict=_verdict(result, faults), picture=_picture(result),
         numbers=[
-            _counted(failed, len(checks)),
+            _counted(faults, sum(verdict.level not in ("good", "info") for _, verdict in checks), len(checks)),
             _usable(result),
             (f"{result.period * 1e3:.4g} ms", f"from one row to the next; {result.rows} rows"),
         ],
@@ -82,12 +83,14 @@ _RED = "Where it is red, the log is wrong. "
 _REMARK = "A remark does not spoil the log; what it advises makes a model better."
 
 
-def _counted(failed: list[str], checks: int) -> tuple[str, str]:
-    """How many checks found a fault, and which."""
+def _counted(faults: list[Finding], failed: int, checks: int) -> tuple[str, str]:
+    """How many faults there are, which, and how many checks found them."""
     if not failed:
         return f"{checks} of {checks}", "checks passed, from time stamps to falls; open “Checks” for all"
-    named = "; ".join(failed if len(failed) <= NAMED else [*failed[: NAMED - 1], "and others"])
-    return f"{len(failed)} of {checks}", f"checks found a fault: {named}"
+    kinds = list(dict.fromkeys(_in_words(f) for f in faults))
+    named = joined(kinds if len(kinds) <= NAMED else [*kinds[: NAMED - 1], "others"])
+    count = f"{len(faults)} fault{'' if len(faults) == 1 else 's'}"
+    return count, f"{named}; found by {failed} of {checks} checks"
 
 
 def _title(result: Diagnosis, faults: list[Finding]) -> str:
@@ -96,8 +99,11 @@ def _title(result: Diagnosis, faults: list[Finding]) -> str:
         return f"{name}: no fault found"
     if result.kept and _one_cut(result):
         start, stop = result.kept
+        falls = [f.span[0] for f in faults if f.code == "segment/fall" and f.span and f.span[0] >= stop]
+        balanced = sum(b - a for a, b in _within(result, BALANCING, start, stop))
+        if falls and balanced:
+            return f"{name}: {balanced:.3g} s of balancing, then it falls at {moment(min(falls))} s"
         begins = f"from {moment(start)} to " if start > result.read.t[0] else "up to "
-        falls = any(f.code == "segment/fall" and f.span and f.span[0] >= stop for f in faults)
         return f"{name}: usable {begins}{moment(stop)} s{', then the robot falls' if falls else ''}"
     kinds = list(dict.fromkeys(_in_words(f) for f in faults))
     more = len(kinds) - NAMED
@@ -146,8 +152,8 @@ def _usable(result: Diagnosis) -> tuple[str, str]:
     long = {kind: sum(b - a for a, b in several) for kind, several in spans.items()}
     where = " and ".join(f"{moment(a)} to {moment(b)} s" for a, b in spans[BALANCING][:2])
     more = " and later" if len(spans[BALANCING]) > 2 else ""
-    still = f"; standing still, {long[STANDING]:.3g} s, tells the gyro's noise only" if long[STANDING] > 0 else ""
-    return f"{long[BALANCING]:.3g} s", f"of {result.seconds:.3g} s it balances and can be used, {where}{more}{still}"
+    rest = f"; {long[STANDING]:.3g} s at rest give only the gyro's noise" if long[STANDING] > 0 else ""
+    return f"{long[BALANCING]:.3g} s", f"of {result.seconds:.3g} s it balances: {where}{more}{rest}"
 
 
 def _within(result: Diagnosis, kind: str, start: float, stop: float) -> list[tuple[float, float]]:
@@ -161,12 +167,22 @@ def _picture(result: Diagnosis) -> Figure | None:
     if drawn is None:
         return None
     poses = ", then ".join(dict.fromkeys(segment.kind for segment in result.segments))
-    record, note = result.read, ""
-    if record.commands:
-        left, right = (record[name] for name in record.commands)
-        if float(np.mean(np.abs(left - right) <= 1e-3 * np.nanmax(np.abs(right), initial=0.0))) >= ALIKE:
-            note = "Both motors get the same command: left lies under right."
-    return Figure(f"The readings of the log{poses and f'; the robot was {poses}'}", drawn, note)
+    pairs = {"encoders": (LEFT, RIGHT), "commands": result.read.commands or ()}
+    same = [what for what, names in pairs.items() if _alike(result.read, names)]
+    note = f"Left lies under right in the {joined(same)}." if same else ""
+    if any(f.code == "segment/fall" for f in result.findings):
+        note += (
+            f" The shade of a fall begins up to {cell_text(4 * result.period, 2)} s early, since the gyro is smoothed."
+        )
+    return Figure(f"The readings of the log{poses and f'; the robot was {poses}'}", drawn, note.lstrip())
+
+
+def _alike(record: Record, names: Sequence[str]) -> bool:
+    """Whether a left and a right channel are equal in nearly all rows, to what a figure shows."""
+    if len(names) < 2 or any(name not in record for name in names):
+        return False
+    left, right = (record[name] for name in names)
+    return float(np.mean(np.abs(left - right) <= SEEN * np.nanmax(np.abs(right), initial=0.0))) >= ALIKE
 
 
 def _evidence(result: Diagnosis, finding: Finding) -> str:
@@ -230,7 +246,7 @@ def _limits(result: Diagnosis) -> dict[str, str]:
         "gyro's bias": f"a mean of {cell_text(bias[1], 2)} rad/s" if bias else "",
         "readings": f"one value for {sensors.STUCK:g} s while others move; a hole; a single odd one",
         "encoder's resolution": f"steps of {sensors.COARSE_ENCODER:g} rad, or as coarse as the motion",
-        "motors and gyro at their limit": f"{100 * outliers.PILED:g} % of the rows at the largest",
+        "limits of motors and gyro": f"{100 * outliers.PILED:g} % of the rows at the largest",
         "motion": f"an amplitude of the pitch below {sensors.QUIET:g} rad",
         "falls and slips": f"a fall; {segments.FAR:g} standard deviations off the pendulum equation",
     }  # fmt: skip
@@ -284,7 +300,7 @@ def _values(result: Diagnosis) -> dict[str, str]:
         largest = max(float(np.nanmax(np.abs(side), initial=0.0)) for side in sides)
         at, _ = sensors.at_limit(record, record.commands)
         top = f"{cell_text(largest, 2)} {record.units.get(record.commands[0], '')}"
-        values["motors and gyro at their limit"] = f"{cell_text(100 * at, 2)} % of the rows at the largest, {top}"
+        values["limits of motors and gyro"] = f"{cell_text(100 * at, 2)} % of the rows at the largest, {top}"
     for check, agreed in AGREED.items():
         values[check] = agreed if passed[check] == "ok" else ""
     for finding in result.findings:  # the worst come first
@@ -322,7 +338,10 @@ def _events(result: Diagnosis) -> str:
     if events[0].startswith(WORDS["segment/fall"]):
         falls = events[0].replace(WORDS["segment/fall"], "the robot falls")
         what = f"{falls} on{', with ' if events[1:] else ''}{joined(events[1:])}"
-    return f"{sentence(what)} No fault lies between {start} and {stop} s."
+    fell = [f.span[0] for f in result.faults if f.code == "segment/fall" and f.span]
+    before = min((at - result.kept[1] for at in fell if at >= result.kept[1]), default=0.0)
+    ahead = f", {cell_text(before, 2)} s before the fall" if before else ""
+    return f"{sentence(what)} No fault lies between {start} and {stop} s{ahead}."
 
 
 def _next(result: Diagnosis, faults: list[Finding]) -> str:
@@ -333,10 +352,20 @@ def _next(result: Diagnosis, faults: list[Finding]) -> str:
     repairs = [f"repairs: {'; '.join(done)}"] if done else []
     if result.kept:
         start, stop = map(moment, result.kept)
-        gone = "; the faults go with the rest" if _one_cut(result) else ""
+        gone = ": the faults go" if _one_cut(result) else ""
+        rest = bool(_within(result, STANDING, *result.kept))
+        gone += f"{';' if gone else ':'} the time at rest stays, for the gyro's noise" if rest else ""
         repairs.append(f"{'It ' if done else ''}keeps {start} ≤ t < {stop} s{gone}")
     if not fixed:
         return f"`upright calibrate {name} --robot ROBOT -o robot.toml`."
     kept = [_in_words(f) for f in faults if f not in _repairable(result)]
     left = f" It leaves {joined(list(dict.fromkeys(kept)))}." if kept else ""
-    return f"`upright doctor {name} --fix repaired.csv` {'. '.join(repairs)}.{left}"
+    quiet = any(f.code == "motion/quiet" for f in result.findings)
+    log = f" {_EXCITED}" if quiet else ""
+    return f"`upright doctor {name} --fix repaired.csv` {'. '.join(repairs)}.{left}{log}"
+
+
+_EXCITED = (
+    "The robot swings too little here for a model: log a new run with the signal that "
+    "`upright excite --robot ROBOT -o plan.json` designs."
+)
