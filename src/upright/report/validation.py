@@ -12,6 +12,7 @@ from upright.calibrate.calibration import GOOD, PREDICTED
 from upright.report.figure import Figure
 from upright.report.made import command, parsed, quoted
 from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
+from upright.signals import STATE_NAMES
 from upright.tables import joined, sentence, short, spoken
 from upright.tables import least as least_of
 from upright.validate.loop import FreeLoop
@@ -72,7 +73,7 @@ def page_of(result: Validation) -> Page:
     sections = [section for log in result.logs for section in _sections(log, len(result.logs) > 1)]
     half = f"Measured and predicted, half a second at a time: R² of {_each(worst)}"
     half = "Predictions of half a second lie on the readings" if worst.worst.r2 >= GOOD else half
-    starts = " ".join([_STARTS, *(note.replace(" -", " −") for note in worst.notes if note.startswith("Only "))])
+    starts = " ".join([_starts(worst), *(note.replace(" -", " −") for note in worst.notes if note.startswith("Only "))])
     logs = ", ".join(Path(log.source).name for log in result.logs)
     return Page(
         _title(result), sections, _lead(result), {"kit": result.kit, "logs": logs}, False, verdict=verdict,
@@ -80,7 +81,17 @@ def page_of(result: Validation) -> Page:
     )  # fmt: skip
 
 
-_STARTS = "Each half second starts from a state fitted to it, and gets only the logged commands."
+def _starts(log: LogJudged) -> str:
+    """From what each half second starts, and whether that flatters R²: m numbers fitted to n readings take m/n of the
+    error at most where that is noise."""
+    halves = len(np.unique(log.segments.segment))
+    readings = len(log.segments.when) / max(halves, 1)
+    text = f"Each half second gets the logged commands and a first state: {STATES} numbers, fitted to its "
+    few = FEW * readings > STATES
+    return f"{text}{readings:.0f} readings. {'That hardly raises R².' if few else 'So few readings make R² too high.'}"
+
+
+STATES, FEW = len(STATE_NAMES), 0.1  # of the readings, up to which numbers fitted to them hardly show
 
 
 def _title(result: Validation) -> str:
@@ -91,7 +102,7 @@ def _title(result: Validation) -> str:
     poor = {c.name for c in fits if c.r2 < GOOD}
     good = {c.name for c in fits} - poor
     if not poor:
-        return f"{result.robot} {result.says(logs)}: R² ≥ {least_of(least_r2, 3)} of {_named(good)}"
+        return f"{result.robot} {result.says(logs)}: {_named(good)} with R²\u00a0≥\u00a0{least_of(least_r2, 3)}"
     lowest = f"R² {least_of(least_r2, 3)}" if least_r2 >= 0 else "R² below 0"
     lowest = f"{lowest}, needs {GOOD:g}" if len(poor) == 1 else f"least {lowest}, needs {GOOD:g}"
     if good:
@@ -189,7 +200,8 @@ def _numbers(result: Validation) -> list[tuple[str, str]]:
                 (f"{first.breaks:.2g} s", f"the whole run, simulated, follows the log; {_lost(loops, pushed)}")
             )
         else:
-            whole = f"R² of {short(lowest.name)} over the whole run, simulated: not judged, small errors add up"
+            long = f"{cell_text(max(log.seconds for log in judged), 2)} s"
+            whole = f"R² of {short(lowest.name)} when the whole {long} are simulated from the first state: not judged"
             numbers.append((_r2(lowest.r2), whole))
     shifts = [s for log in result.logs for s in log.shifts]
     if shifts:
@@ -276,7 +288,7 @@ def _sections(log: LogJudged, several: bool) -> list[Section]:
     one = "sensor/encoder_left" in names and "sensor/encoder_right" not in names
     noted = [note for note in log.notes if several or not note.startswith("Only ")]  # that stands below the picture
     half: list[Item] = [*noted, _table(log.half_seconds), *([_ONE] if one else [])]
-    half += [_COMPASS] if COMPASS in names else []
+    half += [f"{_COMPASS}{_would(log)}" for name in names if name == COMPASS]
     half += [_STILL] if _still(log) else []
     if log.own_run:
         effects: list[list[Cell]] = [[e.name.replace("_", " "), e.unit, e.known, e.here] for e in log.effects]
@@ -286,6 +298,12 @@ def _sections(log: LogJudged, several: bool) -> list[Section]:
         Section(f"The whole run{name}", loop, _whole(log), folded=log.simulated is not None),
         Section(f"Parameters to doubt{name}", moves if rows else [_NONE]),
     ]
+
+
+def _would(log: LogJudged) -> str:
+    """Whether the compass would pass, where it shows a turn."""
+    r2 = next(c.r2 for c in log.half_seconds if c.name == COMPASS)
+    return "" if _still(log) else f" Here it would {'' if r2 >= GOOD else 'not '}pass."
 
 
 def _whole(log: LogJudged) -> Verdict | None:
@@ -299,7 +317,7 @@ def _whole(log: LogJudged) -> Verdict | None:
 
 _SMALL = "Each step is less than one standard deviation of what is known: no number has to be changed."
 _COMPUTED = "How this is computed"
-_COMPASS = "The compass is not judged: it also turns with iron and motors nearby."
+_COMPASS = "The compass is not judged: iron and motors nearby disturb any compass."
 _ESTIMATED = "The measured pitch is the estimate that the log holds, not a reading: it is shown, not judged."
 
 

@@ -214,7 +214,7 @@ def half_second_figure(log: LogJudged) -> Figure:
     names = [name for name in log.segments.rows if name in PREDICTED] or list(log.segments.rows)
     names.sort(key=lambda name: r2.get(name, GOOD))
     lowest = log.worst.name if log.worst.name in names else names[0]
-    figure, axes = panels([*map(_label, names), _label(lowest).replace(" [", ", error [")])
+    figure, axes = panels([*map(_label, names), _label(lowest).replace(" [", ", measured − predicted [")])
     for ax, name in zip(axes, names, strict=False):
         t, measured, predicted = log.segments.series(name)
         line(ax, "measured", t, measured, style=4, below=True)
