@@ -317,7 +317,7 @@ def test_claims_follow_from_their_cases(parts: dict[str, Claim]) -> None:
     held = sum(claims.values())
     # as 5a to 5d: in part where some of what a claim says holds
     assert parts["5e"].says == (REPRODUCED if held == len(claims) else "reproduced in part" if held else NOT_AS_PRINTED)
-    assert parts["5e"].first.startswith(f"In part: {held} of {len(claims)} conclusions hold. ") == (0 < held < 4)
+    assert parts["5e"].first.startswith(f"{held} of {len(claims)} conclusions hold. ") == (0 < held < 4)
 
 
 def planted(decay: float, yaw: float = 0.0, sign: float = 1.0) -> Log:
@@ -397,14 +397,14 @@ def test_one_rule_judges_every_claim_that_says_several_things(holds: tuple[bool,
     aside = "" if all(holds) else "1 of 2 hold"
     claim = Claim("5e", "Conclusions", judged(holds), "They were tested.", {}, aside=aside)
     assert claim.says == says
-    assert claim.first.startswith("In part: 1 of 2 hold. ") == (says == "reproduced in part")
+    assert claim.first.startswith("1 of 2 hold. ") == (says == "reproduced in part")
 
 
 def test_a_claim_reproduced_in_part_is_not_green() -> None:
     claim = Claim("1", "A push", REPRODUCED, "It holds.", {}, aside="the twin keeps swinging")
     assert claim.says == "reproduced in part"
     assert (claim.badge.text, claim.badge.level) == ("reproduced in part", "warn")
-    assert claim.first == "In part: the twin keeps swinging. It holds."
+    assert claim.first == "The twin keeps swinging. It holds."
     assert claim.to_json()["verdict"] == "reproduced in part"  # who counts verdicts does not count it as reproduced
 
 

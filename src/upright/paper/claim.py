@@ -11,6 +11,7 @@ from typing import Any
 from upright.report import Details, Figure, Section, Table, Verdict
 from upright.report.page import Item
 from upright.signals import Log
+from upright.tables import sentence
 
 REPRODUCED = "reproduced"
 NOT_AS_PRINTED = "not reproducible as printed"
@@ -64,24 +65,26 @@ class Claim:
     @property
     def first(self) -> str:
         """What holds of a claim that holds in part, and the first sentence of the summary."""
-        part = f"In part: {self.aside}. " if self.aside and self.says == IN_PART else ""
-        return f"{part}{self.summary.split('. ')[0].rstrip('.')}."
+        return " ".join([*self._aside(), f"{self.summary.split('. ')[0].rstrip('.')}."])
+
+    def _aside(self) -> list[str]:
+        return [sentence(self.aside)] if self.aside and self.says == IN_PART else []
 
     def why(self, width: int) -> str:
         """The first sentence of the summary, indented and wrapped to `width` columns."""
         return textwrap.fill(self.first, width, initial_indent="    ", subsequent_indent="    ")
 
-    def section(self) -> Section:
-        """The claim as a folded section of the page: the figures that come first, or else the first, or a short table;
-        the rest is folded once more."""
+    def section(self, name: str = "") -> Section:
+        """The claim as a folded section of the page, by its `name` in the contents: the figures that come first, or
+        else the first, or a short table; the rest is folded once more."""
         figures = [item for item in self.items if isinstance(item, Figure)]
         short = [item for item in self.items[:1] if isinstance(item, Table) and len(item.rows) <= SHORT]
         leading = itertools.takewhile(lambda item: isinstance(item, Figure), self.items)
         shown = list(leading) or figures[:1] or short
         rest = [item for item in self.items if item not in shown]
         folded = [Details("Tables, figures and derivations", rest, printed=False)] if rest else []
-        part = [f"In part: {self.aside}."] if self.aside and self.says == IN_PART else []
-        return Section(f"{self.part} {self.title}", [*part, self.summary, *shown, *folded], self.badge, folded=True)
+        items = [*self._aside(), self.summary, *shown, *folded]
+        return Section(f"{self.part} {self.title}", items, self.badge, folded=True, name=f"{self.part} {name}".rstrip())
 
     def to_json(self) -> dict[str, Any]:
         named = {"part": self.part, "title": self.title, "verdict": self.says, "aside": self.aside}

@@ -84,8 +84,8 @@ def _fitted(log: Log, fit: LeastSquares) -> Claim:
     good = blocks[0].agrees and blocks[1].agrees and fit.full_rank
     summary = (
         f"Least squares on {fit.samples} samples gives the printed numbers of pitch and wheels, to within "
-        f"{blocks[0].units:.1f} of their last digit. With the sign of the yaw inputs turned, the yaw block is within "
-        f"{blocks[1].units:.1f}. X_g has rank {fit.rank} of 9 and condition number {fit.condition:.1f}; the "
+        f"{blocks[0].units:.1f} units of the last printed digit. With the sign of the yaw inputs turned, the yaw block "
+        f"is within {blocks[1].units:.1f}. X_g has rank {fit.rank} of 9 and condition number {fit.condition:.1f}; the "
         f"independent term is at most {cell_text(offset, 2)}."
     )
     numbers = {

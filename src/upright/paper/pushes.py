@@ -140,11 +140,13 @@ def _shown(trial: RegulatedRobot, side: str, comparison: Comparison, measured: M
     force = Hold(pitch=PUSHES[side], until=RELEASE).force(robot)
     fits, rates = ({n: cell_text(f[state], 2) for n, f in comparison.fits.items()} for state in ("pitch", "pitch_rate"))
     why = _why_long(comparison, measured)
+    both = f"Pitch of both models fits the twin to {fits['linear']} %"
+    if fits["nonlinear"] != fits["linear"]:
+        both = f"Pitch fits the twin to {fits['nonlinear']} % (nonlinear) and {fits['linear']} % (linear)"
     summary = (
-        f"Pitch fits the twin to {fits['nonlinear']} % (nonlinear) and {fits['linear']} % (linear), and settles to "
-        f"5 %: {_times(measured.settling)}. Held at {cell_text(PUSHES[side])} rad by {cell_text(force, 2)} N at the "
-        f"centre of mass, then released.{why} Pitch rate, where noise lowers the fit, fits to {rates['nonlinear']} "
-        f"and {rates['linear']} %. {trial.why}"
+        f"{both}, and settles to 5 %: {_times(measured.settling)}. Held at "
+        f"{cell_text(PUSHES[side])} rad by {cell_text(force, 2)} N at the centre of mass, then released.{why} "
+        f"Pitch rate, where noise lowers the fit, fits to {rates['nonlinear']} and {rates['linear']} %. {trial.why}"
     )
     figures = _figures(comparison, measured, FIGURES[side])
     strip = Figure(
@@ -158,7 +160,7 @@ def _shown(trial: RegulatedRobot, side: str, comparison: Comparison, measured: M
     logs = {f"{robot.name}-{side}-{name}": log for name, log in comparison.logs.items()}
     verdict = judged([stood])
     swing, band = (cell_text(math.degrees(value), 2) for value in _swing(comparison))
-    aside = f"the curves agree, but the twin keeps swinging by {swing}°, and 5 % is {band}°" if why else ""
+    aside = f"the curves agree, but the twin keeps swinging by {swing}°, beyond the 5 % band of {band}°" if why else ""
     return Claim(part, title, verdict, summary, numbers, items, logs, aside=aside)
 
 
@@ -232,16 +234,15 @@ def _tested(measured: dict[str, Measured]) -> Claim:
         "yaw is negligible": sum(c.yaw_negligible for c in every),
     }
     verdicts = {claim: count == len(every) for claim, count in held.items()}
+    apart = f" (by more than a sample, {cell_text(printed.PERIOD)} s)"
     text = "; ".join(
-        f"“{claim}”, says the paper, and here it holds in {count or 'none'} of {len(every)} cases"
-        if count < len(every)
-        else f"“{claim}” holds in all"
+        f"“{claim}”{apart if 'differ' in claim else ''} holds in "
+        + ("all" if count == len(every) else f"{count or 'none'} of {len(every)} cases")
         for claim, count in sorted(held.items(), key=lambda item: item[1])
     )
     summary = (
         f"{sentence(text)} A case is one robot under one push; a claim holds where it does in every case. A twin that "
-        f"never settles counts as later than its models. Times that are a sample, {cell_text(printed.PERIOD)} s, or "
-        "less apart do not differ."
+        f"never settles counts as later than its models."
     )
     cases = {n: {**vars(c), "settling": {r: finite(s) for r, s in c.settling.items()}} for n, c in measured.items()}
     numbers = {"claims": verdicts, "cases": cases}

@@ -138,13 +138,15 @@ def _parts(items: Sequence[Item]) -> list[tuple[str, Item]]:
 class Section:
     """A heading, perhaps a verdict, and what follows in order; a plain string is a paragraph.
 
-    A `folded` section shows its heading, and the rest when that is pressed.
+    A `folded` section shows its heading, and the rest when that is pressed. `name` is what the contents call it, where
+    that is shorter than its heading.
     """
 
     heading: str
     items: Sequence[Item] = ()
     verdict: Verdict | None = None
     folded: bool = False
+    name: str = ""
 
     def parts(self) -> list[tuple[str, Item]]:
         """The items, each with the name of its template."""

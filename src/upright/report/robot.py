@@ -24,7 +24,7 @@ BODY, WHEEL = COLOURS[0], COLOURS[4]
 
 
 def labelled(robot: Robot) -> Figure:
-    """The robot from its side, leaning, with ψ, θ, L and R, and from above, with φ and W."""
+    """The robot from its side, leaning, with ψ, θ, L, R and a force on the front, and from above, with φ and W."""
     figure, (side, top) = empty(2, height=2.9)
     R, L = robot.wheel_radius, robot.com_height
     stand(side, robot, LEAN, TURN)
@@ -41,7 +41,11 @@ def labelled(robot: Robot) -> Figure:
         ha="right",
     )
     side.plot([centre[0]], [centre[1]], "o", markersize=5, color=COLOURS[4])
-    side.annotate("centre of mass, L above the axle", centre, (14, -4), textcoords="offset points")
+    leader = {"arrowstyle": "-", "color": INK, "linewidth": 0.6, "shrinkB": 3}
+    side.annotate("centre of mass", centre, (-1.1 * R, centre[1]), ha="right", va="center", arrowprops=leader)
+    tail = (centre[0] + 1.1 * R, centre[1])
+    side.annotate("", centre, tail, arrowprops={"arrowstyle": "->", "color": COLOURS[3], "shrinkA": 0, "shrinkB": 3})
+    side.text(tail[0] + 0.12 * R, centre[1], "force on the front", color=COLOURS[3], va="center")
     side.annotate("", centre, (0, R), arrowprops={"arrowstyle": "<->", "color": INK, "shrinkA": 0, "shrinkB": 0})
     side.text(0.5 * centre[0] + 0.15 * R, R + 0.42 * (centre[1] - R), "L", va="center")
     side.annotate("", (R * math.cos(0.9), R - R * math.sin(0.9)), (0, R), arrowprops={"arrowstyle": "->", "color": INK})
