@@ -130,17 +130,17 @@ def blow(evidence: Evidence, push: PushEstimate, lean: float) -> Blow:
 
 
 def of_push(evidence: Evidence, push: PushEstimate, lean: float) -> str:
-    found = blow(evidence, push, lean)
-    caused, largest = math.degrees(found.counts), math.degrees(found.largest)
+    numbers = blow(evidence, push, lean)
+    caused, largest = math.degrees(numbers.counts), math.degrees(numbers.largest)
     several = lean > 1.01 * abs(evidence.toppling.lean(push))
     it = "With smaller pushes the same way it" if several else "It"
     lasted = push.stop - push.start
     took = "shorter than a sample" if lasted < evidence.run.kit.period else f"{1e3 * lasted:.2g} ms long"
     return (
-        f"{found}, {took}, if it hit {found.height:.2g} m above the axle, explains {most(found.explained)} of the "
-        f"innovations. "
+        f"{numbers}, {took}, if it hit {numbers.height:.2g} m above the axle, explains {most(numbers.explained)} of "
+        "the innovations. "
         f"{it} makes the robot so fast that this counts as {caused:.2g}° of lean; the motors bring back {largest:.2g}° "
-        f"at most{_battery(evidence)}, a push of {found.most:.2g} N s there"
+        f"at most{_battery(evidence)}, a push of {numbers.most:.2g} N s there"
     )
 
 

@@ -42,7 +42,7 @@ WORDS = {
 """The same for single codes, where that says more."""
 NAMED = 4  # faults in the title
 ALIKE = 0.9  # of the rows: both sides that are equal there lie on each other
-SEEN = 0.01  # of the largest value: a smaller difference is narrower than a line
+THINNEST = 0.01  # of the largest value: a smaller difference is narrower than a line
 
 
 def page_of(result: Diagnosis) -> Page:
@@ -182,7 +182,7 @@ def _alike(record: Record, names: Sequence[str]) -> bool:
     if len(names) < 2 or any(name not in record for name in names):
         return False
     left, right = (record[name] for name in names)
-    return float(np.mean(np.abs(left - right) <= SEEN * np.nanmax(np.abs(right), initial=0.0))) >= ALIKE
+    return float(np.mean(np.abs(left - right) <= THINNEST * np.nanmax(np.abs(right), initial=0.0))) >= ALIKE
 
 
 def _evidence(result: Diagnosis, finding: Finding) -> str:
