@@ -135,7 +135,7 @@ class Bench(Shown):
 
         ranked, places = self.ranked(), self.places()
         names, x_label = [f"{place}. {name}" for name, place in places.items()], "largest impulse survived [N s]"
-        figure = bars(names, list(ranked.values()), x_label, "controller", digits=2)
+        figure = bars(names, list(ranked.values()), x_label, "controller", digits=3)
         for bar, place in zip(figure.axes[0].patches, places.values(), strict=True):
             bar.set_color(COLOURS[0] if place > 1 else COLOURS[2])
         return figure

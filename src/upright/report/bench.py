@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from upright.bodies.body import FALLEN
 from upright.comparison import compare
-from upright.comparison.bench import DRAWN, KNOCK, TOLERANCE, Bench
+from upright.comparison.bench import DRAWN, KNOCK, TOLERANCE, UNTIL, Bench
 from upright.firmware.targets import computing_time
 from upright.fleet.binomial import upper_bound
 from upright.plotting import AXIS, COLOURS, number
@@ -39,7 +39,7 @@ def page_of(bench: Bench) -> Page:
     title = f"Largest knock that each controller survives: {ties}"
     facts = {"robot": bench.robot, "kit": bench.kit, "body": bench.body, "seed": str(bench.seed)}
     full = [*tables(bench), *_unsettled(bench)]
-    sections = [Section("Tables", [_summary(bench), Details("Numbers under each push", full)])]
+    sections = [Section("All controllers", [_summary(bench), Details("Numbers under each push", full)])]
     if knocked:
         sections = [Section("Responses", [responses(bench, take)]), *sections]
     who = f"{joined(firsts)} survive" if 1 < len(firsts) <= FEW else f"{best} survives"
@@ -138,7 +138,7 @@ def _numbers(bench: Bench, name: str) -> list[tuple[str, str]]:
     if name in times:
         slowest = max(times, key=times.__getitem__)
         of = f"; {slowest} takes {_milliseconds(times[slowest])}" if slowest != name else ""
-        text = f"of a period of {_milliseconds(bench.period)} {name} computes on {_brick(bench)} (estimate){of}"
+        text = f"{name} needs of each period of {_milliseconds(bench.period)} on {_brick(bench)} (estimate){of}"
         numbers.append((_milliseconds(times[name]), text))
     falls = _worse(bench, name, "spread")
     if falls is not None:
@@ -172,17 +172,20 @@ _SMALLER = (
 def _summary(bench: Bench) -> Table:
     """What counts of each controller, under the worse push."""
     rows: list[list[Cell]] = []
+    rests = [_rest(bench, push)[0] for push in dict.fromkeys(row.push for row in bench.rows)]
     for name, size in bench.ranked().items():
         spreads = [row.spread for row in bench.rows if row.controller == name and row.spread is not None]
         efforts = [row.effort for row in bench.rows if row.controller == name and row.effort is not None]
         time = _time(bench, name)
-        row = [name, size, 100 * max(spreads) if spreads else None, max(efforts, default=None)]
+        times = [rest.get(name, math.nan) for rest in rests]
+        settled = math.nan if any(map(math.isnan, times)) else max(times, default=math.nan)
+        row = [name, size, settled, 100 * max(spreads) if spreads else None, max(efforts, default=None)]
         rows.append([*row, *([None if time is None else 1e3 * time] if _brick(bench) else [])])
     caption = f"The worse of front and back; falls of {DRAWN} similar robots and effort when let go from a lean"
-    caption += f"; what a period computes on {_brick(bench)}" if _brick(bench) else ""
-    header = ["controller", "knock [N s]", "falls [%]", f"effort [{_effort_unit(bench)}]"]
+    caption += f"; computing time for a period on {_brick(bench)}" if _brick(bench) else ""
+    header = ["controller", "knock [N s]", "settles [s]", "falls [%]", f"effort [{_effort_unit(bench)}]"]
     header += [f"on {_brick(bench)} [ms]"] if _brick(bench) else []
-    return Table(header, rows, caption, 2, even=True, narrow=True)
+    return Table(header, rows, caption, 3, even=True, narrow=True)
 
 
 def _unsettled(bench: Bench) -> list[str]:
@@ -224,10 +227,10 @@ def _leans(bench: Bench, names: Sequence[str]) -> str:
     peaks = {n: max(abs(row.peak or 0.0) for row in bench.rows if row.controller == n) for n in names}
     ranked = sorted(peaks, key=lambda name: -peaks[name])
     if len(ranked) < 2 or not peaks[ranked[-1]]:
-        return "Pitch, held at a lean and let go"
+        return f"Pitch, pushed for {UNTIL:g} s and let go"
     most, least = (f"{name} ({number(math.degrees(peaks[name]), 2)}°)" for name in (ranked[0], ranked[-1]))
     far = f"; at {math.degrees(FALLEN):.0f}° a robot lies"
-    return f"Pitch, held at a lean and let go: of those shown {most} leans most, {least} least{far}"
+    return f"Pitch, pushed for {UNTIL:g} s and let go: of those shown {most} leans most, {least} least{far}"
 
 
 FEW = 4  # curves that can be told apart in one panel

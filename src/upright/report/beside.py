@@ -25,13 +25,18 @@ CLOSE, FAIR = 80.0, 50.0  # [%] of fit: from where two runs agree well, and at a
 AVERAGED = 0.3  # [s] over which quick swings (noise, rounded readings) average out, the answer to a push does not
 
 
+SHORT = 24  # letters of two names that stand at an axis
+
+
 def with_difference(comparison: Comparison, t: Array, one: Array, other: Array) -> Figure:
     """Pitch of two runs [rad], and below it by how much the second exceeds the reference, at the times `t` [s]."""
-    figure, axes = panels(["pitch [rad]", "difference [rad]"])
+    less = " − ".join(reversed([*comparison.logs]))
+    less = less if len(less) <= SHORT else "difference"
+    figure, axes = panels(["pitch [rad]", f"{less} [rad]"])
     for style, (label, log) in enumerate(comparison.logs.items()):
         line(axes[0], label, log.t, log[f"{comparison.sources[label]}/pitch"], style=style, solid=True)
     axes[0].lines[0].set(**BELOW)
-    line(axes[1], "difference", t, other - one, style=4, solid=True)
+    line(axes[1], less, t, other - one, style=4, solid=True)
     for start, stop in comparison.pushed:
         span(axes, start, min(stop, float(t[-1])), "push acts")
     return legend(figure)
@@ -39,10 +44,7 @@ def with_difference(comparison: Comparison, t: Array, one: Array, other: Array) 
 
 def mark_largest(ax: Axes) -> None:
     """A dot where the curve of an axis in degrees is furthest from zero, with its size."""
-    curve = next((drawn for drawn in ax.lines if drawn.get_label() == "difference"), None)
-    if curve is None:
-        return
-    x, y = (np.asarray(values, dtype=np.float64) for values in curve.get_data())
+    x, y = (np.asarray(values, dtype=np.float64) for values in ax.lines[0].get_data())
     if not np.isfinite(y).any():
         return
     at = int(np.nanargmax(np.abs(y)))

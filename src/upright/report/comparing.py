@@ -156,7 +156,7 @@ def _lead(comparison: Comparison) -> str:
         what = comparison.kinds[comparison.reference]
         body = f"One run of {f'the {what}' if what else 'a robot'}"
         return f"{body}{f', under {kind}' if kind else ''}.{leans_into(comparison)} Next: {_next_body(comparison)}"
-    after = f"{certify_command(robot, kind)} pushes many similar robots under this controller"
+    after = f"{certify_command(robot, kind)} pushes many similar robots under this controller, and counts how many fall"
     return f"{who}{pushed}{several}.{stands}{worse(comparison)} Next: {after}."
 
 
@@ -247,10 +247,12 @@ def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
     if len(rest) == 2 and all(math.isfinite(seconds) for seconds, _ in rest):
         times, both = " and ".join(cell_text(seconds, 3) for seconds, _ in rest), " and ".join(comparison.logs)
         within = max(size for _, size in rest)
-        text = f"{both} settle after the release, to ±{degrees(within)}"
+        band = f"±{degrees(within)} ({within:.2g} rad)"
+        text = f"{both} settle after the release, to {band}"
         if grazes(comparison, within):
             middle = f"about {cell_text(float(np.mean([seconds for seconds, _ in rest])), 2)} s"
-            fits.append((middle, f"until {both} settle, to ±{degrees(within)}; noise makes it {times} s"))
+            each = " and ".join(f"{cell_text(s, 3)} s ({n})" for n, (s, _) in zip(comparison.logs, rest, strict=True))
+            fits.append((middle, f"until {both} settle, to {band}; noise makes it {each}"))
         else:
             fits.append((f"{times} s", text))
     if len(peaks) == len(comparison.logs) == 2 and len(fits) < MOST:
@@ -384,7 +386,9 @@ def _provenance(comparison: Comparison) -> dict[str, str]:
         known = {
             "robot": str(log.origin.get("robot", {}).get("name", "")),
             "seed": "" if seed is None else str(seed),
-            "controller": str(mark)[:12] if mark else "",
+            "controller": f"{log.origin.get('controller', {}).get('kind', '')} (fingerprint {str(mark)[:12]})".lstrip()
+            if mark
+            else "",
             "versions": ", ".join(f"{name} {number}" for name, number in sorted(versions.items())),
         }
         for key, text in known.items():

@@ -106,8 +106,7 @@ def _matters(data: Dataset, outcome: str) -> str:
     limit, what = _chance(data, len(sizes)), _words(data, outcome).lower()
     if abs(size) <= limit:
         which = f"{spoken(name)} makes" if len(sizes) == 1 else "what was varied makes"
-        sure = f"{number(abs(size), 1)}, by chance up to {number(limit, 1)}"
-        return f" {sentence(which, '')} no visible difference to the {what} (rank correlation {sure})."
+        return f" {sentence(which, '')} no visible difference to the {what}: no more than chance does."
     how = "clearly" if abs(size) > CLEAR else "a little"
     return f" The {what} follows {spoken(name)} {how} (rank correlation {number(size, 2)})."
 
@@ -184,7 +183,10 @@ def over_strongest(data: Dataset, outcome: str) -> Figure | None:
     name, size = next(iter(sizes.items()))
     x, y = data[name].values.astype(np.float64), data[outcome].values.astype(np.float64)
     use = np.isfinite(y) & ((outcome == "fell") | (data["fell"].values == 0))
-    x, y, across = x[use], y[use], f"{spoken(name)} [{data[name].attrs.get('unit', '1')}]"
+    x, y, unit = x[use], y[use], str(data[name].attrs.get("unit", "1"))
+    if unit == "m" and len(x) and float(x.max()) < 1:
+        x, unit = 1000 * x, "mm"
+    across = f"{spoken(name)} [{unit}]"
     if outcome == "fell":
         parts = np.array_split(np.argsort(x), min(PARTS, max(len(x) // 20, 2)))
         figure, (ax,) = panels(["robots that fell [%]"], across)
@@ -201,7 +203,11 @@ def over_strongest(data: Dataset, outcome: str) -> Figure | None:
     few = np.union1d(np.linspace(0, len(x) - 1, min(len(x), DOTS - 2)).astype(int), ends)
     few = few if len(x) > DOTS else np.arange(len(x))
     ax.plot(x[few], y[few], ".", markersize=3)
-    dots = "each dot is a robot" if len(few) == len(x) else f"a dot is a robot, {len(few)} of {len(x)} are drawn"
+    dots = (
+        "each dot is a robot"
+        if len(few) == len(x)
+        else f"a dot is a robot, {len(few)} of {len(x)}, evenly chosen, are drawn"
+    )
     how = "grows" if size > 0 else "shrinks"
     if outcome == "peak_pitch":
         limit = math.degrees(FALLEN)
@@ -267,7 +273,7 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     robot = origin_of(data)["robot"]["name"]
     after = f"`upright push-map --robot {robot}`, which finds the largest push"
     if not pushes:
-        after = f"`upright fleet --robot {robot} --samples {summary.n} --push impulse:0.1` pushes them"
+        after = f"`upright fleet --robot {robot} --samples {summary.n} --push impulse:0.1` pushes them with 0.1 N s"
     few = 0 < len(_varied(data)) <= FEW
     all_vary = "; with `--vary spread` all numbers of the robot vary" if few else ""
     matters = _matters(data, "peak_pitch") if "peak_pitch" in names and not summary.fell else ""
@@ -285,14 +291,15 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     ]
     if "peak_pitch" in summary.quantiles and np.isfinite(summary.quantiles["peak_pitch"][2]):
         peak, fall = math.degrees(summary.quantiles["peak_pitch"][2]), math.degrees(FALLEN)
-        text = f"is the most that 95 % of those that stood leaned; at {fall:.0f}° a robot lies"
+        who = f"95 % of {_those(summary)}"
+        text = f"is the most that {who} leaned; at {fall:.0f}° a robot lies"
         numbers.append((f"{number(peak, 2)}°", text))
     if "settling" in kept and np.isfinite(kept["settling"]).all():
         _, half, most = kept["settling"]
         after = _called(data, "settling").removeprefix("settling time ")
         numbers.append((f"{half:.3g} s", f"{after} half of them stay within {_BAND}; 95 % after {most:.3g} s"))
     elif "travel" in kept and np.isfinite(kept["travel"][2]):
-        numbers.append((f"{kept['travel'][2]:.2g} m", "is the farthest that 95 % of those that stood rolled"))
+        numbers.append((f"{kept['travel'][2]:.2g} m", f"is the furthest that 95 % of {_those(summary)} rolled"))
     outcomes = ["fell"] if explained else names[:1]
     trends = [name for name in outcomes if explained or matters or _clear(data, name)]
     causes = [figure for name in trends for figure in (over_strongest(data, name), influence(data, name)) if figure]
@@ -309,6 +316,11 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
         f"{summary.fell} of {summary.n} robots fell, {pushed(pushes)}", sections, lead, provenance(data), False,
         picture=picture, numbers=numbers, verdict=_verdict(data, summary, knocks),
     )  # fmt: skip
+
+
+def _those(summary: Summary) -> str:
+    """Of which robots outcomes are told."""
+    return "those that stood" if summary.fell else f"all {summary.n}"
 
 
 def _untold(summary: Summary, explained: bool) -> str:
@@ -345,7 +357,7 @@ def _differ(data: Dataset, robot: str) -> str:
     under = f", under the controller {kind}" if kind else ""
     if 0 < len(names) <= FEW:
         varied = joined([f"{spoken(name)}{_range(data, name)}" for name in names])
-        return f"Simulated robots that differ from {robot} only in {varied}{under}."
+        return f"Simulated robots that differ from {robot} only in {varied}{under}; each has its own sensor noise."
     if not names:
         return f"Simulated robots with the numbers of {robot}{under}; only noise differs."
     spreads = sorted((origin_of(data).get("vary") or {})["spreads"], key=width)

@@ -121,7 +121,7 @@ def untouched_lead(comparison: Comparison) -> str:
     why = motionless(log) or "What its sensors misread is all that moves it."
     began = f"A run of the {what}{f' under {kind}' if kind else ''}, begun exactly upright: it tests nothing."
     command = f"{again('upright simulate', '--push')} {PUSHED}"
-    return f"{began} {why} Next: `{command}` pushes it for a second."
+    return f"{began} {why} Next: `{command}` leans it with a push for a second, then lets go."
 
 
 def resting_figure(log: Log) -> Figure | None:
@@ -138,4 +138,4 @@ def resting_figure(log: Log) -> Figure | None:
     most = 1.2 * float(np.abs(log["command/left"]).max())
     for ax in axes[1:]:
         ax.set_ylim(-most, most)
-    return Figure("Pitch stays at 0°: noise alone reaches the controller, and no command the motors", figure)
+    return Figure("Pitch stays at 0°: noise alone reaches the controller, and no command reaches the motors", figure)
