@@ -168,7 +168,7 @@ def test_page_text_and_json_tell_one_settling_time_within_one_band():
     line = next(line for line in str(result).splitlines() if line.startswith("settling ±1.15°"))
     seconds = " and ".join(f"{told[label]['settled']:.4g}" for label in ("slow", "fast"))
     assert line.split()[-2:] == seconds.split(" and ")
-    assert (f"{seconds} s", "slow and fast settle after the release, to ±1.15°") in page_of(result).numbers
+    assert (f"{seconds} s", "slow and fast settle after the release, to ±1.15° (0.02 rad)") in page_of(result).numbers
 
 
 def test_logs_on_other_time_bases_are_interpolated_on_the_common_interval():

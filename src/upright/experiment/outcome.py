@@ -74,6 +74,4 @@ def motionless(log: Log) -> str:
     if not asked:
         return "Exactly upright it reads no lean, so every command is 0."
     unit = log.unit("command/left")
-    zone = ((log.origin.get("kit") or {}).get("motor") or {}).get("dead_zone", 0.0)
-    why = f"; within the motors' dead zone, {zone:g} {unit}, 0 {unit} is applied" if asked < zone else ""
-    return f"The sensors' noise makes commands of up to {asked:.2g} {unit}, too small to turn the motors{why}."
+    return f"The sensors' noise makes commands of up to {asked:.2g} {unit}, too small to turn the motors: 0 {unit} is applied."
