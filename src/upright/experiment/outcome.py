@@ -74,4 +74,5 @@ def motionless(log: Log) -> str:
     if not asked:
         return "Exactly upright it reads no lean, so every command is 0."
     unit = log.unit("command/left")
-    return f"The sensors' noise makes commands of up to {asked:.2g} {unit}, too small to turn the motors: 0 {unit} is applied."
+    asks = f"The sensors' noise makes commands of up to {asked:.2g} {unit}"
+    return f"{asks}, too small to turn the motors: 0 {unit} is applied."

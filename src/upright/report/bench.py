@@ -181,7 +181,7 @@ def _summary(bench: Bench) -> Table:
         settled = math.nan if any(map(math.isnan, times)) else max(times, default=math.nan)
         row = [name, size, settled, 100 * max(spreads) if spreads else None, max(efforts, default=None)]
         rows.append([*row, *([None if time is None else 1e3 * time] if _brick(bench) else [])])
-    caption = f"The worse of front and back; falls of {DRAWN} similar robots and effort when let go from a lean"
+    caption = f"The worse of front and back; let go from a lean: settling, falls of {DRAWN} similar robots, effort"
     caption += f"; computing time for a period on {_brick(bench)}" if _brick(bench) else ""
     header = ["controller", "knock [N s]", "settles [s]", "falls [%]", f"effort [{_effort_unit(bench)}]"]
     header += [f"on {_brick(bench)} [ms]"] if _brick(bench) else []
