@@ -238,3 +238,104 @@ def test_full_duty_is_the_smallest_usual_number_that_no_row_exceeds(largest: flo
     columns = {"time_s": T, "gyro": GYRO, "pwm_left": largest * np.cos(4 * T), "vbat": np.full(N, 8.0)}
     table = RawTable(columns)
     assert apply(propose(table), table)["command/left"].max() == pytest.approx(volts, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        ("left_encoder_speed", "right_encoder_speed"), ("motor1TicksPerSec", "motor2TicksPerSec"),
+        ("enc_l_cps", "enc_r_cps"), ("leftEncoderCounts/s", "rightEncoderCounts/s"),
+        ("wheel_left_rad_s", "wheel_right_rad_s"), ("left wheel velocity", "right wheel velocity"),
+    ],
+)  # fmt: skip
+def test_a_speed_of_a_wheel_is_no_angle(left: str, right: str) -> None:
+    """A rate that is read as an angle has one derivative too many, in whatever unit."""
+    mapping = propose(RawTable({"t": T, left: WHEEL, right: WHEEL, "gyro": GYRO}))
+    assert mapping.channels[SENSORS[0]].column == left
+    assert all(mapping.channels[name].integrate for name in SENSORS[:2])
+
+
+def test_counts_of_a_second_are_faster_than_any_wheel() -> None:
+    """An encoder of 2000 counts, 320 of which are a radian, at the speed of a robot that drives."""
+    counts = 320 * 10 * np.sin(3 * T)
+    found = doctor(RawTable({"t": T, "l_ticks_per_s": counts, "r_ticks_per_s": counts, "pitch": 0.1 * np.sin(3 * T)}))
+    assert [f.channel for f in found.findings if f.code == "units/speed"] == [*SENSORS[:2]]
+
+
+def swing(rows: int = 300, period: float = 0.01) -> dict[str, np.ndarray]:
+    """Time [s], a tilt [rad] that swings by 6 degrees twice a second, and its rate."""
+    t = period * np.arange(rows)
+    return {"t": t, "tilt": 0.1 * np.sin(12 * t), "rate": 1.2 * np.cos(12 * t)}
+
+
+def test_a_tilt_alone_shows_poses_and_what_is_missing() -> None:
+    """An angle in degrees, its rate beside it under a name that says nothing, a duty beyond 100, and no encoder: a body
+    that falls over is seen to fall, and nothing is said of the wheels."""
+    s = swing()
+    falls = np.where(s["t"] > 2.4, s["tilt"] + 0.02 * (np.exp(7.5 * (s["t"] - 2.4)) - 1), s["tilt"])
+    rate = np.gradient(falls, s["t"])
+    columns = {"t": s["t"], "Angle (deg.)": falls / DEGREE, "Speed (deg./s)": rate / DEGREE}
+    found = doctor(RawTable(columns | {"PWM": np.clip(-2500 * falls, -255, 255)}))
+    assert [pose.kind for pose in found.segments] == ["balancing", "falling"]
+    assert found.mapping.channels[SENSORS[2]].column == "Speed (deg./s)"
+    assert "no column is recognised as encoders" in str(found)
+    (command,) = (f for f in found.findings if f.code == "units/command")
+    assert "counts of a duty, 255 of which are full" in command.evidence
+
+
+@pytest.mark.parametrize("quarters", [1, 2, -1])
+def test_a_tilt_that_counts_from_another_zero_is_no_robot_on_its_back(quarters: int) -> None:
+    """Upright at 180 degrees, or at 90: a body that swings to both sides is not on the floor."""
+    s = swing()
+    columns = {"t": s["t"], "pitch": s["tilt"] + quarters * np.pi / 2, "enc": 5 * s["tilt"], "u": 10 * s["tilt"]}
+    found = doctor(RawTable(columns))
+    assert {pose.kind for pose in found.segments} == {"balancing"}
+    assert "estimate/zero" in found.codes()
+    assert np.abs(found.repaired()["estimate/pitch"]).max() == pytest.approx(0.1, abs=0.02)
+
+
+def test_rows_a_fifth_of_a_second_apart_tell_no_pose() -> None:
+    s = swing(60, 0.25)
+    found = doctor(RawTable({"t": s["t"], "pitch": s["tilt"] + 0.6}))
+    assert "time/slow" in found.codes()
+    assert found.segments == ()
+
+
+def test_an_offset_is_not_read_into_a_gap() -> None:
+    """The body turns by half a radian while nothing is logged; the gyro itself is true."""
+    t = np.concatenate([0.01 * np.arange(100), 3 + 0.01 * np.arange(400)])
+    lean = np.where(t < 2, 0.45, 0.0) + 0.03 * np.sin(9 * t)
+    found = doctor(RawTable({"t": t, "pitch_rad": lean, "gyro_rad_s": 0.27 * np.cos(9 * t), "enc": -2 * lean}))
+    assert "time/gap" in found.codes()
+    assert "gyro/bias" not in found.codes()
+
+
+def test_motors_that_are_off_have_no_unit() -> None:
+    zeros = np.zeros(len(T))
+    found = doctor(RawTable({"t": T, "gyro": GYRO, "enc_l": WHEEL, "enc_r": WHEEL, "pwm_l": zeros, "pwm_r": zeros}))
+    assert "units/command" not in found.codes()
+
+
+@pytest.mark.parametrize("unit", [1e-3, 1e-6])
+def test_a_timer_of_32_bits_in_seconds_goes_on(unit: float) -> None:
+    """A program that divides its micros() by a million counts to 4294.967296 s."""
+    size = 2.0**32 * unit
+    t = (size - 1 + 0.01 * np.arange(400)) % size
+    found = doctor(RawTable({"elapsed_s": t, "gyro": np.sin(0.05 * np.arange(400)), "pitch": np.zeros(400)}))
+    assert found.seconds == pytest.approx(3.99, abs=1e-3)
+    assert "time/backwards" not in found.codes()
+
+
+def test_a_draft_holds_what_the_names_say(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """No clock, and no name for the tilt: the rest is written, with what is left to be named."""
+    table = {"Theta": GYRO, "Lmot_RPM": WHEEL, "Rmot_RPM": WHEEL, "minus": -4 * GYRO}
+    path, draft = tmp_path / "run.csv", tmp_path / "m.toml"
+    rows = np.column_stack(list(table.values()))
+    np.savetxt(path, rows, "%.6f", delimiter=",", header=",".join(table), comments="")
+    assert main(["doctor", str(path), "--write-mapping", str(draft)]) == 0
+    text = draft.read_text("utf-8")
+    assert 'column = "Lmot_RPM"\nunit = "rpm"\nintegrate = true' in text
+    assert '# [channels."sensor/gyro"]' in text
+    assert "-4 times Theta" in text
+    assert Mapping.load(draft).time.period == 0.01
+    capsys.readouterr()

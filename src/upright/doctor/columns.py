@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 from upright.doctor.finding import GYRO, LEFT, PITCH, RIGHT, Finding, Record, error
 from upright.doctor.motion import TRUSTED as OBEYED
 from upright.doctor.physics import Resampled, motor, resampled
-from upright.logs.draft import clock_of, draft, looks, rate_of
-from upright.logs.mapping import COMMANDS, GUESS, Mapping, Source, channels_of, in_volts, named_unit
+from upright.logs.draft import clock_of, draft, looks, rate_of, still_to_name
+from upright.logs.mapping import COMMANDS, GUESS, Mapping, Source, by_names, channels_of, in_volts, named_unit
 from upright.logs.names import pairs
 from upright.logs.readers import RawTable
 from upright.logs.units import UNITS
@@ -30,6 +30,7 @@ TRUSTED = 0.95
 """[1] R² of the pendulum equation from which columns are taken for encoders and gyro. Other triples of columns reach
 0.9, since all of them follow the robot's motion."""
 FEWEST = 200  # rows: in fewer, a few swings fit each other by chance
+FEWEST_OF_TILT = 50  # rows, for one column to be the rate of another
 NAMED = OBEYED  # of two columns that differ by the side in their names, and by the name
 DRIVEN = 0.3  # [1] R² of the motor equation from which columns are taken for commands
 EQUAL = 1.5  # how many times more one of two commands may vary
@@ -142,6 +143,22 @@ def with_tilt(mapping: Mapping, table: RawTable) -> Mapping:
         return mapping
     tilt = Source(column=name, unit=named_unit(name, table))
     return replace(mapping, channels={**mapping.channels, PITCH: tilt})
+
+
+def with_gyro(mapping: Mapping, table: RawTable) -> Mapping:
+    """The same mapping, with a column for the gyro where it reads a tilt and none, and one is the rate of that tilt."""
+    tilt = mapping.channels.get(PITCH)
+    if tilt is None or GYRO in mapping.channels or len(table) < FEWEST_OF_TILT:
+        return mapping
+    unread = {n: table.columns[n][:ROWS] for n in mapping.ignored(table)[:MOST] if n in table.columns}
+    angle = tilt.sign * table.columns[tilt.column][:ROWS]
+    fits = {n: rate_of(x, angle) for n, x in unread.items() if np.isfinite(x).all() and np.isfinite(angle).all()}
+    name = max(fits, key=lambda n: abs(fits[n]), default="")
+    if not name or abs(fits[name]) < RATE:
+        return mapping
+    unit = named_unit(name, table) or (f"{tilt.unit}/s" if f"{tilt.unit}/s" in GYROS else "")
+    gyro = Source(column=name, unit=unit if unit in GYROS else "", sign=1 if fits[name] > 0 else -1)
+    return replace(mapping, channels={**mapping.channels, GYRO: gyro})
 
 
 def _sources(table: RawTable, best: _Choice) -> dict[str, Source]:
@@ -281,9 +298,14 @@ def _correlation(a: Array, b: Array) -> float:
 
 
 def drafted(table: RawTable) -> str:
-    """A mapping to be edited: the one of `by_physics`, or an empty one, with what each column looks like."""
+    """A mapping to be edited: the one of `by_physics` or of the names, or an empty one, with what each column looks
+    like, and with what is left to be named."""
     mapping = by_physics(table)
     if mapping is None:
-        return draft(table)
+        named = by_names(table, Source(column="", period=PERIOD))
+        if not named.channels:
+            return draft(table)
+        mapping = replace(with_gyro(named, table), name="mine", about="")
     period = "" if mapping.time.column else "# No column is a clock: state the period [s] from row to row.\n"
-    return f"{looks(table)}\n{period}{mapping.to_toml()}"
+    left = lacking(mapping)
+    return f"{looks(table)}\n{period}{mapping.to_toml()}" + (still_to_name(left, mapping.channels) if left else "")

@@ -15,13 +15,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from upright.doctor import columns, delays, motion, poses, rates, segments, sensors, time, units
+from upright.doctor import columns, delays, motion, plausible, poses, rates, segments, sensors, time, units
 from upright.doctor.finding import (
     BALANCING,
     FEWEST,
     GYRO,
     LEFT,
     ON_WHEELS,
+    PITCH,
     RIGHT,
     SEVERITIES,
     STANDING,
@@ -170,6 +171,7 @@ class Diagnosis(Shown):
         return "\n".join(lines)
 
 
+PERIOD = "state under [time] its column, or how many seconds a row takes: period = 0.01"
 MOST_POSES = 12  # in one line
 MOST_IGNORED = 20
 
@@ -250,16 +252,21 @@ def proposed(table: RawTable) -> tuple[Mapping, list[Finding]]:
         if lacking := columns.lacking(named):
             mapping = columns.by_physics(table, named) if columns.spare(named, table) else None
         if mapping is None or not mapping.time.column or columns.lacking(mapping):
+            mapping = columns.with_gyro(named, table)
             text = f"no column is recognised as {lacking}: what rests on them is not judged"
-            return named, [
-                warning("columns/missing", named.time.column, text, "--write-mapping MINE.toml, and edit it")
-            ]
+            missing = warning("columns/missing", named.time.column, text, "--write-mapping MINE.toml, and edit it")
+            return mapping, [missing, *_unnamed(mapping, by_name)]
     mapping = columns.with_tilt(mapping, table)
+    return mapping, _unnamed(mapping, by_name)
+
+
+def _unnamed(mapping: Mapping, by_name: set[tuple[str, Source]]) -> list[Finding]:
+    """The columns that were not taken by their names."""
     taken = {source.column: name for name, source in mapping.channels.items() if (name, source) not in by_name}
-    if not taken:
-        return mapping, []
-    text = f"no name says what {', '.join(taken)} {'is' if len(taken) == 1 else 'are'}: taken for what they move like"
-    return mapping, [note("columns/unnamed", mapping.time.column, text, "check them, and --write-mapping MINE.toml")]
+    are, they, move = ("is", "it", "moves") if len(taken) == 1 else ("are", "they", "move")
+    text = f"no name says what {', '.join(taken)} {are}: taken for what {they} {move} like"
+    check = "check them, and --write-mapping MINE.toml"
+    return [note("columns/unnamed", mapping.time.column, text, check)] if taken else []
 
 
 def _record(table: RawTable, mapping: Mapping) -> Record:
@@ -276,13 +283,15 @@ def _record(table: RawTable, mapping: Mapping) -> Record:
         )
     if not np.ptp(t[np.isfinite(t)]) > 0:
         raise InvalidLog(
-            f"the time, column '{mapping.time.column}', never changes", likely="another column is the time"
+            f"the time, column '{mapping.time.column}', never changes",
+            likely="another column is the time, or none is",
+            hint=f"upright doctor LOG --write-mapping m.toml, and {PERIOD}",
         )
-    if not any(np.isfinite(values).any() for name, values in measured.items() if name.startswith("sensor/")):
+    if not any(np.isfinite(x).any() for n, x in measured.items() if n.startswith("sensor/") or n == PITCH):
         read = ", ".join(dict.fromkeys(mapping.channels[n].column for n in measured if n in mapping.channels))
         raise InvalidLog(
             f"no sensor holds a number, in what is read: {read}",
-            expected="wheel angles or a pitch rate",
+            expected="wheel angles, a pitch rate or a tilt",
             hint="--write-mapping MINE.toml, and name their columns",
         )
     return record
@@ -296,12 +305,14 @@ def _stages(robot: Robot | None) -> list[list[Check]]:
         [time.jump],
         [wrapped, sensors.joined],
         [sensors.dead, sensors.outliers, sensors.repeated, time.steps],
-        [sensors.stuck, units.constants],
+        [sensors.stuck, plausible.constants],
         [motion.kinds, sensors.unsigned],
         [motion.signs],
         [motion.sides, sensors.unequal],
         [partial(units.scales, robot=robot)],
+        [plausible.speeds],
         [partial(units.commands, robot=robot)],
+        [segments.zero],
         [units.estimates, sensors.bias, sensors.saturation, sensors.grain, sensors.quiet],
         [delays.delays],
         [

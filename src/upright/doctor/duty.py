@@ -67,7 +67,8 @@ def _duty(record: Record, names: tuple[str, str], largest: float) -> tuple[str, 
     whole numbers, or a fraction."""
     if record.units.get(names[0]) == "1" and largest <= 1:
         return "a fraction of full duty", 1.0
-    full = full_duty(np.concatenate([record[name] for name in names])) if counted(record[names[0]]) else 100.0
+    whole = counted(record[names[0]]) or (record.units.get(names[0]) == "1" and largest > 100)
+    full = full_duty(np.concatenate([record[name] for name in names])) if whole else 100.0
     return ("per cent", 100.0) if full <= 100 else (_counts(full), full)
 
 
@@ -76,8 +77,8 @@ def _counts(full: float) -> str:
 
 
 def counted(values: Array) -> bool:
-    """Whether a channel holds whole numbers, but for those that were interpolated."""
-    fine = values[np.isfinite(values)]
+    """Whether a channel holds whole numbers, but for those that were interpolated; zeros are whole in any unit."""
+    fine = values[np.isfinite(values) & (values != 0)]
     return bool(len(fine) and (fine == np.rint(fine)).mean() > 0.8)
 
 

@@ -43,7 +43,8 @@ class Resampled:
     """Encoders, gyro and commands, resampled every `period` [s]; None where missing; `good` rows lie in no gap, and
     in a pose in which the equations of motion hold.
 
-    Without a gyro, `gyro` is the rate of the logged pitch estimate, and `gyro_name` is that channel.
+    Without a gyro, `gyro` is the rate of the logged pitch estimate, and `gyro_name` is that channel. `wheels` tells
+    whether the log has encoders.
     """
 
     t: Array
@@ -54,6 +55,7 @@ class Resampled:
     commands: tuple[Array, Array] | None
     good: NDArray[Any]
     gyro_name: str = GYRO
+    wheels: bool = True
 
     @cached_property
     def wheel(self) -> Array:

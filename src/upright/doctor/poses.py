@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
@@ -20,10 +20,12 @@ from upright.doctor.finding import (
     FALLING,
     FORWARD,
     GYRO,
+    LEFT,
     LYING,
     MOVED,
     OVER,
     PITCH,
+    RIGHT,
     RISING,
     STANDING,
     UP,
@@ -32,6 +34,7 @@ from upright.doctor.finding import (
     Segment,
 )
 from upright.doctor.physics import Resampled, resampled, smooth, widths
+from upright.doctor.time import LONGEST
 from upright.logs.outliers import grain_of, runs
 
 Mask = NDArray[np.bool_]
@@ -50,6 +53,7 @@ _OVER = 2.2  # [rad] lean beyond which a robot is upside down rather than on its
 _SHORTEST = 0.2  # [s] a time on the wheels before a fall that is shorter is part of the fall
 _UP = 0.2  # [rad] lean in which a robot that stands up has arrived
 _FURTHER = 1.3  # times the largest earlier lean, from which one at the end of a log is a fall
+_NO_TILT, _SWUNG, _SWINGS = 1.0, 0.1, 4  # [rad, rad, 1] a mean lean of no robot, and a body that is off the floor there
 _USUAL = 5.0  # [s] to both sides, over which the median lean counts as upright
 _DRIFT = 0.03  # [rad/s] spread of a gyro's offset before anything is known
 _FOLLOWS = 0.7  # R² from which a pitch estimate follows the gyro
@@ -69,10 +73,20 @@ class Lean:
     calm: Mask
 
 
+def bodily(record: Record) -> Resampled | None:
+    """`resampled`; where a log has a tilt estimate and not both encoders, without wheels, since the body alone tells
+    most poses."""
+    if PITCH not in record or {LEFT, RIGHT} <= record.channels.keys():
+        return resampled(record)
+    m = resampled(record.changed(dict.fromkeys((LEFT, RIGHT), np.zeros(len(record.t)))))
+    return replace(m, wheels=False) if m else None
+
+
 def segments(record: Record) -> tuple[Segment, ...]:
-    """The poses of a log in the order of time, without gaps between them; none for a log without gyro or encoders."""
-    m = resampled(record)
-    if m is None or m.gyro is None:
+    """The poses of a log in the order of time, without gaps between them; none for a log without gyro and tilt, or
+    without tilt and encoders, or that is too slow to show a robot balancing."""
+    m = bodily(record)
+    if m is None or m.gyro is None or m.period > LONGEST:
         return ()
     lean = lean_of(record, m)
     return tuple(_segment(m, lean, kind, a, b) for kind, a, b in _merged(_labelled(m, lean), m.period))
@@ -98,7 +112,7 @@ def at_rest(m: Resampled) -> tuple[Mask, Mask]:
     usual = float(np.percentile(swings, 80))
     most = _CALM * usual if usual > 3 * left_over else np.inf  # what shakes at half the sampling rate is no noise
     quiet = swings < min(max(4 * left_over, _REST * usual), most)
-    return _lasting(quiet, m.period), _lasting(quiet & (moved < level), m.period)
+    return _lasting(quiet, m.period), _lasting(quiet & (moved < level) & m.wheels, m.period)
 
 
 def _commonest(values: Array) -> float:
@@ -127,12 +141,24 @@ def lean_of(record: Record, m: Resampled) -> Lean:
     quiet, calm = at_rest(m)
     gyro = m.gyro / _divisor(m)
     swing = _summed(gyro - _offset(gyro, quiet, m.period), m.period)
-    for known in (_by_gravity(record, m, swing, calm), _by_estimate(record, m, gyro)):
-        if known is not None:
+    for known in (_by_gravity(record, m, swing, calm if m.wheels else quiet), _by_estimate(record, m, gyro)):
+        if known is not None and not other_zero(known, quiet):
             return Lean(known, True, quiet, calm)
     still = np.where(quiet, 0.0, gyro - _offset(gyro, quiet, m.period))
     swing = _summed(still, m.period)
     return Lean(swing - _usual(swing, ~quiet, m.period), False, quiet, calm)
+
+
+def other_zero(angle: Array, quiet: Mask) -> float:
+    """The angle [rad] that a tilt has where the robot is upright, if it swings about one at which nothing balances; 0
+    elsewhere. On the floor a body does not swing to both sides."""
+    moving = angle[~quiet]
+    if len(moving) < 0.5 * len(angle):
+        return 0.0
+    low, middle, high = np.percentile(moving, [10, 50, 90]).tolist()
+    beyond = np.sign(moving - middle)[np.abs(moving - middle) > (high - low) / 4]
+    swings = int((np.diff(beyond) != 0).sum())
+    return middle if abs(middle) > _NO_TILT and high - low > _SWUNG and swings >= _SWINGS else 0.0
 
 
 def _divisor(m: Resampled) -> float:

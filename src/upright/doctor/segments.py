@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -29,7 +31,7 @@ from upright.doctor.finding import (
 )
 from upright.doctor.fixes import beside
 from upright.doctor.physics import LEAST_ROWS, Resampled, motion, resampled, smooth, widths
-from upright.doctor.poses import at_rest, lean_of
+from upright.doctor.poses import at_rest, bodily, lean_of, other_zero
 from upright.logs.outliers import runs
 
 _MOST = 10  # reported events of one kind
@@ -45,8 +47,22 @@ def fall(record: Record) -> list[Finding]:
     return [_fell(record, segment) for segment in record.segments if segment.kind == FALLING][-_MOST:]
 
 
+def zero(record: Record) -> list[Finding]:
+    """A tilt estimate that reads another angle than 0 where the robot is upright."""
+    m = bodily(record)
+    if m is None or m.gyro is None or PITCH not in record or not np.isfinite(record[PITCH]).all():
+        return []
+    about = other_zero(record[PITCH], np.interp(record.t, m.t, at_rest(m)[0].astype(float)) > 0.5)
+    if not about or abs(about) > math.tau:
+        return []
+    quarter = math.pi / 2 * round(about / (math.pi / 2))
+    evidence = f"the robot swings about {about:.3g} rad of it, and nothing balances so: it counts from another zero"
+    fix = Fix("offset", (PITCH,), (-quarter,))
+    return [Finding("estimate/zero", "warning", PITCH, evidence, f"subtract {quarter:.4g} rad", (fix,))]
+
+
 def _fell(record: Record, segment: Segment) -> Finding:
-    m = resampled(record)
+    m = bodily(record)
     assert m is not None
     assert m.gyro is not None
     rate = smooth(m.gyro, m.period, widths(m.period)[0])[(m.t >= segment.start) & (m.t < segment.stop)]

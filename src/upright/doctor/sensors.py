@@ -27,8 +27,8 @@ from upright.doctor.finding import (
     warning,
 )
 from upright.doctor.fixes import COARSE, levels, stale
-from upright.doctor.physics import motion, resampled, smooth, widths
-from upright.doctor.poses import lean_of
+from upright.doctor.physics import motion, smooth, widths
+from upright.doctor.poses import LARGEST_OFFSET, bodily, lean_of
 from upright.doctor.segments import on_wheels
 from upright.logs.outliers import LEVELS, at_range, grain_of, runs, single
 
@@ -294,20 +294,20 @@ def drift(record: Record) -> tuple[float, float, float] | None:
     fine = np.isfinite(gyro)
     step = np.diff(record.t)
     known = step < GAP * record.period  # the motion within a gap is unknown
-    mean = float((np.where(fine, gyro, 0.0)[1:] * step)[known].sum() / step[known].sum())
-    mean -= _turned(whole, record) / span
+    turned = np.where(fine, gyro, 0.0)[1:] * step - np.diff(_turned(whole, record))
+    mean = float(turned[known].sum() / step[known].sum())
     lean = min(0.6, 0.1 + 4 * float(_swing(record).std()))
-    return mean, max(0.02, lean / span), span
+    unknown = LEFT not in record and abs(mean) > LARGEST_OFFSET  # no rad/s, and nothing tells what
+    return None if unknown else (mean, max(0.02, lean / span), span)
 
 
-def _turned(whole: Record, part: Record) -> float:
-    """By how much the lean differs [rad] between the ends of a part of a log, where it is known by another sensor."""
-    m = resampled(whole)
+def _turned(whole: Record, part: Record) -> Array:
+    """The lean [rad] in the rows of a part of a log, where it is known by another sensor; else zeros."""
+    m = bodily(whole)
     lean = lean_of(whole, m) if m is not None and m.gyro is not None else None
     if m is None or lean is None or not lean.absolute:
-        return 0.0
-    first, last = np.interp(part.t[[0, -1]], m.t, lean.angle).tolist()
-    return last - first
+        return np.zeros(len(part.t))
+    return np.interp(part.t, m.t, lean.angle)
 
 
 def _swing(record: Record) -> Array:

@@ -16,6 +16,8 @@ from upright.logs.recording import jumps
 LONGEST, SHORTEST = 0.2, 2e-4
 """Plausible sampling periods [s] of a balancing robot: with a pole at 5 1/s, 0.2 s is too slow to balance."""
 
+_SLOWEST = 2.0  # [s] between the rows of a slow log; longer, and they are no seconds
+
 JITTER = 0.1  # [periods] standard deviation; a clock of whole milliseconds at 10 ms has 0.05
 _DISORDER = 20.0  # [periods] rows displaced by more belong to another recording
 MISSED = 1.6  # [periods] a longer step lacks a row: jitter alone rarely doubles a step
@@ -100,6 +102,9 @@ def unit(record: Record) -> list[Finding]:
     period = record.period
     if SHORTEST <= period <= LONGEST:
         return []
+    if LONGEST < period <= _SLOWEST:
+        evidence = f"the rows are {period:.3g} s apart: too slow to show how a robot balances, or how it falls"
+        return [warning("time/slow", "t", evidence, "log every 10 to 50 ms; if these are no seconds, state the unit")]
     evidence = f"the sampling period is {period:.4g} s, too long or too short to balance"
     for name, factor in (("milliseconds", 1e-3), ("microseconds", 1e-6), ("nanoseconds", 1e-9)):
         if 5e-4 <= period * factor <= 0.1:

@@ -46,7 +46,6 @@ from upright.robots import Robot
 Mask = NDArray[np.bool_]
 
 DEGREE = math.pi / 180
-STANDARD_GRAVITY = 9.80665
 
 
 @dataclass(frozen=True)
@@ -250,7 +249,7 @@ def _wrong(s: _Suspect, estimated: dict[str, float], odds: float, gravity: float
     if gravity and s.gyro != 1:
         evidence += f"; by the accelerometer the gyro is {abs(gravity):.3g} times too large"
     groups = (((GYRO,), s.gyro), ((LEFT, RIGHT), s.encoder))
-    divided = [_divide(channels, evidence, factor) for channels, factor in groups if factor != 1]
+    divided = [divide(channels, evidence, factor) for channels, factor in groups if factor != 1]
     return [replace(f, repair=f.repair + or_else) if f.channel != GYRO else f for f in divided]
 
 
@@ -277,7 +276,7 @@ def _encoder_counts(q: float, usual: tuple[float, float]) -> list[Finding]:
     return [error("units/counts", name, evidence, repair) for name in (LEFT, RIGHT)]
 
 
-def _divide(channels: tuple[str, ...], evidence: str, divisor: float) -> Finding:
+def divide(channels: tuple[str, ...], evidence: str, divisor: float) -> Finding:
     return error(
         "units/scale", channels[0], evidence, f"divide by {divisor:.6g}", Fix("scale", channels, (1 / divisor,))
     )
@@ -289,6 +288,8 @@ def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
     if names is None or record.torque_driven:
         return []
     largest, battery = largest_command(record, names), battery_of(record)
+    if not largest:
+        return []  # motors that are off, in any unit
     emf = back_emf(record, m) if m is not None else 0.0
     centre, spread = expected(robot)["back_emf"]
 
@@ -313,32 +314,6 @@ def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
     assumed = "" if best == "millivolts" else f", assuming a battery of {USUAL_BATTERY:g} V"
     repair = f"divide by {unit.factor:.4g}{assumed}"
     return [error("units/command", names[0], evidence, repair, Fix("scale", channels, (1 / unit.factor,)))]
-
-
-MOST_VOLTS, LEAST_MILLIVOLTS = 50.0, 2500.0  # of a scooter, and of one lithium cell that is empty
-
-
-def constants(record: Record) -> list[Finding]:
-    """Battery and accelerometer, against usual voltages and gravity."""
-    findings: list[Finding] = []
-    if BATTERY in record:
-        volts, whole = float(np.nanmedian(record[BATTERY])), counted(record[BATTERY])
-        if whole and (MOST_VOLTS < volts <= 100 or 100 < volts < LEAST_MILLIVOLTS):
-            what = "per cent of its charge" if volts <= 100 else "counts of a converter"
-            evidence = f"whole numbers about {volts:.4g}: {what}, and no volts"
-            repair = (
-                "leave it out of the mapping, and state the voltage: [constants]; so for commands that it multiplies"
-            )
-            findings.append(error("units/battery", BATTERY, evidence, repair))
-        elif 100 < volts < 1e5:
-            findings.append(_divide((BATTERY,), f"millivolts instead of volts: the median is {volts:.4g}", 1000.0))
-    if FORWARD in record and UP in record:
-        weight = float(np.nanmedian(np.hypot(record[FORWARD], record[UP])))
-        for why, pull in (("g", 1 / STANDARD_GRAVITY), ("thousandths of g", 1000 / STANDARD_GRAVITY)):
-            if 0.7 < weight / (pull * STANDARD_GRAVITY) < 1.4:
-                evidence = f"{why} instead of m/s²: the median magnitude is {weight:.3g}, gravity is 9.81"
-                findings.append(_divide((FORWARD, UP), evidence, pull))
-    return findings
 
 
 def estimates(record: Record) -> list[Finding]:
@@ -383,7 +358,7 @@ def _heading(record: Record, m: Resampled) -> list[Finding]:
     evidence = (
         f"degrees instead of radians: it turns {slope:.3g} rad per rad between the wheels; robots have R/W of 0.1 to 1"
     )
-    return [_divide((COMPASS,), evidence, 1 / DEGREE)]
+    return [divide((COMPASS,), evidence, 1 / DEGREE)]
 
 
 def _slope(channel: str, slope: float, r2: float, against: str) -> list[Finding]:
@@ -396,5 +371,5 @@ def _slope(channel: str, slope: float, r2: float, against: str) -> list[Finding]
         return []
     why = min(_FACTORS, key=lambda name: abs(math.log(slope / _FACTORS[name])))
     if abs(math.log(slope / _FACTORS[why])) > 0.4:
-        return [_divide((channel,), evidence, slope)]
-    return [_divide((channel,), f"{why}: {evidence}", _FACTORS[why])]
+        return [divide((channel,), evidence, slope)]
+    return [divide((channel,), f"{why}: {evidence}", _FACTORS[why])]

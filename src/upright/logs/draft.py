@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -10,6 +12,7 @@ from upright.logs.readers import RawTable
 Array = NDArray[np.float64]
 
 _SURE = 0.9  # correlation from which a column is taken for the rate of another
+_EXACT = 0.999999  # correlation of one reading in two units
 _EVEN = 0.2  # of its mean: scatter of the steps of a clock
 _MOST = 24  # columns that are compared with each other
 
@@ -55,6 +58,15 @@ def draft(table: RawTable) -> str:
     return HEAD.format(lacks="channel" if clock else "time", time=time) + "\n" + looks(table) + "\n" + CHOICES
 
 
+def still_to_name(lacking: str, known: Container[str]) -> str:
+    """What a mapping lacks, as comments to be filled in."""
+    same = {"sensor/gyro": "estimate/pitch", "applied/left": "command/left", "applied/right": "command/right"}
+    names = {part.split('"')[1]: part for part in CHOICES.strip().split("\n\n")}
+    parts = [part for name, part in names.items() if name not in known and same.get(name, name) not in known]
+    lines = "\n#\n".join("\n".join(f"# {line}" for line in part.splitlines()) for part in parts)
+    return f"\n# Nothing tells which columns are {lacking}. Where they are in the log, add them:\n#\n{lines}\n"
+
+
 def looks(table: RawTable) -> str:
     """What each column looks like, as comments."""
     lines = [f"#   {name}: {text}" for name, text in behaviour(table).items()]
@@ -80,7 +92,12 @@ def behaviour(table: RawTable) -> dict[str, str]:
         if name and abs(fits[name]) > _SURE:
             words[rate] += f"; {'minus ' if fits[name] < 0 else ''}the rate of {name} (correlation {fits[name]:.2f})"
     for name in moving:
-        same = [n for n in moving if n != name and np.corrcoef(several[n], several[name])[0, 1] > _SURE]
+        alike = {n: float(np.corrcoef(several[n], several[name])[0, 1]) for n in moving if n != name}
+        exact = next((n for n, r in alike.items() if abs(r) > _EXACT and moving.index(n) < moving.index(name)), "")
+        if exact:
+            times = np.std(several[name]) / np.std(several[exact]) * np.sign(alike[exact])
+            words[name] += f"; {times:.4g} times {exact}"
+        same = [n for n, r in alike.items() if r > _SURE and n != exact]
         words[name] += f"; moves with {', '.join(same)}" if same else ""
     return {name: words[name] for name in (*table.columns, *table.text)}
 

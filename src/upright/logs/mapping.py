@@ -28,6 +28,7 @@ from upright.logs.names import (
     unit_by_name,
 )
 from upright.logs.readers import DECIMATION, GAINS, RawTable
+from upright.logs.timers import unwrapped
 from upright.logs.units import UNITS
 from upright.reading import check_types, parse_toml, read_text, understood
 from upright.signals import SIDES, Log
@@ -184,7 +185,7 @@ def channels_of(mapping: Mapping, table: RawTable) -> tuple[Array, dict[str, Arr
     rows = np.arange(len(table), dtype=np.float64)
     t: Array = rows * mapping.time.period
     if mapping.time.column:
-        t = _values(mapping.time, replace(table, columns={**table.columns, **_unwrapped(mapping.time.column, table)}))
+        t = _values(mapping.time, replace(table, columns={**table.columns, **unwrapped(mapping.time.column, table)}))
         t = np.cumsum(t) - t[0] if mapping.time.integrate else t
     channels = {name: np.full(len(t), value) for name, value in mapping.constants.items()}
     units = {name: KNOWN[name].unit if name in KNOWN else "" for name in channels}
@@ -243,23 +244,6 @@ def _values(source: Source, table: RawTable) -> Array:
     return column * (source.sign * source.scale * UNITS[source.unit][0])
 
 
-TIMERS = (2.0**16, 2.0**24, 2.0**32)  # counts after which timers of microcontrollers begin again
-_AHEAD = 50.0  # rows that may be missing where one does
-
-
-def _unwrapped(clock: str, table: RawTable) -> dict[str, Array]:
-    """The clock where its timer began again, going on; empty where it did not."""
-    counts = table.columns.get(clock, np.zeros(0))
-    steps = np.diff(counts)
-    for size in TIMERS:
-        back = steps < -size / 2
-        if back.any() and counts.min() >= 0 and counts.max() < size:
-            usual = float(np.median(steps))
-            again = np.concatenate([[0.0], np.cumsum(back)]) * size
-            return {clock: counts + again} if (steps[back] + size < _AHEAD * usual).all() else {}
-    return {}
-
-
 def _summed(rates: Array, t: Array) -> Array:
     return np.concatenate([[0.0], np.cumsum(rates[1:] * np.diff(t))])
 
@@ -268,7 +252,7 @@ def _unit(name: str, source: Source, units: Mapped[str, str]) -> str:
     if source.times:
         return units[source.times]
     if name in COMMANDS and not source.unit:
-        return ""  # volts or torques: nobody says
+        return "1" if unit_by_name(source.column) == "%" else ""  # a duty; volts or torques: nobody says
     si = UNITS[source.unit][1]
     if source.integrate:
         si = si.removesuffix("/s")
@@ -303,6 +287,17 @@ def propose(table: RawTable) -> Mapping:
 
 
 def _guess(table: RawTable) -> Mapping:
+    mapping = by_names(table)
+    if mapping.time.column and mapping.channels:
+        return mapping
+    raise InvalidLog(
+        f"no {'channel' if mapping.time.column else 'time'} is recognised among {', '.join(list(table.columns)[:12])}",
+        hint="upright doctor LOG --write-mapping m.toml, which drafts a mapping to be edited (docs/logs.md)",
+    )
+
+
+def by_names(table: RawTable, without: Source | None = None) -> Mapping:
+    """What the names of the columns say, be it little; the time is `without` where no column that moves is one."""
     sources: dict[str, Source] = {}
     names = recognised(list(table.columns))
     for column in sorted(names, key=is_motor):
@@ -330,14 +325,11 @@ def _guess(table: RawTable) -> Mapping:
         sources[GYRO] = across
     if GYRO in sources and by_letter(sources[GYRO].column, table.columns):
         del sources[GYRO]
-    time = sources.pop(TIME, None) or _clock(table)
-    if time is None or not sources:
-        raise InvalidLog(
-            f"no {'time' if time is None else 'channel'} is recognised among {', '.join(list(table.columns)[:12])}",
-            hint="upright doctor LOG --write-mapping m.toml, which drafts a mapping to be edited (docs/logs.md)",
-        )
-    return Mapping(GUESS, _timed(time, table), in_volts(sources, table),
-                   about="guessed from the names of the columns; check it")  # fmt: skip
+    time = sources.pop(TIME, None)
+    if time is None or (without and not np.ptp(table.columns[time.column]) > 0):
+        time = _clock(table)
+    time = _timed(time, table) if time else without or Source(column="")
+    return Mapping(GUESS, time, in_volts(sources, table), about="guessed from the names of the columns; check it")
 
 
 def _directed(command: Source, table: RawTable) -> Source:

@@ -21,8 +21,8 @@ _ENCODER = (
 )
 _WHEEL = r"(?:enc\w*|cnt|count\w*|tick\w*|tacho\w*|pos\w*|rot\w*|angle|wheel|rueda|motor\w*|theta|phi|alpha)"
 _RATE = r"(?:speed|spd|vel\w*|omega|rpm|w)"
-_COMMAND = r"\b(?:(?:mot\w* )?(?:pwm|duty(?: cycle)?|volt\w*|u|cmd|command|torque|tau|power|mando|tensi[oó]n))"
-_DRIVEN = r"pwm|duty|volt\w*|cmd|command|torque|power|mando|tensi[oó]n"
+_DRIVEN = r"pwm|duty(?: cycle)?|volt\w*|cmd|command|control(?: signal)?|output|torque|power|mando|tensi[oó]n"
+_COMMAND = rf"\b(?:(?:mot\w* )?(?:{_DRIVEN}|u|tau))"
 _NEITHER = (
     r"\b(?:current|curr|amps?|corriente|temp\w*|target|set ?points?|desired|goal|ref\w*|err\w*)\b"
     rf"|\b{_RATE} (?:cmd|command)\b|\b(?:cmd|command) {_RATE}\b"
@@ -35,6 +35,15 @@ _BODY_RATE = (
     r"|(?:gyro|\bgyr|gir[oó](?:sc[oó]pio)?)(?! (?:x|z|off\w*|bias|temp\w*)\b)(?: (?:y|raw|rate|spd|speed))?\b|\bg ?y\b"
     r"|angular (?:velocity|rate) y\b"
 )
+_PER_SECOND = (
+    rf"\b{_RATE.replace('|w)', '|rate|cps|pps|tps)')}\b"
+    r"|\b(?:counts?|ticks?|pulses?|steps?|turns?|m ?deg|deg\w*|rad\w*)? ?(?:per|p) s(?:ec\w*)?\b"
+    r"|\b(?:counts?|ticks?|pulses?|m?deg|rad) s(?:ec)?\b"
+)
+"""What makes a rate of the wheels' angle that the rest of a name says: speed, rpm, ticks per second."""
+_ESTIMATED = r"(?:comp\w*|kal\w*|kf|cf|filt\w*|fused|fusion|mahony|madgwick|imu|body|robot)"
+_ANGLE = rf"^(?:{_ESTIMATED} )?angle(?: (?:rad|deg\w*|x10|est\w*|now|{_ESTIMATED}))*$"
+"""The angle of a balancing robot, where no wheel or motor is named, is its tilt."""
 SIDE_WORDS = {"left": r"(?:l|left|izq\w*)", "right": r"(?:r|right|der(?:echa|echo)?)"}
 
 _WORDS: Sequence[tuple[str, str]] = (
@@ -45,6 +54,7 @@ _WORDS: Sequence[tuple[str, str]] = (
     *((rf"{_COMMAND} ?{s}\b|\b{s} {_COMMAND}\b", f"command/{name}") for name, s in SIDE_WORDS.items()),
     (r"\b(?:pitch|tilt|lean|inclin\w*)(?: (?:rad|deg|x10|est\w*|angle))*$|gyro ?(?:ang\w*|est\w*)", "estimate/pitch"),
     (_BODY_RATE, GYRO),
+    (_ANGLE, "estimate/pitch"),
     (r"gyro x\b|\bg ?x\b", OTHER_GYRO),
     (r"\bbat\w*|\bvbat\w*|\bvcc\b", "sensor/battery"),
     (r"\b(?:heading|compass|yaw)(?: (?:rad|deg))?$", "sensor/compass"),
@@ -102,8 +112,19 @@ def recognised(columns: Sequence[str]) -> dict[str, str]:
 
 
 def _channel(words: str) -> str:
+    """The channel that words say; the rate of a wheel's angle where they say that too."""
     if re.search(_NEITHER, words):
         return ""
+    name = _by_words(words)
+    if not re.search(_PER_SECOND, words):
+        return name
+    of = name or _by_words(" ".join(re.sub(_PER_SECOND, " ", words).split()))
+    if of.startswith(("sensor/encoder_", f"{BOTH}sensor/encoder_")):
+        return RATE + of
+    return name or (GYRO if of == "estimate/pitch" else "")
+
+
+def _by_words(words: str) -> str:
     return next((name for pattern, name in _WORDS if re.search(pattern, words)), "")
 
 

@@ -13,7 +13,7 @@ from upright.logs.outliers import left_out
 from upright.physics.dynamics import turn_ratio
 from upright.physics.sensing import sensor_matrix
 from upright.robots import Kit, Robot, Sensor
-from upright.signals import STATE_NAMES, Log
+from upright.signals import SIDES, STATE_NAMES, Log
 
 Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
@@ -89,7 +89,7 @@ def check_clock(log: Log) -> None:
 def check_unit(log: Log, prefix: str, robot: Robot) -> None:
     """Raise `InvalidLog` for commands in volts to a robot that gets torques, or torques to one that gets volts."""
     unit = log.unit(f"{prefix}/left")
-    if unit == "1":
+    if unit == "1" and any(log[f"{prefix}/{side}"].any() for side in SIDES):
         raise InvalidLog(
             "the log's commands are a duty, and of what voltage is not known", expected=robot.command_unit,
             hint="upright doctor LOG --fix NEW.csv takes 7.5 V; or a mapping with a [constants] \"sensor/battery\"",
