@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
+from html import escape
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +16,7 @@ from matplotlib.text import Text
 import upright as up
 from upright.doctor.finding import BALANCING, FALLEN, FALLING, LYING, MOVED, OVER, RISING, STANDING
 from upright.identify.methods import IDENTIFIERS
-from upright.language import SPANISH, figure_translated, language, translated
+from upright.language import SPANISH, figure_translated, language, text_translated, translated
 from upright.plotting import bars, intervals
 from upright.report.figure import Figure as Drawn
 from upright.robots.robot import PARAMETERS
@@ -105,6 +107,28 @@ def test_a_table_keeps_the_names_of_its_rows() -> None:
     html = Listing(("parameter", "value"), [("track", "0.14")]).html()
     assert "<th>parámetro</th><th>valor</th>" in html
     assert "<td>track</td><td>0,14</td>" in html
+
+
+def test_a_model_and_the_margins_of_a_loop_are_shown_in_spanish() -> None:
+    """Every word but names: what both languages write alike stands in `same`."""
+    loop = up.design("lqg", NXT, KIT).analysis
+    assert loop
+    both = loop.both()
+    edges = [replace(both, **{name: v}) for name, v in (("gain_low", 0.0), ("gain_high", 1e4), ("delay", np.inf))]
+    sentences = [*(m.words() for m in edges), replace(both, delay=0.0).words()]
+    model = up.linearise(NXT)
+    pairs = [(str(loop), loop._repr_html_()), (str(model), model._repr_html_())]
+    pairs += [(str(model.c2d(0.01)), model.c2d(0.01)._repr_html_())]
+    pairs += [(words, text_translated(words)) for words in sentences]
+    same = {"lqg", "nxtway", "motor", "robots", *re.findall("[a-z]+", " ".join([*model.states, *model.inputs]))}
+    for english, spanish in pairs:
+        kept = set(re.findall(r"[a-z]{3,}", english)) & set(re.findall(r"[a-z]{3,}", spanish)) - same
+        assert not kept, spanish
+        assert not re.search(r"\d\.\d", spanish)
+    rows = [line for line in loop._repr_html_().splitlines() if "motor" in line and "…" in line]
+    assert len({len(row) for row in rows}) == 1  # columns keep their right edges
+    language()
+    assert loop._repr_html_() == f"<pre>{escape(str(loop))}</pre>"
 
 
 @pytest.mark.slow

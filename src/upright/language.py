@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import functools
 import re
-from collections.abc import Generator, Mapping
+from collections.abc import Collection, Generator, Mapping
 from contextlib import contextmanager
 from typing import Any
 
@@ -19,6 +19,7 @@ SPANISH = {
     "wheel rate": "velocidad de las ruedas", "yaw": "rumbo", "yaw rate": "velocidad de giro", "gyro": "giróscopo",
     "compass": "brújula", "encoders": "codificadores", "encoder left": "codificador izquierdo",
     "encoder right": "codificador derecho", "commands": "mandos", "left command": "mando izquierdo",
+    "truth": "verdad", "applied": "aplicado",
     "right command": "mando derecho", "left": "izquierda", "right": "derecha", "battery": "batería",
     "wheel mass": "masa de una rueda", "wheel radius": "radio de la rueda", "wheel inertia": "inercia de una rueda",
     "body mass": "masa del cuerpo", "track": "ancho de vía", "centre of mass height": "altura centro de masa",
@@ -50,6 +51,29 @@ SPANISH = {
     "negative frequencies": "frecuencias negativas", "distance 1 / Ms": "distancia 1 / Ms",
     "unit circle: inside it a motion fades": "círculo unidad: dentro, un movimiento se apaga",
     "robots drawn from the spreads": "robots sorteados según la incertidumbre", "nominal robot": "robot nominal",
+    "broken at": "cortado en", "gain": "ganancia", "disk": "disco", "poles": "polos",
+    "left motor": "motor izquierdo", "right motor": "motor derecho", "both motors": "ambos motores",
+    "steering": "giro", "# … #": "# … #", "# ms": "# ms", "# # ms": "# # ms", "# #j": "# #j",
+    "{} on {}, every # ms": "{} sobre {}, cada # ms", "{} x + {} u, every # s": "{} x + {} u, cada # s",
+    "{}: survives {}, and {} or {} of its gain.": "{}: soporta {}, y {} o {} de su ganancia.",
+    "# ms more delay": "# ms más de retardo", "any delay": "cualquier retardo",
+    "as weak as # %": "un mínimo del # %", "however weak": "cualquier mínimo",
+    "as strong as # %": "un máximo del # %", "however strong": "cualquier máximo",
+    "{}: unstable, so there is no margin.": "{}: inestable, por lo que no hay margen.",
+    "With # ms more delay at {} it becomes unstable.": "Con # ms más de retardo en {} se vuelve inestable.",
+    "With # ms more delay at the {} alone it becomes unstable.":
+        "Con # ms más de retardo en un solo lugar ({}) se vuelve inestable.",
+    "Both motors, varied independently: gains between # and # %, or phases up to #.":
+        "Ambos motores, cada uno por su lado: ganancias entre # y # %, o fases hasta #.",
+    "Of # robots drawn from the spreads, # are unstable.":
+        "De # robots sorteados según la incertidumbre, # son inestables.",
+    "The loop is unstable: its largest pole is at |z| = #.":
+        "El lazo es inestable: su mayor polo está en |z| = #.",
+    "Parameters within their intervals (μ): the loop {}; {}.":
+        "Parámetros dentro de sus intervalos (μ): el lazo {}; {}.",
+    "is stable within # of the intervals": "es estable hasta # de los intervalos",
+    "is always stable": "es siempre estable", "unstable at # of them": "inestable en # de ellos",
+    "no unstable robot up to # of them": "ningún robot inestable hasta # de ellos",
     # parameters, methods
     "parameter": "parámetro", "estimate": "estimación", "95 % interval": "intervalo del 95 %",
     "95 % before this log": "95 % antes de este registro",
@@ -129,6 +153,26 @@ def translated(text: str) -> str:
     if match := _UNIT.fullmatch(text):
         return f"{translated(match[1])} {match[2][0]}{translated(match[2][1:-1])}{match[2][-1]}"
     return text
+
+
+_CELL = re.compile(r"\S+(?: \S+)*")
+
+
+def text_translated(text: str, names: Collection[str] = ()) -> str:
+    """Lines of sentences and of tables in the language that was chosen; `names` stay, and columns keep their right
+    edges."""
+    return "\n".join(_line_translated(line, names) for line in text.split("\n")) if _words else text
+
+
+def _line_translated(line: str, names: Collection[str]) -> str:
+    if (whole := translated(line)) != line:
+        return whole
+    made = ""
+    for cell in _CELL.finditer(line):
+        words = cell[0] if cell[0] in names else translated(cell[0])
+        least = 2 if made else 0
+        made += " " * max(least, cell.end() - len(made) - len(words)) * (cell.start() > 0) + words
+    return made
 
 
 @contextmanager

@@ -10,7 +10,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from html import escape
 
-from upright.language import translated
+from upright.language import text_translated, translated
 
 
 @dataclass(frozen=True)
@@ -51,6 +51,11 @@ class Listing:
         wrapped = textwrap.wrap(last, max(width - left, 20)) if width and not right[-1] else [last]
         first, *rest = wrapped or [""]
         return ["  ".join([*cells, first]).rstrip(), *(" " * left + line for line in rest)]
+
+
+def preformatted(text: str, names: Collection[str] = ()) -> str:
+    """Lines as HTML, in the chosen language; `names` stay."""
+    return f"<pre>{escape(text_translated(text, names))}</pre>"
 
 
 class Shown:
@@ -95,6 +100,18 @@ def joined(names: Sequence[str]) -> str:
 def short(channel: str) -> str:
     """`sensor/encoder_left` as `encoder left`."""
     return channel.removeprefix("sensor/").removeprefix("estimate/").replace("_", " ")
+
+
+CHANNELS = {
+    "truth": "{} (truth)", "estimate": "{} (estimate)", "sensor": "{}", "command": "{} command",
+    "applied": "{} command (applied)",
+}  # fmt: skip
+
+
+def called(channel: str) -> str:
+    """A channel of a log in words: `truth/pitch_rate` as pitch rate (truth); one of another kind as it is."""
+    kind, _, name = channel.partition("/")
+    return CHANNELS[kind].format(name.replace("_", " ")) if kind in CHANNELS else channel
 
 
 SPOKEN = {

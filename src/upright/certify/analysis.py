@@ -22,7 +22,7 @@ from upright.control.state_space import controller_of
 from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import draw
-from upright.tables import Shown, short
+from upright.tables import Shown, preformatted, short
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -185,6 +185,9 @@ class Analysis(Shown):
         head = f"{self.controller} on {self.robot}, every {self.period * 1e3:g} ms"
         columns = f"{'broken at':<22}{'gain':>15}{'phase':>8}{'delay':>9}{'disk':>7}{'Ms':>7}{'Mt':>7}"
         return "\n".join([head, columns, *(_row(m) for m in (*self.inputs, *self.outputs)), *self.words()])
+
+    def _repr_html_(self) -> str:
+        return preformatted(str(self))
 
 
 def _mark_margins(size: Axes, phase: Axes, m: Margins, curve: tuple[Array, Array]) -> None:

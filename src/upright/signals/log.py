@@ -17,7 +17,7 @@ from upright.errors import InvalidLog
 from upright.signals import files
 from upright.signals.header import Columns
 from upright.signals.signal import KNOWN, STATE_NAMES, Signal
-from upright.tables import Listing
+from upright.tables import Listing, called
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -146,10 +146,10 @@ class Log:
         names = channels or tuple(name for name in self.channels if re.search(PLOTTED, name)) or tuple(self.channels)
         units = list(dict.fromkeys(self.unit(name) for name in names))
         groups = [[name for name in names if self.unit(name) == unit] for unit in units]
-        alone = [f"{group[0]} " if len(group) == 1 else "" for group in groups]
+        alone = [f"{called(group[0])} " if len(group) == 1 else "" for group in groups]
         figure, axes = panels([f"{name}[{unit}]" for name, unit in zip(alone, units, strict=True)])
         for name in names:
-            line(axes[units.index(self.unit(name))], name, self.t, self[name])
+            line(axes[units.index(self.unit(name))], called(name), self.t, self[name])
         return legend(figure)
 
     def save(self, path: str | Path) -> Path:
