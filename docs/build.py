@@ -251,9 +251,8 @@ def _glossary(source: Path) -> None:
     _write(source / "glossary.md", f"# Glossary\n\n*For everybody; English and Spanish.*\n{table}")
 
 
-_AQUI = '<a class="now" href="try/index.html#lang=es" lang="es">Empújelo, aquí mismo</a>'
-NOW = f'<p><a class="now" href="try/index.html">Push it yourself, now, in this browser</a> {_AQUI}</p>'
-AHORA = f"<p>{_AQUI}</p>"
+NOW = '<p><a class="now" href="try/index.html">Push it yourself, now, in this browser</a></p>'
+AHORA = '<p><a class="now" href="try/index.html#lang=es">Empújelo, aquí mismo</a></p>'
 PICTURE = re.compile(r"\[!\[[^]]*\]\(lab\.webp\)\]\(lab\.md#[\w-]+\)\n\n\[.*\n")
 SHOWN = '<img src="_images/lab.webp" alt="The lab: a robot is knocked and stays up">'
 TRY = f'{NOW}<p><a href="try/index.html">{SHOWN}</a></p>\n'

@@ -4,6 +4,7 @@ is for, and links lead somewhere. An example that cannot run has a fence of `tex
 from __future__ import annotations
 
 import ast
+import json
 import math
 import re
 import shlex
@@ -222,3 +223,33 @@ def test_both_languages_give_the_same_commands_and_python(page: Path) -> None:
 
 def test_both_languages_have_a_first_page_a_start_and_a_lab() -> None:
     assert {"index.es.md", "start.es.md", "lab.es.md", "lesson.es.md", "worksheet.es.md"} <= {p.name for p in SPANISH}
+
+
+TEXTS = ROOT / "src" / "upright" / "lab" / "web" / "src" / "texts"
+EVERYWHERE = (
+    "title", "impulse", "front", "backPush", "pullLeft", "pullRight", "tilt", "step", "standUp", "speed", "back",
+    "tabTour", "tabController", "tabRobot", "tabSee", "tabKeep", "moreCurves",
+)  # fmt: skip
+ON_TAB = {
+    "controller": ("family", "weights", "fullCertificate"),
+    "see": ("viewLabel",),
+    "identify": ("doctor", "openLog"),
+}
+DESCRIPTION = 0x010E  # of EXIF, as docs/lab_picture.py writes it
+
+
+@pytest.mark.needs("module:PIL")
+@pytest.mark.parametrize("picture", sorted((ROOT / "docs").rglob("*lab*.webp")) + sorted(ROOT.glob("docs/tab-*.webp")))
+def test_a_picture_of_the_lab_shows_the_words_of_the_page(picture: Path) -> None:
+    """Each picture keeps the lines that were seen in it. Where this fails: `python docs/lab_picture.py`."""
+    from PIL import Image
+
+    texts = json.loads((TEXTS / ("es.json" if ".es." in picture.name else "en.json")).read_text("utf-8"))
+    seen = {line.replace("\u00a0", " ") for line in json.loads(Image.open(picture).getexif()[DESCRIPTION])}
+    expected = {texts[key] for key in EVERYWHERE}
+    if "tab-" in picture.name:
+        expected |= {texts[key] for key in ON_TAB[picture.name.split(".")[0].removeprefix("tab-")]}
+    else:  # a film of the exported page, with the first step of the tour open
+        first = texts["tour"][0]
+        expected |= {text for text in (first | first["here"]).values() if isinstance(text, str)}
+    assert expected - seen == set()
