@@ -14,7 +14,7 @@ from upright.plotting import legend, line, numbered, panels, plane, points
 from upright.report.figure import Figure
 from upright.report.made import again
 from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
-from upright.tables import joined
+from upright.tables import joined, sentence
 
 
 def page_of(compared: MethodComparison) -> Page:
@@ -115,7 +115,8 @@ def _pole_figure(compared: MethodComparison) -> Figure:
     gives = f"{joined(still)} {'gives' if len(still) == 1 else 'give'}".capitalize()
     models = "that model is" if len(still) == 1 else "those models are"
     note += f" {gives} a stable pole; a balancing robot falls, so {models} wrong." if still else ""
-    return Figure(title, compared.plot(), note)
+    kinds = [f"{name}: {SHORT[name]}" for name in compared.models if name in SHORT]
+    return Figure(title, compared.plot(), f"{note} {sentence('; '.join(kinds))}".strip() if kinds else note)
 
 
 def _numbers(compared: MethodComparison) -> list[tuple[str | Verdict, str]]:
@@ -201,13 +202,11 @@ def _why(compared: MethodComparison) -> str:
     best, alike = _best(compared), _alike(compared)
     degrees = [cell_text(math.degrees(compared.trials[m].largest or 0.0), 3) for m in alike]
     if len(alike) < 2:
-        return f"With {_explained(best)} it leaned least, {degrees[0]}°."
+        return f"Under the regulator of {best} it leaned least, {degrees[0]}°."
     ends = " to ".join(dict.fromkeys((degrees[0], degrees[-1])))
     pole = compared.models[best].pole
     sure = f"; {best} knows the pole best" if math.isfinite(pole.high - pole.low) else ""
-    return (
-        f"Under the regulators of {joined([_explained(m) for m in alike])} it leaned about equally far ({ends}°){sure}."
-    )
+    return f"Under the regulators of {joined(alike)} it leaned about equally far ({ends}°){sure}."
 
 
 SHORT = {
@@ -216,10 +215,6 @@ SHORT = {
     "calibrate": "corrects the robot's file",
 }  # fmt: skip
 """What a method is, in a few words."""
-
-
-def _explained(method: str) -> str:
-    return f"{method} ({SHORT[method]})" if method in SHORT else method
 
 
 def _next(compared: MethodComparison) -> str:
