@@ -7,7 +7,7 @@
 A robot differs in one way that its certificate does not know of: battery, slope, mass, delay, dead zone, motors, gyro's
 scale or noise, or in none. Its log is of `LOGGED` seconds under the same controller, driven and knocked, in the
 nonlinear model; the certificate has this log and the spreads of an older calibration, or with `--plain` this log alone.
-It falls where it does under any of the pushes that the certificate asks for, in runs of `SECONDS`.
+It falls where it does under any of the standard pushes of the robot of the file, in runs of `SECONDS`.
 """
 
 from __future__ import annotations
@@ -26,11 +26,10 @@ import numpy as np
 from certificate import SECONDS, SEED
 
 from upright.certify.certificate import certify
-from upright.certify.checks import BATTERIES, RELEASE, PushTrial, batteries, kernel_controller, standard_pushes
-from upright.certify.recovery import KNOCK_DURATION
+from upright.certify.checks import batteries, kernel_controller, standard_pushes
 from upright.control import LinearController, as_linear, make_controller
 from upright.errors import UprightError
-from upright.experiment import Drive, Hold, Impulse, Slope
+from upright.experiment import Drive, Impulse, Slope
 from upright.fleet.ensemble import tables
 from upright.kernel.batch import FleetBatch, parameters_of
 from upright.kernel.simulate import simulate
@@ -41,20 +40,19 @@ from upright.signals import Log
 
 def falls(
     controller: LinearController, robot: Robot, truth: Robot, kit: Kit, rng: np.random.Generator, *,
-    assumed: Kit, asked: Sequence[PushTrial] = (), slope: Sequence[Any] = (), known: bool = False,
+    assumed: Kit, slope: Sequence[Any] = (), known: bool = False,
 ) -> bool:  # fmt: skip
-    """Whether the true robot falls in any of the pushes that its certificate `asked` for (none: those for the robot and
-    the kit it assumes), each a run of `SECONDS` at three batteries, or at the true kit's where that is `known`; on a
-    `slope`."""
+    """Whether the true robot falls in any of the standard pushes of the robot of the file and the kit it assumes,
+    whatever its certificate made of the log. Each is a run of `SECONDS` at three batteries, or at the true kit's where
+    that is `known`; on a `slope`."""
     low, full = batteries(robot, assumed) or (None, None)
-    sizes = dict(zip((low, full), (_asked(asked, name) for name in BATTERIES), strict=True))
     tried: list[tuple[float | None, float | None]] = [(low, low), (full, full)]  # of the push, and of the run
     if low is not None and full is not None:
         tried = [(low, kit.battery.voltage)] if known else [*tried, (low, float(rng.uniform(low, full)))]
     parameters, fell = parameters_of([truth]), False
     for sized, volts in tried:
-        for push in sizes[sized] or [one.push for one in standard_pushes(robot, assumed, sized).values()]:
-            programme = tables([push, *slope], (), parameters)
+        for one in standard_pushes(robot, assumed, sized).values():
+            programme = tables([one.push, *slope], (), parameters)
             batch = FleetBatch(
                 parameters=parameters, controller=kernel_controller(controller, robot, kit).law, kit=kit,
                 seed=int(rng.integers(2**31)), kit_changes={} if volts is None else {"battery.voltage": [volts]},
@@ -62,15 +60,6 @@ def falls(
             )  # fmt: skip
             fell |= bool(simulate(batch, SECONDS, threads=1).fell.any())
     return fell
-
-
-def _asked(trials: Sequence[PushTrial], battery: str) -> list[Hold | Impulse]:
-    """The pushes of a certificate at one battery."""
-    return [
-        Hold(pitch=-t.size if t.push.startswith("hold at -") else t.size, until=RELEASE) if t.push.startswith("hold")
-        else Impulse(impulse=t.size, start=1.0, duration=KNOCK_DURATION)
-        for t in trials if t.battery == battery
-    ]  # fmt: skip
 
 
 LOGGED = 12.0  # [s]
@@ -137,9 +126,8 @@ def stranger(number: int, samples: int, *, plain: bool, robots: Sequence[str] = 
         true_kit = kits(kit, sensors={**kit.sensors, "sensor/gyro": gyro})
     met = _as_met(controller, gain)
     log = _recorded(met, truth, true_kit, robot, pushes, gain, number)
-    told = {"assumed": kit, "slope": pushes, "known": way == "battery"}
+    fell = falls(met, robot, truth, true_kit, rng, assumed=kit, slope=pushes, known=way == "battery")
     if log is None:
-        fell = falls(met, robot, truth, true_kit, rng, **told)
         return Stranger(number, name, design, way, size, "", "no log under a holding controller", fell, False)
     try:
         given = certify(
@@ -147,9 +135,7 @@ def stranger(number: int, samples: int, *, plain: bool, robots: Sequence[str] = 
             log=log, threads=1,
         )  # fmt: skip
     except UprightError as error:
-        fell = falls(met, robot, truth, true_kit, rng, **told)
         return Stranger(number, name, design, way, size, REFUSED, str(error), fell, True)
-    fell = falls(met, robot, truth, true_kit, rng, asked=given.trials, **told)
     return Stranger(number, name, design, way, size, given.light, "; ".join(given.reasons), fell, True)
 
 

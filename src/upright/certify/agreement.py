@@ -15,7 +15,7 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.calibrate.knocks import SETTLED, at_motors, recorded
-from upright.certify.checks import TrialSetup, standard_pushes, watched
+from upright.certify.checks import TrialSetup, watched
 from upright.control.delay import RAW, sampled
 from upright.control.kalman import Filter, filtered, kalman_filter
 from upright.errors import SpecMismatch
@@ -79,7 +79,7 @@ def agreement(log: Log, setup: TrialSetup) -> tuple[Agreement, ...]:
     reads = setup.controller.law.linear.reads
     if not set(RAW) <= set(reads):
         raise SpecMismatch(f"the controller reads {', '.join(reads)}", expected="both encoders and the gyro")
-    for row, standard in enumerate(standard_pushes(setup.robot, setup.kit).values()):
+    for row, standard in enumerate(setup.pushes().values()):
         some = replace(setup, robots=setup.robots[:DRAWN], progress=None)
         for result in watched(some, standard.push, row, (*RAW, *APPLIED)):
             readings, moved = np.split(result.trace[~result.fell], [3], axis=2)

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+
+import numpy as np
 
 from upright.calibrate.calibrate import calibrate
 from upright.calibrate.calibration import Calibration
@@ -44,29 +47,46 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
     """The robot of `setup` calibrated from `log`, and what its file and its kit had wrong, beside what they say.
 
     A calibration doubts no scale, no weighed mass and little of the electronics: where these are wrong it bends other
-    numbers. So the log is first compared with the file, and what it contradicts is corrected. Where robots within the
-    file's spreads explain as much as one more number would, the log is calibrated with it too, and that robot is kept
-    where its innovations are whiter, and nearly white. Last the mass is asked of a calibration which takes it for a
-    guess. Raises `InvalidLog` where the calibration is refused.
+    numbers. So the log is first compared with the file, and what it contradicts is corrected. The mass is that of a
+    calibration which takes it for a guess. One that only the filter of a certificate sees counts as contradicted, and
+    is not tried. Where robots within the file's spreads explain as much as one more number would, the log is calibrated
+    with it too, and that robot is kept where its innovations are whiter, and nearly white. Raises `InvalidLog` where
+    the calibration is refused.
     """
     met, _, taken = as_logged(log, setup)
-    own = _own(log, met, progress)
+    alone = unloaded(met)
+    found, unsure = weighed(log, alone), unconfirmed(taken)
+    if found:
+        own, mass = found[0]
+        return learnt(own, setup.kit), (*(s for s in taken if s.name != MASS), mass)
+    if unsure:
+        alone, _, taken = as_logged(log, replace(setup, is_weighed=True))
+    own = _own(log, alone, progress)
     unlike = own.refused or own.temper * WHITER < 1
-    if unlike and (doubt := doubted(log, met, {s.name for s in taken})):
+    if unlike and (doubt := doubted(log, alone, {s.name for s in taken})):
         other = _own(log, doubt[0], progress)
         if not other.refused and (own.refused or other.temper > max(WHITER * own.temper, WHITE)):
             own, taken = other, (*taken, doubt[1])
     if own.refused and taken:
         own, taken = _own(log, setup, progress), ()
-    if not own.refused and MASS not in {s.name for s in taken}:
-        for calibration, mass in weighed(log, met):
-            own, taken = calibration, (*taken, mass)
     if own.refused:
         raise InvalidLog(
             f"the log does not describe {setup.robot.name}: {own.refused[0]}",
             hint="upright doctor LOG; or certify without the log, or with the robot that it is of",
         )
-    return learnt(own, setup.kit), taken
+    result = learnt(own, setup.kit)
+    return replace(result, contradicted=(*result.contradicted, *unsure)), taken
+
+
+def unloaded(met: TrialSetup) -> TrialSetup:
+    """The setup without the load that the log shows, whose mass its filter asks no more."""
+    logged = met.logged and replace(met.logged, load=1.0, loads=np.ones(1))
+    return replace(met, logged=logged, is_weighed=True)
+
+
+def unconfirmed(taken: Sequence[Support]) -> tuple[Support, ...]:
+    """The mass among what was `taken`, which then counts as known."""
+    return tuple(replace(s, low=s.value, high=s.value) for s in taken if s.name == MASS)
 
 
 def weighed(log: Log, setup: TrialSetup) -> list[tuple[Calibration, Support]]:
@@ -85,9 +105,13 @@ def weighed(log: Log, setup: TrialSetup) -> list[tuple[Calibration, Support]]:
     return [(own, mass)] if white and not own.refused and is_beyond(mass) else []
 
 
-def outside_mass(log: Log, setup: TrialSetup) -> tuple[Support, ...]:
-    """That mass alone, beside a posterior that is not of this log."""
-    return tuple(mass for _, mass in weighed(log, setup))
+def doubtful_mass(log: Log, setup: TrialSetup, taken: Sequence[Support]) -> tuple[Support, ...]:
+    """The mass that counts as contradicted beside a posterior that is not of this log: of a robot with dry friction
+    what a calibration sees, else what the filter of a certificate had `taken` and no calibration sees."""
+    if setup.dry_friction:
+        return tuple(mass for _, mass in weighed(log, setup))
+    unsure = unconfirmed(taken)
+    return () if unsure and weighed(log, unloaded(setup)) else unsure
 
 
 def _own(log: Log, setup: TrialSetup, progress: Progress | None) -> Calibration:

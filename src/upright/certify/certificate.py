@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from upright.atomic import finite, write_json
 from upright.certify.actual import as_logged
 from upright.certify.agreement import RED, Agreement, agreement
-from upright.certify.calibrated import calibrated, outside_mass
+from upright.certify.calibrated import calibrated, doubtful_mass
 from upright.certify.checks import (
     PushTrial,
     RunCounter,
@@ -234,10 +234,11 @@ def certify(
     given = find_robot(robot)
     nominal, unknown = at_medians(given, posterior)
     parts, recording = find_kit(kit or nominal.kit), None if log is None else as_sent(raw_log(log, mapping))
-    rubs = nominal.coulomb_friction > 0
+    rubs, stated = nominal.coulomb_friction > 0, (nominal, parts)
     subject = {"robot": robot_facts(given), "kit": kit_facts(parts)}
     wrong, contradicted = tuple[Support, ...](), tuple[Support, ...]()
-    if recording and unknown is None and robots is None:
+    plain = unknown is None and robots is None
+    if recording and plain:
         assumed = kernel_controller(find_controller(controller, nominal, parts, parts.period), nominal, parts)
         filed = TrialSetup(assumed, nominal, draw(nominal, FEWEST, seed), parts, seed, dry_friction=rubs)
         own, wrong = calibrated(recording, filed, progress)
@@ -246,9 +247,11 @@ def certify(
     family = draw(nominal, samples, seed, unknown) if robots is None else list(robots)
     _check_family(family, nominal)
     driven = kernel_controller(design, nominal, parts)
-    setup = TrialSetup(driven, nominal, family, parts, seed, threads, dry_friction=rubs)
+    setup = TrialSetup(
+        driven, nominal, family, parts, seed, threads, dry_friction=rubs, is_weighed=plain, stated=stated
+    )
     setup, shown, taken = as_logged(recording, setup) if recording else (setup, (), ())
-    contradicted = outside_mass(recording, setup) if recording and rubs and posterior is not None else contradicted
+    contradicted = doubtful_mass(recording, setup, taken) if recording and posterior is not None else contradicted
     taken = (*taken, *(s for s in wrong if s.name not in {t.name for t in taken}))
     setup = replace(setup, progress=RunCounter(setup.runs, progress)) if progress else setup
     runs, fallen, beyond = trials(setup)

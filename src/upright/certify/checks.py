@@ -68,7 +68,7 @@ class PushTrial:
     `saturated` (fraction of periods), `travel` [m], `peak` pitch [rad], and `cycle`, half of pitch's range in the last
     seconds [rad]. They are zero where every robot fell. `residual` is the largest one of a predictive controller that
     stands: by how much the last iteration of a period still moved a command, over its limit. `size` is that of the push
-    [rad or N s], `bound` the largest that any controller could survive on the nominal robot (None: unlimited), and
+    [rad or N s], `bound` the largest that any controller could survive on the stated robot (None: unlimited), and
     `beyond` counts the fallen robots that no controller could save.
     """
 
@@ -176,9 +176,10 @@ class RunCounter:
 class TrialSetup:
     """A controller, the robots it drives, their kit, the seed of their noise, and the floor's slope [rad].
 
-    Pushes have the sizes of `robot` and `kit`, which were assumed. What a log shows instead is `logged`, and is tried.
-    Its filter expects `disturbed` times the usual noise of forces and torques. Of a robot with `dry_friction` it asks
-    no mass."""
+    Pushes are sized for the robot and the kit that were `stated` (None: `robot` and `kit`), whatever a calibration made
+    of them. What a log shows instead is `logged`, and is tried. Its filter expects `disturbed` times the usual noise of
+    forces and torques. It asks no mass where that `is_weighed`, and neither mass nor the motors' strength of a robot
+    with `dry_friction`, for which it would take that."""
 
     controller: KernelController
     robot: Robot
@@ -192,6 +193,12 @@ class TrialSetup:
     logged: Logged | None = None
     disturbed: float = 1.0
     dry_friction: bool = False
+    is_weighed: bool = False
+    stated: tuple[Robot, Kit] | None = None
+
+    def pushes(self, battery: float | None = None, slope: float = 0.0) -> dict[str, StandardPush]:
+        """`standard_pushes` of what was stated."""
+        return standard_pushes(*(self.stated or (self.robot, self.kit)), battery, slope)
 
     @property
     def actual_kit(self) -> Kit:
@@ -289,10 +296,8 @@ def tried(setup: TrialSetup) -> Iterator[TriedPush]:
     parameters = logged.weighed(parameters) if logged else parameters
     for kind in range(PUSHES):
         for slope, battery, voltage, expected_slope, expected_voltage in conditions(setup):
-            sized = standard_pushes(setup.robot, setup.kit, expected_voltage, expected_slope)
-            name, standard = list(sized.items())[kind]
-            changed = {} if voltage is None else {"battery.voltage": [voltage]}
-            sloped = replace(setup, slope=slope)
+            name, standard = list(setup.pushes(expected_voltage, expected_slope).items())[kind]
+            changed, sloped = {} if voltage is None else {"battery.voltage": [voltage]}, replace(setup, slope=slope)
             rows = list(_runs(sloped, setup.robots, standard.push, number, changed, setup.controller, channels))
             called = f"{name}, slope {math.degrees(slope):+.1f}°" if slope else name
             fell, beyond = np.concatenate([row.fell for row in rows]), np.zeros(len(parameters), dtype=np.bool_)
@@ -308,15 +313,14 @@ def tried(setup: TrialSetup) -> Iterator[TriedPush]:
 
 def delay_sweep(setup: TrialSetup) -> tuple[Swept, ...]:
     """Falls under every standard push with `DELAYS` periods of additional dead time, unknown to the controller."""
-    kits = {value: delaying(setup.actual_kit, value) for value in _extra(setup)}
-    return tuple(_swept(_on(setup, kit), value, setup.controller) for value, kit in kits.items())
+    kit = setup.actual_kit
+    return tuple(_swept(_on(setup, delaying(kit, more)), more, setup.controller) for more in _extra(setup))
 
 
 def period_sweep(setup: TrialSetup) -> tuple[Swept, ...]:
     """Falls under every standard push with the same gains at `SLOWER` times the period."""
     law, called = setup.controller
-    tried = [(period, KernelController(law.with_period(period), called)) for period in _periods(setup)]
-    return tuple(_swept(setup, period, controller) for period, controller in tried)
+    return tuple(_swept(setup, p, KernelController(law.with_period(p), called)) for p in _periods(setup))
 
 
 def watched(setup: TrialSetup, push: Any, row: int, channels: Sequence[str]) -> Iterator[FleetResult]:
@@ -342,7 +346,7 @@ def _on(setup: TrialSetup, kit: Kit) -> TrialSetup:
 def _swept(setup: TrialSetup, value: float, controller: KernelController) -> Swept:
     some = setup.robots[:SWEPT]
     fell = runs = 0
-    for row, standard in enumerate(standard_pushes(setup.robot, setup.kit).values()):
+    for row, standard in enumerate(setup.pushes().values()):
         for result in _runs(setup, some, standard.push, row, {}, controller):
             fell, runs = fell + int(result.fell.sum()), runs + len(result.fell)
     return Swept(value, runs, fell)
@@ -357,18 +361,15 @@ def _runs(
     logged = setup.logged
     for first in range(0, n, part):
         some = parameters_of(robots[first : first + part])
-        if logged:
-            some = logged.weighed(some, first)
+        some = logged.weighed(some, first) if logged else some
         index = np.arange(row * n + first, row * n + first + len(some), dtype=np.uint64)
         batch = FleetBatch(
             parameters=some, controller=controller.law, kit=setup.actual_kit, seed=setup.seed,
             kit_changes={**(logged.part(first, len(some)) if logged else {}), **changes},
             pushes=tables([push], (), some).pushes, index=index, period=_STEP, slope=np.array([setup.slope, 0.0]),
         )  # fmt: skip
-        called, record = controller.called, int(bool(channels))
-        yield simulate(
-            batch, SECONDS, record=record, channels=channels, bands=BANDS, threads=setup.threads, called=called
-        )
+        yield simulate(batch, SECONDS, record=int(bool(channels)), channels=channels, bands=BANDS,
+                       threads=setup.threads, called=controller.called)  # fmt: skip
         if setup.progress:
             setup.progress.add(len(some))
 

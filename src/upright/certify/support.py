@@ -184,7 +184,7 @@ def _dynamics(log: Log, setup: TrialSetup) -> list[Support]:
     """What the filter's innovations say."""
     robot, kit = setup.actual_robot, setup.actual_kit
     path, sent, motors = filtered_log(log, setup)
-    raw = commanded(log) == "command"
+    raw, weighs = commanded(log) == "command", not (setup.is_weighed or setup.dry_friction)
     names, columns = _signatures(path, motors)
     spreads = _spreads(path, setup, motors)
     fit = _Fit(path, np.column_stack([*columns, spreads]), len(columns), log.period)
@@ -193,11 +193,11 @@ def _dynamics(log: Log, setup: TrialSetup) -> list[Support]:
     lag = tuple(log.period * x for x in fitted["gyro delay"])
     scale, within = gyro_scale(log, setup), {"least": 1 - GYRO_SCALE, "most": 1 + GYRO_SCALE}
     numbers = [
-        _of("motors' strength", "1", 1.0, fitted["strength"], STRENGTH),
+        *([] if setup.dry_friction else [_of("motors' strength", "1", 1.0, fitted["strength"], STRENGTH)]),
         _of("difference of the motors", "1", 0.0, fitted["asymmetry"], UNEQUAL),
         replace(_of("gyro's scale", "1", scale, (0.0, SCALE_KNOWN * scale), 0.0), **within),
         replace(_of("gyro's further delay", "s", 0.0, lag, LAG * log.period), least=LEAD * log.period),
-        *([] if setup.dry_friction else [body_mass(setup, robot.body_mass * body_load(log, setup), LOAD_KNOWN)]),
+        *([body_mass(setup, robot.body_mass * body_load(log, setup), LOAD_KNOWN)] if weighs else []),
         _slope(path, log.period, setup),
         *_noise(log, kit, path),
         _delay(fit, path, motors, log.period),
