@@ -26,7 +26,8 @@ import numpy as np
 from certificate import SECONDS, SEED
 
 from upright.certify.certificate import certify
-from upright.certify.checks import batteries, kernel_controller, standard_pushes
+from upright.certify.checks import batteries, kernel_controller
+from upright.certify.pushes import standard_pushes
 from upright.control import LinearController, as_linear, make_controller
 from upright.errors import UprightError
 from upright.experiment import Drive, Impulse, Slope

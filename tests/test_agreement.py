@@ -21,7 +21,8 @@ from upright.certify.actual import as_logged
 from upright.certify.agreement import AMBER, RED, Agreement, agreement
 from upright.certify.calibrated import learnt
 from upright.certify.certificate import Certificate, certify, read_certificate
-from upright.certify.checks import KernelController, PushTrial, TrialSetup, kernel_controller, standard_pushes, trials
+from upright.certify.checks import KernelController, PushTrial, TrialSetup, kernel_controller, trials
+from upright.certify.pushes import standard_pushes
 from upright.certify.verdict import GREEN, LinearMargins, judge
 from upright.cli.main import main
 from upright.comparison.bench import TOLERANCE, bench_one, largest_knock

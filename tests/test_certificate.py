@@ -17,7 +17,8 @@ from upright.bodies import Electronics, NonlinearBody
 from upright.certify.agreement import AMBER, RED
 from upright.certify.analysis import analyse
 from upright.certify.certificate import VERSION, Certificate, certify, read_certificate
-from upright.certify.checks import RELEASE, PushTrial, TrialSetup, kernel_controller, standard_pushes, trials
+from upright.certify.checks import PushTrial, TrialSetup, kernel_controller, trials
+from upright.certify.pushes import RELEASE, standard_pushes
 from upright.certify.verdict import GREEN, LinearMargins, judge
 from upright.cli import certify as command
 from upright.cli.main import main

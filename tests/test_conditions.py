@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
-from upright.certify.checks import RELEASE, TrialSetup, batteries, kernel_controller, standard_pushes, trials
+from upright.certify.checks import TrialSetup, batteries, kernel_controller, trials
+from upright.certify.pushes import RELEASE, standard_pushes
 from upright.certify.support import supported
 from upright.control import lqg
 from upright.errors import InvalidRobot

@@ -181,8 +181,9 @@ def test_a_doubtful_number_is_taken_over_where_it_leaves_white_innovations(
     monkeypatch.setattr(handed_over, "_own", lambda *_: next(fits))
     monkeypatch.setattr(handed_over, "doubted", lambda *_: ("another", number))
     monkeypatch.setattr(handed_over, "weighed", lambda *_: [])
-    monkeypatch.setattr(handed_over, "learnt", lambda own, _: own)
-    own, numbers = handed_over.calibrated(Log(np.arange(9.0), {}, {}), SimpleNamespace(kit=None))
+    monkeypatch.setattr(handed_over, "unloaded", lambda met: met)
+    monkeypatch.setattr(handed_over, "learnt", lambda own, *_: own)
+    own, numbers = handed_over.calibrated(Log(np.arange(9.0), {}, {}), SimpleNamespace(kit=None, dry_friction=False))
     assert (own.temper, numbers) == ((after, (number,)) if taken else (before, ()))
 
 

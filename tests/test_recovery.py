@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 from upright.bodies.body import FALLEN
-from upright.certify.checks import HELD, KNOCKED, MOST_HOLD, MOST_KNOCK, RELEASE, standard_pushes
+from upright.certify.pushes import HELD, KNOCKED, MOST_HOLD, MOST_KNOCK, RELEASE, standard_pushes
 from upright.certify.recovery import KNOCK_DURATION, largest_hold, largest_knock, means, recoverable
 from upright.control import LinearController
 from upright.control.reach import largest_pitch

@@ -22,15 +22,18 @@ from upright.calibrate.estimate import Estimate
 from upright.calibrate.knocks import _calm, unpushed, without_knocks
 from upright.certify.actual import as_logged, doubted
 from upright.certify.agreement import LARGER, RED, Agreement, agreement
-from upright.certify.calibrated import _weighed, calibrated, learnt, weighed
+from upright.certify.calibrated import WHITE, Learnt, _weighed, calibrated, learnt, weighed
 from upright.certify.certificate import Certificate, certify
-from upright.certify.checks import PushTrial, TrialSetup, kernel_controller
+from upright.certify.checks import PushTrial, TrialSetup, batteries, kernel_controller
 from upright.certify.logged import Logged, as_sent, loaded
+from upright.certify.pushes import standard_pushes
+from upright.certify.recovery import _rest
 from upright.certify.support import LOAD_KNOWN, Support, supported
 from upright.certify.verdict import AMBER, GREEN, LinearMargins, judge
 from upright.control import Controller, make_controller
 from upright.errors import InvalidLog
 from upright.experiment import Drive, Impulse, Slope, run
+from upright.kernel.batch import parameters_of
 from upright.physics.dynamics import CALM, Disturbance
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import Uncertainty, draw
@@ -328,9 +331,62 @@ def test_a_calibration_that_takes_the_mass_for_a_guess_sees_a_lighter_body(load:
         assert mass.low < load * ROBOT.body_mass < mass.high < ROBOT.body_mass
 
 
-def test_no_mass_is_asked_of_a_linear_filter_where_the_file_states_dry_friction() -> None:
-    """Of a TWIPR that differs in none it said 1.5 to 3 times its mass."""
+def test_neither_mass_nor_strength_is_asked_of_a_linear_filter_where_the_file_states_dry_friction() -> None:
+    """Of TWIPRs that differ in none it said 1.5 to 3 times the mass, and motors of half their strength."""
     rubs = dataclasses.replace(trial_setup(), dry_friction=True)
     assert {s.name for s in supported(plain_log(), trial_setup())} - {s.name for s in supported(plain_log(), rubs)} == {
-        "body's mass"
-    }
+        "body's mass", "motors' strength"
+    }  # fmt: skip
+
+
+LIGHTER = Support("body's mass", "kg", 0.2, 0.16, 0.24, 0.42, 0.78)  # kg, of a filter: to 20 %
+
+
+@pytest.mark.parametrize(("seen", "temper"), [(True, 0.9), (False, 0.9), (False, 0.2)])
+def test_a_mass_is_that_of_a_calibration_or_counts_as_contradicted(
+    monkeypatch: pytest.MonkeyPatch, temper: float, *, seen: bool
+) -> None:
+    """An ev3way of 0.63 kg that differed in none passed for one of 0.093 kg. Innovations of which one reading in five
+    counts are explained by nothing."""
+    module, asked = import_module("upright.certify.calibrated"), list[TrialSetup]()
+    setup = dataclasses.replace(trial_setup(), logged=dataclasses.replace(Logged.alone(KIT), load=1 / 3))
+    own = SimpleNamespace(refused=(), temper=temper)
+    found = dataclasses.replace(LIGHTER, value=0.25, low=0.2, high=0.3)
+    later = iter([(setup, (), (LIGHTER,)), (trial_setup(), (), ())])
+    monkeypatch.setattr(module, "as_logged", lambda _, given: asked.append(given) or next(later))
+    monkeypatch.setattr(module, "_own", lambda *_: own)
+    monkeypatch.setattr(module, "doubted", lambda *_: None)
+    monkeypatch.setattr(module, "weighed", lambda _, met: [(own, found)] if seen and met.actual_robot is ROBOT else [])
+    monkeypatch.setattr(module, "learnt", lambda *given: given)
+    result, taken = calibrated(plain_log(), setup)
+    doubts = {s.name: s.value for s in (result[2] if len(result) > 2 else ()) if s.outside}
+    assert taken == ((found,) if seen else ())
+    coloured = {"share of readings that count": temper} if temper < WHITE else {}
+    assert doubts == ({} if seen else {"body's mass": 0.2} | coloured)
+    assert [given.is_weighed for given in asked] == ([False] if seen else [False, True])
+
+
+def test_pushes_have_the_sizes_of_the_file_s_robot_whatever_a_calibration_makes_of_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A body of half the mass would be pushed half as much; and with slower sensors less can be survived."""
+    module = import_module("upright.certify.certificate")
+    light, slow = loaded(ROBOT, 0.5), {n: dataclasses.replace(s, delay=s.delay + 0.02) for n, s in KIT.sensors.items()}
+    own = Learnt(light, kit_with(sensors=slow), Uncertainty.of(light).scaled(0.1))
+    monkeypatch.setattr(module, "calibrated", lambda *_: (own, ()))
+    given = certify(designed(), ROBOT, KIT, samples=100, sweeps=False, log=plain_log())
+    stated = [
+        push.size for volts in batteries(ROBOT, KIT) or () for push in standard_pushes(ROBOT, KIT, volts).values()
+    ]
+    assert sorted({t.size for t in given.trials}) == sorted(set(stated))
+
+
+def test_a_robot_stands_on_the_slope_that_its_motors_bore() -> None:
+    """Whatever the parameters, the command at rest is the one of the log, by statics."""
+    robots, slope = draw(ROBOT, 20, 1), math.radians(4.0)
+    shown = dataclasses.replace(Logged.alone(KIT), slopes=(slope,))
+    angles = shown.angles(slope, parameters_of(robots), ROBOT)
+    rest = [float(_rest(robot, 0.0, angle)[1]) for robot, angle in zip(robots, angles, strict=True)]
+    assert np.ptp(angles) > 0.2 * slope  # spreads of 10 % in the motors' constants
+    assert rest == pytest.approx([float(_rest(ROBOT, 0.0, slope)[1])] * 20, rel=1e-9)
+    assert (shown.angles(0.0, parameters_of(robots), ROBOT) == 0).all()  # an expected slope is the same for all

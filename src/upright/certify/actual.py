@@ -149,7 +149,7 @@ def _learnt(setup: TrialSetup, shown: Sequence[Support]) -> TrialSetup:
             kit = replace(kit, battery=replace(kit.battery, voltage=s.value))
             logged = replace(logged, batteries=(s.value,))
         elif s.name == "slope":
-            logged = replace(logged, slopes=(s.value,))
+            logged = replace(logged, slopes=(s.value,), tilts=drawn / s.value)
         elif s.name == "body's mass":
             load, loads = s.value / setup.robot.body_mass, drawn / setup.robot.body_mass
             loads -= rng.uniform(0.0, LIGHTER, n) * np.maximum(1 - loads, 0.0)

@@ -48,10 +48,10 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
 
     A calibration doubts no scale, no weighed mass and little of the electronics: where these are wrong it bends other
     numbers. So the log is first compared with the file, and what it contradicts is corrected. The mass is that of a
-    calibration which takes it for a guess. One that only the filter of a certificate sees counts as contradicted, and
-    is not tried. Where robots within the file's spreads explain as much as one more number would, the log is calibrated
-    with it too, and that robot is kept where its innovations are whiter, and nearly white. Raises `InvalidLog` where
-    the calibration is refused.
+    calibration which takes it for a guess; one that only the filter of a certificate sees is not tried, and counts as
+    contradicted. So do innovations that are far from white at last. Where robots within the file's spreads explain as
+    much as one more number would, the log is calibrated with it too, and that robot is kept where its innovations are
+    whiter, and nearly white. Raises `InvalidLog` where the calibration is refused.
     """
     met, _, taken = as_logged(log, setup)
     alone = unloaded(met)
@@ -74,8 +74,13 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
             f"the log does not describe {setup.robot.name}: {own.refused[0]}",
             hint="upright doctor LOG; or certify without the log, or with the robot that it is of",
         )
-    result = learnt(own, setup.kit)
-    return replace(result, contradicted=(*result.contradicted, *unsure)), taken
+    coloured = () if setup.dry_friction or own.temper >= WHITE else (_count(own.temper),)
+    return learnt(own, setup.kit, (*unsure, *coloured)), taken
+
+
+def _count(temper: float) -> Support:
+    """The share of the readings that count: innovations far from white are of something that no number explains."""
+    return Support("share of readings that count", "1", temper, temper, temper, WHITE, 1.0)
 
 
 def unloaded(met: TrialSetup) -> TrialSetup:
@@ -99,10 +104,12 @@ def weighed(log: Log, setup: TrialSetup) -> list[tuple[Calibration, Support]]:
     robot, kit = setup.actual_robot, setup.actual_kit
     guess = robot.replace(provenance={name: s for name, s in robot.provenance.items() if name not in LOADED})
     own = calibrate(unpushed(log, robot, kit), guess, kit)
+    if own.refused:
+        return []
     e = own["body_mass"]
     mass = replace(body_mass(setup, e.value, 0.0), low=e.low, high=e.high)
     white = setup.dry_friction or own.temper > WHITE
-    return [(own, mass)] if white and not own.refused and is_beyond(mass) else []
+    return [(own, mass)] if white and is_beyond(mass) else []
 
 
 def doubtful_mass(log: Log, setup: TrialSetup, taken: Sequence[Support]) -> tuple[Support, ...]:
@@ -131,8 +138,9 @@ def _weighed(met: TrialSetup) -> Robot:
     return robot.replace(provenance={**robot.provenance, **known})
 
 
-def learnt(calibration: Calibration, kit: Kit) -> Learnt:
-    """The calibrated robot with the posterior of its parameters, on `kit` with the sensor delays of the log.
+def learnt(calibration: Calibration, kit: Kit, others: Sequence[Support] = ()) -> Learnt:
+    """The calibrated robot with the posterior of its parameters, on `kit` with the sensor delays of the log; `others`
+    are contradicted besides what the calibration moves.
 
     Where the log's dead times are shorter, those of the kit stay. A log of applied commands does not show all dead
     time.
@@ -150,7 +158,7 @@ def learnt(calibration: Calibration, kit: Kit) -> Learnt:
         for name, sensor in kit.sensors.items()
     }
     contradicted = tuple(Support.of_estimate(e) for e in calibration.parameters if e.surprising)
-    return Learnt(calibration.robot, replace(kit, sensors=sensors), uncertainty, contradicted)
+    return Learnt(calibration.robot, replace(kit, sensors=sensors), uncertainty, (*contradicted, *others))
 
 
 def _lognormal(s: Spread) -> Spread:

@@ -15,12 +15,12 @@ import numpy as np
 
 from upright.arrays import Array, Mask
 from upright.certify.logged import Logged, delaying, loaded
-from upright.certify.recovery import KNOCK_DURATION, largest_hold, largest_knock, means, recoverable
+from upright.certify.pushes import StandardPush, standard_pushes
+from upright.certify.recovery import means, recoverable
 from upright.control.controller import Controller
 from upright.control.law import Law, as_law
 from upright.control.mpc import Splitting
 from upright.errors import InvalidController, SpecMismatch
-from upright.experiment.pushes import Hold, Impulse
 from upright.fleet.ensemble import SETTLED, tables
 from upright.kernel.batch import NAMES, FleetBatch, FleetResult, parameters_of, silent
 from upright.kernel.pack import RESIDUAL
@@ -28,19 +28,7 @@ from upright.kernel.simulate import simulate
 from upright.robots import Kit, Robot
 
 SECONDS = 8.0  # [s] a push, what follows it, and `TAIL` to see what the robot does at rest
-RELEASE = 3.0  # [s] a hold of this length lets every preset come to rest against it
 TAIL = 2.0  # [s] at the end, over which the limit cycle is measured: several of its periods
-HELD, KNOCKED = 0.4, 0.6
-"""Sizes of the standard pushes over the largest that any controller could survive on the nominal robot with that
-battery and slope.
-
-A controller is not told when a hold ends. Feedback that moves the falling pole from λ to −(g − 1) λ survives 1 − 1/g
-of the largest hold: half with the least effort (g = 2), which default controllers exceed by little. Of the largest
-knock it survives nearly all. So less is asked of holds."""
-MOST_HOLD, MOST_KNOCK = 0.4, 0.5
-"""[rad], and [m/s] of the body's speed: no standard push is larger, however strong the motors. They bound what is asked
-of kits without limits, and of twipr: from 0.6 of its largest knock a fifth of its spreads falls under any controller.
-"""
 BATTERIES = {"low": 0.85, "full": 1.12}
 """Over the kit's voltage: six AA cells under load give 7 to 9 V for 8, two lithium cells 6.4 to 8.4 V for 7.5. The
 robot's file may state others (`Robot.conditions`)."""
@@ -121,41 +109,6 @@ def kernel_controller(controller: Controller, robot: Robot, kit: Kit) -> KernelC
         return KernelController(as_law(silent(controller)), controller)
 
 
-class StandardPush(NamedTuple):
-    """A `push` of a `size` [rad or N s], and the largest size that any controller could survive, its `bound`."""
-
-    push: Hold | Impulse
-    size: float
-    bound: float
-
-
-def standard_pushes(
-    robot: Robot, kit: Kit, battery: float | None = None, slope: float = 0.0
-) -> dict[str, StandardPush]:
-    """A hold to the front and one to the back, each until its release, and an impulse at the centre of mass, by name.
-
-    Each has `FRACTION` of the size that any controller could survive with this `battery` [V] (None: the kit's) on this
-    `slope` [rad], at most `MOST_HOLD` and `MOST_KNOCK`. All are zero where no controller could stand there.
-    """
-    front, back = (largest_hold(robot, kit, side, battery=battery, slope=slope) for side in (1, -1))
-    knock = largest_knock(robot, kit, battery=battery, slope=slope)
-    most = MOST_KNOCK * robot.body_mass
-    ahead, behind = (_size(HELD * bound, MOST_HOLD) for bound in (front, back))
-    knocked = _size(KNOCKED * knock, most)
-    return {
-        f"hold at {ahead:+.2f} rad": StandardPush(Hold(pitch=ahead, until=RELEASE), ahead, front),
-        f"hold at {-behind:+.2f} rad": StandardPush(Hold(pitch=-behind, until=RELEASE), behind, back),
-        f"knock of {knocked:.3g} N s": StandardPush(
-            Impulse(impulse=knocked, start=1.0, duration=KNOCK_DURATION), knocked, knock
-        ),
-    }
-
-
-def _size(size: float, most: float) -> float:
-    """At most that, and three digits of it, so that the last bits of a search do not matter."""
-    return float(f"{min(size, most):.3g}")
-
-
 PUSHES = 3  # number of standard pushes
 
 
@@ -174,7 +127,7 @@ class RunCounter:
 
 @dataclass(frozen=True, eq=False)
 class TrialSetup:
-    """A controller, the robots it drives, their kit, the seed of their noise, and the floor's slope [rad].
+    """A controller, the robots it drives, their kit, the seed of their noise, and the floor's slope (·) [rad].
 
     Pushes are sized for the robot and the kit that were `stated` (None: `robot` and `kit`), whatever a calibration made
     of them. What a log shows instead is `logged`, and is tried. Its filter expects `disturbed` times the usual noise of
@@ -189,7 +142,7 @@ class TrialSetup:
     threads: int | None = None
     progress: RunCounter | None = None
     _: KW_ONLY
-    slope: float = 0.0
+    slope: float | Array = 0.0
     logged: Logged | None = None
     disturbed: float = 1.0
     dry_friction: bool = False
@@ -297,12 +250,23 @@ def tried(setup: TrialSetup) -> Iterator[TriedPush]:
     for kind in range(PUSHES):
         for slope, battery, voltage, expected_slope, expected_voltage in conditions(setup):
             name, standard = list(setup.pushes(expected_voltage, expected_slope).items())[kind]
-            changed, sloped = {} if voltage is None else {"battery.voltage": [voltage]}, replace(setup, slope=slope)
-            rows = list(_runs(sloped, setup.robots, standard.push, number, changed, setup.controller, channels))
+            changed = {} if voltage is None else {"battery.voltage": [voltage]}
+            angles = logged.angles(slope, parameters, setup.actual_robot) if logged else np.full(len(parameters), slope)
+            rows = list(
+                _runs(
+                    replace(setup, slope=angles),
+                    setup.robots,
+                    standard.push,
+                    number,
+                    changed,
+                    setup.controller,
+                    channels,
+                )
+            )
             called = f"{name}, slope {math.degrees(slope):+.1f}°" if slope else name
             fell, beyond = np.concatenate([row.fell for row in rows]), np.zeros(len(parameters), dtype=np.bool_)
             able = means(setup.robot, setup.actual_kit, voltage)
-            beyond[fell] = ~recoverable(parameters[fell], able, standard.push, slope, setup.threads)
+            beyond[fell] = ~recoverable(parameters[fell], able, standard.push, angles[fell], setup.threads)
             trial = replace(
                 _trial(called, battery, rows, parameters, law.period), size=standard.size, beyond=int(beyond.sum()),
                 bound=standard.bound if math.isfinite(standard.bound) else None,
@@ -357,8 +321,8 @@ def _runs(
     controller: KernelController, channels: Sequence[str] = (),
 ) -> Iterator[FleetResult]:  # fmt: skip
     """One run of each robot, in batches; `row` is the number of the trial, so that each has its own noise."""
-    n, part = len(robots), CALLED if controller.called else len(robots)
-    logged = setup.logged
+    n, part, logged = len(robots), CALLED if controller.called else len(robots), setup.logged
+    angles = np.column_stack([np.broadcast_to(setup.slope, n), np.zeros(n)])
     for first in range(0, n, part):
         some = parameters_of(robots[first : first + part])
         some = logged.weighed(some, first) if logged else some
@@ -366,7 +330,7 @@ def _runs(
         batch = FleetBatch(
             parameters=some, controller=controller.law, kit=setup.actual_kit, seed=setup.seed,
             kit_changes={**(logged.part(first, len(some)) if logged else {}), **changes},
-            pushes=tables([push], (), some).pushes, index=index, period=_STEP, slope=np.array([setup.slope, 0.0]),
+            pushes=tables([push], (), some).pushes, index=index, period=_STEP, slope=angles[first : first + len(some)],
         )  # fmt: skip
         yield simulate(batch, SECONDS, record=int(bool(channels)), channels=channels, bands=BANDS,
                        threads=setup.threads, called=controller.called)  # fmt: skip

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 
 from upright.arrays import Array
 from upright.kernel.batch import NAMES
+from upright.physics.dynamics import motor_gain
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -28,7 +31,7 @@ class Logged:
     """The `kit` as the log shows it, and its numbers `changes` that are drawn for each robot (n,) by dotted name.
 
     `load` is the body's mass over the assumed one, as estimated, and `loads` (n,) what is drawn. `batteries` [V] and
-    `slopes` [rad] lie outside those expected, and are tried besides.
+    `slopes` [rad] lie outside those expected, and are tried besides, times the `tilts` (n,) that are drawn.
     """
 
     kit: Kit
@@ -37,6 +40,7 @@ class Logged:
     changes: Mapping[str, Array]
     batteries: tuple[float, ...] = ()
     slopes: tuple[float, ...] = ()
+    tilts: Array = field(default_factory=lambda: np.ones(1))
 
     @classmethod
     def alone(cls, kit: Kit) -> Logged:
@@ -53,6 +57,20 @@ class Logged:
         columns = [NAMES.index(name) for name in LOADED]
         result[:, columns] *= rows(self.loads, first, len(parameters))[:, None]
         return result
+
+    def angles(self, slope: float, parameters: Array, nominal: Robot) -> Array:
+        """The slope [rad] on which each of the robots with `parameters` (n, 21) stands. One that the log shows is of
+        what the motors of the `nominal` robot bore at rest: stronger motors, smaller wheels or less mass bore it on a
+        steeper one."""
+        if slope not in self.slopes:
+            return np.full(len(parameters), slope)
+        own = _steepness(SimpleNamespace(**dict(zip(NAMES, parameters.T, strict=True))))
+        return np.arcsin(np.sin(slope * rows(self.tilts, 0, len(parameters))) * own / _steepness(nominal))
+
+
+def _steepness(p: Any) -> Any:
+    """The sine of the slope on which a robot rests by one unit of command, but for a factor of all robots."""
+    return motor_gain(p) / (p.wheel_radius * p.gravity * (p.body_mass + 2 * p.wheel_mass))
 
 
 def delaying(kit: Kit, more: float) -> Kit:

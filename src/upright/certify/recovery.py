@@ -71,7 +71,7 @@ def largest_knock(robot: Robot, kit: Kit, side: int = 1, *, battery: float | Non
 
 
 def recoverable(
-    parameters: Array, able: Means, push: Hold | Impulse, slope: float = 0.0, threads: int | None = None
+    parameters: Array, able: Means, push: Hold | Impulse, slope: float | Array = 0.0, threads: int | None = None
 ) -> Mask:
     """Which of the robots with `parameters` (n, 21) a controller with these means could save from this push."""
     if not (math.isfinite(able.most) and len(parameters)):
@@ -111,7 +111,7 @@ def _largest(numbers: tuple[float, ...], able: Means, slope: float, kind: str, s
 
 
 def _saved(
-    parameters: Array, able: Means, slope: float, side: int, *,
+    parameters: Array, able: Means, slope: float | Array, side: int, *,
     force: Array | None = None, impulse: Array | None = None, duration: float = STEP, threads: int | None = None,
 ) -> Mask:  # fmt: skip
     """Which of n robots full command towards `side` keeps from falling to that side: let go from rest under `force`
@@ -132,7 +132,7 @@ def _saved(
     pushes[:, 0, 0] = 0.0 if impulse is None else impulse / duration
     batch = FleetBatch(
         parameters=parameters, controller=_following(), start=start, pushes=pushes, reference=ramps,
-        slope=np.array([slope, 0.0]), period=STEP,
+        slope=np.column_stack([np.broadcast_to(slope, n), np.zeros(n)]), period=STEP,
     )  # fmt: skip
     result = simulate(batch, able.wait + WATCHED, threads=threads)
     lost = result.fell & (side * result.final[:, 0] > 0)
@@ -150,15 +150,15 @@ def _following() -> LinearController:
     )  # fmt: skip
 
 
-def _rest(p: Any, force: Any, slope: float) -> tuple[Array, Array]:
+def _rest(p: Any, force: Any, slope: float | Array) -> tuple[Array, Array]:
     """Pitch [rad] and command at rest under a force at the centre of mass; NaN where there is none.
 
     Statics: 2 τ = climb − F R at the wheels, M g L sin(ψ − slope) + F L cos ψ = 2 τ at the body.
     """
     weight = p.body_mass * p.gravity * p.com_height
-    climb = (p.body_mass + 2 * p.wheel_mass) * p.gravity * p.wheel_radius * math.sin(slope)
+    climb = (p.body_mass + 2 * p.wheel_mass) * p.gravity * p.wheel_radius * np.sin(slope)
     torque = climb - force * p.wheel_radius
-    along, across = weight * math.cos(slope), force * p.com_height - weight * math.sin(slope)
+    along, across = weight * np.cos(slope), force * p.com_height - weight * np.sin(slope)
     with np.errstate(invalid="ignore"):
         pitch = np.arcsin(torque / np.hypot(along, across)) - np.arctan2(across, along)
     return pitch, torque / (2 * motor_gain(p))

@@ -9,7 +9,8 @@ from itertools import groupby
 
 from upright.certify.agreement import AMBER, RED
 from upright.certify.certificate import Certificate
-from upright.certify.checks import HELD, KNOCKED, RELEASE, PushTrial, Swept
+from upright.certify.checks import PushTrial, Swept
+from upright.certify.pushes import HELD, KNOCKED, RELEASE
 from upright.certify.recovery import KNOCK_DURATION
 from upright.certify.verdict import GREEN, MOST_FALLS, LinearMargins, placed
 from upright.plotting import AXIS, line, number, panels
