@@ -55,9 +55,8 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
     """
     met, _, taken = as_logged(log, setup)
     alone = unloaded(met)
-    found, unsure = weighed(log, alone), unconfirmed(taken)
-    if found:
-        own, mass = found[0]
+    unsure = unconfirmed(taken)
+    for own, mass in weighed(log, alone):
         return learnt(own, setup.kit), (*(s for s in taken if s.name != MASS), mass)
     if unsure:
         alone, _, taken = as_logged(log, replace(setup, is_weighed=True))

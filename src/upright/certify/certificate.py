@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from upright.atomic import finite, write_json
 from upright.certify.actual import as_logged
 from upright.certify.agreement import RED, Agreement, agreement
-from upright.certify.calibrated import calibrated, doubtful_mass
+from upright.certify.calibrated import Learnt, calibrated, doubtful_mass
 from upright.certify.checks import (
     PushTrial,
     RunCounter,
@@ -43,6 +43,7 @@ from upright.reading import check_types, read_json, understood
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.facts import Facts, differences, kit_facts, robot_facts
 from upright.robots.uncertainty import Uncertainty, at_medians, draw
+from upright.signals import Log
 from upright.tables import Shown, in_degrees
 
 if TYPE_CHECKING:
@@ -237,19 +238,15 @@ def certify(
     rubs, stated = nominal.coulomb_friction > 0, (nominal, parts)
     subject = {"robot": robot_facts(given), "kit": kit_facts(parts)}
     wrong, contradicted = tuple[Support, ...](), tuple[Support, ...]()
-    plain = unknown is None and robots is None
-    if recording and plain:
-        assumed = kernel_controller(find_controller(controller, nominal, parts, parts.period), nominal, parts)
-        filed = TrialSetup(assumed, nominal, draw(nominal, FEWEST, seed), parts, seed, dry_friction=rubs)
-        own, wrong = calibrated(recording, filed, progress)
+    if bare := unknown is None and robots is None and recording:
+        own, wrong = _calibrated(bare, controller, nominal, parts, seed, progress)
         nominal, parts, unknown, contradicted = own.robot, own.kit, own.uncertainty, own.contradicted
     design = find_controller(controller, nominal, parts, parts.period)
     family = draw(nominal, samples, seed, unknown) if robots is None else list(robots)
     _check_family(family, nominal)
     driven = kernel_controller(design, nominal, parts)
-    setup = TrialSetup(
-        driven, nominal, family, parts, seed, threads, dry_friction=rubs, is_weighed=plain, stated=stated
-    )
+    setup = TrialSetup(driven, nominal, family, parts, seed, threads, dry_friction=rubs, stated=stated)
+    setup = replace(setup, is_weighed=bool(bare))
     setup, shown, taken = as_logged(recording, setup) if recording else (setup, (), ())
     contradicted = doubtful_mass(recording, setup, taken) if recording and posterior is not None else contradicted
     taken = (*taken, *(s for s in wrong if s.name not in {t.name for t in taken}))
@@ -269,6 +266,15 @@ def certify(
         delayed=delay_sweep(setup) if sweeps else (), slower=period_sweep(setup) if sweeps else (),
         narrowing=narrowing(setup, unknown or Uncertainty.of(nominal), fallen) if examined else None,
     )  # fmt: skip
+
+
+def _calibrated(
+    log: Log, controller: Controller | str, robot: Robot, kit: Kit, seed: int, progress: Progress | None
+) -> tuple[Learnt, tuple[Support, ...]]:
+    """The robot of the file as `log` shows it, and what was taken over before."""
+    driven = kernel_controller(find_controller(controller, robot, kit, kit.period), robot, kit)
+    rubs, some = robot.coulomb_friction > 0, draw(robot, FEWEST, seed)
+    return calibrated(log, TrialSetup(driven, robot, some, kit, seed, dry_friction=rubs), progress)
 
 
 def read_certificate(path: str | Path) -> Certificate:
