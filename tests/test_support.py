@@ -22,7 +22,7 @@ from upright.calibrate.estimate import Estimate
 from upright.calibrate.knocks import _calm, unpushed, without_knocks
 from upright.certify.actual import as_logged, doubted
 from upright.certify.agreement import LARGER, RED, Agreement, agreement
-from upright.certify.calibrated import WHITE, Learnt, _weighed, calibrated, learnt, weighed
+from upright.certify.calibrated import Learnt, _weighed, calibrated, learnt, weighed
 from upright.certify.certificate import Certificate, certify
 from upright.certify.checks import PushTrial, TrialSetup, batteries, kernel_controller
 from upright.certify.logged import Logged, as_sent, loaded
@@ -342,9 +342,18 @@ def test_neither_mass_nor_strength_is_asked_of_a_linear_filter_where_the_file_st
 LIGHTER = Support("body's mass", "kg", 0.2, 0.16, 0.24, 0.42, 0.78)  # kg, of a filter: to 20 %
 
 
-@pytest.mark.parametrize(("seen", "temper"), [(True, 0.9), (False, 0.9), (False, 0.2)])
+@pytest.mark.parametrize(
+    ("seen", "others", "temper", "doubted"),
+    [
+        (True, 0, 0.9, set()),
+        (False, 0, 0.9, {"body's mass"}),
+        (False, 0, 0.2, {"body's mass", "share of readings that count"}),
+        (False, 1, 0.9, set()),  # the mass was the image of a delay
+        (False, 1, 0.2, {"body's mass"}),
+    ],
+)
 def test_a_mass_is_that_of_a_calibration_or_counts_as_contradicted(
-    monkeypatch: pytest.MonkeyPatch, temper: float, *, seen: bool
+    monkeypatch: pytest.MonkeyPatch, temper: float, others: int, doubted: set[str], *, seen: bool
 ) -> None:
     """An ev3way of 0.63 kg that differed in none passed for one of 0.093 kg. Innovations of which one reading in five
     counts are explained by nothing."""
@@ -352,17 +361,16 @@ def test_a_mass_is_that_of_a_calibration_or_counts_as_contradicted(
     setup = dataclasses.replace(trial_setup(), logged=dataclasses.replace(Logged.alone(KIT), load=1 / 3))
     own = SimpleNamespace(refused=(), temper=temper)
     found = dataclasses.replace(LIGHTER, value=0.25, low=0.2, high=0.3)
-    later = iter([(setup, (), (LIGHTER,)), (trial_setup(), (), ())])
+    late = (Support("further delay", "s", 0.02, 0.019, 0.021, -0.02, 0.005),) * others
+    later = iter([(setup, (), (LIGHTER,)), (trial_setup(), (), late)])
     monkeypatch.setattr(module, "as_logged", lambda _, given: asked.append(given) or next(later))
     monkeypatch.setattr(module, "_own", lambda *_: own)
     monkeypatch.setattr(module, "doubted", lambda *_: None)
     monkeypatch.setattr(module, "weighed", lambda _, met: [(own, found)] if seen and met.actual_robot is ROBOT else [])
     monkeypatch.setattr(module, "learnt", lambda *given: given)
     result, taken = calibrated(plain_log(), setup)
-    doubts = {s.name: s.value for s in (result[2] if len(result) > 2 else ()) if s.outside}
-    assert taken == ((found,) if seen else ())
-    coloured = {"share of readings that count": temper} if temper < WHITE else {}
-    assert doubts == ({} if seen else {"body's mass": 0.2} | coloured)
+    assert taken == ((found,) if seen else late)
+    assert {s.name for s in (result[2] if len(result) > 2 else ()) if s.outside} == doubted
     assert [given.is_weighed for given in asked] == ([False] if seen else [False, True])
 
 

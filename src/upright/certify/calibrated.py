@@ -49,9 +49,10 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
     A calibration doubts no scale, no weighed mass and little of the electronics: where these are wrong it bends other
     numbers. So the log is first compared with the file, and what it contradicts is corrected. The mass is that of a
     calibration which takes it for a guess; one that only the filter of a certificate sees is not tried, and counts as
-    contradicted. So do innovations that are far from white at last. Where robots within the file's spreads explain as
-    much as one more number would, the log is calibrated with it too, and that robot is kept where its innovations are
-    whiter, and nearly white. Raises `InvalidLog` where the calibration is refused.
+    contradicted where no other number explains the log. So do innovations that are then far from white. Where robots
+    within the file's spreads explain as much as one more number would, the log is calibrated with it too, and that
+    robot is kept where its innovations are whiter, and nearly white. Raises `InvalidLog` where the calibration is
+    refused.
     """
     met, _, taken = as_logged(log, setup)
     alone = unloaded(met)
@@ -73,7 +74,9 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
             f"the log does not describe {setup.robot.name}: {own.refused[0]}",
             hint="upright doctor LOG; or certify without the log, or with the robot that it is of",
         )
-    coloured = () if setup.dry_friction or own.temper >= WHITE else (_count(own.temper),)
+    white = own.temper >= WHITE
+    unsure = () if taken and white else unsure  # the mass was an image of what was taken over instead
+    coloured = () if setup.dry_friction or taken or white else (_count(own.temper),)
     return learnt(own, setup.kit, (*unsure, *coloured)), taken
 
 
