@@ -188,7 +188,7 @@ def basin_page(data: Dataset) -> Page:
             numbers.append((f"±{_in_degrees(best, data, across)}", text))
         text = f"{up.replace('_', ' ')} from which {it}, where {words} is zero; tried every {_step(data, up)}"
         numbers.append((ends, text))
-        numbers.append((span, f"hold it closer to upright than that at its start; found to {_step(data, across)}"))
+        numbers.append((span, f"hold it upright to within this when it starts; tried every {_step(data, across)}"))
     verdict = Verdict(f"simulated: {_robots(several)}, one controller", "info")
     return Page(title, [], lead, provenance(data), False, verdict=verdict, picture=basin_figure(data), numbers=numbers)
 
