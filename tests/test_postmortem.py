@@ -319,7 +319,7 @@ def test_a_push_is_named_with_its_numbers() -> None:
     found = post_mortem(logged("push too large", "push", after=[planted]), NXT, KIT)
     push = found.causes[0].push
     assert push is not None
-    assert push.impulse == pytest.approx(planted.impulse, rel=0.1)  # 3 to 7 % small (docs/post-mortem.md)
+    assert push.impulse == pytest.approx(planted.impulse, rel=0.1)  # 7 % small to 1 % large (docs/post-mortem.md)
     assert push.start == pytest.approx(ONSET, abs=KIT.period)
     assert PostMortem.from_json(json.loads(json.dumps(found.to_json()))).causes == found.causes
     known = dataclasses.replace(push, impulse=-0.46, counts=math.radians(41), largest=math.radians(35), most=0.4)

@@ -107,8 +107,8 @@ def _push(result: PostMortem) -> tuple[str, str] | None:
 
 
 KNOWN, CLOSE = 0.07, 0.1
-"""How well an impulse is known: planted ones come out 3 to 7 % small (`benchmarks/push_size.py`, 25 November 2026); and
-from how near to the limit on that is said."""
+"""How well an impulse is known: planted ones come out between 7 % small and 1 % large (`benchmarks/push_size.py`, 25 November
+2026); and from how near to the limit on that is said."""
 
 
 def _lost(result: PostMortem) -> float | None:
