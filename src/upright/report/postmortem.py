@@ -102,13 +102,13 @@ def _push(result: PostMortem) -> tuple[str, str] | None:
     if push is None:
         return None
     close = abs(abs(push.impulse) / push.most - 1) < CLOSE
-    came = f"this one had about {abs(push.impulse):.2g} N s{f', known to {100 * KNOWN:.0f} %' if close else ''}"
+    came = f"this one had about {abs(push.impulse):.2g} N s{f', known to {100 * KNOWN:.0f} % at best' if close else ''}"
     return f"{push.most:.2g} N s", f"the largest such push that any controller could save; {came}"
 
 
 KNOWN, CLOSE = 0.07, 0.1
-"""How well an impulse is known: planted ones come out between 7 % small and 1 % large (`benchmarks/push_size.py`, 25 November
-2026); and from how near to the limit on that is said."""
+"""How well an impulse is known: planted ones come out between 7 % small and 1 % large (twins of nxtway-gs,
+`benchmarks/push_size.py`, 25 November 2026); and from how near to the limit on that is said."""
 
 
 def _lost(result: PostMortem) -> float | None:
