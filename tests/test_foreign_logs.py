@@ -339,3 +339,16 @@ def test_a_draft_holds_what_the_names_say(tmp_path: Path, capsys: pytest.Capture
     assert "-4 times Theta" in text
     assert Mapping.load(draft).time.period == 0.01
     capsys.readouterr()
+
+
+def test_a_robot_whose_motors_are_off_has_no_cause_to_fall_for() -> None:
+    """A body of which nothing is asked topples like a rising exponential: no loop stopped, and nothing broke."""
+    t = 0.01 * np.arange(150)
+    lean = np.where(t < 0.6, 0.002 * np.sin(9 * t), 0.01 * np.exp(5 * (t - 0.6)))
+    zeros = np.zeros(len(t))
+    names = {SENSORS[0]: -0.1 * lean, SENSORS[1]: -0.1 * lean, SENSORS[2]: np.gradient(lean, t)}
+    found = post_mortem(Log(t, names | {"command/left": zeros, "command/right": zeros}), "nxtway-gs")
+    assert found.fell
+    assert found.causes == ()
+    assert found.check() == []
+    assert "both commands are 0 in every row" in str(found)

@@ -118,7 +118,8 @@ def prepared(
     """The problem at its prior, and each sensor's variance as its kit has it."""
     delay = max([kit.delay, *(kit.delay + s.delay for s in kit.sensors.values())])
     if any(_idle(log) for log in logs):
-        raise InvalidLog("the commands never change", expected="motors at work", likely="a log of a robot switched off")
+        likely = "a log of a robot switched off, or of motors at one speed"
+        raise InvalidLog("the commands never change", expected="motors at work", likely=likely)
     recordings = tuple(record(log, robot, kit, skip=delay + 0.02, held_out=held_out) for log in logs)
     sensors = dict.fromkeys(s for r in recordings for s in r.sensors)
     delays = {s: _dead_time(kit, logs) + _delay(kit, s) for s in sensors}

@@ -29,10 +29,10 @@ from upright.doctor.finding import FEWEST as FEWEST_POSES
 from upright.errors import InvalidLog, InvalidRobot
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import RATES, LogSource, raw_log
-from upright.logs.recording import FEWEST, check_drive
+from upright.logs.recording import FEWEST, check_drive, commanded
 from upright.progress import Progress, unwatched
 from upright.robots import PARAMETERS, Kit, Robot, find_kit, find_robot, kit_names, preset_names
-from upright.signals import Log
+from upright.signals import SIDES, Log
 from upright.tables import Shown
 
 Array = NDArray[np.float64]
@@ -144,6 +144,8 @@ def post_mortem(
             verdict=CANNOT_TELL, causes=(), fell_at=math.nan, onset=math.nan, missing=missing, notes=notes,
             series=Series.none(), **head,
         )  # fmt: skip
+    if _off(log):
+        return _without_motors(log, head)
     short = _short(log, head) if len(log) < FEWEST else None
     if short is not None and short.verdict != CANNOT_TELL:
         return short
@@ -177,6 +179,23 @@ def _short(log: Log, head: dict[str, Any]) -> PostMortem:
         verdict=causes[0].name if causes else CANNOT_TELL if fall else NO_FALL, causes=causes,
         fell_at=fall.stop if fall else math.nan, onset=fall.start if fall else math.nan,
         missing=(f"{FEWEST} rows",) if fall and not causes else (), notes=(f"the log has only {len(log)} rows",),
+        series=Series.none(), **head,
+    )  # fmt: skip
+
+
+def _off(log: Log) -> bool:
+    """Whether the motors are off in every row."""
+    prefix = commanded(log)
+    return bool(prefix) and not any(np.nan_to_num(log[f"{prefix}/{side}"]).any() for side in SIDES)
+
+
+def _without_motors(log: Log, head: dict[str, Any]) -> PostMortem:
+    """Whether a robot fell whose motors are off: why is no question then."""
+    fall = last_fall(log) if len(log) >= FEWEST_POSES else None
+    notes = ("both commands are 0 in every row: with its motors off every robot falls",) if fall else (SIDEWAYS,)
+    return PostMortem(
+        verdict=CANNOT_TELL if fall else NO_FALL, causes=(), fell_at=fall.stop if fall else math.nan,
+        onset=fall.start if fall else math.nan, missing=("motors at work",) if fall else (), notes=notes,
         series=Series.none(), **head,
     )  # fmt: skip
 

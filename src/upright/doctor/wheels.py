@@ -41,7 +41,11 @@ def on_its_wheels(log: Log, *, falling: bool = True) -> tuple[Log, str]:
     """
     record, kinds = record_of(log), FITTED if falling else ON_WHEELS
     for wrong in unit(record):
-        raise InvalidLog(wrong.evidence, expected="times in seconds", hint="upright doctor --fix, or a mapping")
+        slow = wrong.severity == "warning"
+        raise InvalidLog(
+            wrong.evidence, expected="rows every 10 to 50 ms" if slow else "times in seconds",
+            hint="" if slow else "upright doctor --fix, or a mapping",
+        )  # fmt: skip
     for wrong in wrapped(record):
         raise InvalidLog(
             f"{wrong.channel}: {wrong.evidence}",
