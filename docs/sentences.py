@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from html.parser import HTMLParser
 
-MUTE = {"script", "style", "pre", "math", "svg", "iframe", "nav"}
+MUTE = {"script", "style", "pre", "svg", "iframe", "nav"}
 """What is no sentence."""
 VOID = {"area", "br", "col", "hr", "img", "input", "link", "meta", "source", "wbr"}
 BLOCKS = {"p", "li", "dd", "dt", "h1", "h2", "h3", "h4", "h5", "div", "summary", "section", "blockquote", "tr"}

@@ -71,7 +71,7 @@ function explain(results) {
       const shown = line(sentence, "sentence");
       marked(shown);
       link.parentElement.append(shown);
-      if (!place && at) link.href += `#${at}`; // where the sentence stands
+      if (!place && at) link.setAttribute("href", `${file}#${at}`); // where the sentence stands
     }
     if (whom) link.parentElement.append(line(whom, "whom"));
   }
