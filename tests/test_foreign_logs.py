@@ -352,3 +352,23 @@ def test_a_robot_whose_motors_are_off_has_no_cause_to_fall_for() -> None:
     assert found.causes == ()
     assert found.check() == []
     assert "both commands are 0 in every row" in str(found)
+
+
+def test_rows_without_names_are_read_beside_the_settings_of_a_program(tmp_path: Path) -> None:
+    """One object of settings, among them short lists, and of rows of numbers; every row was written twice."""
+    s = swing(60)
+    rows = np.repeat(np.column_stack([s["tilt"], s["rate"], 3 * s["tilt"]]), 2, axis=0)
+    path = tmp_path / "run.json"
+    path.write_text(json.dumps({"gains": {"Q": [1, 1, 100], "R": [9]}, "note": "fast", "rows": rows.tolist()}))
+    table = read_table(path)
+    assert list(table.columns) == ["c1", "c2", "c3"]
+    tilt, gyro = Source(column="c1", unit="rad"), Source(column="c2", unit="rad/s")
+    mapping = Mapping("mine", Source(column="", period=0.005), {"estimate/pitch": tilt, SENSORS[2]: gyro})
+    (found,) = (f for f in doctor(table, mapping=mapping).findings if f.code == "samples/doubled")
+    assert "each row stands 2 times: 60 of 120" in found.evidence
+
+
+def test_settings_beside_columns_are_no_columns(tmp_path: Path) -> None:
+    path = tmp_path / "run.json"
+    path.write_text(json.dumps({"R": [1000], "t": T.tolist(), "gyro": GYRO.tolist()}))
+    assert list(read_table(path).columns) == ["t", "gyro"]

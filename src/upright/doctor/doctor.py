@@ -305,7 +305,7 @@ def _stages(robot: Robot | None) -> list[list[Check]]:
         [time.jump],
         [wrapped, sensors.joined],
         [sensors.dead, sensors.outliers, sensors.repeated, time.steps],
-        [sensors.stuck, plausible.constants],
+        [sensors.stuck, plausible.constants, plausible.doubled],
         [motion.kinds, sensors.unsigned],
         [motion.signs],
         [motion.sides, sensors.unequal],

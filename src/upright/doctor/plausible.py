@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from upright.doctor.duty import counted
-from upright.doctor.finding import BATTERY, FORWARD, LEFT, RIGHT, UP, Finding, Record, error
+from upright.doctor.finding import BATTERY, FEWEST, FORWARD, LEFT, RIGHT, UP, Finding, Record, error, warning
 from upright.doctor.units import divide
 
 STANDARD_GRAVITY = 9.80665
@@ -52,3 +52,20 @@ def speeds(record: Record) -> list[Finding]:
                 error("units/speed", name, evidence, "counts or degrees: state unit and scale in a mapping")
             )
     return findings
+
+
+_REGULAR = 0.95  # of the groups of equal rows that have the commonest size
+
+
+def doubled(record: Record) -> list[Finding]:
+    """Rows that a program writes two or more times each, all readings and commands alike."""
+    moving = [x for x in record.channels.values() if np.isfinite(x).all() and np.ptp(x) > 0]
+    if len(moving) < 2:
+        return []
+    first = np.flatnonzero(np.concatenate([[True], np.any(np.diff(moving, axis=1) != 0, axis=0)]))
+    sizes = np.diff(first)
+    if len(sizes) < FEWEST / 2 or (times := int(np.median(sizes))) < 2 or (sizes == times).mean() < _REGULAR:
+        return []
+    evidence = f"each row stands {times} times: {len(first)} of {len(record.t)} differ from the row before"
+    repair = f"keep one of {times}; where the mapping states a period, it is that of one of them"
+    return [warning("samples/doubled", "t", evidence, repair)]

@@ -270,6 +270,7 @@ def _first_text(values: Sequence[Any]) -> str:
     return "text"
 
 
+_PARAMETERS = 20  # numbers; a shorter list beside the columns holds what the program was set to
 _JSON = '{"name": [numbers], …}, a list of such rows, or one row a line'
 
 
@@ -281,7 +282,10 @@ def _json(path: Path) -> RawTable:
     content: Any = [_row(line) for line in lines] if each else parse_json(text, str(path), InvalidLog, _JSON)
     if isinstance(content, dict):
         parts = cast("dict[str, Any]", content)
-        content = next((part for part in parts.values() if _is_rows(part)), parts)
+        content = next((part for part in parts.values() if _is_rows(part) or _is_matrix(part)), parts)
+    if _is_matrix(content):
+        matrix = np.array(content, dtype=np.float64)
+        return RawTable({f"c{i + 1}": column for i, column in enumerate(matrix.T)})
     if _is_rows(content):
         rows = [_flat(row, "") for row in cast("list[dict[str, Any]]", content)]
         names = dict.fromkeys(name for row in rows for name in row)
@@ -298,6 +302,16 @@ def _row(line: str) -> Any:
 
 def _is_rows(content: Any) -> bool:
     return isinstance(content, list) and bool(content) and all(isinstance(r, dict) for r in cast("list[Any]", content))
+
+
+def _is_matrix(content: Any) -> bool:
+    """Whether these are rows of numbers without names."""
+    if not isinstance(content, list) or len(cast("list[Any]", content)) < _PARAMETERS:
+        return False
+    rows = cast("list[Any]", content)
+    return all(isinstance(row, list) and len(cast("list[Any]", row)) == len(rows[0]) > 1 for row in rows) and all(
+        one is None or (isinstance(one, int | float) and not isinstance(one, bool)) for row in rows for one in row
+    )
 
 
 def _flat(row: Mapping[str, Any], before: str, *, lists: bool = True) -> dict[str, Any]:
@@ -336,6 +350,8 @@ def _listed(values: list[Any]) -> Array | str:
 def _equal(columns: Mapping[str, Array | str]) -> RawTable:
     numbers = {name: value for name, value in columns.items() if not isinstance(value, str) and value.ndim == 1}
     text = {name: value for name, value in columns.items() if isinstance(value, str)}
+    if any(len(value) >= _PARAMETERS for value in numbers.values()):
+        numbers = {name: value for name, value in numbers.items() if len(value) >= _PARAMETERS}
     lengths = sorted({len(value) for value in numbers.values()})
     if len(lengths) > 1:
         shown = ", ".join(f"{name} {len(value)}" for name, value in list(numbers.items())[:6])
