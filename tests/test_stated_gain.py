@@ -79,6 +79,26 @@ def test_a_run_whose_commands_have_a_factor_is_named_by_it() -> None:
     assert low < 1.6 < high
 
 
+@pytest.mark.slow
+def test_a_winding_that_no_temperature_makes_is_named() -> None:
+    """A log of a body of ours has what was applied, no supply is in doubt: a factor of 1.6 is then a winding."""
+    robot = Estimated(lqr(PRIOR, 0.01), kalman(PRIOR, NXT))
+    logs = [
+        run(
+            Electronics(NonlinearBody(TRUE), NXT),
+            Excited(robot, random_binary(400, 1.5, seed, hold=4)),
+            seconds=4.0,
+            seed=seed,
+        )
+        for seed in (6, 7, 8)
+    ]
+    sides = ("applied/left", "applied/right")
+    weaker = Log(logs[1].t, {**logs[1].channels, **{n: logs[1][n] / 1.6 for n in sides}}, logs[1].units, logs[1].origin)
+    (words,) = calibrate([logs[0], weaker, logs[2]], PRIOR).apart
+    assert words.startswith("Log 2, ")
+    assert "motor resistance" in words
+
+
 def test_commands_times_a_gain_end_at_full_duty_and_at_no_less_than_what_was_logged() -> None:
     t = np.arange(4.0)
     commands = np.array([1.0, -5.0, 9.0, -3.0])

@@ -26,6 +26,7 @@ from upright.calibrate.gauss_newton import Minimum, gauss_newton
 from upright.calibrate.informativity import posterior
 from upright.calibrate.summary import HALVED, combined_numbers
 from upright.robots.uncertainty import GUESS
+from upright.tables import joined
 
 Array = NDArray[np.float64]
 
@@ -82,7 +83,10 @@ def apart(problem: Problem, z: Array, sources: Sequence[str]) -> tuple[str, ...]
     gaps = [gap for one, other in combinations(runs, 2) for gap in _gaps(one, other, alone[one], alone[other])]
     limit = -float(ndtri(CHANCE / 2 / max(len(gaps), 1)))
     if not gaps or max(gaps).deviations <= limit:
-        return _likeliest(problem, z, _other_windings(problem, z), least, sources)
+        odd_windings = _other_windings(problem, z)
+        if odd_windings:
+            return _likeliest(problem, z, odd_windings, least, sources) or _windings(problem, z, sources)
+        return ()
     furthest, left = max(gaps), {run: [g.deviations for g in gaps if run not in (g.run, g.other)] for run in runs}
     odd = min(runs, key=lambda run: max(left[run], default=0.0))
     limited = len(runs) > 2 and max(left[odd], default=0.0) <= limit
@@ -107,6 +111,20 @@ def _other_windings(problem: Problem, z: Array) -> list[int]:
         for p, at in zip(problem.parameters, z, strict=True)
         if p.name == f"{RUN}{run}/{WINDING}" and abs(at) * p.spread > OTHER_WINDING * stated[p.name]
     ]
+
+
+def _windings(problem: Problem, z: Array, sources: Sequence[str]) -> tuple[str, ...]:
+    """The winding that each run needs, and which run is furthest from the others: in words."""
+    i = [p.name for p in problem.asked].index(WINDING)
+    p, runs = problem.asked[i], range(len(sources))
+    needs = [float(p.value(problem.of_run(z[:, None], run)[i, 0])) for run in runs]
+    odd = max(runs, key=lambda run: abs(math.log(needs[run] / np.median(needs))))
+    others = joined([f"{value:.3g}" for run, value in enumerate(needs) if run != odd])
+    return (
+        f"Log {odd + 1}, {sources[odd]}, needs a motor resistance of {needs[odd]:.3g} {p.unit}, and the "
+        f"{'other' if len(needs) == 2 else 'others'} {others} {p.unit}: a warm motor does not explain that. Look for a "
+        "gain, a supply or a duty that differed.",
+    )
 
 
 class _Factor(NamedTuple):
