@@ -84,9 +84,9 @@ def apart(problem: Problem, z: Array, sources: Sequence[str]) -> tuple[str, ...]
     limit = -float(ndtri(CHANCE / 2 / max(len(gaps), 1)))
     if not gaps or max(gaps).deviations <= limit:
         odd_windings = _other_windings(problem, z)
-        if odd_windings:
-            return _likeliest(problem, z, odd_windings, least, sources) or _windings(problem, z, sources)
-        return ()
+        if odd_windings and BATTERY not in {p.name for p in problem.asked}:  # no factor is in doubt
+            return _windings(problem, z, sources)
+        return _likeliest(problem, z, odd_windings, least, sources)
     furthest, left = max(gaps), {run: [g.deviations for g in gaps if run not in (g.run, g.other)] for run in runs}
     odd = min(runs, key=lambda run: max(left[run], default=0.0))
     limited = len(runs) > 2 and max(left[odd], default=0.0) <= limit
@@ -174,8 +174,10 @@ def _acts(problem: Problem, z: Array, run: int, none: Minimum, own: float) -> _F
         q = free.parameters[j := names.index(f"{RUN}{other}/{BATTERY}")]
         slope[j] = q.spread * unit * (1.0 if other == run else -1.0 / len(others))
     spread = math.sqrt(slope @ posterior(free, best.z, best.normal, best.paths) @ slope)
+    if abs(slope @ best.z) <= -float(ndtri(CHANCE / 2 / len(problem.recordings))) * spread:
+        return None
     value, low, high = (math.exp(slope @ best.z + side * spread) for side in (0.0, -NORMAL, NORMAL))
-    return _Factor(gained, run, value, low, high) if low > 1 or high < 1 else None
+    return _Factor(gained, run, value, low, high)
 
 
 def _named(acts: _Factor, sources: Sequence[str]) -> str:
