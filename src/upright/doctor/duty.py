@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -47,8 +48,21 @@ def command_units(record: Record) -> list[CommandUnit]:
     if record.units.get(names[0]) == "1":
         larger = [f for f in FULL_DUTIES if f > full > 1]
         return [duty, *(CommandUnit(_counts(f), duty.factor * f / full, LARGER_DUTY) for f in larger)]
-    others = [duty._replace(prior=FAULT + size(duty.factor)), CommandUnit("millivolts", 1e3, FAULT + size(1e3))]
-    return [CommandUnit("volts", 1.0, size(1.0)), *others]
+    others = [(name, duty.factor), ("millivolts", 1e3)]
+    if largest > 100 and not counted(
+        record[names[0]]
+    ):  # what a law asked for, before it was rounded to a timer's counts
+        most = full_duty(np.array(largest))
+        others.append((_counts(most), most / (battery or USUAL_BATTERY)))
+    return [
+        CommandUnit("volts", 1.0, size(1.0)),
+        *(CommandUnit(name, factor, FAULT + size(factor)) for name, factor in others),
+    ]
+
+
+def as_likely(units: Sequence[CommandUnit], best: CommandUnit) -> list[CommandUnit]:
+    """What the commands may be as well by their size alone, within odds of twenty to one."""
+    return [unit for unit in units if unit is not best and unit.prior < best.prior + math.log(20)]
 
 
 def largest_command(record: Record, names: tuple[str, str]) -> float:

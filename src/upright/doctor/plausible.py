@@ -1,9 +1,10 @@
-"""Readings that no robot has in the unit that they are read in: a battery, gravity, wheels."""
+"""Readings that no robot has in the unit that they are read in: a battery, gravity, wheels. And rows written twice."""
 
 from __future__ import annotations
 
 import numpy as np
 
+from upright.doctor import sensors
 from upright.doctor.duty import counted
 from upright.doctor.finding import BATTERY, FEWEST, FORWARD, LEFT, RIGHT, UP, Finding, Record, error, warning
 from upright.doctor.units import divide
@@ -57,7 +58,12 @@ def speeds(record: Record) -> list[Finding]:
 _REGULAR = 0.95  # of the groups of equal rows that have the commonest size
 
 
-def doubled(record: Record) -> list[Finding]:
+def repeated(record: Record) -> list[Finding]:
+    """Rows that stand several times; where none do, single readings."""
+    return _doubled(record) or sensors.repeated(record)
+
+
+def _doubled(record: Record) -> list[Finding]:
     """Rows that a program writes two or more times each, all readings and commands alike."""
     moving = [x for x in record.channels.values() if np.isfinite(x).all() and np.ptp(x) > 0]
     if len(moving) < 2:

@@ -13,6 +13,7 @@ from upright.doctor.duty import (
     FAULT,
     USUAL_BATTERY,
     CommandUnit,
+    as_likely,
     back_emf,
     battery_of,
     command_units,
@@ -296,9 +297,14 @@ def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
     def penalty(unit: CommandUnit) -> float:
         return unit.prior + (((math.log(emf / unit.factor) - centre) / spread) ** 2 / 2 if emf else 0.0)
 
-    unit = min(command_units(record), key=penalty)
+    units = command_units(record)
+    unit = min(units, key=penalty)
     if unit.name == "volts":
         return []
+    if not emf and not counted(record[names[0]]) and (others := as_likely(units, unit)):
+        which = " or ".join(one.name.rstrip(",") for one in (unit, *others))
+        evidence = f"no volts, since they reach {largest:.3g}: {which}; without wheels that turn nothing tells which"
+        return [error("units/command", names[0], evidence, "state the unit in a mapping: V, mV or %, and its scale")]
     best, full = unit.name, unit.factor * (battery or USUAL_BATTERY)
     evidence = f"{best} instead of volts: they reach {largest:.3g}" + (
         f" on a battery of {battery:.3g} V" if battery else ""
