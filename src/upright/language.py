@@ -38,6 +38,7 @@ SPANISH = {
     "push acts": "actúa el empujón",
     "measured": "medido", "predicted": "predicho", "simulated freely": "simulado libremente",
     "push, not simulated": "empujón, sin simular", "lost": "perdido", "{}, error": "{}, error",
+    "{}, measured − predicted": "{}, medido − predicho",
     "balancing": "en equilibrio", "standing still": "de pie, quieto",
     "lying": "caído", "upside down": "cabeza abajo", "standing up": "levantándose", "falling": "cayendo",
     "fallen": "tras caer", "moved": "movido",

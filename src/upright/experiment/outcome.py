@@ -75,4 +75,6 @@ def motionless(log: Log) -> str:
         return "Exactly upright it reads no lean, so every command is 0."
     unit = log.unit("command/left")
     asks = f"The sensors' noise makes commands of up to {asked:.2g} {unit}"
-    return f"{asks}, too small to turn the motors: 0 {unit} is applied."
+    zone = log.origin.get("kit", {}).get("motor", {}).get("dead_zone") if unit == "V" else None
+    within = f" (dead zone: {zone:g} V)" if zone else ""
+    return f"{asks}, too small to turn the motors{within}: 0 {unit} is applied."

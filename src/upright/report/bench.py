@@ -172,16 +172,18 @@ _SMALLER = (
 def _summary(bench: Bench) -> Table:
     """What counts of each controller, under the worse push."""
     rows: list[list[Cell]] = []
-    rests = [_rest(bench, push)[0] for push in dict.fromkeys(row.push for row in bench.rows)]
+    rests = [_rest(bench, push) for push in dict.fromkeys(row.push for row in bench.rows)]
     for name, size in bench.ranked().items():
         spreads = [row.spread for row in bench.rows if row.controller == name and row.spread is not None]
         efforts = [row.effort for row in bench.rows if row.controller == name and row.effort is not None]
         time = _time(bench, name)
-        times = [rest.get(name, math.nan) for rest in rests]
+        times = [rest.get(name, math.nan) for rest, _ in rests]
         settled = math.nan if any(map(math.isnan, times)) else max(times, default=math.nan)
         row = [name, size, settled, 100 * max(spreads) if spreads else None, max(efforts, default=None)]
         rows.append([*row, *([None if time is None else 1e3 * time] if _brick(bench) else [])])
-    caption = f"The worse of front and back; let go from a lean: settling, falls of {DRAWN} similar robots, effort"
+    band = max((limit for _, limit in rests if math.isfinite(limit)), default=math.nan)
+    settling = "settling" if math.isnan(band) else f"time until pitch stays within ±{degrees(band)}"
+    caption = f"The worse of front and back; let go from a lean: {settling}, falls of {DRAWN} similar robots, effort"
     caption += f"; computing time for a period on {_brick(bench)}" if _brick(bench) else ""
     header = ["controller", "knock [N s]", "settles [s]", "falls [%]", f"effort [{_effort_unit(bench)}]"]
     header += [f"on {_brick(bench)} [ms]"] if _brick(bench) else []

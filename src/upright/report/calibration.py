@@ -106,11 +106,12 @@ def _numbers(c: Calibration) -> list[tuple[str, str]]:
     pole, numbers = c["unstable_pole"], list[tuple[str, str]]()
     held = held_out(c)
     if scores := held or {name: c.segments[name] for name in c.channels}:
-        last = min(scores, key=lambda name: scores[name])
+        counted = {name: r2 for name, r2 in scores.items() if name in PREDICTED} or scores
+        last = min(counted, key=lambda name: counted[name])
         part = f" in the part not fitted ({least(c.segments[last])} over all of it)" if held else ""
-        words = f"R² of the {short(last)}, the worst of {len(scores)} sensors,{part}; good from {GOOD:g}"
-        unfair = scores[last] < GOOD and last not in PREDICTED and len(scores) > 1
-        numbers.append((least(scores[last]), f"{words}{'; iron nearby disturbs it' if unfair else ''}"))
+        words = f"R² of the {short(last)}, the worst of {len(counted)} sensors that count,{part}; good from {GOOD:g}"
+        others = [f"{short(name)} {least(r2)}, not judged" for name, r2 in scores.items() if name not in counted]
+        numbers.append((least(scores[last]), "; ".join([words, *others])))
     if pole.value > 0:
         doubles = number(1e3 * math.log(2) / pole.value, 2)
         within = f"95 %: {cell_text(pole.low, 3)} to {cell_text(pole.high, 3)}"

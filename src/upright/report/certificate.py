@@ -9,7 +9,7 @@ from itertools import groupby
 
 from upright.certify.agreement import AMBER, RED
 from upright.certify.certificate import Certificate
-from upright.certify.checks import PushTrial, Swept
+from upright.certify.checks import BATTERIES, PushTrial, Swept
 from upright.certify.pushes import HELD, KNOCKED, RELEASE
 from upright.certify.recovery import KNOCK_DURATION
 from upright.certify.verdict import GREEN, MOST_FALLS, LinearMargins, placed
@@ -89,8 +89,9 @@ def _numbers(c: Certificate) -> list[tuple[str, str]]:
         numbers += [
             (
                 f"{cell_text(c.linear.delay * 1e3, 2)} ms",
-                f"more delay{placed(c.linear.delay_at)} alone makes the nominal loop unstable{_command_delay(c)}",
-            )
+                f"more delay{placed(c.linear.delay_at)} alone makes the nominal loop unstable",
+            ),
+            *_command_delay(c),
         ]
     if periods := _periods(c):
         return [*numbers, periods]
@@ -105,12 +106,15 @@ def _numbers(c: Certificate) -> list[tuple[str, str]]:
     ]
 
 
-def _command_delay(c: Certificate) -> str:
+def _command_delay(c: Certificate) -> list[tuple[str, str]]:
     """Where a sensor alone bears less than commands do: how much later the commands may come."""
     borne = [s.value for s in c.delayed if s.fell <= MOST_FALLS * s.runs]
     if not (c.linear and c.linear.delay_at and borne and max(borne) > c.linear.delay):
-        return ""
-    return f"; motor commands may come {number(1e3 * max(borne), 3)} ms later"
+        return []
+    most = max(borne)
+    end = "the longest tried" if most == max(s.value for s in c.delayed) else "of those tried"
+    words = f"later may the motors' commands come ({end}): at most {100 * MOST_FALLS:g} % fall"
+    return [(f"{number(1e3 * most, 3)} ms", words)]
 
 
 def _periods(c: Certificate) -> tuple[str, str] | None:
@@ -176,7 +180,7 @@ def _trials(c: Certificate) -> Table:
     rows: list[list[Cell]] = [
         [
             in_degrees(t.push),
-            t.battery,
+            _volts(c, t.battery),
             t.fell,
             t.beyond,
             _recoverable(t),
@@ -191,6 +195,17 @@ def _trials(c: Certificate) -> Table:
     ]  # fmt: skip
     caption = f"Standard pushes with full and low battery, {c.samples} robots each; last four columns: 95 % are below"
     return Table(header, rows, caption, 3)
+
+
+def _volts(c: Certificate, battery: str) -> str:
+    """A battery with its voltage, where that is known: "low, 6.4 V"."""
+    if battery not in BATTERIES:
+        return battery
+    nominal, end = c.subject["kit"].get("battery/voltage"), "low" if battery == "low" else "high"
+    volts = c.subject["robot"].get(f"conditions/battery/{end}")
+    if volts is None and isinstance(nominal, float):
+        volts = BATTERIES[battery] * nominal
+    return f"{battery}, {number(volts, 2)} V" if isinstance(volts, float) else battery
 
 
 def _recoverable(t: PushTrial) -> str:
@@ -268,7 +283,7 @@ def _figure(name: str, swept: Sequence[Swept], title: str, note: str, designed: 
     return Figure(
         f"{title}: {fallen(milliseconds, parts)}",
         figure,
-        f"{runs} They show the trend; the light is from the trials above. {note}".strip(),
+        f"{runs} {note}".strip(),
     )
 
 

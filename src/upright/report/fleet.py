@@ -200,14 +200,11 @@ def over_strongest(data: Dataset, outcome: str) -> Figure | None:
     y = np.degrees(y) if unit == "rad" else y
     figure, (ax,) = panels([f"{data[outcome].attrs['long_name']} [{unit.replace('rad', '°')}]"], across)
     ends = [int(y.argmin()), int(y.argmax())]  # these are drawn too
-    few = np.union1d(np.linspace(0, len(x) - 1, min(len(x), DOTS - 2)).astype(int), ends)
-    few = few if len(x) > DOTS else np.arange(len(x))
+    every = math.ceil(len(x) / DOTS)
+    few = np.union1d(np.arange(0, len(x), max(every, 1)), ends)
     ax.plot(x[few], y[few], ".", markersize=3)
-    dots = (
-        "each dot is a robot"
-        if len(few) == len(x)
-        else f"a dot is a robot, {len(few)} of {len(x)}, evenly chosen, are drawn"
-    )
+    drawn = "every second robot" if every == 2 else f"one of every {every} robots"
+    dots = "each dot is a robot" if every <= 1 else f"each dot is a robot; {drawn} is drawn, and both ends"
     how = "grows" if size > 0 else "shrinks"
     if outcome == "peak_pitch":
         limit = math.degrees(FALLEN)
@@ -285,27 +282,31 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     numbers = [
         (
             f"≤ {number(100 * upper_bound(summary.fell, summary.n), 2)} %" if rare else bounds,
-            "of such robots fall, with 95 % confidence"
+            f"of such robots fall{'' if pushes else ' when nothing pushes them'}, with 95 % confidence"
             + (f"; a certificate allows {100 * MOST_FALLS:g} %" if pushes else ""),
         )
     ]
+    swings, seconds = _swinging(data), origin_of(data).get("scenario", {}).get("seconds")
+    still = "" if swings is None else f", with the {int((~swings).sum())} that never rolled"
     if "peak_pitch" in summary.quantiles and np.isfinite(summary.quantiles["peak_pitch"][2]):
         peak, fall = math.degrees(summary.quantiles["peak_pitch"][2]), math.degrees(FALLEN)
         who = f"95 % of {_those(summary)}"
-        text = f"is the most that {who} leaned; at {fall:.0f}° a robot lies"
+        text = f"is the most that {who} leaned{still}; at {fall:.0f}° a robot lies"
         numbers.append((f"{number(peak, 2)}°", text))
     if "settling" in kept and np.isfinite(kept["settling"]).all():
         _, half, most = kept["settling"]
         after = _called(data, "settling").removeprefix("settling time ")
         numbers.append((f"{half:.3g} s", f"{after} half of them stay within {_BAND}; 95 % after {most:.3g} s"))
     elif "travel" in kept and np.isfinite(kept["travel"][2]):
-        numbers.append((f"{kept['travel'][2]:.2g} m", f"is the furthest that 95 % of {_those(summary)} rolled"))
+        numbers.append((f"{kept['travel'][2]:.2g} m", f"is the furthest that 95 % of {_those(summary)} rolled{still}"))
     outcomes = ["fell"] if explained else names[:1]
     trends = [name for name in outcomes if explained or matters or _clear(data, name)]
     causes = [figure for name in trends for figure in (over_strongest(data, name), influence(data, name)) if figure]
     histograms = [histogram(data, name) for name in names]
     picture = (causes or histograms or [None]).pop(0)
     spreads = (origin_of(data).get("vary") or {}).get("spreads", [])
+    lasted = f" in {seconds:g} s" if seconds else ""
+    facts = {**provenance(data), **({"each run": f"{seconds:g} s"} if seconds else {})}
     sections = [
         Section("Numbers", [table]),
         *([Section("What matters", causes)] if causes else []),
@@ -313,7 +314,7 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
         *([Section("What varies", [spread_table(spreads, units_of(data))], folded=True)] if spreads else []),
     ]
     return Page(
-        f"{summary.fell} of {summary.n} robots fell, {pushed(pushes)}", sections, lead, provenance(data), False,
+        f"{summary.fell} of {summary.n} robots fell{lasted}, {pushed(pushes)}", sections, lead, facts, False,
         picture=picture, numbers=numbers, verdict=_verdict(data, summary, knocks),
     )  # fmt: skip
 

@@ -138,4 +138,4 @@ def resting_figure(log: Log) -> Figure | None:
     most = 1.2 * float(np.abs(log["command/left"]).max())
     for ax in axes[1:]:
         ax.set_ylim(-most, most)
-    return Figure("Pitch stays at 0°: noise alone reaches the controller, and no command reaches the motors", figure)
+    return Figure("Noise alone reaches the controller, and no command reaches the motors", figure)

@@ -9,11 +9,12 @@ from pathlib import Path
 import numpy as np
 
 from upright.calibrate.calibration import GOOD, PREDICTED
+from upright.plotting import number
 from upright.report.figure import Figure
 from upright.report.made import command, parsed, quoted
 from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
 from upright.signals import STATE_NAMES
-from upright.tables import joined, sentence, short, spoken
+from upright.tables import HALF_UP, joined, sentence, short, spoken
 from upright.tables import least as least_of
 from upright.validate.loop import FreeLoop
 from upright.validate.validation import (
@@ -86,9 +87,10 @@ def _starts(log: LogJudged) -> str:
     error at most where that is noise."""
     halves = len(np.unique(log.segments.segment))
     readings = len(log.segments.when) / max(halves, 1)
-    text = f"Each half second gets the logged commands and a first state: {STATES} numbers, fitted to its "
+    text = f"Each half second gets the logged commands and a first state: {STATES} numbers, fitted to about "
     few = FEW * readings > STATES
-    return f"{text}{readings:.0f} readings. {'That hardly raises R².' if few else 'So few readings make R² too high.'}"
+    text += f"{number(readings, 2)} readings of it."
+    return f"{text} {'That hardly raises R².' if few else 'So few readings make R² too high.'}"
 
 
 STATES, FEW = len(STATE_NAMES), 0.1  # of the readings, up to which numbers fitted to them hardly show
@@ -116,12 +118,15 @@ def _each(log: LogJudged) -> str:
     names, least_r2 = {c.name for c in judged}, dict[str, float]()
     for c in judged:
         least_r2.setdefault(_called(c.name, names), c.r2)
-    return ", ".join(f"{name} {'≥ ' if r2 >= 0 else ''}{_r2(r2)}" for name, r2 in least_r2.items())
+    return ", ".join(f"{name} {f'≥ {least_of(r2, 3)}' if r2 >= 0 else 'below 0'}" for name, r2 in least_r2.items())
 
 
 def _r2(r2: float) -> str:
-    """R² to three digits, never rounded up."""
-    return least_of(r2, 3) if r2 >= 0 else "below 0"
+    """R² to three digits, rounded, but never up to the pass mark or to 1."""
+    if r2 < 0:
+        return "below 0"
+    rounded = round(r2 * HALF_UP, 3)
+    return least_of(r2, 3) if r2 < GOOD <= rounded or r2 < 1 <= rounded else f"{rounded:.3f}"
 
 
 def _named(names: Collection[str]) -> str:
@@ -201,7 +206,8 @@ def _numbers(result: Validation) -> list[tuple[str, str]]:
             )
         else:
             long = f"{cell_text(max(log.seconds for log in judged), 2)} s"
-            whole = f"R² of {short(lowest.name)} when the whole {long} are simulated from the first state: not judged"
+            whole = f"R² of {short(lowest.name)} when the whole {long} are simulated from the first state"
+            whole += ": not judged, since small errors grow"
             numbers.append((_r2(lowest.r2), whole))
     shifts = [s for log in result.logs for s in log.shifts]
     if shifts:
