@@ -13,8 +13,9 @@ import pytest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.certify.analysis import analyse
-from upright.certify.checks import KNOCK_DURATION, TrialSetup, kernel_controller
+from upright.certify.checks import TrialSetup, kernel_controller
 from upright.certify.margins import margins
+from upright.certify.recovery import KNOCK_DURATION
 from upright.certify.verdict import LinearMargins, linear_margins
 from upright.control import CONTROLLERS, controller_hash, lqg, make_controller
 from upright.control.files import read_controller
