@@ -31,7 +31,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 from calibrate import DITHER, drawn, runs_of
 
-from foreign_robots import Bot, Course, logged, metric
+from foreign_robots import Bot, Course, known, logged, metric
 from upright.bodies import Electronics
 from upright.bodies.twin import Twin
 from upright.calibrate.calibrate import calibrate
@@ -40,15 +40,15 @@ from upright.control.excited import Excited, random_binary
 from upright.errors import UprightError
 from upright.experiment import run
 from upright.logs.mapping import apply, propose
+from upright.logs.recording import commanded
 from upright.robots import Kit, Robot
-from upright.robots.robot import Provenance
-from upright.signals import Log
+from upright.signals import SIDES, Log
 
 NAME = "nxtway-gs"
 GAINS = (1.3, 2.0)
 CUT = 0.9  # quantile of the commands' sizes at which a battery that is too small cuts
 FACTOR = 1.6  # of one run's commands in a family
-SIDES = ("command/left", "command/right")
+COMMANDS = tuple(f"command/{side}" for side in SIDES)
 SECONDS = 8.0
 
 
@@ -61,7 +61,7 @@ def outcome(log: Log, robot: Robot) -> str:
     return "before" if "are those before that gain" in said else "as logged"
 
 
-def commanded(true: Robot, seed: int, kit: Kit) -> Log:
+def driven(true: Robot, seed: int, kit: Kit) -> Log:
     """Raw sensors, and the commands in volts that the program asked for, beyond full duty too."""
     robot = Robot.preset(NAME)
     controller = Estimated(lqr(robot, kit.period), kalman(robot, kit, kit.period))
@@ -79,44 +79,34 @@ def twins(first: int, count: int) -> Iterator[tuple[str, str]]:
     for seed in range(first, first + count):
         true = drawn(preset, seed)
         try:
-            full = float(np.quantile(np.abs(commanded(true, seed, kit)[SIDES[0]]), CUT))
+            full = float(np.quantile(np.abs(driven(true, seed, kit)[COMMANDS[0]]), CUT))
             for words, volts in (("cut in one row of ten", full), ("hardly ever cut", kit.battery.voltage)):
                 small = replace(kit, battery=replace(kit.battery, voltage=volts, sag=0.0))
-                log = commanded(true, seed, small)
+                log = driven(true, seed, small)
                 for gain in GAINS:
                     origin = {**log.origin, "stated_gains": {f"gain={gain}": gain}}
                     for side in ("before", "as logged"):
-                        new = {n: log[n] / gain if side == "before" else np.clip(log[n], -volts, volts) for n in SIDES}
+                        new = {
+                            n: log[n] / gain if side == "before" else np.clip(log[n], -volts, volts) for n in COMMANDS
+                        }
                         one = Log(log.t, {**log.channels, **new}, log.units, origin)
                         yield f"twin, {words}, gain {gain:g}, logged {side}", outcome(one, preset)
         except UprightError:
             yield "twin", "left out: it fell"
 
 
-def foreign(seed: int) -> tuple[Bot, Robot]:
-    """A robot of others and its file, as its owner would write it: weighed and measured, the rest roughly."""
+def foreign(seed: int) -> Bot:
     rng = np.random.default_rng(seed)
 
     def about(value: float, size: float = 0.3) -> float:
         return float(value * math.exp(size * rng.uniform(-1, 1)))
 
-    bot = Bot(body=about(1.2), com=about(0.075), radius=about(0.037, 0.2), inertia=about(3.5e-3), dry=about(0.01))
-    rough = {
-        "wheel_mass": (bot.wheels / 2, 0.03), "wheel_radius": (bot.radius, 0.01), "track": (5 * bot.radius, 0.01),
-        "wheel_inertia": (bot.wheel_inertia / 2, 0.2), "body_mass": (bot.body, 0.01), "com_height": (bot.com, 0.12),
-        "pitch_inertia": (bot.inertia, 0.25), "yaw_inertia": (bot.inertia, 0.3), "roll_inertia": (bot.inertia, 0.3),
-        "rotor_inertia": (bot.rotor / 2, None), "motor_resistance": (4.0, 0.1), "torque_constant": (4 * bot.gain, 0.1),
-        "back_emf": (bot.damping / bot.gain, 0.07), "motor_friction": (bot.damping / 30, None),
-        "coulomb_friction": (1.4 * bot.dry, None), "gear_ratio": (1.0, 0.0), "wheel_friction": (0.0, None),
-    }  # fmt: skip
-    sources = {n: Provenance("mine", None if part is None else part * value) for n, (value, part) in rough.items()}
-    numbers = {name: value for name, (value, _) in rough.items()}
-    return bot, replace(Robot.preset(NAME), name="mine", **numbers, provenance=sources)
+    return Bot(body=about(1.2), com=about(0.075), radius=about(0.037, 0.2), inertia=about(3.5e-3), dry=about(0.01))
 
 
 def others(first: int, count: int) -> Iterator[tuple[str, str]]:
     for seed in range(first, first + count):
-        bot, robot = foreign(seed)
+        bot = foreign(seed)
         columns = logged(bot, Course(free=SECONDS, excitation=1.0), seed)
         if np.abs(columns["duty"]).max() == 1.0 and np.abs(columns["tilt"]).max() > 1.0:
             yield "others", "left out: it fell"
@@ -124,7 +114,7 @@ def others(first: int, count: int) -> Iterator[tuple[str, str]]:
         table = metric(columns, bot)
         for gain in (0.7, *GAINS):
             log = apply(propose(table), replace(table, comments=(f"gain={gain} (gyro amplifier)",)))
-            yield f"robot of others, gain {gain:g} of something else", outcome(log, robot)
+            yield f"robot of others, gain {gain:g} of something else", outcome(log, known(bot))
 
 
 def families(first: int, count: int) -> Iterator[tuple[str, str]]:
@@ -140,8 +130,8 @@ def families(first: int, count: int) -> Iterator[tuple[str, str]]:
             continue
         for factor in (1.0, 1 / FACTOR):
             odd = logs[1]
-            prefix = "applied" if "applied/left" in odd else "command"
-            changed = {f"{prefix}/{side}": factor * odd[f"{prefix}/{side}"] for side in ("left", "right")}
+            prefix = commanded(odd)
+            changed = {f"{prefix}/{side}": factor * odd[f"{prefix}/{side}"] for side in SIDES}
             weaker = Log(odd.t, {**odd.channels, **changed}, odd.units, odd.origin)
             what = f"family, one run's commands times {factor:.3g}" if factor != 1.0 else "family, all alike"
             try:
@@ -159,12 +149,14 @@ def main() -> None:
     parser.add_argument("--only", choices=("twins", "others", "families"))
     arguments = parser.parse_args()
     found: dict[str, Counter[str]] = {}
-    for kind, cases in (("twins", twins), ("others", others), ("families", families)):
+    few = arguments.count * 6 // 10
+    for kind, cases in (
+        ("twins", twins(arguments.first, arguments.count)), ("others", others(arguments.first, arguments.count)),
+        ("families", families(arguments.first, few)),
+    ):  # fmt: skip
         if arguments.only in (None, kind):
             begin = time.perf_counter()
-            for what, said in cases(
-                arguments.first, arguments.count if kind != "families" else arguments.count * 6 // 10
-            ):
+            for what, said in cases:
                 found.setdefault(what, Counter())[said] += 1
                 print(f"  {what}: {said}", flush=True)
             print(f"{kind}: {time.perf_counter() - begin:.0f} s", flush=True)

@@ -1,4 +1,5 @@
-"""Robots of other people, without upright: a pendulum on two wheels by its own few equations, and logs as they print.
+"""Robots of other people, without upright: a pendulum on two wheels by its own few equations, logs as they print, and
+the robot files that their owners would write.
 
 Everything lies in one plane. The motor is a DC motor behind a gear, with dry friction in it and under the wheels; a
 hand may hold the body to a course; the controller is a state feedback of a complementary filter, at the program's
@@ -15,6 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.logs.readers import RawTable
+from upright.robots import Robot
+from upright.robots.robot import Provenance
 
 Array = NDArray[np.float64]
 DEGREE = math.pi / 180
@@ -190,5 +193,20 @@ def metric(columns: dict[str, Array], bot: Bot) -> RawTable:
     return RawTable(dict(zip(names, values, strict=True)), source="run.csv")
 
 
+def known(bot: Bot) -> Robot:
+    """The robot's file as its owner would write it: weighed and measured, the rest roughly, nothing of rolling."""
+    rough = {
+        "wheel_mass": (bot.wheels / 2, 0.03), "wheel_radius": (bot.radius, 0.01), "track": (5 * bot.radius, 0.01),
+        "wheel_inertia": (bot.wheel_inertia / 2, 0.2), "body_mass": (bot.body, 0.01), "com_height": (bot.com, 0.12),
+        "pitch_inertia": (bot.inertia, 0.25), "yaw_inertia": (bot.inertia, 0.3), "roll_inertia": (bot.inertia, 0.3),
+        "rotor_inertia": (bot.rotor / 2, None), "motor_resistance": (4.0, 0.1), "torque_constant": (4 * bot.gain, 0.1),
+        "back_emf": (bot.damping / bot.gain, 0.07), "motor_friction": (bot.damping / 30, None),
+        "coulomb_friction": (1.4 * bot.dry, None), "gear_ratio": (1.0, 0.0), "wheel_friction": (0.0, None),
+    }  # fmt: skip
+    sources = {n: Provenance("mine", None if part is None else part * value) for n, (value, part) in rough.items()}
+    numbers = {name: value for name, (value, _) in rough.items()}
+    return replace(Robot.preset("nxtway-gs"), name="mine", **numbers, provenance=sources)
+
+
 Change = Callable[[dict[str, Array]], dict[str, Array]]
-__all__ = ["DEGREE", "SMALL", "Bot", "Change", "Course", "arduino", "logged", "metric", "replace"]
+__all__ = ["DEGREE", "SMALL", "Bot", "Change", "Course", "arduino", "known", "logged", "metric", "replace"]

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from foreign_robots import DEGREE, SMALL, Bot, Course, arduino, logged, metric
+from foreign_robots import DEGREE, SMALL, Bot, Course, arduino, known, logged, metric
 from upright.calibrate.calibrate import calibrate
 from upright.calibrate.calibration import Calibration
 from upright.calibrate.parameters import parameters_of
@@ -21,7 +21,6 @@ from upright.doctor.wheels import on_its_wheels
 from upright.logs.mapping import apply, propose
 from upright.logs.readers import RawTable
 from upright.robots import Robot
-from upright.robots.robot import Provenance
 from upright.signals import Log
 
 PUSHES = ((2.0, 2.1, 1.0), (4.0, 4.1, -1.0), (6.0, 6.1, 1.0))  # [s, s, N] 0.1 m/s of a robot of a kilogram
@@ -127,21 +126,6 @@ def test_a_start_with_the_motors_off_is_left_out() -> None:
     assert "the motors are off" in left
     ours = Log(log.t, log.channels, log.units)  # zero at a motor of ours is its dead zone
     assert on_its_wheels(ours)[0].t[0] == 0.0
-
-
-def known(bot: Bot) -> Robot:
-    """The robot's file as its owner would write it: weighed and measured, the rest roughly, nothing of rolling."""
-    rough = {
-        "wheel_mass": (bot.wheels / 2, 0.03), "wheel_radius": (bot.radius, 0.01), "track": (5 * bot.radius, 0.01),
-        "wheel_inertia": (bot.wheel_inertia / 2, 0.2), "body_mass": (bot.body, 0.01), "com_height": (bot.com, 0.12),
-        "pitch_inertia": (bot.inertia, 0.25), "yaw_inertia": (bot.inertia, 0.3), "roll_inertia": (bot.inertia, 0.3),
-        "rotor_inertia": (bot.rotor / 2, None), "motor_resistance": (4.0, 0.1), "torque_constant": (4 * bot.gain, 0.1),
-        "back_emf": (bot.damping / bot.gain, 0.07), "motor_friction": (bot.damping / 30, None),
-        "coulomb_friction": (1.4 * bot.dry, None), "gear_ratio": (1.0, 0.0), "wheel_friction": (0.0, None),
-    }  # fmt: skip
-    sources = {n: Provenance("mine", None if part is None else part * value) for n, (value, part) in rough.items()}
-    numbers = {name: value for name, (value, _) in rough.items()}
-    return replace(Robot.preset("nxtway-gs"), name="mine", **numbers, provenance=sources)
 
 
 def test_every_real_wheel_rolls_with_friction_and_gravity_is_no_guess() -> None:

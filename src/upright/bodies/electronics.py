@@ -48,8 +48,8 @@ class Electronics:
         names = [*(s.name for s in TRUTH if s.name in have), *kit.sensors]
         self.body, self.kit = body, kit
         self._truth = [have[s.name] for s in TRUTH if s.name in have]
-        limit = min(kit.motor.limit, kit.battery.voltage if inner.command_unit == "V" else math.inf)
         channels = tuple(KNOWN[name] for name in names)
+        limit = kit.most(inner.command_unit)
         self.spec = replace(inner, kind=f"{inner.kind} with {kit.name} electronics", channels=channels, limit=limit)
         self._sensors = [
             (have.get(name), _Channel(sensor, name, inner.period, kit)) for name, sensor in kit.sensors.items()

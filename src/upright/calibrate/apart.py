@@ -81,7 +81,7 @@ def apart(problem: Problem, z: Array, sources: Sequence[str]) -> tuple[str, ...]
     fits = [_fitted(problem, z, [run]) for run in runs] if len(runs) > 1 else []
     alone, least = [_numbers(*fit) for fit in fits], [fit[2].objective for fit in fits]
     gaps = [gap for one, other in combinations(runs, 2) for gap in _gaps(one, other, alone[one], alone[other])]
-    limit = -float(ndtri(CHANCE / 2 / max(len(gaps), 1)))
+    limit = _limit(max(len(gaps), 1))
     if not gaps or max(gaps).deviations <= limit:
         odd_windings = _other_windings(problem, z)
         if odd_windings and BATTERY not in {p.name for p in problem.asked}:  # no factor is in doubt
@@ -100,6 +100,11 @@ def apart(problem: Problem, z: Array, sources: Sequence[str]) -> tuple[str, ...]
     which = f"Log {odd + 1}, {sources[odd]},"
     words = _words(_gaps(odd, odd, alone[odd], rest), limit)
     return (f"{which} differs from the other runs: {words}. Look for what changed, or leave it out.",)
+
+
+def _limit(tests: int) -> float:
+    """The standard deviations that one of so many tests exceeds by chance, to either side, with `CHANCE` in all."""
+    return -float(ndtri(CHANCE / 2 / tests))
 
 
 def _other_windings(problem: Problem, z: Array) -> list[int]:
@@ -174,7 +179,7 @@ def _acts(problem: Problem, z: Array, run: int, none: Minimum, own: float) -> _F
         q = free.parameters[j := names.index(f"{RUN}{other}/{BATTERY}")]
         slope[j] = q.spread * unit * (1.0 if other == run else -1.0 / len(others))
     spread = math.sqrt(slope @ posterior(free, best.z, best.normal, best.paths) @ slope)
-    if abs(slope @ best.z) <= -float(ndtri(CHANCE / 2 / len(problem.recordings))) * spread:
+    if abs(slope @ best.z) <= _limit(len(problem.recordings)) * spread:
         return None
     value, low, high = (math.exp(slope @ best.z + side * spread) for side in (0.0, -NORMAL, NORMAL))
     return _Factor(gained, run, value, low, high)

@@ -40,7 +40,7 @@ def amplified(log: Log, gain: float, kit: Kit) -> Log:
     """`log` with its commands times `gain`, up to full duty: the logged battery's voltage, or what the kit's motors get
     at most."""
     prefix = commanded(log)
-    most = np.full(len(log), min(kit.motor.limit, kit.battery.voltage))
+    most = np.full(len(log), kit.most("V"))
     if "sensor/battery" in log and log.unit(f"{prefix}/left") == log.unit("sensor/battery"):
         most = log["sensor/battery"]
     channels = {f"{prefix}/{side}": log[f"{prefix}/{side}"] for side in SIDES}
@@ -82,7 +82,8 @@ def as_meant(
         if likelier < MARGIN:
             notes |= {i: _as_logged(chosen[i], what, value) for value, i, what, _ in sorted(tries, key=lambda t: t[0])}
             break
-        if not _cut_shows(fit, run, chosen[run], log):
+        uncut = log.origin["times"] * commands_of(chosen[run])
+        if likelier <= nats(fit, run, uncut):  # a factor is also what another motor would be, or another dead zone
             notes[run] = (
                 f"{_undecided(chosen[run], words)}. Times {log.origin['times']:g} they explain the log better, but a "
                 "stronger motor or a smaller dead zone would do the same: nothing shows that they are cut at full duty."
@@ -104,13 +105,6 @@ def as_meant(
         )
         fit, chosen = other, anew
     return fit, chosen, [notes[run] for run in sorted(notes)]
-
-
-def _cut_shows(fit: Fitted, run: int, logged: Log, amplified: Log) -> bool:
-    """Whether commands times a gain and cut at full duty are likelier than those times it alone: a factor is also what
-    another motor would be, or another dead zone."""
-    factor = amplified.origin["times"] * commands_of(logged)
-    return nats(fit, run, commands_of(amplified)) > nats(fit, run, factor)
 
 
 def _tries(fit: Fitted, logs: Sequence[Log], kit: Kit, notes: set[int]) -> list[tuple[float, int, str, Log]]:

@@ -245,8 +245,9 @@ def certify(
     family = draw(nominal, samples, seed, unknown) if robots is None else list(robots)
     _check_family(family, nominal)
     driven = kernel_controller(design, nominal, parts)
-    setup = TrialSetup(driven, nominal, family, parts, seed, threads, dry_friction=rubs, stated=stated)
-    setup = replace(setup, is_weighed=bool(bare))
+    setup = TrialSetup(
+        driven, nominal, family, parts, seed, threads, dry_friction=rubs, is_weighed=bool(bare), stated=stated
+    )
     setup, shown, taken = as_logged(recording, setup) if recording else (setup, (), ())
     contradicted = doubtful_mass(recording, setup, taken) if recording and posterior is not None else contradicted
     taken = (*taken, *(s for s in wrong if s.name not in {t.name for t in taken}))

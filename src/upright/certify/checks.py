@@ -252,17 +252,8 @@ def tried(setup: TrialSetup) -> Iterator[TriedPush]:
             name, standard = list(setup.pushes(expected_voltage, expected_slope).items())[kind]
             changed = {} if voltage is None else {"battery.voltage": [voltage]}
             angles = logged.angles(slope, parameters, setup.actual_robot) if logged else np.full(len(parameters), slope)
-            rows = list(
-                _runs(
-                    replace(setup, slope=angles),
-                    setup.robots,
-                    standard.push,
-                    number,
-                    changed,
-                    setup.controller,
-                    channels,
-                )
-            )
+            sloped = replace(setup, slope=angles)
+            rows = list(_runs(sloped, setup.robots, standard.push, number, changed, setup.controller, channels))
             called = f"{name}, slope {math.degrees(slope):+.1f}°" if slope else name
             fell, beyond = np.concatenate([row.fell for row in rows]), np.zeros(len(parameters), dtype=np.bool_)
             able = means(setup.robot, setup.actual_kit, voltage)

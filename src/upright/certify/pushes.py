@@ -13,7 +13,7 @@ HELD, KNOCKED = 0.4, 0.6
 """Sizes of the standard pushes over the largest that any controller could survive on the nominal robot with that
 battery and slope.
 
-A controller is not told when a hold ends. Feedback that moves the falling pole from λ to −(g − 1) λ survives 1 − 1/g
+A controller does not know when a hold ends. Feedback that moves the falling pole from λ to −(g − 1) λ survives 1 − 1/g
 of the largest hold: half with the least effort (g = 2), which default controllers exceed by little. Of the largest
 knock it survives nearly all. So less is asked of holds."""
 MOST_HOLD, MOST_KNOCK = 0.4, 0.5
@@ -35,8 +35,9 @@ def standard_pushes(
 ) -> dict[str, StandardPush]:
     """A hold to the front and one to the back, each until its release, and an impulse at the centre of mass, by name.
 
-    Each has `FRACTION` of the size that any controller could survive with this `battery` [V] (None: the kit's) on this
-    `slope` [rad], at most `MOST_HOLD` and `MOST_KNOCK`. All are zero where no controller could stand there.
+    A hold has `HELD` and the knock `KNOCKED` of the size that any controller could survive with this `battery` [V]
+    (None: the kit's) on this `slope` [rad], at most `MOST_HOLD` and `MOST_KNOCK`. All are zero where no controller
+    could stand there.
     """
     front, back = (largest_hold(robot, kit, side, battery=battery, slope=slope) for side in (1, -1))
     knock = largest_knock(robot, kit, battery=battery, slope=slope)

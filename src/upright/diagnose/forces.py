@@ -90,6 +90,10 @@ class Observer:
         return np.array([float(np.ravel(one)[0]) for one in constants(values, 1.0)])
 
     @cached_property
+    def _floor(self) -> Array:
+        return sliding(self.part.robot)
+
+    @cached_property
     def _unforced(self) -> Array:
         nothing = np.zeros((1, len(self.part.t), 2)), np.zeros((1, 2))
         return self._innovations(self.usual[None], np.full(1, np.inf), *nothing)[0]
@@ -99,9 +103,7 @@ class Observer:
 
         steps, followed = self._followed
         robots = np.vstack([robots, self.usual])
-        whitened = observe(steps, followed, sliding(self.part.robot), robots, onsets, forces, floors)[
-            :, self.part.readings
-        ]
+        whitened = observe(steps, followed, self._floor, robots, onsets, forces, floors)[:, self.part.readings]
         return np.clip(np.nan_to_num(whitened, nan=LOST), -LOST, LOST)
 
     def added(self, robots: Array, onsets: Array, forces: Array, floors: Array) -> Array:

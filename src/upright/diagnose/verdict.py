@@ -221,7 +221,7 @@ def _two(evidence: Evidence) -> list[Answer]:
     chance *= step(push.score - PUSH_BESIDE, PUSH_SCORE_WIDTH)
     chance *= step(PUSH_LEAVES - (best.nis - evidence.calm) / evidence.nis, PUSH_LEAVES / 6)
     chance *= 1 - unexplained(evidence, best.nis, best.fault)
-    text = f"{of_fault(evidence, best)}; and {of_push(evidence, push, lean)}"
+    text = f"{of_fault(evidence, best)}; and {of_push(evidence, push, blow(evidence, push, lean))}"
     name = f"{name_of(best)} and {PUSH}"
     left = 1 - sum(one.probability for one in answers)
     return [*answers, Answer(left * (1 - HELPED) * FACT * chance, name, min(best.onset, push.start), text)]
@@ -289,8 +289,8 @@ def _pushed(evidence: Evidence) -> list[Answer]:
     chance, lean, push = toppled(evidence)
     if push is None:
         return []
-    text = of_push(evidence, push, lean)
-    return [Answer(PUSHED * (1 - HELPED) * chance, PUSH, push.start, text, blow(evidence, push, lean))]
+    numbers = blow(evidence, push, lean)
+    return [Answer(PUSHED * (1 - HELPED) * chance, PUSH, push.start, of_push(evidence, push, numbers), numbers)]
 
 
 def _steady_load(evidence: Evidence) -> list[Answer]:

@@ -129,10 +129,9 @@ def blow(evidence: Evidence, push: PushEstimate, lean: float) -> Blow:
     return Blow(push.impulse, push.start, push.height, lean, *saved, evidence.pushes_only.explained)
 
 
-def of_push(evidence: Evidence, push: PushEstimate, lean: float) -> str:
-    numbers = blow(evidence, push, lean)
+def of_push(evidence: Evidence, push: PushEstimate, numbers: Blow) -> str:
     caused, largest = math.degrees(numbers.counts), math.degrees(numbers.largest)
-    several = lean > 1.01 * abs(evidence.toppling.lean(push))
+    several = numbers.counts > 1.01 * abs(evidence.toppling.lean(push))
     it = "With smaller pushes the same way it" if several else "It"
     lasted = push.stop - push.start
     took = "shorter than a sample" if lasted < evidence.run.kit.period else f"{1e3 * lasted:.2g} ms long"

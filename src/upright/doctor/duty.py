@@ -49,9 +49,7 @@ def command_units(record: Record) -> list[CommandUnit]:
         larger = [f for f in FULL_DUTIES if f > full > 1]
         return [duty, *(CommandUnit(_counts(f), duty.factor * f / full, LARGER_DUTY) for f in larger)]
     others = [(name, duty.factor), ("millivolts", 1e3)]
-    if largest > 100 and not counted(
-        record[names[0]]
-    ):  # what a law asked for, before it was rounded to a timer's counts
+    if largest > 100 and not counted(record[names[0]]):  # a law's output, not yet rounded to a timer's counts
         most = full_duty(np.array(largest))
         others.append((_counts(most), most / (battery or USUAL_BATTERY)))
     return [

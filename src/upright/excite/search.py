@@ -288,5 +288,5 @@ class Search:
 
 def _most(loop: ExcitedLoop) -> float:
     """The largest command of the kit, or where it has none, one that is a few times Bryson's."""
-    limit = min(loop.kit.motor.limit, loop.kit.battery.voltage if loop.gains.command_unit == "V" else np.inf)
-    return float(limit) if np.isfinite(limit) else {"V": 8.0, "N m": 0.5}[loop.gains.command_unit]
+    limit = loop.kit.most(loop.gains.command_unit)
+    return limit if np.isfinite(limit) else {"V": 8.0, "N m": 0.5}[loop.gains.command_unit]

@@ -20,7 +20,8 @@ _ENCODER = (
     r"|(?:enc|count|tick|tacho|pos|rot|motor)\w* )"
 )
 _WHEEL = r"(?:enc\w*|cnt|count\w*|tick\w*|tacho\w*|pos\w*|rot\w*|angle|wheel|rueda|motor\w*|theta|phi|alpha)"
-_RATE = r"(?:speed|spd|vel\w*|omega|rpm|w)"
+_SPEED = r"speed|spd|vel\w*|omega|rpm"
+_RATE = rf"(?:{_SPEED}|w)"
 _DRIVEN = r"pwm|duty(?: cycle)?|volt\w*|cmd|command|control(?: signal)?|output|torque|power|mando|tensi[oó]n"
 _COMMAND = rf"\b(?:(?:mot\w* )?(?:{_DRIVEN}|u|tau))"
 _NEITHER = (
@@ -36,7 +37,7 @@ _BODY_RATE = (
     r"|angular (?:velocity|rate) y\b"
 )
 _PER_SECOND = (
-    rf"\b{_RATE.replace('|w)', '|rate|cps|pps|tps)')}\b"
+    rf"\b(?:{_SPEED}|rate|cps|pps|tps)\b"
     r"|\b(?:counts?|ticks?|pulses?|steps?|turns?|m ?deg|deg\w*|rad\w*)? ?(?:per|p) s(?:ec\w*)?\b"
     r"|\b(?:counts?|ticks?|pulses?|m?deg|rad) s(?:ec)?\b"
 )

@@ -136,7 +136,7 @@ def _of_most(plan: ExcitationPlan) -> str:
         kit = Kit.preset(plan.kit)
     except UprightError:
         return ""
-    most = min(kit.motor.limit, kit.battery.voltage)
+    most = kit.most("V")
     return f"; the motors get at most {most:g} V" if plan.unit == "V" and math.isfinite(most) else ""
 
 

@@ -320,7 +320,7 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
 
 
 def _those(summary: Summary) -> str:
-    """Of which robots outcomes are told."""
+    """The robots that an outcome is of."""
     return "those that stood" if summary.fell else f"all {summary.n}"
 
 

@@ -294,7 +294,7 @@ def _sections(log: LogJudged, several: bool) -> list[Section]:
     one = "sensor/encoder_left" in names and "sensor/encoder_right" not in names
     noted = [note for note in log.notes if several or not note.startswith("Only ")]  # that stands below the picture
     half: list[Item] = [*noted, _table(log.half_seconds), *([_ONE] if one else [])]
-    half += [f"{_COMPASS}{_would(log)}" for name in names if name == COMPASS]
+    half += [f"{_COMPASS}{_would(log)}"] if COMPASS in names else []
     half += [_STILL] if _still(log) else []
     if log.own_run:
         effects: list[list[Cell]] = [[e.name.replace("_", " "), e.unit, e.known, e.here] for e in log.effects]

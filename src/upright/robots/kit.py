@@ -125,6 +125,10 @@ class Kit:
         if not 0 < self.period < 1:
             raise InvalidRobot(f"kit period is {self.period:g} s", expected="between 0 and 1 s", likely="milliseconds")
 
+    def most(self, unit: str) -> float:
+        """The largest command in this `unit` that the motors get, "V" or "N m": the driver's limit, or the battery."""
+        return min(self.motor.limit, self.battery.voltage if unit == "V" else math.inf)
+
     @classmethod
     def preset(cls, name: str) -> Kit:
         """The kit of that name among the presets; `UnknownName` lists them."""
