@@ -205,7 +205,7 @@ def _volts(c: Certificate, battery: str) -> str:
     volts = c.subject["robot"].get(f"conditions/battery/{end}")
     if volts is None and isinstance(nominal, float):
         volts = BATTERIES[battery] * nominal
-    return f"{battery}, {number(volts, 2)} V" if isinstance(volts, float) else battery
+    return f"{battery}, {number(volts, 3)}\u00a0V" if isinstance(volts, float) else battery
 
 
 def _recoverable(t: PushTrial) -> str:

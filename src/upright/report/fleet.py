@@ -276,7 +276,9 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     matters = _matters(data, "peak_pitch") if "peak_pitch" in names and not summary.fell else ""
     knocks = harder([origin_of(data)])
     acts = f" The push acts {where(pushes)}." if where(pushes) else ""
-    lead = f"{_differ(data, robot)}{acts}{knocks}{matters}{_untold(summary, explained)} Next: {after}{all_vary}."
+    seconds = origin_of(data).get("scenario", {}).get("seconds")
+    lasts = f" Each run lasts {seconds:g} s." if seconds else ""
+    lead = f"{_differ(data, robot)}{lasts}{acts}{knocks}{matters}{_untold(summary, explained)} Next: {after}{all_vary}."
     rare = summary.chance.value <= RARE
     bounds = f"{number(100 * chance.low, 2)} to {number(100 * chance.high, 2)} %"
     numbers = [
@@ -286,7 +288,7 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
             + (f"; a certificate allows {100 * MOST_FALLS:g} %" if pushes else ""),
         )
     ]
-    swings, seconds = _swinging(data), origin_of(data).get("scenario", {}).get("seconds")
+    swings = _swinging(data)
     still = "" if swings is None else f", with the {int((~swings).sum())} that never rolled"
     if "peak_pitch" in summary.quantiles and np.isfinite(summary.quantiles["peak_pitch"][2]):
         peak, fall = math.degrees(summary.quantiles["peak_pitch"][2]), math.degrees(FALLEN)
@@ -298,14 +300,13 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
         after = _called(data, "settling").removeprefix("settling time ")
         numbers.append((f"{half:.3g} s", f"{after} half of them stay within {_BAND}; 95 % after {most:.3g} s"))
     elif "travel" in kept and np.isfinite(kept["travel"][2]):
-        numbers.append((f"{kept['travel'][2]:.2g} m", f"is the furthest that 95 % of {_those(summary)} rolled{still}"))
+        numbers.append((f"{kept['travel'][2]:.2g} m", f"is the furthest that 95 % of {_those(summary)} rolled"))
     outcomes = ["fell"] if explained else names[:1]
     trends = [name for name in outcomes if explained or matters or _clear(data, name)]
     causes = [figure for name in trends for figure in (over_strongest(data, name), influence(data, name)) if figure]
     histograms = [histogram(data, name) for name in names]
     picture = (causes or histograms or [None]).pop(0)
     spreads = (origin_of(data).get("vary") or {}).get("spreads", [])
-    lasted = f" in {seconds:g} s" if seconds else ""
     facts = {**provenance(data), **({"each run": f"{seconds:g} s"} if seconds else {})}
     sections = [
         Section("Numbers", [table]),
@@ -314,7 +315,7 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
         *([Section("What varies", [spread_table(spreads, units_of(data))], folded=True)] if spreads else []),
     ]
     return Page(
-        f"{summary.fell} of {summary.n} robots fell{lasted}, {pushed(pushes)}", sections, lead, facts, False,
+        f"{summary.fell} of {summary.n} robots fell, {pushed(pushes)}", sections, lead, facts, False,
         picture=picture, numbers=numbers, verdict=_verdict(data, summary, knocks),
     )  # fmt: skip
 

@@ -151,7 +151,7 @@ def push_map_page(data: Dataset) -> Page:
     smallest = {d: float(impulse.sel(direction=d).min()) for d in ways}
     numbers = [
         (
-            f"{cell_text(low, 2)} N s",
+            f"{least(low, 2)} N s",
             f"is the weakest push: {low / duration:.2g} N for {1e3 * duration:.2g} ms, as of a tennis ball at "
             f"{_ball(low)} that it catches",
         )
@@ -202,8 +202,8 @@ def _at_centre(data: Dataset) -> tuple[float, float, str] | None:
 def _beside(survived: float, robot: Robot, kit: Kit) -> str:
     """This impulse [N s] beside the most that any controller could save, and those of a certificate."""
     able = min(largest_knock(robot, kit, side) for side in (-1, 1))
-    any_ = f"no controller saves more than {number(able, 2)}; " if math.isfinite(able) and able > survived else ""
-    return f"{any_}`upright certify` pushes there with {certificate_knocks(robot, kit)}"
+    any_ = f"no controller saves more than {number(able, 2)} N s; " if math.isfinite(able) and able > survived else ""
+    return f"{any_}a certificate pushes there with {certificate_knocks(robot, kit)}"
 
 
 def _ends(data: Dataset, name: str, scale: float = 1.0) -> str:
