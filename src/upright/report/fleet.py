@@ -284,7 +284,7 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     numbers = [
         (
             f"≤ {number(100 * upper_bound(summary.fell, summary.n), 2)} %" if rare else bounds,
-            f"of such robots fall{'' if pushes else ' when nothing pushes them'}, with 95 % confidence"
+            "of such robots fall, with 95 % confidence"
             + (f"; a certificate allows {100 * MOST_FALLS:g} %" if pushes else ""),
         )
     ]
