@@ -162,6 +162,16 @@ def test_a_ring_of_links_is_refused(writer: tuple[Write, str], tmp_path: Path) -
         write(tmp_path / name)
 
 
+def test_an_option_in_the_place_of_a_name_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["simulate", "--seconds", "0.1", "-o", "--json"]) == USER_ERROR
+    assert "--json looks like an option" in capsys.readouterr().err
+    assert main(["lab", "--export", "--help"]) == USER_ERROR
+    assert not [*tmp_path.iterdir()]
+
+
 def test_a_failure_leaves_the_older_file_and_nothing_else(tmp_path: Path) -> None:
     target = tmp_path / "out"
     target.write_bytes(OLD)

@@ -281,6 +281,7 @@ def test_a_tilt_alone_shows_poses_and_what_is_missing() -> None:
     assert "no column is recognised as encoders" in str(found)
     (command,) = (f for f in found.findings if f.code == "units/command")
     assert "counts of a duty, 255 of which are full" in command.evidence
+    assert "nothing tells which" not in command.evidence  # its name says that it is a duty
     asked = doctor(RawTable(columns | {"command": -7500.5 * falls}))  # a law's output, before any limit
     (command,) = (f for f in asked.findings if f.code == "units/command")
     assert "nothing tells which" in command.evidence

@@ -72,6 +72,8 @@ class _Pending:
 def place_of(name: str | Path, *, folder: bool = False) -> Place:
     """Where `name` leads; raises `UprightError` where no file, or no `folder`, can be written."""
     path = Path(os.path.expanduser(name))
+    if str(path).startswith("--"):
+        raise UprightError(f"{path.parts[0]} looks like an option", expected="the name of a file or folder")
     place = path
     for _ in range(MOST_LINKS):
         place = Path(os.path.realpath(place.parent)) / place.name

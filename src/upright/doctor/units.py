@@ -301,7 +301,8 @@ def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
     unit = min(units, key=penalty)
     if unit.name == "volts":
         return []
-    if not emf and not counted(record[names[0]]) and (others := as_likely(units, unit)):
+    duty = record.units.get(names[0]) == "1"  # by its name
+    if not emf and not duty and not counted(record[names[0]]) and (others := as_likely(units, unit)):
         which = " or ".join(one.name.rstrip(",") for one in (unit, *others))
         evidence = f"no volts, since they reach {largest:.3g}: {which}; without wheels that turn nothing tells which"
         return [error("units/command", names[0], evidence, "state the unit in a mapping: V, mV or %, and its scale")]
