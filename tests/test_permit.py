@@ -15,7 +15,7 @@ import pytest
 from firmware_cases import NXT, ROBOT, frozen
 from upright.atomic import write_json
 from upright.certify.certificate import Certificate, certify
-from upright.certify.checks import PushTrial
+from upright.certify.checks import BATTERIES, PushTrial
 from upright.certify.design import design
 from upright.cli.main import USER_ERROR, main
 from upright.control import (
@@ -165,7 +165,8 @@ def test_what_nobody_survived_has_a_dash_and_no_number() -> None:
     page = page_of(replace(certificate(), trials=(trial,))).html()
     *_, row = page.partition("<h2>Pushes</h2>")[2].partition("</table>")[0].split("<tr>")
     cells = re.findall(r"<td[^>]*>([^<]*)</td>", row)
-    assert cells == ["hold", "low", "100", "0", "–", "–", "–", "–", "–"]
+    low = f"low, {BATTERIES['low'] * NXT.battery.voltage:.1f}\u00a0V"
+    assert cells == ["hold", low, "100", "0", "–", "–", "–", "–", "–"]
 
 
 def test_a_certificate_has_a_figure() -> None:
