@@ -326,7 +326,7 @@ def test_a_push_is_named_with_its_numbers() -> None:
     first = dataclasses.replace(found.causes[0], evidence="other words", push=known)
     page = page_of(dataclasses.replace(found, causes=(first, *found.causes[1:])))
     assert "push backward of about 0.46 N s" in page.lead
-    assert "41° of lean; the motors bring back 35° at most" in page.lead
+    assert "a lean at rest of 41°; the motors bring back 35° at most" in page.lead
     assert page.numbers[1][0] == "0.4 N s"
     other = dataclasses.replace(first, push=None)
     assert "N s" not in str(page_of(dataclasses.replace(found, causes=(other, *found.causes[1:]))).numbers)

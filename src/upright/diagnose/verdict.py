@@ -135,12 +135,18 @@ def ranked(evidence: Evidence) -> tuple[Cause, ...]:
         left *= 1 - min(sum(answer.probability for answer in answers), 1.0)
     odds[CANNOT_TELL] = odds.get(CANNOT_TELL, 0.0) + left
     if CANNOT_TELL not in best or left > best[CANNOT_TELL].probability:
-        best[CANNOT_TELL] = Answer(left, CANNOT_TELL, math.nan, nothing(evidence))
+        pushed = any(answer.push is not None for answer in best.values())
+        best[CANNOT_TELL] = Answer(left, CANNOT_TELL, math.nan, nothing(evidence, pushed=pushed))
     order = sorted((name for name in odds if odds[name] > LEAST), key=lambda name: -odds[name])
     total = sum(odds[name] for name in order)
     return tuple(
         Cause(
-            name, odds[name] / total, min(answer.onset, evidence.fell_at), answer.evidence, _repair(name), answer.push
+            name,
+            odds[name] / total,
+            min(answer.onset, evidence.fell_at),
+            answer.evidence,
+            answer.push.repair if answer.push else _repair(name),
+            answer.push,
         )
         for name, answer in ((name, best[name]) for name in order)
     )

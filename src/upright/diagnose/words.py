@@ -184,7 +184,10 @@ def at_limit(evidence: Evidence) -> str:
     return f"the motors were at their limit for {percent(evidence.motors.saturated)} of the last excursion"
 
 
-def nothing(evidence: Evidence) -> str:
+def nothing(evidence: Evidence, *, pushed: bool) -> str:
+    """Why no cause is likely; where a push is one, for the case that it was smaller than it seems."""
+    if pushed:
+        return f"if the push was smaller than it seems: {sound(evidence)}, and no demand or change is large enough"
     return f"{sound(evidence)}; no push, demand or change is large enough"
 
 

@@ -116,10 +116,11 @@ def chapter(trial: RegulatedRobot, kit: Kit, logs: Mapping[str, Log], progress: 
     slower = sum(c.slower for c in cases.values())
     swings = [1000 * x for c in cases.values() for x in c.rest[AS_BUILT]]
     summary = (
-        f"With dry friction of {cell_text(1000 * FRICTION)} mN m and {cell_text(math.degrees(PLAY), 2)}° of backlash, "
+        f"With dry friction of {cell_text(1000 * FRICTION)} mN m and {cell_text(math.degrees(PLAY), 2)}° of backlash "
+        "(guessed here, as the paper gives none), "
         f"{name} settles later than both models, or never, under {slower} of {len(cases)} pushes, as the paper's robot "
         f"does. At rest its pitch keeps swinging by {cell_text(min(swings), 2)} to {cell_text(max(swings), 2)} mrad. "
-        "Friction and backlash are guesses, as the paper gives none. The filter knows the robot from a calibration, "
+        "The filter knows the robot from a calibration, "
         f"which finds a dry friction of {cell_text(1000 * friction.value, 2)} mN m "
         f"({cell_text(1000 * friction.low, 2)} to {cell_text(1000 * friction.high, 2)}). A push counts where each of "
         f"{len(SEEDS)} seeds settles to 5 % later than both models, by more than a sample "

@@ -65,7 +65,7 @@ class Claim:
     @property
     def first(self) -> str:
         """What holds of a claim that holds in part, and the first sentence of the summary."""
-        return " ".join([*self._aside(), f"{self.summary.split('. ')[0].rstrip('.')}."])
+        return " ".join([*self._aside(), f"{self.summary.partition('. ')[0].rstrip('.')}."])
 
     def _aside(self) -> list[str]:
         return [sentence(self.aside)] if self.aside and self.says == IN_PART else []
@@ -75,16 +75,18 @@ class Claim:
         return textwrap.fill(self.first, width, initial_indent="    ", subsequent_indent="    ")
 
     def section(self, name: str = "") -> Section:
-        """The claim as a folded section of the page, by its `name` in the contents: the figures that come first, or
-        else the first, or a short table; the rest is folded once more."""
+        """The claim as a folded section of the page, by its `name` in the contents, with its `first` sentence under the
+        heading: the figures that come first, or else the first, or a short table; the rest is folded once more."""
         figures = [item for item in self.items if isinstance(item, Figure)]
         short = [item for item in self.items[:1] if isinstance(item, Table) and len(item.rows) <= SHORT]
         leading = itertools.takewhile(lambda item: isinstance(item, Figure), self.items)
         shown = list(leading) or figures[:1] or short
         rest = [item for item in self.items if item not in shown]
         folded = [Details("Tables, figures and derivations", rest, printed=False)] if rest else []
-        items = [*self._aside(), self.summary, *shown, *folded]
-        return Section(f"{self.part} {self.title}", items, self.badge, folded=True, name=f"{self.part} {name}".rstrip())
+        more = self.summary.partition(". ")[2]
+        items = [*([more] if more else []), *shown, *folded]
+        named = f"{self.part} {name}".rstrip()
+        return Section(f"{self.part} {self.title}", items, self.badge, folded=True, name=named, brief=self.first)
 
     def to_json(self) -> dict[str, Any]:
         named = {"part": self.part, "title": self.title, "verdict": self.says, "aside": self.aside}

@@ -87,6 +87,11 @@ class Measured:
         others = min(value for name, value in self.settling.items() if name != "linear")
         return self.settling["linear"] < others - printed.PERIOD / 2  # closer than half a sample is a tie
 
+    @property
+    def linear_ties(self) -> bool:
+        """Whether linear and nonlinear model settle at once, to half a sample."""
+        return abs(self.settling["linear"] - self.settling["nonlinear"]) <= printed.PERIOD / 2
+
 
 def chapter(trials: Sequence[RegulatedRobot], kit: Kit, progress: Progress = unwatched) -> list[Claim]:
     """One result for each robot and push, and one for the paper's claims over all of them."""
@@ -144,7 +149,7 @@ def _shown(trial: RegulatedRobot, side: str, comparison: Comparison, measured: M
     if fits["nonlinear"] != fits["linear"]:
         both = f"Pitch fits the twin to {fits['nonlinear']} % (nonlinear) and {fits['linear']} % (linear)"
     summary = (
-        f"{both}, and settles to 5 %: {_times(measured.settling)}. Held at "
+        f"{both}, and settles to 5 % after the release: {_times(measured.settling)}. Held at "
         f"{cell_text(PUSHES[side])} rad by {cell_text(force, 2)} N at the centre of mass, then released.{why} "
         f"Pitch rate, where noise lowers the fit, fits to {rates['nonlinear']} and {rates['linear']} %. {trial.why}"
     )
@@ -238,6 +243,7 @@ def _tested(measured: dict[str, Measured]) -> Claim:
     text = "; ".join(
         f"“{claim}”{apart if 'differ' in claim else ''} holds in "
         + ("all" if count == len(every) else f"{count or 'none'} of {len(every)} cases")
+        + (" (it ties with the nonlinear one)" if "fastest" in claim and all(c.linear_ties for c in every) else "")
         for claim, count in sorted(held.items(), key=lambda item: item[1])
     )
     summary = (

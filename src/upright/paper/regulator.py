@@ -17,6 +17,7 @@ from upright.report import Figure, Table
 from upright.report.page import cell_text
 from upright.robots import Robot
 from upright.signals import STATE_NAMES
+from upright.tables import joined
 
 PRICES: list[float] = np.logspace(0, 4, 41).tolist()
 
@@ -52,7 +53,8 @@ def chapter(light: Robot) -> Claim:
     summary = (
         f"The regulator (LQR) of the printed A, B, Q, R has a pitch gain of {cell_text(clean.gain[0, 0], 3)} (printed: "
         f"{cell_text(printed.KU1[0], 3)}) and a wheel gain of {cell_text(clean.gain[0, 2], 2)} (printed: "
-        f"{cell_text(printed.KU1[2], 2)}). A search covers the 30 orders of the diagonal of Q, and R = r·I with r from "
+        f"{cell_text(printed.KU1[2], 2)}); {_balanced(loops, light.name)}. "
+        "A search covers the 30 orders of the diagonal of Q, and R = r·I with r from "
         f"1 to 10⁴. Its smallest distance from the printed gains is {100 * nearest:.0f} % (RMS over the six gains). "
         "The printed gains stabilise the printed model (largest |eigenvalue| "
         f"{loops['printed A, B, yaw inputs turned']:.4f} with the yaw sign corrected, "
@@ -66,6 +68,14 @@ def chapter(light: Robot) -> Claim:
     items = [_gains(clean.gain, as_printed.gain), _stability(loops), _poles(feedback, clean)]
     same = np.abs(np.abs(clean.gain[0] / printed.KU1) - 1) < SAME
     return Claim("4", "The regulator and its gains, eqs. (36)–(38)", judged(same.tolist()), summary, numbers, items)
+
+
+def _balanced(loops: dict[str, float], light: str) -> str:
+    """Which robots balance with the printed gains."""
+    names = {"printed A, B, yaw inputs turned": "the printed model", light: light}
+    stable = [words for name, words in names.items() if loops[name] < 1]
+    others = [words for words in names.values() if words not in stable]
+    return f"the printed gains balance {joined(stable) or 'neither'}{f', but not {joined(others)}' if others else ''}"
 
 
 SAME = 0.05  # [1] of a printed gain: closer is the same to two digits, as it was printed

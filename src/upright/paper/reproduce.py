@@ -28,7 +28,7 @@ from upright.tables import Shown, joined
 LIGHT, HEAVY = "nxtway-gs", "herrera2015"
 
 LEAD = (
-    "The paper gives two models of a balancing NXT robot and tests them by pushes, but not its robot's numbers. Two "
+    "The paper tests two models of a balancing NXT robot by pushes, but does not print the robot's parameters. Two "
     f"simulated robots (twins) stand in: {HEAVY}, derived from the paper's matrices, and {LIGHT}, a lighter one that "
     "the paper cites."
 )
@@ -39,7 +39,7 @@ PAPER = (
 COUNTED = (
     "Reproduced: all that a claim says holds here. In part: some of it, or all under a condition. Not as printed: none "
     "of it. The equations make two claims: 1a, corrected, and 1b, as printed. Each is judged as a whole: one wrong "
-    "equation makes a wrong model. The evidence for each claim is folded below."
+    "equation makes a wrong model. Open a claim for its evidence."
 )
 
 AFTER = " Next: `upright reproduce --log LOG --robot ROBOT` puts a LOG of your own robot beside both models."
@@ -98,36 +98,28 @@ def _page(claims: Sequence[Claim]) -> Page:
     drawn = next(item for item in part.items if isinstance(item, Figure))
     again = _with_differences(part) or drawn
     again = replace(again, title=_finding(part, drawn.title))
-    tables = [
-        COUNTED,
-        Table(
-            ["claim", "verdict", "because"],
-            [[f"{c.part} {c.title}", c.badge, c.first] for c in judged],
-        ),
-        Details(
-            "Further checks, beyond the paper",
-            [Table(["check", "result"], [[f"{c.part} {c.title}", c.first] for c in claims if c not in judged])],
-        ),
-    ]
     robots = [Robot.preset(name) for name in (LIGHT, HEAVY)]
     parameters: list[list[Cell]] = [
         [symbol, name.replace("_", " "), unit, *(getattr(robot, name) for robot in robots)]
         for name, (unit, symbol) in PARAMETERS.items()
     ]
-    opening = [
-        Section("The claims", tables),
-        Section("The robot", [
-            Figure("Angles and lengths of the model", labelled(robots[0])),
-            Details("Parameters of both robots", [Table(["", "parameter", "unit", LIGHT, HEAVY], parameters)]),
-        ]),
-    ]  # fmt: skip
-    sections = [*opening, *(claim.section(_brief(claim)) for claim in claims)]
+    sketch = Section("The robot", [
+        Figure("Angles and lengths of the model", labelled(robots[0]), _INTO),
+        Details("Parameters of both robots", [Table(["", "parameter", "unit", LIGHT, HEAVY], parameters)]),
+    ])  # fmt: skip
+    sections = [Section("The claims", [COUNTED]), *(claim.section(_brief(claim)) for claim in claims), sketch]
     whole = all(c.says == REPRODUCED for c in judged)
     verdict = Verdict("reproduced", "good") if whole else Verdict("reproduced in part", "warn")
     facts = {"command": "upright reproduce", "paper": PAPER, **_versions()}
     return Page(
         title(claims), sections, f"{LEAD}{missed}{AFTER}", facts, verdict=verdict, picture=again, numbers=numbers
     )
+
+
+_INTO = (
+    "A force on the front pushes backwards. The wheels run back from under the body, so that it leans forward, into "
+    "the force, until its weight holds it."
+)
 
 
 def title(claims: Sequence[Claim]) -> str:
@@ -208,7 +200,12 @@ def _with_differences(part: Claim) -> Figure | None:
             n = min(len(log), len(twin))
             line(below, name, log.t[:n], np.degrees(log["truth/pitch"][:n] - twin["truth/pitch"][:n]), style=style)
     span([above, below], 0.0, RELEASE, "push acts")
-    note = "Held by a constant force until 8 s, then released."
+    force = part.numbers.get("force")
+    size = f" of {cell_text(abs(force), 2)} N" if force else ""
+    note = (
+        f"Held by a constant force{size} at the centre of mass, on the front, until 8 s, then released. The robot "
+        "leans into the force: its pitch is positive."
+    )
     models = [np.degrees(log["truth/pitch"]) for name, log in logs.items() if name in MODELS and log is not None]
     n = min(map(len, models))
     apart = float(np.abs(models[0][:n] - models[1][:n]).max())

@@ -84,13 +84,13 @@ _REMARK = "A remark does not spoil the log; what it advises makes a model better
 
 
 def _counted(faults: list[Finding], failed: int, checks: int) -> tuple[str, str]:
-    """How many faults there are, which, and how many checks found them."""
+    """How many faults there are, and which."""
     if not failed:
         return f"{checks} of {checks}", "checks passed, from time stamps to falls; open “Checks” for all"
     kinds = list(dict.fromkeys(_in_words(f) for f in faults))
     named = joined(kinds if len(kinds) <= NAMED else [*kinds[: NAMED - 1], "others"])
     count = f"{len(faults)} fault{'' if len(faults) == 1 else 's'}"
-    return count, f"{named}; found by {failed} of {checks} checks"
+    return count, named
 
 
 def _title(result: Diagnosis, faults: list[Finding]) -> str:
@@ -102,7 +102,7 @@ def _title(result: Diagnosis, faults: list[Finding]) -> str:
         falls = [f.span[0] for f in faults if f.code == "segment/fall" and f.span and f.span[0] >= stop]
         balanced = sum(b - a for a, b in _within(result, BALANCING, start, stop))
         if falls and balanced:
-            return f"{name}: {balanced:.3g} s of balancing, then it falls at {moment(min(falls))} s"
+            return f"{name}: it balances, then falls at {moment(min(falls))} s"
         begins = f"from {moment(start)} to " if start > result.read.t[0] else "up to "
         return f"{name}: usable {begins}{moment(stop)} s{', then the robot falls' if falls else ''}"
     kinds = list(dict.fromkeys(_in_words(f) for f in faults))
@@ -153,6 +153,8 @@ def _usable(result: Diagnosis) -> tuple[str, str]:
     where = " and ".join(f"{moment(a)} to {moment(b)} s" for a, b in spans[BALANCING][:2])
     more = " and later" if len(spans[BALANCING]) > 2 else ""
     rest = f"; {long[STANDING]:.3g} s at rest give only the gyro's noise" if long[STANDING] > 0 else ""
+    if _one_cut(result):
+        return f"{long[BALANCING]:.3g} s", f"of balancing are left by the cut: {where}{more}{rest}"
     return f"{long[BALANCING]:.3g} s", f"of {result.seconds:.3g} s it balances: {where}{more}{rest}"
 
 
@@ -193,8 +195,9 @@ def _evidence(result: Diagnosis, finding: Finding) -> str:
 
 
 def _repair(finding: Finding) -> str:
-    """The repair, with commands as code."""
-    return re.sub(r"\b(upright [a-z-]+)", r"`\1`", finding.repair)
+    """The repair, with commands as code; of a rest also what it is good for."""
+    use = "; they give the gyro's noise" if finding.code == "segment/still" else ""
+    return re.sub(r"\b(upright [a-z-]+)", r"`\1`", finding.repair) + use
 
 
 def _checks(result: Diagnosis) -> list[tuple[str, Verdict]]:
@@ -212,7 +215,7 @@ def _check_of(finding: Finding) -> str:
 
 
 def _mapped(name: str) -> str:
-    return "the names of upright" if name == "ours" else f"those of '{name}'"
+    return "upright's own names" if name == "ours" else f"those of '{name}'"
 
 
 def _channel(finding: Finding) -> str:
@@ -354,7 +357,7 @@ def _next(result: Diagnosis, faults: list[Finding]) -> str:
         start, stop = map(moment, result.kept)
         gone = ": the faults go" if _one_cut(result) else ""
         rest = bool(_within(result, STANDING, *result.kept))
-        gone += f"{';' if gone else ':'} the time at rest stays, for the gyro's noise" if rest else ""
+        gone += f"{';' if gone else ':'} the time at rest stays, for the gyro's noise alone" if rest else ""
         repairs.append(f"{'It ' if done else ''}keeps {start} ≤ t < {stop} s{gone}")
     if not fixed:
         return f"`upright calibrate {name} --robot ROBOT -o robot.toml`."
@@ -362,7 +365,9 @@ def _next(result: Diagnosis, faults: list[Finding]) -> str:
     left = f" It leaves {joined(list(dict.fromkeys(kept)))}." if kept else ""
     quiet = any(f.code == "motion/quiet" for f in result.findings)
     log = f" {_EXCITED}" if quiet else ""
-    return f"`upright doctor {name} --fix repaired.csv` {'. '.join(repairs)}.{left}{log}"
+    fell = any(f.code == "segment/fall" for f in faults)
+    why = f"`upright post-mortem {name} --robot ROBOT` finds why it fell. " if fell else ""
+    return f"{why}`upright doctor {name} --fix repaired.csv` {'. '.join(repairs)}.{left}{log}"
 
 
 _EXCITED = (

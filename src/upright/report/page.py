@@ -138,8 +138,8 @@ def _parts(items: Sequence[Item]) -> list[tuple[str, Item]]:
 class Section:
     """A heading, perhaps a verdict, and what follows in order; a plain string is a paragraph.
 
-    A `folded` section shows its heading, and the rest when that is pressed. `name` is what the contents call it, where
-    that is shorter than its heading.
+    A `folded` section shows its heading, below it what is `brief`, and the rest when that is pressed. `name` is what
+    the contents call it, where that is shorter than its heading.
     """
 
     heading: str
@@ -147,6 +147,7 @@ class Section:
     verdict: Verdict | None = None
     folded: bool = False
     name: str = ""
+    brief: str = ""
 
     def parts(self) -> list[tuple[str, Item]]:
         """The items, each with the name of its template."""
@@ -261,7 +262,8 @@ _VERBATIM = re.compile(r"(<(svg|code|script|style|math|pre)\b.*?</\2>|<[^>]*>)",
 _ATOM = r"(?:[kmµ]?(?:rad|Pa|Hz|Ω|[gmsNVAWJ])[²³]?|1(?=/)|[%°])(?!\w)"
 _JOINT = r"(?: / |/| · | )"
 _UNIT = re.compile(
-    rf" · 10|[±≤≥] (?=[\d−])|(?<=[\d∞⁰¹²³⁴-⁹]) {_ATOM}(?:{_JOINT}{_ATOM})*|(?<![\w/]){_ATOM}(?:{_JOINT}{_ATOM})+"
+    rf" · 10|(?<=\d) ± (?=\d)|[±≤≥] (?=[\d−])"
+    rf"|(?<=[\d∞⁰¹²³⁴-⁹]) {_ATOM}(?:{_JOINT}{_ATOM})*|(?<![\w/]){_ATOM}(?:{_JOINT}{_ATOM})+"
 )
 """A power of ten, a sign before a number, a unit after a number, or a unit of several parts."""
 

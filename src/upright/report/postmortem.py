@@ -83,9 +83,11 @@ def _sure(result: PostMortem) -> str:
 def _numbers(result: PostMortem) -> list[tuple[str, str]]:
     """How long the fall took, and the causes after the first."""
     known = result.fell and math.isfinite(result.onset)
-    numbers = [(f"{result.fell_at - result.onset:.2g} s", "from the first sign to the fall")] if known else []
+    pushed = _push(result)
+    sign = "push" if pushed else "first sign, where the sensors differ from the model,"
+    numbers = [(f"{result.fell_at - result.onset:.2g} s", f"from the {sign} to the fall")] if known else []
     lost = _lost(result)
-    if pushed := _push(result):
+    if pushed:
         numbers.append(pushed)
     elif known and lost is not None:
         numbers.append((f"{lost - result.onset:.2g} s", "from the first sign until the motors could no longer save it"))
@@ -93,7 +95,8 @@ def _numbers(result: PostMortem) -> list[tuple[str, str]]:
     if not likely:
         return numbers
     others = "".join(f"; {c.name} {100 * c.likelihood:.0f} %" for c in likely[1:])
-    return [*numbers, (f"{100 * likely[0].likelihood:.0f} %", f"probability of this cause{others}")]
+    this = "that the push felled it, not something else" if pushed else "of this cause"
+    return [*numbers, (f"{100 * likely[0].likelihood:.0f} %", f"probability {this}{others}")]
 
 
 def _push(result: PostMortem) -> tuple[str, str] | None:
@@ -101,14 +104,8 @@ def _push(result: PostMortem) -> tuple[str, str] | None:
     push = result.causes[0].push if result.causes else None
     if push is None:
         return None
-    close = abs(abs(push.impulse) / push.most - 1) < CLOSE
-    came = f"this one had about {abs(push.impulse):.2g} N s{f', known to {100 * KNOWN:.0f} % at best' if close else ''}"
+    came = f"this one had {push.size()}{': at or beyond this limit' if push.close else ''}"
     return f"{push.most:.2g} N s", f"the largest such push that any controller could save; {came}"
-
-
-KNOWN, CLOSE = 0.07, 0.1
-"""How well an impulse is known: planted ones come out between 7 % small and 1 % large (twins of nxtway-gs,
-`benchmarks/push_size.py`, 25 November 2026); and from how near to the limit on that is said."""
 
 
 def _lost(result: PostMortem) -> float | None:
@@ -149,7 +146,10 @@ def _plain(cause: Cause) -> str:
     """The first clause of the evidence, without the filter's words; of a push what it did."""
     if push := cause.push:
         counts, largest = (f"{math.degrees(angle):.2g}°" for angle in (push.counts, push.largest))
-        return f"{push} made it so fast that this counts as {counts} of lean; the motors bring back {largest} at most"
+        text = f"{push} gave it a speed that is as hard to stop as a lean at rest of {counts}"
+        if push.close:
+            return f"{text}, about the most that the motors bring back ({largest})"
+        return f"{text}; the motors bring back {largest} at most"
     return (
         cause.evidence.split("; ", maxsplit=1)[0]
         .split(". ", maxsplit=1)[0]
@@ -204,7 +204,7 @@ def _figure(result: PostMortem) -> Figure:
     _level(reach, s.t, 1.0, "no return")
     line(command, "requested command", s.t, np.clip(s.command, -CUT, CUT), step=True, style=1, solid=True)
     for level in (-1.0, 1.0):
-        _level(command, s.t, level, "motors at their limit" if level > 0 else "")
+        _level(command, s.t, level, "motors' limit" if level > 0 else "")
     nis.set_yscale("log")
     numbered(nis.yaxis)
     line(nis, "error²", s.t, np.maximum(s.nis, 1e-3), style=4, solid=True)
@@ -215,6 +215,8 @@ def _figure(result: PostMortem) -> Figure:
     command.set_ylim(-1.8, 1.8)
     if (np.abs(s.command) > CUT).any():
         above = bool((s.command > CUT).any())
+        command.set_ylim(*((-1.8, 2.8) if above else (-2.8, 1.8)))  # with room for the words
+        command.set_yticks([-1, 0, 1])
         _cut(command, CUT if above else -CUT, above=above)
     reach.set_ylim(0, FAR)
     if np.nanmax(s.reserve, initial=0.0) > FAR:
@@ -223,17 +225,22 @@ def _figure(result: PostMortem) -> Figure:
     if not known:
         return Figure("The last seconds", figure)
     pushed = bool(result.causes) and result.causes[0].push is not None
-    if (lost := _lost(result)) is not None:
+    if (lost := _lost(result)) is not None and not pushed:
         reach.plot(lost, 1.0, "o", color=INK, markersize=6)
         last_half = lost > (result.onset + result.fell_at) / 2
-        after = f"{lost - result.onset:.2g} s"
-        words, beside = f"{after} after the push" if pushed else f"after {after}", (-8, -12) if last_half else (8, -12)
-        reach.annotate(words, (lost, 1.0), beside, textcoords="offset points", ha="right" if last_half else "left")
+        beside = (-8, -12) if last_half else (8, -12)
+        reach.annotate(
+            f"after {lost - result.onset:.2g} s",
+            (lost, 1.0),
+            beside,
+            textcoords="offset points",
+            ha="right" if last_half else "left",
+        )
     span(axes, max(result.onset, float(s.t[0])), result.fell_at, "_trouble")
     start = max(float(s.t[0]), result.onset - max(BEFORE, 0.7 * (result.fell_at - result.onset)))
     axes[0].set_xlim(start, min(float(s.t[-1]), result.fell_at + AFTER))
     lasted = result.fell_at - result.onset
-    note = "Shaded: from the first sign to the fall."
+    note = f"Shaded: from the {'push' if pushed else 'first sign'} to the fall."
     if lost is not None and pushed:
         note += (
             " The curves are a filter's, which follows a push some hundredths of a second late: the push itself "
@@ -241,7 +248,8 @@ def _figure(result: PostMortem) -> Figure:
         )
     if lost is not None and (s.reserve[(s.t >= start) & (s.t < lost)] > 1).any():
         note += " The lean passed “no return” before and came back: this limit, the model's, is rough here."
-    return Figure(f"From the first sign at {result.onset:.2f} s to the fall it took {lasted:.2g} s", figure, note)
+    sign = "push" if pushed else "first sign"
+    return Figure(f"From the {sign} at {result.onset:.2f} s to the fall it took {lasted:.2g} s", figure, note)
 
 
 BEFORE, AFTER = 0.3, 0.2  # [s] shown before the onset, at least, and after the fall
