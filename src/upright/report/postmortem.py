@@ -194,7 +194,7 @@ def _figure(result: PostMortem) -> Figure:
     line(pitch, "pitch", s.t, degrees, style=0, solid=True)
     for level in (-math.degrees(LEANING), math.degrees(LEANING)):
         if np.nanmin(degrees) < level < np.nanmax(degrees):
-            _level(pitch, s.t, level, f"{level:.0f}°: counts as the fall".replace("-", "−"))
+            _level(pitch, s.t, level, f"{level:.0f}°: fallen".replace("-", "−"))
     apart = 20 if np.nanmax(np.abs(degrees)) < LARGEST / 1.5 else 40
     if np.nanmax(np.abs(degrees)) < LARGEST:
         pitch.set_yticks(
@@ -202,9 +202,7 @@ def _figure(result: PostMortem) -> Figure:
         )
     line(reach, "lean", s.t, s.reserve, style=2, solid=True)
     _level(reach, s.t, 1.0, "no return")
-    line(command, "requested command", s.t, np.clip(s.command, -CUT, CUT), step=True, style=1, solid=True)
-    for level in (-1.0, 1.0):
-        _level(command, s.t, level, "motors' limit" if level > 0 else "")
+    _commands(command, s.t, s.command)
     nis.set_yscale("log")
     numbered(nis.yaxis)
     line(nis, "error²", s.t, np.maximum(s.nis, 1e-3), style=4, solid=True)
@@ -212,12 +210,6 @@ def _figure(result: PostMortem) -> Figure:
     nis.set_yticks([power for k in range(-3, 7) if low <= (power := 10.0**k) <= high])
     if math.isfinite(s.high) and s.high > 0:
         _level(nis, s.t, s.high, f"usual, up to {number(s.high, 2)}")
-    command.set_ylim(-1.8, 1.8)
-    if (np.abs(s.command) > CUT).any():
-        above = bool((s.command > CUT).any())
-        command.set_ylim(*((-1.8, 2.8) if above else (-2.8, 1.8)))  # with room for the words
-        command.set_yticks([-1, 0, 1])
-        _cut(command, CUT if above else -CUT, above=above)
     reach.set_ylim(0, FAR)
     if np.nanmax(s.reserve, initial=0.0) > FAR:
         _cut(reach, FAR, above=False)
@@ -229,13 +221,8 @@ def _figure(result: PostMortem) -> Figure:
         reach.plot(lost, 1.0, "o", color=INK, markersize=6)
         last_half = lost > (result.onset + result.fell_at) / 2
         beside = (-8, -12) if last_half else (8, -12)
-        reach.annotate(
-            f"after {lost - result.onset:.2g} s",
-            (lost, 1.0),
-            beside,
-            textcoords="offset points",
-            ha="right" if last_half else "left",
-        )
+        words, side = f"after {lost - result.onset:.2g} s", "right" if last_half else "left"
+        reach.annotate(words, (lost, 1.0), beside, textcoords="offset points", ha=side)
     span(axes, max(result.onset, float(s.t[0])), result.fell_at, "_trouble")
     start = max(float(s.t[0]), result.onset - max(BEFORE, 0.7 * (result.fell_at - result.onset)))
     axes[0].set_xlim(start, min(float(s.t[-1]), result.fell_at + AFTER))
@@ -253,6 +240,19 @@ def _figure(result: PostMortem) -> Figure:
 
 
 BEFORE, AFTER = 0.3, 0.2  # [s] shown before the onset, at least, and after the fall
+
+
+def _commands(ax: Axes, t: Array, command: Array) -> None:
+    """What the controller requests, over the largest command, up to `CUT`."""
+    line(ax, "requested command", t, np.clip(command, -CUT, CUT), step=True, style=1, solid=True)
+    for level in (-1.0, 1.0):
+        _level(ax, t, level, "motors' limit" if level > 0 else "")
+    ax.set_ylim(-1.8, 1.8)
+    if (np.abs(command) > CUT).any():
+        above = bool((command > CUT).any())
+        ax.set_ylim(*((-1.8, 2.8) if above else (-2.8, 1.8)))  # with room for the words
+        ax.set_yticks([-1, 0, 1])
+        _cut(ax, CUT if above else -CUT, above=above)
 
 
 def _cut(ax: Axes, level: float, *, above: bool) -> None:
