@@ -214,7 +214,7 @@ def test_without_a_push_there_is_no_settling_and_one_limit(results):
     assert page.verdict is not None
     standing = results.copy(deep=True)
     standing["fell"].values[:] = 0
-    assert page_of(standing).verdict.text == "not pushed: no certificate"
+    assert page_of(standing).verdict.text == "not pushed"
     assert page_of(standing).numbers[0][0] == "≤ 3 %"  # 1 − 0.05^(1/100)
 
 

@@ -110,8 +110,8 @@ class Diagnosis(Shown):
         return Log(record.t, record.channels, record.units, {**self._origin, "repaired": repairs})
 
     def plot(self) -> Figure | None:
-        """Gyro, encoders and commands as they were read, with the poses other than balancing; None without any."""
-        from upright.plotting import COLOURS, legend, line, panels, span
+        """Gyro, encoders and commands as they were read, with poses and a repair's cuts; None without any."""
+        from upright.plotting import COLOURS, INK, legend, line, panels, span
 
         record = self._raw
         groups = {"encoders": (LEFT, RIGHT), "commands": record.commands or (), "gyro": (GYRO,)}
@@ -137,6 +137,9 @@ class Diagnosis(Shown):
                 span(axes, segment.start, segment.stop, STANDING, COLOURS[0])
             elif segment.kind != BALANCING:
                 span(axes, segment.start, segment.stop, off)
+        for at in self.kept or ():
+            for ax in axes if record.t[0] < at < record.t[-1] else ():
+                ax.axvline(at, linestyle="--", linewidth=1.2, color=INK, label="cut")
         return legend(figure)
 
     def to_json(self) -> dict[str, Any]:

@@ -62,9 +62,11 @@ class Summary(Shown):
 
 
 def summarise(data: Dataset) -> Summary:
-    """The summary of a fleet's results (dimension `robot`)."""
+    """The summary of a fleet's results (dimension `robot`); without a push nothing settles."""
     fell = data["fell"].values.astype(bool)
-    names = [name for name in OUTCOMES if name in data and name not in ("fell", "lived")]
+    pushed = bool(origin_of(data).get("scenario", {}).get("push"))
+    others = ("fell", "lived") if pushed else ("fell", "lived", "settling")
+    names = [name for name in OUTCOMES if name in data and name not in others]
     quantiles = {name: _quantiles(data[name].values[~fell]) for name in names}
     units = {name: str(data[name].attrs["unit"]) for name in names}
     return Summary(len(fell), int(fell.sum()), clopper_pearson(int(fell.sum()), len(fell)), quantiles, units)

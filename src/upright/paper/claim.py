@@ -14,7 +14,7 @@ from upright.signals import Log
 from upright.tables import sentence
 
 REPRODUCED = "reproduced"
-NOT_AS_PRINTED = "not reproducible as printed"
+NOT_AS_PRINTED = "not as printed"
 BEYOND = "beyond the paper"
 
 SHORT = 6  # rows of a table that is shown without being asked for

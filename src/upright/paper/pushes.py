@@ -253,7 +253,7 @@ def _tested(measured: dict[str, Measured]) -> Claim:
     cases = {n: {**vars(c), "settling": {r: finite(s) for r, s in c.settling.items()}} for n, c in measured.items()}
     numbers = {"claims": verdicts, "cases": cases}
     count = sum(verdicts.values())
-    holding = f"{count} of {len(verdicts)} conclusions hold" if count < len(verdicts) else ""
+    holding = f"{count} of {len(verdicts)} conclusions hold in every case" if count < len(verdicts) else ""
     compared: list[list[Cell]] = [[CONCLUSIONS[c], f"in {n} of {len(every)} cases"] for c, n in held.items()]
     caption = "The paper's conclusions beside these runs; it prints curves, and no settling time as a number"
     items = [Table(["the paper", "here"], compared, caption), *_claim_tables(measured)]

@@ -37,9 +37,9 @@ PAPER = (
     "Mathematical Modelling and Real Robot Comparisons"
 )
 COUNTED = (
-    "Reproduced: all that a claim says holds here. In part: some of it, or all under a condition. Not as printed: none "
-    "of it. The equations make two claims: 1a, corrected, and 1b, as printed. Each is judged as a whole: one wrong "
-    "equation makes a wrong model. Open a claim for its evidence."
+    "Reproduced: what the claim says holds here. In part: some of it does. Not as printed: what is printed is wrong "
+    "or contradicts itself. Beyond the paper: an addition, not counted. The paper prints curves and no settling times, "
+    "so 5a to 5d compare shapes: two robots, each under two pushes. Open a claim for its evidence."
 )
 
 AFTER = " Next: `upright reproduce --log LOG --robot ROBOT` puts a LOG of your own robot beside both models."
@@ -204,7 +204,7 @@ def _with_differences(part: Claim) -> Figure | None:
     size = f" of {cell_text(abs(force), 2)} N" if force else ""
     note = (
         f"Held by a constant force{size} at the centre of mass, on the front, until 8 s, then released. The robot "
-        "leans into the force: its pitch is positive."
+        "leans into the force: its pitch is positive. The paper prints this figure as curves only: compare the shape."
     )
     models = [np.degrees(log["truth/pitch"]) for name, log in logs.items() if name in MODELS and log is not None]
     n = min(map(len, models))

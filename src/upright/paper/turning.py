@@ -155,11 +155,11 @@ def _sizes(robot: Robot, logs: Mapping[float, Mapping[str, Log]]) -> Claim:
     kept = {term.text: term.rms for term in listed[SHOWN] if term.kept and term.equation == "φ"}
     beside = next(term.rms for term in listed[SHOWN] if term.text == DRIFT) / kept[CORIOLIS]
     summary = (
-        "Rolling without slip is a non-holonomic constraint. So the correct equations have two more terms on the left: "
-        f"−{SPIN} in the θ equation and +{DRIFT} in the φ equation. At {_rates()} rad/s of yaw the first has "
-        f"{_percentages(spin)} % of the size of the largest term kept in its equation. The second has "
-        f"{_percentages(drift)} %, {beside:.0f} times the Coriolis term that the model keeps (RMS along the run). A "
-        "body whose roll inertia J_ρ differs from J_φ adds the terms with J_ρ − J_φ. All of them vanish in straight "
+        f"At {_rates()} rad/s of yaw, two terms that are left out have {_percentages(spin)} % and "
+        f"{_percentages(drift)} % of the size of the largest term kept in their equations. Wheels that roll and do not "
+        f"slide sideways (a non-holonomic constraint) add them on the left: −{SPIN} in the θ equation and +{DRIFT} in "
+        f"the φ equation. The second is {beside:.0f} times the Coriolis term that the model keeps (RMS along the run). "
+        "A body whose roll inertia J_ρ differs from J_φ adds the terms with J_ρ − J_φ. All of them vanish in straight "
         "motion."
     )
     numbers = {"share_of_largest_kept_term": {text: _keyed(fractions) for text, fractions in left_out.items()}}
@@ -196,8 +196,8 @@ def _judged(logs: Mapping[float, Mapping[str, Log]], stiffened: Mapping[float, L
     at = errors[SHOWN]
     complete, published = (_percent(at[name]["pitch"].rms) for name in ("complete", "published"))
     summary = (
-        f"MuJoCo uses neither derivation and agrees with the complete model. Turning at {SHOWN:g} rad/s, the complete "
-        f"model's pitch differs from the twin’s by {complete} of the peak (RMS), the published model's by {published}. "
+        f"Turning at {SHOWN:g} rad/s, the complete model (with the terms of 2a) differs from MuJoCo's pitch by "
+        f"{complete} of the peak (RMS), the published model by {published}. MuJoCo uses neither derivation. "
         "The remaining difference comes from the twin’s contact, which slips slightly, most at the start. When the "
         f"contact time falls from {1000 * CONTACTS[0]:g} ms to {1000 * CONTACTS[-1]:g} ms, the complete model’s error "
         f"falls from {_percent(soft['complete'])} to {_percent(stiff['complete'])}. The published model’s does not "

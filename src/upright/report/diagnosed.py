@@ -35,7 +35,7 @@ FAULTS = {
 """What is wrong where a check finds something, for the title."""
 WORDS = {
     "delay/sensor": "a late sensor", "delay/command": "late commands", "segment/fall": "a fall",
-    "segment/slip": "a slip",
+    "segment/slip": "a slip", "segment/still": "at rest",
     "saturation": "motors at their limit",
     "samples/controller": "rows left out", "samples/repeated": "repeated rows",
 }  # fmt: skip
@@ -49,7 +49,7 @@ def page_of(result: Diagnosis) -> Page:
     """The page, not yet written."""
     faults = result.faults
     rows: list[list[Cell]] = [
-        [_KINDS[f.severity], _channel(f), sentence(_evidence(result, f)), _repair(f) or "nothing"]
+        [_kind(f), _channel(f), sentence(_evidence(result, f)), _repair(f) or "nothing"]
         for f in result.findings
         if f.code != "segment/cut"  # that is a number of the first screen
     ]
@@ -80,7 +80,13 @@ def page_of(result: Diagnosis) -> Page:
 _KINDS = {"error": Verdict("fault", "bad"), "warning": Verdict("fault", "warn"), "note": Verdict("remark", "info")}
 _FAULT = "A fault must be repaired, or allowed for, before a model is fitted. "
 _RED = "Where it is red, the log is wrong. "
-_REMARK = "A remark does not spoil the log; what it advises makes a model better."
+_REMARK = "A remark is no error of the log, but says what it is not good for."
+
+
+def _kind(finding: Finding) -> Verdict:
+    """Fault or remark, and which."""
+    kind = _KINDS[finding.severity]
+    return Verdict(f"{kind.text}: {_in_words(finding)}", kind.level)
 
 
 def _counted(faults: list[Finding], failed: int, checks: int) -> tuple[str, str]:
@@ -102,7 +108,7 @@ def _title(result: Diagnosis, faults: list[Finding]) -> str:
         falls = [f.span[0] for f in faults if f.code == "segment/fall" and f.span and f.span[0] >= stop]
         balanced = sum(b - a for a, b in _within(result, BALANCING, start, stop))
         if falls and balanced:
-            return f"{name}: it balances, then falls at {moment(min(falls))} s"
+            return f"{name}: it balances, then falls at about {min(falls):.1f} s"
         begins = f"from {moment(start)} to " if start > result.read.t[0] else "up to "
         return f"{name}: usable {begins}{moment(stop)} s{', then the robot falls' if falls else ''}"
     kinds = list(dict.fromkeys(_in_words(f) for f in faults))
@@ -126,7 +132,9 @@ def _verdict(result: Diagnosis, faults: list[Finding]) -> Verdict:
     level = "bad" if any(f.severity == "error" for f in faults) else "warn"
     count = len(_repairable(result))
     if _one_cut(result) and len(faults) > 1:
-        return Verdict(f"one cut removes all {len(faults)} faults", level)
+        return Verdict(
+            "cut it; too quiet for a model" if _quiet(result) else f"one cut removes all {len(faults)} faults", level
+        )
     if len(faults) == 1:
         return Verdict("it can be repaired" if count else "it cannot be repaired", level)
     return Verdict(f"{count or 'none'} of the {len(faults)} can be repaired", level)
@@ -344,7 +352,11 @@ def _events(result: Diagnosis) -> str:
     fell = [f.span[0] for f in result.faults if f.code == "segment/fall" and f.span]
     before = min((at - result.kept[1] for at in fell if at >= result.kept[1]), default=0.0)
     ahead = f", {cell_text(before, 2)} s before the fall" if before else ""
-    return f"{sentence(what)} No fault lies between {start} and {stop} s{ahead}."
+    text = f"{sentence(what)} No fault lies between {start} and {stop} s{ahead}"
+    swing = sensors.amplitude(sound) if _quiet(result) and (sound := _sound(result)) else 0.0
+    return (
+        f"{text}; there it swings by only {cell_text(math.degrees(swing), 2)}°, {_TOO_QUIET}." if swing else f"{text}."
+    )
 
 
 def _next(result: Diagnosis, faults: list[Finding]) -> str:
@@ -355,22 +367,22 @@ def _next(result: Diagnosis, faults: list[Finding]) -> str:
     repairs = [f"repairs: {'; '.join(done)}"] if done else []
     if result.kept:
         start, stop = map(moment, result.kept)
-        gone = ": the faults go" if _one_cut(result) else ""
-        rest = bool(_within(result, STANDING, *result.kept))
-        gone += f"{';' if gone else ':'} the time at rest stays, for the gyro's noise alone" if rest else ""
+        gone = ", without the faults" if _one_cut(result) else ""
         repairs.append(f"{'It ' if done else ''}keeps {start} ≤ t < {stop} s{gone}")
     if not fixed:
         return f"`upright calibrate {name} --robot ROBOT -o robot.toml`."
     kept = [_in_words(f) for f in faults if f not in _repairable(result)]
     left = f" It leaves {joined(list(dict.fromkeys(kept)))}." if kept else ""
-    quiet = any(f.code == "motion/quiet" for f in result.findings)
-    log = f" {_EXCITED}" if quiet else ""
+    log = f" {_EXCITED}" if _quiet(result) else ""
     fell = any(f.code == "segment/fall" for f in faults)
     why = f"`upright post-mortem {name} --robot ROBOT` finds why it fell. " if fell else ""
     return f"{why}`upright doctor {name} --fix repaired.csv` {'. '.join(repairs)}.{left}{log}"
 
 
-_EXCITED = (
-    "The robot swings too little here for a model: log a new run with the signal that "
-    "`upright excite --robot ROBOT -o plan.json` designs."
-)
+_TOO_QUIET = "too little for a model"
+_EXCITED = "For a model log a new run with the signal that `upright excite --robot ROBOT -o plan.json` designs."
+
+
+def _quiet(result: Diagnosis) -> bool:
+    """Whether the robot swings too little for a model."""
+    return any(f.code == "motion/quiet" for f in result.findings)

@@ -63,14 +63,20 @@ def histogram(data: Dataset, name: str) -> Figure:
 
 
 def _still(data: Dataset) -> str:
-    """That some robots never left the place where they stood balanced, as a sentence with a space behind it; nothing
+    """Who the dots at 0 are, as a sentence with a space behind it; nothing where there are no two groups."""
+    swings = _swinging(data)
+    return "" if swings is None else f"At 0: the {int((~swings).sum())} robots that never moved. "
+
+
+def _untested(data: Dataset) -> str:
+    """That some robots never left the place where they stood balanced, as a sentence with a space before it; nothing
     where they were pushed, or all or none did."""
     swings = _swinging(data)
     if swings is None:
         return ""
     return (
-        f"Two groups: {int((~swings).sum())} robots never rolled, since small commands stay within the motors' dead "
-        "zone. The others were started by the sensors' noise, and swing. "
+        f" {int((~swings).sum())} never moved: they start upright, nothing disturbs them, and the small commands that "
+        "noise makes stay within the motors' dead zone. They test nothing."
     )
 
 
@@ -92,8 +98,8 @@ def _quantiles(data: Dataset, kept: Mapping[str, Sequence[float]], units: Mappin
         scale, unit = (100.0, "%") if unit == "1" else (scale, unit)
         of = quantiles if swings is None else np.quantile(stood(data, name)[swings], (0.05, 0.5, 0.95)).tolist()
         rows.append([f"{_called(data, name)} [{unit}]", *(scale * value for value in of)])
-    who = "robots that stood" if swings is None else f"the {int(swings.sum())} that swing"
-    over = "the robots" if swings is None else "the robots that swing; the others hardly move"
+    who = "robots that stood" if swings is None else f"the {int(swings.sum())} that moved"
+    over = "the robots" if swings is None else "the robots that moved"
     return Table([who, "5 %", "median", "95 %"], rows, f"Quantiles over {over}", 3)
 
 
@@ -204,11 +210,11 @@ def over_strongest(data: Dataset, outcome: str) -> Figure | None:
     few = np.union1d(np.arange(0, len(x), max(every, 1)), ends)
     ax.plot(x[few], y[few], ".", markersize=3)
     drawn = "every second robot" if every == 2 else f"one of every {every} robots"
-    dots = "each dot is a robot" if every <= 1 else f"each dot is a robot; {drawn} is drawn, and both ends"
+    dots = "each dot is a robot" if every <= 1 else f"each dot is a robot; {drawn} is drawn, and the least and the most"
     how = "grows" if size > 0 else "shrinks"
     if outcome == "peak_pitch":
         limit = math.degrees(FALLEN)
-        far = f"; a fall, {limit:.0f}°, is far above" if float(y.max()) < limit / 2 else ""
+        far = f"; where a fall ends, {limit:.0f}°, is far above" if float(y.max()) < limit / 2 else ""
         if not far:
             ax.axhline(limit, linestyle="--", linewidth=1, color=AXIS)
             ax.annotate("a fall", (1, limit), (-4, -11), ha="right", **FRACTION)
@@ -262,7 +268,7 @@ def page_of(result: Fleet | Dataset) -> Page:
 def _fleet_page(data: Dataset, summary: Summary) -> Page:
     """Falls and quantiles of the robots, with the distribution of each outcome."""
     pushes = origin_of(data).get("scenario", {}).get("push")
-    kept = {name: row for name, row in summary.quantiles.items() if pushes or name != "settling"}
+    kept = summary.quantiles
     names = [name for name, row in kept.items() if np.isfinite(row[1]) and np.ptp(row) > 0]
     explained = _explained(data, summary.fell)
     table = _quantiles(data, kept, summary.units)
@@ -278,29 +284,32 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     acts = f" The push acts {where(pushes)}." if where(pushes) else ""
     seconds = origin_of(data).get("scenario", {}).get("seconds")
     lasts = f" Each run lasts {seconds:g} s." if seconds else ""
-    lead = f"{_differ(data, robot)}{lasts}{acts}{knocks}{matters}{_untold(summary, explained)} Next: {after}{all_vary}."
+    says = f"{_untested(data) or matters}{_untold(summary, explained)}"
+    lead = f"{_differ(data, robot)}{lasts}{acts}{knocks}{says} Next: {after}{all_vary}."
     rare = summary.chance.value <= RARE
     bounds = f"{number(100 * chance.low, 2)} to {number(100 * chance.high, 2)} %"
     numbers = [
         (
             f"≤ {number(100 * upper_bound(summary.fell, summary.n), 2)} %" if rare else bounds,
-            "of such robots fall, with 95 % confidence"
-            + (f"; a certificate allows {100 * MOST_FALLS:g} %" if pushes else ""),
+            f"of such robots fall, with 95 % confidence; a certificate allows {100 * MOST_FALLS:g} %"
+            if pushes
+            else "of such robots fall while nothing disturbs them (95 % confidence)",
         )
     ]
     swings = _swinging(data)
-    still = "" if swings is None else f", with the {int((~swings).sum())} that never rolled"
-    if "peak_pitch" in summary.quantiles and np.isfinite(summary.quantiles["peak_pitch"][2]):
-        peak, fall = math.degrees(summary.quantiles["peak_pitch"][2]), math.degrees(FALLEN)
-        who = f"95 % of {_those(summary)}"
-        text = f"is the most that {who} leaned{still}; at {fall:.0f}° a robot lies"
-        numbers.append((f"{number(peak, 2)}°", text))
+    most = {name: row[2] for name, row in summary.quantiles.items()}
+    if swings is not None:
+        most |= {name: float(np.quantile(stood(data, name)[swings], 0.95)) for name in most}
+    who = f"95 % of {_those(summary) if swings is None else f'the {int(swings.sum())} that moved'}"
+    if math.isfinite(most.get("peak_pitch", math.nan)):
+        text = f"is the most that {who} leaned"
+        numbers.append((f"{number(math.degrees(most['peak_pitch']), 2)}°", text))
     if "settling" in kept and np.isfinite(kept["settling"]).all():
-        _, half, most = kept["settling"]
+        _, half, late = kept["settling"]
         after = _called(data, "settling").removeprefix("settling time ")
-        numbers.append((f"{half:.3g} s", f"{after} half of them stay within {_BAND}; 95 % after {most:.3g} s"))
-    elif "travel" in kept and np.isfinite(kept["travel"][2]):
-        numbers.append((f"{kept['travel'][2]:.2g} m", f"is the furthest that 95 % of {_those(summary)} rolled"))
+        numbers.append((f"{half:.3g} s", f"{after} half of them stay within {_BAND}; 95 % after {late:.3g} s"))
+    elif math.isfinite(most.get("travel", math.nan)):
+        numbers.append((f"{1e3 * most['travel']:.2g} mm", f"is the furthest that {who} rolled"))
     outcomes = ["fell"] if explained else names[:1]
     trends = [name for name in outcomes if explained or matters or _clear(data, name)]
     causes = [figure for name in trends for figure in (over_strongest(data, name), influence(data, name)) if figure]
@@ -345,7 +354,7 @@ def _verdict(data: Dataset, summary: Summary, knocks: str) -> Verdict:
     if verdict.level == "bad":
         return verdict
     if not origin_of(data).get("scenario", {}).get("push"):
-        return Verdict("not pushed: no certificate", "info")
+        return Verdict("not pushed", "info")
     if len(names) > FEW:
         return verdict
     varied = f"only {joined([spoken(name) for name in names])} varied" if names else "nothing but noise varied"
