@@ -41,7 +41,7 @@ SPANISH = {
     "{}, measured − predicted": "{}, medido − predicho",
     "balancing": "en equilibrio", "standing still": "de pie, quieto",
     "lying": "caído", "upside down": "cabeza abajo", "standing up": "levantándose", "falling": "cayendo",
-    "fallen": "tras caer", "moved": "movido",
+    "fallen": "tras caer", "moved": "movido", "cut": "corte",
     "at the limit": "en el límite", "held out: not fitted": "apartado: no se ajustó",
     "skill": "acierto", "prediction horizon": "horizonte de predicción",
     # a loop

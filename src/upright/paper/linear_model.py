@@ -118,10 +118,10 @@ def _fitted(log: Log, fit: LeastSquares) -> Claim:
 def _biased(robot: Robot, log: Log, fit: LeastSquares, longer: LeastSquares) -> Claim:
     true = unstable_pole(linearise(robot).c2d(printed.PERIOD))
     estimated, with_more = unstable_pole(fit.model), unstable_pole(longer.model)
-    found = "finds an unstable pole of" if estimated > 0 else "finds no unstable pole: its largest is"
-    found += f" {cell_text(estimated, 3)} 1/s"
+    gives = "finds an unstable pole of" if estimated > 0 else "finds no unstable pole: its largest is"
+    gives += f" {cell_text(estimated, 3)} 1/s"
     summary = (
-        f"On the twin's sensors (encoders of 1°, gyro with noise and bias) the same regression {found}; the true "
+        f"On the twin's sensors (encoders of 1°, gyro with noise and bias) the same regression {gives}; the true "
         f"unstable pole is {cell_text(true, 3)} 1/s. Noise in the regressors "
         f"biases least squares, and {MORE} times the data does not remove the bias ({cell_text(with_more, 3)} 1/s)."
     )

@@ -96,11 +96,16 @@ def _quantiles(data: Dataset, kept: Mapping[str, Sequence[float]], units: Mappin
     for name, quantiles in kept.items():
         scale, unit = _scale(units[name])
         scale, unit = (100.0, "%") if unit == "1" else (scale, unit)
-        of = quantiles if swings is None else np.quantile(stood(data, name)[swings], (0.05, 0.5, 0.95)).tolist()
-        rows.append([f"{_called(data, name)} [{unit}]", *(scale * value for value in of)])
+        rows.append([f"{_called(data, name)} [{unit}]", *(scale * value for value in _of_those(data, name, quantiles))])
     who = "robots that stood" if swings is None else f"the {int(swings.sum())} that moved"
     over = "the robots" if swings is None else "the robots that moved"
     return Table([who, "5 %", "median", "95 %"], rows, f"Quantiles over {over}", 3)
+
+
+def _of_those(data: Dataset, name: str, quantiles: Sequence[float]) -> Sequence[float]:
+    """The 5, 50 and 95 % quantiles of an outcome; of two groups those of the robots that moved."""
+    swings = _swinging(data)
+    return quantiles if swings is None else np.quantile(stood(data, name)[swings], (0.05, 0.5, 0.95)).tolist()
 
 
 def _matters(data: Dataset, outcome: str) -> str:
@@ -297,17 +302,14 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
         )
     ]
     swings = _swinging(data)
-    most = {name: row[2] for name, row in summary.quantiles.items()}
-    if swings is not None:
-        most |= {name: float(np.quantile(stood(data, name)[swings], 0.95)) for name in most}
+    most = {name: _of_those(data, name, row)[2] for name, row in summary.quantiles.items()}
     who = f"95 % of {_those(summary) if swings is None else f'the {int(swings.sum())} that moved'}"
     if math.isfinite(most.get("peak_pitch", math.nan)):
-        text = f"is the most that {who} leaned"
-        numbers.append((f"{number(math.degrees(most['peak_pitch']), 2)}°", text))
+        numbers.append((f"{number(math.degrees(most['peak_pitch']), 2)}°", f"is the most that {who} leaned"))
     if "settling" in kept and np.isfinite(kept["settling"]).all():
-        _, half, late = kept["settling"]
+        _, half, longest = kept["settling"]
         after = _called(data, "settling").removeprefix("settling time ")
-        numbers.append((f"{half:.3g} s", f"{after} half of them stay within {_BAND}; 95 % after {late:.3g} s"))
+        numbers.append((f"{half:.3g} s", f"{after} half of them stay within {_BAND}; 95 % after {longest:.3g} s"))
     elif math.isfinite(most.get("travel", math.nan)):
         numbers.append((f"{1e3 * most['travel']:.2g} mm", f"is the furthest that {who} rolled"))
     outcomes = ["fell"] if explained else names[:1]
