@@ -30,7 +30,7 @@ REPAIRS = {
     DROPPED: "take logging and sockets out of the loop, relieve the bus, and count missed periods with a watchdog",
     SLIP: "clean tyres and floor, use softer tyres, or limit the command to the grip of the floor",
     BATTERY: "charge or change the battery; scale the duty by the measured voltage",
-    PUSH: "nothing is broken: push less, or design for larger pushes (`upright push-map` finds the largest)",
+    PUSH: "nothing looks broken: push less, or design for larger pushes (`upright push-map` finds the largest)",
     DELAY: "find the cause of the delay (bus, filter, sensor mode), or design for it",
     LOW: "raise the gain, or design a new controller (`upright design`)",
     HIGH: "lower the gain, or design a new controller (`upright design`)",
@@ -73,8 +73,8 @@ class Blow:
         if abs(self.impulse) < (1 - KNOWN) * self.most:
             return REPAIRS[PUSH]
         return (
-            f"nothing is broken: push less. No controller saves more than {self.most:.2g} N s with these motors and "
-            "this battery; `upright push-map` finds what yours saves"
+            f"nothing in the log looks broken: push less. No controller saves more than {self.most:.2g} N s with these "
+            "motors and this battery; `upright push-map` finds what yours saves"
         )
 
     def size(self) -> str:

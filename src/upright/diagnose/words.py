@@ -187,8 +187,8 @@ def at_limit(evidence: Evidence) -> str:
 def nothing(evidence: Evidence, *, pushed: bool) -> str:
     """Why no cause is likely; where a push is one, for the case that it was smaller than it seems."""
     if pushed:
-        return f"if the push was smaller than it seems: {sound(evidence)}, and no demand or change is large enough"
-    return f"{sound(evidence)}; no push, demand or change is large enough"
+        return f"if the push was smaller than it seems, nothing else in the log explains the fall: {sound(evidence)}"
+    return f"{sound(evidence)}; no push, change of speed or change of load is large enough"
 
 
 def sound(evidence: Evidence) -> str:

@@ -67,8 +67,8 @@ def _most(result: PostMortem) -> list[Item]:
 
 
 _MOST = (
-    "No push gets more than {:.0f} %: in about one fall of ten something helps that the log does not show, and a fault "
-    "may look like a push."
+    "No push is given more than {:.0f} %: in about one fall of ten something that the log does not show adds to it, "
+    "and a fault may look like a push."
 )
 
 
