@@ -10,7 +10,9 @@ import pytest
 from scipy.linalg import expm
 
 from upright.certify import Loop, analyse, delay_margin, disk_margin, margins, parameter_mu, robot_loop
+from upright.certify.design import design
 from upright.certify.margins import broken_at, disk_gain, disk_phase, sign_changes
+from upright.certify.release import UPRIGHT, let_go
 from upright.certify.scaling import balanced, best_scaling
 from upright.certify.verdict import linear_margins
 from upright.control import Controller, make_controller
@@ -20,7 +22,7 @@ from upright.control.lqr import lqr
 from upright.control.state_space import continuous, controller_of, discrete
 from upright.errors import InvalidModel
 from upright.physics.dynamics import turn_ratio
-from upright.physics.linear import LinearModel, linearise, rolling
+from upright.physics.linear import LinearModel, linearise, linearise_rolling, rolling
 from upright.physics.sensing import sensor_matrix
 from upright.report import report
 from upright.robots import Kit, Robot
@@ -351,3 +353,62 @@ def test_a_zero_at_the_end_of_an_interval_is_found_where_rounding_gives_it_eithe
     # f is 1e-15 there alone; among many frequencies it was −1e-17, as sums in another order may be
     places = sign_changes(lambda w: w - 1.0, np.array([1.0 + 1e-15, 2.0]), np.array([-1e-17, 1.0]))
     assert places == pytest.approx([1.0])
+
+
+@pytest.mark.parametrize("method", ["hinf", "pid"])
+def test_unstable_poles_of_the_opened_loop_have_owners(method: str) -> None:
+    """The robot's are those of its linear equations, log z / T = s; the rest is what the controller alone has."""
+    kit = Kit.preset("nxt")
+    result = analyse(NXT, make_controller(method, NXT, kit, 0.01), kit, robots=[])
+    robot, controller, both = result.unstable()
+    falling = [float(pole.real) for pole in linearise_rolling(NXT).poles() if pole.real > 1e-6]
+    assert robot.tolist() == pytest.approx(falling, rel=1e-6)
+    alone = np.linalg.eigvals(result.loop.controller.A)
+    assert len(controller) == int((np.abs(alone) > 1 + 1e-6).sum()) == {"hinf": 0, "pid": 1}[method]
+    assert len(both) == 0  # steering, which stays closed, is apart from them by the robot's symmetry
+    gain = result._broken("both motors")
+    z = (1 + 1e-4) * np.exp(1j * np.linspace(-np.pi, np.pi, 200_001))
+    around = 1 + control.ss(gain.A, gain.B, gain.C, gain.D, gain.dt)(z)
+    turns = float(np.angle(around[1:] / around[:-1]).sum()) / (2 * np.pi)
+    assert turns == pytest.approx(result.turns(), abs=1e-6)
+    assert math.copysign(1, result.far()) == math.copysign(1, around[100_000].real)  # at z = 1 + 1e-4
+
+
+def test_beyond_a_slow_gain_margin_the_robot_rolls_to_and_fro() -> None:
+    """With motors 5 % stronger than the margin the growing motion has the margin's frequency, and is one of wheels."""
+    kit = Kit.preset("nxt")
+    loop = robot_loop(NXT, make_controller("lqg", NXT, kit, 0.01), kit)
+    both = margins(loop.at_input, (1.0, 1.0))
+    K, factor = loop.controller, 1.05 * both.gain_high
+    closed = Loop(loop.plant, LinearModel(K.A, K.B, factor * K.C, factor * K.D, K.dt)).closed
+    poles, vectors = np.linalg.eig(closed.A)
+    k = int(np.argmax(np.abs(poles)))
+    assert abs(poles[k]) > 1
+    assert abs(np.angle(poles[k])) / 0.01 == pytest.approx(both.gain_high_at, rel=0.1)  # the margin is 5 % away
+    travel = NXT.wheel_radius * abs(vectors[2, k]) / math.degrees(abs(vectors[0, k]))  # [m] for each degree of lean
+    assert travel > 0.17  # g ψ / ω² at 1 rad/s, and this is slower
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("method", "robot"), [("lqg", "nxtway-gs"), ("hinf", "nxtway-gs"), ("lqg", "ev3way")])
+def test_let_go_the_robot_moves_as_its_linear_loop_does(method: str, robot: str) -> None:
+    """From 5° the loop's matrices give the same lean and travel, once noise, resolution and dead zone are left out;
+    what is left is sin ψ, at 8° a third of a per cent below ψ, and a motor's dry friction."""
+    result = design(method, robot)
+    assert result.analysis
+    sensors = {
+        name: replace(sensor, noise=0.0, quantum=0.0, bias=0.0, bias_walk=0.0)
+        for name, sensor in result.kit.sensors.items()
+    }
+    motor = replace(result.kit.motor, dead_zone=0.0, quantum=0.0, backlash=0.0)
+    run = let_go(result.robot, result.controller, replace(result.kit, sensors=sensors, motor=motor))
+    closed, x = result.analysis.loop.closed, np.zeros(len(result.analysis.loop.closed.A))
+    x[0] = run.lean
+    states = [x]
+    for _ in range(len(run.log.t) - 1):
+        states.append(closed.A @ states[-1])
+    pitch, wheel = np.abs(np.array(states)[:, 0]), np.abs(np.array(states)[:, 2])
+    assert run.fell is None
+    assert run.largest == pytest.approx(pitch.max(), rel=0.02)
+    assert run.travel == pytest.approx(wheel.max() * run.radius, rel=0.02)
+    assert run.upright == pytest.approx((np.flatnonzero(pitch > UPRIGHT)[-1] + 1) * 0.01, abs=0.05)

@@ -15,8 +15,10 @@ import numpy as np
 import pytest
 from xarray import Dataset
 
+from upright.certify.design import design
 from upright.comparison import compare
 from upright.comparison.bench import Bench, BenchRow
+from upright.control import design_of
 from upright.decimate import decimate
 from upright.errors import InvalidLog, UnknownName, UprightError
 from upright.experiment.pushes import Impulse, Slope
@@ -39,8 +41,9 @@ from upright.plotting import (
     rows_of,
     span,
 )
-from upright.report import PAGES, Figure, Formula, Page, Section, Table, Verdict, page_of, report
+from upright.report import PAGES, Details, Figure, Formula, Page, Section, Table, Verdict, page_of, report
 from upright.report.campaign import falls_verdict
+from upright.report.designed import controller_section
 from upright.report.following import completed
 from upright.report.knocks import harder
 from upright.report.page import cell_text
@@ -591,3 +594,39 @@ def test_what_to_run_next_keeps_the_robot_kit_and_controller_that_were_typed(fol
     assert completed(f"It `upright stands`. Next: `upright {following}`, then.", command) == (
         f"It `upright stands`. Next: `upright {completed_one}`, then."
     )
+
+
+def test_words_that_only_folded_parts_use_are_folded_too():
+    seen, folded = Section("Open", ["A twin."]), Section("Ms of it", ["The NIS.", Details("Mt", ["BIC"])], folded=True)
+    html = Page("P", [seen, folded], twin_note=True).html()
+    first, _, rest = html.partition("Words of the folded parts")
+    words = [re.findall(r'<div id="word-([^"]+)"><dt>', part) for part in (first, rest)]
+    # headings of folded sections are seen, what stands below them is not
+    assert words == [["Ms", "twin"], ["BIC", "Mt", "NIS"]]
+
+
+def test_a_designs_page_has_its_weights_and_gains():
+    """Bryson's rule: 1/0.15² of pitch, 1/4² of a volt (`LARGEST_STATE`, `LARGEST_COMMAND`)."""
+    result = design("lqg", "nxtway-gs")
+    page = page_of(result)
+    section = next(section for section in page.sections if section.heading == "The controller")
+    assert section.folded
+    words, cost, weights, _, filtered = section.items
+    assert words.startswith("It reads encoder left, encoder right and gyro every 10 ms, and commands each motor in V.")
+    assert "R is 0.0625 1/V² for each motor: 4 V cost 1." in cost
+    assert weights.rows[0][:3] == ["pitch [rad]", pytest.approx(1 / 0.15**2), pytest.approx(0.15)]
+    K = design_of(result.controller).gain
+    assert [row[3:] for row in weights.rows] == [list(column) for column in K.T]
+    assert weights.rows[6][0] == "left command 1 period ago [V]"  # the dead time of nxt is within one period
+    assert filtered.header[1:] == ["encoder left [unit/rad]", "encoder right [unit/rad]", "gyro [unit/(rad/s)]"]
+
+
+@pytest.mark.parametrize("method", ["lqr", "lqi", "pid", "hinf", "sliding", "mpc"])
+def test_every_method_shows_what_it_was_found_by(method):
+    result = design(method, "nxtway-gs")
+    section = controller_section(result)
+    tables = [item for item in section.items if isinstance(item, Table)]
+    assert tables
+    numbers = [cell for table in tables for row in table.rows for cell in row[1:]]
+    assert all(cell is None or math.isfinite(cell) for cell in numbers)
+    assert all("_" not in row[0] and "[" in row[0] for table in tables for row in table.rows)  # a name with its unit

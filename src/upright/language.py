@@ -50,6 +50,7 @@ SPANISH = {
     "gain margins": "márgenes de ganancia", "phase margin": "margen de fase", "real part": "parte real",
     "imaginary part": "parte imaginaria", "loop gain L(jω)": "ganancia de lazo L(jω)",
     "negative frequencies": "frecuencias negativas", "distance 1 / Ms": "distancia 1 / Ms",
+    "nearest to −1": "lo más cerca de −1",
     "unit circle: inside it a motion fades": "círculo unidad: dentro, un movimiento se apaga",
     "robots drawn from the spreads": "robots sorteados según la incertidumbre", "nominal robot": "robot nominal",
     "broken at": "cortado en", "gain": "ganancia", "disk": "disco", "poles": "polos",
@@ -66,8 +67,9 @@ SPANISH = {
         "Con # ms más de retardo en un solo lugar ({}) se vuelve inestable.",
     "Both motors, varied independently: gains between # and # %, or phases up to #.":
         "Ambos motores, cada uno por su lado: ganancias entre # y # %, o fases hasta #.",
-    "Of # robots drawn from the spreads, # are unstable.":
-        "De # robots sorteados según la incertidumbre, # son inestables.",
+    "Of # simulated robots, as different as the robot's file allows, {}.":
+        "De # robots simulados, tan distintos como permite su archivo, {}.",
+    "none is unstable": "ninguno es inestable", "# is unstable": "# es inestable", "# are unstable": "# son inestables",
     "The loop is unstable: its largest pole is at |z| = #.":
         "El lazo es inestable: su mayor polo está en |z| = #.",
     "Parameters within their intervals (μ): the loop {}; {}.":

@@ -161,24 +161,24 @@ def points(ax: Axes, name: str, values: Sequence[complex], style: int | None = N
 
 
 @styled
-def nyquist(response: ArrayLike, distance: float, reach: float = 3.0) -> Figure:
-    """The curve L(jω) and its mirror image, with an arrow towards rising ω, the point −1, and the circle of radius
-    `distance` round it, which the curve touches; cut `reach` away from the origin."""
+def nyquist(response: ArrayLike, distance: float) -> Figure:
+    """L(jω) and its mirror image, an arrow towards rising ω, and the circle of radius `distance` that touches them."""
     L: Complex = np.asarray(response, dtype=np.complex128)
-    reach = min(reach, max(1.2 * float(np.abs(L).max(initial=0.0)), 1.6))
-    near = np.abs(L) < 2 * reach
-    real, imaginary = np.where(near, L.real, np.nan), np.where(near, L.imag, np.nan)
+    reach = max(1.0, 1.35 * distance)
+    real, imaginary = np.where(np.abs(L + 1) < 4 * reach, [L.real, L.imag], np.nan)
     figure, ax = plane("real part [1]", "imaginary part [1]")
     ax.plot(real, imaginary, color=COLOURS[0], linestyle="-", label="loop gain L(jω)")
     ax.plot(real, -imaginary, color=COLOURS[0], linestyle=DASHES[2], label="negative frequencies")
     ax.add_patch(Circle((-1, 0), distance, facecolor=COLOURS[1], alpha=0.3, linewidth=0, label="distance 1 / Ms"))
     ax.plot([-1], [0], linestyle="", marker="x", markersize=8, color=COLOURS[1], label="−1")
-    inside = np.flatnonzero(np.abs(L[:-1]) < 0.7 * reach)
-    if len(inside) > 1:
-        at = inside[len(inside) // 3]
+    touch = L[np.argmin(np.abs(L + 1))]
+    ax.plot(touch.real, touch.imag, "o", markersize=5, color=COLOURS[4], label="nearest to −1")
+    inside = np.flatnonzero((np.abs(L + 1) < reach)[:-1])
+    if len(inside):
+        at = inside[np.argmax(np.abs(L[inside] - touch))]
         start, end = ((float(z.real), float(z.imag)) for z in L[at : at + 2])
         ax.annotate("", end, start, arrowprops={"arrowstyle": "-|>", "color": COLOURS[0], "mutation_scale": 16})
-    ax.set(xlim=(-reach, 0.8 * reach), ylim=(-0.9 * reach, 0.9 * reach))
+    ax.set(xlim=(-1 - 1.15 * reach, -1 + 1.35 * reach), ylim=(-1.25 * reach, 1.25 * reach))
     return legend(figure)
 
 

@@ -10,22 +10,32 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from upright.arrays import Array, Complex
+from upright.certify.diagrams import mark_margins
 from upright.certify.gap import nu_gap, stability_margin
 from upright.certify.loop import Loop, commanded_plant, robot_loop
-from upright.certify.margins import Margins, broken_at, disk_gain, disk_margin, disk_phase, margins
+from upright.certify.margins import (
+    Margins,
+    ScalarResponse,
+    broken_at,
+    disk_gain,
+    disk_margin,
+    disk_phase,
+    frequencies,
+    margins,
+)
 from upright.certify.mu import Mu, parameter_mu
 from upright.control.controller import Controller, controller_hash
 from upright.control.delay import MOST_PERIODS, sampled
 from upright.control.lqr import LARGEST_COMMAND
 from upright.control.near_rest import near_rest
 from upright.control.state_space import controller_of
+from upright.physics.dynamics import motor_gain
 from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import draw
 from upright.tables import Shown, preformatted, short
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 
@@ -34,6 +44,7 @@ INPUTS = {"left motor": (1.0, 0.0), "right motor": (0.0, 1.0), "both motors": (1
 
 LATEST = 0.3  # [s] more delay than this no balancing robot survives
 ROUNDED = 1e-6  # an integrator's pole, which is at 1 but for rounding, is not unstable
+NEAR_ZERO = 1e-5  # beyond 1: nearer to frequency zero than any motion of a robot, farther than rounding of a pole at 1
 SHOWN_GAIN = 0.01  # a smaller loop gain sets no margin, and is not drawn
 FINEST = 1e-3  # [s] steps of delay: a loop that is unstable between two of them alone is not found
 DRAWN = 200
@@ -48,7 +59,8 @@ class Analysis(Shown):
 
     `delay` [s] is the delay margin, found by increasing the dead time of the sampled robot itself. `coprime` is b(P,
     C), and `gap` the largest ν-gap of the drawn robots, both with inputs and outputs in comparable units. `radii` (n,)
-    are the largest |pole| of each drawn robot, and `drawn` (n, states) their poles.
+    are the largest |pole| of each drawn robot, `drawn` (n, states) their poles, and `strengths` (n,) how strong their
+    motors are, over the nominal ones.
     """
 
     robot: str
@@ -63,6 +75,7 @@ class Analysis(Shown):
     coprime: float
     gap: float
     drawn: Complex
+    strengths: Array
     loop: Loop
     mu: Mu | None = None
 
@@ -75,6 +88,12 @@ class Analysis(Shown):
     def radii(self) -> Array:
         """The largest |pole| of each drawn robot."""
         return np.abs(self.drawn).max(axis=1) if len(self.drawn) else np.empty(0)
+
+    @property
+    def lost(self) -> str:
+        """How many of the drawn robots are unstable, in words."""
+        count = int((self.radii >= 1).sum())
+        return f"{count or 'none'} {'is' if count <= 1 else 'are'} unstable"
 
     @property
     def weakest(self) -> Margins:
@@ -90,13 +109,13 @@ class Analysis(Shown):
         if not self.stable:
             return [f"The loop is unstable: its largest pole is at |z| = {np.abs(self.poles).max():.4f}."]
         low, high = disk_gain(self.disk)
-        fell, first = int((self.radii >= 1).sum()), self.weakest
+        first = self.weakest
         sentences = [
             self.both().words(),
             f"With {1e3 * first.delay:.3g} ms more delay at {_alone(first.channel)} it becomes unstable.",
             f"Both motors, varied independently: gains between {low * 100:.0f} and {high * 100:.0f} %, "
             f"or phases up to {math.degrees(disk_phase(self.disk)):.0f}°.",
-            f"Of {len(self.radii)} robots drawn from the spreads, {fell} are unstable.",
+            f"Of {len(self.radii)} simulated robots, as different as the robot's file allows, {self.lost}.",
         ]
         return sentences + ([f"Parameters within their intervals (μ): the loop {self.mu.words()}"] if self.mu else [])
 
@@ -114,13 +133,36 @@ class Analysis(Shown):
         size.axhline(1.0, linestyle="--", color=AXIS, linewidth=1.0, label="gain 1 and phase ±180°: the point −1")
         ends = np.log10([max(float(np.abs(response).min()), SHOWN_GAIN), 1.05 * float(np.abs(response).max())])
         size.set_ylim(10.0 ** math.floor(ends[0]), 10.0 ** math.ceil(ends[1]))
-        _mark_margins(size, phase, self._of(channel), (omega, angle))
+        mark_margins(size, phase, self._of(channel), (omega, angle))
         return legend(figure)
 
     def turns(self, channel: str = "both motors") -> int:
         """The unstable poles of the loop broken at `channel`: so often a stable loop's Nyquist curve goes round −1,
         anticlockwise."""
-        return int((np.abs(self._broken(channel).poles()) > 1 + ROUNDED).sum())
+        return sum(len(rates) for rates in self.unstable(channel))
+
+    def unstable(self, channel: str = "both motors") -> tuple[Array, Array, Array]:
+        """The unstable poles of the loop broken at `channel`, as rates of growth log|z| / T [1/s]: the robot's own,
+        those of the controller by itself, and those that only the loops left closed make."""
+        poles, left = [_unstable(model) for model in (self.loop.plant, self.loop.controller)], []
+        shared: tuple[list[complex], list[complex]] = ([], [])
+        for pole in _unstable(self._broken(channel)):
+            of = next((k for k, own in enumerate(poles) if np.isclose(own, pole, rtol=0, atol=ROUNDED).any()), None)
+            (left if of is None else shared[of]).append(pole)
+        robot, controller, both = (np.log(np.abs(np.array(some))) / self.period for some in (*shared, left))
+        return robot, controller, both
+
+    def nearest_at(self, channel: str = "both motors") -> float:
+        """The frequency [rad/s] at which the loop broken at `channel` comes nearest to −1."""
+        omega, response = _for_nyquist(self._broken(channel))
+        return float(omega[np.argmin(np.abs(response + 1))])
+
+    def far(self, channel: str = "both motors") -> float:
+        """The loop gain towards frequency zero: where both halves of the Nyquist curve meet, passing the integrators'
+        poles on the outside."""
+        gain = self._broken(channel)
+        n = len(gain.A)
+        return float((gain.C @ np.linalg.solve((1 + NEAR_ZERO) * np.eye(n) - gain.A, gain.B) + gain.D)[0, 0])
 
     def _of(self, channel: str) -> Margins:
         return next(m for m in (*self.inputs, *self.outputs) if m.channel == channel)
@@ -135,11 +177,11 @@ class Analysis(Shown):
     def plot_nyquist(self) -> Figure:
         """Nyquist diagram of the loop broken at both motors, with an arrow towards rising frequency.
 
-        It shows the point −1, and round it the circle of radius 1 / Ms that the loop does not enter.
+        It shows the region round −1, and the circle of radius 1 / Ms that the loop touches and does not enter.
         """
         from upright.plotting import nyquist
 
-        _, response = response_of(self._broken("both motors"))
+        _, response = _for_nyquist(self._broken("both motors"))
         return nyquist(response, 1 / self.both().Ms)
 
     def plot_poles(self, *, slow: int = 0) -> Figure:
@@ -190,20 +232,15 @@ class Analysis(Shown):
         return preformatted(str(self))
 
 
-def _mark_margins(size: Axes, phase: Axes, m: Margins, curve: tuple[Array, Array]) -> None:
-    """The margins as lines of a Bode diagram, each at its frequency; `curve`: frequencies and the phase [°]."""
-    from upright.plotting import AXIS, COLOURS
+def _unstable(model: LinearModel) -> Complex:
+    poles = model.poles()
+    return poles[np.abs(poles) > 1 + ROUNDED]
 
-    gains = [(at, k) for at, k in ((m.gain_low_at, m.gain_low), (m.gain_high_at, m.gain_high)) if at > 0]
-    if gains:
-        at, factors = zip(*gains, strict=True)
-        size.vlines(at, np.divide(1.0, factors), 1.0, color=COLOURS[1], linewidth=3, label="gain margins")
-    if m.phase_at > 0:
-        turn = math.degrees(m.phase) * (1 if m.leads else -1)
-        there = float(np.interp(m.phase_at, *curve))
-        level = 360 * round((there + turn - 180) / 360) + 180
-        phase.vlines([m.phase_at], level - turn, level, color=COLOURS[2], linewidth=3, label="phase margin")
-        phase.axhline(level, linestyle="--", color=AXIS, linewidth=1.0)
+
+def _for_nyquist(gain: LinearModel) -> tuple[Array, Complex]:
+    """Frequencies [rad/s] from far out on the curve, fine enough for its point nearest to −1, and the loop gain."""
+    grid = frequencies(gain.dt)
+    return grid, ScalarResponse(gain)(grid)
 
 
 def _radius(loop: Loop, gains: Array) -> float:
@@ -246,6 +283,7 @@ def analyse(
     return Analysis(
         robot=robot.name, controller=controller.spec.kind, hash=controller_hash(controller), period=linear.period,
         poles=loop.closed.poles(), loop=loop, drawn=np.array(drawn),
+        strengths=np.array([motor_gain(each) for each in family]) / motor_gain(robot),
         inputs=every[: len(INPUTS)], outputs=every[len(INPUTS) :],
         disk=disk_margin(loop.at_input), delay=dead_time, coprime=stability_margin(scaled),
         gap=_largest_gap(scaled.plant, [plant.scaled(command, readings) for plant in plants[:GAPS]]),

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from upright.certify.analysis import Analysis, analyse
+from upright.certify.release import Release, let_go
 from upright.control import (
     Controller,
     controller_hash,
@@ -36,6 +37,10 @@ class Designed(Shown):
     controller: Controller
     analysis: Analysis | None
     remark: str = ""
+
+    def let_go(self) -> Release:
+        """A run in which the robot is let go from a lean at rest."""
+        return let_go(self.robot, self.controller, self.kit)
 
     def save(self, path: str | Path) -> Path:
         """Write the controller as JSON; raises `InvalidController` for a kind that no file can hold."""

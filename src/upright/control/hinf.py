@@ -88,10 +88,13 @@ class Channel:
 
 @dataclass(frozen=True, eq=False)
 class Hinf(Design):
-    """Both channels of a design: `forward` (both motors alike) and `turning` (opposed)."""
+    """Both channels of a design, `forward` (both motors alike) and `turning` (opposed), and the weights: the sizes
+    `expected`, and of the `command` [V or N m]."""
 
     forward: Channel
     turning: Channel
+    expected: Expected
+    command: float
 
     @property
     def gamma(self) -> float:
@@ -133,7 +136,7 @@ def hinf(
     plant, names = plant_of(model), _names(model)
     forward = _problem(_half(plant, names, 1.0), 2, range(4), wants, size)
     turning = _problem(_half(plant, names, -1.0), 1, range(4, 6), wants, size)
-    design = Hinf(_synthesised(forward, 2, slack), _synthesised(turning, 1, slack))
+    design = Hinf(_synthesised(forward, 2, slack), _synthesised(turning, 1, slack), wants, size)
     return _assembled(model, design, wants, size)
 
 

@@ -3,44 +3,54 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
+from upright.arrays import Array
 from upright.certify.analysis import Analysis
 from upright.certify.design import Designed
 from upright.certify.margins import Margins
 from upright.errors import InvalidController
 from upright.plotting import AXIS, COLOURS, legend, rows_of
+from upright.report.designed import controller_section, let_go, tile
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
-from upright.tables import sentence
+from upright.tables import joined, sentence
 
 
 def page_of(result: Analysis | Designed) -> Page:
     """The page of an analysis, or of a design's; raises `InvalidController` for a design without one."""
-    if isinstance(result, Designed):
-        if not result.analysis:
-            raise InvalidController(f"no report: {result.remark}", expected="a controller that is linear near rest")
-        return page_of(result.analysis)
-    analysis = result
+    if isinstance(result, Analysis):
+        return _page(result, [], [])
+    if not result.analysis:
+        raise InvalidController(f"no report: {result.remark}", expected="a controller that is linear near rest")
+    if not result.analysis.stable:
+        return _page(result.analysis, [], [controller_section(result)])
+    run = result.let_go()
+    return _page(result.analysis, [let_go(run)], [controller_section(result)], [tile(run)])
+
+
+def _page(
+    analysis: Analysis, before: Sequence[Section], after: Sequence[Section], more: Sequence[tuple[str, str]] = ()
+) -> Page:
+    """The page with sections `before` and `after` the frequency response, and `more` numbers."""
     words = analysis.words()
-    first = sentence(words[0], "")
     margins = [*words[2:3], *_margins(analysis)] if analysis.stable else _margins(analysis)
-    sections = [Section("All margins", margins, folded=analysis.stable)]
+    sections = [*after, Section("All margins", margins, folded=analysis.stable)]
     if analysis.stable:
-        both = analysis.both()
-        last = f"Bode diagram: beyond {both.crossover:.3g} rad/s the gain stays below 1, the dashed line"
-        bode = Figure(last, analysis.plot(), _BODE)
+        bode = Figure(_bode_title(analysis), analysis.plot(), _bode_note(analysis))
         drawn = [_nyquist(analysis), bode, *_where(analysis)]
         first_lost = _delayed_first(analysis)
         sections = [*([Section("The loop at one sensor", first_lost, folded=True)] if first_lost else []), *sections]
-        sections = [Section("Frequency response", drawn), *sections]
+        sections = [*before, Section("Frequency response", drawn), *sections]
         near = Figure(f"The {SLOW} slowest poles, near 1", analysis.plot_poles(slow=SLOW), _NEAR)
         sections += [Section("Closed-loop poles", [_poles(analysis), near], folded=True)]
     facts = {"controller": analysis.hash[:12], "period": f"{analysis.period * 1e3:g} ms"}
     return Page(
-        _title(analysis), sections, _lead(analysis, first), facts, False, verdict=_verdict(analysis),
-        picture=_against_targets(analysis) if analysis.stable else _poles(analysis), numbers=_numbers(analysis),
+        _title(analysis), sections, _lead(analysis, sentence(words[0], "")), facts, False, verdict=_verdict(analysis),
+        picture=_against_targets(analysis) if analysis.stable else _poles(analysis),
+        numbers=[*_numbers(analysis), *more],
     )  # fmt: skip
 
 
@@ -63,20 +73,24 @@ def _lost(analysis: Analysis) -> str:
     both = analysis.both()
     worst = next(name for name, *_ in _targets(analysis) if not name.startswith("distance"))
     if worst.startswith("phase"):
-        lead = "lead" if both.leads else "lag"
-        return f"a phase {lead} of {cell_text(math.degrees(both.phase), 2)}° tips it over"
+        return f"{_lead_or_lag(both)} makes it unstable"
     if worst.startswith("motors"):
         gain, way = (both.gain_high, "stronger") if "stronger" in worst else (both.gain_low, "weaker")
-        return f"motors {_change(gain)} {way} tip it over"
-    return f"{_delay(analysis)} more delay at the {_weakest(analysis)} tips it over"
+        return f"motors {_change(gain)} {way} make it unstable"
+    return f"{_delay(analysis)} more delay at {_place(analysis)} makes it unstable"
+
+
+def _lead_or_lag(both: Margins) -> str:
+    return f"{cell_text(math.degrees(both.phase), 2)}° more {'lead' if both.leads else 'lag'}"
 
 
 def _change(gain: float) -> str:
-    return f"{abs(100 * (gain - 1)):.0f} %" if gain < MOST_GAIN else f"{gain:.0f} times"
+    """A gain's difference from 1 [%], which is said only so far."""
+    return f"{abs(100 * (gain - 1)):.0f} %" if gain < MOST_GAIN else f"> {100 * (MOST_GAIN - 1):.0f} %"
 
 
-MOST_GAIN = 3.0
-"""A gain from which on it is said in times, not in per cent."""
+MOST_GAIN = 11.0
+"""A gain from which on it is not said how large: no motor is so much stronger."""
 
 
 def _verdict(analysis: Analysis) -> Verdict:
@@ -91,31 +105,50 @@ def _weakest(analysis: Analysis) -> str:
     return analysis.weakest.channel if analysis.weakest.delay <= analysis.delay else "motors"
 
 
+def _place(analysis: Analysis) -> str:
+    name = _weakest(analysis)
+    return name if name == "both motors" else f"the {name}"
+
+
 def _delay(analysis: Analysis) -> str:
     return _milliseconds(min(analysis.delay, analysis.weakest.delay))
 
 
 def _lead(analysis: Analysis, first: str) -> str:
-    """What is small, and what to run next."""
+    """What is small, whether it matters, and what to run next."""
     if not analysis.stable:
         return sentence(first, "")
     targets = _targets(analysis)
     short = [name for name, _, _, part in targets if part < 1]
-    unstable = int((analysis.radii >= 1).sum())
-    of = (
-        f" Of {len(analysis.radii)} simulated robots, as different as the robot's file allows, {unstable or 'none'} "
-        f"{'is' if unstable <= 1 else 'are'} unstable."
-        if len(analysis.radii)
-        else ""
-    )
     below = f"Below the usual target: {', '.join(short)}." if short else "All margins reach the usual targets."
     if len(short) == len(targets):
         below = f"All {len(targets)} margins are below the usual targets."
+    return f"{below}{_drawn(analysis, short)} Next: {_next(analysis)}"
+
+
+def _drawn(analysis: Analysis, short: Sequence[str]) -> str:
+    """How many of the drawn robots are unstable, and how much their motors differ where that is why."""
+    count, both = len(analysis.radii), analysis.both()
+    if not count:
+        return ""
+    unstable, usual = bool((analysis.radii >= 1).any()), float(np.quantile(np.abs(analysis.strengths - 1), 0.95))
+    words = f" {'Yet of' if short and not unstable else 'Of'} {count} simulated robots {analysis.lost}"
+    motors = any(name.startswith("motors") for name in short)
+    if unstable or not motors or not 0 < usual < min(both.gain_high - 1, 1 - both.gain_low):
+        return f"{words}."
+    return f"{words}: the motors of 95 % of them differ by at most {100 * usual:.0f} %."
+
+
+def _next(analysis: Analysis) -> str:
     here = f"--robot {analysis.robot}"
-    after = f"`upright certify {analysis.controller} {here}` pushes such robots and counts falls."
-    if 1 / analysis.both().Ms < CLOSE and analysis.controller != ROOMY:
-        after = f"`upright design {ROOMY} {here}` often has larger margins; or keep this one: {after}"
-    return f"{below}{of} Next: {after}"
+    decides = f"`upright certify {analysis.controller} {here}`"
+    roomy = f"`upright design {ROOMY} {here}`"
+    small = 1 / analysis.both().Ms < CLOSE or bool((analysis.radii >= 1).any())
+    if not small or analysis.controller == ROOMY:
+        return f"Let {decides} decide: it pushes such robots and counts falls."
+    if (analysis.radii >= 1).any():
+        return f"Try {roomy}: its margins are often larger. `upright certify` decides on either."
+    return f"Keep it if {decides} is green. If not, try {roomy}: its margins are often larger."
 
 
 ROOMY = "hinf"
@@ -124,28 +157,18 @@ twipr."""
 
 
 def _targets(analysis: Analysis) -> list[tuple[str, str, str, float]]:
-    """Name, value, usual target, and the part of the target that is reached, the least first; gains are compared in
-    decibels."""
+    """Name, value, usual target, and the part of the target that is reached, the least first."""
     both, delay = analysis.both(), min(analysis.delay, analysis.weakest.delay)
-    low, high = (20 * math.log10(max(gain, 1e-3)) for gain in (both.gain_low, both.gain_high))
-    least, most = 20 * math.log10(WEAK), 20 * math.log10(STRONG)
+    degrees = math.degrees(both.phase)
     targets = [
         ("distance from −1", cell_text(1 / both.Ms, 2), f"{CLOSE:g}", 1 / both.Ms / CLOSE),
-        ("phase margin", f"{cell_text(math.degrees(both.phase), 2)}°", f"{PHASE:g}°", math.degrees(both.phase) / PHASE),
-        (f"motors stronger, {_change(both.gain_high)}", _decibels(high), f"{_decibels(most)} dB", high / most),
-        (f"motors weaker, {_change(both.gain_low)}", _decibels(low), f"{_decibels(least)} dB", low / least),
+        ("phase margin", f"{cell_text(degrees, 2)}°", f"{PHASE:g}°", degrees / PHASE),
+        ("motors stronger", _change(both.gain_high), _change(STRONG), (both.gain_high - 1) / (STRONG - 1)),
+        ("motors weaker", _change(both.gain_low), _change(WEAK), (1 - both.gain_low) / (1 - WEAK)),
         (f"delay margin, {_weakest(analysis)}", _delay(analysis), f"{1e3 * analysis.period:g} ms",
          delay / analysis.period),
     ]  # fmt: skip
     return sorted(targets, key=lambda target: target[-1])
-
-
-def _decibels(gain: float) -> str:
-    """A gain [dB], cut where no robot reaches it."""
-    return cell_text(gain, 2) if abs(gain) < MOST_DECIBELS else "> 40"
-
-
-MOST_DECIBELS = 40.0
 
 
 def _against_targets(analysis: Analysis) -> Figure:
@@ -160,13 +183,41 @@ def _against_targets(analysis: Analysis) -> Figure:
     ax.axvline(100, linestyle="--", linewidth=1.2, color=AXIS, label="usual target")
     ax.set_xlim(0, max(110.0, 1.05 * parts.max()))
     met = int((parts >= 100).sum())
-    return Figure(f"{met} of {len(parts)} margins reach the usual target", legend(figure), _DECIBELS)
+    return Figure(f"{met} of {len(parts)} margins reach the usual target", legend(figure), _BOTH)
 
 
-_DECIBELS = "Both motors together: 6 dB is twice as strong, −6 dB half. Distance from −1: in the Nyquist diagram."
-_BODE = (
-    "The loop is broken at both motors at once. The coloured lines are the margins, each at the frequency that sets it."
-)
+_BOTH = "Motors: both together. Distance from −1: in the Nyquist diagram."
+
+
+def _bode_title(analysis: Analysis) -> str:
+    """The two margins that reach least of their targets, among those of gain and phase."""
+    both = analysis.both()
+    turns = f"{_lead_or_lag(both)} at {cell_text(both.phase_at, 3)} rad/s"
+    changes = {
+        "phase margin": (both.phase_at, turns),
+        "motors stronger": (both.gain_high_at, _gain(both.gain_high, "more", both.gain_high_at)),
+        "motors weaker": (both.gain_low_at, _gain(both.gain_low, "less", both.gain_low_at)),
+    }
+    named = [changes[name] for name, *_ in _targets(analysis) if name in changes]
+    small = [words for at, words in named if at > 0][:2]
+    return f"Bode diagram: {' or '.join(small)} makes it unstable" if small else "Bode diagram"
+
+
+def _gain(gain: float, way: str, at: float) -> str:
+    return f"{_change(gain)} {way} gain at {cell_text(at, 3)} rad/s"
+
+
+def _bode_note(analysis: Analysis) -> str:
+    both = analysis.both()
+    note = "The loop is broken at both motors at once. The coloured lines are the margins, each at its frequency."
+    if both.gain_high_at < ROLLS:
+        swing = cell_text(2 * math.pi / both.gain_high_at, 2)
+        note += f" With motors stronger than that it rolls to and fro ever wider, every {swing} s."
+    return note
+
+
+ROLLS = 1.0
+"""[rad/s] Below it a swing is mostly one of the wheels: at rest on average, they roll ψ g/ω², 17 cm or more for 1°."""
 _NEAR = "The part of the diagram above that decides how slowly the robot comes to rest."
 SLOW = 6  # poles near 1 that are drawn enlarged: as many as the robot has states
 
@@ -175,8 +226,8 @@ def _where(analysis: Analysis) -> list[Item]:
     """Each margin of both motors with the frequency that sets it, and why a sensor alone bears less delay."""
     both, first, lead = analysis.both(), analysis.weakest, "lead" if analysis.both().leads else "lag"
     rows: list[list[Cell]] = [
-        ["motors weaker, to [%]", 100 * both.gain_low, both.gain_low_at],
-        ["motors stronger, to [%]", 100 * both.gain_high, both.gain_high_at],
+        ["motors weaker by [%]", 100 * (1 - both.gain_low), both.gain_low_at],
+        ["motors stronger by [%]", 100 * (both.gain_high - 1), both.gain_high_at],
         [f"phase margin, by a {lead} [°]", math.degrees(both.phase), both.phase_at],
         ["delay of both motors' commands [ms]", 1e3 * both.delay, both.delay_at],
     ]
@@ -211,17 +262,14 @@ def _delayed_first(analysis: Analysis) -> list[Figure]:
 def _numbers(analysis: Analysis) -> list[tuple[str, str]]:
     if not analysis.stable:
         return []
-    both, first = analysis.both(), analysis.weakest
+    both = analysis.both()
     gains = (
-        f"{100 * both.gain_low:.0f} to {100 * both.gain_high:.0f} %",
-        f"strength of the motors that stays stable; the target is {100 * WEAK:.0f} to {100 * STRONG:.0f} %",
+        f"−{_change(both.gain_low)} to +{_change(both.gain_high)}".replace(" %", "", 1).replace("+>", ">"),
+        f"change of the motors' strength that it survives; target: −{_change(WEAK)} to +{_change(STRONG)}",
     )
     if "stronger" in _lost(analysis):  # which the title says
-        gains = (_change(both.gain_low), f"weaker motors tip it over too; the target is {100 * WEAK:.0f} %")
-    more = f"more delay at the {_weakest(analysis)} tips it over; a period is {1e3 * analysis.period:g} ms"
-    if first.delay < analysis.delay:
-        more = f"more delay at the {first.channel} tips it over, {_milliseconds(both.delay)} at both motors; "
-        more += f"the target is {1e3 * analysis.period:g} ms"
+        gains = (_change(both.gain_low), f"weaker motors make it unstable too; target: {_change(WEAK)}")
+    more = f"more delay at {_place(analysis)} makes it unstable; target: {1e3 * analysis.period:g} ms"
     return [
         gains,
         (f"{cell_text(math.degrees(both.phase), 2)}°", _phase(both)),
@@ -234,7 +282,7 @@ def _milliseconds(seconds: float) -> str:
 
 
 def _phase(both: Margins) -> str:
-    return f"phase margin, until more {'lead' if both.leads else 'lag'} tips it over; the target is {PHASE:g}°"
+    return f"phase margin: so much more {'lead' if both.leads else 'lag'} makes it unstable; target: {PHASE:g}°"
 
 
 def _margins(analysis: Analysis) -> list[Item]:
@@ -268,19 +316,36 @@ def _row(m: Margins) -> list[Cell]:
 
 
 def _nyquist(analysis: Analysis) -> Figure:
-    title = f"Nyquist diagram: the least distance from −1 is {1 / analysis.both().Ms:.2f}; the target is {CLOSE:g}"
-    turns = analysis.turns()
-    often = {1: "once", 2: "twice"}.get(turns, f"{turns} times")
-    poles = f"{turns} unstable pole{'' if turns == 1 else 's'}"
-    count = (
-        f" Broken there it has {poles}. Closed it is stable, since both halves together go round −1 {often}, "
-        "anticlockwise."
+    near = f"{1 / analysis.both().Ms:.2f}"
+    title = f"Nyquist diagram: the curve comes as near to −1 as {near}; the target is {CLOSE:g}"
+    side = "right" if analysis.far() > 0 else "left"
+    note = (
+        f"The loop is broken at both motors at once. It is nearest to −1 at {cell_text(analysis.nearest_at(), 3)} "
+        f"rad/s. Far out, at lower frequencies, both halves meet on the {side}. {_count(analysis)}"
     )
-    note = "The loop is broken at both motors at once. Solid and dotted half meet far out, at lower frequencies."
-    return Figure(title, analysis.plot_nyquist(), note + (count if turns else ""))
+    return Figure(title, analysis.plot_nyquist(), note)
+
+
+def _count(analysis: Analysis) -> str:
+    """The unstable poles of the opened loop, whose they are, and how often a stable loop's curve goes round −1."""
+    turns = analysis.turns()
+    if not turns:
+        return "So opened, it has no unstable pole. A stable loop then does not go round −1."
+    often = {1: "once", 2: "twice"}.get(turns, f"{turns} times")
+    names = ("the robot's", "the controller's own", "those of the loops left closed")
+    owners = zip(names, analysis.unstable(), strict=True)
+    whose = [f"{name} ({_rates(rates)} 1/s)" for name, rates in owners if len(rates)]
+    many = "1 unstable pole" if turns == 1 else f"{turns} unstable poles"
+    return (
+        f"So opened, it has {many}: {joined(whose)}. "
+        f"A stable loop then goes round −1 {often}, anticlockwise, as both halves together do."
+    )
+
+
+def _rates(rates: Array) -> str:
+    return joined([cell_text(float(rate), 3) for rate in np.sort(rates)])
 
 
 def _poles(analysis: Analysis) -> Figure:
-    unstable = int((analysis.radii >= 1).sum())
     inside = "All poles lie inside the circle" if analysis.stable else "A pole lies outside the circle"
-    return Figure(f"{inside}; {unstable} of {len(analysis.radii)} drawn robots are unstable", analysis.plot_poles())
+    return Figure(f"{inside}; of {len(analysis.radii)} simulated robots {analysis.lost}", analysis.plot_poles())

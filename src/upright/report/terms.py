@@ -56,7 +56,8 @@ TERMS: dict[str, tuple[str, str]] = {
     r"lqi": ("lqi", "An lqr with an integrator, so that the robot returns to its place."),
     r"lqg": ("lqg", "Linear quadratic regulator (lqr) of the state that a Kalman filter estimates."),
     r"pid": ("pid", "Proportional, integral and derivative gains on pitch and wheels."),
-    r"hinf": ("hinf", "H∞ loop shaping: the loop's shape is chosen, then made as robust as possible."),
+    r"hinf": ("hinf", "H∞ control: keeps the largest gain small, from disturbances and sensor errors to state and "
+        "command."),
     r"mpc": ("mpc", "Model predictive control: plans each command some periods ahead, within the motors' limits."),
     r"sliding": ("sliding", "Sliding mode: drives the state onto a surface on which it comes to rest."),
     r"robust": ("robust", "State feedback that is stable for all robots of the spreads at once."),
@@ -72,10 +73,13 @@ SILENT = ("svg", "code", "script", "dd", "li", "h1", "h2", "summary", "a", "titl
 _TAG = re.compile(r"(<[^>]*>)")
 
 
-def explained(markup: str, twin: bool = True, more: str = "") -> tuple[str, list[tuple[str, str, str]]]:
-    """HTML with the first use of each term as a link to its definition; and the terms that it uses, each with its
-    definition and the name of its place. `twin` tells whether "twin" is one of them; `more` is further text of the
-    page."""
+Term = tuple[str, str, str]
+"""A term, its definition, and the name of its place."""
+
+
+def explained(markup: str, twin: bool = True, more: str = "") -> tuple[str, list[Term], list[Term]]:
+    """HTML with the first use of each term as a link to its definition; the terms that are seen at once; and those that
+    only folded parts use. `twin` tells whether "twin" is one of them; `more` is further text of the page."""
     used = [(pattern, *term) for pattern, term in _used(f"{markup} {more}").items() if twin or term[0] != "twin"]
     anchors = {name: "word-" + re.sub(r"\W+", "-", name) for _, name, _ in used}
     left = {re.compile(_whole(pattern)): (name, meaning) for pattern, name, meaning in used}
@@ -93,7 +97,22 @@ def explained(markup: str, twin: bool = True, more: str = "") -> tuple[str, list
                     del left[pattern]
             parts[k] = text
     words = sorted({name: meaning for _, name, meaning in used}.items(), key=lambda term: term[0].lower())
-    return "".join(parts), [(name, meaning, anchors[name]) for name, meaning in words]
+    open_ones = {name for name, _ in _used(f"{_unfolded(markup)} {more}").values()}
+    terms = [(name, meaning, anchors[name]) for name, meaning in words]
+    return "".join(parts), [t for t in terms if t[0] in open_ones], [t for t in terms if t[0] not in open_ones]
+
+
+def _unfolded(markup: str) -> str:
+    """The HTML without what is folded: of each <details> its summary stays."""
+    kept: list[str] = []
+    depth, summary = 0, False
+    for part in _TAG.split(markup):
+        depth -= part == "</details>"
+        summary = depth == 1 and (part.startswith("<summary") or (summary and part != "</summary>"))
+        if not depth or summary:
+            kept.append(part)
+        depth += part.startswith("<details")
+    return "".join(kept)
 
 
 def _outside(text: str, pattern: re.Pattern[str], link: str) -> tuple[str, int]:
