@@ -305,3 +305,34 @@ def test_a_swing_from_which_the_robot_comes_back_is_no_fall() -> None:
 def test_a_robot_that_is_thrown_and_carried_has_no_fall_to_explain(shared: Path) -> None:
     with pytest.raises(InvalidLog, match="never on its wheels"):
         post_mortem(str(shared / "data/twipr/direct_1_all.csv"), "twipr")
+
+
+@pytest.mark.parametrize("per_radian", [1.0, 260.0])
+def test_a_robot_on_a_stand_whose_wheels_spin_up_does_not_balance(per_radian: float) -> None:
+    """A first-order motor (0.08 s, 18 rad/s) under a body that only shakes by half a degree a second; in radians, and in
+    counts of an unknown number to a turn. On a floor such wheels would turn any body by a radian a second."""
+    n, rng = 150, np.random.Generator(np.random.Philox(7))
+    t = T * np.arange(n)
+    rate = np.where(t > 0.3, 18 * (1 - np.exp(-(t - 0.3) / 0.08)), 0.0) * per_radian
+    channels = {GYRO: rng.normal(0, np.radians(0.5), n), PITCH: np.full(n, 0.05) + rng.normal(0, 1e-3, n)}
+    channels |= {LEFT: np.cumsum(rate) * T, RIGHT: -np.cumsum(rate) * T}
+    on = np.where(t > 0.3, 7.0, 0.0)
+    found = doctor(Log(t, channels | {"applied/left": on, "applied/right": on}, {"applied/left": "V"}))
+    assert [pose.kind for pose in found.segments] == ["held"]
+    assert "wheels are off the floor" in " ".join(str(found).split())
+    assert "segment/none" in found.codes()
+
+
+def test_a_robot_that_drives_off_and_rolls_on_is_not_held() -> None:
+    """From rest to a speed of the wheels of 12 rad/s, and on at that speed, where the body rests."""
+    robot = Robot.preset("nxtway-gs")
+    log = run(
+        NonlinearBody(robot), lqg(robot, Kit.preset("nxt"), T), reference=[Drive(speed=0.3, start=1.0, until=6.0)],
+        seconds=7.0, seed=2,
+    )  # fmt: skip
+    assert np.abs(np.diff(log[LEFT])).max() / T > 10
+    noise = np.random.Generator(np.random.Philox(5)).normal(0, 0.02, len(log))
+    channels = {name: log[name] for name in (LEFT, RIGHT, "applied/left", "applied/right")}
+    channels[GYRO] = log[GYRO] + noise
+    found = doctor(Log(log.t, channels, {"applied/left": "V", "applied/right": "V"}))
+    assert "held" not in {pose.kind for pose in found.segments}

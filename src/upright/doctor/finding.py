@@ -25,7 +25,7 @@ BATTERY, COMPASS, PITCH = "sensor/battery", "sensor/compass", "estimate/pitch"
 FORWARD, UP = "sensor/accel_forward", "sensor/accel_up"
 
 BALANCING, STANDING, LYING, OVER = "balancing", "standing still", "lying", "upside down"
-RISING, FALLING, FALLEN, MOVED = "standing up", "falling", "fallen", "moved"
+RISING, FALLING, FALLEN, MOVED, HELD = "standing up", "falling", "fallen", "moved", "held"
 ON_WHEELS = (BALANCING, STANDING)
 LEANING = (STANDING, LYING, OVER, FALLEN)
 """Poses on the wheels, in which the equations of motion hold, and those with one lean."""

@@ -7,6 +7,7 @@ import numpy as np
 from upright.doctor import sensors
 from upright.doctor.duty import counted
 from upright.doctor.finding import BATTERY, FEWEST, FORWARD, LEFT, RIGHT, UP, Finding, Record, error, warning
+from upright.doctor.poses import FASTEST_WHEEL
 from upright.doctor.units import divide
 
 STANDARD_GRAVITY = 9.80665
@@ -34,10 +35,6 @@ def constants(record: Record) -> list[Finding]:
                 evidence = f"{why} instead of m/s²: the median magnitude is {weight:.3g}, gravity is 9.81"
                 findings.append(divide((FORWARD, UP), evidence, pull))
     return findings
-
-
-FASTEST_WHEEL = 200.0
-"""[rad/s] 1900 turns a minute; the wheels of robots of 0.2 to 20 kg reach 10 to 40 rad/s, those of scooters 60."""
 
 
 def speeds(record: Record) -> list[Finding]:

@@ -20,6 +20,7 @@ from upright.doctor.finding import (
     FALLING,
     FORWARD,
     GYRO,
+    HELD,
     LEFT,
     LYING,
     MOVED,
@@ -58,19 +59,24 @@ _USUAL = 5.0  # [s] to both sides, over which the median lean counts as upright
 _DRIFT = 0.03  # [rad/s] spread of a gyro's offset before anything is known
 _FOLLOWS = 0.7  # R² from which a pitch estimate follows the gyro
 _SWING = 0.1  # [rad] a usual swing of a robot that balances
+FASTEST_WHEEL = 200.0
+"""[rad/s] 1900 turns a minute; the wheels of robots of 0.2 to 20 kg reach 10 to 40 rad/s, those of scooters 60."""
+_SLOW_WHEEL, _SPUN = 10.0, 3.0  # [rad/s] least full speed of usual wheels, and a change of speed above any backlash
+_LARGEST_Q, _LARGEST_P = 15.0, 500.0  # [1, 1/s²] of the pendulum equation, of any robot
 LARGEST_OFFSET = 0.35  # [rad/s] 20 degrees per second, that of the chips that people use
 _FASTEST, _WIDEST, _COARSEST = 10.0, 1.5, 0.5  # [rad/s, rad, rad/s] rms, swing and step of a gyro in degrees
 
 
 @dataclass(frozen=True, eq=False)
 class Lean:
-    """Lean `angle` [rad] of the body, whether it is `absolute`, and the rows in which the body is at rest (`quiet`) and
-    the wheels as well (`calm`)."""
+    """Lean `angle` [rad] of the body, whether it is `absolute`, and the rows in which the body is at rest (`quiet`), the
+    wheels as well (`calm`), or the wheels spin as on no floor (`spinning`)."""
 
     angle: Array
     absolute: bool
     quiet: Mask
     calm: Mask
+    spinning: Mask
 
 
 def bodily(record: Record) -> Resampled | None:
@@ -140,13 +146,42 @@ def lean_of(record: Record, m: Resampled) -> Lean:
     assert m.gyro is not None
     quiet, calm = at_rest(m)
     gyro = m.gyro / _divisor(m)
+    spinning = _spinning(m, gyro, quiet)
     swing = _summed(gyro - _offset(gyro, quiet, m.period), m.period)
     for known in (_by_gravity(record, m, swing, calm if m.wheels else quiet), _by_estimate(record, m, gyro)):
         if known is not None and not other_zero(known, quiet):
-            return Lean(known, True, quiet, calm)
+            return Lean(known, True, quiet, calm, spinning)
     still = np.where(quiet, 0.0, gyro - _offset(gyro, quiet, m.period))
     swing = _summed(still, m.period)
-    return Lean(swing - _usual(swing, ~quiet, m.period), False, quiet, calm)
+    return Lean(swing - _usual(swing, ~quiet, m.period), False, quiet, calm, spinning)
+
+
+def _spinning(m: Resampled, gyro: Array, quiet: Mask) -> Mask:
+    """The rests of the body in which a wheel spins up as it does on no floor: there δ̈ = −q ψ̈ + p ψ, so that a body that
+    is seen to rest bounds by how much the wheels change their speed, whatever the robot."""
+    spinning = np.zeros(len(quiet), dtype=bool)
+    if not m.wheels:
+        return spinning
+    rate = smooth(gyro, m.period, _CALMED)
+    carried = _LARGEST_Q * rate, _LARGEST_P * _summed(_summed(rate, m.period), m.period)
+    speeds = [smooth(wheel, m.period, _CALMED, 1) for wheel in (m.left, m.right)]
+    fastest = max(float(np.percentile(np.abs(speed), 95)) for speed in speeds)
+    scale = _SLOW_WHEEL / fastest if fastest > FASTEST_WHEEL else 1.0  # counts, of an unknown number to a turn
+    count = max(3, round(_STILL / m.period))
+    for a, b in runs(quiet):
+        windows = [slice(i, i + count) for i in range(a, b - count + 1, max(1, count // 2))]
+        spinning[a:b] = any(
+            scale * _bent(speed[w]) > max(_SPUN, sum(_bent(part[w]) for part in carried))
+            for w in windows
+            for speed in speeds
+        )
+    return spinning
+
+
+def _bent(values: Array) -> float:
+    """The range of values about their line."""
+    x = np.arange(len(values)) - (len(values) - 1) / 2
+    return float(np.ptp(values - x * float(x @ values) / float(x @ x)))
 
 
 def other_zero(angle: Array, quiet: Mask) -> float:
@@ -269,7 +304,7 @@ def _labelled(m: Resampled, lean: Lean) -> list[tuple[str, int, int]]:
     return parts
 
 
-def _stretches(mask: Mask) -> Iterator[tuple[int, int]]:
+def _stretches(mask: NDArray[np.bool_ | np.int64]) -> Iterator[tuple[int, int]]:
     edges = [0, *(np.flatnonzero(np.diff(mask)) + 1).tolist(), len(mask)]
     yield from pairwise(edges)
 
@@ -286,8 +321,9 @@ def _upright(
     first = a + (int(up[0]) if len(up) else 0)
     falls = to_floor or _ends_falling(lean.angle[first:b], m.period)
     last = first + _fall_start(lean.angle[first:b], m.period) if falls else b
-    parts = _stretches(lean.calm[first:last]) if last > first else ()
-    standing = [(STANDING if lean.calm[first + i] else BALANCING, first + i, first + j) for i, j in parts]
+    doing = np.where(lean.spinning, 2, lean.calm)[first:last]
+    parts = _stretches(doing) if last > first else ()
+    standing = [((BALANCING, STANDING, HELD)[doing[i]], first + i, first + j) for i, j in parts]
     rising = [(RISING, a, first)] if first > a else []
     return [*rising, *standing, *([(FALLING, last, b)] if last < b else [])]
 

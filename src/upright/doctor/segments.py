@@ -12,6 +12,7 @@ from upright.doctor.finding import (
     FALLEN,
     FALLING,
     GYRO,
+    HELD,
     LEANING,
     LEFT,
     LYING,
@@ -80,6 +81,7 @@ def _fell(record: Record, segment: Segment) -> Finding:
 _ASIDE = {
     LYING: "the robot lies", FALLEN: "the robot lies after its fall", OVER: "the robot is upside down",
     RISING: "the robot stands up", MOVED: "the robot is thrown, lifted or carried",
+    HELD: "the body rests while the wheels spin up: it is held, or the wheels are off the floor",
 }  # fmt: skip
 
 
