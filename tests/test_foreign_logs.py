@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from upright import calibrate, identify
 from upright.cli.main import main
 from upright.diagnose import post_mortem
 from upright.doctor.doctor import doctor
@@ -377,3 +378,107 @@ def test_settings_beside_columns_are_no_columns(tmp_path: Path) -> None:
     path = tmp_path / "run.json"
     path.write_text(json.dumps({"R": [1000], "t": T.tolist(), "gyro": GYRO.tolist()}))
     assert list(read_table(path).columns) == ["t", "gyro"]
+
+
+def wheels(per_speed: float, per_angle: float, delay: int = 0) -> dict[str, np.ndarray]:
+    """A wheel's speed (of which `per_speed` are 1 rad/s, `delay` rows late) and angle (of which `per_angle` are 1 rad),
+    of a robot that drives to and fro."""
+    t = 0.01 * np.arange(600)
+    speed = 6 * np.sin(1.3 * t) + 3 * np.sin(4.1 * t)
+    angle = -6 / 1.3 * np.cos(1.3 * t) - 3 / 4.1 * np.cos(4.1 * t)
+    return {"t": t, "speed": per_speed * np.interp(t - 0.01 * delay, t, speed), "angle": per_angle * angle}
+
+
+@pytest.mark.parametrize(("per_speed", "wrong"), [(60 / (2 * np.pi), False), (1.0, True), (1 / DEGREE, True)])
+def test_a_speed_in_another_unit_than_its_name_says_contradicts_the_angle(per_speed: float, wrong: bool) -> None:
+    """A column `rpm` that holds rad/s, or degrees a second, beside the wheel's angle in radians, 5 rows late."""
+    w = wheels(per_speed, 1.0, delay=5)
+    table = RawTable({"t": w["t"], "left_rpm": w["speed"], "right_rpm": w["speed"], "wheelpos_rad": w["angle"],
+                      "gyro": 0.2 * np.cos(9 * w["t"])})  # fmt: skip
+    mapping = Mapping("mine", Source(column="t", unit="s"), {
+        name: Source(column=f"{side}_rpm", unit="rpm", integrate=True)
+        for name, side in zip(SENSORS, ("left", "right"), strict=False)
+    } | {SENSORS[2]: Source(column="gyro", unit="rad/s")})  # fmt: skip
+    found = [f for f in doctor(table, mapping=mapping).findings if f.code == "units/contradicted"]
+    assert bool(found) == wrong
+    if wrong:
+        true = "rad/s" if per_speed == 1 else "deg/s"
+        assert f"('{true}' would agree)" in found[0].evidence
+
+
+def test_counts_beside_a_speed_say_what_a_turn_is() -> None:
+    """An encoder of 330 counts: in rpm as it is named the speed makes 3150 of them a turn, which an owner can compare."""
+    w = wheels(1.0, 330 / (2 * np.pi))
+    table = RawTable({"t": w["t"], "left_rpm": w["speed"], "right_rpm": w["speed"], "n": np.rint(w["angle"]),
+                      "pitch": 0.1 * np.sin(9 * w["t"])})  # fmt: skip
+    (told, *_) = (f for f in doctor(table).findings if f.code == "units/turn")
+    turn = float(told.evidence.split("a turn of the wheel is ")[1].split()[0])
+    assert turn == pytest.approx(330 * 60 / (2 * np.pi), rel=0.01)  # four digits are printed
+    assert "'left_rpm' in rpm" in told.evidence
+
+
+def test_pairs_with_units_are_read_between_the_messages_of_a_program(tmp_path: Path) -> None:
+    """`pitch=1.2°, dpitch=-3°` after a greeting with numbers, and one line of another kind among them."""
+    rows = [f"pitch={a:.6f}°, dpitch={g:.6f}°, time={t:.3f}"
+            for a, g, t in zip(LEAN / DEGREE, GYRO / DEGREE, T, strict=True)]  # fmt: skip
+    greeting = ["Starting IMU.", "ODR=833.000000; accel now=833.000000", "Polling …"]
+    path = _written(tmp_path / "x.log", "\n".join([*greeting, *rows[:40], "battery low", *rows[40:]]) + "\n")
+    log = raw_log(path)
+    assert log["estimate/pitch"] == pytest.approx(LEAN, abs=1e-6)
+    assert log[SENSORS[2]] == pytest.approx(GYRO, abs=1e-6)
+
+
+def test_rows_that_hold_fewer_values_in_a_first_phase_are_read(tmp_path: Path) -> None:
+    """A program that appends a value once its controller runs; a single row that is cut off is still left out."""
+    full = [f"{t:.3f},{a:.6f},{g:.6f},{u:.3f}" for t, a, g, u in zip(T, LEAN, GYRO, VOLTS, strict=True)]
+    short = [line.rsplit(",", 1)[0] for line in full]
+    head = "t,pitch_rad,gyro_rad_s,integral"
+    log = read_table(_written(tmp_path / "x.csv", "\n".join([head, *short[:50], *full[50:]]) + "\n"))
+    assert log.columns["gyro_rad_s"] == pytest.approx(GYRO, abs=1e-6)
+    assert np.isnan(log.columns["integral"][:50]).all()
+    assert log.columns["integral"][50:] == pytest.approx(VOLTS[50:], abs=1e-3)
+    cut = read_table(_written(tmp_path / "y.csv", "\n".join([head, *full[:-1], short[-1]]) + "\n"))
+    assert len(cut) == N - 1
+    assert len(cut.skipped) == 1
+
+
+def test_a_column_without_a_name_has_one(tmp_path: Path) -> None:
+    """The index of a table that Python wrote: times of day, and nothing above them."""
+    rows = [f"2021-02-18 05:21:{7 + t:09.6f},{a:.6f}" for t, a in zip(T, LEAN / DEGREE, strict=True)]
+    found = doctor(read_table(_written(tmp_path / "x.csv", "\n".join([",pitch(y)", *rows]) + "\n")))
+    assert found.mapping.time.column == "c1"
+    assert found.mapping.channels["estimate/pitch"].column == "pitch(y)"
+    assert found.period == pytest.approx(0.01, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("angle", "rate"), [("pitch", "dpitch"), ("angle", "angle_dt"), ("tilt", "d_tilt"), ("angle", "dangle")]
+)
+def test_a_rate_is_named_by_its_angle(angle: str, rate: str) -> None:
+    mapping = propose(RawTable({"t": T, angle: LEAN, rate: GYRO, "wheel_pos_dt": WHEEL}))
+    assert mapping.channels["estimate/pitch"].column == angle
+    assert mapping.channels[SENSORS[2]].column == rate
+
+
+def test_a_filtered_tilt_keeps_its_own_lean() -> None:
+    """A tilt whose filter passes 0.6 of the swings, on a robot that hangs at 2.8 rad: no unit is between it and its
+    gyro, so that it hangs there, and does not lie at 1.7 rad."""
+    s = swing()
+    tilt = 2.8 + 0.6 * np.where(s["t"] < 1, s["tilt"], 0.03 * s["tilt"])
+    found = doctor(RawTable({"t": s["t"], "angle": tilt, "angle_dt": np.where(s["t"] < 1, 1, 0.03) * s["rate"]}))
+    assert {pose.kind for pose in found.segments} == {"upside down"}
+
+
+def test_what_a_log_lacks_is_said_at_once() -> None:
+    """A duty without a battery, and no encoder; a log without encoders whose motors are off."""
+    duty = {"t": T, "gyro": GYRO, "pwm_l": np.rint(50 * VOLTS), "pwm_r": np.rint(50 * VOLTS)}
+    lacking = apply(propose(RawTable(duty)), RawTable(duty))
+    for judge in (calibrate, identify):
+        with pytest.raises(InvalidLog, match=r"no encoders and no battery voltage .*sensor/battery") as told:
+            judge(lacking, "nxtway-gs")
+        assert "a gyro or a tilt" in str(told.value)
+    off = Log(T, {SENSORS[2]: GYRO, "command/left": 0 * T, "command/right": 0 * T})
+    with pytest.raises(
+        InvalidLog, match="the log has no encoders; expected encoders, a gyro or a tilt, and commands in V"
+    ):
+        calibrate(off, "nxtway-gs")

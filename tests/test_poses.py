@@ -309,8 +309,8 @@ def test_a_robot_that_is_thrown_and_carried_has_no_fall_to_explain(shared: Path)
 
 @pytest.mark.parametrize("per_radian", [1.0, 260.0])
 def test_a_robot_on_a_stand_whose_wheels_spin_up_does_not_balance(per_radian: float) -> None:
-    """A first-order motor (0.08 s, 18 rad/s) under a body that only shakes by half a degree a second; in radians, and in
-    counts of an unknown number to a turn. On a floor such wheels would turn any body by a radian a second."""
+    """A first-order motor (0.08 s, 18 rad/s) under a body that only shakes by half a degree a second; in radians, and
+    in counts of an unknown number to a turn. On a floor such wheels would turn any body by a radian a second."""
     n, rng = 150, np.random.Generator(np.random.Philox(7))
     t = T * np.arange(n)
     rate = np.where(t > 0.3, 18 * (1 - np.exp(-(t - 0.3) / 0.08)), 0.0) * per_radian

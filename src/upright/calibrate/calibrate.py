@@ -37,7 +37,7 @@ from upright.errors import DesignFailed, InvalidLog
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.pace import pace_of
 from upright.logs.raw import LogSource, raw_log
-from upright.logs.recording import SENSOR, Recording, commanded, first_noise, head, record
+from upright.logs.recording import SENSOR, Recording, check_complete, commanded, first_noise, head, record
 from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
@@ -117,6 +117,8 @@ def prepared(
 ) -> tuple[Problem, dict[str, float]]:
     """The problem at its prior, and each sensor's variance as its kit has it."""
     delay = max([kit.delay, *(kit.delay + s.delay for s in kit.sensors.values())])
+    for log in logs:
+        check_complete(log, robot)
     if any(_idle(log) for log in logs):
         likely = "a log of a robot switched off, or of motors at one speed"
         raise InvalidLog("the commands never change", expected="motors at work", likely=likely)

@@ -132,7 +132,6 @@ def post_mortem(
     """
     log = raw_log(source, mapping)
     nominal = find_robot(robot) if robot else robot_of(log)
-    check_drive(log, nominal)
     parts = find_kit(kit) if kit else kit_of(log, nominal)
     controller = read_controller(controller) if isinstance(controller, str | Path) else controller
     head: dict[str, Any] = {"robot": nominal.name, "kit": parts.name, "rows": len(log)}
@@ -144,6 +143,7 @@ def post_mortem(
             verdict=CANNOT_TELL, causes=(), fell_at=math.nan, onset=math.nan, missing=missing, notes=notes,
             series=Series.none(), **head,
         )  # fmt: skip
+    check_drive(log, nominal)
     if _off(log):
         return _without_motors(log, head)
     short = _short(log, head) if len(log) < FEWEST else None

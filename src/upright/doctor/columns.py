@@ -305,7 +305,7 @@ def drafted(table: RawTable) -> str:
         named = by_names(table, Source(column="", period=PERIOD))
         if not named.channels:
             return draft(table)
-        mapping = replace(with_gyro(named, table), name="mine", about="")
+        mapping = replace(with_tilt(with_gyro(named, table), table), name="mine", about="")
     period = "" if mapping.time.column else "# No column is a clock: state the period [s] from row to row.\n"
     left = lacking(mapping)
     return f"{looks(table)}\n{period}{mapping.to_toml()}" + (still_to_name(left, mapping.channels) if left else "")

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from upright.doctor import columns, delays, motion, plausible, poses, rates, segments, sensors, time, units
+from upright.doctor import columns, delays, motion, plausible, poses, rates, segments, sensors, speeds, time, units
 from upright.doctor.finding import (
     BALANCING,
     FEWEST,
@@ -227,6 +227,7 @@ def doctor(
         + rates.stated(table.decimation, findings)
         + rates.skipped(table.skipped)
         + time.paced(raw.t, table.origin)
+        + (speeds.against_angles(chosen, table) if chosen.name != "ours" else [])
     )
     order = {severity: i for i, severity in enumerate(SEVERITIES)}
     ranked = tuple(sorted(findings, key=lambda finding: order[finding.severity]))

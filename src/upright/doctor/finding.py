@@ -31,9 +31,9 @@ LEANING = (STANDING, LYING, OVER, FALLEN)
 """Poses on the wheels, in which the equations of motion hold, and those with one lean."""
 
 
-def moment(t: float) -> str:
+def moment(t: float, digits: int = 3) -> str:
     """A time [s] in words: three digits, or hundredths where a clock counts from long ago."""
-    return f"{t:.3g}" if abs(t) < 1000 else f"{t:.2f}"
+    return f"{t:.{digits}g}" if abs(t) < 10**digits else f"{t:.2f}"
 
 
 @dataclass(frozen=True)

@@ -58,6 +58,7 @@ _NO_TILT, _SWUNG, _SWINGS = 1.0, 0.1, 4  # [rad, rad, 1] a mean lean of no robot
 _USUAL = 5.0  # [s] to both sides, over which the median lean counts as upright
 _DRIFT = 0.03  # [rad/s] spread of a gyro's offset before anything is known
 _FOLLOWS = 0.7  # R² from which a pitch estimate follows the gyro
+_SAME_UNIT = 3.0  # ratio up to which a filter's gain, and no unit, is between them: units differ by 10 or more
 _SWING = 0.1  # [rad] a usual swing of a robot that balances
 FASTEST_WHEEL = 200.0
 """[rad/s] 1900 turns a minute; the wheels of robots of 0.2 to 20 kg reach 10 to 40 rad/s, those of scooters 60."""
@@ -69,8 +70,8 @@ _FASTEST, _WIDEST, _COARSEST = 10.0, 1.5, 0.5  # [rad/s, rad, rad/s] rms, swing 
 
 @dataclass(frozen=True, eq=False)
 class Lean:
-    """Lean `angle` [rad] of the body, whether it is `absolute`, and the rows in which the body is at rest (`quiet`), the
-    wheels as well (`calm`), or the wheels spin as on no floor (`spinning`)."""
+    """Lean `angle` [rad] of the body, whether it is `absolute`, and the rows in which the body is at rest (`quiet`),
+    the wheels as well (`calm`), or the wheels spin as on no floor (`spinning`)."""
 
     angle: Array
     absolute: bool
@@ -267,7 +268,8 @@ def _by_estimate(record: Record, m: Resampled, gyro: Array) -> Array | None:
     power = float(a @ a) * float(b @ b)
     if power <= 0 or float(a @ b) ** 2 < _FOLLOWS * power:
         return None
-    return angle * float(a @ b) / float(a @ a)
+    gain = float(a @ b) / float(a @ a)
+    return angle * (1.0 if 1 / _SAME_UNIT < gain < _SAME_UNIT else gain)  # else one of them is in another unit
 
 
 def _usual(swing: Array, moving: Mask, period: float) -> Array:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.doctor.finding import FEWEST, GAP, Array, Finding, Fix, Record, error, warning
+from upright.doctor.finding import FEWEST, GAP, Array, Finding, Fix, Record, error, moment, warning
 from upright.errors import InvalidLog
 from upright.logs.pace import pace
 from upright.logs.recording import jumps
@@ -45,7 +45,9 @@ def order(record: Record) -> list[Finding]:
         )
         repair = "space the rows evenly between its steps"
         return [error("time/coarse", "t", evidence, repair, Fix("spread"))]
-    evidence = f"{repeats} rows repeat the time of the row before, the first is row {row} at {record.t[row]:.4g} s"
+    evidence = (
+        f"{repeats} rows repeat the time of the row before, the first is row {row} at {moment(record.t[row], 4)} s"
+    )
     return [error("time/repeated", "t", evidence, "keep the first row of each time", Fix("unique"))]
 
 
@@ -63,7 +65,7 @@ def _backwards(record: Record, back: NDArray[np.intp]) -> Finding:
     steps, row = np.diff(record.t), int(back[0]) + 1
     period = float(np.median(steps[steps > 0])) if (steps > 0).any() else 0.0
     evidence = f"time runs backwards {len(back)} time{'s' if len(back) > 1 else ''}, first at row {row}"
-    evidence += f" from {record.t[row - 1]:.4g} to {record.t[row]:.4g} s"
+    evidence += f" from {moment(record.t[row - 1], 4)} to {moment(record.t[row], 4)} s"
     if float(-steps[back].min()) < _DISORDER * period:
         evidence += "; the rows are out of order"
         return error(
@@ -89,7 +91,7 @@ def jump(record: Record) -> list[Finding]:
         return []
     first = int(rows[0])
     evidence = f"the clock jumps {len(rows)} time{'s' if len(rows) > 1 else ''}, first at row {first} from "
-    evidence += f"{record.t[first - 1]:.4g} to {record.t[first]:.4g} s"
+    evidence += f"{moment(record.t[first - 1], 4)} to {moment(record.t[first], 4)} s"
     repair, fix = _longest(record, rows)
     if fix.numbers[1] - fix.numbers[0] < FEWEST:
         raise InvalidLog(evidence, expected=f"{FEWEST} rows of one run", likely="another column is the time")
@@ -127,7 +129,7 @@ def steps(record: Record) -> list[Finding]:
     missed = (step >= MISSED * period) & (step <= GAP * period)
     if missed.any():
         lost, first = int(np.rint(step[missed] / period - 1).sum()), float(record.t[int(np.argmax(missed))])
-        evidence = f"{lost} rows are missing at {int(missed.sum())} places, the first after t = {first:.4g} s"
+        evidence = f"{lost} rows are missing at {int(missed.sum())} places, the first after t = {moment(first, 4)} s"
         evidence += f": steps of two or more periods of {period * 1e3:.4g} ms"
         even = Fix("even", numbers=(period,))
         findings.append(warning("time/dropped", "t", evidence, "interpolate them linearly", even))
@@ -141,7 +143,7 @@ def _gaps(record: Record, step: Array, period: float) -> list[Finding]:
     worst = int(gaps[np.argmax(step[gaps])])
     span = float(record.t[worst]), float(record.t[worst + 1])
     evidence = f"{len(gaps)} gap{'s' if len(gaps) > 1 else ''}: the longest, {step[worst]:.3g} s or "
-    evidence += f"{step[worst] / period:.0f} periods, after t = {span[0]:.4g} s"
+    evidence += f"{step[worst] / period:.0f} periods, after t = {moment(span[0], 4)} s"
     return [warning("time/gap", "t", evidence, "use the parts as separate logs", span=span)]
 
 

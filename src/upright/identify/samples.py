@@ -18,7 +18,7 @@ from upright.doctor.doctor import contradictions
 from upright.doctor.wheels import on_its_wheels
 from upright.errors import InvalidLog, UnknownName
 from upright.identify.arx import FirstResponse, arx, first_response
-from upright.logs.recording import check_clock, check_unit, one_encoder
+from upright.logs.recording import check_clock, check_complete, check_unit, one_encoder
 from upright.robots import Kit, Robot, Sensor, find_kit
 from upright.signals import Log
 from upright.tables import sentence
@@ -100,6 +100,8 @@ def samples(
     if not 0 <= held_out < 0.9:
         raise InvalidLog(f"a held-out fraction of {held_out:g}", expected="between 0 and 0.9")
     parts_of_robot = kit or find_kit(robot.kit)
+    if source == "sensors":
+        check_complete(log, robot)
     log, left = on_its_wheels(log, falling=False) if source == "sensors" else (log, "")
     prefix, commands = _commands(log, robot)
     notes = [*([left] if left else []), *(_contradictions(log, robot) if source == "sensors" else []), *_clock(log)]

@@ -17,7 +17,8 @@ _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _CLOCK = r"(?:\d{1,2}:\d\d:\d\d(?:[.,]\d+)?\s*->\s*)?"
 _TAGGED = re.compile(rf"^\s*({_CLOCK}(?:\[\w+\]\s*|[IWEDV] \(\d+\)\s*)(?:[A-Za-z_]\w*:\s+)?)")
 _LABELLED = re.compile(rf"^\s*((?:\d{{1,2}}:\d\d:\d\d(?:[.,]\d+)?\s*->\s*|[A-Za-z_]\w*:\s+))(?={_NUMBER}\s*[,;\t ])")
-_PAIR = re.compile(rf"([A-Za-z_][\w./]*)\s*[:=]\s*({_NUMBER}|nan|inf)(?=[\s,;]|$)")
+_UNIT = r"(?:°|%|[A-Za-zµ]{1,4})(?:/s(?:ec)?)?"
+_PAIR = re.compile(rf"([A-Za-z_][\w./]*)\s*[:=]\s*({_NUMBER}|nan|inf)({_UNIT})?(?=[\s,;]|$)")
 
 
 @dataclass(frozen=True)
@@ -36,7 +37,7 @@ def bare(lines: Sequence[str]) -> list[str] | None:
     """The rows without what a program prints before or between their numbers; None where the lines are plain.
 
     A tag as in `[INF] MODEL: 1, 2` or the clock of a serial monitor goes, with the lines of other tags; `a: 1  b: 2`
-    becomes a row of a table.
+    becomes a row of a table, and the units of `a: 1°` a row of units.
     """
     rows, sample = list(lines), [line for line in lines[:SAMPLE] if line.strip()]
     for pattern in (_TAGGED, *(() if sum(len(_PAIR.findall(line)) > 1 for line in sample) else (_LABELLED,))):
@@ -46,11 +47,12 @@ def bare(lines: Sequence[str]) -> list[str] | None:
             kept = [(line, m) for line in rows if (m := pattern.match(line))]
             rows = [line[m.end() :] for line, m in kept if re.sub(r"[\d:.,()]+", "", m[1]) == tag]
             sample = rows[:SAMPLE]
-    names = Counter(tuple(name for name, _ in _PAIR.findall(line)) for line in sample)
+    names = Counter(tuple(name for name, *_ in _PAIR.findall(line)) for line in sample)
     keys, count = names.most_common(1)[0] if names else ((), 0)
     if len(keys) > 1 and count > len(sample) / 2:
-        pairs = [_PAIR.findall(line) for line in rows]
-        rows = [",".join(keys)] + [",".join(v for _, v in p) for p in pairs if tuple(k for k, _ in p) == keys]
+        pairs = [p for p in (_PAIR.findall(line) for line in rows) if tuple(k for k, *_ in p) == keys]
+        units = [",".join(unit for *_, unit in pairs[-1])] if any(unit_of(unit) for *_, unit in pairs[-1]) else []
+        rows = [",".join(keys), *units] + [",".join(value for _, value, _ in p) for p in pairs]
     return rows if rows != list(lines) else None
 
 
@@ -61,7 +63,7 @@ def layout(lines: Sequence[str]) -> Layout:
         raise InvalidLog("there are no rows of numbers", likely="an empty recording")
     separator = _separator([line for _, line in content])
     rows = [(i, cells_of(line, separator)) for i, line in content]
-    width = Counter(len(cells) for _, cells in rows[-50:]).most_common(1)[0][0]
+    width = _width([cells for _, cells in rows])
     ended = rows[-1][1][-1].strip() == ""  # a separator at the end of each row
     head = next((k for k, (_, cells) in enumerate(rows) if len(cells) in (width, width - ended)), 0)
     comments = [line for line in lines[: rows[head][0]] if line.strip()]
@@ -76,10 +78,23 @@ def layout(lines: Sequence[str]) -> Layout:
         body += any(units.values())
     if len(names) == width - 1:
         names = [*names, f"c{width}"]
+    names = [name or f"c{i + 1}" for i, name in enumerate(names)]
     if twice := [name for name, count in Counter(names).items() if count > 1]:
         raise InvalidLog(f"column '{twice[0]}' appears twice", hint="rename or drop one")
     first = rows[body][0] if body < len(rows) else rows[-1][0] + 1
     return Layout(separator, names, first, tuple(comments), decimal, {n: u for n, u in units.items() if u})
+
+
+def _width(rows: Sequence[Sequence[str]]) -> int:
+    """How many cells most rows have, or how many names stand above rows that have fewer: a program may log some values
+    only at times."""
+    common = Counter(len(cells) for cells in rows[-50:]).most_common(1)[0][0]
+    numeric = [_any_number(cells, ".") for cells in rows]
+    first = numeric.index(True) if True in numeric else 0
+    if not first or any(len(cells) == common for cells in rows[:first]):
+        return common
+    named = len(rows[first - 1])
+    return named if named > common > 1 and max(len(cells) for cells in rows[first:]) <= named else common
 
 
 def _is_comment(line: str) -> bool:

@@ -32,7 +32,8 @@ _NEITHER = (
 _MOTOR = r"\bmotor ?(?:l|left|r|right|[1-4a-d])\b|\b(?:l|left|r|right) motor\b"  # an angle; beside encoders, a command
 _TIME = r"t|time\w*|ts|clock|elapsed|tiempo|hora|fecha|date"
 _BODY_RATE = (
-    r"(?:pitch|tilt|theta|psi|body)[ _]?(?:rate|dot|vel|speed)"
+    r"(?:pitch|tilt|theta|psi|body)[ _]?(?:rate|dot|dt|vel|speed)|\bd ?(?:pitch|tilt|theta|psi)\b"
+    r"|^d?angle (?:rate|dot|dt|vel\w*|speed)(?: (?:rad|deg|dps)\b.*)?$|^d ?angle$"
     r"|(?:gyro|\bgyr|gir[oó](?:sc[oó]pio)?)(?! (?:x|z|off\w*|bias|temp\w*)\b)(?: (?:y|raw|rate|spd|speed))?\b|\bg ?y\b"
     r"|angular (?:velocity|rate) y\b"
 )
@@ -53,7 +54,10 @@ _WORDS: Sequence[tuple[str, str]] = (
     (rf"{_ENCODER}{SIDE_WORDS['right']}\b|\b{SIDE_WORDS['right']} ?{_WHEEL}", "sensor/encoder_right"),
     *((rf"\b{_RATE} ?{s}\b|\b{s} {_RATE}\b", f"{RATE}sensor/encoder_{name}") for name, s in SIDE_WORDS.items()),
     *((rf"{_COMMAND} ?{s}\b|\b{s} {_COMMAND}\b", f"command/{name}") for name, s in SIDE_WORDS.items()),
-    (r"\b(?:pitch|tilt|lean|inclin\w*)(?: (?:rad|deg|x10|est\w*|angle))*$|gyro ?(?:ang\w*|est\w*)", "estimate/pitch"),
+    (
+        r"\b(?:pitch|tilt|lean|inclin\w*)(?: (?:rad|deg|x10|est\w*|angle|[xyz]))*$|gyro ?(?:ang\w*|est\w*)",
+        "estimate/pitch",
+    ),
     (_BODY_RATE, GYRO),
     (_ANGLE, "estimate/pitch"),
     (r"gyro x\b|\bg ?x\b", OTHER_GYRO),
@@ -189,4 +193,5 @@ def by_letter(gyro: str, columns: Iterable[str]) -> bool:
     """Whether a column was taken for the gyro for a Greek letter alone, while there is one with the other letter too:
     pitch is ψ to some and θ to others, and the other letter then is yaw or a wheel."""
     letters = {letter for column in columns for letter in ("psi", "theta") if letter in plain(column).split()}
-    return len(letters) == 2 and plain(gyro).split()[0] in letters
+    words = plain(gyro).removeprefix("d").split()
+    return len(letters) == 2 and words[0] in letters

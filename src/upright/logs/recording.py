@@ -101,6 +101,26 @@ def check_unit(log: Log, prefix: str, robot: Robot) -> None:
         )  # fmt: skip
 
 
+def check_complete(log: Log, robot: Robot) -> None:
+    """Raise `InvalidLog` for a log that has no encoders, no gyro or no commands, with all that it lacks at once: of a
+    duty also the voltage."""
+    prefix = commanded(log)
+    there = {SENSOR[name] for name in ROWS if name in log}
+    lacking = [words for kind, words in (("encoder", "encoders"), ("gyro", "gyro")) if kind not in there]
+    lacking += [] if prefix else ["commands"]
+    if not lacking:
+        return
+    duty = prefix and log.unit(f"{prefix}/left") == "1" and robot.command_unit == "V"
+    lacking += ["battery voltage (its commands are a duty)"] if duty else []
+    *most, last = lacking
+    raise InvalidLog(
+        f"the log has no {', '.join(most)}{' and no ' if most else ''}{last}",
+        expected=f"encoders, a gyro or a tilt, and commands in {robot.command_unit}",
+        hint="upright doctor LOG --write-mapping m.toml, and name their columns"
+        + (', and under [constants] "sensor/battery" = VOLTS' if duty else ""),
+    )
+
+
 def check_drive(log: Log, robot: Robot) -> None:
     """`check_unit` of a log from a file, which states its unit; one that was made in Python often states none."""
     if "file" in log.origin and (prefix := commanded(log)):
@@ -113,6 +133,7 @@ def record(log: Log, robot: Robot, kit: Kit, *, skip: float = 0.0, held_out: flo
 
     Raises `InvalidLog` where there are no commands, fewer than two sensors, or too few samples.
     """
+    check_complete(log, robot)
     if len(log) < FEWEST:
         raise InvalidLog(f"the log has {len(log)} samples", expected=f"at least {FEWEST} to calibrate from")
     check_clock(log)
