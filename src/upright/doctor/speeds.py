@@ -22,8 +22,8 @@ _MOST = 14  # columns that are tried
 
 
 def against_angles(mapping: Mapping, table: RawTable) -> list[Finding]:
-    """Encoders that were read in a stated unit, against a column of the same wheel that was not read: an error where the
-    stated units contradict each other, and where only one is stated, what that makes of a turn of the other."""
+    """Encoders that were read in a stated unit, against a column of the same wheel that was not read: an error where
+    the stated units contradict each other, and where only one is stated, what that makes of a turn of the other."""
     t = channels_of(Mapping("", mapping.time, {}), table)[0]
     if len(t) < 20 or not (np.diff(t) > 0).all():
         return []
@@ -58,8 +58,8 @@ def _other(source: Source, mapping: Mapping, table: RawTable, t: Array) -> str:
 
 
 def _slope(speed: Array, angle: Array, t: Array) -> tuple[float, float]:
-    """How much of the angle one unit of the summed speed is, and the correlation of both about their lines, at the delay
-    of the speed's filter at which they agree best."""
+    """How much of the angle one unit of the summed speed is, and the correlation of both about their lines, at the
+    delay of the speed's filter at which they agree best."""
     summed = np.concatenate([[0.0], np.cumsum((speed[1:] + speed[:-1]) / 2 * np.diff(t))])
     best = 0.0, 0.0
     most = min(len(t) // 4, round(_FILTER / float(np.median(np.diff(t)))))

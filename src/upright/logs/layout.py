@@ -7,6 +7,7 @@ import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from upright.errors import InvalidLog
 from upright.logs.units import unit_of
@@ -95,6 +96,19 @@ def _width(rows: Sequence[Sequence[str]]) -> int:
         return common
     named = len(rows[first - 1])
     return named if named > common > 1 and max(len(cells) for cells in rows[first:]) <= named else common
+
+
+_PHASE = 5  # rows, on average, in which a program logs fewer values than in others
+
+
+def padded(body: str, form: Layout) -> str:
+    """The rows with nothing in the last cells of those that are shorter than the header; '' where some are longer, or
+    single ones shorter, which were cut off."""
+    rows = [line.rstrip("\r") for line in body.split("\n") if line.strip()]
+    lacking = [len(form.names) - len(cells_of(line, form.separator)) for line in rows]
+    starts = sum(a != b > 0 for a, b in pairwise([0, *lacking]))
+    cut = min(lacking) < 0 or sum(n > 0 for n in lacking) < _PHASE * starts
+    return "" if cut else "\n".join(line + n * form.separator for line, n in zip(rows, lacking, strict=True))
 
 
 def _is_comment(line: str) -> bool:

@@ -55,7 +55,7 @@ _WORDS: Sequence[tuple[str, str]] = (
     *((rf"\b{_RATE} ?{s}\b|\b{s} {_RATE}\b", f"{RATE}sensor/encoder_{name}") for name, s in SIDE_WORDS.items()),
     *((rf"{_COMMAND} ?{s}\b|\b{s} {_COMMAND}\b", f"command/{name}") for name, s in SIDE_WORDS.items()),
     (
-        r"\b(?:pitch|tilt|lean|inclin\w*)(?: (?:rad|deg|x10|est\w*|angle|[xyz]))*$|gyro ?(?:ang\w*|est\w*)",
+        r"(?<!\bd )\b(?:pitch|tilt|lean|inclin\w*)(?: (?:rad|deg|x10|est\w*|angle|[xyz]))*$|gyro ?(?:ang\w*|est\w*)",
         "estimate/pitch",
     ),
     (_BODY_RATE, GYRO),

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.errors import InvalidLog, one_line
-from upright.logs.layout import Layout, bare, cells_of, is_number, layout
+from upright.logs.layout import Layout, bare, cells_of, is_number, layout, padded
 from upright.reading import expanded, parse_json, read_text
 from upright.signals import Log, parquet
 from upright.signals.header import TIME, check_lines, understand
@@ -192,7 +192,7 @@ def _parse(raw: bytes, form: Layout) -> tuple[dict[str, Array], dict[str, str], 
     skipped: tuple[str, ...] = ()
     if not plain:
         rows, skipped = _rows_alone(body.decode(), form)
-        rows = rows if skipped or table is not None else _padded(rows, form)
+        rows = rows if skipped or table is not None else padded(rows, form)
         table = read(rows.encode()) if skipped or (table is None and rows) else table
     if table is None:
         raise InvalidLog(
@@ -226,15 +226,6 @@ def _rows_alone(body: str, form: Layout) -> tuple[str, tuple[str, ...]]:
         return body, ()
     kept = "\n".join(line for line, is_row in zip(lines, good, strict=True) if is_row)
     return kept, tuple(f"line {form.first + i + 1}: {lines[i].strip()[:60]}" for i in wrong)
-
-
-def _padded(body: str, form: Layout) -> str:
-    """The rows with nothing in the last cells of those that are shorter than the header; '' where some are longer, or
-    so few shorter that they were cut off."""
-    rows = [line.rstrip("\r") for line in body.split("\n") if line.strip()]
-    lacking = [len(form.names) - len(cells_of(line, form.separator)) for line in rows]
-    cut = min(lacking) < 0 or sum(n > 0 for n in lacking) <= MOST_SKIPPED * len(rows)
-    return "" if cut else "\n".join(line + n * form.separator for line, n in zip(rows, lacking, strict=True))
 
 
 _TIME_OF_DAY = re.compile(
