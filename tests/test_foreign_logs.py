@@ -480,3 +480,19 @@ def test_what_a_log_lacks_is_said_at_once() -> None:
     off = Log(T, {SENSORS[2]: GYRO, "command/left": 0 * T, "command/right": 0 * T})
     with pytest.raises(InvalidLog, match="no encoders; expected encoders, a gyro or a tilt, and commands in V"):
         calibrate(off, "nxtway-gs")
+
+
+def test_the_largest_step_of_an_experiment_is_no_limit_of_the_motors() -> None:
+    """A random binary duty of 30 %, and rests: nothing is clipped; a law that is cut off at 30 % is."""
+    on = np.repeat(np.random.default_rng(5).integers(-1, 2, N // 5), 5)
+    columns = {"t": T, "angle": LEAN, "angle_dt": GYRO, "vbat": np.full(N, 8.0)}
+    assert "saturation" not in doctor(RawTable(columns | {"pwm": 30.0 * on})).codes()
+    assert "saturation" in doctor(RawTable(columns | {"pwm": np.clip(60 * np.cos(4 * T), -30, 30)})).codes()
+
+
+def test_a_speed_that_is_asked_of_a_stepper_is_no_voltage() -> None:
+    """Steps per second as the command of an inner loop, and steps as the encoder."""
+    names = ("left_actual_steps", "right_actual_steps", "left_applied_sps", "right_applied_sps", "u_sps")
+    mapping = propose(RawTable({"t": T, "gyro_dps": GYRO, **dict.fromkeys(names, 100 * WHEEL)}))
+    assert mapping.channels[SENSORS[0]].column == "left_actual_steps"
+    assert not any(name.startswith(("command/", "applied/")) for name in mapping.channels)

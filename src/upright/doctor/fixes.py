@@ -168,3 +168,12 @@ FIXES: dict[str, Callable[[Record, Fix], Record]] = {
     "finite time": _finite_time, "rows": _row_range, "cut": _cut, "even": _even, "bridge": _bridge, "fill": _fill,
     "unwrap": _unwrap, "single": _single, "spread": _spread,
 }  # fmt: skip
+
+
+_FEW = 8  # values of an experiment's commands: steps, or a random binary signal; those of a law are many
+
+
+def switched(command: Array) -> bool:
+    """Whether a command only switches between a few levels, as an experiment's does: the largest is one of them, and no
+    limit of the motors."""
+    return len(np.unique(command[np.isfinite(command)])) <= _FEW

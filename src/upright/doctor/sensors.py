@@ -26,7 +26,7 @@ from upright.doctor.finding import (
     note,
     warning,
 )
-from upright.doctor.fixes import COARSE, levels, stale
+from upright.doctor.fixes import COARSE, levels, stale, switched
 from upright.doctor.physics import motion, smooth, widths
 from upright.doctor.poses import LARGEST_OFFSET, bodily, lean_of
 from upright.doctor.segments import on_wheels
@@ -231,7 +231,7 @@ def saturation(record: Record) -> list[Finding]:
     groups: list[tuple[str, ...]] = [names for names in (record.commands, (GYRO,)) if names and names[0] in record]
     for names in groups:
         fraction, longest = at_limit(record, names)
-        if fraction > 0:
+        if fraction > 0 and (names[0] == GYRO or not all(switched(record[name]) for name in names)):
             limit = "gyro's range" if names[0] == GYRO else "largest command"
             unit = record.units.get(names[0], "").replace("1", "without a unit")
             top = f"{float(np.abs(record[names[0]]).max()):.4g} {unit}".rstrip()

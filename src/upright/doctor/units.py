@@ -106,7 +106,7 @@ def scales(record: Record, robot: Robot | None = None) -> list[Finding]:
     says what whole numbers of an encoder are."""
     m = motion(record)
     if m is None or m.gyro is None or m.gyro_name != GYRO:
-        return _whole(record, "no gyro tells which")
+        return _whole(record, "this motion does not tell which" if GYRO in record else "no gyro tells which")
     fit = m.law
     if fit.r2 < TRUSTED or min(fit.values, default=0.0) <= 0:
         return _of_no_unit(record, m.good, m.gyro)

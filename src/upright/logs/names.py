@@ -16,10 +16,13 @@ BOTH, RATE = "both of ", "rate of "
 """Before the beginning of two channels, or a channel: what one column says of both sides, or the rate of."""
 
 _ENCODER = (
-    r"(?:(?:enc|encoder|cnt|counts?|ticks?|tacho|pos|angle|wheel|rueda|motor|theta|phi|alpha) ?"
+    r"(?:(?:enc|encoder|cnt|counts?|ticks?|steps?|tacho|pos|angle|wheel|rueda|motor|theta|phi|alpha) ?"
     r"|(?:enc|count|tick|tacho|pos|rot|motor)\w* )"
 )
-_WHEEL = r"(?:enc\w*|cnt|count\w*|tick\w*|tacho\w*|pos\w*|rot\w*|angle|wheel|rueda|motor\w*|theta|phi|alpha)"
+_WHEEL = (
+    r"(?:(?:actual|measured|raw|total) )?"
+    r"(?:enc\w*|cnt|count\w*|tick\w*|steps?|tacho\w*|pos\w*|rot\w*|angle|wheel|rueda|motor\w*|theta|phi|alpha)"
+)
 _SPEED = r"speed|spd|vel\w*|omega|rpm"
 _RATE = rf"(?:{_SPEED}|w)"
 _DRIVEN = r"pwm|duty(?: cycle)?|volt\w*|cmd|command|control(?: signal)?|output|torque|power|mando|tensi[oó]n"
@@ -38,7 +41,7 @@ _BODY_RATE = (
     r"|angular (?:velocity|rate) y\b"
 )
 _PER_SECOND = (
-    rf"\b(?:{_SPEED}|rate|cps|pps|tps)\b"
+    rf"\b(?:{_SPEED}|rate|cps|pps|tps|sps)\b"
     r"|\b(?:counts?|ticks?|pulses?|steps?|turns?|m ?deg|deg\w*|rad\w*)? ?(?:per|p) s(?:ec\w*)?\b"
     r"|\b(?:counts?|ticks?|pulses?|m?deg|rad) s(?:ec)?\b"
 )
@@ -126,7 +129,8 @@ def _channel(words: str) -> str:
     of = name or _by_words(" ".join(re.sub(_PER_SECOND, " ", words).split()))
     if of.startswith(("sensor/encoder_", f"{BOTH}sensor/encoder_")):
         return RATE + of
-    return name or (GYRO if of == "estimate/pitch" else "")
+    speed = name.removeprefix(BOTH).startswith("command/")  # of an inner loop, and no voltage
+    return "" if speed else name or (GYRO if of == "estimate/pitch" else "")
 
 
 def _by_words(words: str) -> str:
