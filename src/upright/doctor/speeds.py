@@ -106,5 +106,5 @@ def _compared(
 
 def _named(ratio: float, unit: str) -> str:
     """The unit in which a speed agrees, where one is near."""
-    found = [u for u, (f, si) in UNITS.items() if si == "rad/s" and 1 / 1.1 < UNITS[unit][0] * ratio / f < 1.1]
-    return f" ('{found[0]}' would agree)" if found else ""
+    near = [u for u, (f, si) in UNITS.items() if si == "rad/s" and 1 / 1.1 < UNITS[unit][0] * ratio / f < 1.1]
+    return f" ('{near[0]}' would agree)" if near else ""
