@@ -329,13 +329,15 @@ def broken() -> dict[str, tuple[Log, str]]:
     holes[7] = np.nan
     uneven = np.cumsum(np.where(np.arange(len(log)) % 4, 0.01, 0.03))
     quiet = np.round(np.random.default_rng(0).standard_normal(len(log))) * 0.01
+    creeping = {n.replace("/", "__"): 0.1 * log[n] for n in log.channels if n.startswith("sensor/encoder")}
     return {
         "short": (log.between(0, 1), "samples"),
         "motors off": (without(log, **{f"applied__{s}": still for s in ("left", "right")}), "never change"),
         "dead gyro": (without(log, sensor__gyro=still), "never changes"),
         "holes": (without(log, sensor__gyro=holes), "NaN"),
         "clock": (Log(uneven, log.channels, log.units), "steps"),
-        "quiet": (without(log, sensor__gyro=quiet), "excited"),
+        "held": (without(log, sensor__gyro=quiet), "never on its wheels"),  # wheels that drive, and a body at rest
+        "quiet": (without(log, sensor__gyro=quiet, **creeping), "excited"),
         "torque": (Log(log.t, log.channels, {**log.units, "applied/left": "N m"}), "another robot"),
         "no sensors": (Log(log.t, {n: v for n, v in log.channels.items() if "sensor" not in n}, log.units), "encoder"),
     }  # fmt: skip

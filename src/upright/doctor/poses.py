@@ -147,7 +147,7 @@ def lean_of(record: Record, m: Resampled) -> Lean:
     assert m.gyro is not None
     quiet, calm = at_rest(m)
     gyro = m.gyro / _divisor(m)
-    spinning = _spinning(m, gyro, quiet)
+    spinning = _spinning(record, m, gyro, quiet)
     swing = _summed(gyro - _offset(gyro, quiet, m.period), m.period)
     for known in (_by_gravity(record, m, swing, calm if m.wheels else quiet), _by_estimate(record, m, gyro)):
         if known is not None and not other_zero(known, quiet):
@@ -157,14 +157,18 @@ def lean_of(record: Record, m: Resampled) -> Lean:
     return Lean(swing - _usual(swing, ~quiet, m.period), False, quiet, calm, spinning)
 
 
-def _spinning(m: Resampled, gyro: Array, quiet: Mask) -> Mask:
+def _spinning(record: Record, m: Resampled, gyro: Array, quiet: Mask) -> Mask:
     """The rests of the body in which a wheel spins up as it does on no floor: there δ̈ = −q ψ̈ + p ψ, so that a body that
-    is seen to rest bounds by how much the wheels change their speed, whatever the robot."""
+    is seen to rest bounds by how much the wheels change their speed, whatever the robot. What a logged tilt does
+    bounds it too, since a gyro may be about another axis."""
     spinning = np.zeros(len(quiet), dtype=bool)
     if not m.wheels:
         return spinning
-    rate = smooth(gyro, m.period, _CALMED)
-    carried = _LARGEST_Q * rate, _LARGEST_P * _summed(_summed(rate, m.period), m.period)
+    tilt = record[PITCH] if PITCH in record and m.gyro_name == GYRO else np.full(len(record.t), np.nan)
+    fine = np.isfinite(tilt)
+    rates = [smooth(gyro, m.period, _CALMED)]
+    rates += [smooth(np.interp(m.t, record.t[fine], tilt[fine]), m.period, _CALMED, 1)] if fine.any() else []
+    carried = [(_LARGEST_Q * rate, _LARGEST_P * _summed(_summed(rate, m.period), m.period)) for rate in rates]
     speeds = [smooth(wheel, m.period, _CALMED, 1) for wheel in (m.left, m.right)]
     fastest = max(float(np.percentile(np.abs(speed), 95)) for speed in speeds)
     scale = _SLOW_WHEEL / fastest if fastest > FASTEST_WHEEL else 1.0  # counts, of an unknown number to a turn
@@ -172,7 +176,7 @@ def _spinning(m: Resampled, gyro: Array, quiet: Mask) -> Mask:
     for a, b in runs(quiet):
         windows = [slice(i, i + count) for i in range(a, b - count + 1, max(1, count // 2))]
         spinning[a:b] = any(
-            scale * _bent(speed[w]) > max(_SPUN, sum(_bent(part[w]) for part in carried))
+            scale * _bent(speed[w]) > max(_SPUN, *(sum(_bent(part[w]) for part in parts) for parts in carried))
             for w in windows
             for speed in speeds
         )

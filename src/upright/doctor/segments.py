@@ -81,7 +81,8 @@ def _fell(record: Record, segment: Segment) -> Finding:
 _ASIDE = {
     LYING: "the robot lies", FALLEN: "the robot lies after its fall", OVER: "the robot is upside down",
     RISING: "the robot stands up", MOVED: "the robot is thrown, lifted or carried",
-    HELD: "the body rests while the wheels spin up: it is held, or the wheels are off the floor",
+    HELD: "the gyro reads a body at rest while the wheels spin up: it is held, its wheels are off the floor, or this "
+    "is no pitch rate",
 }  # fmt: skip
 
 
