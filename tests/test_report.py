@@ -621,6 +621,15 @@ def test_a_designs_page_has_its_weights_and_gains():
     assert filtered.header[1:] == ["encoder left [unit/rad]", "encoder right [unit/rad]", "gyro [unit/(rad/s)]"]
 
 
+@pytest.mark.parametrize("period", [0.0085, 0.004])
+def test_a_design_of_any_period_is_let_go(period):
+    """8.5 ms is no multiple of a body's usual millisecond."""
+    run_ = design("lqg", "nxtway-gs", period=period).let_go()
+    assert np.diff(run_.log.t) == pytest.approx(period)
+    assert run_.upright < 3.0  # as every 10 ms, 1.3 s, but for noise
+    assert run_.fell is None
+
+
 @pytest.mark.parametrize("method", ["lqr", "lqi", "pid", "hinf", "sliding", "mpc"])
 def test_every_method_shows_what_it_was_found_by(method):
     result = design(method, "nxtway-gs")

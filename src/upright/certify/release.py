@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from upright.bodies import Electronics, make_body
+from upright.bodies import Electronics
+from upright.bodies.models import NonlinearBody
 from upright.control.controller import Controller
 from upright.experiment import outcome_of, run
 from upright.robots import Kit, Robot
@@ -22,6 +23,7 @@ LEAN = math.radians(5.0)
 UPRIGHT = math.radians(1.0)
 """[rad] Within this pitch the robot counts as upright: many times what sensor noise makes of it on the presets."""
 SECONDS = 8.0
+STEP = 0.001  # [s] of the body at most: the longest that divides the controller's period
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,6 +74,7 @@ class Release:
 
 def let_go(robot: Robot, controller: Controller, kit: Kit, lean: float = LEAN, seconds: float = SECONDS) -> Release:
     """The nonlinear model of `robot` inside `kit`, noise, dead zone and limits included, let go at `lean` [rad]."""
-    body = Electronics(make_body("nonlinear", robot), kit)
-    log = run(body, controller, seconds=seconds, start=[lean, 0.0, 0.0, 0.0, 0.0, 0.0])
+    period = controller.spec.period
+    body = NonlinearBody(robot, period=period / math.ceil(period / STEP - 1e-9))
+    log = run(Electronics(body, kit), controller, seconds=seconds, start=[lean, 0.0, 0.0, 0.0, 0.0, 0.0])
     return Release(log, lean, robot.wheel_radius)

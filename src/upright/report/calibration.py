@@ -108,7 +108,7 @@ def _numbers(c: Calibration) -> list[tuple[str, str]]:
     if scores := held or {name: c.segments[name] for name in c.channels}:
         counted = {name: r2 for name, r2 in scores.items() if name in PREDICTED} or scores
         last = min(counted, key=lambda name: counted[name])
-        part = f" in the part not fitted ({least(c.segments[last])} over all of it)" if held else ""
+        part = f" in the part not fitted ({least(c.segments[last])} over the whole log)" if held else ""
         words = f"R² of the {short(last)}, the worst of {len(counted)} sensors that count,{part}; good from {GOOD:g}"
         others = [f"{short(name)} {least(r2)}, not judged" for name, r2 in scores.items() if name not in counted]
         numbers.append((least(scores[last]), "; ".join([words, *others])))
@@ -123,7 +123,7 @@ def _numbers(c: Calibration) -> list[tuple[str, str]]:
         ms = [number(1e3 * x, 2) for x in (gyro.value, gyro.low, gyro.high)]
         text = f"from a command until the gyro shows it (95 %: {ms[1]} to {ms[2]})"
         wheels = next((e for e in c.delays if e.name == "delay/encoder" and e.verdict == VISIBLE), None)
-        text += f"; the encoders after {number(1e3 * wheels.value, 2)} ms" if wheels else ""
+        text += f"; the encoders within {number(1e3 * wheels.high, 2)} ms" if wheels else ""
         numbers.append((_whole(f"{ms[0]} ms"), text))
     return numbers
 

@@ -242,8 +242,8 @@ def _about_trials(compared: MethodComparison) -> list[Item]:
     leans = {m: t.restless for m, t in compared.trials.items() if t.holds and t.restless is not None}
     if len(leans) > 1 and (calm := min(leans, key=lambda m: leans[m])) != _best(compared):
         words.append(
-            f"At rest {calm} is calmest. What to take goes by the largest lean, and of about equal ones by the surest "
-            "pole."
+            f"At rest {calm} is calmest. But the largest lean decides, since a robot falls by it; between about equal "
+            "leans, how well the pole is known."
         )
     return [*words, Details("What the methods are", [methods_table(compared)])]
 

@@ -30,7 +30,7 @@ TERMS: dict[str, tuple[str, str]] = {
         "readings and commands are scaled, so that it may be small in a sound loop."),
     r"hold at": ("hold", "A constant force that leans the robot, until it lets go."),
     r"certificate": ("certificate", "What `upright certify` writes: robots within the uncertainty are pushed, and "
-        "those that fall are counted."),
+        "those that fall are counted. It is green only where at most 5 % may fall."),
     r"NRMSE": ("NRMSE", "Root mean square error over the standard deviation; the fit is 100 % less that."),
     r"ν-gap": ("ν-gap", "How different two robots are for a controller: 0 the same, 1 not comparable."),
     r"Nyquist": ("Nyquist curve", "The gain of the open loop in the complex plane. Far from −1 the loop has large "
