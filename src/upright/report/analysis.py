@@ -165,8 +165,8 @@ def _targets(analysis: Analysis) -> list[tuple[str, str, str, float]]:
         ("phase margin", f"{cell_text(degrees, 2)}°", f"{PHASE:g}°", degrees / PHASE),
         ("motors stronger", _change(both.gain_high), _change(STRONG), (both.gain_high - 1) / (STRONG - 1)),
         ("motors weaker", _change(both.gain_low), _change(WEAK), (1 - both.gain_low) / (1 - WEAK)),
-        (f"delay margin, {_weakest(analysis)}", _delay(analysis), f"{1e3 * analysis.period:g} ms",
-         delay / analysis.period),
+        (f"delay margin ({_weakest(analysis).removeprefix('both ')})", _delay(analysis),
+         f"{1e3 * analysis.period:g} ms", delay / analysis.period),
     ]  # fmt: skip
     return sorted(targets, key=lambda target: target[-1])
 
