@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.calibrate.fitting import Problem
-from upright.logs.recording import Recording
+from upright.logs.recording import Recording, first_line, first_wheel_rates
 from upright.physics.dynamics import turn_ratio
 
 if TYPE_CHECKING:
@@ -28,7 +28,6 @@ TRIED, MOST_TRIED = 2, 6
 """How many of the first states are fitted, those that follow the readings best as they are; and how many where the fit
 is still `POOR`: near a fall the errors have several minima."""
 POOR = 400.0  # squared error of a reading, over its scale: a fifth of what varies
-FIRST_READINGS = 7  # of a sensor, through which a line gives its first value and slope
 GROWING = (0.25, 0.5, 0.75, 1.0)
 """Fractions of a stretch to which a first state is fitted in turn. Over a short time the motion is nearly linear in it
 and the error has one minimum; over the whole of a fall it has one for each way to fall."""
@@ -94,32 +93,19 @@ class Stretch:
         """First states (states, lanes) to try: the filter's, and those of several pitches with the rates that the first
         readings show."""
         fan = np.repeat(filtered[:, None], 1 + len(FAN), axis=1)
-        shown = self._line("sensor/gyro")
+        lines = {name: self._line(row) for row, name in enumerate(self.recording.rows)}
+        shown, wheels = lines.get("sensor/gyro"), first_wheel_rates(lines)
         rate = filtered[1] if shown is None else shown[0] - filtered[6]
         fan[0, 1:], fan[1, 1:] = FAN, rate
         fan[2, 1:] += FAN - filtered[0]
-        left, right = (self._wheel_rate(side) for side in ("left", "right"))
-        if left is not None:
-            right = left if right is None else right
-            fan[3, 1:] = rate + (left + right) / 2
-            fan[5, 1:] = (right - left) / (2 * turn_ratio(self.problem.robot))
+        if wheels:
+            fan[3, 1:] = rate + sum(wheels) / 2
+            fan[5, 1:] = (wheels[1] - wheels[0]) / (2 * turn_ratio(self.problem.robot))
         return fan
 
-    def _wheel_rate(self, side: str) -> float | None:
-        """First rate of a wheel relative to the body [rad/s]."""
-        angle, rate = self._line(f"sensor/encoder_{side}"), self._line(f"sensor/encoder_rate_{side}")
-        return rate[0] if rate else angle[1] if angle else None
-
-    def _line(self, name: str) -> tuple[float, float] | None:
-        """First value and slope of a reading, by a line through the first of them."""
-        if name not in self.recording.rows:
-            return None
-        at = self.events[self.recording.kind[self.events] == self.recording.rows.index(name)][:FIRST_READINGS]
-        if len(at) < 3:
-            return None
-        t, y = self.recording.when[at] - self.recording.when[at[0]], self.recording.value[at]
-        slope = float(((t - t.mean()) * (y - y.mean())).sum() / max(float(((t - t.mean()) ** 2).sum()), 1e-12))
-        return float(y.mean()) - slope * float(t.mean()), slope
+    def _line(self, row: int) -> tuple[float, float] | None:
+        at = self.events[self.recording.kind[self.events] == row]
+        return first_line(self.recording.when[at], self.recording.value[at])
 
     def _likeliest(self, firsts: Array) -> list[Array]:
         """The best of the first states (states, lanes), best first."""

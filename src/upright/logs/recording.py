@@ -35,6 +35,8 @@ FEWEST = 100
 FIRST_SPREAD = (0.2, 0.5, 1e-2, 5.0, 1e-2, 2.0, 0.05, 0.5)
 """Standard deviations of the first state before any reading [rad, rad/s]; those of wheel and yaw are relative to the
 encoders, whose zero is arbitrary."""
+FIRST_READINGS = 7
+"""Of a sensor, through which a line gives its first value and slope."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -149,7 +151,8 @@ def record(log: Log, robot: Robot, kit: Kit, *, skip: float = 0.0, held_out: flo
         whens.append(log.t[there])
         values.append(np.unwrap(reading) if name == "sensor/compass" else reading)
     when = np.concatenate(whens)
-    first, P0 = _start(log, robot, rows)
+    lines = {name: first_line(t, y) for name, t, y in zip(rows, whens[1:], values[1:], strict=True)}
+    first, P0 = _start(log, robot, rows, lines)
     return Recording(
         rows=rows, kind=np.concatenate(kinds).astype(np.int64), when=when, value=np.concatenate(values),
         commands=commands, fitted=when <= last, first=first, P0=P0, period=log.period,
@@ -222,7 +225,29 @@ def reading_matrix(rows: Sequence[str], size: int, turn: Array, sensors: Mapping
     return C
 
 
-def _start(log: Log, robot: Robot, rows: tuple[str, ...]) -> tuple[Array, Array]:
+def first_line(t: Array, y: Array) -> tuple[float, float] | None:
+    """First value and slope of readings y (n,) at the times t (n,) [s], by a line through the first of them."""
+    if len(t) < 3:
+        return None
+    t, y = t[:FIRST_READINGS] - t[0], y[:FIRST_READINGS]
+    slope = float(((t - t.mean()) * (y - y.mean())).sum() / max(float(((t - t.mean()) ** 2).sum()), 1e-12))
+    return float(y.mean()) - slope * float(t.mean()), slope
+
+
+def first_wheel_rates(lines: Mapping[str, tuple[float, float] | None]) -> tuple[float, float] | None:
+    """First rate of the left and the right wheel relative to the body [rad/s], by the `first_line` of each reading."""
+    found: list[float] = []
+    for side in SIDES:
+        angle, rate = (lines.get(f"sensor/encoder{kind}_{side}") for kind in ("", "_rate"))
+        found += [rate[0]] if rate else [angle[1]] if angle else []
+    return (found[0], found[-1]) if found else None
+
+
+def _start(
+    log: Log, robot: Robot, rows: tuple[str, ...], lines: Mapping[str, tuple[float, float] | None]
+) -> tuple[Array, Array]:
+    """The first state, which moves as the first readings do, and its covariance. A filter that began at rest would take
+    dry friction for holding the wheels of a robot that rolls, and lose it."""
     size = 8 if "sensor/compass" in rows else 7
     left = right = 0.0
     if "sensor/encoder_left" in rows:
@@ -232,6 +257,10 @@ def _start(log: Log, robot: Robot, rows: tuple[str, ...]) -> tuple[Array, Array]
     first = np.zeros(size)
     first[2], first[4] = (left + right) / 2, (right - left) / (2 * turn)
     first[6] = np.nanmean(log["sensor/gyro"])
+    if gyro := lines.get("sensor/gyro"):
+        first[1] = gyro[0] - first[6]
+    if wheels := first_wheel_rates(lines):
+        first[3], first[5] = first[1] + sum(wheels) / 2, (wheels[1] - wheels[0]) / (2 * turn)
     if size == 8:
         compass = log["sensor/compass"]
         first[7] = compass[np.isfinite(compass)][0] - first[4]
