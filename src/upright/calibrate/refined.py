@@ -77,7 +77,7 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
     start = calm if np.isfinite(objective(calm, z)[0]) else problem
     rough = _settled(start, z, _bounds(problem, limits, FREEDOM))
     best = _polished(rough, _bounds(problem, limits, FREEDOM))
-    if worst_correlation(*best) < WHITE:
+    if np.isfinite(best.normal.objective) and worst_correlation(*best) < WHITE:
         return _tempered(*_between_runs(best))
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         others = pool.submit(_without_first, problem, limits)
@@ -189,12 +189,13 @@ def _settled(problem: Problem, z: Array, bounds: Bounds) -> Fitted:
 
 
 def _polished(fit: Fitted, bounds: Bounds) -> Fitted:
-    """The same in fine steps, where these are finer."""
+    """The same in fine steps, where these are finer and the filter follows the log in them."""
     fine = replace(fit.problem, fine=True)
     if fine.longest == fit.problem.longest:
         return fit
     problem = learn_noise(fine, fit.z, bounds, iterations=2)
-    return _fitted(problem, fit.z, iterations=10)
+    polished = _fitted(problem, fit.z, iterations=10)
+    return polished if np.isfinite(polished.normal.objective) else fit
 
 
 def _tempered(problem: Problem, z: Array, normal: Normal, paths: Sequence[Path]) -> Fitted:
