@@ -32,6 +32,7 @@ from upright.control import Estimated, kalman, lqr, make_controller
 from upright.control.excited import Excited, random_binary
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import run
+from upright.experiment.pushes import Hold
 from upright.logs.marks import known_fraction
 from upright.logs.recording import reading_matrix, record
 from upright.physics.dynamics import derivative
@@ -500,6 +501,34 @@ def dry_twin(robot: Robot, amplitude: float, hold: int, seed: int = 3) -> Log:
     controller = make_controller("lqg", Robot.preset("twipr"), kit, kit.period)
     excited = Excited(controller, random_binary(1000, amplitude, seed, hold))
     return run(Electronics(Twin(robot), kit), excited, seconds=10.0, seed=seed)
+
+
+@cache
+def let_go() -> Log:
+    """A twin of twipr that was held at 0.1 rad and let go: its log begins 0.1 s later, while the wheels turn."""
+    robot, kit = Robot.preset("twipr"), Kit.preset("twipr")
+    body = Electronics(Twin(robot.replace(com_height=0.0115, pitch_inertia=0.0029)), kit)
+    controller = make_controller("lqg", robot, kit, kit.period)
+    return run(body, controller, Hold(pitch=0.1, until=1.0), seconds=9.0, seed=1).between(1.1, math.inf)
+
+
+def test_the_filter_begins_with_the_motion_of_the_first_readings() -> None:
+    """Half a radian a second is what a line through seven readings may be late by: 0.09 s, in which the wheel's rate of
+    1.3 rad/s halves. A filter that began at rest took dry friction for holding the wheels."""
+    log = let_go()
+    recording = record(log, Robot.preset("twipr"), Kit.preset("twipr"), skip=0.02)
+    true = [log[f"truth/{name}"][0] for name in ("pitch_rate", "wheel_rate", "yaw_rate")]
+    assert abs(true[1]) > 0.6  # else this log tests nothing
+    assert recording.first[[1, 3, 5]] == pytest.approx(true, abs=0.5)
+
+
+def test_a_robot_that_rolls_in_the_first_row_has_its_dead_times() -> None:
+    """Those of the kit, to a tenth of a period: optima half a period away were found by a filter that began at rest."""
+    kit, found = Kit.preset("twipr"), calibrate(let_go(), Robot.preset("twipr"))
+    late = kit.delay % kit.period + kit.jitter / 2
+    assert found["delay/gyro"].value == pytest.approx(late + kit.sensors["sensor/gyro"].delay, abs=0.001)
+    assert found["delay/encoder"].value == pytest.approx(late + kit.sensors["sensor/encoder_left"].delay, abs=0.001)
+    assert found.temper > 0.5  # innovations are white, or nearly
 
 
 def test_dry_friction_of_the_twin_is_found() -> None:

@@ -236,11 +236,11 @@ def first_line(t: Array, y: Array) -> tuple[float, float] | None:
 
 def first_wheel_rates(lines: Mapping[str, tuple[float, float] | None]) -> tuple[float, float] | None:
     """First rate of the left and the right wheel relative to the body [rad/s], by the `first_line` of each reading."""
-    found: list[float] = []
+    rates: list[float] = []
     for side in SIDES:
         angle, rate = (lines.get(f"sensor/encoder{kind}_{side}") for kind in ("", "_rate"))
-        found += [rate[0]] if rate else [angle[1]] if angle else []
-    return (found[0], found[-1]) if found else None
+        rates += [rate[0]] if rate else [angle[1]] if angle else []
+    return (rates[0], rates[-1]) if rates else None
 
 
 def _start(
