@@ -14,7 +14,8 @@ from upright.calibrate.knocks import unpushed
 from upright.certify.actual import as_logged, doubted, is_beyond
 from upright.certify.checks import TrialSetup
 from upright.certify.logged import LOADED
-from upright.certify.support import LOAD_KNOWN, MASS, Support, body_mass
+from upright.certify.mass import MassOpen
+from upright.certify.support import LOAD_KNOWN, MASS, SHARE, Support, body_mass
 from upright.errors import InvalidLog
 from upright.logs.recording import SENSOR
 from upright.progress import Progress
@@ -41,6 +42,7 @@ class Learnt:
     kit: Kit
     uncertainty: Uncertainty
     contradicted: tuple[Support, ...] = ()
+    mass_open: MassOpen | None = None
 
 
 def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) -> tuple[Learnt, tuple[Support, ...]]:
@@ -57,8 +59,10 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
     met, _, taken = as_logged(log, setup)
     alone = unloaded(met)
     unsure = unconfirmed(taken)
-    for own, mass in weighed(log, alone):
-        return learnt(own, setup.kit), (*(s for s in taken if s.name != MASS), mass)
+    asked = guessed(log, alone)
+    for mass in weighed(asked, alone):
+        return learnt(asked, setup.kit), (*(s for s in taken if s.name != MASS), mass)
+    weighed_on = alone
     if unsure:
         alone, _, taken = as_logged(log, replace(setup, is_weighed=True))
     own = _own(log, alone, progress)
@@ -66,9 +70,9 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
     if unlike and (doubt := doubted(log, alone, {s.name for s in taken})):
         other = _own(log, doubt[0], progress)
         if not other.refused and (own.refused or other.temper > max(WHITER * own.temper, WHITE)):
-            own, taken = other, (*taken, doubt[1])
+            own, taken, alone = other, (*taken, doubt[1]), doubt[0]
     if own.refused and taken:
-        own, taken = _own(log, setup, progress), ()
+        own, taken, alone = _own(log, setup, progress), (), replace(setup, is_weighed=True)
     if own.refused:
         raise InvalidLog(
             f"the log does not describe {setup.robot.name}: {own.refused[0]}",
@@ -77,12 +81,28 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
     white = own.temper >= WHITE
     unsure = () if taken and white else unsure  # the mass was an image of what was taken over instead
     coloured = () if setup.dry_friction or taken or white else (_count(own.temper),)
-    return learnt(own, setup.kit, (*unsure, *coloured)), taken
+    result = learnt(own, setup.kit, (*unsure, *coloured))
+    if not result.contradicted:
+        return result, taken
+    if alone.actual_kit != weighed_on.actual_kit:
+        asked = guessed(log, alone)
+    return replace(result, mass_open=_open(asked, setup, unsure)), taken
+
+
+def _open(asked: Calibration, setup: TrialSetup, unsure: Sequence[Support]) -> MassOpen | None:
+    """What a calibration that takes the mass for a guess leaves of it, as far as the mass that a filter sees; None if
+    that is refused, or contradicts another number of the robot's file."""
+    if asked.refused or (robot := learnt(asked, setup.kit)).contradicted:
+        return None
+    e = asked["body_mass"]
+    low, high = min([e.low, *(s.low for s in unsure)]), max([e.high, *(s.high for s in unsure)])
+    mass = replace(body_mass(setup, e.value, 0.0), low=low, high=high)
+    return MassOpen(robot.robot, robot.kit, robot.uncertainty, mass)
 
 
 def _count(temper: float) -> Support:
     """The share of the readings that count: innovations far from white are of something that no number explains."""
-    return Support("share of readings that count", "1", temper, temper, temper, WHITE, 1.0)
+    return Support(SHARE, "1", temper, temper, temper, WHITE, 1.0)
 
 
 def unloaded(met: TrialSetup) -> TrialSetup:
@@ -96,31 +116,34 @@ def unconfirmed(taken: Sequence[Support]) -> tuple[Support, ...]:
     return tuple(replace(s, low=s.value, high=s.value) for s in taken if s.name == MASS)
 
 
-def weighed(log: Log, setup: TrialSetup) -> list[tuple[Calibration, Support]]:
-    """The calibration that takes the body's mass for a guess, and that mass, where it is not within what was assumed;
-    nothing where it is.
-
-    It weighs every other number within its spread. The filter of a certificate does not, and takes dry friction for
-    mass. Innovations far from white may be of another cause, but those of a robot with dry friction always are.
-    """
+def guessed(log: Log, setup: TrialSetup) -> Calibration:
+    """The calibration that takes the body's mass for a guess, and weighs every other number within its spread. The
+    filter of a certificate does not, and takes dry friction for mass."""
     robot, kit = setup.actual_robot, setup.actual_kit
     guess = robot.replace(provenance={name: s for name, s in robot.provenance.items() if name not in LOADED})
-    own = calibrate(unpushed(log, robot, kit), guess, kit)
+    return calibrate(unpushed(log, robot, kit), guess, kit)
+
+
+def weighed(own: Calibration, setup: TrialSetup) -> list[Support]:
+    """The mass that a calibration finds which took it for a guess, where it is not within what was assumed; nothing
+    where it is. Innovations far from white may be of another cause, but those of a robot with dry friction always are.
+    """
     if own.refused:
         return []
     e = own["body_mass"]
     mass = replace(body_mass(setup, e.value, 0.0), low=e.low, high=e.high)
     white = setup.dry_friction or own.temper > WHITE
-    return [(own, mass)] if white and is_beyond(mass) else []
+    return [mass] if white and is_beyond(mass) else []
 
 
 def doubtful_mass(log: Log, setup: TrialSetup, taken: Sequence[Support]) -> tuple[Support, ...]:
     """The mass that counts as contradicted beside a posterior that is not of this log: of a robot with dry friction
     what a calibration sees, else what the filter of a certificate had `taken` and no calibration sees."""
     if setup.dry_friction:
-        return tuple(mass for _, mass in weighed(log, setup))
+        return tuple(weighed(guessed(log, setup), setup))
     unsure = unconfirmed(taken)
-    return () if unsure and weighed(log, unloaded(setup)) else unsure
+    alone = unloaded(setup)
+    return () if unsure and weighed(guessed(log, alone), alone) else unsure
 
 
 def _own(log: Log, setup: TrialSetup, progress: Progress | None) -> Calibration:

@@ -28,8 +28,9 @@ from upright.certify.checks import (
     trials,
 )
 from upright.certify.logged import as_sent
+from upright.certify.mass import tried_at_both_ends
 from upright.certify.narrowing import Narrowing, NeededSpread, narrowing, red
-from upright.certify.support import Support
+from upright.certify.support import Support, left_open
 from upright.certify.verdict import CONFIDENCE, MOST_FALLS, LinearMargins, judge, linear_margins
 from upright.control import find_controller
 from upright.control.controller import Controller
@@ -201,9 +202,10 @@ class Certificate(Shown):
             sweeps += [str(self.narrowing), *self.narrowing.ways(self.robot)]
         sweeps += [f"the log: {'; '.join(map(str, self.agreement))}"] if self.agreement else []
         taken = {s.name for s in self.taken}
-        inside = "; ".join(str(s) for s in self.support if not s.outside and s.name not in taken)
+        inside = "; ".join(str(s) for s in self.support if not (s.outside or s.tried or s.name in taken))
         sweeps += [f"the log supports: {inside}"] if inside else []
         sweeps += [f"tried as the log shows it: {'; '.join(map(str, self.taken))}"] if self.taken else []
+        sweeps += left_open(self.support)
         return "\n".join([*lines, *(line for line in sweeps if line)])
 
 
@@ -237,10 +239,11 @@ def certify(
     parts, recording = find_kit(kit or nominal.kit), None if log is None else as_sent(raw_log(log, mapping))
     rubs, stated = nominal.coulomb_friction > 0, (nominal, parts)
     subject = {"robot": robot_facts(given), "kit": kit_facts(parts)}
-    wrong, contradicted = tuple[Support, ...](), tuple[Support, ...]()
+    wrong, contradicted, mass_open = tuple[Support, ...](), tuple[Support, ...](), None
     if bare := unknown is None and robots is None and recording:
         own, wrong = _calibrated(bare, controller, nominal, parts, seed, progress)
         nominal, parts, unknown, contradicted = own.robot, own.kit, own.uncertainty, own.contradicted
+        mass_open = own.mass_open
     design = find_controller(controller, nominal, parts, parts.period)
     family = draw(nominal, samples, seed, unknown) if robots is None else list(robots)
     _check_family(family, nominal)
@@ -248,6 +251,8 @@ def certify(
     setup = TrialSetup(
         driven, nominal, family, parts, seed, threads, dry_friction=rubs, is_weighed=bool(bare), stated=stated
     )
+    if mass_open and recording:
+        contradicted = tried_at_both_ends(recording, setup, mass_open) or contradicted
     setup, shown, taken = as_logged(recording, setup) if recording else (setup, (), ())
     contradicted = doubtful_mass(recording, setup, taken) if recording and posterior is not None else contradicted
     taken = (*taken, *(s for s in wrong if s.name not in {t.name for t in taken}))

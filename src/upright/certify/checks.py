@@ -21,6 +21,7 @@ from upright.control.controller import Controller
 from upright.control.law import Law, as_law
 from upright.control.mpc import Splitting
 from upright.errors import InvalidController, SpecMismatch
+from upright.fleet.binomial import upper_bound
 from upright.fleet.ensemble import SETTLED, tables
 from upright.kernel.batch import NAMES, FleetBatch, FleetResult, parameters_of, silent
 from upright.kernel.pack import RESIDUAL
@@ -38,6 +39,9 @@ DELAYS = (0.25, 0.5, 1.0, 1.5, 2.0)
 
 SLOWER = (0.5, 0.8, 1.0, 1.25, 1.5, 2.0)
 """Periods that are tried, as multiples of the controller's own, which is among them for comparison."""
+
+CONFIDENCE = 0.95
+MOST_FALLS = 0.05  # red above: with one such robot in twenty, a class of students breaks one
 
 SWEPT = 100  # drawn robots in the sweeps
 
@@ -110,6 +114,11 @@ def kernel_controller(controller: Controller, robot: Robot, kit: Kit) -> KernelC
 
 
 PUSHES = 3  # number of standard pushes
+
+
+def red(fell: int, runs: int) -> bool:
+    """Whether so many falls make a light red."""
+    return upper_bound(fell, runs, CONFIDENCE) > MOST_FALLS
 
 
 @dataclass

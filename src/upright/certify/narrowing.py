@@ -12,9 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from upright.arrays import Array, Mask
-from upright.certify.checks import TrialSetup, tried
-from upright.certify.verdict import CONFIDENCE, MOST_FALLS
-from upright.fleet.binomial import upper_bound
+from upright.certify.checks import TrialSetup, red, tried
 from upright.kernel.batch import NAMES, parameters_of
 from upright.robots.robot import PARAMETERS
 from upright.robots.uncertainty import Spread, Uncertainty, draw
@@ -83,7 +81,7 @@ def narrowing(setup: TrialSetup, unknown: Uncertainty, fell: Mask) -> Narrowing:
         robots, lost = draw(setup.robot, TRIED, setup.seed + 1, known), np.zeros(TRIED, dtype=np.bool_)
         for one in tried(replace(setup, robots=robots, progress=None)):
             lost |= one.fell
-            if red(int(lost.sum())) and not all_pushes:
+            if red(int(lost.sum()), TRIED) and not all_pushes:
                 break
         return int(lost.sum())
 
@@ -91,7 +89,7 @@ def narrowing(setup: TrialSetup, unknown: Uncertainty, fell: Mask) -> Narrowing:
         """How well these would have to be known; None where a tenth is too much, or none is chosen."""
         enough = None
         for factor in FACTORS if chosen else ():
-            if red(least := falls(dict.fromkeys((s.name for s in chosen), factor))):
+            if red(least := falls(dict.fromkeys((s.name for s in chosen), factor)), TRIED):
                 break
             enough = Narrowing(tuple(_needed(s, factor) for s in chosen), TRIED, least)
         return enough
@@ -100,15 +98,10 @@ def narrowing(setup: TrialSetup, unknown: Uncertainty, fell: Mask) -> Narrowing:
     if alone := answer(ranked[:1]):
         return alone
     every = dict.fromkeys((s.name for s in unknown.spreads), FACTORS[0])
-    if red(most := falls(every, all_pushes=True)):
+    if red(most := falls(every, all_pushes=True), TRIED):
         return Narrowing((), TRIED, most, everything=True)
     several = (answer(ranked[:count]) for count in range(2, min(MOST_NAMES, len(ranked)) + 1))
     return next(filter(None, several), Narrowing((), TRIED, most))
-
-
-def red(fell: int, runs: int = TRIED) -> bool:
-    """Whether so many falls make a light red."""
-    return upper_bound(fell, runs, CONFIDENCE) > MOST_FALLS
 
 
 def ranking(unknown: Uncertainty, parameters: Array, fell: Mask) -> Sequence[Spread]:

@@ -18,7 +18,7 @@ import numpy as np
 from upright.arrays import Array
 from upright.calibrate.estimate import SURPRISE, Estimate
 from upright.calibrate.knocks import at_motors, moved_by
-from upright.certify.checks import TrialSetup, batteries
+from upright.certify.checks import TrialSetup, batteries, red
 from upright.certify.likelihood import FollowedLog, body_load, dead_zone, filtered_log, gyro_scale
 from upright.control.delay import MOST_PERIODS, sampled
 from upright.logs.recording import commanded
@@ -27,6 +27,7 @@ from upright.signals import Log
 
 SHOWN = {"s": (1e3, "ms"), "m": (1e3, "mm"), "rad": (math.degrees(1), "°")}
 MASS = "body's mass"
+SHARE = "share of readings that count"
 OUTSIDE = "outside what the log supports: "
 NORMAL = 1.96  # standard deviations either side that hold 95 % of a normal distribution
 DRAWN = 24  # robots whose differences stand for the spreads
@@ -58,7 +59,8 @@ LEAST_ZONE = 0.01  # of the largest command, where the kit has none
 class Support:
     """One number of a log: its `value` with the 95 % interval from `low` to `high` in `unit`, beside what the
     certificate covers, from `least` to `most`. Of a number that a calibration finds these are `SURPRISE` deviations of
-    what the robot's file states: `stated`, value and one deviation (None: no such number)."""
+    what the robot's file states: `stated`, value and one deviation (None: no such number). Of robots as
+    light and as heavy as the log leaves open `tried` are those that fell, and all (None: not tried)."""
 
     name: str
     unit: str
@@ -69,10 +71,14 @@ class Support:
     most: float
     _: KW_ONLY
     stated: tuple[float, float] | None = None
+    tried: tuple[int, int] | None = None
 
     @property
     def outside(self) -> bool:
-        """Whether the whole interval lies outside what was assumed; of a stated number, its value."""
+        """Whether the whole interval lies outside what was assumed; of a stated number, its value. What was tried at
+        both ends is not, where robots with either hold."""
+        if self.tried:
+            return red(*self.tried)
         low, high = (self.value, self.value) if self.stated else (self.low, self.high)
         return high < self.least or low > self.most
 
@@ -84,8 +90,8 @@ class Support:
     @classmethod
     def from_json(cls, data: Mapping[str, Any]) -> Support:
         """From a certificate's file."""
-        stated = data.get("stated")
-        return replace(cls(**data), stated=None if stated is None else (stated[0], stated[1]))
+        pairs = {name: data.get(name) for name in ("stated", "tried")}
+        return replace(cls(**data), **{name: None if pair is None else tuple(pair) for name, pair in pairs.items()})
 
     @classmethod
     def of_estimate(cls, e: Estimate) -> Support:
@@ -108,7 +114,16 @@ def contradictions(support: Sequence[Support]) -> list[str]:
     """The numbers that lie outside, the farthest first, as sentences."""
     beyond = [s for s in support if s.outside]
     beyond.sort(key=lambda s: -max(s.least - s.high, s.low - s.most) / max(s.most - s.least, s.high - s.low, 1e-12))
-    return [f"{OUTSIDE}{s}" for s in beyond]
+    return [*left_open(beyond), *(f"{OUTSIDE}{s}" for s in beyond if not s.tried)]
+
+
+def left_open(support: Sequence[Support]) -> list[str]:
+    """The mass that the log leaves open, as a sentence."""
+    return [
+        f"the log leaves the {s.name} open, {s.low:.2g} to {s.high:.2g} {s.unit}: of robots with either "
+        f"{s.tried[0]} of {s.tried[1]} fell"
+        for s in support if s.tried
+    ]  # fmt: skip
 
 
 def supported(log: Log, setup: TrialSetup) -> tuple[Support, ...]:

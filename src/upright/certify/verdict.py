@@ -10,9 +10,9 @@ import numpy as np
 
 from upright.certify.agreement import AMBER, RED, Agreement, disagreements
 from upright.certify.analysis import loop_margins
-from upright.certify.checks import PushTrial
+from upright.certify.checks import CONFIDENCE, MOST_FALLS, PushTrial
 from upright.certify.loop import robot_loop
-from upright.certify.support import Support, contradictions
+from upright.certify.support import Support, contradictions, left_open
 from upright.control.controller import Controller
 from upright.errors import InvalidController
 from upright.fleet.binomial import upper_bound
@@ -20,8 +20,6 @@ from upright.robots import Kit, Robot
 
 GREEN = "green"
 
-CONFIDENCE = 0.95
-MOST_FALLS = 0.05  # red above: with one such robot in twenty, a class of students breaks one
 LEAST_GAIN = 0.04  # amber below: copper that warms by 10 K takes 4 % of the motor's gain
 LEAST_DELAY = 0.25  # [periods] amber below: a loop that runs in time still jitters by a tenth or two of its period
 MOST_SATURATED = 0.25  # amber above: a motor at its end this often is no longer the one the design assumed
@@ -94,8 +92,8 @@ def judge(
         return AMBER, tuple((amber[:1] + logged[:1] + amber[1:])[:2])
     chance = _per_cent(upper_bound(fell, samples, CONFIDENCE))
     message = f"{fell} of {samples} robots fell: the probability of a fall is below {chance}"
-    if logged:
-        return GREEN, (message, logged[0])
+    if further := [*logged, *left_open(support)]:
+        return GREEN, (message, further[0])
     if linear is None:
         return GREEN, (message, "no linear margins are known")
     delay = "with any delay" if math.isinf(linear.delay) else f"up to {linear.delay * 1e3:.1f} ms more delay"

@@ -235,7 +235,11 @@ def _linear(margins: LinearMargins) -> Table:
 def _support(c: Certificate) -> Table:
     taken = {s.name for s in c.taken}
     judged = [(s, "tried as logged") for s in c.taken]
-    judged += [(s, "outside" if s.outside else "") for s in c.support if s.outside or s.name not in taken]
+    judged += [
+        (s, "outside" if s.outside else "both ends tried" if s.tried else "")
+        for s in c.support
+        if s.outside or s.name not in taken
+    ]
     rows: list[list[Cell]] = [
         [s.name, s.unit, *(round(v, 9) for v in (s.value, s.low, s.high, s.least, s.most)), word] for s, word in judged
     ]
