@@ -196,7 +196,9 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("count", type=int, nargs="?", default=40)
     parser.add_argument("--first", type=int, default=0)
-    parser.add_argument("--samples", type=int, default=200)
+    parser.add_argument(
+        "--samples", type=int, default=1000, help="robots of a certificate; 1000 is the default of upright certify"
+    )
     parser.add_argument("--each", action="store_true", help="print every case")
     parser.add_argument("--plain", action="store_true", help="no posterior, the log is calibrated")
     parser.add_argument("--robots", nargs="+", default=ROBOTS, help="presets to draw from")

@@ -22,10 +22,11 @@ from upright.calibrate.estimate import Estimate
 from upright.calibrate.knocks import _calm, unpushed, without_knocks
 from upright.certify.actual import as_logged, doubted
 from upright.certify.agreement import LARGER, RED, Agreement, agreement
-from upright.certify.calibrated import Learnt, _weighed, calibrated, learnt, weighed
+from upright.certify.calibrated import Learnt, _weighed, calibrated, guessed, learnt, weighed
 from upright.certify.certificate import Certificate, certify
 from upright.certify.checks import PushTrial, TrialSetup, batteries, kernel_controller
 from upright.certify.logged import Logged, as_sent, loaded
+from upright.certify.mass import MassOpen, tried_at_both_ends
 from upright.certify.pushes import standard_pushes
 from upright.certify.recovery import _rest
 from upright.certify.support import LOAD_KNOWN, Support, supported
@@ -325,7 +326,7 @@ def test_a_calibration_that_takes_the_mass_for_a_guess_sees_a_lighter_body(load:
     """Its interval holds the true mass, and of a robot as its file says nothing is taken over: 95 % of the time."""
     log = with_channels(logged(NonlinearBody(loaded(ROBOT, load))), ("sensor/enc", GYRO, "command/"))
     wide = dataclasses.replace(trial_setup(), robots=draw(ROBOT, 100, 0))
-    masses = [mass for _, mass in weighed(log, wide)]
+    masses = weighed(guessed(log, wide), wide)
     assert len(masses) == seen
     for mass in masses:
         assert mass.low < load * ROBOT.body_mass < mass.high < ROBOT.body_mass
@@ -366,12 +367,36 @@ def test_a_mass_is_that_of_a_calibration_or_counts_as_contradicted(
     monkeypatch.setattr(module, "as_logged", lambda _, given: asked.append(given) or next(later))
     monkeypatch.setattr(module, "_own", lambda *_: own)
     monkeypatch.setattr(module, "doubted", lambda *_: None)
-    monkeypatch.setattr(module, "weighed", lambda _, met: [(own, found)] if seen and met.actual_robot is ROBOT else [])
-    monkeypatch.setattr(module, "learnt", lambda *given: given)
+    monkeypatch.setattr(module, "guessed", lambda *_: own)
+    monkeypatch.setattr(module, "weighed", lambda _, met: [found] if seen and met.actual_robot is ROBOT else [])
+    monkeypatch.setattr(module, "learnt", lambda _, kit, others=(): Learnt(ROBOT, kit, Uncertainty(), others))
+    left = MassOpen(ROBOT, KIT, Uncertainty(), LIGHTER)
+    monkeypatch.setattr(module, "_open", lambda *_: left)
     result, taken = calibrated(plain_log(), setup)
     assert taken == ((found,) if seen else late)
-    assert {s.name for s in (result[2] if len(result) > 2 else ()) if s.outside} == doubted
+    assert {s.name for s in result.contradicted if s.outside} == doubted
+    assert result.mass_open is (left if doubted else None)
     assert [given.is_weighed for given in asked] == ([False] if seen else [False, True])
+
+
+@pytest.mark.parametrize(("low", "falls"), [(0.15, True), (0.5, False)])  # kg; a quarter of the mass falls, 0.8 holds
+def test_a_mass_that_the_log_leaves_open_is_tried_at_both_ends(low: float, *, falls: bool) -> None:
+    """The push of the file's robot fells a body of a quarter of its mass (`test_a_body_half_as_heavy_is_seen_…`), and
+    none of 0.8 to 1.2: the light depends on what is open only where it decides."""
+    mass = dataclasses.replace(LIGHTER, value=ROBOT.body_mass, low=low, high=0.72)
+    setup = dataclasses.replace(trial_setup(), stated=(ROBOT, KIT), is_weighed=True)
+    names = ["body_mass", "pitch_inertia", "roll_inertia", "yaw_inertia"]
+    mean = np.array([getattr(ROBOT, name) for name in names])
+    together = Uncertainty.joint(names, mean, np.outer(mean, mean) * (0.3**2 + 1e-6 * np.eye(4)))
+    (tried,) = tried_at_both_ends(plain_log(), setup, MassOpen(ROBOT, KIT, together, mass))
+    assert tried.tried
+    assert tried.outside is falls
+    assert tried.tried[0] >= 0.45 * tried.tried[1] or not falls  # one half has the light body
+    assert Support.from_json(json.loads(json.dumps(dataclasses.asdict(tried)))) == tried
+    trial = PushTrial("hold", "low", 1000, 0, saturated=0.0, travel=0.2, peak=0.1, cycle=0.01)
+    light, reasons = judge(1000, 0, None, [trial], 0.01, support=[tried])
+    assert light == (AMBER if falls else GREEN)
+    assert "leaves the body's mass open, " in " ".join(reasons)
 
 
 def test_pushes_have_the_sizes_of_the_file_s_robot_whatever_a_calibration_makes_of_it(
