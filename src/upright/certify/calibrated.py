@@ -15,7 +15,7 @@ from upright.certify.actual import as_logged, doubted, is_beyond
 from upright.certify.checks import TrialSetup
 from upright.certify.logged import LOADED
 from upright.certify.mass import MassOpen
-from upright.certify.support import LOAD_KNOWN, MASS, SHARE, Support, body_mass
+from upright.certify.support import LOAD_KNOWN, MASS, Support, body_mass
 from upright.errors import InvalidLog
 from upright.logs.recording import SENSOR
 from upright.progress import Progress
@@ -50,8 +50,9 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
 
     A calibration doubts no scale, no weighed mass and little of the electronics: where these are wrong it bends other
     numbers. So the log is first compared with the file, and what it contradicts is corrected. The mass is that of a
-    calibration which takes it for a guess; one that only the filter of a certificate sees is not tried, and counts as
-    contradicted where no other number explains the log. So do innovations that are then far from white. Where robots
+    calibration which takes it for a guess; one that only the filter of a certificate sees counts as contradicted where
+    no other number explains the log. So do innovations that are then far from white. That calibration also says how
+    light and how heavy the body may be, where it explains the log without other numbers. Where robots
     within the file's spreads explain as much as one more number would, the log is calibrated with it too, and that
     robot is kept where its innovations are whiter, and nearly white. Raises `InvalidLog` where the calibration is
     refused.
@@ -82,8 +83,6 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
     unsure = () if taken and white else unsure  # the mass was an image of what was taken over instead
     coloured = () if setup.dry_friction or taken or white else (_count(own.temper),)
     result = learnt(own, setup.kit, (*unsure, *coloured))
-    if not result.contradicted:
-        return result, taken
     if alone.actual_kit != weighed_on.actual_kit:
         asked = guessed(log, alone)
     return replace(result, mass_open=_open(asked, setup, unsure)), taken
@@ -91,18 +90,19 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
 
 def _open(asked: Calibration, setup: TrialSetup, unsure: Sequence[Support]) -> MassOpen | None:
     """What a calibration that takes the mass for a guess leaves of it, as far as the mass that a filter sees; None if
-    that is refused, or contradicts another number of the robot's file."""
+    that is within what is assumed, or the calibration is refused, or contradicts another number of the robot's file."""
     if asked.refused or (robot := learnt(asked, setup.kit)).contradicted:
         return None
     e = asked["body_mass"]
     low, high = min([e.low, *(s.low for s in unsure)]), max([e.high, *(s.high for s in unsure)])
     mass = replace(body_mass(setup, e.value, 0.0), low=low, high=high)
-    return MassOpen(robot.robot, robot.kit, robot.uncertainty, mass)
+    within = mass.least <= low and high <= mass.most
+    return None if within else MassOpen(robot.robot, robot.kit, robot.uncertainty, mass)
 
 
 def _count(temper: float) -> Support:
     """The share of the readings that count: innovations far from white are of something that no number explains."""
-    return Support(SHARE, "1", temper, temper, temper, WHITE, 1.0)
+    return Support("share of readings that count", "1", temper, temper, temper, WHITE, 1.0)
 
 
 def unloaded(met: TrialSetup) -> TrialSetup:

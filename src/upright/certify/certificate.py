@@ -239,20 +239,17 @@ def certify(
     parts, recording = find_kit(kit or nominal.kit), None if log is None else as_sent(raw_log(log, mapping))
     rubs, stated = nominal.coulomb_friction > 0, (nominal, parts)
     subject = {"robot": robot_facts(given), "kit": kit_facts(parts)}
-    wrong, contradicted, mass_open = tuple[Support, ...](), tuple[Support, ...](), None
+    own, wrong = None, tuple[Support, ...]()
     if bare := unknown is None and robots is None and recording:
         own, wrong = _calibrated(bare, controller, nominal, parts, seed, progress)
-        nominal, parts, unknown, contradicted = own.robot, own.kit, own.uncertainty, own.contradicted
-        mass_open = own.mass_open
+        nominal, parts, unknown = own.robot, own.kit, own.uncertainty
     design = find_controller(controller, nominal, parts, parts.period)
     family = draw(nominal, samples, seed, unknown) if robots is None else list(robots)
     _check_family(family, nominal)
     driven = kernel_controller(design, nominal, parts)
-    setup = TrialSetup(
-        driven, nominal, family, parts, seed, threads, dry_friction=rubs, is_weighed=bool(bare), stated=stated
-    )
-    if mass_open and recording:
-        contradicted = tried_at_both_ends(recording, setup, mass_open) or contradicted
+    setup = TrialSetup(driven, nominal, family, parts, seed, threads, dry_friction=rubs, is_weighed=bool(bare),
+                       stated=stated)  # fmt: skip
+    contradicted = _contradicted(recording, setup, own)
     setup, shown, taken = as_logged(recording, setup) if recording else (setup, (), ())
     contradicted = doubtful_mass(recording, setup, taken) if recording and posterior is not None else contradicted
     taken = (*taken, *(s for s in wrong if s.name not in {t.name for t in taken}))
@@ -281,6 +278,13 @@ def _calibrated(
     driven = kernel_controller(find_controller(controller, robot, kit, kit.period), robot, kit)
     rubs, some = robot.coulomb_friction > 0, draw(robot, FEWEST, seed)
     return calibrated(log, TrialSetup(driven, robot, some, kit, seed, dry_friction=rubs), progress)
+
+
+def _contradicted(log: Log | None, setup: TrialSetup, own: Learnt | None) -> tuple[Support, ...]:
+    """What a calibration contradicts, or the mass that it leaves open, with what came of trying it."""
+    if log is None or own is None:
+        return ()
+    return (own.mass_open and tried_at_both_ends(log, setup, own.mass_open)) or own.contradicted
 
 
 def read_certificate(path: str | Path) -> Certificate:

@@ -27,7 +27,6 @@ from upright.signals import Log
 
 SHOWN = {"s": (1e3, "ms"), "m": (1e3, "mm"), "rad": (math.degrees(1), "°")}
 MASS = "body's mass"
-SHARE = "share of readings that count"
 OUTSIDE = "outside what the log supports: "
 NORMAL = 1.96  # standard deviations either side that hold 95 % of a normal distribution
 DRAWN = 24  # robots whose differences stand for the spreads
