@@ -12,6 +12,7 @@ from importlib import import_module
 from itertools import pairwise
 from types import SimpleNamespace
 from typing import Any
+from unittest.mock import MagicMock
 
 import numpy as np
 import pytest
@@ -377,6 +378,29 @@ def test_a_mass_is_that_of_a_calibration_or_counts_as_contradicted(
     assert {s.name for s in result.contradicted if s.outside} == doubted
     assert result.mass_open is (None if seen else left)
     assert [given.is_weighed for given in asked] == ([False] if seen else [False, True])
+
+
+@pytest.mark.parametrize(
+    ("interval", "sees", "others", "ends"),
+    [
+        ((0.5, 0.7), (), (), None),  # kg, of 0.42 to 0.78 that are assumed
+        ((0.31, 0.89), (), (), (0.31, 0.89)),  # a robot of 0.26 kg that contradicted nothing, and fell
+        ((0.5, 0.7), (LIGHTER,), (), (0.16, 0.7)),
+        ((0.31, 0.89), (), (LIGHTER,), None),
+    ],
+)
+def test_a_mass_is_open_where_what_is_left_of_it_reaches_beyond_what_is_assumed(
+    monkeypatch: pytest.MonkeyPatch, interval: tuple[float, float], sees: tuple[Support, ...],
+    others: tuple[Support, ...], ends: tuple[float, float] | None,
+) -> None:  # fmt: skip
+    """A calibration that contradicts another number of the file as well explains nothing."""
+    module = import_module("upright.certify.calibrated")
+    monkeypatch.setattr(module, "learnt", lambda *_: Learnt(ROBOT, KIT, Uncertainty(), others))
+    low, high = interval
+    asked = MagicMock(refused=())
+    asked.__getitem__.return_value = SimpleNamespace(value=0.6, low=low, high=high)
+    left = module._open(asked, trial_setup(), sees)
+    assert (left and (left.mass.low, left.mass.high)) == ends
 
 
 @pytest.mark.parametrize(("low", "falls"), [(0.15, True), (0.5, False)])  # kg; a quarter of the mass falls, 0.8 holds
