@@ -222,13 +222,8 @@ def doctor(
     findings, last = _examine(raw, known, progress)
     if misnamed := columns.another_gyro(chosen, table, findings):
         findings, last = misnamed, replace(last, segments=())
-    findings += (
-        assumed
-        + rates.stated(table.decimation, findings)
-        + rates.skipped(table.skipped)
-        + time.paced(raw.t, table.origin)
-        + (speeds.against_angles(chosen, table) if chosen.name != "ours" else [])
-    )
+    findings += assumed + rates.stated(table.decimation, findings) + rates.skipped(table.skipped)
+    findings += time.paced(raw.t, table.origin) + speeds.against_angles(chosen, table)
     order = {severity: i for i, severity in enumerate(SEVERITIES)}
     ranked = tuple(sorted(findings, key=lambda finding: order[finding.severity]))
     origin = dict(table.origin) | ({"file": table.source, "mapping": chosen.name} if table.source else {})
