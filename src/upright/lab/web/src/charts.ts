@@ -1,7 +1,8 @@
 // Strip charts of the six states, every body in its colour and dash.
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
-import { button, digits, h, replace } from "./dom";
+import { button, h, replace } from "./dom";
+import { Marks, ROOM } from "./marks";
 import { ink, laneColour, laneDash } from "./palette";
 import { STATES, SYMBOLS, UNITS, store } from "./store";
 import { remembered } from "./remember";
@@ -11,19 +12,19 @@ import { local, named, t } from "./texts";
 export class Strip {
   root: HTMLElement;
   private plot: uPlot;
-  private pushed = h("span", { className: "pushed-by", "aria-hidden": "true" });
+  private marks = new Marks();
 
   constructor(title: string, unit: string, lines: { label: string; colour: string; dash: number[]; width?: number }[], height: number, floor: number) {
     const colours = ink();
     const scale = parseFloat(getComputedStyle(document.documentElement).fontSize) / 16; // larger on a wall
     const axis = { stroke: colours.soft, grid: { stroke: colours.grid, width: 1 }, ticks: { show: false }, font: `${11 * scale}px system-ui, sans-serif` };
-    const box = h("div", { className: "plot", "aria-hidden": "true" });
+    const box = h("div", { className: "plot", "aria-hidden": "true" }, this.marks.root);
     box.style.setProperty("--height", `${height / 16}rem`);
-    this.root = h("figure", { className: "strip", role: "group", "aria-label": `${title} [${unit}]` }, h("figcaption", {}, h("b", {}, title), this.pushed, h("span", {}, unit)), box);
+    this.root = h("figure", { className: "strip", role: "group", "aria-label": `${title} [${unit}]` }, h("figcaption", {}, h("b", {}, title), h("span", {}, unit)), box);
     this.plot = new uPlot(
       {
-        width: 300, height, padding: [6, 18 * scale, 0, 0],
-        cursor: { show: false }, legend: { show: false }, hooks: { draw: [(u) => this.name(mark(u, scale, colours.push))] },
+        width: 300, height, padding: [ROOM * scale, 18 * scale, 0, 0],
+        cursor: { show: false }, legend: { show: false }, hooks: { draw: [(u) => this.marks.draw(u, scale)] },
         scales: { x: { time: false }, y: { range: (_u, low, high) => around(low, high, floor) } },
         axes: [
           { ...axis, size: 20 * scale, values: (_u, ticks) => ticks.map((v) => (v < 0 ? "" : local(`${+v.toFixed(2)} s`))), space: 46 * scale },
@@ -35,11 +36,6 @@ export class Strip {
       box,
     );
     new ResizeObserver(() => this.fit(box)).observe(box);
-  }
-
-  /** What the last push in sight was, beside the title: no word covers a curve. */
-  private name(words: string): void {
-    if (this.pushed.textContent !== words) this.pushed.textContent = words;
   }
 
   private fit(box: HTMLElement): void {
@@ -62,27 +58,6 @@ function breaks(plot: uPlot): [number, number][] {
     .map((pair) => pair.map((t) => plot.valToPos(t, "x", true)) as [number, number])
     .map(([from, to]): [number, number] => [from - wide / 2, Math.max(to, from + wide)])
     .filter(([from, to]) => from > left && to < left + width);
-}
-
-/** A line where each push began; the name and size of the last one, or nothing. */
-function mark(plot: uPlot, scale: number, colour: string): string {
-  const { ctx, bbox: { left, top, width, height } } = plot;
-  const pixels = scale * devicePixelRatio;
-  let words = "";
-  ctx.save();
-  Object.assign(ctx, { strokeStyle: colour, lineWidth: pixels });
-  ctx.setLineDash([3 * pixels, 3 * pixels]);
-  for (const { t: time, what, size } of store.traces.marks) {
-    const x = plot.valToPos(time, "x", true);
-    if (x < left || x > left + width) continue;
-    ctx.beginPath();
-    ctx.moveTo(x, top);
-    ctx.lineTo(x, top + height);
-    ctx.stroke();
-    words = named(size || what !== "hand" ? `mark_${what}` : "mark_held").replace("{size}", digits(Math.abs(size), 2));
-  }
-  ctx.restore();
-  return words;
 }
 
 export function around(low: number, high: number, floor: number): [number, number] {

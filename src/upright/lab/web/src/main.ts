@@ -334,7 +334,7 @@ class Page {
       case "Equations": if (this.tab === "See") this.see.show(); break;
       case "Snapshot": this.transported(); break;
       case "Progress": this.identify.progress(message.job, message.fraction); if (message.job === "certify") this.controller.certifying(message.fraction); break;
-      case "JobResult": this.identify.found(); this.toast(() => `${t(message.job as "doctor" | "calibrate" | "certify")}: ${translate(message.title)}`, message.ok ? "info" : message.job === "certify" ? "error" : "warn"); if (latestLog && this.tab === "Identify") keepingFocus(() => this.identify.build()); break;
+      case "JobResult": this.identify.found(); if (message === store.certified) this.controller.certify(); this.toast(() => `${t(message.job as "doctor" | "calibrate" | "certify")}: ${translate(message.title)}`, message.ok ? "info" : message.job === "certify" ? "error" : "warn"); if (latestLog && this.tab === "Identify") keepingFocus(() => this.identify.build()); break;
       case "Made": this.keep.made(message.name, message.url.startsWith("blob:") ? message.url : store.files + message.url); this.toast(() => t("made", { name: message.name }), "info"); break;
       case "Notice": this.toast(() => (message.key ? named(message.key) : noticed(message.text)), message.level); break;
       case "Recovered": this.recovered(message.impulse, message.fell); break;
@@ -408,7 +408,7 @@ class Page {
     }
     const force = s.f[0];
     const slope = s.f[2] ? `${t("slope")}: ${degrees(s.f[2])}` : "";
-    if (store.traces.marks.length) this.app.classList.add("pushed"); // who has pushed it knows how
+    if (store.traces.marks.some(({ what }) => what !== "stood")) this.app.classList.add("pushed"); // who has pushed it knows how
     this.force.textContent = Math.abs(force) > 0.005 ? t("newtons", { force: fixed(force, 2) }) : slope;
     this.force.classList.toggle("slope", !(Math.abs(force) > 0.005));
   }

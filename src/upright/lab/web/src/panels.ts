@@ -1,13 +1,14 @@
 // The panels below: controller, robot, kit, what was found, what is kept. Each builds itself from the store.
-import { button, degrees, digits, fresh, h, keepingFocus, numberField, plainNumbers, replace, said, sayAgain, select, slider, table, throttled } from "./dom";
+import { button, degrees, digits, fresh, h, keepingFocus, numberField, replace, said, sayAgain, select, slider, table, throttled } from "./dom";
 import type { Slider } from "./dom";
-import type { BodyName, Job, Keep, Setup } from "./messages";
+import type { BodyName, Job, JobResult, Keep, Setup } from "./messages";
 import { exported } from "./exported";
+import { reported } from "./found";
 import { JobBar } from "./job_bar";
 import { address } from "./opening";
 import { session } from "./remember";
 import { LEAN, STATES, SYMBOLS, UNITS, store } from "./store";
-import { named, noticed, t, translate, translated } from "./texts";
+import { named, noticed, t, translate } from "./texts";
 import { legendEntry } from "./charts";
 import { sentence } from "./see";
 import { atMotors, leastMargins } from "./verdict";
@@ -37,9 +38,13 @@ export class ControllerPanel extends Panel {
   private shape = "";
   private bar: JobBar | null = null;
   private working = h("div", {});
+  private reported: JobResult | null = null; // in `certified`
+  private certified = h("div", { className: "column full certified", "aria-live": "polite" });
 
   build(): void {
     this.shape = "";
+    this.reported = null;
+    replace(this.certified);
     const families = (store.catalogue?.families ?? []).map((f): [string, string] => [f.name, named(f.name)]);
     const choice = select(t("family"), families, store.setup.controller, (v) => {
       store.change({ controller: v, gains: v === "gains" ? this.present() : store.setup.gains });
@@ -52,8 +57,15 @@ export class ControllerPanel extends Panel {
       h("div", { className: "column full" }, this.gain),
       h("div", { className: exported ? "column full" : "column" }, this.numbers),
       exported ? h("p", { className: "note column full" }, t("noCertificateHere")) : h("div", { className: "column" }, this.light, certify, this.working),
+      this.certified,
     );
     this.update();
+  }
+
+  /** The full certificate, right where it was asked for. */
+  certify(): void {
+    this.update();
+    this.certified.scrollIntoView({ block: "nearest" });
   }
 
   /** How far the full certificate is. */
@@ -80,6 +92,9 @@ export class ControllerPanel extends Panel {
     replace(this.gain, ...this.gains());
     replace(this.numbers, ...this.analysis());
     replace(this.light, ...certificate());
+    if (this.reported === store.certified) return;
+    this.reported = store.certified;
+    replace(this.certified, ...(this.reported ? [h("p", {}, t("certified")), ...reported(this.reported)] : []));
   }
 
   private byHand(): number[] {
@@ -313,12 +328,6 @@ async function send(file: File, what: "log" | "robot"): Promise<void> {
   }
 }
 
-/** What the doctor has found: where, on what evidence, and what to do. */
-function finding([severity, , channel, evidence, repair]: string[]): HTMLElement {
-  const where = translate(channel.replace(/^\w+\//, "").replaceAll("_", " "));
-  return h("li", {}, h("b", {}, [translate(severity), where].filter(Boolean).join(", ")), h("p", {}, sentence(translate(evidence))), h("p", { className: "note" }, repair ? `→ ${translate(repair)}` : ""));
-}
-
 export class IdentifyPanel extends Panel {
   private bars = h("div", { className: "bars" });
   private result = h("div", { className: "result", role: "region", "aria-live": "polite" });
@@ -373,12 +382,7 @@ export class IdentifyPanel extends Panel {
   found(): void {
     const f = store.found;
     if (!f) return;
-    const lines = f.text.split("\n").filter(Boolean);
-    const plain = (text: string) => text.replace(/\bin-(?=[\w.-]+\.\w+)/g, "").replace(/\b[a-z]+(_[a-z]+)+\b/g, (name) => name.replaceAll("_", " ")); // names of files and parameters
-    const text = lines.map((line) => h("li", { className: "note", lang: translated(line) ? "" : "en" }, plain(translate(line))));
-    const words = (cells: string[]) => cells.map((cell) => plainNumbers(translate(f.job === "calibrate" ? cell.replaceAll("_", " ") : cell)));
-    const rows = f.job === "doctor" ? h("ul", { className: "findings" }, ...f.rows.map(finding)) : table(f.header.map(translate), f.rows.map(words), f.job);
-    replace(this.result, h("h4", {}, plain(translate(f.title))), f.rows.length ? rows : null, text.length ? h("ul", { className: "remarks" }, ...text) : null);
+    replace(this.result, ...reported(f));
   }
 }
 

@@ -147,6 +147,7 @@ export class Store {
   lit: Light | null = null;
   board: Board | null = null;
   found: JobResult | null = null;
+  certified: JobResult | null = null; // of the controller that is chosen
   role = "alone";
   session = "";
   files = "";
@@ -197,7 +198,7 @@ export class Store {
     const held = hand.on;
     this.last.note(message, t);
     if (message.kind === "Strike") marks.push({ t, what: message.what, size: message.size });
-    else if (message.kind === "StandUp" && message.pitch) marks.push({ t, what: "tilt", size: message.pitch });
+    else if (message.kind === "StandUp") marks.push({ t, what: message.pitch ? "tilt" : "stood", size: message.pitch });
     else if (hand.on && !held) marks.push({ t, what: "hand", size: 0 });
     else if (held && marks.at(-1)?.what === "hand") (marks.at(-1) as Mark).size = hand.impulse;
     if (message.kind === "Strike" || message.kind === "StandUp" || (hand.on && !held)) this.sent = marks.at(-1) ?? null;
@@ -232,6 +233,7 @@ export class Store {
 
   private forget(): void {
     this.analysed = null;
+    this.certified = null;
     this.lit = UNLIT;
     for (const listener of this.listeners) listener(this.lit);
   }
@@ -277,7 +279,10 @@ export class Store {
         break;
       case "Acted": this.acted(message.t); break;
       case "Board": this.board = message; break;
-      case "JobResult": this.found = message; break;
+      case "JobResult":
+        this.found = message;
+        if (message.job === "certify" && message.rows.length) this.certified = message;
+        break;
       case "History": this.traces.fill(message.t, message.rows); break;
     }
     for (const listener of this.listeners) listener(message);
