@@ -47,7 +47,8 @@ class Metrics:
     """What one log shows; times count from the release of the push, NaN where a log cannot say.
 
     Settling and overshoot are of pitch about zero, and `wheel_travel` is the largest |θ − θ(first sample)|. A run that
-    leaves the band in the last quarter after the release too has no settling time.
+    leaves the band in the last quarter after the release too has no settling time. One that swings further on the far
+    side than on the side of the release has no overshoot: it was struck, and let go before it leaned.
     `fell` is the run's own outcome, None where a log from elsewhere has none (`experiment.outcome_of`).
     """
 
@@ -322,7 +323,7 @@ def _measure(log: Log, source: str, release: float, unit: str) -> Metrics:
     return Metrics(
         settling_2=metrics.settled(log.t, pitch, band=0.02, start=release),
         settling_5=metrics.settled(log.t, pitch, band=0.05, start=release),
-        overshoot=metrics.overshoot(after),
+        overshoot=swing if (swing := metrics.overshoot(after)) <= 1 else math.nan,
         pitch_peak=metrics.peak(log.t, pitch).value,
         pitch_rms=metrics.rms(pitch),
         wheel_travel=abs(metrics.peak(log.t, wheel, float(wheel[0])).value),

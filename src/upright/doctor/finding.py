@@ -36,6 +36,12 @@ def moment(t: float, digits: int = 3) -> str:
     return f"{t:.{digits}g}" if abs(t) < 10**digits else f"{t:.2f}"
 
 
+def during(start: float, stop: float) -> str:
+    """From when to when [s] in words; of what begins and ends at the same time in words, that time."""
+    one, other = moment(start), moment(stop)
+    return f"at {one} s" if one == other else f"from {one} to {other} s"
+
+
 @dataclass(frozen=True)
 class Segment:
     """A part of a log by its pose (`kind`), from `start` to `stop` [s], and the median `lean` [rad]."""

@@ -26,6 +26,7 @@ from upright.doctor.finding import (
     Fix,
     Record,
     Segment,
+    during,
     moment,
     note,
     warning,
@@ -200,7 +201,7 @@ def _events(m: Resampled, miss: Array, loud: NDArray[np.bool_], scatter: float) 
         both = min(float(part.max()), float(-part.min())) / largest
         balance = abs(float(part.sum())) / float(np.abs(part).sum())
         span = float(m.t[a + join]), float(m.t[b - 1 - join])
-        evidence = f"from {moment(span[0])} to {moment(span[1])} s: up to {largest:.3g} rad/s² off the pendulum "
+        evidence = f"{during(*span)}: up to {largest:.3g} rad/s² off the pendulum "
         evidence += f"equation ({largest / scatter:.0f} standard deviations), in "
         if both > 0.35 and balance < 0.35:
             evidence = f"wheel slip {evidence}both directions"

@@ -117,10 +117,24 @@ def sways_only(comparison: Comparison) -> bool:
     return bool(answers) and all(answer is not None and answer.sway_only for answer in answers)
 
 
+def answered_only(comparison: Comparison) -> bool:
+    """Whether a page shows the fits while a push is answered: those of whole runs are low as each sways by itself."""
+    fits = [fit.get("pitch", math.nan) for fit in comparison.fits.values()]
+    return any(fit < FAIR for fit in fits) and sways_only(comparison)
+
+
+def answered_fits(comparison: Comparison) -> dict[str, dict[str, float]]:
+    """The fits [%] of all signals while a push is answered, where a page shows these; none where it does not."""
+    if not answered_only(comparison):
+        return {}
+    found = {label: {n: comparison.answer(label, n) for n in comparison.signals} for label in comparison.fits}
+    return {label: {n: a.fit if a else math.nan for n, a in answers.items()} for label, answers in found.items()}
+
+
 def fit_number(comparison: Comparison, label: str, fit: float) -> tuple[str, str]:
     """How well a run's pitch fits: while a push is answered, where the runs differ by their sway only."""
     of = f"fit of {label} to {comparison.reference} in pitch"
-    if fit < FAIR and sways_only(comparison) and (answer := comparison.answer(label)):
+    if answered_only(comparison) and (answer := comparison.answer(label)):
         return percent(answer.fit), f"{of}, from the push until both are calm; later each sways by itself"
     return percent(fit), f"{of}; good from {CLOSE:g} %"
 

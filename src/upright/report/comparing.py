@@ -16,13 +16,14 @@ from upright.report.beside import (
     AVERAGED,
     CLOSE,
     FAIR,
+    answered_fits,
+    answered_only,
     averaged_over,
     both_runs,
     certify_command,
     fit_number,
     grazes,
     mark_largest,
-    sways_only,
     with_difference,
     worse,
     worst_state,
@@ -68,12 +69,9 @@ def page_of(comparison: Comparison) -> Page:
     defined = Details("How these numbers are defined", how(comparison))
     calm = untouched(comparison)
     still_run = calm and bool(motionless(comparison.logs[labels[0]]))
+    numbers = [listed_metrics(comparison), *fit_tables(comparison, answered_fits(comparison)), defined]
     sections = [
-        Section(
-            "Numbers",
-            [listed_metrics(comparison), *fit_tables(comparison), defined],
-            folded=still_run,
-        ),
+        Section("Numbers", numbers, folded=still_run),
         Section("Other states", [*figures, *quiet], folded=True),
     ]
     commands = comparison.plot_commands()
@@ -103,7 +101,7 @@ def _title(comparison: Comparison, first: str) -> str:
     fits = _fits(comparison, first)
     if not fits:
         return f"{', '.join(labels)} compared"
-    if first == "pitch" and min(fits.values()) < FAIR and sways_only(comparison):
+    if first == "pitch" and answered_only(comparison):
         names = sentence(joined(list(fits)) if len(fits) < NAMED else f"{len(fits)} runs", "")
         return f"{names}: no further from {comparison.reference} than by their sway at rest"
     return _worst(comparison, fits, first)
@@ -206,7 +204,7 @@ def _verdict(comparison: Comparison) -> Verdict | None:
     fits = _fits(comparison, first)
     if fits:
         worst = min(fits.values())
-        if worst < FAIR and first == "pitch" and sways_only(comparison):
+        if first == "pitch" and answered_only(comparison):
             return Verdict("pitch: differs by sway only", "good")
         levels = {"good": "good", "fair": "warn", "poor": "bad"}
         return Verdict(f"{words(first)}: {_grade(worst)} fit, {_RANGES[_grade(worst)]}", levels[_grade(worst)])
@@ -341,7 +339,8 @@ def _claim(comparison: Comparison, name: str) -> str:
     if worst and worst[0] == name and worst[2] >= FAIR:
         over = f"{sentence(words(name), '')} averaged over {AVERAGED:g} s"
         return f"{over}: {worst[1]} fits {comparison.reference} {percent(worst[2])}"
-    fits = (f"{label} {percent(fits[name])}" for label, fits in comparison.fits.items())
+    shown = answered_fits(comparison) or comparison.fits
+    fits = (f"{label} {percent(fits[name])}" for label, fits in shown.items())
     return f"{sentence(words(name), '')}, fit to {comparison.reference}: {', '.join(fits)}"
 
 

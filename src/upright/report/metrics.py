@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -44,16 +44,20 @@ def metrics_table(comparison: Comparison) -> Table:
 
 
 def listed_metrics(comparison: Comparison) -> Table:
-    """The metrics without settling times that noise decides."""
+    """The metrics without settling times that noise decides, and without an overshoot where no run has one."""
     table = metrics_table(comparison)
     rows: list[Sequence[Cell]] = []
     for row in table.rows:
         band = BANDS.get(str(row[0]))
         lost = [band is not None and _noisy(comparison, label, band) for label in comparison.logs]
         cells = ["noise" if gone else cell for gone, cell in zip(lost, row[2:], strict=True)]
-        if not all(lost):
+        if not all(lost) and not (row[0] == SPOKEN_NAMES["overshoot"] and all(map(_missing, cells))):
             rows.append([*row[:2], *cells])
     return replace(table, rows=rows)
+
+
+def _missing(cell: Cell) -> bool:
+    return isinstance(cell, float) and math.isnan(cell)
 
 
 def _noisy(comparison: Comparison, label: str, band: float) -> bool:
@@ -64,16 +68,18 @@ def _noisy(comparison: Comparison, label: str, band: float) -> bool:
     return float(run.size[last_part(len(run.size)) :].max()) > band * float(run.size.max())
 
 
-def fit_tables(comparison: Comparison) -> list[Table]:
-    """The fit of each run to the reference, one row a run; none where there is one run."""
+def fit_tables(comparison: Comparison, fits: Mapping[str, Mapping[str, float]] | None = None) -> list[Table]:
+    """The fit of each run to the reference, one row a run; none where there is one run. `fits`: others than the
+    comparison's own, those while a push is answered."""
     if not comparison.fits:
         return []
-    fitted = [name for name in comparison.signals if any(math.isfinite(f[name]) for f in comparison.fits.values())]
+    shown = fits or comparison.fits
+    fitted = [name for name in comparison.signals if any(math.isfinite(f[name]) for f in shown.values())]
     rows: list[list[Cell]] = [
-        [label, *("diverges" if fits[name] < DIVERGED else fits[name] for name in fitted)]
-        for label, fits in comparison.fits.items()
+        [label, *("diverges" if of[name] < DIVERGED else of[name] for name in fitted)] for label, of in shown.items()
     ]
-    caption = f"Fit to {comparison.reference} [%], sample by sample: 100 is perfect; 0 is that of a constant, its mean"
+    when = "from the push until both are calm" if fits else "sample by sample"
+    caption = f"Fit to {comparison.reference} [%], {when}: 100 is perfect; 0 is that of a constant, its mean"
     return [Table(["", *map(words, fitted)], rows, caption, digits=3)]
 
 
@@ -82,13 +88,16 @@ def how(comparison: Comparison) -> list[str]:
     times = {label: f"{time:.4g} s" if math.isfinite(time) else "never" for label, time in comparison.releases.items()}
     same = len(set(times.values())) == 1
     release = next(iter(times.values())) if same else ", ".join(f"{label} {text}" for label, text in times.items())
-    listed = any(str(row[0]) in BANDS for row in listed_metrics(comparison).rows)
+    names = [str(row[0]) for row in listed_metrics(comparison).rows]
+    listed, swung = any(name in BANDS for name in names), SPOKEN_NAMES["overshoot"] in names
     texts = [
-        f"Settling and overshoot are those of pitch about zero after the release of the push at {release}. "
+        f"Settling{' and overshoot are those' if swung else ' is that'} of pitch about zero after the release of the "
+        f"push at {release}. "
         f"{_band(comparison)}".strip(),
         "Settling within 2 % (5 %): the time until pitch stays within that part of its largest deviation; “noise” "
         "where it swings further at rest, so that chance would decide." if listed else "",
-        "Overshoot: the largest deviation on the far side over the largest on the side of the start.",
+        "Overshoot: the largest deviation on the far side over the largest on the side of the start." if swung else
+        "No overshoot: a knock is over before the robot leans, so there is no side to swing back from.",
         "Effort: the integral of both squared commands.",
         "Motors at their limit: the part of the samples with a command that they cannot follow.",
         "Under a lasting force backward a robot leans forward, into it.",

@@ -73,9 +73,10 @@ class Page {
   private down: boolean | null = null; // whether the robot lies, as the page says; not known before it is seen
   private lost: (() => string) | null = null; // what made it fall
   private best: Record<string, number> = {}; // [N s] the largest push that was recovered from, of each robot under each controller
-  private most = h("span", { className: "most", title: "" });
+  private most = h("span", { className: "most" });
   private telling = 0;
   private begun = false; // whether there is a session
+  private timing = false; // whether it has yet to hear how fast the time of this page goes
   drawnFirst = false; // whether a robot has been seen
   private seen = 0; // [ms] when
   private plotted = 0;
@@ -94,7 +95,7 @@ class Page {
     this.scrub.addEventListener("input", () => store.send({ kind: "Scrub", back: Number(this.scrub.max) - Number(this.scrub.value) }));
     this.equip();
     window.addEventListener("keydown", (event) => this.key(event));
-    window.addEventListener("hashchange", () => store.recorded || openLink()); // pasted behind the address of an open page
+    window.addEventListener("hashchange", () => store.recorded || this.link()); // pasted behind the address of an open page
     this.begin();
   }
 
@@ -107,7 +108,7 @@ class Page {
     if (exported) {
       document.body.classList.add("exported");
       this.local = new LocalSession(exported);
-      openLink();
+      this.link();
       this.says("connected");
     } else if (recording) {
       this.says("replaying");
@@ -198,6 +199,12 @@ class Page {
     this.room.draw(0); // at once, so that no empty room is seen
   }
 
+  /** Do what the address says, as fast as the clock: in slow motion its push would come late. */
+  private link(): void {
+    if (isLink(location.hash) && this.speed !== 1) this.run(1);
+    openLink();
+  }
+
   /** From now on so many times as fast as the clock. */
   private run(speed: number, paused = false): void {
     this.speed = speed;
@@ -222,7 +229,7 @@ class Page {
   private pushes(): HTMLElement {
     const strike = (what: "front" | "back" | "impulse" | "pull_left" | "pull_right", size: number) => () => store.push({ kind: "Strike", what, size });
     const weight = () => store.changed?.look.weight ?? 6;
-    const size = slider(t("size"), { low: 0.01, high: 0.5, log: true, show: (v) => t("newtons", { force: fixed(v, 2) }) + " s", key: "knock" }, (v) => (this.knock = v));
+    const size = slider(t("size"), { low: 0.01, high: 0.5, log: true, show: (v) => `${fixed(v, 2)} N s`, key: "knock" }, (v) => (this.knock = v));
     size.set(this.knock);
     size.root.title = t("sizeTip");
     size.root.insertBefore(this.most, size.root.lastChild);
@@ -317,12 +324,12 @@ class Page {
 
   private hear(message: ServerMessage): void {
     switch (message.kind) {
-      case "Welcome": keepingFocus(() => this.build()); break;
+      case "Welcome": this.timing = !exported && !store.recorded; keepingFocus(() => this.build()); break;
       case "Catalogue": this.fill(); break;
       case "Changed": {
         const first = !this.panel.firstChild;
         this.follow();
-        if (!this.begun && !exported) openLink();
+        if (!this.begun && !exported) this.link();
         this.begun = true;
         if (first) this.fill();
         else this.update();
@@ -378,6 +385,7 @@ class Page {
   private champion(): void {
     const best = this.best[this.driven()];
     this.most.textContent = best ? t("best", { best: digits(best) }) : "";
+    this.most.title = t("bestTip");
   }
 
   private tell(...words: (Node | null)[]): void {
@@ -393,6 +401,8 @@ class Page {
   private transported(): void {
     const s = store.snapshot;
     if (!s) return;
+    if (this.timing) store.send({ kind: "Play", paused: s.paused, speed: this.speed }); // a session may go on from before, in slow motion
+    this.timing = false;
     const text = s.paused ? t("play") : t("pause");
     if (this.pauseButton.textContent !== text) this.pauseButton.textContent = text;
     if (store.recorded) this.timed(s.t);
