@@ -57,7 +57,8 @@ class Pushing:
 
 @dataclass(kw_only=True)
 class Score:
-    """The largest push from which the robot came back. Pushes that last longer than `SHORT` do not count."""
+    """The largest push from which the robot came back. Pushes that last longer than `SHORT` do not count, nor do pulls
+    at a wheel, which turn it."""
 
     best: float = 0.0
     run: float = 0.0  # [N s] the same of this run alone

@@ -172,7 +172,7 @@ class Session:
                 self._events.append(Notice("error", lane.trouble))
         self._periods += 1
         main = self.lanes[0]
-        ended = self.score.watch(dt, disturbance.force, main.state(), main.applied, main.fallen)
+        ended = self.score.watch(dt, 0.0 if pull else disturbance.force, main.state(), main.applied, main.fallen)
         self._events += [ended] if ended else []
         self._display.record(self.t, disturbance, pull, self._target)
 

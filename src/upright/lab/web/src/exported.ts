@@ -349,7 +349,7 @@ export class LocalSession {
       if (!loop.fallen) loop.step(this.target, (_t, into) => into.set(w));
     }
     this.periods += 1;
-    this.watch(w[0], every);
+    this.watch(pulled ? 0 : w[0], every);
     const last = this.kept.at(-1);
     if (!last || this.t - last.t >= MOMENT - 1e-9) this.kept.push(this.snapshot());
     if (this.kept.length > KEPT / MOMENT + 200) this.kept.splice(0, 200);
@@ -375,7 +375,7 @@ export class LocalSession {
     };
   }
 
-  /** Whether a push was recovered from, as lab/pushing.py says. */
+  /** Whether a push was recovered from, as lab/pushing.py says; a pull at a wheel is none. */
   private watch(force: number, dt: number): void {
     const { score } = this;
     const main = this.lanes[0];

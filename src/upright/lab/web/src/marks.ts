@@ -9,6 +9,7 @@ import { named } from "./texts";
 export const ROOM = 13; // [px] above the curve for one row of labels
 const LETTER = 10.5; // [px]
 const GAP = 5; // [px] at least between two labels
+const NEAR = 2; // [px] between a label and the line of another push
 
 /** A push in words, and its size alone for where there is no room for more. */
 function words({ what, size }: Mark): string[] {
@@ -28,22 +29,24 @@ export class Marks {
     const { push, soft } = ink();
     let room = left + width + 16 * pixels; // up to which nothing is written yet: the margin on the right is free
     const labels: [string, string, number][] = [];
+    const seen = store.traces.marks.map((mark) => ({ mark, x: plot.valToPos(mark.t, "x", true) })).filter(({ x }) => x >= left && x <= left + width);
     ctx.save();
     ctx.lineWidth = pixels;
     ctx.setLineDash([3 * pixels, 3 * pixels]);
     ctx.font = `${LETTER * pixels}px system-ui, sans-serif`;
-    for (const mark of store.traces.marks.toReversed()) {
-      const x = plot.valToPos(mark.t, "x", true);
-      if (x < left || x > left + width) continue;
+    for (const { mark, x } of seen.reverse()) {
       ctx.strokeStyle = mark.what === "stood" ? soft : push;
       ctx.beginPath();
       ctx.moveTo(x, top);
       ctx.lineTo(x, top + height);
       ctx.stroke();
+      const apart = NEAR * pixels;
+      const after = Math.min(...seen.map((other) => other.x).filter((other) => other > x + apart)) - apart; // between the lines
+      const before = Math.max(left, ...seen.map((other) => other.x + apart).filter((other) => other < x - apart)); // beside it
       for (const text of words(mark)) {
         const wide = ctx.measureText(text).width + 3 * pixels;
-        const at = Math.min(x, room - wide);
-        if (at < x - (labels.length ? 0.25 : 1) * wide || at < left) continue; // it would stand at another line
+        const at = Math.min(x, room - wide, after - wide);
+        if (at < before || at + wide < x) continue; // it would stand at another line
         labels.push([text, mark.what, at / devicePixelRatio]);
         room = at - GAP * pixels;
         break;
@@ -55,7 +58,7 @@ export class Marks {
 
   private label(labels: [string, string, number][]): void {
     const shown = JSON.stringify(labels.map(([text, what]) => [text, what]));
-    if (shown !== this.shown) this.root.replaceChildren(...labels.map(([text, what]) => h("span", { className: `mark ${what}` }, text)));
+    if (shown !== this.shown) this.root.replaceChildren(...labels.map(([text, what]) => h("span", { className: `event ${what}` }, text)));
     this.shown = shown;
     labels.forEach(([, , x], i) => ((this.root.children[i] as HTMLElement).style.left = `${x.toFixed(1)}px`));
   }

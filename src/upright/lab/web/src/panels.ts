@@ -401,7 +401,7 @@ export class KeepPanel extends Panel {
     sayAgain(this.links);
     const csv = button(t("csv"), () => store.send({ kind: "Save", what: "csv", name: "" }), { "data-key": "keep-csv" });
     replace(this.root, h("div", { className: "column wide" },
-      h("p", { className: "note" }, t("csvNote")), h("div", { className: "row" }, csv, this.pictureButton()),
+      h("p", { className: "note" }, t("csvNote")), h("div", { className: "row" }, csv, this.pictureButton()), h("p", { className: "note" }, t("keepLive")),
       h("p", { className: "note" }, t("handInNote")), this.handIn(), this.links));
   }
 
