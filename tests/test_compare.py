@@ -25,8 +25,9 @@ from upright.comparison.swaying import LEVEL, answer
 from upright.control import StateFeedback, lqg, lqr
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import Hold, Impulse, motionless, outcome_of, run, undisturbed
+from upright.report.beside import answered_fits
 from upright.report.comparing import page_of
-from upright.report.metrics import around, left_out, metrics_table
+from upright.report.metrics import around, fit_tables, left_out, listed_metrics, metrics_table
 from upright.robots import Robot, find_kit, find_robot
 from upright.signals import STATE_NAMES, Log
 
@@ -415,6 +416,23 @@ def test_a_short_run_says_nothing_of_its_sway() -> None:
     assert answer(t, one, other, ((5.0, 5.01),), math.nan) is None  # a run that never rests
 
 
+def test_a_knock_has_no_overshoot_and_a_hold_has_one() -> None:
+    """Released from a lean of 0.1 rad it swings back past upright by less than it leaned. Struck, it is let go while
+    it still stands: what follows is larger than the lean at the release, and no part of it."""
+    body, law = Electronics(NonlinearBody(NXT), find_kit("nxt")), lqg(NXT, find_kit("nxt"))
+    held, struck = (
+        compare({"run": run(body, law, push, seconds=8.0)})
+        for push in (Hold(pitch=0.1, until=3.0), Impulse(impulse=0.05, start=2.0))
+    )
+    log = held.logs["run"]
+    after = log["truth/pitch"][log.t >= held.releases["run"]]
+    assert held.metrics["run"].overshoot == pytest.approx(-after.min() / after.max())
+    assert 0 < held.metrics["run"].overshoot < 1
+    assert math.isnan(struck.metrics["run"].overshoot)
+    rows = [{str(row[0]).split(",")[0] for row in listed_metrics(each).rows} for each in (held, struck)]
+    assert ["overshoot" in names for names in rows] == [True, False]
+
+
 def test_a_long_run_that_noise_makes_another_one_is_no_poor_fit() -> None:
     """The same robot twice, with other noise: most of 30 s is sway, so that the fit of the whole is poor."""
     kit = find_kit("nxt")
@@ -424,5 +442,9 @@ def test_a_long_run_that_noise_makes_another_one_is_no_poor_fit() -> None:
     page = page_of(compared)
     assert compared.fits["run 32"]["pitch"] < 50
     assert page.title == "Run 32: no further from run 31 than by their sway at rest"
+    ((fit, _), *_), (table,) = page.numbers, fit_tables(compared, answered_fits(compared))
+    assert float(fit.split()[0]) > 50  # no poor one, as the title says; and the table has the same number
+    assert f"{table.rows[0][1]:.3g} %" == fit
+    assert "until both are calm" in table.caption
     assert page.verdict is not None
     assert page.verdict.level == "good"

@@ -16,6 +16,7 @@ from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
 from upright.control import lqg, make_controller
 from upright.doctor.doctor import Diagnosis, contradictions, doctor
+from upright.doctor.finding import during
 from upright.doctor.physics import _r_squared, _solved
 from upright.errors import InvalidLog
 from upright.experiment import Drive, Hold, Impulse, run
@@ -25,6 +26,12 @@ from upright.logs.outliers import single
 from upright.logs.readers import RawTable, read_table
 from upright.robots import Kit, Robot, find_kit
 from upright.signals import Log
+
+
+def test_what_lasts_no_time_in_words_is_at_a_time() -> None:
+    """A knock of 20 ms begins and ends at the same three digits."""
+    assert during(10.41, 10.43) == "at 10.4 s"
+    assert during(1.41, 1.43) == "from 1.41 to 1.43 s"
 
 
 def _bench() -> ModuleType:

@@ -79,7 +79,7 @@ def shape(value: object) -> object:
     return sorted(re.findall(r"\{\w+\}", value))
 
 
-SHARED = {"hinf", "tabRobot", "preset", "doctor", "newtons", "title", "tabPython", "install", "robotIs"}
+SHARED = {"hinf", "tabRobot", "preset", "doctor", "title", "tabPython", "install", "robotIs"}
 
 
 def test_both_languages_say_the_same_things():

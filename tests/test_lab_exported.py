@@ -578,6 +578,24 @@ def test_the_traces_are_kept_as_a_log_that_upright_reads(page, tmp_path):
 
 
 @marked
+def test_what_this_page_lacks_is_said_where_it_is_looked_for(page):
+    """In one plain sentence each: strictness under Controller, report and replay under Keep."""
+    page.click("#tab-Controller")
+    assert "To change something here, choose Gains by hand." in page.inner_text("#panel")
+    page.click("#tab-Keep")
+    assert "A report and a replay page need Python" in page.inner_text("#panel")
+
+
+@marked
+def test_a_link_that_is_opened_in_slow_motion_runs_at_full_speed(page):
+    page.select_option("[data-key=speed]", "0.1")
+    page.evaluate("location.hash = '#robot=nxtway-gs&controller=lqr&push=impulse:0.05'")
+    page.wait_for_function("upright.store.setup.controller === 'lqr'")
+    assert page.input_value("[data-key=speed]") == "1"
+    page.wait_for_function("upright.store.snapshot.x[0][0] < -0.01")  # its push comes after a second
+
+
+@marked
 def test_what_needs_python_says_so_with_its_command(page):
     for language in ("en", "es"):
         page.select_option("[data-key=language]", language)

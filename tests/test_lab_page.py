@@ -206,7 +206,7 @@ def test_at_first_sight(page):
     assert [text.split()[0] for text in captions.all_inner_texts()] == ["ψ", "θ"]  # what a push is seen by, and large
     page.click("[data-key=curves]")
     assert captions.count() == 6
-    units = page.locator(".strip figcaption span:last-child").all_inner_texts()  # before it: the last push
+    units = page.locator(".strip figcaption span").all_inner_texts()
     assert units == ["rad", "rad/s"] * 3
     page.click("[data-key=curves]")
     assert captions.count() == 2
@@ -964,9 +964,94 @@ def test_spanish_is_spanish_to_the_last_decimal(page):
         page.evaluate(f"upright.store.hear({{kind: 'Recovered', impulse: {push}, effort: 1, best: 0.2, fell: false}})")
         said = page.locator(".fell span").inner_text().replace("\N{NO-BREAK SPACE}", " ")
         assert said == f"Se recuperó de un empujón de {words}"
-    assert page.inner_text(".most").replace("\N{NO-BREAK SPACE}", " ") == "récord 0,2 N s"  # and stays there
+    assert page.inner_text(".most").replace("\N{NO-BREAK SPACE}", " ") == "mejor golpe 0,2 N s"  # and stays there
     page.evaluate("upright.store.change({ robot: 'twipr', numbers: {} })")  # under the kit of a LEGO robot
     page.wait_for_selector("text=la electrónica 'nxt' actúa por tensión; se esperaba par, como en el robot")
+
+
+LABELS = """upright.page.charts.strips.filter(Boolean).slice(0, 2).flatMap(({root, plot}) => {
+    plot.redraw(false);
+    const over = root.querySelector('.u-over').getBoundingClientRect();
+    const lines = upright.store.traces.marks.map(m => ({...m, x: over.left + plot.valToPos(m.t, 'x')}))
+        .filter(({x}) => x > over.left && x < over.right);
+    return [...root.querySelectorAll('.event')].map(e => {
+        const {left, right} = e.getBoundingClientRect();
+        return {text: e.textContent, at: lines.filter(({x}) => x > left - 1.5 && x < right + 1.5)};
+    });
+})"""
+"""Each label of a curve, and the lines of pushes that it touches."""
+
+
+@pytest.mark.parametrize("width", [390, 1366])
+def test_each_push_is_named_at_its_own_line(page, width):
+    """However many there are, a label touches one line, and says what was done there."""
+    page.set_viewport_size({"width": width, "height": 844})
+    page.evaluate("upright.store.send({kind: 'Play', paused: true, speed: 1})")
+    until(page, "upright.store.snapshot.paused")
+    send = "(message) => (message.kind === 'Strike' ? upright.store.push(message) : upright.store.send(message))"
+    knock, hold = {"kind": "Strike", "what": "impulse", "size": 0.05}, {"kind": "Strike", "what": "front", "size": 0.1}
+    stand, tilt = {"kind": "StandUp", "pitch": 0}, {"kind": "StandUp", "pitch": 0.1}
+    fall = knock | {"size": 0.9}
+    known = {"impulse": "knock", "front": "held from the front", "stood": "stood up", "tilt": "lean"}
+    named = set()
+    for message, seconds in ((knock, 1), (hold, 4), (fall, 3), (stand, 2), (tilt, 1.5), (knock, 0.3), (knock, 3)):
+        page.evaluate(send, message)
+        before = page.evaluate("upright.store.snapshot.t")
+        page.evaluate(send, {"kind": "Step", "periods": round(seconds * 100)})
+        until(page, f"upright.store.snapshot.t > {before + seconds - 0.02} && upright.store.traces.t.at(-1) > {before}")
+        page.wait_for_timeout(500)
+        for label in page.evaluate(LABELS):
+            assert len(label["at"]) == 1, (message, label)
+            (mark,) = label["at"]
+            size = f"{abs(mark['size']):g}"
+            assert label["text"].startswith(known[mark["what"]]) or label["text"].startswith(size), label
+            assert mark["what"] not in ("impulse", "tilt") or size in label["text"], label
+            named.add(mark["what"])
+    assert named >= {"impulse", "stood"} if width == 390 else named == set(known)  # a phone has room for few
+
+
+def test_the_full_certificate_stands_under_its_button(page):
+    """In the same tab, in both languages, and no longer than its controller."""
+    from upright.certify.pushes import standard_pushes
+    from upright.robots import Kit
+
+    pushes = standard_pushes(Robot.preset("nxtway-gs"), Kit.preset("nxt"))
+    rows = [[name, battery, "0/1000", "3%", "0.10", "0.130"] for battery in ("full", "low") for name in pushes]
+    header = ["push", "battery", "fell", "saturated", "travel [m]", "peak [rad]"]
+    result = {"kind": "JobResult", "job": "certify", "title": "lqg on nxtway-gs: green", "text": "", "header": header}
+    tab(page, "Controller")
+    until(page, "upright.store.settled && upright.store.analysed")
+    page.evaluate("(message) => upright.store.hear(message)", result | {"rows": rows, "ok": True})
+    assert page.get_attribute("#tab-Controller", "aria-selected") == "true"
+    button, table = (page.locator(f"#panel {where}") for where in ("[data-key=certify]", ".certified table"))
+    below = table.bounding_box()["y"] - button.bounding_box()["y"]
+    assert 0 < below < 400  # [px] in the same column of a panel 640 px high
+    panel = page.locator("#panel").bounding_box()
+    assert table.bounding_box()["y"] < min(panel["y"] + panel["height"], 640)  # it has come into sight
+    assert table.locator("tbody tr").count() == len(rows)
+    tab(page, "Robot")
+    tab(page, "Controller")
+    page.select_option("[data-key=language]", "es")
+    assert re.findall(rf".*{ENGLISH}.*", page.inner_text(".certified")) == []
+    assert re.findall(r"\d\.\d.*", page.inner_text(".certified")) == []
+    page.select_option("#panel [data-key=controller]", "lqi")
+    until(page, "!document.querySelector('.certified').textContent")
+
+
+def test_a_link_runs_at_full_speed(page):
+    """Whatever slow motion was chosen before; and a page that is opened again shows the speed that there is."""
+    page.select_option("[data-key=speed]", "0.1")
+    page.evaluate("location.hash = '#robot=nxtway-gs&controller=lqr&push=impulse:0.05'")
+    until(page, "upright.store.changed.setup.controller === 'lqr'")
+    assert page.input_value("[data-key=speed]") == "1"
+    page.select_option("[data-key=speed]", "0.05")
+    page.evaluate("history.replaceState(null, '', location.pathname)")  # no link: the session goes on
+    page.reload()
+    ready(page)
+    assert page.input_value("[data-key=speed]") == "1"
+    before = page.evaluate("upright.store.snapshot.t")
+    page.wait_for_timeout(3000)
+    assert page.evaluate("upright.store.snapshot.t") - before > 0.5  # at 1/20 it were 0.15 s, of a quick machine
 
 
 def test_compare_takes_the_opened_log(page, tmp_path):

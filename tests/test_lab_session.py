@@ -302,6 +302,42 @@ def test_a_recovered_knock_is_scored_by_its_impulse(tmp_path):
     assert lost.best == found.best
 
 
+def test_a_pull_at_a_wheel_is_no_knock(tmp_path):
+    """It turns the robot, and says nothing of how hard a knock it bears."""
+    session, _ = a_session(tmp_path)
+    session.handle(Strike("pull_left", 1.5))
+    for _ in range(5):
+        session.advance(1.0)
+    assert not session.lanes[0].fallen
+    assert not only(Recovered, session.events())
+    assert session.score.best == 0
+
+
+@pytest.mark.slow
+def test_the_tour_says_truly_why_the_robot_stands_still_and_then_sways(tmp_path):
+    """Of the usual robot before any push, and from 5 s after a knock on for 20 s. Its dead zone lets it stand still for
+    a while; then both dead zone and noise make it sway: without one of them it sways less, by more than a quarter,
+    and does not come to rest, either: 0.5 mrad is far more than what is left of a knock after 5 s."""
+
+    def sway(**without: float) -> float:
+        session, _ = a_session(tmp_path, replace(MODEL, seed=7, **without))  # type: ignore[arg-type]
+        session.handle(Strike("impulse", 0.05))
+        pitch: list[float] = []
+        for k in range(100):
+            session.advance(0.25)
+            pitch += [session.lanes[0].state()[0]] if k >= 20 else []
+        return float(np.sqrt(np.mean(np.square(pitch))))
+
+    still, _ = a_session(tmp_path)
+    for _ in range(6):
+        still.advance(0.25)
+    assert still.lanes[0].state()[:1] == [pytest.approx(0.0, abs=1e-3)]  # 1.5 s: its first lean, if any, is later
+    assert set(still.lanes[0].applied) == {0.0}
+    both, noiseless, answering = sway(), sway(noise=0.0), sway(dead_zone=0.0)
+    assert both > 1.33 * max(noiseless, answering)
+    assert min(noiseless, answering) > 5e-4
+
+
 def test_a_hold_is_no_knock(tmp_path):
     session, _ = a_session(tmp_path)
     session.handle(Strike("front", 0.1))
