@@ -72,9 +72,11 @@ export class ControllerPanel extends Panel {
   certifying(share: number): void {
     this.root.querySelector("[data-key=certify]")?.toggleAttribute("aria-busy", share < 1);
     if (share >= 1 && !this.bar) return;
+    const begins = !this.bar;
     this.bar ??= new JobBar("certify");
     this.bar.to(share);
     replace(this.working, share < 1 ? this.bar.root : null);
+    if (begins) this.working.scrollIntoView({ block: "nearest" });
     if (share >= 1) this.bar = null;
   }
 
