@@ -1132,6 +1132,8 @@ def test_what_has_the_focus_keeps_it(page):
         page.keyboard.press("Enter")
         until(page, f"upright.store.settled && upright.store.changed.setup.numbers.{key}")
         assert page.evaluate("document.activeElement.dataset.key") == f"number-{key}"
+    t = page.evaluate("upright.store.snapshot.t")
+    until(page, f"upright.store.snapshot.t > {t} + 0.5")  # the doctor asks for 20 rows since the last change
     tab(page, "Identify")
     page.click("[data-key=doctor]")
     until(page, "upright.store.found?.job === 'doctor'")
