@@ -51,7 +51,7 @@ class Page {
   private kit = new KitPanel();
   private identify = new IdentifyPanel();
   private keep = new KeepPanel(() => this.picture());
-  private tour = new Tour((speed) => this.run(speed));
+  private tour = new Tour((speed) => (this.greeted(), this.run(speed)));
   private classes = new ClassPanel();
   private newcomer = !remembered.getItem("toured") && !isLink(location.hash);
   private tab: Tab = this.newcomer ? "Tour" : "Controller";
@@ -279,11 +279,16 @@ class Page {
     document.getElementById(`tab-${tab}`)?.scrollIntoView({ block: "nearest", inline: "center" }); // in its row
   }
 
-  private open(tab: Tab): void {
-    this.tab = tab;
+  /** Whoever has found the tabs, or is on the tour, needs no invitation. */
+  private greeted(): void {
     this.newcomer = false;
     remembered.setItem("toured", "yes");
     this.app.querySelector("[data-key=invitation]")?.remove();
+  }
+
+  private open(tab: Tab): void {
+    this.tab = tab;
+    this.greeted();
     for (const one of this.tabs.querySelectorAll<HTMLElement>("[role=tab]")) {
       const chosen = one.id === `tab-${tab}`;
       one.setAttribute("aria-selected", String(chosen));
