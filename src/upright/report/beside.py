@@ -127,8 +127,8 @@ def answered_fits(comparison: Comparison) -> dict[str, dict[str, float]]:
     """The fits [%] of all signals while a push is answered, where a page shows these; none where it does not."""
     if not answered_only(comparison):
         return {}
-    found = {label: {n: comparison.answer(label, n) for n in comparison.signals} for label in comparison.fits}
-    return {label: {n: a.fit if a else math.nan for n, a in answers.items()} for label, answers in found.items()}
+    answers = {label: {n: comparison.answer(label, n) for n in comparison.signals} for label in comparison.fits}
+    return {label: {n: a.fit if a else math.nan for n, a in each.items()} for label, each in answers.items()}
 
 
 def fit_number(comparison: Comparison, label: str, fit: float) -> tuple[str, str]:
