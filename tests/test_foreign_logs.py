@@ -496,3 +496,16 @@ def test_a_speed_that_is_asked_of_a_stepper_is_no_voltage() -> None:
     mapping = propose(RawTable({"t": T, "gyro_dps": GYRO, **dict.fromkeys(names, 100 * WHEEL)}))
     assert mapping.channels[SENSORS[0]].column == "left_actual_steps"
     assert not any(name.startswith(("command/", "applied/")) for name in mapping.channels)
+
+
+def test_a_tilt_and_its_rate_tell_how_long_a_row_takes(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """No clock, an angle and its rate in one unit, rows of 4 ms."""
+    s = swing(period=0.004)
+    rows = [f"{a:.6f},{g:.6f}" for a, g in zip(s["tilt"], s["rate"], strict=True)]
+    path, draft = _written(tmp_path / "x.csv", "\n".join(["theta,theta_dot", *rows]) + "\n"), tmp_path / "m.toml"
+    assert main(["doctor", str(path), "--write-mapping", str(draft)]) == 0
+    mapping = Mapping.load(draft)
+    assert mapping.time.period == 0.004
+    assert mapping.channels["estimate/pitch"].column == "theta"
+    assert doctor(read_table(path), mapping=mapping).period == pytest.approx(0.004)
+    capsys.readouterr()

@@ -297,6 +297,19 @@ def _correlation(a: Array, b: Array) -> float:
     return float(np.corrcoef(a, b)[0, 1])
 
 
+def _row_time(mapping: Mapping, table: RawTable) -> float:
+    """How long a row takes [s] by a tilt's steps and its logged rate, in one unit; 0 where the log does not tell."""
+    tilt, gyro = mapping.channels.get(PITCH), mapping.channels.get(GYRO)
+    if tilt is None or gyro is None or tilt.column == gyro.column or bool(tilt.unit) != bool(gyro.unit):
+        return 0.0
+    angle, rate = (table.columns[s.column] * UNITS[s.unit][0] for s in (tilt, gyro))
+    steps, middle = (angle[2:] - angle[:-2]) / 2, rate[1:-1]
+    if not (np.isfinite(angle).all() and np.isfinite(rate).all() and np.ptp(steps) > 0 and np.ptp(middle) > 0):
+        return 0.0
+    sure = abs(_correlation(steps, middle)) > TRUSTED
+    return float(f"{np.std(steps) / np.std(middle):.2g}") if sure else 0.0
+
+
 def drafted(table: RawTable) -> str:
     """A mapping to be edited: the one of `by_physics` or of the names, or an empty one, with what each column looks
     like, and with what is left to be named."""
@@ -306,6 +319,11 @@ def drafted(table: RawTable) -> str:
         if not named.channels:
             return draft(table)
         mapping = replace(with_tilt(with_gyro(named, table), table), name="mine", about="")
-    period = "" if mapping.time.column else "# No column is a clock: state the period [s] from row to row.\n"
+    period = ""
+    if not mapping.time.column:
+        period, row = "# No column is a clock: state the period [s] from row to row.\n", _row_time(mapping, table)
+        if row:
+            mapping = replace(mapping, time=replace(mapping.time, period=row))
+            period += "# By the steps of the tilt and its rate it is about this, if their units agree.\n"
     left = lacking(mapping)
     return f"{looks(table)}\n{period}{mapping.to_toml()}" + (still_to_name(left, mapping.channels) if left else "")
