@@ -89,10 +89,11 @@ def how(comparison: Comparison) -> list[str]:
     same = len(set(times.values())) == 1
     release = next(iter(times.values())) if same else ", ".join(f"{label} {text}" for label, text in times.items())
     names = [str(row[0]) for row in listed_metrics(comparison).rows]
+    given = bool(comparison.pushed) or comparison.release is not None
     listed, swung = any(name in BANDS for name in names), SPOKEN_NAMES["overshoot"] in names
     texts = [
-        f"Settling{' and overshoot are those' if swung else ' is that'} of pitch about zero after the release of the "
-        f"push at {release}. "
+        f"Settling{' and overshoot are those' if swung else ' is that'} of pitch about zero "
+        f"{'after the release of the push' if given else 'from the first sample on,'} at {release}. "
         f"{_band(comparison)}".strip(),
         "Settling within 2 % (5 %): the time until pitch stays within that part of its largest deviation; “noise” "
         "where it swings further at rest, so that chance would decide." if listed else "",
