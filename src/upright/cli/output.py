@@ -80,12 +80,16 @@ TYPED: ContextVar[Sequence[str]] = ContextVar("TYPED", default=())
 
 
 def _command() -> str:
-    """The command as it was typed, without what names its page, and files without their folders."""
+    """The command as it was typed, with files and its page without their folders."""
     words = list(TYPED.get())
-    if "--report" in words:
-        del words[words.index("--report") : words.index("--report") + 2]
-    kept = (Path(word).name if os.sep in word and Path(word).exists() else word for word in words)
-    return shlex.join(["upright", *(word for word in kept if not word.startswith("--report="))]) if words else ""
+    kept = (
+        Path(word).name if os.sep in word and (before in _WRITTEN or Path(word).exists()) else word
+        for before, word in zip(["", *words], words, strict=False)
+    )
+    return shlex.join(["upright", *kept]) if words else ""
+
+
+_WRITTEN = ("--report", "-o", "--output")  # what these name may not be there yet
 
 
 def check_folder(path: Path) -> None:

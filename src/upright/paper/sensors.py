@@ -36,7 +36,8 @@ def _summary(compared: MethodComparison, true: float) -> str:
     inside = [name for name, pole in poles.items() if pole.low <= true <= pole.high]
     holding = [name for name, trial in compared.trials.items() if trial.holds]
     text = (
-        f"The true unstable pole, {cell_text(true, 3)} 1/s, lies in the 95 % interval of {_listed(inside)}. The "
+        f"The true unstable pole, {cell_text(true, 3)} 1/s, lies in the 95 % interval of {len(inside)} of "
+        f"{len(poles)} methods{f': {_listed(inside)}' if inside else ''}. The "
         f"regulator designed on the identified model balances the twin for {_listed(holding)}."
     )
     least = poles.get("least-squares")

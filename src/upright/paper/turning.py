@@ -155,10 +155,12 @@ def _sizes(robot: Robot, logs: Mapping[float, Mapping[str, Log]]) -> Claim:
     kept = {term.text: term.rms for term in listed[SHOWN] if term.kept and term.equation == "φ"}
     beside = next(term.rms for term in listed[SHOWN] if term.text == DRIFT) / kept[CORIOLIS]
     summary = (
-        f"At {_rates()} rad/s of yaw, two terms that are left out have {_percentages(spin)} % and "
-        f"{_percentages(drift)} % of the size of the largest term kept in their equations. Wheels that roll and do not "
-        f"slide sideways (a non-holonomic constraint) add them on the left: −{SPIN} in the θ equation and +{DRIFT} in "
-        f"the φ equation. The second is {beside:.0f} times the Coriolis term that the model keeps (RMS along the run). "
+        f"At {SHOWN:g} rad/s of yaw, two left-out terms have {100 * spin[SHOWN]:.2g} % and {100 * drift[SHOWN]:.2g} % "
+        "of the size of the largest kept term; for what they do to the pitch see 2b. "
+        f"At {_rates()} rad/s they have {_percentages(spin)} % and {_percentages(drift)} %. Wheels that roll and do "
+        f"not slide sideways (a non-holonomic constraint) add them on the left: −{SPIN} in the θ equation and +{DRIFT} "
+        f"in the φ equation. The second is {beside:.0f} times the Coriolis term that the model keeps (RMS along the "
+        "run). "
         "A body whose roll inertia J_ρ differs from J_φ adds the terms with J_ρ − J_φ. All of them vanish in straight "
         "motion."
     )

@@ -104,8 +104,8 @@ def _push(result: PostMortem) -> tuple[str, str] | None:
     push = result.causes[0].push if result.causes else None
     if push is None:
         return None
-    came = f"this one had {push.size()}{': at or beyond this limit' if push.close else ''}"
-    return f"{push.most:.2g} N s", f"the largest such push that any controller could save; {came}"
+    came = f"this one had {push.size()}{', about as much' if push.close else ''}"
+    return f"{push.most:.2g} N s", f"the largest such push that the best controller could save; {came}"
 
 
 def _lost(result: PostMortem) -> float | None:
@@ -148,7 +148,7 @@ def _plain(cause: Cause) -> str:
         counts, largest = (f"{math.degrees(angle):.2g}°" for angle in (push.counts, push.largest))
         text = f"{push} gave it a speed that is as hard to stop as a lean at rest of {counts}"
         if push.close:
-            return f"{text}, about the most that the motors bring back ({largest})"
+            return f"{text}, about the most that the best controller brings back ({largest})"
         return f"{text}; the motors bring back {largest} at most"
     return (
         cause.evidence.split("; ", maxsplit=1)[0]
@@ -223,6 +223,10 @@ def _figure(result: PostMortem) -> Figure:
         beside = (-8, -12) if last_half else (8, -12)
         words, side = f"after {lost - result.onset:.2g} s", "right" if last_half else "left"
         reach.annotate(words, (lost, 1.0), beside, textcoords="offset points", ha=side)
+    if pushed and (push := result.causes[0].push):
+        part = push.counts / push.largest
+        reach.plot(push.start, min(part, FAR), "o", color=INK, markersize=6, clip_on=False)
+        reach.annotate("the push", (push.start, 1), (-8, 6), textcoords="offset points", ha="right")
     span(axes, max(result.onset, float(s.t[0])), result.fell_at, "_trouble")
     start = max(float(s.t[0]), result.onset - max(BEFORE, 0.7 * (result.fell_at - result.onset)))
     axes[0].set_xlim(start, min(float(s.t[-1]), result.fell_at + AFTER))
@@ -230,8 +234,8 @@ def _figure(result: PostMortem) -> Figure:
     note = f"Shaded: from the {'push' if pushed else 'first sign'} to the fall."
     if lost is not None and pushed:
         note += (
-            " The curves are a filter's, which follows a push some hundredths of a second late: the push itself "
-            "decided, not the time after it."
+            " The curves are a filter's, which follows a push some hundredths of a second late. The dot is the push as "
+            "all readings show it: the push itself decided, not the time after it."
         )
     if lost is not None and (s.reserve[(s.t >= start) & (s.t < lost)] > 1).any():
         note += " The lean passed “no return” before and came back: this limit, the model's, is rough here."
