@@ -71,13 +71,10 @@ def sensor_bounds(limits: Mapping[str, float]) -> dict[str, tuple[float, float]]
 def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
     """Parameters and noise of greatest likelihood; where the innovations show that the model is not right, those whose
     free simulation follows the log best, and readings weighted by their effective sample size."""
-    from upright.calibrate.validate import worst_correlation
-
-    calm = with_process(problem, FREEDOM / 10)
-    start = calm if np.isfinite(objective(calm, z)[0]) else problem
-    rough = _settled(start, z, _bounds(problem, limits, FREEDOM))
-    best = _polished(rough, _bounds(problem, limits, FREEDOM))
-    if np.isfinite(best.normal.objective) and worst_correlation(*best) < WHITE:
+    bounds = _bounds(problem, limits, FREEDOM)
+    rough = _likeliest_noise(problem, z, bounds)
+    best = _polished(rough, bounds)
+    if _white(best):
         return _tempered(*_between_runs(best))
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         others = pool.submit(_without_first, problem, limits)
@@ -89,6 +86,23 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
         several = [best, *fits] if len(problem.recordings) > 1 else [best]  # weighted, each may go elsewhere
         last = [_tempered(*fit) for fit in pool.map(_between_runs, several)]
         return _best_simulated(last, [*pool.map(_simulated, last)], LEVEL)[0]
+
+
+def _white(fit: Fitted) -> bool:
+    """Whether the innovations of a fit are those of a right model, as far as their correlations tell."""
+    from upright.calibrate.validate import worst_correlation
+
+    return bool(np.isfinite(fit.normal.objective)) and worst_correlation(*fit) < WHITE
+
+
+def _likeliest_noise(problem: Problem, z: Array, bounds: Bounds) -> Fitted:
+    """Parameters and noise from little process noise, and where that does not end white, from more of it too: the
+    likelier of both. Little noise finds a right model's optimum from nearby, and loses the way from further off."""
+    calm = with_process(problem, FREEDOM / 10)
+    if not np.isfinite(objective(calm, z)[0]):
+        return _settled(problem, z, bounds)
+    fit = _settled(calm, z, bounds)
+    return fit if _white(fit) else min(fit, _settled(problem, z, bounds), key=lambda one: one.normal.objective)
 
 
 def _between_runs(fit: Fitted) -> Fitted:
