@@ -226,7 +226,7 @@ def _figure(result: PostMortem) -> Figure:
     if pushed and (push := result.causes[0].push):
         part = push.counts / push.largest
         reach.plot(push.start, min(part, FAR), "o", color=INK, markersize=6, clip_on=False)
-        reach.annotate("the push", (push.start, 1), (-8, 6), textcoords="offset points", ha="right")
+        reach.annotate("the push", (push.start, 1), (-8, -12), textcoords="offset points", ha="right")
     span(axes, max(result.onset, float(s.t[0])), result.fell_at, "_trouble")
     start = max(float(s.t[0]), result.onset - max(BEFORE, 0.7 * (result.fell_at - result.onset)))
     axes[0].set_xlim(start, min(float(s.t[-1]), result.fell_at + AFTER))
