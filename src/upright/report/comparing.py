@@ -140,16 +140,17 @@ def _lead(comparison: Comparison) -> str:
     if untouched(comparison):
         return untouched_lead(comparison)
     log = comparison.logs[comparison.reference]
-    robot, kind = log.origin.get("robot", {}).get("name", ""), log.origin.get("controller", {}).get("kind", "")
+    robot, kind = (log.origin.get(part, {}).get(name, "") for part, name in (("robot", "name"), ("controller", "kind")))
     who = f"{robot} under {kind}" if robot and kind else robot or "One experiment"
     pushes = [f"from {start:.3g} to {stop:.3g} s" for start, stop in comparison.pushed]
     size = f" with {force}" if (force := _force(log)) else ""
     pushed = f", pushed {way(log)}".rstrip() + f"{size} {' and '.join(pushes[:2])}" if pushes else ", without a push"
-    few = 1 < len(comparison.fits) < NAMED
-    several = f"; runs: {', '.join(comparison.logs)}" if few else ""
+    several = f"; runs: {', '.join(comparison.logs)}" if 1 < len(comparison.fits) < NAMED else ""
     several += "; other runs are pushed in another way" if _pushed_differently(comparison) else ""
     twin = any(kind.startswith("twin") for kind in comparison.kinds.values())
     stands = " The twin is a simulation, no real robot." if twin else ""
+    models = [(name, what) for name, what in comparison.kinds.items() if what[:4] not in ("", "twin", "real")]
+    stands += "".join(f" {sentence(name, '')} is the {what}." for name, what in models[:1])
     if len(comparison.logs) == 1:
         what = comparison.kinds[comparison.reference]
         body = f"One run of {f'the {what}' if what else 'a robot'}"
