@@ -65,7 +65,11 @@ export class Traces {
 
   add(s: Snapshot): void {
     const last = this.t.at(-1);
-    if (s.t <= this.from || (last !== undefined && s.t <= last)) return;
+    if (s.t <= this.from || (last !== undefined && s.t < last)) return;
+    if (s.t === last) {
+      if (s.x.length !== this.x.length || !this.jumps(s.t, s.x)) return;
+      this.pop(); // stood up at this time: its first lean is drawn
+    }
     if (s.x.length !== this.x.length) this.reset(s.x.length);
     this.push(s.t, s.x, s.e[0] ?? NaN, s.x[0][6], s.x[0][7], s.s);
     if (this.t.length > LONGEST + 400) this.cut(this.t.length - LONGEST);
@@ -80,6 +84,11 @@ export class Traces {
     this.volts[0].push(left);
     this.volts[1].push(right);
     this.saturated.push(saturated);
+  }
+
+  private pop(): void {
+    for (const trace of [this.t, ...this.x.flat(), this.estimate, ...this.volts, this.saturated]) trace.pop();
+    this.other = true;
   }
 
   /** Whether an angle goes further than its rates allow: the robot was stood up, or exchanged. */

@@ -34,8 +34,8 @@ const SCENES: Scene[] = [
   { setup: { controller: "lqg", bodies: THREE }, lean: 0, strike: "front" },
   { setup: { controller: "lqg", bodies: THREE }, lean: 0, strike: "back" },
   { setup: { controller: "lqg", bodies: THREE }, lean: 0, strike: "front", live: true },
-  { setup: { controller: "lqr", bodies: THREE, payload: 0.12, payload_height: 0.2 }, lean: 0 },
-  { setup: { controller: "robust", bodies: THREE, payload: 0.12, payload_height: 0.2 }, lean: 0, live: true },
+  { setup: { controller: "lqr", bodies: THREE, payload: 0.2, payload_height: 0.3 }, lean: 0 },
+  { setup: { controller: "robust", bodies: THREE, payload: 0.2, payload_height: 0.3 }, lean: 0, live: true },
 ];
 const STEPS = SCENES.map((scene, i) => ({ scene, i })).filter(({ scene }) => !(exported && scene.live));
 

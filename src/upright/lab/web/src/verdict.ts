@@ -14,7 +14,8 @@ export function leastMargins(a: Analysed): Node[] {
   const thin = tight(known && lit ? lit : a); // no smallest margin is larger than one
   if (!known || !lit) return [h("p", { className: `verdict ${thin ? "bad" : "open"}` }, thin && h("b", {}, `${t("thinMotors")} `), thin ? "" : t(exported ? "placesPython" : lit?.reasons.length ? "placesCertificate" : "placesPending"))];
   const red = lit.light === "red" || lit.light === "amber" ? lit.light : null;
-  const words = t(thin ? "thin" : red === "red" ? "enoughRed" : red ? "enoughAmber" : "enough");
+  const own = store.setup.payload > 0 ? t("butPayload") : ""; // the margins are those of the robot alone
+  const words = thin ? t("thin") : t(red === "red" ? "enoughRed" : red ? "enoughAmber" : "enough").replace(/\.$/, `${own}.`);
   return [h("p", { className: `verdict ${thin ? "bad" : red ? "open" : "good"}` }, h("b", {}, words), ` ${delayed(lit)} ${scaled(lit)}`)];
 }
 
