@@ -415,7 +415,13 @@ def test_traces_are_broken_where_the_robot_does_not_go_on(page):
     send(page, kind="StandUp", pitch=0.0)
     send(page, kind="Step", periods=1)
     (_, first), (_, second) = page.evaluate("upright.store.traces.breaks")
-    assert second - first == pytest.approx(0.2, abs=0.011)  # 20 periods of 10 ms, and one to see it
+    # 20 periods of 10 ms, less the one or two until the new controller is drawn; standing up is drawn at once
+    assert second - first == pytest.approx(0.185, abs=0.006)
+    send(page, kind="StandUp", pitch=0.1)
+    send(page, kind="Step", periods=1)
+    t, pitch = page.evaluate("[upright.store.traces.t, upright.store.traces.x[0][0]]")
+    _, (_, third) = page.evaluate("upright.store.traces.breaks.slice(-2)")
+    assert pitch[t.index(third)] == 0.1  # the lean that was asked for, before the robot moves
 
 
 @pytest.mark.parametrize(

@@ -67,7 +67,8 @@ export class Traces {
     const last = this.t.at(-1);
     if (s.t <= this.from || (last !== undefined && s.t < last)) return;
     if (s.t === last) {
-      if (s.x.length !== this.x.length || !this.jumps(s.t, s.x)) return;
+      const k = this.t.length - 1;
+      if (s.x.length !== this.x.length || this.x.every((body, b) => body.every((trace, i) => trace[k] === s.x[b][i]))) return;
       this.pop(); // stood up at this time: its first lean is drawn
     }
     if (s.x.length !== this.x.length) this.reset(s.x.length);
