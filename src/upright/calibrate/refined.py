@@ -17,6 +17,7 @@ from upright.arrays import Array
 from upright.calibrate.effects import respread
 from upright.calibrate.fitting import STICKING, Normal, Path, Problem, normal_equations, objective
 from upright.calibrate.gauss_newton import gauss_newton
+from upright.calibrate.informativity import effective_fraction
 from upright.calibrate.noise import Bounds, learn_noise
 from upright.calibrate.parameters import ROLLING, most_friction
 from upright.calibrate.process_noise import NOISE_TIME, process
@@ -42,6 +43,9 @@ simulations over it leave: a model that leaves something out then still is the o
 SEGMENT_NOISE = 0.003  # [1] process noise within a segment, as a fraction of the commands: nearly none
 MISSING = 0.3  # [1] of a reading's change over a segment: its first deviation there
 LEVEL = 0.1  # [1] of what the best fit leaves: fits that leave so little more predict equally well
+CHANCE = 0.5
+"""[1] of an effective sample size: two estimates of one that differ by a factor of two may do so by chance, for those
+of a log of 7 s have some eleven degrees of freedom in each of a few directions (97.5 % of F(33, 33) lie below 2.0)."""
 SPREADS = 3  # turns in which parameters and the spreads between runs are fitted
 SETTLED = 0.05  # [1] deviations of the prior by which no parameter moves any more
 
@@ -163,9 +167,17 @@ def _simulated(fit: Fitted) -> float:
 
 def _best_simulated(fits: Sequence[Fitted], scores: Sequence[float], level: float = 0.0) -> tuple[Fitted, float]:
     """The fit with the best of these `scores`, and its score; of fits that leave more than it by a fraction of at most
-    `level`, the one whose numbers the prior takes for likeliest."""
+    `level`, and whose effective sample size is not less than that of any by more than chance, the one whose numbers the
+    prior takes for likeliest.
+
+    What the readings say beside the prior is in proportion to that size. A fit may be near the prior since its
+    innovations are strongly correlated: then it hardly knows anything of what it predicts as well.
+    """
     least = max(scores) - level * (1 - max(scores)) if np.isfinite(max(scores)) else -np.inf
     good = [(fit, value) for fit, value in zip(fits, scores, strict=True) if value >= least]
+    if level and np.isfinite(least) and len(good) > 1:
+        sizes = [effective_fraction(fit.problem, fit.normal, fit.paths) for fit, _ in good]
+        good = [one for one, size in zip(good, sizes, strict=True) if size >= CHANCE * max(sizes)]
     return min(good, key=lambda one: float(one[0].z @ one[0].z))
 
 
@@ -215,7 +227,6 @@ def _polished(fit: Fitted, bounds: Bounds) -> Fitted:
 def _tempered(problem: Problem, z: Array, normal: Normal, paths: Sequence[Path]) -> Fitted:
     """The same fit in fine steps, with readings weighted by their effective sample size against the prior. Where the
     prior would then draw the fit away from what predicts the log, the fit stays and only its intervals widen."""
-    from upright.calibrate.informativity import effective_fraction
     from upright.calibrate.validate import score
 
     longest, problem, first = problem.longest, replace(problem, fine=True), z
