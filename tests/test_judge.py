@@ -175,16 +175,17 @@ def test_a_doubtful_number_is_taken_over_where_it_leaves_white_innovations(
 ) -> None:
     """Whiter alone is no reason: 0.04 and 0.08 are of a dead zone that passed for twice the mass; see `WHITE`."""
     handed_over = import_module("upright.certify.calibrated")
-    number = SimpleNamespace(name="number")
+    number, setup = SimpleNamespace(name="number"), SimpleNamespace(kit=None, dry_friction=False, actual_kit=None)
     fits = iter([SimpleNamespace(refused=(), temper=temper) for temper in (before, after)])
     monkeypatch.setattr(handed_over, "as_logged", lambda _, setup: (setup, (), ()))
     monkeypatch.setattr(handed_over, "_own", lambda *_: next(fits))
-    monkeypatch.setattr(handed_over, "doubted", lambda *_: ("another", number))
-    monkeypatch.setattr(handed_over, "weighed", lambda *_: [])
+    monkeypatch.setattr(handed_over, "doubted", lambda *_: (setup, number))
+    monkeypatch.setattr(handed_over, "guessed", lambda *_: SimpleNamespace(refused=("no mass is asked here",)))
     monkeypatch.setattr(handed_over, "unloaded", lambda met: met)
-    monkeypatch.setattr(handed_over, "learnt", lambda own, *_: own)
-    own, numbers = handed_over.calibrated(Log(np.arange(9.0), {}, {}), SimpleNamespace(kit=None, dry_friction=False))
-    assert (own.temper, numbers) == ((after, (number,)) if taken else (before, ()))
+    monkeypatch.setattr(handed_over, "learnt", lambda own, *_: handed_over.Learnt(own, None, None))
+    own, numbers = handed_over.calibrated(Log(np.arange(9.0), {}, {}), setup)
+    assert own.mass_open is None
+    assert (own.robot.temper, numbers) == ((after, (number,)) if taken else (before, ()))
 
 
 @pytest.mark.parametrize(("seconds", "quantile"), [(2.0, 3.182), (10.0, 2.131), (20.0, 2.042)])

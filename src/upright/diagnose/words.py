@@ -197,7 +197,7 @@ def sound(evidence: Evidence) -> str:
     if evidence.run.robot.noise and nis < SOUND * evidence.ordinary:
         return f"nothing beyond the noise of its calibration shows (NIS {nis:.2g})"
     if nis < SOUND * evidence.ordinary < SOUND * FOREIGN:
-        return f"robot and sensors are sound (NIS {nis:.2g})"
+        return f"robot and sensors are sound (NIS {nis:.2g} apart from pushes)"
     return f"no single fault explains the innovations (NIS {nis:.2g})"
 
 

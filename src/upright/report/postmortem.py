@@ -39,7 +39,9 @@ def page_of(result: PostMortem) -> Page:
         sections.append(Section("Reading the figure", [_READ.format(cut=CUT)], folded=True))
     facts = {"robot": result.robot, "kit": result.kit, "samples": str(result.rows)}
     facts |= {"controller": f"{result.controller}, {result.hash[:12]}"} if result.controller else {}
-    title = f"Why {result.robot} fell: {result.verdict}" if result.fell else f"{result.robot}: {result.verdict}"
+    push = result.causes[0].push if result.causes else None
+    why = "a push at the limit" if push and push.close else result.verdict
+    title = f"Why {result.robot} fell: {why}" if result.fell else f"{result.robot}: {result.verdict}"
     return Page(
         title, sections, _lead(result), facts, False, verdict=Verdict(_sure(result), level),
         picture=_figure(result) if drawn else None,
@@ -148,7 +150,7 @@ def _plain(cause: Cause) -> str:
         counts, largest = (f"{math.degrees(angle):.2g}°" for angle in (push.counts, push.largest))
         text = f"{push} gave it a speed that is as hard to stop as a lean at rest of {counts}"
         if push.close:
-            return f"{text}, about the most that the best controller brings back ({largest})"
+            return f"{text}, about the most that the best controller brings back ({largest}); yours saves no more"
         return f"{text}; the motors bring back {largest} at most"
     return (
         cause.evidence.split("; ", maxsplit=1)[0]
@@ -174,7 +176,12 @@ def _evidence(cause: Cause) -> str:
 
 def _causes(result: PostMortem) -> Table:
     rows: list[list[Cell]] = [
-        [c.name, f"{100 * c.likelihood:.0f} %", _evidence(c) if k == 0 else f"{c.evidence}.", c.repair]
+        [
+            c.name,
+            f"{100 * c.likelihood:.0f} %",
+            _evidence(c) if k == 0 else f"{c.evidence}.",
+            "see Next, above" if k == 0 and c.repair else c.repair,
+        ]
         for k, c in enumerate(result.causes)
         if c.likelihood >= SHOWN
     ]
@@ -234,8 +241,8 @@ def _figure(result: PostMortem) -> Figure:
     note = f"Shaded: from the {'push' if pushed else 'first sign'} to the fall."
     if lost is not None and pushed:
         note += (
-            " The curves are a filter's, which follows a push some hundredths of a second late. The dot is the push as "
-            "all readings show it: the push itself decided, not the time after it."
+            " The curves come from an estimator, which lags a push by some hundredths of a second. The dot is the push "
+            "as the whole log shows it: that alone decided."
         )
     if lost is not None and (s.reserve[(s.t >= start) & (s.t < lost)] > 1).any():
         note += " The lean passed “no return” before and came back: this limit, the model's, is rough here."
