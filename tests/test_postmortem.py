@@ -338,8 +338,11 @@ def test_a_push_is_named_with_its_numbers() -> None:
     first = dataclasses.replace(found.causes[0], evidence="other words", push=known)
     page = page_of(dataclasses.replace(found, causes=(first, *found.causes[1:])))
     assert "push backward of about 0.46 N s" in page.lead
-    assert "a lean at rest of 41°; the motors bring back 35° at most" in page.lead
-    assert page.numbers[1][0] == "0.4 N s"
+    assert "no controller saves more than 0.4 N s" in page.lead
+    assert [value for value, _ in page.numbers[:2]] == ["0.46 N s", "0.4 N s"]
+    assert "a lean at rest of 41°; the motors bring back 35° at most" in page.html()
+    weak = dataclasses.replace(first, push=dataclasses.replace(known, impulse=-0.3))
+    assert "up to 0.4 N s" in page_of(dataclasses.replace(found, causes=(weak, *found.causes[1:]))).lead
     other = dataclasses.replace(first, push=None)
     assert "N s" not in str(page_of(dataclasses.replace(found, causes=(other, *found.causes[1:]))).numbers)
 

@@ -52,7 +52,8 @@ REPAIRS = {
 class Blow:
     """A push that fells a robot: its `impulse` [N s], positive forward, `start` [s] and `height` [m] above the axle,
     the lean [rad] that its speed `counts` as, the `largest` lean [rad] and the impulse, `most` [N s], that the motors
-    bring back, and the fraction of the innovations `explained` by it."""
+    bring back, the fraction of the innovations `explained` by it, and the kit's `battery` [V], infinite for a torque
+    drive."""
 
     impulse: float
     start: float
@@ -61,6 +62,7 @@ class Blow:
     largest: float
     most: float
     explained: float
+    battery: float = math.inf
 
     @property
     def close(self) -> bool:
@@ -76,6 +78,11 @@ class Blow:
             f"nothing in the log looks broken: push less. No controller saves more than {self.most:.2g} N s with these "
             "motors and this battery; `upright push-map` finds what yours saves"
         )
+
+    @property
+    def powered(self) -> str:
+        """With which battery the motors bring back so much; empty for a torque drive."""
+        return f" with a battery of {self.battery:g} V" if math.isfinite(self.battery) else ""
 
     def size(self) -> str:
         """The impulse in words, with its error where that decides."""

@@ -269,7 +269,7 @@ def _plain(data: dict[str, Any]) -> dict[str, Any]:
 
 def _cause(data: dict[str, Any]) -> Cause:
     push: dict[str, Any] | None = data.get("push")
-    blow = Blow(**{name: _number(v) for name, v in push.items()}) if push else None
+    blow = Blow(**{name: float(v) for name, v in push.items() if v is not None}) if push else None
     given: dict[str, Any] = data | {"onset": _number(data["onset"]), "push": blow}
     return Cause(**given)
 

@@ -126,7 +126,8 @@ def blow(evidence: Evidence, push: PushEstimate, lean: float) -> Blow:
     """The numbers of a push that, with smaller ones the same way, counts as this `lean` [rad]."""
     toppling = evidence.toppling
     saved = min(toppling.largest, LEANING), toppling.largest_like(push)
-    return Blow(push.impulse, push.start, push.height, lean, *saved, evidence.pushes_only.explained)
+    battery = evidence.run.kit.battery.voltage if evidence.run.robot.command_unit == "V" else math.inf
+    return Blow(push.impulse, push.start, push.height, lean, *saved, evidence.pushes_only.explained, battery)
 
 
 def of_push(evidence: Evidence, push: PushEstimate, numbers: Blow) -> str:
@@ -139,14 +140,8 @@ def of_push(evidence: Evidence, push: PushEstimate, numbers: Blow) -> str:
         f"{numbers}, {took}, if it hit {numbers.height:.2g} m above the axle, explains {most(numbers.explained)} of "
         "the innovations. "
         f"{it} makes the robot so fast that this counts as {caused:.2g}° of lean; the motors bring back {largest:.2g}° "
-        f"at most{_battery(evidence)}, a push of {numbers.most:.2g} N s there"
+        f"at most{numbers.powered}, a push of {numbers.most:.2g} N s there"
     )
-
-
-def _battery(evidence: Evidence) -> str:
-    """The battery of the kit, which limits what motors bring back; empty for a torque drive."""
-    volts = evidence.run.kit.battery.voltage
-    return f" with a battery of {volts:g} V" if evidence.run.robot.command_unit == "V" and math.isfinite(volts) else ""
 
 
 def of_demand(evidence: Evidence, demand: Demand) -> str:
@@ -166,7 +161,7 @@ def of_low(evidence: Evidence) -> str:
 
 def of_high(evidence: Evidence) -> str:
     if evidence.motors.swings < 1:
-        return f"{sound(evidence)}; a high gain also makes large commands, but mostly swings first, and here were none"
+        return f"{sound(evidence)}; a high gain also makes large commands, but mostly after swings: this log shows none"
     return (
         f"{sound(evidence)}, and the commands changed sign {evidence.motors.swings:.1g} times a second with growing "
         "swings"

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from upright.diagnose import PostMortem
-from upright.diagnose.causes import NO_FALL, Cause
+from upright.diagnose.causes import NO_FALL, Blow, Cause
+from upright.diagnose.evidence import Series
 from upright.diagnose.fall import LEANING
 from upright.diagnose.verdict import HELPED, PUSHED
 from upright.plotting import INK, line, number, numbered, panels, span
@@ -39,9 +40,9 @@ def page_of(result: PostMortem) -> Page:
         sections.append(Section("Reading the figure", [_READ.format(cut=CUT)], folded=True))
     facts = {"robot": result.robot, "kit": result.kit, "samples": str(result.rows)}
     facts |= {"controller": f"{result.controller}, {result.hash[:12]}"} if result.controller else {}
-    push = result.causes[0].push if result.causes else None
-    why = "a push at the limit" if push and push.close else result.verdict
-    title = f"Why {result.robot} fell: {why}" if result.fell else f"{result.robot}: {result.verdict}"
+    push = _blow(result)
+    limit = ", at the limit" if push and push.close else ""
+    title = f"Why {result.robot} fell: {result.verdict}{limit}" if result.fell else f"{result.robot}: {result.verdict}"
     return Page(
         title, sections, _lead(result), facts, False, verdict=Verdict(_sure(result), level),
         picture=_figure(result) if drawn else None,
@@ -52,8 +53,8 @@ def page_of(result: PostMortem) -> Page:
 _READ = (
     "Shaded: from the first sign to the fall. Dashed in the first panel: 40°, which counts as the fall of a log. A "
     "simulated robot counts as fallen at 80°, where it lies; many logs end before that. The second "
-    "panel divides the lean by the largest one that the motors can recover from. Lean and speeds of body and wheels "
-    "count together, as the unstable motion that they make. Dashed there: the point of no return. The third panel is "
+    "panel adds the lean and the speeds of body and wheels, as the unstable motion that they make together. It divides "
+    "the sum by the most that the motors can recover from. Dashed there: the point of no return. The third panel is "
     "what the controller requests, drawn up to {cut:g} times what the motors give. The last panel, logarithmic, "
     "compares the readings with what the model expects, over a tenth of a second. Without faults it stays below the "
     "dashed line in 39 of 40 cases or more. `upright doctor` smooths the gyro, so its fall begins some hundredths of a "
@@ -63,15 +64,19 @@ _READ = (
 
 def _most(result: PostMortem) -> list[Item]:
     """Why no push is surer."""
-    if not result.causes or result.causes[0].push is None:
-        return []
-    return [_MOST.format(100 * PUSHED * (1 - HELPED))]
+    return [_MOST.format(100 * SUREST)] if _blow(result) else []
 
 
+SUREST = PUSHED * (1 - HELPED)  # a push's largest probability
 _MOST = (
     "No push is given more than {:.0f} %: in about one fall of ten something that the log does not show adds to it, "
     "and a fault may look like a push."
 )
+
+
+def _blow(result: PostMortem) -> Blow | None:
+    """The push that is the first cause; None where another is."""
+    return result.causes[0].push if result.causes else None
 
 
 def _sure(result: PostMortem) -> str:
@@ -83,31 +88,27 @@ def _sure(result: PostMortem) -> str:
 
 
 def _numbers(result: PostMortem) -> list[tuple[str, str]]:
-    """How long the fall took, and the causes after the first."""
+    """The push beside the largest to save, or how long the fall took; and the causes after the first."""
     known = result.fell and math.isfinite(result.onset)
-    pushed = _push(result)
-    sign = "push" if pushed else "first sign, where the sensors differ from the model,"
-    numbers = [(f"{result.fell_at - result.onset:.2g} s", f"from the {sign} to the fall")] if known else []
-    lost = _lost(result)
-    if pushed:
-        numbers.append(pushed)
-    elif known and lost is not None:
-        numbers.append((f"{lost - result.onset:.2g} s", "from the first sign until the motors could no longer save it"))
+    push, lost = _blow(result), _lost(result)
+    numbers = []
+    if push:
+        where = f"the push at {push.start:.2f} s, if it hit {push.height:.2g} m above the axle"
+        most = f"the largest such push that the best possible controller saves{push.powered}"
+        numbers = [(push.size().removeprefix("about "), where), (f"{push.most:.2g} N s", most)]
+    elif known:
+        sign = "from the first sign, where the sensors differ from the model,"
+        numbers = [(f"{result.fell_at - result.onset:.2g} s", f"{sign} to the fall")]
+        if lost is not None:
+            saved = "from the first sign until the motors could no longer save it"
+            numbers.append((f"{lost - result.onset:.2g} s", saved))
     likely = [c for k, c in enumerate(result.causes[:3]) if c.likelihood >= (WORTH if k else SHOWN)]
     if not likely:
         return numbers
+    first = likely[0].likelihood
     others = "".join(f"; {c.name} {100 * c.likelihood:.0f} %" for c in likely[1:])
-    this = "that the push felled it, not something else" if pushed else "of this cause"
-    return [*numbers, (f"{100 * likely[0].likelihood:.0f} %", f"probability {this}{others}")]
-
-
-def _push(result: PostMortem) -> tuple[str, str] | None:
-    """The largest push that the motors bring back, beside the one that came; None where another cause is first."""
-    push = result.causes[0].push if result.causes else None
-    if push is None:
-        return None
-    came = f"this one had {push.size()}{', about as much' if push.close else ''}"
-    return f"{push.most:.2g} N s", f"the largest such push that the best controller could save; {came}"
+    this = f"that the push felled it{', the most that a push is given' * (first > SUREST - 0.005)}" if push else ""
+    return [*numbers, (f"{100 * first:.0f} %", f"probability {this or 'of this cause'}{others}")]
 
 
 def _lost(result: PostMortem) -> float | None:
@@ -145,13 +146,16 @@ def _lead(result: PostMortem) -> str:
 
 
 def _plain(cause: Cause) -> str:
-    """The first clause of the evidence, without the filter's words; of a push what it did."""
+    """The first clause of the evidence, without the filter's words; of a push how it compares with what is saved."""
     if push := cause.push:
-        counts, largest = (f"{math.degrees(angle):.2g}°" for angle in (push.counts, push.largest))
-        text = f"{push} gave it a speed that is as hard to stop as a lean at rest of {counts}"
         if push.close:
-            return f"{text}, about the most that the best controller brings back ({largest}); yours saves no more"
-        return f"{text}; the motors bring back {largest} at most"
+            return (
+                f"{push} threw it over. That is about the most that the best possible controller saves "
+                f"({push.most:.2g} N s); a real one, yours included, mostly saves less"
+            )
+        beyond = abs(push.impulse) > push.most
+        saves = "no controller saves more than" if beyond else "the best possible controller saves up to"
+        return f"{push} threw it over; {saves} {push.most:.2g} N s"
     return (
         cause.evidence.split("; ", maxsplit=1)[0]
         .split(". ", maxsplit=1)[0]
@@ -168,9 +172,10 @@ def _evidence(cause: Cause) -> str:
     """The evidence; of a push only what the lead does not say."""
     if not (push := cause.push):
         return f"{cause.evidence}."
+    counts, largest = (f"{math.degrees(angle):.2g}°" for angle in (push.counts, push.largest))
     return (
-        f"that push alone explains {100 * min(push.explained, 0.999):.3g} % of the innovations, assumed to hit "
-        f"{push.height:.2g} m above the axle."
+        f"that push alone explains {100 * min(push.explained, 0.999):.3g} % of the innovations. The speed that it "
+        f"gives is as hard to stop as a lean at rest of {counts}; the motors bring back {largest} at most."
     )
 
 
@@ -192,9 +197,9 @@ def _causes(result: PostMortem) -> Table:
 
 def _figure(result: PostMortem) -> Figure:
     s = result.series
-    labels = ["pitch [°]", "lean and its speed / the most that can be saved [1]",
-              "requested command / what the motors give [1]",
-              "surprise of the sensors: error² / expected [1]"]  # fmt: skip
+    labels = ["pitch [°]", "lean and speed together / the most that can be saved",
+              "requested command / the most that the motors give",
+              "surprise of the sensors: error² / expected"]  # fmt: skip
     figure, axes = panels(labels)
     pitch, reach, command, nis = axes
     degrees = np.degrees(s.pitch)
@@ -223,31 +228,48 @@ def _figure(result: PostMortem) -> Figure:
     known = result.fell and math.isfinite(result.onset)
     if not known:
         return Figure("The last seconds", figure)
-    pushed = bool(result.causes) and result.causes[0].push is not None
-    if (lost := _lost(result)) is not None and not pushed:
+    push = _blow(result)
+    if (lost := _lost(result)) is not None and not push:
         reach.plot(lost, 1.0, "o", color=INK, markersize=6)
         last_half = lost > (result.onset + result.fell_at) / 2
         beside = (-8, -12) if last_half else (8, -12)
         words, side = f"after {lost - result.onset:.2g} s", "right" if last_half else "left"
         reach.annotate(words, (lost, 1.0), beside, textcoords="offset points", ha=side)
-    if pushed and (push := result.causes[0].push):
+    if push:
         part = push.counts / push.largest
         reach.plot(push.start, min(part, FAR), "o", color=INK, markersize=6, clip_on=False)
-        reach.annotate("the push", (push.start, 1), (-8, -12), textcoords="offset points", ha="right")
+        reach.annotate(f"the push: {part:.2g}", (push.start, 1), (-8, -12), textcoords="offset points", ha="right")
     span(axes, max(result.onset, float(s.t[0])), result.fell_at, "_trouble")
     start = max(float(s.t[0]), result.onset - max(BEFORE, 0.7 * (result.fell_at - result.onset)))
     axes[0].set_xlim(start, min(float(s.t[-1]), result.fell_at + AFTER))
     lasted = result.fell_at - result.onset
-    note = f"Shaded: from the {'push' if pushed else 'first sign'} to the fall."
-    if lost is not None and pushed:
-        note += (
-            " The curves come from an estimator, which lags a push by some hundredths of a second. The dot is the push "
-            "as the whole log shows it: that alone decided."
-        )
+    sign = "push" if push else "first sign"
+    note = f"Shaded: from the {sign} to the fall."
+    if push:
+        note += _SLOWED if _slows(s, push.start) else ""
+        note += _DOT
     if lost is not None and (s.reserve[(s.t >= start) & (s.t < lost)] > 1).any():
         note += " The lean passed “no return” before and came back: this limit, the model's, is rough here."
-    sign = "push" if pushed else "first sign"
     return Figure(f"From the {sign} at {result.onset:.2f} s to the fall it took {lasted:.2g} s", figure, note)
+
+
+_DOT = (
+    " The second panel adds the speed to the lean. Its curve comes from an estimator, which needs some hundredths of a "
+    "second to follow a push. The dot is the push estimated from the whole log; the verdict uses the dot."
+)
+_SLOWED = (
+    " The pitch first jumps with the push, then grows slower: the wheels run after the body, and the push goes on as "
+    "speed."
+)
+JUMP = 0.05  # [s] in which a push turns the body, before the wheels follow
+
+
+def _slows(s: Series, start: float) -> bool:
+    """Whether the pitch turns, after a push, twice as fast at first as in the hundredths of a second after it."""
+    first, then = (
+        np.nanmax(np.abs(s.pitch_rate[(s.t >= low) & (s.t < low + JUMP)]), initial=0.0) for low in (start, start + JUMP)
+    )
+    return bool(first > 2 * then)
 
 
 BEFORE, AFTER = 0.3, 0.2  # [s] shown before the onset, at least, and after the fall
