@@ -155,11 +155,18 @@ def beside(mask: NDArray[np.bool_], reach: int) -> NDArray[np.bool_]:
 
 
 COARSE = 12  # different readings, up to which a channel is too coarse to differentiate
+_FEW = 8  # values of an experiment's commands: steps, or a random binary signal; those of a law are many
 
 
 def levels(x: Array) -> int:
     """How many different readings there are."""
     return len(np.unique(np.round(x[np.isfinite(x)], 9)))
+
+
+def switched(command: Array) -> bool:
+    """Whether a command only switches between a few levels, as an experiment's does: the largest is one of them, and no
+    limit of the motors."""
+    return levels(command) <= _FEW
 
 
 FIXES: dict[str, Callable[[Record, Fix], Record]] = {
@@ -168,12 +175,3 @@ FIXES: dict[str, Callable[[Record, Fix], Record]] = {
     "finite time": _finite_time, "rows": _row_range, "cut": _cut, "even": _even, "bridge": _bridge, "fill": _fill,
     "unwrap": _unwrap, "single": _single, "spread": _spread,
 }  # fmt: skip
-
-
-_FEW = 8  # values of an experiment's commands: steps, or a random binary signal; those of a law are many
-
-
-def switched(command: Array) -> bool:
-    """Whether a command only switches between a few levels, as an experiment's does: the largest is one of them, and no
-    limit of the motors."""
-    return len(np.unique(command[np.isfinite(command)])) <= _FEW

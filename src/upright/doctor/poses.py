@@ -70,14 +70,13 @@ _FASTEST, _WIDEST, _COARSEST = 10.0, 1.5, 0.5  # [rad/s, rad, rad/s] rms, swing 
 
 @dataclass(frozen=True, eq=False)
 class Lean:
-    """Lean `angle` [rad] of the body, whether it is `absolute`, and the rows in which the body is at rest (`quiet`),
-    the wheels as well (`calm`), or the wheels spin as on no floor (`spinning`)."""
+    """Lean `angle` [rad] of the body, whether it is `absolute`, and the rows in which the body is at rest (`quiet`), or
+    the wheels as well (`calm`)."""
 
     angle: Array
     absolute: bool
     quiet: Mask
     calm: Mask
-    spinning: Mask
 
 
 def bodily(record: Record) -> Resampled | None:
@@ -96,7 +95,8 @@ def segments(record: Record) -> tuple[Segment, ...]:
     if m is None or m.gyro is None or m.period > LONGEST:
         return ()
     lean = lean_of(record, m)
-    return tuple(_segment(m, lean, kind, a, b) for kind, a, b in _merged(_labelled(m, lean), m.period))
+    parts = _merged(_labelled(m, lean, _spinning(record, m, lean.quiet)), m.period)
+    return tuple(_segment(m, lean, kind, a, b) for kind, a, b in parts)
 
 
 def _segment(m: Resampled, lean: Lean, kind: str, a: int, b: int) -> Segment:
@@ -147,26 +147,26 @@ def lean_of(record: Record, m: Resampled) -> Lean:
     assert m.gyro is not None
     quiet, calm = at_rest(m)
     gyro = m.gyro / _divisor(m)
-    spinning = _spinning(record, m, gyro, quiet)
     swing = _summed(gyro - _offset(gyro, quiet, m.period), m.period)
     for known in (_by_gravity(record, m, swing, calm if m.wheels else quiet), _by_estimate(record, m, gyro)):
         if known is not None and not other_zero(known, quiet):
-            return Lean(known, True, quiet, calm, spinning)
+            return Lean(known, True, quiet, calm)
     still = np.where(quiet, 0.0, gyro - _offset(gyro, quiet, m.period))
     swing = _summed(still, m.period)
-    return Lean(swing - _usual(swing, ~quiet, m.period), False, quiet, calm, spinning)
+    return Lean(swing - _usual(swing, ~quiet, m.period), False, quiet, calm)
 
 
-def _spinning(record: Record, m: Resampled, gyro: Array, quiet: Mask) -> Mask:
+def _spinning(record: Record, m: Resampled, quiet: Mask) -> Mask:
     """The rests of the body in which a wheel spins up as it does on no floor: there δ̈ = −q ψ̈ + p ψ, so that a body that
     is seen to rest bounds by how much the wheels change their speed, whatever the robot. What a logged tilt does
     bounds it too, since a gyro may be about another axis."""
+    assert m.gyro is not None
     spinning = np.zeros(len(quiet), dtype=bool)
     if not m.wheels:
         return spinning
     tilt = record[PITCH] if PITCH in record and m.gyro_name == GYRO else np.full(len(record.t), np.nan)
     fine = np.isfinite(tilt)
-    rates = [smooth(gyro, m.period, _CALMED)]
+    rates = [smooth(m.gyro / _divisor(m), m.period, _CALMED)]
     rates += [smooth(np.interp(m.t, record.t[fine], tilt[fine]), m.period, _CALMED, 1)] if fine.any() else []
     carried = [(_LARGEST_Q * rate, _LARGEST_P * _summed(_summed(rate, m.period), m.period)) for rate in rates]
     speeds = [smooth(wheel, m.period, _CALMED, 1) for wheel in (m.left, m.right)]
@@ -292,7 +292,7 @@ def _usual(swing: Array, moving: Mask, period: float) -> Array:
     return np.interp(np.arange(n), at, values) if at else np.full(n, float(np.median(swing[rows])))
 
 
-def _labelled(m: Resampled, lean: Lean) -> list[tuple[str, int, int]]:
+def _labelled(m: Resampled, lean: Lean, spinning: Mask) -> list[tuple[str, int, int]]:
     """The kinds of pose, row by row, as runs."""
     size, n = np.abs(lean.angle), len(m.t)
     lying = lean.quiet & (size > TIPPED)
@@ -306,7 +306,7 @@ def _labelled(m: Resampled, lean: Lean) -> list[tuple[str, int, int]]:
             over = lean.absolute and float(np.median(size[a:b])) > _OVER
             parts.append((OVER if over else LYING if lying[a:b].any() else MOVED, a, b))
         else:
-            parts += _upright(m, lean, a, b, from_floor=a > 0, to_floor=b < n)
+            parts += _upright(m, lean, spinning, a, b, from_floor=a > 0, to_floor=b < n)
     return parts
 
 
@@ -316,7 +316,7 @@ def _stretches(mask: NDArray[np.bool_ | np.int64]) -> Iterator[tuple[int, int]]:
 
 
 def _upright(
-    m: Resampled, lean: Lean, a: int, b: int, *, from_floor: bool, to_floor: bool
+    m: Resampled, lean: Lean, spinning: Mask, a: int, b: int, *, from_floor: bool, to_floor: bool
 ) -> list[tuple[str, int, int]]:
     """A stretch off the floor: standing up, balancing and falling, or only moved by hand or thrown."""
     idle = m.commands is not None and not any(np.ptp(u[a:b]) > 0 for u in m.commands)
@@ -327,7 +327,7 @@ def _upright(
     first = a + (int(up[0]) if len(up) else 0)
     falls = to_floor or _ends_falling(lean.angle[first:b], m.period)
     last = first + _fall_start(lean.angle[first:b], m.period) if falls else b
-    doing = np.where(lean.spinning, 2, lean.calm)[first:last]
+    doing = np.where(spinning, 2, lean.calm)[first:last]
     parts = _stretches(doing) if last > first else ()
     standing = [((BALANCING, STANDING, HELD)[doing[i]], first + i, first + j) for i, j in parts]
     rising = [(RISING, a, first)] if first > a else []

@@ -5,15 +5,12 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-from upright.doctor.finding import LEFT, PITCH, RIGHT, Finding, error, note
+from upright.doctor.finding import LEFT, PITCH, RIGHT, Array, Finding, error, note
 from upright.logs.draft import is_clock, rate_of
 from upright.logs.mapping import Mapping, Source, channels_of, named_unit
 from upright.logs.readers import RawTable
 from upright.logs.units import UNITS
-
-Array = NDArray[np.float64]
 
 _FOLLOWS = 0.98  # [1] correlation of an angle with the sum of a speed, each without its line, if the wheel is the same
 _APART = 1.3  # ratio of two units of one reading, below which filters and periods explain it; units differ by 6 or more
@@ -38,25 +35,26 @@ def against_angles(mapping: Mapping, table: RawTable) -> list[Finding]:
         taken.add(source.column)
         other = _other(source, mapping, table, t)
         if other:
-            findings += _compared(channel, source, other, table, t, assumed=not mapping.time.column)
+            findings += _compared(channel, source, *other, table, assumed=not mapping.time.column)
     return findings
 
 
-def _other(source: Source, mapping: Mapping, table: RawTable, t: Array) -> str:
-    """The column, among those that were not read, that is the angle of a speed or the speed of an angle."""
+def _other(source: Source, mapping: Mapping, table: RawTable, t: Array) -> tuple[str, float] | None:
+    """The column, among those that were not read, that is the angle of a speed or the speed of an angle, and how much
+    of the angle one unit of the summed speed is."""
     read = table.columns.get(source.column)
     if read is None or not np.isfinite(read).all() or not np.ptp(read) > 0:
-        return ""
+        return None
     unread = {n: table.columns[n] for n in mapping.ignored(table)[:_MOST] if n in table.columns}
     unread = {n: x for n, x in unread.items() if np.isfinite(x).all() and np.ptp(x) > 0 and not is_clock(x)}
-    fits = {n: _slope(*((read, x) if source.integrate else (x, read)), t)[1] for n, x in unread.items()}
-    best = max(fits, key=lambda n: abs(fits[n]), default="")
+    fits = {n: _slope(*((read, x) if source.integrate else (x, read)), t) for n, x in unread.items()}
+    best = max(fits, key=lambda n: abs(fits[n][1]), default="")
     tilt = mapping.channels.get(PITCH)
-    if not best or abs(fits[best]) < _FOLLOWS:
-        return ""
+    if not best or abs(fits[best][1]) < _FOLLOWS:
+        return None
     speed, angle = (read, unread[best]) if source.integrate else (unread[best], read)
     tilted = tilt is not None and abs(rate_of(speed, table.columns[tilt.column])) > abs(rate_of(speed, angle))
-    return "" if tilted else best
+    return None if tilted else (best, abs(fits[best][0]))
 
 
 def _slope(speed: Array, angle: Array, t: Array) -> tuple[float, float]:
@@ -78,11 +76,10 @@ def _slope(speed: Array, angle: Array, t: Array) -> tuple[float, float]:
 
 
 def _compared(
-    channel: str, source: Source, other: str, table: RawTable, t: Array, *, assumed: bool
-) -> list[Finding]:  # fmt: skip
+    channel: str, source: Source, other: str, slope: float, table: RawTable, *, assumed: bool
+) -> list[Finding]:
     """What the units of both columns make of each other."""
     names = (source.column, other) if source.integrate else (other, source.column)
-    slope = abs(_slope(table.columns[names[0]], table.columns[names[1]], t)[0])
     known = UNITS[source.unit][0] * source.scale
     unit = named_unit(other, table)
     when = ", if a row takes as long as stated" if assumed else ""
