@@ -428,6 +428,23 @@ def literal(node: ast.expr) -> str:
     return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else ""
 
 
+@pytest.mark.parametrize("spelling", ["--report {}", "--report={}"])
+def test_the_foot_of_a_page_names_it_without_its_folder(
+    spelling: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A page is passed on: its folder tells whose machine it is, and is not there on another. So are logs."""
+    monkeypatch.chdir(tmp_path)
+    page, log = tmp_path / "page.html", tmp_path / "good.csv"
+    log.write_text(FILES["good.csv"])
+    assert main(["compare", f"a={log}", str(log), *spelling.format(page).split(" ")]) == 0, capsys.readouterr()
+    written = page.read_text(encoding="utf-8")
+    assert str(tmp_path) not in written
+    shown = re.search(r"<code>(.*?)</code>", written[written.index("<footer") :])
+    assert shown
+    typed = re.sub(r"</?span>", "", shown[1])  # each word with a hyphen is in a span, in which no line breaks
+    assert typed == f"upright compare a=good.csv good.csv {spelling.format('page.html')}"
+
+
 FILES_OF_THEIR_OWN = {"reproduce", "firmware", "fly", "monitor", "start", "lab", "robots", "example", "film"}
 """A folder with its page, a program, a log, a film, nothing."""
 

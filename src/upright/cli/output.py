@@ -82,11 +82,18 @@ TYPED: ContextVar[Sequence[str]] = ContextVar("TYPED", default=())
 def _command() -> str:
     """The command as it was typed, with files and its page without their folders."""
     words = list(TYPED.get())
-    kept = (
-        Path(word).name if os.sep in word and (before in _WRITTEN or Path(word).exists()) else word
-        for before, word in zip(["", *words], words, strict=False)
-    )
+    kept = (_bare(word, before) for before, word in zip(["", *words], words, strict=False))
     return shlex.join(["upright", *kept]) if words else ""
+
+
+def _bare(word: str, before: str) -> str:
+    """A word of a command; of a file its name without the folder, also behind `--report=` or the `name=` of a log."""
+    if os.sep not in word:
+        return word
+    if before in _WRITTEN or Path(word).exists():
+        return Path(word).name
+    name, equals, file = word.partition("=")
+    return f"{name}={Path(file).name}" if equals and (name in _WRITTEN or Path(file).exists()) else word
 
 
 _WRITTEN = ("--report", "-o", "--output")  # what these name may not be there yet
