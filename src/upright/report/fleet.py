@@ -40,8 +40,7 @@ of the robots that a distribution with a long tail shows."""
 def histogram(data: Dataset, name: str) -> Figure:
     """How an outcome is distributed over the robots that stood."""
     values, words = stood(data, name), _called(data, name)
-    scale, unit = _scale(str(data[name].attrs["unit"]))
-    scale, unit = (100.0, "%") if unit == "1" else (scale, unit)
+    scale, unit = _scale(data, name)
     middle, high = (scale * np.quantile(values, (0.5, 0.95))).tolist() if len(values) else (math.nan, math.nan)
     after = unit if unit == "°" else f" {unit}"
     at_zero = float((values == 0).mean()) if len(values) else 0.0
@@ -90,22 +89,24 @@ def _swinging(data: Dataset) -> NDArray[np.bool_] | None:
     return rolled >= STILL
 
 
-def _quantiles(data: Dataset, kept: Mapping[str, Sequence[float]], units: Mapping[str, str]) -> Table:
-    """The quantiles of each outcome; of two groups those of the robots that swing, since the others have zeros."""
-    swings, rows = _swinging(data), list[Sequence[Cell]]()
-    for name, quantiles in kept.items():
-        scale, unit = _scale(units[name])
-        scale, unit = (100.0, "%") if unit == "1" else (scale, unit)
-        rows.append([f"{_called(data, name)} [{unit}]", *(scale * value for value in _of_those(data, name, quantiles))])
-    who = "robots that stood" if swings is None else f"the {int(swings.sum())} that moved"
-    over = "the robots" if swings is None else "the robots that moved"
-    return Table([who, "5 %", "median", "95 %"], rows, f"Quantiles over {over}", 3)
-
-
-def _of_those(data: Dataset, name: str, quantiles: Sequence[float]) -> Sequence[float]:
-    """The 5, 50 and 95 % quantiles of an outcome; of two groups those of the robots that moved."""
+def _moving(data: Dataset, summary: Summary) -> tuple[Mapping[str, Sequence[float]], int | None]:
+    """The 5, 50 and 95 % quantiles of each outcome; of two groups those of the robots that moved, since the others have
+    zeros, and how many moved; None where all count."""
     swings = _swinging(data)
-    return quantiles if swings is None else np.quantile(stood(data, name)[swings], (0.05, 0.5, 0.95)).tolist()
+    if swings is None:
+        return summary.quantiles, None
+    part = {name: np.quantile(stood(data, name)[swings], (0.05, 0.5, 0.95)).tolist() for name in summary.quantiles}
+    return part, int(swings.sum())
+
+
+def _quantiles(data: Dataset, quantiles: Mapping[str, Sequence[float]], moved: int | None) -> Table:
+    rows: list[Sequence[Cell]] = []
+    for name, row in quantiles.items():
+        scale, unit = _scale(data, name)
+        rows.append([f"{_called(data, name)} [{unit}]", *(scale * value for value in row)])
+    who = "robots that stood" if moved is None else f"the {moved} that moved"
+    over = "the robots" if moved is None else "the robots that moved"
+    return Table([who, "5 %", "median", "95 %"], rows, f"Quantiles over {over}", 3)
 
 
 def _matters(data: Dataset, outcome: str) -> str:
@@ -143,9 +144,12 @@ _GROUPS = (
 )
 
 
-def _scale(unit: str) -> tuple[float, str]:
-    """Angles are shown in degrees."""
-    return (180 / math.pi, unit.replace("rad", "°")) if unit in ("rad", "rad/s") else (1.0, unit)
+def _scale(data: Dataset, name: str) -> tuple[float, str]:
+    """Angles are shown in degrees, fractions in per cent."""
+    unit = str(data[name].attrs["unit"])
+    if unit in ("rad", "rad/s"):
+        return 180 / math.pi, unit.replace("rad", "°")
+    return (100.0, "%") if unit == "1" else (1.0, unit)
 
 
 def influence(data: Dataset, outcome: str) -> Figure | None:
@@ -276,7 +280,8 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     kept = summary.quantiles
     names = [name for name, row in kept.items() if np.isfinite(row[1]) and np.ptp(row) > 0]
     explained = _explained(data, summary.fell)
-    table = _quantiles(data, kept, summary.units)
+    quantiles, moved = _moving(data, summary)
+    table = _quantiles(data, quantiles, moved)
     chance = summary.chance
     robot = origin_of(data)["robot"]["name"]
     after = f"`upright push-map --robot {robot}`, which finds the largest push"
@@ -301,9 +306,9 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
             else "of such robots fall while nothing disturbs them (95 % confidence)",
         )
     ]
-    swings = _swinging(data)
-    most = {name: _of_those(data, name, row)[2] for name, row in summary.quantiles.items()}
-    who = f"95 % of {_those(summary) if swings is None else f'the {int(swings.sum())} that moved'}"
+    most = {name: row[2] for name, row in quantiles.items()}
+    standing = "those that stood" if summary.fell else f"all {summary.n}"
+    who = f"95 % of {standing if moved is None else f'the {moved} that moved'}"
     if math.isfinite(most.get("peak_pitch", math.nan)):
         numbers.append((f"{number(math.degrees(most['peak_pitch']), 2)}°", f"is the most that {who} leaned"))
     if "settling" in kept and np.isfinite(kept["settling"]).all():
@@ -329,11 +334,6 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
         f"{summary.fell} of {summary.n} robots fell, {pushed(pushes)}", sections, lead, facts, False,
         picture=picture, numbers=numbers, verdict=_verdict(data, summary, knocks),
     )  # fmt: skip
-
-
-def _those(summary: Summary) -> str:
-    """The robots that an outcome is of."""
-    return "those that stood" if summary.fell else f"all {summary.n}"
 
 
 def _untold(summary: Summary, explained: bool) -> str:
