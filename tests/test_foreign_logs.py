@@ -411,10 +411,10 @@ def test_counts_beside_a_speed_say_what_a_turn_is() -> None:
     w = wheels(1.0, 330 / (2 * np.pi))
     table = RawTable({"t": w["t"], "left_rpm": w["speed"], "right_rpm": w["speed"], "n": np.rint(w["angle"]),
                       "pitch": 0.1 * np.sin(9 * w["t"])})  # fmt: skip
-    (told, *_) = (f for f in doctor(table).findings if f.code == "units/turn")
-    turn = float(told.evidence.split("a turn of the wheel is ")[1].split()[0])
+    (finding, *_) = (f for f in doctor(table).findings if f.code == "units/turn")
+    turn = float(finding.evidence.split("a turn of the wheel is ")[1].split()[0])
     assert turn == pytest.approx(330 * 60 / (2 * np.pi), rel=0.01)  # four digits are printed
-    assert "'left_rpm' in rpm" in told.evidence
+    assert "'left_rpm' in rpm" in finding.evidence
 
 
 def test_pairs_with_units_are_read_between_the_messages_of_a_program(tmp_path: Path) -> None:
@@ -474,9 +474,9 @@ def test_what_a_log_lacks_is_said_at_once() -> None:
     duty = {"t": T, "gyro": GYRO, "pwm_l": np.rint(50 * VOLTS), "pwm_r": np.rint(50 * VOLTS)}
     lacking = apply(propose(RawTable(duty)), RawTable(duty))
     for judge in (calibrate, identify):
-        with pytest.raises(InvalidLog, match=r"no encoders and no battery voltage .*sensor/battery") as told:
+        with pytest.raises(InvalidLog, match=r"no encoders and no battery voltage .*sensor/battery") as error:
             judge(lacking, "nxtway-gs")
-        assert "a gyro or a tilt" in str(told.value)
+        assert "a gyro or a tilt" in str(error.value)
     off = Log(T, {SENSORS[2]: GYRO, "command/left": 0 * T, "command/right": 0 * T})
     with pytest.raises(InvalidLog, match="no encoders; expected encoders, a gyro or a tilt, and commands in V"):
         calibrate(off, "nxtway-gs")

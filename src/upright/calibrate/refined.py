@@ -43,7 +43,7 @@ simulations over it leave: a model that leaves something out then still is the o
 SEGMENT_NOISE = 0.003  # [1] process noise within a segment, as a fraction of the commands: nearly none
 MISSING = 0.3  # [1] of a reading's change over a segment: its first deviation there
 LEVEL = 0.1  # [1] of what the best fit leaves: fits that leave so little more predict equally well
-CHANCE = 0.5
+ALIKE = 0.5
 """[1] of an effective sample size: two estimates of one that differ by a factor of two may do so by chance, for those
 of a log of 7 s have some eleven degrees of freedom in each of a few directions (97.5 % of F(33, 33) lie below 2.0)."""
 SPREADS = 3  # turns in which parameters and the spreads between runs are fitted
@@ -177,7 +177,7 @@ def _best_simulated(fits: Sequence[Fitted], scores: Sequence[float], level: floa
     good = [(fit, value) for fit, value in zip(fits, scores, strict=True) if value >= least]
     if level and np.isfinite(least) and len(good) > 1:
         sizes = [effective_fraction(fit.problem, fit.normal, fit.paths) for fit, _ in good]
-        good = [one for one, size in zip(good, sizes, strict=True) if size >= CHANCE * max(sizes)]
+        good = [one for one, size in zip(good, sizes, strict=True) if size >= ALIKE * max(sizes)]
     return min(good, key=lambda one: float(one[0].z @ one[0].z))
 
 

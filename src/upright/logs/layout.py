@@ -90,8 +90,7 @@ def _width(rows: Sequence[Sequence[str]]) -> int:
     """How many cells most rows have, or how many names stand above rows that have fewer: a program may log some values
     only at times."""
     common = Counter(len(cells) for cells in rows[-50:]).most_common(1)[0][0]
-    numeric = [_any_number(cells, ".") for cells in rows]
-    first = numeric.index(True) if True in numeric else 0
+    first = next((k for k, cells in enumerate(rows) if _any_number(cells, ".")), 0)
     if not first or any(len(cells) == common for cells in rows[:first]):
         return common
     named = len(rows[first - 1])

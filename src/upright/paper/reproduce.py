@@ -39,8 +39,8 @@ PAPER = (
 COUNTED = (
     "Reproduced: what the claim says holds here. In part: some of it does. Not as printed: what is printed is wrong "
     "or contradicts itself. Beyond the paper: an addition, not counted. The paper prints curves and no settling times, "
-    "so 5a to 5d compare shapes: two robots, each under two pushes. herrera2015 has the printed gains; they do not "
-    "balance nxtway-gs, which has a regulator of its own. Open a claim for its evidence."
+    f"so 5a to 5d compare shapes: two robots, each under two pushes. {HEAVY} has the printed gains; they do not "
+    f"balance {LIGHT}, which has a regulator of its own. Open a claim for its evidence."
 )
 
 AFTER = " Next: `upright reproduce --log LOG --robot ROBOT` puts a LOG of your own robot beside both models."

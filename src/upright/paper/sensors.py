@@ -13,6 +13,7 @@ from upright.report.identification import methods_table, pole_table, trial_table
 from upright.report.page import Item, Table, cell_text
 from upright.robots import Kit, Robot
 from upright.signals import Log
+from upright.tables import joined
 
 REPEATS = 20
 """Simulated repetitions behind each interval and bias: 20 give a standard deviation to 16 % (1/√(2·19))."""
@@ -37,8 +38,8 @@ def _summary(compared: MethodComparison, true: float) -> str:
     holding = [name for name, trial in compared.trials.items() if trial.holds]
     text = (
         f"The true unstable pole, {cell_text(true, 3)} 1/s, lies in the 95 % interval of {len(inside)} of "
-        f"{len(poles)} methods{f': {_listed(inside)}' if inside else ''}. The "
-        f"regulator designed on the identified model balances the twin for {_listed(holding)}."
+        f"{len(poles)} methods{f': {joined(inside)}' if inside else ''}. The "
+        f"regulator designed on the identified model balances the twin for {joined(holding) or 'no method'}."
     )
     least = poles.get("least-squares")
     if least is None or math.isnan(least.bias):
@@ -49,10 +50,6 @@ def _summary(compared: MethodComparison, true: float) -> str:
         f"model show its bias: {cell_text(least.bias, 2)} ± {cell_text(2 * least.bias_error, 1)} 1/s. The corrected "
         f"estimate is {cell_text(least.corrected, 3)} 1/s."
     )
-
-
-def _listed(names: list[str]) -> str:
-    return " and ".join([", ".join(names[:-1]), names[-1]]) if len(names) > 1 else "".join(names) or "no method"
 
 
 def _items(compared: MethodComparison) -> list[Item]:

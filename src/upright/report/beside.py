@@ -123,11 +123,13 @@ def answered_only(comparison: Comparison) -> bool:
     return any(fit < FAIR for fit in fits) and sways_only(comparison)
 
 
-def answered_fits(comparison: Comparison) -> dict[str, dict[str, float]]:
-    """The fits [%] of all signals while a push is answered, where a page shows these; none where it does not."""
+def answered_fits(comparison: Comparison, *names: str) -> dict[str, dict[str, float]]:
+    """The fits [%] of these signals, or of all, while a push is answered, where a page shows these; none where it does
+    not."""
     if not answered_only(comparison):
         return {}
-    answers = {label: {n: comparison.answer(label, n) for n in comparison.signals} for label in comparison.fits}
+    asked = names or comparison.signals
+    answers = {label: {n: comparison.answer(label, n) for n in asked} for label in comparison.fits}
     return {label: {n: a.fit if a else math.nan for n, a in each.items()} for label, each in answers.items()}
 
 

@@ -340,7 +340,7 @@ def _claim(comparison: Comparison, name: str) -> str:
     if worst and worst[0] == name and worst[2] >= FAIR:
         over = f"{sentence(words(name), '')} averaged over {AVERAGED:g} s"
         return f"{over}: {worst[1]} fits {comparison.reference} {percent(worst[2])}"
-    shown = answered_fits(comparison) or comparison.fits
+    shown = answered_fits(comparison, name) or comparison.fits
     fits = (f"{label} {percent(fits[name])}" for label, fits in shown.items())
     return f"{sentence(words(name), '')}, fit to {comparison.reference}: {', '.join(fits)}"
 
