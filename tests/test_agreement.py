@@ -31,6 +31,7 @@ from upright.control.law import as_law
 from upright.control.permit import permitted
 from upright.errors import InvalidController, InvalidLog, NotPermitted, SpecMismatch
 from upright.experiment import Hold, run
+from upright.experiment.examples import example
 from upright.kernel.batch import silent
 from upright.physics.dynamics import CALM
 from upright.robots import Kit, Robot
@@ -267,6 +268,19 @@ def test_command_calibrates_the_log_first(tmp_path: Path, capsys: pytest.Capture
     # a log of this very robot: nothing in it surprises more than the drawn robots do
     assert all(a["measured"] < 2 * a["expected"] for a in said["agreement"])
     assert len(said["agreement"]) == 3
+
+
+def test_a_log_with_a_flipped_gyro_or_of_a_robot_that_is_held_is_refused_at_once() -> None:
+    """No scale that a certificate tries is negative, and what spins its wheels on a stand shows nothing of the loop."""
+    log = example("excited")
+    noise = np.random.default_rng(1).normal(0.0, 0.005, len(log))
+    spun = {f"sensor/encoder_{side}": 10 * (1 - np.cos(2 * log.t)) for side in ("left", "right")}
+    for changed, words in (
+        ({"sensor/gyro": -log["sensor/gyro"]}, r"sensor/gyro: its sign is opposite .* --fix"),
+        ({"sensor/gyro": noise, **spun}, "never on its wheels"),
+    ):
+        with pytest.raises(InvalidLog, match=words):
+            certify("pid", ROBOT, KIT, samples=100, log=Log(log.t, {**log.channels, **changed}, log.units))
 
 
 def test_a_quiet_log_of_this_very_robot_shows_no_other_one() -> None:

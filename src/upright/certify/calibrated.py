@@ -16,6 +16,8 @@ from upright.certify.checks import TrialSetup
 from upright.certify.logged import LOADED
 from upright.certify.mass import MassOpen
 from upright.certify.support import LOAD_KNOWN, MASS, Support, body_mass
+from upright.doctor.doctor import contradictions
+from upright.doctor.wheels import on_its_wheels
 from upright.errors import InvalidLog
 from upright.logs.recording import SENSOR
 from upright.progress import Progress
@@ -55,8 +57,11 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
     light and how heavy the body may be, where it explains the log without other numbers. Where robots
     within the file's spreads explain as much as one more number would, the log is calibrated with it too, and that
     robot is kept where its innovations are whiter, and nearly white. Raises `InvalidLog` where the calibration is
-    refused.
+    refused, the robot is never on its wheels, or a sensor has the other sign, which no scale that is tried explains.
     """
+    on_its_wheels(log)
+    for wrong in contradictions(log, codes=("motion/flipped",)):
+        raise InvalidLog(wrong, hint="upright doctor LOG --fix NEW.csv")
     met, _, taken = as_logged(log, setup)
     alone = unloaded(met)
     unsure = unconfirmed(taken)

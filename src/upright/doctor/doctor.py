@@ -341,17 +341,19 @@ _STAGE_OF = {
 """Order of the repairs. Those that change the rows come last, so that the times in the others stay valid."""
 
 
-def contradictions(log: Log, robot: Robot | None = None) -> list[str]:
-    """What is wrong in a log of ours that a fit reads as it stands, in words: signs, sides, kinds, units, and sensors
-    that stopped. A unit that is doubtful for robots in general, and not for `robot`, is none."""
+CONTRADICTORY = ("motion/", "units/", "channel/stuck", "command/unsigned")
+"""How the codes begin of findings that a fit bends its numbers to: signs, sides, kinds, units, sensors that stopped."""
+
+
+def contradictions(log: Log, robot: Robot | None = None, codes: tuple[str, ...] = CONTRADICTORY) -> list[str]:
+    """What is wrong in a log of ours that a fit reads as it stands, in words, of the findings with these `codes`. A
+    unit that is doubtful for robots in general, and not for `robot`, is none."""
     record = record_of(log)
     findings = [f for f in _examine(record, None, unwatched)[0] if f.severity == "error"]
     if robot is not None and any(f.code.startswith("units/") for f in findings):
         own = {(f.code, f.channel) for f in _examine(record, robot, unwatched)[0]}
         findings = [f for f in findings if not f.code.startswith("units/") or (f.code, f.channel) in own]
-    stopped = ("channel/stuck", "command/unsigned")
-    wrong = [f for f in findings if f.code.split("/")[0] in ("motion", "units") or f.code in stopped]
-    return [f"the log contradicts itself, {f.channel}: {f.evidence}" for f in wrong]
+    return [f"the log contradicts itself, {f.channel}: {f.evidence}" for f in findings if f.code.startswith(codes)]
 
 
 def _examine(raw: Record, robot: Robot | None, progress: Progress) -> tuple[list[Finding], Record]:
