@@ -37,6 +37,11 @@ class NonlinearBody:
         self.substeps = substeps(period, float(fastest), numbers=robot.numbers())
         self.reset()
 
+    @classmethod
+    def dividing(cls, robot: Robot, period: float) -> NonlinearBody:
+        """The complete model in equal steps of about a millisecond that make up a controller's `period` [s]."""
+        return cls(robot, period=period / max(1, round(period / 0.001)))
+
     def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:  # noqa: ARG002 (nothing here is random)
         self._x: Sequence[float] = checked(start, 6, "start")
         self._steps = 0

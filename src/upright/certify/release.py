@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from upright.bodies import Electronics
-from upright.bodies.models import NonlinearBody
+from upright.bodies import Electronics, NonlinearBody
 from upright.control.controller import Controller
 from upright.experiment import outcome_of, run
+from upright.experiment.outcome import last_part
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -23,7 +23,6 @@ LEAN = math.radians(5.0)
 UPRIGHT = math.radians(1.0)
 """[rad] Within this pitch the robot counts as upright: many times what sensor noise makes of it on the presets."""
 SECONDS = 8.0
-STEP = 0.001  # [s] of the body at most: the longest that divides the controller's period
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,8 +43,8 @@ class Release:
     def upright(self) -> float:
         """From when on [s] pitch stays within `UPRIGHT`; infinite where that is not so in the last quarter."""
         t, outside = self.log.t, np.flatnonzero(np.abs(self.log["truth/pitch"]) > UPRIGHT)
-        last = float(t[min(outside[-1] + 1, len(t) - 1)]) if len(outside) else 0.0
-        return math.inf if self.fell is not None or last > 0.75 * float(t[-1]) else last
+        first = int(outside[-1]) + 1 if len(outside) else 0
+        return math.inf if self.fell is not None or first > last_part(len(t)) else float(t[first])
 
     @property
     def largest(self) -> float:
@@ -74,7 +73,6 @@ class Release:
 
 def let_go(robot: Robot, controller: Controller, kit: Kit, lean: float = LEAN, seconds: float = SECONDS) -> Release:
     """The nonlinear model of `robot` inside `kit`, noise, dead zone and limits included, let go at `lean` [rad]."""
-    period = controller.spec.period
-    body = NonlinearBody(robot, period=period / math.ceil(period / STEP - 1e-9))
+    body = NonlinearBody.dividing(robot, controller.spec.period)
     log = run(Electronics(body, kit), controller, seconds=seconds, start=[lean, 0.0, 0.0, 0.0, 0.0, 0.0])
     return Release(log, lean, robot.wheel_radius)

@@ -10,7 +10,7 @@ import numpy as np
 
 from upright.certify.agreement import AMBER, RED, Agreement, disagreements
 from upright.certify.analysis import loop_margins
-from upright.certify.checks import CONFIDENCE, MOST_FALLS, PushTrial
+from upright.certify.checks import CONFIDENCE, MOST_FALLS, PushTrial, red
 from upright.certify.loop import robot_loop
 from upright.certify.support import Support, contradictions, left_open
 from upright.control.controller import Controller
@@ -82,11 +82,11 @@ def judge(
     numbers that were `taken` from the log are a reason besides."""
     logged = [f"tried as the log shows it: {s}" for s in sorted(taken, key=lambda s: -s.excess) if s.excess > 0]
     if (
-        red := _falls(samples, fell, beyond, runs)
+        grave := _falls(samples, fell, beyond, runs)
         + (_unstable(linear) if linear else [])
         + disagreements(compared, RED)
     ):
-        return RED, tuple((red[:1] + logged[:1] + red[1:])[:2])
+        return RED, tuple((grave[:1] + logged[:1] + grave[1:])[:2])
     thin = _thin(linear, period) if linear else []
     if amber := disagreements(compared, AMBER) + contradictions(support) + thin + _laborious(runs):
         return AMBER, tuple((amber[:1] + logged[:1] + amber[1:])[:2])
@@ -101,9 +101,9 @@ def judge(
 
 
 def _falls(samples: int, fell: int, beyond: int, runs: Sequence[PushTrial]) -> list[str]:
-    bound = upper_bound(fell, samples, CONFIDENCE)
-    if bound <= MOST_FALLS:
+    if not red(fell, samples):
         return []
+    bound = upper_bound(fell, samples, CONFIDENCE)
     worst = max(runs, key=lambda t: t.fell)
     where = f", {worst.fell} of them after a {worst.push} at {worst.battery} battery" if fell else ""
     message = f"the probability of a fall may be {_per_cent(bound)}, more than {100 * MOST_FALLS:g} %"

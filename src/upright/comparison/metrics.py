@@ -5,7 +5,6 @@ Time `t` [s] is strictly increasing; signals have shape (n,) like it. What canno
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 import numpy as np
@@ -13,9 +12,7 @@ from numpy.typing import ArrayLike
 
 from upright.arrays import Array
 from upright.errors import InvalidLog
-
-CALM = 0.25
-"""[1] of the record after a release: what has settled stays in its band at least so long."""
+from upright.experiment.outcome import last_part
 
 
 class Peak(NamedTuple):
@@ -58,17 +55,12 @@ def settling_time(
 
 
 def settled(t: ArrayLike, y: ArrayLike, *, band: float, start: float) -> float:
-    """`settling_time` about zero [s]; NaN where y leaves the band in the last `CALM` of the record too: then the time
+    """`settling_time` about zero [s]; NaN where y leaves the band in the last quarter of the record too: then the time
     would be that of the record's end."""
     _, deviation = _after(t, y, start)
     size = np.abs(deviation)
     swings = len(size) == 0 or size[last_part(len(size)) :].max() > band * size.max()
     return np.nan if swings else settling_time(t, y, band=band, start=start)
-
-
-def last_part(n: int) -> int:
-    """The first of the last `CALM` of n samples."""
-    return n - math.ceil(CALM * n)
 
 
 def overshoot(y: ArrayLike, target: float = 0.0) -> float:

@@ -92,7 +92,7 @@ def aside(record: Record) -> list[Finding]:
     findings: list[Finding] = []
     for segment in [segment for segment in record.segments if segment.kind in _ASIDE][:_MOST]:
         leaning = f" at {segment.lean:+.2f} rad" if segment.kind in LEANING else ""
-        evidence = f"from {moment(segment.start)} to {moment(segment.stop)} s {_ASIDE[segment.kind]}{leaning}"
+        evidence = f"{during(segment.start, segment.stop)} {_ASIDE[segment.kind]}{leaning}"
         evidence += ": signs, units, delays and offsets are not judged there"
         code = f"segment/{segment.kind.replace(' ', '-')}"
         span = segment.start, segment.stop
@@ -156,7 +156,7 @@ def _standing(record: Record, m: Resampled, a: int, b: int, rate: Array) -> Find
     mean = np.abs(m.commands[0] + m.commands[1]) / 2 if m.commands is not None else np.zeros(len(m.t))
     driven, most = float(mean[a:b].mean()), float(mean.max())
     unit = record.units.get(record.commands[0], "") if record.commands else ""
-    evidence = f"wheels at rest from {moment(start)} to {moment(end)} s (rows {a} to {b - 1}): gyro noise "
+    evidence = f"wheels at rest {during(start, end)} (rows {a} to {b - 1}): gyro noise "
     evidence += f"{rate[a:b].std():.2g} rad/s, "
     evidence += f"mean command {driven:.2g} {unit}".rstrip() if driven > _IDLE * most else "no command"
     evidence += "; held by hand, or stuck by friction"

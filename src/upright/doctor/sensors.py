@@ -21,6 +21,7 @@ from upright.doctor.finding import (
     Finding,
     Fix,
     Record,
+    during,
     error,
     moment,
     note,
@@ -236,7 +237,7 @@ def saturation(record: Record) -> list[Finding]:
             unit = record.units.get(names[0], "").replace("1", "without a unit")
             top = f"{float(np.abs(record[names[0]]).max()):.4g} {unit}".rstrip()
             at = record.t[limited(record, names).any(axis=0)]
-            when = f"up to {longest} consecutive, from {moment(at[0])} to {moment(at[-1])} s"
+            when = f"up to {longest} consecutive, {during(float(at[0]), float(at[-1]))}"
             evidence = f"{fraction:.1%} of the rows are at the {limit}, {top}, {when}"
             repair = "leave these rows out when a linear model is fitted, or use one that knows the limit"
             repair = "upright calibrate leaves these readings out" if names[0] == GYRO else repair

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from upright.doctor.finding import FALLING, FEWEST, LEANING, ON_WHEELS, Record, Segment, moment
+from upright.doctor.finding import FALLING, FEWEST, LEANING, ON_WHEELS, Record, Segment, during, moment
 from upright.doctor.poses import segments
 from upright.doctor.time import unit
 from upright.doctor.wrapped import wrapped
@@ -95,4 +95,4 @@ def _without_held(log: Log) -> tuple[Log, str]:
 
 def _in_words(pose: Segment) -> str:
     lean = f" at {pose.lean:+.2f} rad" if pose.kind in LEANING else ""
-    return f"{pose.kind}{lean} from {moment(pose.start)} to {moment(pose.stop)} s"
+    return f"{pose.kind}{lean} {during(pose.start, pose.stop)}"

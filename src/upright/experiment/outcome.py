@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -44,6 +45,15 @@ def outcome_of(log: Log) -> RunOutcome:
     lying = np.flatnonzero(np.abs(pitch) > FALLEN)
     lying = lying[lying > (upright[-1] if len(upright) else -1)]
     return RunOutcome(True, float(log.t[lying[0]])) if len(lying) else RunOutcome(None, float(log.t[-1] - log.t[0]))
+
+
+CALM = 0.25
+"""[1] of a record: what has settled stays in its band at least so long."""
+
+
+def last_part(n: int) -> int:
+    """The first of the last `CALM` of n samples."""
+    return n - math.ceil(CALM * n)
 
 
 def undisturbed(log: Log) -> bool:

@@ -167,7 +167,7 @@ def _raw(robot: Robot) -> dict[str, list[float]]:
 def _body(judge: Judge, dt: float) -> Body:
     """The body, whose steps make up the log's period."""
     if judge.body == "nonlinear":
-        return NonlinearBody(judge.robot, period=dt / max(1, round(dt / 0.001)))
+        return NonlinearBody.dividing(judge.robot, dt)
     return make_body(judge.body, judge.robot)
 
 

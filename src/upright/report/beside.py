@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.comparison import Comparison
-from upright.comparison.metrics import last_part, nrmse_fit
+from upright.comparison.metrics import nrmse_fit
+from upright.experiment.outcome import last_part
 from upright.plotting import AXIS, BELOW, legend, line, panels, span
 from upright.report.metrics import percent, words
 from upright.report.page import cell_text

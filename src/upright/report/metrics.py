@@ -10,8 +10,8 @@ import numpy as np
 
 from upright.comparison import Comparison
 from upright.comparison.comparison import DIVERGED, METRICS, NEGLIGIBLE
-from upright.comparison.metrics import last_part
 from upright.comparison.resting import STEADY, near
+from upright.experiment.outcome import last_part
 from upright.fleet.ensemble import SETTLED
 from upright.report.page import Cell, Table, cell_text
 
