@@ -231,17 +231,16 @@ def saturation(record: Record) -> list[Finding]:
     findings: list[Finding] = []
     groups: list[tuple[str, ...]] = [names for names in (record.commands, (GYRO,)) if names and names[0] in record]
     for names in groups:
-        fraction, longest = at_limit(record, names)
+        fraction, most = at_limit(record, names)
         if fraction > 0 and (names[0] == GYRO or not all(switched(record[name]) for name in names)):
             limit = "gyro's range" if names[0] == GYRO else "largest command"
             unit = record.units.get(names[0], "").replace("1", "without a unit")
             top = f"{float(np.abs(record[names[0]]).max()):.4g} {unit}".rstrip()
-            at = record.t[limited(record, names).any(axis=0)]
-            when = f"up to {longest} consecutive, {during(float(at[0]), float(at[-1]))}"
-            evidence = f"{fraction:.1%} of the rows are at the {limit}, {top}, {when}"
+            a, b = record.t[limited(record, names).any(axis=0)][[0, -1]].tolist()
+            evidence = f"{fraction:.1%} of the rows are at the {limit}, {top}, up to {most} consecutive, {during(a, b)}"
             repair = "leave these rows out when a linear model is fitted, or use one that knows the limit"
             repair = "upright calibrate leaves these readings out" if names[0] == GYRO else repair
-            findings.append(warning("saturation", names[0], evidence, repair, span=(float(at[0]), float(at[-1]))))
+            findings.append(warning("saturation", names[0], evidence, repair, span=(a, b)))
     return findings
 
 
