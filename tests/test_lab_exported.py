@@ -32,6 +32,7 @@ from upright.lab.codec import plain
 from upright.lab.export import export
 from upright.lab.handin import read_hand_in
 from upright.lab.printed import linear_plant, printed_law, printed_robot, reading
+from upright.lab.pushing import Score
 from upright.lab.rerun import rerun
 from upright.lab.tasks import analysed
 from upright.robots import Kit, Robot, Sensor
@@ -240,6 +241,39 @@ def test_margins_of_gains_by_hand_are_python_s(tmp_path):
         assert np.abs(seen - drawn).max() < 1e-3 * np.abs(drawn).max()  # Python's have four digits
         for margin in ("gain_low", "gain_high", "phase", "delay") if mine.stable else ():
             assert its[margin] == pytest.approx(getattr(mine, margin), abs=1e-6)
+
+
+@pytest.mark.needs("node")
+def test_the_page_scores_as_the_live_lab(tmp_path):
+    """Whatever is done: 40 minutes of random pushes, falls, leans and changes, of which each occurs among the results."""
+    draw = np.random.default_rng(11)
+    rows: list[tuple[str, float, float, float, bool]] = []
+    for _ in range(600):
+        what = str(draw.choice(["push", "push", "push", "exchanged", "anew"]))
+        force, lasts, swings = float(draw.uniform(0.1, 5)), int(draw.choice([2, 40, 80])), int(draw.integers(0, 60))
+        after = int(draw.choice([20, 200]))  # periods until the next: too few to recover, or enough
+        falls = draw.random() < 0.1
+        rows.append((what, 0.1 if draw.random() < 0.5 else 0.0, 0.0, 0.0, False))
+        rows += [("", force if what == "push" else 0.0, 0.1, 0.0, False)] * lasts
+        rows += [("", 0.0, 0.2, 1.0, False)] * swings + [("", 0.0, 0.01, 0.1, falls)] * after
+    score, python = Score(), []
+    for what, value, pitch, rate, fell in rows:
+        if what:
+            score = score.anew(value) if what == "anew" else (getattr(score, what)(), score)[1]
+        elif done := score.watch(0.01, value, [pitch, rate], (0.5, -0.25), fell):
+            python.append([done.impulse, done.effort, done.best, done.fell, done.single, score.run])
+    code = f"""import {{ Score }} from {json.dumps(str(WEB / "src" / "score.js"))};
+        let score = new Score(); const all = [];
+        for (const [what, value, pitch, rate, fell] of {json.dumps(rows)}) {{
+          if (what === "anew") score = score.anew(value);
+          else if (what) score[what]();
+          else {{
+            const done = score.watch(0.01, value, pitch, rate, [0.5, -0.25], fell);
+            if (done) all.push([done.impulse, done.effort, done.best, done.fell, done.single, score.run]);
+          }}
+        }} console.log(JSON.stringify(all));"""
+    assert {(fell, single) for *_, fell, single, _ in python} == {(a, b) for a in (True, False) for b in (True, False)}
+    assert node(tmp_path, code) == python
 
 
 @pytest.mark.needs("node")
@@ -521,6 +555,19 @@ def test_it_is_pushed_by_mouse_key_and_button(page):
     page.click("[data-key=stand]")
     page.click("[data-key=impulse]")
     page.wait_for_function("upright.store.snapshot.x[0][0] < -0.01")  # a knock forward at its middle: it leans back
+
+
+@marked
+def test_two_knocks_are_no_record_and_one_has_the_size_of_the_slider(page):
+    send(page, kind="Play", paused=True, speed=1)
+    page.fill("[data-key=knock]", "0.3")
+    for count, record in ((2, ""), (1, "best knock 0.3 N s")):
+        send(page, kind="StandUp", pitch=0)
+        for _ in range(count):
+            page.click("[data-key=impulse]")
+            send(page, kind="Step", periods=20)
+        send(page, kind="Step", periods=400)
+        assert page.inner_text(".most").replace("\N{NO-BREAK SPACE}", " ") == record, page.inner_text(".fell")
 
 
 @marked

@@ -41,6 +41,7 @@ from upright.lab.messages import (
     Uploaded,
 )  # fmt: skip
 from upright.lab.plant import COARSE, FINE, Pulled, families, is_slow, loaded
+from upright.lab.pushing import Pushing
 from upright.lab.ring import Ring
 from upright.lab.session import Session
 from upright.lab.views import catalogue
@@ -300,6 +301,51 @@ def test_a_recovered_knock_is_scored_by_its_impulse(tmp_path):
     (lost,) = only(Recovered, session.events())
     assert lost.fell
     assert lost.best == found.best
+
+
+@pytest.mark.parametrize(
+    "first",
+    [Strike("impulse", 0.05), Drag(1.0, 0.1), Strike("front", 0.1), Strike("pull_left", 1.0), StandUp(0.1)],
+    ids=lambda message: type(message).__name__,
+)
+def test_a_push_before_it_has_recovered_sets_no_record(tmp_path, first):
+    """It is less than a second, the shortest recovery, after something else; the same knock alone is a record."""
+    session, _ = a_session(tmp_path)
+    session.handle(first)
+    session.advance(0.3)
+    session.handle(Drag(0.0, 0.1))
+    session.handle(Strike("impulse", 0.05))
+    for _ in range(8):
+        session.advance(1.0)
+    assert not session.lanes[0].fallen
+    assert not any(found.single for found in only(Recovered, session.events()))
+    assert (session.score.best, session.result().best) == (0.0, 0.0)
+    session.handle(Strike("impulse", 0.05))
+    for _ in range(6):
+        session.advance(1.0)
+    (found,) = only(Recovered, session.events())
+    assert (found.single, found.impulse, found.best) == (True, pytest.approx(0.05), pytest.approx(0.05))
+
+
+def test_what_another_controller_recovers_from_is_nobody_s_record(tmp_path):
+    session, _ = a_session(tmp_path)
+    session.handle(Strike("impulse", 0.05))
+    session.advance(0.2)
+    session.handle(Change(replace(MODEL, controller="lqi")))
+    for _ in range(6):
+        session.advance(1.0)
+    assert not session.lanes[0].fallen
+    assert not only(Recovered, session.events())
+    assert session.score.best == 0
+
+
+@pytest.mark.parametrize("period", [0.002, 0.008, 0.01, 0.015, 0.03])
+def test_a_knock_has_the_size_that_was_asked_for_at_every_period(period):
+    """Forces are asked for once in a period, and a knock of 20 ms need not be whole periods."""
+    pushing = Pushing()
+    pushing.strike(Strike("impulse", 0.4), 3 * period, period)
+    forces = [pushing.at(k * period, 0.0, ROBOT)[0].force for k in range(40)]
+    assert sum(forces) * period == pytest.approx(0.4)
 
 
 def test_a_pull_at_a_wheel_is_no_knock(tmp_path):

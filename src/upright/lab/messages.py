@@ -26,7 +26,7 @@ from upright.lab.message_types import (
     message,
 )  # fmt: skip
 
-VERSION = 6
+VERSION = 7
 """Raised whenever a message changes; a page of another version is refused with a sentence that says what to do."""
 
 BodyName = Literal["twin", "nonlinear", "linear", "published", "calibrated"]
@@ -350,12 +350,14 @@ class Notice:
 
 @message
 class Recovered:
-    """A push of `impulse` [N s] from which the robot came back, its `effort` [u² s], and the largest so far."""
+    """Pushes of `impulse` [N s] together from which the robot came back, or `fell`; their `effort` [u² s], and the
+    largest `single` push so far."""
 
     impulse: float
     effort: float
     best: float
     fell: bool
+    single: bool
 
 
 @message

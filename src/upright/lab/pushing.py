@@ -6,12 +6,12 @@ from dataclasses import dataclass, field
 
 from upright.experiment import Hold, Impulse, Push
 from upright.experiment.pushes import PushProgramme, combined
-from upright.lab.messages import Recovered, Strike
+from upright.lab.messages import Drag, Recovered, Strike
 from upright.physics.dynamics import Disturbance
 from upright.robots import Robot
 
 HOLD = 3.0  # [s] a hold of this length lets every preset come to rest against it
-KNOCK = 0.02  # [s] that an impulse takes
+KNOCK = 0.02  # [s] that an impulse takes, but for whole periods
 PULL = 0.3  # [s] that a wheel is pulled
 
 UPRIGHT, STILL, CALM_FOR = 0.05, 0.4, 1.0
@@ -29,16 +29,22 @@ class Pushing:
     _active: list[tuple[float, PushProgramme]] = field(default_factory=list[tuple[float, PushProgramme]])
     _pull: tuple[float, float] = (0.0, 0.0)
 
-    def strike(self, strike: Strike, t: float) -> None:
-        """Begin a push by name at time `t`."""
-        size = strike.size
+    def strike(self, strike: Strike, t: float, period: float) -> None:
+        """Begin a push by name at time `t`; a knock takes whole periods [s], as every force here, to have its size."""
+        size, knock = strike.size, max(round(KNOCK / period), 1) * period
         if strike.what in ("pull_left", "pull_right"):
             self._pull = (t + PULL, size if strike.what == "pull_left" else -size)
             self._active.append((t + PULL, Push(force=size, start=t, duration=PULL, height=0.0)))
         elif strike.what == "impulse":
-            self._active.append((t + KNOCK, Impulse(impulse=size, start=t, duration=KNOCK)))
+            self._active.append((t + knock, Impulse(impulse=size, start=t, duration=knock)))
         else:
             self._active.append((t + HOLD, Hold(pitch=size, start=t, until=t + HOLD)))
+
+    def drag(self, drag: Drag) -> bool:
+        """Push by hand from now on; whether that begins a push."""
+        begins = drag.force != 0 and self.force == 0
+        self.force, self.height = drag.force, drag.height
+        return begins
 
     def at(self, t: float, slope: float, robot: Robot) -> tuple[Disturbance, float]:
         """What acts on the robot from `t` on, and the pull [N]."""
@@ -57,17 +63,31 @@ class Pushing:
 
 @dataclass(kw_only=True)
 class Score:
-    """The largest push from which the robot came back. Pushes that last longer than `SHORT` do not count, nor do pulls
-    at a wheel, which turn it."""
+    """The largest single push from which the robot came back. One that was given before it had recovered from another,
+    or from a lean, sets no record; nor do pushes that last longer than `SHORT`, and pulls at a wheel, which turn it."""
 
     best: float = 0.0
     run: float = 0.0  # [N s] the same of this run alone
     effort: float = 0.0  # [u² s] of the whole run
+    _given: int = 0  # pushes that it has yet to recover from
     _impulse: float = 0.0
     _lasted: float = 0.0
     _calm: float = 0.0
     _before: float = 0.0
-    _waiting: bool = False
+
+    def push(self) -> None:
+        """A push of any kind begins."""
+        if not self._given:
+            self._impulse, self._lasted, self._before = 0.0, 0.0, self.effort
+        self._given, self._calm = self._given + 1, 0.0
+
+    def exchanged(self) -> None:
+        """Another robot or controller goes on: what it recovers from is nobody's record."""
+        self._given, self._impulse = self._given + (self._given > 0), 0.0
+
+    def anew(self, lean: float) -> Score:
+        """That of the next run, which begins at rest or with a `lean` [rad]."""
+        return Score(best=self.best, _given=1 if lean else 0)
 
     def watch(
         self, dt: float, force: float, state: list[float], applied: tuple[float, float], fallen: bool
@@ -75,25 +95,18 @@ class Score:
         """One period; the `Recovered` that it completes, or None."""
         self.effort += (applied[0] ** 2 + applied[1] ** 2) * dt
         if force:
-            self._pushed(dt, force)
-            return None
-        if not self._waiting:
-            return None
-        calm = abs(state[0]) < UPRIGHT and abs(state[1]) < STILL
-        self._calm = self._calm + dt if calm else 0.0
-        return self._ended(fallen) if fallen or self._calm >= CALM_FOR else None
-
-    def _pushed(self, dt: float, force: float) -> None:
-        if not self._waiting:
-            self._impulse, self._lasted, self._before = 0.0, 0.0, self.effort
-        self._waiting, self._calm = True, 0.0
-        self._impulse, self._lasted = self._impulse + abs(force) * dt, self._lasted + dt
+            self._impulse, self._lasted, self._calm = self._impulse + abs(force) * dt, self._lasted + dt, 0.0
+        elif self._given:
+            calm = abs(state[0]) < UPRIGHT and abs(state[1]) < STILL
+            self._calm = self._calm + dt if calm else 0.0
+            return self._ended(fallen) if fallen or self._calm >= CALM_FOR else None
+        return None
 
     def _ended(self, fallen: bool) -> Recovered | None:
-        self._waiting = False
-        if self._lasted > SHORT and not fallen:
+        single, self._given = self._given == 1, 0
+        if not self._impulse or (self._lasted > SHORT and not fallen):
             return None
-        if not fallen:
+        if single and not fallen:
             self.run = max(self.run, self._impulse)
             self.best = max(self.best, self.run)
-        return Recovered(self._impulse, self.effort - self._before, self.best, fallen)
+        return Recovered(self._impulse, self.effort - self._before, self.best, fallen, single)

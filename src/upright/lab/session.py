@@ -189,11 +189,13 @@ class Session:
             inner = body_of(name, self.plant, self.setup, self._fine, self.calibrated)
             body = self.electronics(inner, self.plant.kit)
             at = (states or {}).get(name, start)
-            lanes.append(Lane(name, inner, body, self._controller(), start=at, seed=self.setup.seed, length=length))
+            own = copy.deepcopy(self._designed)
+            lanes.append(Lane(name, inner, body, own, start=at, seed=self.setup.seed, length=length))
         self.lanes = lanes
         self._display.show(lanes, self.plant.kit.period)
         self._target, self._owed, self._back = np.zeros(6), 0.0, 0.0
         self._built += 1
+        self.score.exchanged()
         self._recorder.stop()
         self._display.record(self.t, CALM, 0.0, self._target)
 
@@ -202,10 +204,6 @@ class Session:
         if not names:
             raise InvalidScenario("the set-up names no body", expected="at least one of twin, nonlinear, linear")
         return names
-
-    def _controller(self) -> Controller:
-        """A fresh instance for one lane, by copying what was designed."""
-        return copy.deepcopy(self._designed)
 
     def _begin_design(self, setup: Setup, plant: Plant) -> tuple[Controller, str]:
         """The controller at once, or nothing but gravity until the desk has it; its loop is analysed beside."""
@@ -280,7 +278,7 @@ class Session:
 
     def _stand(self, message: StandUp) -> None:
         self._pushing.clear()
-        self.score = Score(best=self.score.best)
+        self.score = self.score.anew(message.pitch)
         self._build((message.pitch, 0.0, 0.0, 0.0, 0.0, 0.0))
         self._recorder.begin(self.t, message.pitch, *self._steer)
         self._events.append(Acted(self.t))
@@ -290,12 +288,14 @@ class Session:
         self._stand(StandUp(0.0))
 
     def _drag(self, message: Drag) -> None:
-        self._pushing.force, self._pushing.height = message.force, message.height
+        if self._pushing.drag(message):
+            self.score.push()
 
     def _strike(self, message: Strike) -> None:
         if message.what in ("front", "back") and abs(message.size) > 1.0:
             raise InvalidScenario(f"a hold at {message.size:g} rad", expected="at most 1 rad", likely="degrees")
-        self._pushing.strike(message, self.t)
+        self._pushing.strike(message, self.t, self.plant.kit.period)
+        self.score.push()
         self._events.append(Acted(self.t))
 
     def _steer_to(self, message: Steer) -> None:

@@ -7,6 +7,7 @@ import { DEFAULT_SETUP } from "./messages";
 import type { Offer } from "./link";
 import { analysed, shown } from "./margins";
 import type { Plant } from "./margins";
+import { Score } from "./score";
 import { Loop, combined, linearMotion } from "./simulator";
 import type { Kit, Law, Motion, Push } from "./simulator";
 import { STATES, UNITS, UNLIT, store } from "./store";
@@ -60,7 +61,6 @@ const SETTLED = 200; // [ms] without a change before gains by hand are analysed
 const KNOCK = 0.02; // [s] that an impulse takes, a pull, and a hold: as lab/pushing.py
 const PULL = 0.3;
 const HOLD = 3.0;
-const [UPRIGHT, STILL, CALM_FOR, SHORT] = [0.05, 0.4, 1.0, 0.5];
 const LYING = 1.5; // [rad] at which a fallen robot is shown
 const KEPT = 60; // [s] that can be scrubbed back through
 const MOMENT = 0.02; // [s] between two of its pictures
@@ -127,8 +127,7 @@ export class LocalSession {
   private acting = new Float64Array(3); // force, height and slope of the last period, and the pull
   private pulling = 0;
   private kept: Snapshot[] = [];
-  private waiting = false; // for a pushed robot to be calm
-  private score = { best: 0, run: 0, effort: 0, impulse: 0, lasted: 0, calm: 0, before: 0 };
+  private score = new Score();
   private recorder = new Recorder();
   private run = { rows: 0, peak: 0, travel: 0, from: 0 }; // of the first body since it was built
   private thinking = 0;
@@ -160,7 +159,10 @@ export class LocalSession {
     store.note(message, this.t);
     switch (message.kind) {
       case "Change": this.changeTo(message.setup); break;
-      case "Drag": this.hand = { ...this.hand, force: message.force, height: message.height }; break;
+      case "Drag":
+        if (message.force && !this.hand.force) this.score.push();
+        this.hand = { ...this.hand, force: message.force, height: message.height };
+        break;
       case "Strike": this.strike(message.what, message.size); break;
       case "Steer": this.steer = { speed: message.speed, rate: message.rate }; break;
       case "Play": [this.paused, this.speed, this.back] = [message.paused, message.speed, message.paused ? this.back : 0]; break;
@@ -191,6 +193,7 @@ export class LocalSession {
     const still = alike && controller === before.controller && asked.noise === before.noise && asked.delay === before.delay && payload === before.payload;
     const main = same && !this.lanes[0].loop.fallen ? this.lanes[0].state() : [0, 0, 0, 0, 0, 0];
     const starts = bodies.map((_, i) => (alike && !this.lanes[i].loop.fallen ? this.lanes[i].state() : main));
+    if (JSON.stringify({ ...before, slope: 0 }) !== JSON.stringify({ ...this.setup, slope: 0 })) this.score.exchanged();
     if (still) for (const lane of this.lanes) lane.loop.control.gains = gains;
     else this.build(starts);
     if (!alike) this.kept = [];
@@ -255,8 +258,7 @@ export class LocalSession {
   private stand(pitch: number): void {
     [this.active, this.pulled] = [[], { until: -1, force: 0 }];
     this.hand = { ...this.hand, force: 0 };
-    this.score = { ...this.score, run: 0 };
-    this.waiting = false;
+    this.score = this.score.anew(pitch);
     this.build(this.lanes.map(() => [pitch, 0, 0, 0, 0, 0]));
     this.recorder.begin(this.t, pitch, this.steer);
     store.hear({ kind: "Acted", t: this.t });
@@ -293,14 +295,16 @@ export class LocalSession {
   }
 
   private strike(what: string, size: number): void {
-    const { look, equations } = this.facts;
+    const { look, equations, every } = this.facts;
     const start = this.t;
+    this.score.push();
     store.hear({ kind: "Acted", t: start });
     if (what === "pull_left" || what === "pull_right") {
       this.pulled = { until: start + PULL, force: what === "pull_left" ? size : -size };
       this.active.push({ force: size, start, duration: PULL, height: 0 });
     } else if (what === "impulse") {
-      this.active.push({ force: size / KNOCK, start, duration: KNOCK, height: look.com_height });
+      const duration = Math.max(Math.round(KNOCK / every), 1) * every; // whole periods, as the forces
+      this.active.push({ force: size / duration, start, duration, height: look.com_height });
     } else {
       const force = (-equations.weight * Math.sin(size)) / (look.com_height * Math.cos(size) + look.wheel_radius);
       this.active.push({ force, start, duration: HOLD, height: look.com_height });
@@ -349,7 +353,9 @@ export class LocalSession {
       if (!loop.fallen) loop.step(this.target, (_t, into) => into.set(w));
     }
     this.periods += 1;
-    this.watch(pulled ? 0 : w[0], every);
+    const { x, applied, fallen } = this.lanes[0].loop;
+    const ended = this.score.watch(every, pulled ? 0 : w[0], x[0], x[1], applied, fallen);
+    if (ended) store.hear(ended);
     const last = this.kept.at(-1);
     if (!last || this.t - last.t >= MOMENT - 1e-9) this.kept.push(this.snapshot());
     if (this.kept.length > KEPT / MOMENT + 200) this.kept.splice(0, 200);
@@ -373,31 +379,6 @@ export class LocalSession {
       kind: "Snapshot", n: this.n, t: this.t, x: this.lanes.map((lane) => lane.row()), e: this.controller ? main.estimate(this.controller) : [],
       f: [...this.acting, this.pulling], r: main.shifted(this.target), s: saturated, paused: false, back: 0,
     };
-  }
-
-  /** Whether a push was recovered from, as lab/pushing.py says; a pull at a wheel is none. */
-  private watch(force: number, dt: number): void {
-    const { score } = this;
-    const main = this.lanes[0];
-    const [left, right] = main.loop.applied;
-    score.effort += (left ** 2 + right ** 2) * dt;
-    if (force) {
-      if (!this.waiting) [score.impulse, score.lasted, score.before] = [0, 0, score.effort];
-      [this.waiting, score.calm] = [true, 0];
-      score.impulse += Math.abs(force) * dt;
-      score.lasted += dt;
-      return;
-    }
-    if (!this.waiting) return;
-    const calm = Math.abs(main.loop.x[0]) < UPRIGHT && Math.abs(main.loop.x[1]) < STILL;
-    score.calm = calm ? score.calm + dt : 0;
-    const fell = main.loop.fallen;
-    if (!fell && score.calm < CALM_FOR) return;
-    this.waiting = false;
-    if (score.lasted > SHORT && !fell) return;
-    if (!fell) score.run = Math.max(score.run, score.impulse);
-    score.best = Math.max(score.best, score.run);
-    store.hear({ kind: "Recovered", impulse: score.impulse, effort: score.effort - score.before, best: score.best, fell });
   }
 
   /** Show now, or while scrubbing the moment asked for; the page's traces get every moment in between. */

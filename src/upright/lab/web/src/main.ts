@@ -4,11 +4,11 @@ import { LocalSession, exported } from "./exported";
 import { ExportedRobotPanel, PythonPanel, linkButton } from "./exported_panels";
 import { button, degrees, digits, h, keepingFocus, replace, said, sayAgain, select, slider, throttled } from "./dom";
 import { isLink, tokenIn } from "./link";
-import type { ServerMessage } from "./messages";
+import type { Recovered, ServerMessage } from "./messages";
 import { Line } from "./net";
 import type { State } from "./net";
 import { address, open as openLink } from "./opening";
-import { certificate, ControllerPanel, IdentifyPanel, KeepPanel, KitPanel, lamplight, latestLog, RobotPanel } from "./panels";
+import { certificate, changedRobot, ControllerPanel, IdentifyPanel, KeepPanel, KitPanel, lamplight, latestLog, RobotPanel } from "./panels";
 import { Replay } from "./replay";
 import { Room } from "./scene";
 import { Flat } from "./flat";
@@ -94,6 +94,8 @@ class Page {
     store.corrected = () => this.toasts.querySelectorAll(".toast.error").forEach((toast) => toast.remove());
     this.scrub.addEventListener("input", () => store.send({ kind: "Scrub", back: Number(this.scrub.max) - Number(this.scrub.value) }));
     this.equip();
+    this.measure("--toasts", this.toasts);
+    this.measure("--fell", this.fell);
     window.addEventListener("keydown", (event) => this.key(event));
     window.addEventListener("hashchange", () => store.recorded || this.link()); // pasted behind the address of an open page
     this.begin();
@@ -181,6 +183,12 @@ class Page {
     return new Flat(push);
   }
 
+  /** How high something is that other things make way for, with a gap; 0 while it is empty. */
+  private measure(name: string, element: HTMLElement): void {
+    const high = () => document.documentElement.style.setProperty(name, element.childElementCount ? `${element.offsetHeight + 8}px` : "0px");
+    new ResizeObserver(high).observe(element);
+  }
+
   private equip(): void {
     this.room.element.setAttribute("aria-label", t("scene"));
     this.room.element.addEventListener("keydown", (event) => this.look(event as KeyboardEvent));
@@ -229,7 +237,7 @@ class Page {
   private pushes(): HTMLElement {
     const strike = (what: "front" | "back" | "impulse" | "pull_left" | "pull_right", size: number) => () => store.push({ kind: "Strike", what, size });
     const weight = () => store.changed?.look.weight ?? 6;
-    const size = slider(t("size"), { low: 0.01, high: 0.5, log: true, show: (v) => `${fixed(v, 2)} N s`, key: "knock" }, (v) => (this.knock = v));
+    const size = slider(t("size"), { low: 0.01, high: 0.5, step: 0.01, show: (v) => `${fixed(v, 2)} N s`, key: "knock" }, (v) => (this.knock = v));
     size.set(this.knock);
     size.root.title = t("sizeTip");
     size.root.insertBefore(this.most, size.root.lastChild);
@@ -348,8 +356,8 @@ class Page {
       case "Progress": this.identify.progress(message.job, message.fraction); if (message.job === "certify") this.controller.certifying(message.fraction); break;
       case "JobResult": this.identify.found(); if (message === store.certified) this.controller.certify(); if (message !== store.certified || this.tab !== "Controller") this.toast(() => `${t(message.job as "doctor" | "calibrate" | "certify")}: ${translate(message.title)}`, message.ok ? "info" : message.job === "certify" ? "error" : "warn"); if (latestLog && this.tab === "Identify") keepingFocus(() => this.identify.build()); break;
       case "Made": this.keep.made(message.name, message.url.startsWith("blob:") ? message.url : store.files + message.url); this.toast(() => t("made", { name: message.name }), "info"); break;
-      case "Notice": this.toast(() => (message.key ? named(message.key) : noticed(message.text)), message.level); break;
-      case "Recovered": this.recovered(message.impulse, message.fell); break;
+      case "Notice": message.key === "lies" ? this.lie(() => t("lies")) : this.toast(() => (message.key ? named(message.key) : noticed(message.text)), message.level); break;
+      case "Recovered": this.recovered(message); break;
       case "Board": if (this.tab === "Class") this.classes.update(); break;
     }
   }
@@ -364,21 +372,22 @@ class Page {
     const light = lamplight();
     this.app.classList.toggle("loose", store.falls || (store.changed?.busy ?? false)); // nothing balances it
     if (store.recorded && (store.lit?.light ?? "none") === "none") return replace(this.light);
-    this.light.title = t("lightNote");
-    replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span", {}, `${t("certificate")}:`), h("span", {}, certificate()[1]?.textContent ?? ""));
+    const whole = certificate()[1]?.textContent ?? "";
+    this.light.title = `${whole[0].toUpperCase()}${whole.slice(1)}. ${t("lightNote")}`;
+    replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span", {}, `${t("certificate")}:`), h("span", {}, whole.split(",")[0] + changedRobot()));
   }
 
   /** Above the robot: what became of a push, for a while; that it fell, until it stands. */
-  private recovered(impulse: number, fell: boolean): void {
+  private recovered({ impulse, fell, single }: Recovered): void {
     const key = this.driven();
-    const best = Math.max(this.best[key] ?? 0, fell ? 0 : impulse);
+    const best = Math.max(this.best[key] ?? 0, single && !fell ? impulse : 0);
     if (best) this.best[key] = best;
     this.champion();
     const values = () => ({ impulse: digits(impulse), best: digits(best) });
-    if (fell) this.lost = () => t("lostPush", values());
+    if (fell) this.lost = () => t(single ? "lostPush" : "lostPushes", values());
     if (this.down) return this.lie();
     if (fell) return;
-    this.tell(said(() => t(impulse < best ? "recovered" : "recoveredMost", values())));
+    this.tell(said(() => t(!single ? "recoveredSeveral" : impulse < best ? "recovered" : "recoveredMost", values())));
     this.telling = window.setTimeout(() => this.tell(), 6000);
   }
 
@@ -398,9 +407,10 @@ class Page {
     replace(this.fell, ...words);
   }
 
-  private lie(): void {
+  /** It lies: in whose words, and with the button that helps. */
+  private lie(words = this.lost ?? (() => t("fallen"))): void {
     const stand = h("button", { type: "button", className: "main", onclick: () => this.stand() }, said(() => t("standUp")));
-    this.tell(said(this.lost ?? (() => t("fallen"))), store.recorded ? null : stand);
+    this.tell(said(words), store.recorded ? null : stand);
   }
 
   private transported(): void {
@@ -464,8 +474,8 @@ class Page {
     if (this.toasts.lastElementChild?.firstElementChild?.textContent === words()) return;
     const close = h("button", { type: "button", onclick: () => toast.remove() }, h("span", { "aria-hidden": "true" }, "×"), h("span", { className: "hidden" }, said(() => t("close"))));
     const toast = h("div", { className: `toast ${level}` }, said(words), close);
+    this.toasts.querySelectorAll(level === "error" ? ".error" : ":not(.error)").forEach((one) => one.remove()); // at most one, and an error
     this.toasts.append(toast);
-    while (this.toasts.children.length > 3) this.toasts.firstElementChild?.remove();
     window.setTimeout(() => toast.remove(), level === "error" ? 15000 : 6000);
   }
 

@@ -1,6 +1,6 @@
 // Generated from src/upright/lab/messages.py by python -m upright.lab.typescript; do not edit.
 
-export const VERSION = 6;
+export const VERSION = 7;
 
 export type BodyName = "twin" | "nonlinear" | "linear" | "published" | "calibrated";
 
@@ -276,6 +276,7 @@ export interface Recovered {
   effort: number;
   best: number;
   fell: boolean;
+  single: boolean;
 }
 
 export interface History {

@@ -169,7 +169,7 @@ export class ControllerPanel extends Panel {
 }
 
 /** What the certificate does not know of: it is for the robot as its controller was designed. */
-function changedRobot(): string {
+export function changedRobot(): string {
   if (store.setup.controller === "off" || (store.lit?.light ?? "none") === "none") return "";
   return (store.setup.payload > 0 ? t("butPayload") : "") + (store.setup.slope ? t("butSlope") : "");
 }
