@@ -95,7 +95,7 @@ class Page {
     this.scrub.addEventListener("input", () => store.send({ kind: "Scrub", back: Number(this.scrub.max) - Number(this.scrub.value) }));
     this.equip();
     this.measure("--toasts", this.toasts);
-    this.measure("--fell", this.fell);
+    this.measure("--fell", this.fell, 8);
     window.addEventListener("keydown", (event) => this.key(event));
     window.addEventListener("hashchange", () => store.recorded || this.link()); // pasted behind the address of an open page
     this.begin();
@@ -183,9 +183,9 @@ class Page {
     return new Flat(push);
   }
 
-  /** How high something is that other things make way for, with a gap; 0 while it is empty. */
-  private measure(name: string, element: HTMLElement): void {
-    const high = () => document.documentElement.style.setProperty(name, element.childElementCount ? `${element.offsetHeight + 8}px` : "0px");
+  /** How high something is that others make way for, with a gap [px]; 0 while it is empty. */
+  private measure(name: string, element: HTMLElement, gap = 0): void {
+    const high = () => document.documentElement.style.setProperty(name, `${element.childElementCount && element.offsetHeight + gap}px`);
     new ResizeObserver(high).observe(element);
   }
 
@@ -374,7 +374,8 @@ class Page {
     if (store.recorded && (store.lit?.light ?? "none") === "none") return replace(this.light);
     const whole = certificate()[1]?.textContent ?? "";
     this.light.title = `${whole[0].toUpperCase()}${whole.slice(1)}. ${t("lightNote")}`;
-    replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span", {}, `${t("certificate")}:`), h("span", {}, whole.split(",")[0] + changedRobot()));
+    const short = store.setup.controller === "off" ? whole : whole.split(",")[0] + changedRobot().split(",").slice(0, 2).join(); // its colour, and what it is not of
+    replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span", {}, `${t("certificate")}:`), h("span", {}, short));
   }
 
   /** Above the robot: what became of a push, for a while; that it fell, until it stands. */
@@ -474,7 +475,7 @@ class Page {
     if (this.toasts.lastElementChild?.firstElementChild?.textContent === words()) return;
     const close = h("button", { type: "button", onclick: () => toast.remove() }, h("span", { "aria-hidden": "true" }, "×"), h("span", { className: "hidden" }, said(() => t("close"))));
     const toast = h("div", { className: `toast ${level}` }, said(words), close);
-    this.toasts.querySelectorAll(level === "error" ? ".error" : ":not(.error)").forEach((one) => one.remove()); // at most one, and an error
+    this.toasts.querySelectorAll(level === "error" ? ".toast.error" : ".toast:not(.error)").forEach((one) => one.remove()); // at most one, and an error
     this.toasts.append(toast);
     window.setTimeout(() => toast.remove(), level === "error" ? 15000 : 6000);
   }
