@@ -245,7 +245,7 @@ def test_margins_of_gains_by_hand_are_python_s(tmp_path):
 
 @pytest.mark.needs("node")
 def test_the_page_scores_as_the_live_lab(tmp_path):
-    """Whatever is done: 40 minutes of random pushes, falls, leans and changes, of which each occurs among the results."""
+    """Whatever is done, at random: pushes, falls, leans and changes. Every kind of end is among the results."""
     draw = np.random.default_rng(11)
     rows: list[tuple[str, float, float, float, bool]] = []
     for _ in range(600):

@@ -706,7 +706,9 @@ def test_from_phone_to_wall_nothing_is_cut_off(page, size):
             assert page.evaluate(whole) == [True] * 5
             tabs = page.locator(".tabs")
             assert tabs.evaluate("e => e.scrollWidth - e.clientWidth") <= 0, language
-            page.evaluate("upright.store.hear({kind: 'Recovered', impulse: 0.1, effort: 1, best: 0.2, fell: true})")
+            page.evaluate(
+                "upright.store.hear({kind: 'Recovered', impulse: 0.1, effort: 1, best: 0.2, fell: true, single: true})"
+            )
             page.evaluate("upright.page.lie()")
             room, fell = (page.locator(name).bounding_box() for name in (".room", ".fell"))
             assert fell["y"] >= room["y"] + room["height"], "what is said covers no robot"
@@ -869,7 +871,61 @@ def test_what_is_said_follows_what_was_chosen(page):
     assert page.inner_text(".numbers") == "There is no controller, so there is no loop."
     until(page, "upright.store.snapshot.x[0][8]")  # it starts with a lean, and falls
     page.click("[data-key=impulse]")
-    until(page, "[...document.querySelectorAll('.toast')].some(e => e.textContent.startsWith('It lies'))")
+    until(page, "document.querySelector('.fell').textContent === 'It lies; press Stand up first.Stand up'")
+    assert page.locator(".toast").count() == 0  # which could stand over that button
+
+
+LIGHTS = """() => ['none', 'green', 'amber', 'red'].flatMap(light => [0, 1, 2, 3].map(changed => {
+    const [{ store, page }, payload, slope] = [upright, changed & 1 ? 0.2 : 0, changed & 2 ? 0.1 : 0];
+    [store.setup, store.lit] = [{ ...store.setup, payload, slope }, { ...store.lit, light }];
+    page.lamp();
+    const words = [...document.querySelectorAll('.headlight span:last-child, .what')];
+    const cut = words.filter(e => e.clientWidth > 1 && e.scrollWidth > e.clientWidth);
+    return [document.querySelector('main').getBoundingClientRect().top + scrollY, cut.length];
+}))"""
+
+
+@pytest.mark.parametrize("size", [(1366, 768), (844, 390), (390, 844)])
+def test_no_words_of_the_bar_move_the_page_or_are_cut(page, size):
+    """Whatever the certificate says, and while the connection is lost; the whole of it is the light's title."""
+    page.set_viewport_size(dict(zip(("width", "height"), size, strict=True)))
+    until(page, "upright.store.lit && upright.store.changed && upright.store.lit.light !== 'none'")
+    for language in ("en", "es"):
+        page.select_option("[data-key=language]", language)
+        tops, cut = zip(*page.evaluate(LIGHTS), strict=True)
+        assert set(cut) == {0}, language
+        for state in ("lost", "connecting", "connected"):
+            page.evaluate(f"upright.page.says('{state}')")
+            tops += (page.evaluate("document.querySelector('main').getBoundingClientRect().top + scrollY"),)
+            assert page.evaluate("document.querySelector('header').scrollWidth <= innerWidth"), (language, state)
+        assert len(set(tops)) == 1, language
+    assert "carga" in page.locator(".headlight").get_attribute("title")
+    assert "suelo" in page.locator(".headlight").get_attribute("title")
+
+
+UNDER = """() => [...document.querySelectorAll('.toast')].flatMap(toast => {
+    const a = toast.getBoundingClientRect();
+    return [...document.querySelectorAll('.fell, button, select, input')].filter(e => {
+        const b = e.getBoundingClientRect();
+        const beside = a.left >= b.right - 1 || b.left >= a.right - 1 || a.top >= b.bottom - 1 || b.top >= a.bottom - 1;
+        return b.width > 3 && !toast.contains(e) && !beside;
+    }).map(e => e.dataset.key ?? e.className);
+})"""
+
+
+@pytest.mark.parametrize("size", [(1366, 768), (768, 1024), (390, 844), (390, 664)])
+def test_what_the_corner_says_covers_nothing_to_press(page, size):
+    """Under a robot that lies, with its button, at the top of the page and in the tour."""
+    page.set_viewport_size(dict(zip(("width", "height"), size, strict=True)))
+    page.evaluate("upright.store.change({ controller: 'off' }); upright.store.send({ kind: 'StandUp', pitch: 0.1 })")
+    until(page, "upright.store.snapshot.x[0][8] && document.querySelector('.fell button')")
+    for level, key in (("info", "tooMany"), ("error", "setBack"), ("info", "restarted"), ("error", "ended")):
+        page.evaluate(f"upright.store.hear({{ kind: 'Notice', level: '{level}', text: '', key: '{key}' }})")
+    assert page.locator(".toast.error").count() == page.locator(".toast:not(.error)").count() == 1  # the latest of each
+    for act in ("scrollTo(0, 0)", "upright.page.bring('Tour')"):
+        page.evaluate(act)
+        page.wait_for_timeout(300)
+        assert page.evaluate(UNDER) == [], act
 
 
 def test_a_slow_page_fills_its_traces_from_the_history(page):
@@ -961,7 +1017,8 @@ def test_spanish_is_spanish_to_the_last_decimal(page):
             assert re.findall(rf".*{ENGLISH}.*", text) == [], (name, view)
             assert re.findall(r"\d\.\d[^.]*", text) == [], (name, view)
     for push, words in ((0.2, "0,2 N s, el mayor"), (0.05, "0,05 N s; el mayor hasta ahora 0,2 N s")):
-        page.evaluate(f"upright.store.hear({{kind: 'Recovered', impulse: {push}, effort: 1, best: 0.2, fell: false}})")
+        done = f"kind: 'Recovered', impulse: {push}, effort: 1, best: 0.2, fell: false, single: true"
+        page.evaluate(f"upright.store.hear({{{done}}})")
         said = page.locator(".fell span").inner_text().replace("\N{NO-BREAK SPACE}", " ")
         assert said == f"Se recuperó de un empujón de {words}"
     assert page.inner_text(".most").replace("\N{NO-BREAK SPACE}", " ") == "mejor golpe 0,2 N s"  # and stays there
@@ -1167,7 +1224,9 @@ def test_what_is_said_follows_the_language(page):
     until(page, "document.querySelector('.saved a')")
     tab(page, "Controller")
     page.evaluate("upright.store.hear({kind: 'Notice', level: 'error', text: '', key: 'tooMany'})")
-    page.evaluate("upright.store.hear({kind: 'Recovered', impulse: 0.2, effort: 1, best: 0.2, fell: false})")
+    page.evaluate(
+        "upright.store.hear({kind: 'Recovered', impulse: 0.2, effort: 1, best: 0.2, fell: false, single: true})"
+    )
     page.select_option("[data-key=language]", "es")
     texts = json.loads((WEB / "src" / "texts" / "es.json").read_text("utf-8"))
     assert (
