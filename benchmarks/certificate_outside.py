@@ -2,6 +2,7 @@
 
     python benchmarks/certificate_outside.py 40                  # 40 robots
     python benchmarks/certificate_outside.py 40 --plain --each   # no posterior: the log is calibrated first
+    python benchmarks/certificate_outside.py 40 --plain --weighed  # the same, and the robot stood on a scale
     python benchmarks/certificate_outside.py 40 --robots twipr ev3way --plain
 
 A robot differs in one way that its certificate does not know of: battery, slope, mass, delay, dead zone, motors, gyro's
@@ -66,6 +67,7 @@ def falls(
 LOGGED = 12.0  # [s]
 OUTSIDE = ("none", "battery", "slope", "mass", "delay", "dead zone", "asymmetry", "gyro scale", "gyro noise")
 HOLDING = ("hinf", "lqg", "lqr")
+WEIGHED = 0.005  # one deviation: 3 g of 0.6 kg
 REFUSED = "refused"
 ROBOTS = ("nxtway-gs", "nxtway-gs-measured")
 VOLTS = 8.0  # [V] of a full NXT battery: a dead zone of a motor without one is in the same proportion to its limit
@@ -86,8 +88,10 @@ class Stranger:
     logged: bool
 
 
-def stranger(number: int, samples: int, *, plain: bool, robots: Sequence[str] = ROBOTS) -> Stranger:
-    """Robot `number`, one of `robots`."""
+def stranger(
+    number: int, samples: int, *, plain: bool, robots: Sequence[str] = ROBOTS, scale: bool = False
+) -> Stranger:
+    """Robot `number`, one of `robots`, which stood on a `scale`."""
     rng = np.random.Generator(np.random.Philox(3 * SEED + number))
     name, way = str(rng.choice(list(robots))), OUTSIDE[number % len(OUTSIDE)]
     robot, design = Robot.preset(name), str(rng.choice(HOLDING))
@@ -133,11 +137,17 @@ def stranger(number: int, samples: int, *, plain: bool, robots: Sequence[str] = 
     try:
         given = certify(
             controller, robot, kit, samples=samples, seed=number, posterior=None if plain else unknown, sweeps=False,
-            log=log, threads=1,
+            log=log, threads=1, weighed=_weight(truth, number) if scale else None,
         )  # fmt: skip
     except UprightError as error:
         return Stranger(number, name, design, way, size, REFUSED, str(error), fell, True)
     return Stranger(number, name, design, way, size, given.light, "; ".join(given.reasons), fell, True)
+
+
+def _weight(robot: Robot, number: int) -> float:
+    """What a scale that is right to `WEIGHED` says [kg]."""
+    error = np.random.Generator(np.random.Philox([number, 1])).normal()
+    return (robot.body_mass + 2 * robot.wheel_mass) * float(1 + WEIGHED * error)
 
 
 def _as_met(controller: LinearController, gain: float) -> LinearController:
@@ -173,11 +183,13 @@ def _recorded(
     return Log(np.arange(len(result.trace[0])) * met.period, columns, units)
 
 
-def strangers(first: int, count: int, samples: int, *, each: bool, plain: bool, robots: Sequence[str]) -> None:
+def strangers(
+    first: int, count: int, samples: int, *, each: bool, plain: bool, robots: Sequence[str], scale: bool
+) -> None:
     """Run and print the robots from number `first` on."""
     cases: list[Stranger] = []
     for number in range(first, first + count):
-        cases.append(stranger(number, samples, plain=plain, robots=robots))
+        cases.append(stranger(number, samples, plain=plain, robots=robots, scale=scale))
         if each:
             print(cases[-1], flush=True)
     headings = ("no log", "fell", "not green", "held", "green", "refused", "taken")
@@ -201,9 +213,15 @@ def main() -> None:
     )
     parser.add_argument("--each", action="store_true", help="print every case")
     parser.add_argument("--plain", action="store_true", help="no posterior, the log is calibrated")
+    parser.add_argument("--weighed", action="store_true", help="the robot stood on a scale")
     parser.add_argument("--robots", nargs="+", default=ROBOTS, help="presets to draw from")
     asked, started = parser.parse_args(), time.perf_counter()
-    strangers(asked.first, asked.count, asked.samples, each=asked.each, plain=asked.plain, robots=asked.robots)
+    if asked.weighed and not asked.plain:
+        parser.error("--weighed is of a robot without a posterior: add --plain")
+    strangers(
+        asked.first, asked.count, asked.samples, each=asked.each, plain=asked.plain, robots=asked.robots,
+        scale=asked.weighed,
+    )  # fmt: skip
     print(f"{time.perf_counter() - started:.0f} s")
 
 

@@ -27,13 +27,13 @@ from upright.certify.calibrated import Learnt, _weighed, calibrated, guessed, le
 from upright.certify.certificate import Certificate, certify
 from upright.certify.checks import PushTrial, TrialSetup, batteries, kernel_controller
 from upright.certify.logged import Logged, as_sent, loaded
-from upright.certify.mass import MassOpen, tried_at_both_ends
+from upright.certify.mass import MassOpen, on_the_scale, tried_at_both_ends
 from upright.certify.pushes import standard_pushes
 from upright.certify.recovery import _rest
 from upright.certify.support import LOAD_KNOWN, Support, supported
 from upright.certify.verdict import AMBER, GREEN, LinearMargins, judge
 from upright.control import Controller, make_controller
-from upright.errors import InvalidLog
+from upright.errors import InvalidLog, InvalidRobot, InvalidScenario
 from upright.experiment import Drive, Impulse, Slope, run
 from upright.kernel.batch import parameters_of
 from upright.physics.dynamics import CALM, Disturbance
@@ -421,6 +421,64 @@ def test_a_mass_that_the_log_leaves_open_is_tried_at_both_ends(low: float, *, fa
     light, reasons = judge(1000, 0, None, [trial], 0.01, support=[tried])
     assert light == (AMBER if falls else GREEN)
     assert "leaves the body's mass open, " in " ".join(reasons)
+
+
+def test_a_robot_on_a_scale_has_the_mass_of_the_scale_in_its_own_shape() -> None:
+    """Half of the body is gone, and half of its inertia, give or take a half of that."""
+    wheels = 2 * ROBOT.wheel_mass
+    light = on_the_scale(ROBOT, 0.5 * ROBOT.body_mass + wheels, logged=True)
+    assert light.body_mass == pytest.approx(0.5 * ROBOT.body_mass)
+    assert light.pitch_inertia == pytest.approx(0.5 * ROBOT.pitch_inertia)
+    assert light.com_height == ROBOT.com_height
+    spread = light.provenance["body_mass"].spread
+    assert spread is not None
+    assert spread < 0.02 * ROBOT.body_mass  # 1 % of all, and what is not known of the wheels
+    spread = light.provenance["pitch_inertia"].spread
+    assert spread is not None
+    assert spread >= 0.25 * ROBOT.pitch_inertia
+    same = on_the_scale(ROBOT, ROBOT.body_mass + wheels, logged=False)
+    assert same.numbers() == pytest.approx(ROBOT.numbers())
+
+
+@pytest.mark.parametrize(("weighed", "logged"), [(0.01, True), (0.3, False), (math.nan, True), (-1.0, True)])
+def test_a_weight_that_is_none_of_this_robot_is_refused(weighed: float, *, logged: bool) -> None:
+    """Less than its wheels; and half of its mass without a log, which would show where the other half was."""
+    with pytest.raises(InvalidRobot, match=r"kg"):
+        on_the_scale(ROBOT, weighed, logged=logged)
+
+
+def test_a_weight_goes_with_the_robot_of_a_file_alone() -> None:
+    with pytest.raises(InvalidScenario, match="posterior"):
+        certify(designed(), ROBOT, KIT, samples=100, posterior=KNOWN, weighed=0.66)
+
+
+def test_no_log_is_asked_the_mass_of_a_robot_that_was_weighed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Neither the filter nor a calibration that takes it for a guess."""
+    module, asked = import_module("upright.certify.calibrated"), list[TrialSetup]()
+    setup = dataclasses.replace(trial_setup(), is_weighed=True)
+    monkeypatch.setattr(module, "as_logged", lambda _, given: asked.append(given) or (given, (), ()))
+    monkeypatch.setattr(module, "_own", lambda *_: SimpleNamespace(refused=(), temper=0.9))
+    monkeypatch.setattr(module, "guessed", lambda *_: pytest.fail("a calibration asked the mass"))
+    monkeypatch.setattr(module, "learnt", lambda _, kit, others=(): Learnt(ROBOT, kit, Uncertainty(), others))
+    result, taken = calibrated(plain_log(), setup)
+    assert [given.is_weighed for given in asked] == [True]
+    assert (result.mass_open, result.contradicted, taken) == (None, (), ())
+
+
+def test_a_weighed_robot_is_pushed_like_that_of_its_file(monkeypatch: pytest.MonkeyPatch) -> None:
+    """And its certificate holds the weight, of the robot with its wheels."""
+    module, asked = import_module("upright.certify.certificate"), list[TrialSetup]()
+    own = Learnt(loaded(ROBOT, 0.8), KIT, Uncertainty.of(ROBOT).scaled(0.1))
+    monkeypatch.setattr(module, "calibrated", lambda _, given, __: asked.append(given) or (own, ()))
+    weight = 0.8 * ROBOT.body_mass + 2 * ROBOT.wheel_mass
+    given = certify(designed(), ROBOT, KIT, samples=100, sweeps=False, log=plain_log(), weighed=weight)
+    (setup,) = asked
+    assert setup.is_weighed
+    assert setup.robot.body_mass == pytest.approx(0.8 * ROBOT.body_mass)
+    sizes = {p.size for volts in batteries(ROBOT, KIT) or () for p in standard_pushes(ROBOT, KIT, volts).values()}
+    assert {t.size for t in given.trials} <= sizes
+    assert Certificate.from_json(json.loads(json.dumps(given.to_json()))).weighed == weight
+    assert "on the scale" in str(given)
 
 
 def test_pushes_have_the_sizes_of_the_file_s_robot_whatever_a_calibration_makes_of_it(

@@ -56,8 +56,9 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
     no other number explains the log. So do innovations that are then far from white. That calibration also says how
     light and how heavy the body may be, where it explains the log without other numbers. Where robots
     within the file's spreads explain as much as one more number would, the log is calibrated with it too, and that
-    robot is kept where its innovations are whiter, and nearly white. Raises `InvalidLog` where the calibration is
-    refused, the robot is never on its wheels, or a sensor has the other sign, which no scale that is tried explains.
+    robot is kept where its innovations are whiter, and nearly white. Of a robot that `is_weighed` no mass is asked.
+    Raises `InvalidLog` where the calibration is refused, the robot is never on its wheels, or a sensor has the other
+    sign, which no scale that is tried explains.
     """
     on_its_wheels(log)
     for wrong in contradictions(log, codes=("motion/flipped",)):
@@ -65,9 +66,9 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
     met, _, taken = as_logged(log, setup)
     alone = unloaded(met)
     unsure = unconfirmed(taken)
-    asked = guessed(log, alone)
-    for mass in weighed(asked, alone):
-        return learnt(asked, setup.kit), (*(s for s in taken if s.name != MASS), mass)
+    asked = None if setup.is_weighed else guessed(log, alone)
+    if asked is not None and (found := weighed(asked, alone)):
+        return learnt(asked, setup.kit), (*(s for s in taken if s.name != MASS), *found)
     weighed_on = alone
     if unsure:
         alone, _, taken = as_logged(log, replace(setup, is_weighed=True))
@@ -88,6 +89,8 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
     unsure = () if taken and white else unsure  # the mass was an image of what was taken over instead
     coloured = () if setup.dry_friction or taken or white else (_count(own.temper),)
     result = learnt(own, setup.kit, (*unsure, *coloured))
+    if asked is None:
+        return result, taken
     if alone.actual_kit != weighed_on.actual_kit:
         asked = guessed(log, alone)
     return replace(result, mass_open=_open(asked, setup, unsure)), taken

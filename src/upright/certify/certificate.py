@@ -28,7 +28,7 @@ from upright.certify.checks import (
     trials,
 )
 from upright.certify.logged import as_sent
-from upright.certify.mass import tried_at_both_ends
+from upright.certify.mass import on_the_scale, tried_at_both_ends
 from upright.certify.narrowing import Narrowing, NeededSpread, narrowing, red
 from upright.certify.support import Support, left_open
 from upright.certify.verdict import CONFIDENCE, MOST_FALLS, LinearMargins, judge, linear_margins
@@ -53,6 +53,8 @@ if TYPE_CHECKING:
 FEWEST = 100
 """Number of robots below which no certificate is given: even without a fall the bound would exceed 3 %."""
 
+UNWEIGHED = "a scale tells the mass: put the robot on one, and certify it again with --weighed KG"
+
 KIND = "upright certificate"
 VERSION = 3
 """3: pushes are scaled to what any controller could survive; 2: robot and kit are named by their numbers."""
@@ -69,7 +71,8 @@ class Certificate(Shown):
     is not linear, even near rest. `delayed` and `slower` count falls with additional dead time and with other periods.
     `agreement` compares the innovations of a log with these assumptions, `support` what the log shows of each number
     that is taken as given. What was `taken` from the log, and tried, stands beside what had been assumed. `narrowing`
-    says of a red light what would have to be known better (None: not examined).
+    says of a red light what would have to be known better (None: not examined). The robot `weighed` so much [kg] on a
+    scale (None: not told).
     """
 
     light: str
@@ -95,6 +98,7 @@ class Certificate(Shown):
     asked: str = ""
     response: tuple[float, ...] = ()
     narrowing: Narrowing | None = None
+    weighed: float | None = None
 
     def check(self) -> tuple[str, ...]:
         """Contradictions among this certificate's own numbers, as sentences; none where it is consistent."""
@@ -206,6 +210,8 @@ class Certificate(Shown):
         sweeps += [f"the log supports: {inside}"] if inside else []
         sweeps += [f"tried as the log shows it: {'; '.join(map(str, self.taken))}"] if self.taken else []
         sweeps += left_open(self.support)
+        sweeps += [UNWEIGHED] if any(s.tried and s.outside for s in self.support) else []
+        sweeps += [f"on the scale: {self.weighed:.3g} kg"] if self.weighed else []
         return "\n".join([*lines, *(line for line in sweeps if line)])
 
 
@@ -222,6 +228,7 @@ def certify(
     log: LogSource | None = None,
     mapping: Columns | str | None = None,
     posterior: Uncertainty | str | Path | None = None,
+    weighed: float | None = None,
     progress: Progress | None = None,
 ) -> Certificate:
     """The certificate of `controller` for `robot` with `kit`, over `robots` or `samples` draws.
@@ -229,10 +236,12 @@ def certify(
     `posterior` is an `Uncertainty`, or a file by `upright calibrate --save`; its medians are then the nominal robot. By
     default robots are drawn from the spreads in the robot's file. `log` is a recording of this robot, read through
     `mapping`. Without a `posterior` the robot is first calibrated from it. What it contradicts of the assumptions is
-    tried as the log shows it. `sweeps` adds further dead times and other periods, on which the light does not depend.
+    tried as the log shows it. Body and wheels `weighed` so much [kg] together on a scale as the robot stands: then no
+    log is asked the mass. `sweeps` adds further dead times and other periods, on which the light does not depend.
     Controller, robot and kit may be names or files. A controller of your own is called for each robot: 1000 samples
     take minutes. `progress` receives the fraction done. Raises `SpecMismatch` for a controller that does not fit,
-    `InvalidScenario` for too few samples, `InvalidLog` for a log that cannot be compared.
+    `InvalidScenario` for too few samples, `InvalidLog` for a log that cannot be compared, `InvalidRobot` for a weight
+    that is none of this robot.
     """
     given = find_robot(robot)
     nominal, unknown = at_medians(given, posterior)
@@ -240,8 +249,12 @@ def certify(
     rubs, stated = nominal.coulomb_friction > 0, (nominal, parts)
     subject = {"robot": robot_facts(given), "kit": kit_facts(parts)}
     own, wrong = None, tuple[Support, ...]()
-    if bare := unknown is None and robots is None and recording:
-        own, wrong = _calibrated(bare, controller, nominal, parts, seed, progress)
+    bare = recording if unknown is None and robots is None else None
+    if weighed is not None:
+        _check_weighed(posterior, robots)
+        nominal = on_the_scale(nominal, weighed, logged=bare is not None)
+    if bare:
+        own, wrong = _calibrated(bare, controller, nominal, parts, seed, progress, weighed=weighed is not None)
         nominal, parts, unknown = own.robot, own.kit, own.uncertainty
     design = find_controller(controller, nominal, parts, parts.period)
     family = draw(nominal, samples, seed, unknown) if robots is None else list(robots)
@@ -267,17 +280,26 @@ def certify(
         fell=fell, beyond=hopeless, linear=linear, trials=runs, agreement=compared, support=shown, taken=taken,
         subject=subject, asked=who.asked, response=who.response,
         delayed=delay_sweep(setup) if sweeps else (), slower=period_sweep(setup) if sweeps else (),
-        narrowing=narrowing(setup, unknown or Uncertainty.of(nominal), fallen) if examined else None,
+        narrowing=narrowing(setup, unknown or Uncertainty.of(nominal), fallen) if examined else None, weighed=weighed,
     )  # fmt: skip
 
 
 def _calibrated(
-    log: Log, controller: Controller | str, robot: Robot, kit: Kit, seed: int, progress: Progress | None
-) -> tuple[Learnt, tuple[Support, ...]]:
-    """The robot of the file as `log` shows it, and what was taken over before."""
+    log: Log, controller: Controller | str, robot: Robot, kit: Kit, seed: int, progress: Progress | None, *,
+    weighed: bool,
+) -> tuple[Learnt, tuple[Support, ...]]:  # fmt: skip
+    """The robot of the file, or as it was `weighed`, as `log` shows it, and what was taken over before."""
     driven = kernel_controller(find_controller(controller, robot, kit, kit.period), robot, kit)
     rubs, some = robot.coulomb_friction > 0, draw(robot, FEWEST, seed)
-    return calibrated(log, TrialSetup(driven, robot, some, kit, seed, dry_friction=rubs), progress)
+    setup = TrialSetup(driven, robot, some, kit, seed, dry_friction=rubs, is_weighed=weighed)
+    return calibrated(log, setup, progress)
+
+
+def _check_weighed(posterior: Any, robots: Any) -> None:
+    """Of robots that are drawn from elsewhere a weight says nothing."""
+    if posterior is not None or robots is not None:
+        raise InvalidScenario("a weight beside a posterior or a list of robots", expected="a weight and the robot's "
+                              "file", hint="calibrate again from the robot's file with this mass")  # fmt: skip
 
 
 def _contradicted(log: Log | None, setup: TrialSetup, own: Learnt | None) -> tuple[Support, ...]:

@@ -1,16 +1,24 @@
-"""A mass that the log of a robot leaves open, and robots at both of its ends."""
+"""A robot on a scale; a mass that the log of a robot leaves open, and robots at both of its ends."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
 from upright.certify.actual import as_logged
 from upright.certify.checks import TrialSetup, trials
-from upright.certify.support import Support
+from upright.certify.logged import LOADED, loaded
+from upright.certify.support import LOAD, Support
 from upright.errors import InvalidRobot
-from upright.robots import Kit, Robot
-from upright.robots.uncertainty import Uncertainty, draw
+from upright.robots import Kit, Provenance, Robot
+from upright.robots.uncertainty import Uncertainty, deviations, draw
 from upright.signals import Log
+
+SCALE = 0.01
+"""One deviation of what a scale says: kitchen scales are right to a few grams, of robots of 0.3 to 3 kg."""
+
+SHAPE = 0.5
+"""One deviation of the inertia of what a body has lost or carries, over what it would be in the body's own shape."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,6 +30,31 @@ class MassOpen:
     kit: Kit
     uncertainty: Uncertainty
     mass: Support
+
+
+def on_the_scale(robot: Robot, weighed: float, *, logged: bool) -> Robot:
+    """The robot whose body and wheels weigh `weighed` [kg] together. What the body weighs more or less than its file
+    says is in the shape of the body, its inertias to `SHAPE` of their change.
+
+    Raises `InvalidRobot` for less than the wheels weigh. Without a log of the robot (`logged`), which shows where such
+    a load sits, also where the body's mass differs by more than `LOAD`.
+    """
+    body = weighed - 2 * robot.wheel_mass
+    if not (math.isfinite(weighed) and body > 0):
+        raise InvalidRobot(f"a robot that weighs {weighed:g} kg", expected=f"more than {2 * robot.wheel_mass:g} kg, "
+                           "which its wheels weigh")  # fmt: skip
+    factor = body / robot.body_mass
+    if abs(factor - 1) > LOAD and not logged:
+        raise InvalidRobot(
+            f"a body of {body:.3g} kg on the scale", expected=f"{robot.body_mass:.3g} kg ± {LOAD:.0%}, as in its file",
+            hint="give a log of this robot; or write mass, centre and inertias into its file",
+        )  # fmt: skip
+    known, before = loaded(robot, factor), deviations(robot)
+    sizes = {name: math.hypot(factor * before.get(name, 0.0), SHAPE * (factor - 1) * getattr(robot, name))
+             for name in LOADED if name in before}  # fmt: skip
+    sizes["body_mass"] = math.hypot(SCALE * weighed, 2 * before.get("wheel_mass", 0.0))
+    scaled = {name: Provenance("the robot on a scale", size) for name, size in sizes.items()}
+    return known.replace(provenance={**robot.provenance, **scaled})
 
 
 def tried_at_both_ends(log: Log, setup: TrialSetup, left: MassOpen) -> tuple[Support, ...]:

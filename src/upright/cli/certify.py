@@ -35,6 +35,9 @@ def certify(
     ] = None,
     mapping: MappingOption = None,
     posterior: PosteriorOption = None,
+    weighed: Annotated[
+        float | None, typer.Option(help="What the robot weighs on a scale [kg]: no log is asked the mass then.")
+    ] = None,
     samples: SamplesOption = 1000,
     seed: SeedOption = 0,
     output: OutputOption = None,
@@ -51,8 +54,8 @@ def certify(
     check_targets(output, report)
     with progress("certifying") as show:
         certificate = examine(
-            controller, robot, kit, log=log, mapping=mapping, posterior=posterior, samples=samples, seed=seed,
-            progress=show,
+            controller, robot, kit, log=log, mapping=mapping, posterior=posterior, weighed=weighed, samples=samples,
+            seed=seed, progress=show,
         )  # fmt: skip
     finish(certificate, as_json, output=output, page=report)
     if certificate.light == "red":
