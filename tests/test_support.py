@@ -37,6 +37,7 @@ from upright.errors import InvalidLog, InvalidRobot, InvalidScenario
 from upright.experiment import Drive, Impulse, Slope, run
 from upright.kernel.batch import parameters_of
 from upright.physics.dynamics import CALM, Disturbance
+from upright.physics.linear import linearise_rolling
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import Uncertainty, draw
 from upright.signals import Log
@@ -421,6 +422,18 @@ def test_a_mass_that_the_log_leaves_open_is_tried_at_both_ends(low: float, *, fa
     light, reasons = judge(1000, 0, None, [trial], 0.01, support=[tried])
     assert light == (AMBER if falls else GREEN)
     assert "leaves the body's mass open, " in " ".join(reasons)
+
+
+def test_no_motion_shows_how_heavy_all_of_a_robot_is() -> None:
+    """M q̈ = f is the same equation where every mass, inertia and torque is multiplied by one factor: what a log shows
+    of a mass, it shows beside the motors and rotors of the file. So only a scale tells it."""
+    names = [n for n in ROBOT.numbers() if n.endswith(("_mass", "_inertia", "_friction", "torque_constant"))]
+    heavy = ROBOT.replace(**{n: 2.0 * getattr(ROBOT, n) for n in names})
+    one, other = linearise_rolling(ROBOT), linearise_rolling(heavy)
+    np.testing.assert_allclose(other.A, one.A, rtol=1e-9, atol=1e-12)
+    np.testing.assert_allclose(other.B, one.B, rtol=1e-9, atol=1e-12)
+    push = one.E[:, :2]  # of a force in N and a torque in N m
+    np.testing.assert_allclose(other.E[:, :2], push / 2, rtol=1e-9, atol=1e-12)  # moves the heavier one half as much
 
 
 def test_a_robot_on_a_scale_has_the_mass_of_the_scale_in_its_own_shape() -> None:

@@ -67,8 +67,8 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
     alone = unloaded(met)
     unsure = unconfirmed(taken)
     asked = None if setup.is_weighed else guessed(log, alone)
-    if asked is not None and (found := weighed(asked, alone)):
-        return learnt(asked, setup.kit), (*(s for s in taken if s.name != MASS), *found)
+    if asked is not None and (own_mass := weighed(asked, alone)):
+        return learnt(asked, setup.kit), (*(s for s in taken if s.name != MASS), *own_mass)
     weighed_on = alone
     if unsure:
         alone, _, taken = as_logged(log, replace(setup, is_weighed=True))

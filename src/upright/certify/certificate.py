@@ -239,29 +239,23 @@ def certify(
     tried as the log shows it. Body and wheels `weighed` so much [kg] together on a scale as the robot stands: then no
     log is asked the mass. `sweeps` adds further dead times and other periods, on which the light does not depend.
     Controller, robot and kit may be names or files. A controller of your own is called for each robot: 1000 samples
-    take minutes. `progress` receives the fraction done. Raises `SpecMismatch` for a controller that does not fit,
-    `InvalidScenario` for too few samples, `InvalidLog` for a log that cannot be compared, `InvalidRobot` for a weight
-    that is none of this robot.
+    take minutes. `progress` receives the fraction done. Raises `SpecMismatch`, `InvalidScenario`, `InvalidLog` and
+    `InvalidRobot` for a controller, a number of samples, a log and a weight that do not fit.
     """
     given = find_robot(robot)
     nominal, unknown = at_medians(given, posterior)
     parts, recording = find_kit(kit or nominal.kit), None if log is None else as_sent(raw_log(log, mapping))
     rubs, stated = nominal.coulomb_friction > 0, (nominal, parts)
-    subject = {"robot": robot_facts(given), "kit": kit_facts(parts)}
     own, wrong = None, tuple[Support, ...]()
     bare = recording if unknown is None and robots is None else None
-    if weighed is not None:
-        _check_weighed(posterior, robots)
-        nominal = on_the_scale(nominal, weighed, logged=bare is not None)
+    nominal = _weighed(nominal, weighed, alone=posterior is None and robots is None, logged=bool(bare))
     if bare:
         own, wrong = _calibrated(bare, controller, nominal, parts, seed, progress, weighed=weighed is not None)
         nominal, parts, unknown = own.robot, own.kit, own.uncertainty
     design = find_controller(controller, nominal, parts, parts.period)
-    family = draw(nominal, samples, seed, unknown) if robots is None else list(robots)
-    _check_family(family, nominal)
-    driven = kernel_controller(design, nominal, parts)
-    setup = TrialSetup(driven, nominal, family, parts, seed, threads, dry_friction=rubs, is_weighed=bool(bare),
-                       stated=stated)  # fmt: skip
+    family = _checked(draw(nominal, samples, seed, unknown) if robots is None else list(robots), nominal)
+    setup = TrialSetup(kernel_controller(design, nominal, parts), nominal, family, parts, seed, threads,
+                       dry_friction=rubs, is_weighed=bool(bare), stated=stated)  # fmt: skip
     contradicted = _contradicted(recording, setup, own)
     setup, shown, taken = as_logged(recording, setup) if recording else (setup, (), ())
     contradicted = doubtful_mass(recording, setup, taken) if recording and posterior is not None else contradicted
@@ -269,16 +263,15 @@ def certify(
     setup = replace(setup, progress=RunCounter(setup.runs, progress)) if progress else setup
     runs, fallen, beyond = trials(setup)
     linear, period = linear_margins(design, setup.actual_robot, setup.actual_kit), design.spec.period
-    fell, hopeless = int(fallen.sum()), int(beyond.sum())
+    fell, hopeless, who = int(fallen.sum()), int(beyond.sum()), identity(design)
     compared, shown = agreement(recording, setup) if recording else (), (*shown, *contradicted)
     light, reasons = judge(len(family), fell, linear, runs, period, compared, shown, beyond=hopeless, taken=taken)
     examined = sweeps and robots is None and not setup.controller.called and red(fell, len(family))
-    who = identity(design)
     return Certificate(
         light=light, reasons=reasons, bound=upper_bound(fell, len(family), CONFIDENCE), robot=nominal.name,
         kit=parts.name, controller=design.spec.kind, hash=who.hash, period=period, seed=seed, samples=len(family),
         fell=fell, beyond=hopeless, linear=linear, trials=runs, agreement=compared, support=shown, taken=taken,
-        subject=subject, asked=who.asked, response=who.response,
+        subject={"robot": robot_facts(given), "kit": kit_facts(stated[1])}, asked=who.asked, response=who.response,
         delayed=delay_sweep(setup) if sweeps else (), slower=period_sweep(setup) if sweeps else (),
         narrowing=narrowing(setup, unknown or Uncertainty.of(nominal), fallen) if examined else None, weighed=weighed,
     )  # fmt: skip
@@ -295,11 +288,15 @@ def _calibrated(
     return calibrated(log, setup, progress)
 
 
-def _check_weighed(posterior: Any, robots: Any) -> None:
-    """Of robots that are drawn from elsewhere a weight says nothing."""
-    if posterior is not None or robots is not None:
+def _weighed(robot: Robot, weighed: float | None, *, alone: bool, logged: bool) -> Robot:
+    """The robot of a file on a scale, or as it is (None). Of robots that are drawn from elsewhere, not from this file
+    `alone`, a scale says nothing."""
+    if weighed is None:
+        return robot
+    if not alone:
         raise InvalidScenario("a weight beside a posterior or a list of robots", expected="a weight and the robot's "
                               "file", hint="calibrate again from the robot's file with this mass")  # fmt: skip
+    return on_the_scale(robot, weighed, logged=logged)
 
 
 def _contradicted(log: Log | None, setup: TrialSetup, own: Learnt | None) -> tuple[Support, ...]:
@@ -314,7 +311,7 @@ def read_certificate(path: str | Path) -> Certificate:
     return Certificate.from_json(read_json(path, InvalidController, "a certificate, JSON by upright certify"))
 
 
-def _check_family(family: Sequence[Robot], robot: Robot) -> None:
+def _checked(family: Sequence[Robot], robot: Robot) -> Sequence[Robot]:
     if len(family) < FEWEST:
         raise InvalidScenario(
             f"{len(family)} robots are too few to bound the probability of a fall", expected=f"{FEWEST} or more"
@@ -322,6 +319,7 @@ def _check_family(family: Sequence[Robot], robot: Robot) -> None:
     if stranger := next((r for r in family if r.command_unit != robot.command_unit), None):
         raise SpecMismatch(f"'{stranger.name}' among the robots is commanded in {stranger.command_unit}",
                            expected=f"{robot.command_unit}, as '{robot.name}'")  # fmt: skip
+    return family
 
 
 def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
