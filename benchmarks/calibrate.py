@@ -26,7 +26,8 @@ import numpy as np
 
 from upright.bodies import Electronics
 from upright.bodies.twin import Twin
-from upright.calibrate.calibrate import annealed, calibrate, prepared
+from upright.calibrate.annealing import annealed
+from upright.calibrate.calibrate import calibrate, prepared
 from upright.calibrate.effects import FRACTIONS
 from upright.calibrate.estimate import VISIBLE
 from upright.calibrate.fitting import Problem, events_of

@@ -17,42 +17,31 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.calibrate.annealing import ANNEALING_NOISE, annealed, lost
 from upright.calibrate.calibration import Calibration
 from upright.calibrate.effects import effects_of
 from upright.calibrate.electronics import electronics_of
 from upright.calibrate.filter_log import one_step_noise
-from upright.calibrate.fitting import EQUATIONS, Problem, objective
-from upright.calibrate.gauss_newton import gauss_newton
+from upright.calibrate.fitting import EQUATIONS, Problem
 from upright.calibrate.informativity import INERTIAL, STRAIGHT, TURNING, drives_straight, too_quiet
 from upright.calibrate.knocks import without_knocks
 from upright.calibrate.learnt_kit import learnt_kit
-from upright.calibrate.noise import learn_noise
 from upright.calibrate.parameters import parameters_of
 from upright.calibrate.process_noise import arrival, process
-from upright.calibrate.refined import Fitted, refined, sensor_bounds, with_process
+from upright.calibrate.refined import Fitted, refined
 from upright.calibrate.stated_gain import as_meant
 from upright.doctor.doctor import contradictions
 from upright.doctor.wheels import on_its_wheels
-from upright.errors import DesignFailed, InvalidLog
+from upright.errors import InvalidLog
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.pace import pace_of
 from upright.logs.raw import LogSource, raw_log
-from upright.logs.recording import SENSOR, Recording, check_complete, commanded, first_noise, head, record
+from upright.logs.recording import SENSOR, check_complete, commanded, first_noise, record
 from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
 
 Array = NDArray[np.float64]
-
-ANNEALING_NOISE = (0.3, 0.1, 0.03)
-"""[1] Process noise of the first fits, as a fraction of the commands (rms). Much noise makes a filter that forgets fast
-and follows any robot, so that a poor start converges; less noise then makes it predict over a longer time."""
-
-STARTS = ((0, 0, 0), (3, 0, 0), (6, 0, 0), (0, 2, 0), (0, 0, 1), (0, 0, -1))
-"""[periods] added to the prior's delay of all sensors and of the gyro, and [deviations] to the pitch inertia."""
-
-PLAUSIBLE_NOISE = 9.0  # [1] variance of all sensors over the kit's, below which the prior's delays are near enough
-START_SECONDS = 6.0  # [s] of each log that decide between starts
 
 
 def calibrate(
@@ -160,62 +149,5 @@ def _searched(problem: Problem, limits: Mapping[str, float]) -> Fitted:
     """The fit of a problem from its prior; raises `DesignFailed` where the filter loses the robot."""
     fit = refined(*annealed(problem, limits), limits)
     if not np.isfinite(fit.normal.objective):
-        raise _lost()
+        raise lost()
     return fit
-
-
-def annealed(problem: Problem, limits: Mapping[str, float]) -> tuple[Problem, Array]:
-    """From the best of several starts, with less and less process noise, as long as the filter keeps the robot: on the
-    beginning of the logs, since only the way down is sought, and on the whole where that does not follow the rest."""
-    z = _best_start(problem, limits)
-    early, result = _less_noise(replace(problem, recordings=_beginnings(problem)), z, limits)
-    fitted = replace(early, recordings=problem.recordings)
-    return (fitted, result) if np.isfinite(objective(fitted, result)[0]) else _less_noise(problem, z, limits)
-
-
-def _beginnings(problem: Problem) -> tuple[Recording, ...]:
-    return tuple(head(r, START_SECONDS) for r in problem.recordings)
-
-
-def _less_noise(problem: Problem, z: Array, limits: Mapping[str, float]) -> tuple[Problem, Array]:
-    bounds = sensor_bounds(limits)
-    for fraction in ANNEALING_NOISE:
-        less = with_process(problem, fraction)
-        if not np.isfinite(objective(less, z)[0]):
-            break
-        less = learn_noise(less, z, bounds, iterations=2)
-        new, normal, *_ = gauss_newton(less, z, iterations=6, tolerance=0.1)
-        if not np.isfinite(normal.objective):
-            break
-        problem, z = less, new
-    return problem, z
-
-
-def _best_start(problem: Problem, limits: Mapping[str, float]) -> Array:
-    """The prior with its delays, or with longer ones, whichever explains the beginning of the logs best."""
-    early = replace(problem, recordings=_beginnings(problem))
-    tries: list[tuple[float, Array]] = []
-    for all_extra, gyro_extra, heavier in STARTS:
-        z = np.zeros(len(problem.parameters))
-        for i, p in enumerate(problem.parameters):
-            if p.name.startswith("delay/"):
-                extra = all_extra + (gyro_extra if p.name == "delay/gyro" else 0)
-                z[i] = p.coordinate(p.prior + extra * problem.recordings[0].period)
-            elif p.name == "pitch_inertia" and p.name not in problem.held:
-                z[i] = heavier
-        if np.isfinite(objective(early, z)[0]):
-            start = learn_noise(early, z, sensor_bounds(limits), iterations=1)
-            z, normal, *_ = gauss_newton(start, z, iterations=3, tolerance=0.3)
-            tries.append((normal.objective, z))
-            if len(tries) == 1 and all(start.noise[n] < np.log(PLAUSIBLE_NOISE * v) for n, v in limits.items()):
-                break
-    if not tries:
-        raise _lost()
-    return min(tries, key=lambda t: t[0])[1]
-
-
-def _lost() -> DesignFailed:
-    return DesignFailed(
-        "the filter loses the robot from every start", expected="a log of the named robot, balancing",
-        likely="another robot, a flipped sign or a wrong unit", hint="run `upright doctor` on the log",
-    )  # fmt: skip

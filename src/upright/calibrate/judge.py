@@ -91,7 +91,7 @@ def proposed(stated: Problem, problem: Problem, z: Array, estimates: Sequence[Es
     named = {name: Robot.preset(name) for name in preset_names() if name != robot.name}
     left = {name: 1 - predicts(other) for name, other in named.items() if other.drive == robot.drive}
     least, own = min(left.values(), default=1.0), min(1 - predicts(robot), 1.0)
-    if least > NEARER * min(own, 1 - fitted):
+    if least > min(NEARER * own, 1 - fitted):
         return ""
     level = sorted(
         (n for n in left if left[n] <= LEVEL * least), key=lambda n: (named[n].kit_name != robot.kit_name, left[n])

@@ -11,13 +11,22 @@ from numpy.typing import NDArray
 from upright.calibrate.fitting import OUTLIER, Problem, huber_weight
 from upright.calibrate.parameters import rows_of
 from upright.calibrate.threads import in_threads
+from upright.logs.recording import SENSOR
 
 Array = NDArray[np.float64]
 ENOUGH = 1000
 """Samples from which the noise is learnt: its variances then are known to 5 %, which no parameter notices."""
 GAIN = 0.1  # in log-likelihood, below which a step is the last: a noise that does not matter has no end of its own
 
+MOST_SENSOR = 1e6  # [1] most variance that is learnt of a sensor, over the one its kit has
+TINY = 1e-12  # [1] of a variance: least scale of a noise, of innovations that are all zero
+
 Bounds = Mapping[str, tuple[float, float]]
+
+
+def sensor_bounds(limits: Mapping[str, float]) -> dict[str, tuple[float, float]]:
+    """Between which variances a sensor's noise is learnt, of those that its kit has."""
+    return {name: (variance / 4, variance * MOST_SENSOR) for name, variance in limits.items()}
 
 
 def learn_noise(problem: Problem, z: Array, bounds: Bounds, *, iterations: int = 3) -> Problem:
@@ -41,7 +50,9 @@ def learn_noise(problem: Problem, z: Array, bounds: Bounds, *, iterations: int =
                 break
             damping = 10 * damping
         else:
-            break
+            new, now = _scaled(problem, z, names, eta, (low, high))
+            if not now < value:
+                break
         small = np.abs(new - eta).max() < 0.05 or value - now < GAIN
         eta, damping = new, damping / 5
         if small:
@@ -50,22 +61,58 @@ def learn_noise(problem: Problem, z: Array, bounds: Bounds, *, iterations: int =
     return _with_noise(problem, names, eta)
 
 
+def scaled_noise(problem: Problem, z: Array, bounds: Bounds) -> tuple[float, Problem]:
+    """The objective at z of the beginning of the logs, and the problem whose noise it belongs to: the given one, or the
+    likelier one whose innovations are as large as its filter expects."""
+    names = list(bounds)
+    low, high = np.log([bounds[n][0] for n in names]), np.log([bounds[n][1] for n in names])
+    eta = np.array([problem.noise[n] for n in names])
+    value = _noise_objective(problem, z, names, eta)
+    new, now = _scaled(problem, z, names, eta, (low, high)) if np.isfinite(value) else (eta, value)
+    return (now, _with_noise(problem, names, new)) if now < value else (value, problem)
+
+
+def _scaled(
+    problem: Problem, z: Array, names: Sequence[str], eta: Array, bounds: tuple[Array, Array]
+) -> tuple[Array, float]:
+    """Log-variances with which innovations would be as large as their filter expects, and the objective there.
+
+    Where all are scaled alike, gains and innovations stay as they are. So this goes on where a filter that is far from
+    the log depends on its noise too roughly for a slope.
+    """
+    e, s, sensor = _likelihood_parts(_with_noise(problem, names, eta), z)
+    loss = _robust(e, s)[1] * e**2 / s
+    if not np.isfinite(loss).all():
+        return eta, np.inf
+    own = {name: float(loss[sensor == name].mean()) for name in names if (sensor == name).any()}
+    tries = [
+        np.clip(eta + np.log([max(own.get(n, process), TINY) for n in names]), *bounds)
+        for process in (float(loss.mean()), 1.0)
+    ]
+    values = [_noise_objective(problem, z, names, new) for new in tries]
+    best = int(np.argmin(values))
+    return tries[best], values[best]
+
+
 def _with_noise(problem: Problem, names: Sequence[str], eta: Array) -> Problem:
     return replace(problem, noise={**problem.noise, **dict(zip(names, eta.tolist(), strict=True))})
 
 
-def _likelihood_parts(problem: Problem, z: Array) -> tuple[Array, Array]:
-    parts: list[tuple[Array, Array]] = []
+def _likelihood_parts(problem: Problem, z: Array) -> tuple[Array, Array, NDArray[np.str_]]:
+    """Innovations, their variances, and the sensor of each, of the samples that are enough."""
+    parts: list[tuple[Array, Array, NDArray[np.str_]]] = []
     for recording in problem.recordings:
         until = recording.when[0] + ENOUGH * recording.period / len(problem.recordings)
         path = problem.filtered(recording, z, until=until)
         use = recording.fitted & (recording.kind >= 0) & (recording.when <= until)
-        parts.append((path.e[use], path.s[use]))
-    return np.concatenate([p[0] for p in parts]), np.concatenate([p[1] for p in parts])
+        sensor = np.array([SENSOR[row] for row in recording.rows])
+        parts.append((path.e[use], path.s[use], sensor[recording.kind[use]]))
+    e, s, sensor = (np.concatenate(each) for each in zip(*parts, strict=True))
+    return e, s, sensor
 
 
 def _noise_objective(problem: Problem, z: Array, names: Sequence[str], eta: Array) -> float:
-    e, s = _likelihood_parts(_with_noise(problem, names, eta), z)
+    e, s, _ = _likelihood_parts(_with_noise(problem, names, eta), z)
     if not (np.isfinite(e).all() and (s > 0).all()):
         return np.inf
     return 0.5 * float((_robust(e, s)[0] + np.log(s)).sum())
@@ -80,13 +127,13 @@ def _robust(e: Array, s: Array) -> tuple[Array, Array]:
 def _noise_score(problem: Problem, z: Array, names: Sequence[str], eta: Array) -> tuple[float, Array, Array]:
     """Objective, its gradient and Fisher's information for the log-variances."""
     step = 0.05
-    (e, s), *moved = in_threads(
+    (e, s, _), *moved = in_threads(
         lambda at: _likelihood_parts(_with_noise(problem, names, at), z), [eta, *(eta + step * np.eye(len(eta)))]
     )
     loss, weight = _robust(e, s)
     with np.errstate(invalid="ignore"):  # a filter that lost the robot has no variance, and its step is not taken
-        dlog = np.column_stack([(np.log(s1) - np.log(s)) / step for _, s1 in moved])
-    de = np.column_stack([(e1 - e) / step for e1, _ in moved])
+        dlog = np.column_stack([(np.log(s1) - np.log(s)) / step for _, s1, _ in moved])
+    de = np.column_stack([(e1 - e) / step for e1, _, _ in moved])
     gradient = (0.5 * (1 - weight * e**2 / s)) @ dlog + (weight * e / s) @ de
     hessian = 0.5 * dlog.T @ dlog + de.T @ (de / s[:, None])
     return 0.5 * float((loss + np.log(s)).sum()), gradient, hessian

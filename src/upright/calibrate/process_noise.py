@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
-from upright.calibrate.fitting import JITTER, STICKING
+from upright.calibrate.fitting import JITTER, STICKING, Problem
 from upright.calibrate.parameters import most_friction
 from upright.logs.readers import DECIMATION
 from upright.logs.recording import Recording
@@ -41,3 +42,8 @@ def process(recordings: Sequence[Recording], robot: Robot, fraction: float) -> d
     return {name: float(np.log(size**2 * NOISE_TIME)) for name, size in sizes.items()} | {
         "gyro_bias": float(np.log(BIAS_WALK))
     }
+
+
+def with_process(problem: Problem, fraction: float) -> Problem:
+    """The same problem with that `process` noise."""
+    return replace(problem, noise={**problem.noise, **process(problem.recordings, problem.robot, fraction)})

@@ -14,13 +14,14 @@ from typing import NamedTuple
 import numpy as np
 
 from upright.arrays import Array
+from upright.calibrate.annealing import from_likeliest_delays
 from upright.calibrate.effects import respread
 from upright.calibrate.fitting import STICKING, Normal, Path, Problem, normal_equations, objective
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.informativity import effective_fraction
-from upright.calibrate.noise import Bounds, learn_noise
+from upright.calibrate.noise import Bounds, learn_noise, sensor_bounds
 from upright.calibrate.parameters import ROLLING, most_friction
-from upright.calibrate.process_noise import NOISE_TIME, process
+from upright.calibrate.process_noise import NOISE_TIME, process, with_process
 from upright.logs.recording import SENSOR
 from upright.physics.dynamics import motor_gain
 
@@ -59,17 +60,7 @@ WEIGHT_TOLERANCE = 0.02  # [1] relative change of the readings' weight that asks
 NOISE_TOLERANCE = 0.05  # [1] change of a variance's logarithm that asks for no other fit: a noise known to 2.5 %
 WHITE = 0.15  # [1] autocorrelation of innovations below which the model is taken for right: 3 deviations of 400 samples
 
-MOST_SENSOR = 1e6  # [1] most variance that is learnt of a sensor, over the one its kit has
 NOISE_RANGE = 1e-6  # [1] least process noise that is learnt, over the most
-
-
-def with_process(problem: Problem, fraction: float) -> Problem:
-    return replace(problem, noise={**problem.noise, **process(problem.recordings, problem.robot, fraction)})
-
-
-def sensor_bounds(limits: Mapping[str, float]) -> dict[str, tuple[float, float]]:
-    """Between which variances a sensor's noise is learnt, of those that its kit has."""
-    return {name: (variance / 4, variance * MOST_SENSOR) for name, variance in limits.items()}
 
 
 def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
@@ -78,6 +69,11 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
     bounds = _bounds(problem, limits, FREEDOM)
     rough = _likeliest_noise(problem, z, bounds)
     best = _polished(rough, bounds)
+    if not _white(best) and (start := from_likeliest_delays(problem, z, limits)):
+        other = _likeliest_noise(*start, bounds)
+        polished = _polished(other, bounds)
+        if polished.normal.objective < best.normal.objective:
+            rough, best = other, polished
     if _white(best):
         return _tempered(*_between_runs(best))
     with ThreadPoolExecutor(os.cpu_count()) as pool:
