@@ -24,6 +24,7 @@ from upright.calibrate.estimate import HELD, VISIBLE
 from upright.calibrate.fitting import DRIVEN, LEVEL, ROLLING_DRY, events_of, normal_equations, objective
 from upright.calibrate.informativity import _within_prior, drives_straight
 from upright.calibrate.judge import poorly
+from upright.calibrate.noise import scaled_noise, sensor_bounds
 from upright.calibrate.parameters import ROLL_FRACTION, Parameter, parameters_of, with_values
 from upright.calibrate.process_noise import arrival
 from upright.calibrate.threads import in_threads
@@ -529,6 +530,32 @@ def test_a_robot_that_rolls_in_the_first_row_has_its_dead_times() -> None:
     assert found["delay/gyro"].value == pytest.approx(late + kit.sensors["sensor/gyro"].delay, abs=0.001)
     assert found["delay/encoder"].value == pytest.approx(late + kit.sensors["sensor/encoder_left"].delay, abs=0.001)
     assert found.temper > 0.5  # innovations are white, or nearly
+
+
+def test_a_file_whose_delays_are_periods_off_leads_to_the_same_delays() -> None:
+    """Encoders of no delay and a gyro of 30 ms on a robot with 20 ms and none: a stiff filter has optima about a period
+    apart, and ended at a gyro 8 ms late with innovations weighted in full. Found to a tenth of a period, as above."""
+    kit = Kit.preset("twipr")
+    wrong = {"sensor/encoder_left": 0.0, "sensor/encoder_right": 0.0, "sensor/gyro": 0.03}
+    sensors = {name: replace(sensor, delay=wrong.get(name, sensor.delay)) for name, sensor in kit.sensors.items()}
+    found = calibrate(let_go(), Robot.preset("twipr"), replace(kit, sensors=sensors))
+    late = kit.delay % kit.period + kit.jitter / 2
+    assert found["delay/gyro"].value == pytest.approx(late + kit.sensors["sensor/gyro"].delay, abs=0.001)
+    assert found["delay/encoder"].value == pytest.approx(late + kit.sensors["sensor/encoder_left"].delay, abs=0.001)
+
+
+def test_innovations_as_large_as_expected_are_the_likeliest_noise_of_their_gains() -> None:
+    """With all noise a hundred times too large the gains are those of the right noise, and so are the innovations: one
+    scaling brings back nearly all that it cost, n/2 (ln 100 + 1/100 - 1) for n readings."""
+    problem, limits = prepared([twin_log()], PRIOR, NXT, (), 0.25)
+    z, bounds = np.zeros(len(problem.parameters)), sensor_bounds(limits)
+    _, right = scaled_noise(problem, z, bounds)
+    before = scaled_noise(right, z, bounds)[0]
+    wide = replace(right, noise={name: value + math.log(100) for name, value in right.noise.items()})
+    bounds |= {name: (math.exp(v) / 1e4, math.exp(v) * 1e4) for name, v in right.noise.items() if name not in bounds}
+    after, _ = scaled_noise(wide, z, bounds)
+    n = sum((r.fitted & (r.kind >= 0)).sum() for r in problem.recordings)
+    assert after - before < 0.1 * n / 2 * (math.log(100) + 0.01 - 1)
 
 
 def test_dry_friction_of_the_twin_is_found() -> None:
