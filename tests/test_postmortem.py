@@ -352,6 +352,7 @@ def test_a_better_controller_is_advised_only_where_one_can_help() -> None:
     at_limit = Blow(0.38, 5.0, 0.07, math.radians(37), math.radians(36), 0.37, 0.95)
     beyond, below = (dataclasses.replace(at_limit, impulse=impulse) for impulse in (-0.6, 0.2))
     assert at_limit.size() == "0.38 ± 0.03 N s"
+    assert dataclasses.replace(at_limit, impulse=0.396, most=0.4).size() == "0.40 ± 0.03 N s"
     assert beyond.size() == "about 0.6 N s"
     for push in (at_limit, beyond):
         assert "No controller saves more than 0.37 N s" in push.repair

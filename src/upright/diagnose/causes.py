@@ -87,7 +87,10 @@ class Blow:
     def size(self) -> str:
         """The impulse in words, with its error where that decides."""
         size = abs(self.impulse)
-        return f"{size:.2g} ± {KNOWN * size:.1g} N s" if self.close else f"about {size:.2g} N s"
+        if not self.close:
+            return f"about {size:.2g} N s"
+        error = KNOWN * size
+        return f"{size:.{max(0, -math.floor(math.log10(error)))}f} ± {error:.1g} N s"
 
     def __str__(self) -> str:
         way = "forward" if self.impulse > 0 else "backward"
