@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from upright.robots import Robot
+from upright.tables import sentence
 
 NO_FALL, CANNOT_TELL = "it did not fall", "cannot tell"
 SATURATION, BIAS, DROPPED, SLIP, BATTERY = "saturation", "gyro bias", "dropped samples", "wheel slip", "weak battery"
@@ -50,33 +51,41 @@ REPAIRS = {
 
 @dataclass(frozen=True)
 class Blow:
-    """A push that fells a robot: its `impulse` [N s], positive forward, `start` [s] and `height` [m] above the axle,
-    the lean [rad] that its speed `counts` as, the `largest` lean [rad] and the impulse, `most` [N s], that the motors
-    bring back, the fraction of the innovations `explained` by it, and the kit's `battery` [V], infinite for a torque
-    drive."""
+    """A push that fells a robot: its `impulse` [N s], positive forward, `start` [s], `duration` [s] and `height` [m]
+    above the axle, the lean [rad] that its speed `counts` as, the `largest` lean [rad] and the impulse, `most` [N s],
+    that the motors bring back with the kit's `battery` [V] (infinite for a torque drive), the fraction of the
+    innovations `explained` by it, and what the robot's own controller `saves` [N s], where one is known `by` name."""
 
     impulse: float
     start: float
+    duration: float
     height: float
     counts: float
     largest: float
     most: float
     explained: float
     battery: float = math.inf
-
-    @property
-    def close(self) -> bool:
-        """Whether the limit lies within what the impulse is known to."""
-        return abs(abs(self.impulse) / self.most - 1) < KNOWN
+    by: str = ""
+    saves: float | None = None
 
     @property
     def repair(self) -> str:
         """What helps: below the limit a better controller may, beyond it none."""
+        less = "push less" if self.saves is None else f"push with less than {self.saves:.2g} N s"
         if abs(self.impulse) < (1 - KNOWN) * self.most:
-            return REPAIRS[PUSH]
+            less += ", or design for larger pushes (`upright design`)"
+        return f"nothing in the log looks broken: {less}. {sentence(self.limits)}"
+
+    @property
+    def limits(self) -> str:
+        """What the robot's own controller saves, and the best possible one."""
+        if self.saves is None:
+            return (
+                f"the best possible controller saves {self.most:.2g} N s at most, a real one mostly less: name its "
+                "file with --controller to see what yours saves"
+            )
         return (
-            f"nothing in the log looks broken: push less. No controller saves more than {self.most:.2g} N s with these "
-            "motors and this battery; `upright push-map` finds what yours saves"
+            f"its controller ({self.by}) saves {self.saves:.2g} N s at most, the best possible one {self.most:.2g} N s"
         )
 
     @property
@@ -84,17 +93,16 @@ class Blow:
         """With which battery the motors bring back so much; empty for a torque drive."""
         return f" with a battery of {self.battery:g} V" if math.isfinite(self.battery) else ""
 
+    @property
     def size(self) -> str:
-        """The impulse in words, with its error where that decides."""
-        size = abs(self.impulse)
-        if not self.close:
-            return f"about {size:.2g} N s"
-        error = KNOWN * size
-        return f"{size:.{max(0, -math.floor(math.log10(error)))}f} ± {error:.1g} N s"
+        """The impulse in words, with its error."""
+        size, error = abs(self.impulse), KNOWN * abs(self.impulse)
+        digits = max(0, -math.floor(math.log10(error))) if error else 0
+        return f"{size:.{digits}f} ± {error:.1g} N s"
 
     def __str__(self) -> str:
         way = "forward" if self.impulse > 0 else "backward"
-        return f"a push {way} of {self.size()} at t = {self.start:.2f} s"
+        return f"a push {way} of {self.size} at t = {self.start:.2f} s"
 
 
 KNOWN = 0.07

@@ -23,6 +23,7 @@ from upright.control import Controller, controller_hash, read_controller
 from upright.diagnose.causes import CANNOT_TELL, NO_FALL, NONE, Blow, Cause
 from upright.diagnose.evidence import EXCURSION, FOREIGN, Evidence, Series, gather, series_of
 from upright.diagnose.fall import against, last_fall
+from upright.diagnose.saved import with_saved
 from upright.diagnose.verdict import ranked, reversed_causes
 from upright.doctor.doctor import contradictions
 from upright.doctor.finding import FEWEST as FEWEST_POSES
@@ -160,7 +161,7 @@ def post_mortem(
             verdict=NO_FALL, causes=(), fell_at=math.nan, onset=math.nan, missing=(), notes=(SIDEWAYS,),
             series=series_of(run, float(run.t[-1])), **head,
         )  # fmt: skip
-    causes = ranked(evidence)
+    causes = with_saved(ranked(evidence), log, nominal, parts, controller)
     verdict = causes[0].name
     return PostMortem(
         verdict=verdict, causes=causes, fell_at=evidence.fell_at, onset=causes[0].onset,
@@ -269,7 +270,7 @@ def _plain(data: dict[str, Any]) -> dict[str, Any]:
 
 def _cause(data: dict[str, Any]) -> Cause:
     push: dict[str, Any] | None = data.get("push")
-    blow = Blow(**{name: float(v) for name, v in push.items() if v is not None}) if push else None
+    blow = Blow(**{name: value for name, value in push.items() if value is not None}) if push else None
     given: dict[str, Any] = data | {"onset": _number(data["onset"]), "push": blow}
     return Cause(**given)
 

@@ -127,15 +127,16 @@ def blow(evidence: Evidence, push: PushEstimate, lean: float) -> Blow:
     toppling = evidence.toppling
     saved = min(toppling.largest, LEANING), toppling.largest_like(push)
     battery = evidence.run.kit.battery.voltage if evidence.run.robot.command_unit == "V" else math.inf
-    return Blow(push.impulse, push.start, push.height, lean, *saved, evidence.pushes_only.explained, battery)
+    when = push.start, push.stop - push.start
+    return Blow(push.impulse, *when, push.height, lean, *saved, evidence.pushes_only.explained, battery)
 
 
 def of_push(evidence: Evidence, push: PushEstimate, numbers: Blow) -> str:
     caused, largest = math.degrees(numbers.counts), math.degrees(numbers.largest)
     several = numbers.counts > 1.01 * abs(evidence.toppling.lean(push))
     it = "With smaller pushes the same way it" if several else "It"
-    lasted = push.stop - push.start
-    took = "shorter than a sample" if lasted < evidence.run.kit.period else f"{1e3 * lasted:.2g} ms long"
+    brief = numbers.duration < evidence.run.kit.period
+    took = "shorter than a sample" if brief else f"{1e3 * numbers.duration:.2g} ms long"
     return (
         f"{numbers}, {took}, if it hit {numbers.height:.2g} m above the axle, explains {most(numbers.explained)} of "
         "the innovations. "
@@ -180,9 +181,11 @@ def at_limit(evidence: Evidence) -> str:
 
 
 def nothing(evidence: Evidence, *, pushed: bool) -> str:
-    """Why no cause is likely; where a push is one, for the case that it was smaller than it seems."""
+    """Why no cause is likely; where a push is one, for the case that it was much smaller than estimated."""
     if pushed:
-        return f"if the push was smaller than it seems, nothing else in the log explains the fall: {sound(evidence)}"
+        return (
+            f"if the push was much smaller than estimated, nothing else in the log explains the fall: {sound(evidence)}"
+        )
     return f"{sound(evidence)}; no push, change of speed or change of load is large enough"
 
 
