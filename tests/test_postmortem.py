@@ -367,7 +367,9 @@ def test_what_the_controller_of_the_log_saves_is_a_push_that_it_survives() -> No
 
 def test_a_better_controller_is_advised_only_where_one_can_help() -> None:
     """An impulse is known to 7 % (docs/post-mortem.md): 0.38 N s may lie on either side of a limit of 0.37."""
-    at_limit = Blow(0.38, 5.0, 0.01, 0.07, math.radians(37), math.radians(36), 0.37, 0.95)
+    at_limit = Blow(
+        impulse=0.38, start=5.0, duration=0.01, height=0.07, counts=0.65, largest=0.63, most=0.37, explained=0.95
+    )
     beyond, below = (dataclasses.replace(at_limit, impulse=impulse) for impulse in (-0.6, 0.2))
     assert at_limit.size == "0.38 ± 0.03 N s"
     assert dataclasses.replace(at_limit, impulse=0.396).size == "0.40 ± 0.03 N s"

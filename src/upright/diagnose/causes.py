@@ -49,7 +49,7 @@ REPAIRS = {
 }
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Blow:
     """A push that fells a robot: its `impulse` [N s], positive forward, `start` [s], `duration` [s] and `height` [m]
     above the axle, the lean [rad] that its speed `counts` as, the `largest` lean [rad] and the impulse, `most` [N s],
@@ -74,7 +74,7 @@ class Blow:
         less = "push less" if self.saves is None else f"push with less than {self.saves:.2g} N s"
         if abs(self.impulse) < (1 - KNOWN) * self.most:
             less += ", or design for larger pushes (`upright design`)"
-        return f"nothing in the log looks broken: {less}. {sentence(self.limits)}"
+        return f"{less}: nothing in the log looks broken. {sentence(self.limits)}"
 
     @property
     def limits(self) -> str:

@@ -125,23 +125,25 @@ _FAULT_TEXTS = {
 def blow(evidence: Evidence, push: PushEstimate, lean: float) -> Blow:
     """The numbers of a push that, with smaller ones the same way, counts as this `lean` [rad]."""
     toppling = evidence.toppling
-    saved = min(toppling.largest, LEANING), toppling.largest_like(push)
-    battery = evidence.run.kit.battery.voltage if evidence.run.robot.command_unit == "V" else math.inf
-    when = push.start, push.stop - push.start
-    return Blow(push.impulse, *when, push.height, lean, *saved, evidence.pushes_only.explained, battery)
+    return Blow(
+        impulse=push.impulse, start=push.start, duration=push.stop - push.start, height=push.height, counts=lean,
+        largest=min(toppling.largest, LEANING), most=toppling.largest_like(push),
+        explained=evidence.pushes_only.explained,
+        battery=evidence.run.kit.battery.voltage if evidence.run.robot.command_unit == "V" else math.inf,
+    )  # fmt: skip
 
 
 def of_push(evidence: Evidence, push: PushEstimate, numbers: Blow) -> str:
     caused, largest = math.degrees(numbers.counts), math.degrees(numbers.largest)
     several = numbers.counts > 1.01 * abs(evidence.toppling.lean(push))
-    it = "With smaller pushes the same way it" if several else "It"
+    speed = "With smaller pushes the same way, the speed that it gives" if several else "The speed that it gives"
     brief = numbers.duration < evidence.run.kit.period
     took = "shorter than a sample" if brief else f"{1e3 * numbers.duration:.2g} ms long"
     return (
         f"{numbers}, {took}, if it hit {numbers.height:.2g} m above the axle, explains {most(numbers.explained)} of "
         "the innovations. "
-        f"{it} makes the robot so fast that this counts as {caused:.2g}° of lean; the motors bring back {largest:.2g}° "
-        f"at most{numbers.powered}, a push of {numbers.most:.2g} N s there"
+        f"{speed} is as hard to stop as a lean at rest of {caused:.3g}°; the motors bring back {largest:.3g}° at most"
+        f"{numbers.powered}, a push of {numbers.most:.2g} N s there"
     )
 
 

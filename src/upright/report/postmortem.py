@@ -52,7 +52,7 @@ _READ = (
     "Dashed in the first panel: 40°, which counts as the fall of a log. A "
     "simulated robot counts as fallen at 80°, where it lies; many logs end before that. The second "
     "panel adds the lean and the speeds of body and wheels, as the unstable motion that they make together. It divides "
-    "the sum by the most that the motors can recover from. Dashed there: the point of no return. The third panel is "
+    "the sum by the most that the motors can recover from: beyond 1 there is no return. The third panel is "
     "what the controller requests, drawn up to {cut:g} times what the motors give. The last panel, logarithmic, "
     "compares the readings with what the model expects, over a tenth of a second. Without faults it stays below the "
     "dashed line in 39 of 40 cases or more. A push's ± is the largest error of planted pushes that were measured so."
@@ -66,8 +66,8 @@ def _most(result: PostMortem) -> list[Item]:
 
 SUREST = PUSHED * (1 - HELPED)  # a push's largest probability
 _MOST = (
-    "No push gets more than {:.0f} %: in about one such fall of ten, something that the log does not show takes part "
-    "too, or a fault looks like a push."
+    "{:.0f} % is the most that a push gets. The rest is left for what the log does not show, and for a fault that looks "
+    "like a push."
 )
 
 
@@ -109,7 +109,11 @@ def _numbers(result: PostMortem) -> list[tuple[str, str]]:
     first = likely[0].likelihood
     others = [f"{c.name} {100 * c.likelihood:.0f} %" for c in likely[1:]]
     next_to_it = f"; next: {', '.join(others)}" if others else ""
-    this = f"that the push felled it{' (no push gets more)' * (first > SUREST - 0.005)}" if push else "of this cause"
+    this = (
+        f"that the push felled it{' ({100 * first:.0f} % is the most for a push)' * (first > SUREST - 0.005)}"
+        if push
+        else "of this cause"
+    )
     return [*numbers, (f"{100 * first:.0f} %", f"probability {this}{next_to_it}")]
 
 
@@ -150,7 +154,7 @@ def _lead(result: PostMortem) -> str:
 def _plain(cause: Cause) -> str:
     """The first clause of the evidence, without the filter's words; of a push how it compares with what is saved."""
     if push := cause.push:
-        return f"{push} threw it over. {sentence(push.limits.partition(':')[0]).rstrip('.')}"
+        return f"{push} most likely threw it over. {sentence(push.limits.partition(':')[0]).rstrip('.')}"
     return (
         cause.evidence.split("; ", maxsplit=1)[0]
         .split(". ", maxsplit=1)[0]
@@ -169,7 +173,7 @@ def _evidence(cause: Cause) -> str:
         return f"{cause.evidence}."
     counts, largest = (f"{math.degrees(angle):.3g}°" for angle in (push.counts, push.largest))
     return (
-        f"that push alone explains {100 * min(push.explained, 0.999):.3g} % of the innovations. The speed that it "
+        f"that push alone explains {100 * min(push.explained, 0.999):.3g} % of the squared innovations. The speed that it "
         f"gives is as hard to stop as a lean at rest of {counts}; the motors bring back {largest} at most."
     )
 
@@ -208,7 +212,6 @@ def _figure(result: PostMortem) -> Figure:
             [tick for tick in range(-80, 81, apart) if np.nanmin(degrees) - 5 <= tick <= np.nanmax(degrees) + 5]
         )
     line(reach, "lean", s.t, s.reserve, style=2, solid=True)
-    _level(reach, s.t, 1.0, "no return")
     _commands(command, s.t, s.command)
     nis.set_yscale("log")
     numbered(nis.yaxis)
@@ -217,9 +220,10 @@ def _figure(result: PostMortem) -> Figure:
     nis.set_yticks([power for k in range(-3, 7) if low <= (power := 10.0**k) <= high])
     if math.isfinite(s.high) and s.high > 0:
         _level(nis, s.t, s.high, f"usual, up to {number(s.high, 2)}")
+    _limits(reach, s.t, _blow(result))
     reach.set_ylim(0, FAR)
     if np.nanmax(s.reserve, initial=0.0) > FAR:
-        _cut(reach, FAR, f"drawn up to {FAR:g}", above=False)
+        _cut(reach, FAR, f"cut at {FAR:g}", above=False)
     known = result.fell and math.isfinite(result.onset)
     if not known:
         return Figure("The last seconds", figure)
@@ -248,8 +252,8 @@ def _figure(result: PostMortem) -> Figure:
 
 _DOT = (
     " The second panel adds the speed to the lean. Its curve comes from an estimator, which needs some hundredths of a "
-    "second to follow a push. The dot is the push estimated from the whole log, and the verdict rests on it. The model "
-    "of the last panel does not know the push, so that the surprise stays large."
+    "second to follow a push; then it grows because the robot falls. The dot is the push estimated from the whole log, "
+    "and the verdict rests on it. The model of the last panel does not know the push, so that the surprise stays large."
 )
 _SLOWED = (
     " The pitch first jumps with the push, then grows more slowly: the wheels catch up with the body, and the push "
@@ -266,13 +270,22 @@ def _slows(s: Series, start: float) -> bool:
     return bool(first > 2 * then)
 
 
+def _limits(ax: Axes, t: Array, push: Blow | None) -> None:
+    """What the best possible controller saves, and the robot's own."""
+    _level(ax, t, 1.0, "no return" if push is None else "best possible controller")
+    if push is not None and push.saves is not None:
+        own = push.saves / push.most
+        _level(ax, t, own, f"its own: {own:.2f}", above=False)
+
+
 def _dot(ax: Axes, push: Blow) -> None:
     """A push over the largest that the motors bring back, with its error."""
     part = push.counts / push.largest
-    ax.plot(push.start, min(part, FAR), "o", color=INK, markersize=6, clip_on=False)
-    ax.plot([push.start] * 2, np.minimum([(1 - KNOWN) * part, (1 + KNOWN) * part], FAR), color=INK)
-    words = f"the push: {part:.2f} ± {KNOWN * part:.2f}"
-    ax.annotate(words, (push.start, 1), (-8, -12), textcoords="offset points", ha="right")
+    ends = np.minimum([(1 - KNOWN) * part, (1 + KNOWN) * part], FAR)
+    ax.plot(push.start, min(part, FAR), "o", color=INK, markersize=4, clip_on=False)
+    ax.plot([push.start] * 2, ends, "_-", color=INK, markersize=7, linewidth=1, clip_on=False)
+    words = f"the push (dot): {part:.2f} ± {KNOWN * part:.2f}"
+    ax.annotate(words, (1, 0), (-2, 5), ha="right", xycoords=("axes fraction", "data"), textcoords="offset points")
 
 
 BEFORE, AFTER = 0.3, 0.2  # [s] shown before the onset, at least, and after the fall
@@ -289,19 +302,20 @@ def _commands(ax: Axes, t: Array, command: Array) -> None:
         ax.set_ylim(*((-1.8, 2.8) if above else (-2.8, 1.8)))  # with room for the words
         ax.set_yticks([-1, 0, 1])
         most = np.abs(command).max()
-        _cut(ax, CUT if above else -CUT, f"goes up to {most:.2g}", above=above)
+        _cut(ax, CUT if above else -CUT, f"cut at {CUT:g}; up to {most:.2g}", above=above)
 
 
 def _cut(ax: Axes, level: float, words: str, *, above: bool) -> None:
     """Up to where a curve is drawn, in words `above` or below that level at the right end."""
     ax.annotate(
-        words, (1, level), (-2, 3 if above else -11), ha="right",
+        words, (1, level), (-2, 6 if above else -11), ha="right",
         xycoords=("axes fraction", "data"), textcoords="offset points",
     )  # fmt: skip
 
 
-def _level(ax: Axes, t: Array, level: float, name: str) -> None:
-    """A dashed line across, with its name at its left end."""
+def _level(ax: Axes, t: Array, level: float, name: str, *, above: bool = True) -> None:
+    """A dashed line across, with its name `above` or below its left end."""
     line(ax, "_level", t[[0, -1]], [level] * 2, style=4)
     ax.lines[-1].set(linewidth=0.9)
-    ax.annotate(name, (0.005, level), (0, 4), xycoords=("axes fraction", "data"), textcoords="offset points")
+    place = (0, 4 if above else -11)
+    ax.annotate(name, (0.005, level), place, xycoords=("axes fraction", "data"), textcoords="offset points")
