@@ -66,8 +66,8 @@ def _most(result: PostMortem) -> list[Item]:
 
 SUREST = PUSHED * (1 - HELPED)  # a push's largest probability
 _MOST = (
-    "{:.0f} % is the most that a push gets. The rest is left for what the log does not show, and for a fault that looks "
-    "like a push."
+    "{:.0f} % is the most that a push gets. The rest is left for what the log does not show, and for a fault that "
+    "looks like a push."
 )
 
 
@@ -109,11 +109,8 @@ def _numbers(result: PostMortem) -> list[tuple[str, str]]:
     first = likely[0].likelihood
     others = [f"{c.name} {100 * c.likelihood:.0f} %" for c in likely[1:]]
     next_to_it = f"; next: {', '.join(others)}" if others else ""
-    this = (
-        f"that the push felled it{' ({100 * first:.0f} % is the most for a push)' * (first > SUREST - 0.005)}"
-        if push
-        else "of this cause"
-    )
+    this = "that the push felled it" if push else "of this cause"
+    this += f" ({100 * SUREST:.0f} % is the most for a push)" if push and first > SUREST - 0.005 else ""
     return [*numbers, (f"{100 * first:.0f} %", f"probability {this}{next_to_it}")]
 
 
@@ -173,8 +170,8 @@ def _evidence(cause: Cause) -> str:
         return f"{cause.evidence}."
     counts, largest = (f"{math.degrees(angle):.3g}°" for angle in (push.counts, push.largest))
     return (
-        f"that push alone explains {100 * min(push.explained, 0.999):.3g} % of the squared innovations. The speed that it "
-        f"gives is as hard to stop as a lean at rest of {counts}; the motors bring back {largest} at most."
+        f"that push alone explains {100 * min(push.explained, 0.999):.3g} % of the squared innovations. The speed that "
+        f"it gives is as hard to stop as a lean at rest of {counts}; the motors bring back {largest} at most."
     )
 
 
@@ -251,14 +248,10 @@ def _figure(result: PostMortem) -> Figure:
 
 
 _DOT = (
-    " The second panel adds the speed to the lean. Its curve comes from an estimator, which needs some hundredths of a "
-    "second to follow a push; then it grows because the robot falls. The dot is the push estimated from the whole log, "
-    "and the verdict rests on it. The model of the last panel does not know the push, so that the surprise stays large."
+    " Lean and speed: the curve's estimator needs some hundredths of a second to follow a push. The dot is the push "
+    "estimated from the whole log; the verdict rests on it. Surprise: its model does not know the push."
 )
-_SLOWED = (
-    " The pitch first jumps with the push, then grows more slowly: the wheels catch up with the body, and the push "
-    "lives on as speed."
-)
+_SLOWED = " Pitch: it jumps with the push, then grows more slowly while the wheels catch up with the body."
 JUMP = 0.05  # [s] in which a push turns the body, before the wheels follow
 
 
@@ -272,7 +265,7 @@ def _slows(s: Series, start: float) -> bool:
 
 def _limits(ax: Axes, t: Array, push: Blow | None) -> None:
     """What the best possible controller saves, and the robot's own."""
-    _level(ax, t, 1.0, "no return" if push is None else "best possible controller")
+    _level(ax, t, 1.0, "no return" if push is None else "best possible")
     if push is not None and push.saves is not None:
         own = push.saves / push.most
         _level(ax, t, own, f"its own: {own:.2f}", above=False)
@@ -284,7 +277,7 @@ def _dot(ax: Axes, push: Blow) -> None:
     ends = np.minimum([(1 - KNOWN) * part, (1 + KNOWN) * part], FAR)
     ax.plot(push.start, min(part, FAR), "o", color=INK, markersize=4, clip_on=False)
     ax.plot([push.start] * 2, ends, "_-", color=INK, markersize=7, linewidth=1, clip_on=False)
-    words = f"the push (dot): {part:.2f} ± {KNOWN * part:.2f}"
+    words = f"push (dot): {part:.2f} ± {KNOWN * part:.2f}"
     ax.annotate(words, (1, 0), (-2, 5), ha="right", xycoords=("axes fraction", "data"), textcoords="offset points")
 
 
