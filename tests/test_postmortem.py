@@ -41,7 +41,7 @@ from upright.diagnose.causes import (
     TYRE,
     Blow,
 )
-from upright.diagnose.evidence import Series, gather
+from upright.diagnose.evidence import gather
 from upright.diagnose.fall import lost_lately, stuck_sensor
 from upright.diagnose.fault_fits import FaultFit, fits
 from upright.diagnose.forces import sliding
@@ -49,6 +49,7 @@ from upright.diagnose.innovations import driven, follow
 from upright.diagnose.pairs import together
 from upright.diagnose.propagation import fly, slide
 from upright.diagnose.remedy import Window, remedied, searched
+from upright.diagnose.series import Series
 from upright.diagnose.signatures import bank
 from upright.diagnose.slip import _slip_acceleration
 from upright.errors import InvalidLog, InvalidRobot
@@ -340,12 +341,12 @@ def test_a_push_is_named_with_its_numbers() -> None:
     first = dataclasses.replace(found.causes[0], evidence="other words", push=known)
     page = page_of(dataclasses.replace(found, causes=(first, *found.causes[1:])))
     assert "push backward of 0.46 ± 0.03 N s" in page.lead
-    assert "The best possible controller saves 0.4 N s at most" in page.lead
+    assert "The best possible controller survives pushes up to 0.4 N s, so none saves this one" in page.lead
     assert [value for value, _ in page.numbers[:2]] == ["0.46 ± 0.03 N s", "0.4 N s"]
-    assert "a lean at rest of 41°; the motors bring back 35° at most" in page.html()
+    assert "a lean at rest of 41 ± 3°; the motors bring back 35° at most" in page.html()
     saved = dataclasses.replace(first, push=dataclasses.replace(known, by="pid", saves=0.3))
     page = page_of(dataclasses.replace(found, causes=(saved, *found.causes[1:])))
-    assert "Its controller (pid) saves 0.3 N s at most, the best possible one 0.4 N s" in page.lead
+    assert "Its controller (pid) survives pushes up to 0.3 N s, the best possible one up to 0.4 N s" in page.lead
     assert page.numbers[1][0] == "0.3 N s"
     other = dataclasses.replace(first, push=None)
     assert "N s" not in str(page_of(dataclasses.replace(found, causes=(other, *found.causes[1:]))).numbers)
@@ -374,9 +375,10 @@ def test_a_better_controller_is_advised_only_where_one_can_help() -> None:
     assert at_limit.size == "0.38 ± 0.03 N s"
     assert dataclasses.replace(at_limit, impulse=0.396).size == "0.40 ± 0.03 N s"
     assert beyond.size == "0.60 ± 0.04 N s"
-    for push in (at_limit, beyond):
-        assert "saves 0.37 N s at most" in push.repair
-        assert "design" not in push.repair
+    for push in (at_limit, beyond, below):
+        assert "survives pushes up to 0.37 N s" in push.repair
+    assert "design" not in beyond.repair
+    assert "might just save this one" in at_limit.repair
     assert "design for larger pushes" in below.repair
 
 

@@ -77,16 +77,19 @@ def styled(draw: Callable[P, T]) -> Callable[P, T]:
 
 @styled
 def panels(
-    labels: Sequence[str], x_label: str = "time [s]", x_scale: str = "linear", height: float | None = None
-) -> tuple[Figure, list[Axes]]:
-    """An empty figure of panels above each other over one x; `labels` name their y, `x_scale` is "linear" or "log"."""
+    labels: Sequence[str], x_label: str = "time [s]", x_scale: str = "linear", height: float | None = None,
+    weights: Sequence[float] = (),
+) -> tuple[Figure, list[Axes]]:  # fmt: skip
+    """An empty figure of panels above each other over one x; `labels` name their y, `x_scale` is "linear" or "log", and
+    a panel is `height` inches high, times its weight."""
     height = height or min(PANEL, max((SCREEN - FOOT) / len(labels) - HEAD, LEAST))
-    total = len(labels) * (HEAD + height) + FOOT
+    heights = [height * weight for weight in weights or [1.0] * len(labels)]
+    bottom = total = len(labels) * HEAD + sum(heights) + FOOT
     figure = _Picture(figsize=(WIDTH, total))
     axes: list[Axes] = []
-    for row, label in enumerate(labels):
-        bottom = total - (row + 1) * (HEAD + height)
-        box = (LEFT / WIDTH, bottom / total, (WIDTH - LEFT - RIGHT) / WIDTH, height / total)
+    for label, high in zip(labels, heights, strict=True):
+        bottom -= HEAD + high
+        box = (LEFT / WIDTH, bottom / total, (WIDTH - LEFT - RIGHT) / WIDTH, high / total)
         axes.append(_axes(figure, box, sharex=axes[0] if axes else None))
         axes[-1].set(ylabel=label, xscale=x_scale)
         _label_above(axes[-1])

@@ -54,7 +54,8 @@ class Blow:
     """A push that fells a robot: its `impulse` [N s], positive forward, `start` [s], `duration` [s] and `height` [m]
     above the axle, the lean [rad] that its speed `counts` as, the `largest` lean [rad] and the impulse, `most` [N s],
     that the motors bring back with the kit's `battery` [V] (infinite for a torque drive), the fraction of the
-    innovations `explained` by it, and what the robot's own controller `saves` [N s], where one is known `by` name."""
+    innovations `explained` by it, whether it was too `brief` for its length to show, and what the robot's own
+    controller `saves` [N s], where one is known `by` name."""
 
     impulse: float
     start: float
@@ -64,29 +65,46 @@ class Blow:
     largest: float
     most: float
     explained: float
+    brief: bool = False
     battery: float = math.inf
     by: str = ""
     saves: float | None = None
 
     @property
-    def repair(self) -> str:
-        """What helps: below the limit a better controller may, beyond it none."""
+    def remedy(self) -> str:
+        """What helps: a smaller push, and a better controller where one may save this one."""
         less = "push less" if self.saves is None else f"push with less than {self.saves:.2g} N s"
-        if abs(self.impulse) < (1 - KNOWN) * self.most:
+        size = abs(self.impulse)
+        if size < (1 - KNOWN) * self.most:
             less += ", or design for larger pushes (`upright design`)"
-        return f"{less}: nothing in the log looks broken. {sentence(self.limits)}"
+        elif size < (1 + KNOWN) * self.most:
+            less += "; a better controller (`upright design`) might just save this one"
+        return f"nothing in the log looks broken. {sentence(less)}"
+
+    @property
+    def repair(self) -> str:
+        """What helps, and why."""
+        return f"{self.remedy} {sentence(self.limits)}"
 
     @property
     def limits(self) -> str:
-        """What the robot's own controller saves, and the best possible one."""
-        if self.saves is None:
+        """What the robot's own controller survives, and the best possible one."""
+        most = f"up to {self.most:.2g} N s"
+        if abs(self.impulse) > (1 + KNOWN) * self.most:
+            most += ", so none saves this one"
+        if self.saves is not None:
             return (
-                f"the best possible controller saves {self.most:.2g} N s at most, a real one mostly less: name its "
-                "file with --controller to see what yours saves"
+                f"its controller ({self.by}) survives pushes up to {self.saves:.2g} N s, the best possible one {most}"
             )
         return (
-            f"its controller ({self.by}) saves {self.saves:.2g} N s at most, the best possible one {self.most:.2g} N s"
+            f"the best possible controller survives pushes {most}; a real one mostly less. Name its file with "
+            "--controller to see what yours survives"
         )
+
+    @property
+    def lasted(self) -> str:
+        """How long it was, in words."""
+        return "shorter than a sample" if self.brief else f"{1e3 * self.duration:.2g} ms long"
 
     @property
     def powered(self) -> str:
@@ -96,13 +114,22 @@ class Blow:
     @property
     def size(self) -> str:
         """The impulse in words, with its error."""
-        size, error = abs(self.impulse), KNOWN * abs(self.impulse)
-        digits = max(0, -math.floor(math.log10(error))) if error else 0
-        return f"{size:.{digits}f} ± {error:.1g} N s"
+        return f"{_with_error(abs(self.impulse))} N s"
+
+    @property
+    def lean(self) -> str:
+        """The lean at rest [°] that its speed counts as, with its error."""
+        return _with_error(math.degrees(abs(self.counts)))
 
     def __str__(self) -> str:
         way = "forward" if self.impulse > 0 else "backward"
         return f"a push {way} of {self.size} at t = {self.start:.2f} s"
+
+
+def _with_error(size: float) -> str:
+    """What is known of a push to `KNOWN`, to the digits that its error has."""
+    error = KNOWN * size
+    return f"{size:.{max(0, -math.floor(math.log10(error)))}f} ± {error:.1g}" if error else "0"
 
 
 KNOWN = 0.07

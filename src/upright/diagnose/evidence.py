@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.atomic import finite
 from upright.control import Controller
 from upright.diagnose.beyond import Leftover, goes_beyond, jam_or_stuck, leftover
 from upright.diagnose.causes import foreign, noisy
@@ -20,7 +19,6 @@ from upright.diagnose.fall import (
     authority,
     fall_time,
     falling,
-    falling_lean,
     far_from_zero,
     frozen_rows,
     held_command,
@@ -38,7 +36,7 @@ from upright.diagnose.pairs import Pair, paired
 from upright.diagnose.remedy import Window, dropped, remedied, searched, sharpened
 from upright.diagnose.signatures import Bank
 from upright.diagnose.sizes import possible
-from upright.diagnose.usual import FOREIGN, SECONDS, calm_of, window_of
+from upright.diagnose.usual import FOREIGN, calm_of, window_of
 from upright.doctor.wheels import on_its_wheels
 from upright.errors import SpecMismatch, UprightError
 from upright.physics.dynamics import motor_damping, motor_gain
@@ -61,45 +59,6 @@ SAME = 0.9999  # fraction of the commands' difference that a gain explains where
 LIMIT, AT_LIMIT = 0.95, 0.98  # of the largest command: at the limit for a second's count, and where it is to be sure
 SMALL_EXCURSION = 0.1  # of the last excursion's peak, below which its rows do not count
 FEWEST_FREE = 4  # rows with motors below their limit, for a median of how they helped
-PLOTTED_NIS = 0.1  # [s] over which the NIS of the figure is averaged
-
-
-@dataclass(frozen=True, eq=False, kw_only=True)
-class Series:
-    """The last seconds by sample: time [s], pitch [rad], pitch rate [rad/s], command over the largest, how much of the
-    motors' reach is used up, and the mean of e²/s over the readings of a tenth of a second, which lies between `low`
-    and `high` in 95 of 100 cases where the robot follows its model."""
-
-    t: Array
-    pitch: Array
-    pitch_rate: Array
-    command: Array
-    reserve: Array
-    nis: Array
-    low: float = math.nan
-    high: float = math.nan
-
-    @classmethod
-    def none(cls) -> Series:
-        """Nothing to draw."""
-        empty = np.zeros(0)
-        return cls(t=empty, pitch=empty, pitch_rate=empty, command=empty, reserve=empty, nis=empty)
-
-    def to_json(self) -> dict[str, Any]:
-        """As lists, to six digits."""
-        data = {f.name: getattr(self, f.name) for f in fields(self)}
-        return {k: _rounded(v) if isinstance(v, np.ndarray) else finite(v) for k, v in data.items()}
-
-    @classmethod
-    def from_json(cls, data: dict[str, Any]) -> Series:
-        """The inverse of `to_json`; null is NaN."""
-        numbers: dict[str, Any] = {name: np.array(values, dtype=np.float64) for name, values in data.items()}
-        bounds: dict[str, Any] = {name: float(numbers.pop(name)) for name in ("low", "high")}
-        return cls(**numbers, **bounds)
-
-
-def _rounded(values: Array) -> list[float | None]:
-    return [float(f"{v:.6g}") if math.isfinite(v) else None for v in values.tolist()]
 
 
 @dataclass(frozen=True)
@@ -155,12 +114,12 @@ class Demand:
 class Evidence:
     """What was measured of a fall at the time `fell_at` [s].
 
-    `fits` are the hypotheses, the likeliest first, `pairs` two faults at once, and `left` is what the likeliest leaves,
-    where it leaves something. `ordinary` is the scale of the innovations before the fall, `calm` that of its calmer
-    seconds, `nis` their mean square in the window. A `stuck` sensor has the scores of a jammed wheel and of a dumb
-    encoder, and the NIS that the better one leaves, in `jam`. `match` compares the recorded commands with the file's,
-    whose loop is `stable`. `lost` is the
-    fraction of periods without a row since a time [s] in the last second, before it, and that time;
+    `then` are the times [s] of the readings that `fits` explain, the hypotheses, the likeliest first; `pairs` are two
+    faults at once, and `left` is what the likeliest leaves, where it leaves something. `ordinary` is the scale of the
+    innovations before the fall, `calm` that of its calmer seconds, `nis` their mean square in the window. A `stuck`
+    sensor has the scores of a jammed wheel and of a dumb encoder, and the NIS that the better one leaves, in `jam`.
+    `match` compares the recorded commands with the file's, whose loop is `stable`. `lost` is the fraction of periods
+    without a row since a time [s] in the last second, before it, and that time;
     `battery` the voltage [V] before and at the fall. `demand` is None where the references never change.
     """
 
@@ -169,6 +128,7 @@ class Evidence:
     ordinary: float
     calm: float
     nis: float
+    then: Array
     fits: tuple[FaultFit, ...]
     pairs: tuple[Pair, ...]
     left: Leftover | None
@@ -280,7 +240,7 @@ def _evidence(
     per_impulse, per_height, *_ = (mode.w @ model.E).tolist()
     return Evidence(
         run=run, fell_at=end, ordinary=window.usual, calm=calm,
-        nis=float(np.mean(bank.y**2)), fits=tuple(several),
+        nis=float(np.mean(bank.y**2)), fits=tuple(several), then=bank.then,
         stuck=stuck, jam=jam, pairs=tuple(pairs), left=leftover(met, window, bank) if open_ else None,
         toppling=Toppling(per_impulse, per_height, abs(mode.b) * most / mode.pole, mode.pole),
         motors=_motor_use(run, mode.w, end), match=match, stable=stable,
@@ -368,31 +328,3 @@ def _battery(log: Log, end: float) -> tuple[float, float]:
         return float(np.nanmedian(volts)) if np.isfinite(volts).any() else math.nan
 
     return median(log.t < end - 2.0), median((log.t > end - 0.5) & (log.t <= end))
-
-
-def series_of(run: FilterRun, end: float) -> Series:
-    """The last seconds before `end` [s]."""
-    motors = authority(run)
-    keep = (motors.t > end - SECONDS) & (motors.t <= end + 0.2)
-    t = run.t[run.readings]
-    sums, edges = np.concatenate([[0.0], np.cumsum(run.whitened**2)]), np.searchsorted(t, motors.t[keep])
-    count = edges - np.searchsorted(t, motors.t[keep] - PLOTTED_NIS)
-    nis = (sums[edges] - sums[edges - count]) / np.maximum(count, 1)
-    low, high = _band(float(np.median(count)) if keep.any() else 1.0)
-    states = motors.states[keep].copy()
-    fallen = falling_lean(run)
-    if fallen is not None:  # the same lean as the time of the fall
-        falling_rows = motors.t[keep] >= fallen[0][0]
-        states[falling_rows, 0] = np.interp(motors.t[keep][falling_rows], *fallen)
-    return Series(
-        t=motors.t[keep], pitch=states[:, 0], pitch_rate=states[:, 1], command=motors.command[keep],
-        reserve=motors.reserve[keep], nis=nis, low=low, high=high,
-    )  # fmt: skip
-
-
-def _band(count: float) -> tuple[float, float]:
-    """Between which the mean of so many squares of standard normal numbers lies in 95 of 100 cases."""
-    from scipy.special import chdtri
-
-    n = max(count, 1.0)
-    return float(chdtri(n, 0.975)) / n, float(chdtri(n, 0.025)) / n

@@ -21,9 +21,10 @@ from numpy.typing import NDArray
 from upright.atomic import finite
 from upright.control import Controller, controller_hash, read_controller
 from upright.diagnose.causes import CANNOT_TELL, NO_FALL, NONE, Blow, Cause
-from upright.diagnose.evidence import EXCURSION, FOREIGN, Evidence, Series, gather, series_of
+from upright.diagnose.evidence import EXCURSION, FOREIGN, Evidence, gather
 from upright.diagnose.fall import against, last_fall
 from upright.diagnose.saved import with_saved
+from upright.diagnose.series import Series, series_of
 from upright.diagnose.verdict import ranked, reversed_causes
 from upright.doctor.doctor import contradictions
 from upright.doctor.finding import FEWEST as FEWEST_POSES
@@ -166,7 +167,7 @@ def post_mortem(
     return PostMortem(
         verdict=verdict, causes=causes, fell_at=evidence.fell_at, onset=causes[0].onset,
         missing=_helpful(evidence) if verdict == CANNOT_TELL else (), notes=(*evidence.notes, *_wiring(log, verdict)),
-        series=series_of(run, evidence.fell_at), **head,
+        series=series_of(run, evidence.fell_at, evidence if causes[0].push else None), **head,
     )  # fmt: skip
 
 

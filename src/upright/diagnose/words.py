@@ -128,22 +128,19 @@ def blow(evidence: Evidence, push: PushEstimate, lean: float) -> Blow:
     return Blow(
         impulse=push.impulse, start=push.start, duration=push.stop - push.start, height=push.height, counts=lean,
         largest=min(toppling.largest, LEANING), most=toppling.largest_like(push),
-        explained=evidence.pushes_only.explained,
+        explained=evidence.pushes_only.explained, brief=push.stop - push.start < evidence.run.kit.period,
         battery=evidence.run.kit.battery.voltage if evidence.run.robot.command_unit == "V" else math.inf,
     )  # fmt: skip
 
 
 def of_push(evidence: Evidence, push: PushEstimate, numbers: Blow) -> str:
-    caused, largest = math.degrees(numbers.counts), math.degrees(numbers.largest)
     several = numbers.counts > 1.01 * abs(evidence.toppling.lean(push))
     speed = "With smaller pushes the same way, the speed that it gives" if several else "The speed that it gives"
-    brief = numbers.duration < evidence.run.kit.period
-    took = "shorter than a sample" if brief else f"{1e3 * numbers.duration:.2g} ms long"
     return (
-        f"{numbers}, {took}, if it hit {numbers.height:.2g} m above the axle, explains {most(numbers.explained)} of "
-        "the innovations. "
-        f"{speed} is as hard to stop as a lean at rest of {caused:.3g}°; the motors bring back {largest:.3g}° at most"
-        f"{numbers.powered}, a push of {numbers.most:.2g} N s there"
+        f"{numbers}, {numbers.lasted}, if it hit {numbers.height:.2g} m above the axle, explains "
+        f"{most(numbers.explained)} of the innovations. "
+        f"{speed} is as hard to stop as a lean at rest of {numbers.lean}°; the motors bring back "
+        f"{math.degrees(numbers.largest):.3g}° at most{numbers.powered}, a push of {numbers.most:.2g} N s there"
     )
 
 

@@ -9,8 +9,8 @@ import numpy as np
 
 from upright.diagnose import PostMortem
 from upright.diagnose.causes import KNOWN, NO_FALL, Blow, Cause
-from upright.diagnose.evidence import Series
 from upright.diagnose.fall import LEANING
+from upright.diagnose.series import Series
 from upright.diagnose.verdict import HELPED, PUSHED
 from upright.plotting import INK, line, number, numbered, panels, span
 from upright.report.figure import Figure
@@ -49,13 +49,13 @@ def page_of(result: PostMortem) -> Page:
 
 
 _READ = (
-    "Dashed in the first panel: 40°, which counts as the fall of a log. A "
+    "Dashed in the first panel: 40°, at which a log counts as fallen. A "
     "simulated robot counts as fallen at 80°, where it lies; many logs end before that. The second "
     "panel adds the lean and the speeds of body and wheels, as the unstable motion that they make together. It divides "
     "the sum by the most that the motors can recover from: beyond 1 there is no return. The third panel is "
     "what the controller requests, drawn up to {cut:g} times what the motors give. The last panel, logarithmic, "
     "compares the readings with what the model expects, over a tenth of a second. Without faults it stays below the "
-    "dashed line in 39 of 40 cases or more. A push's ± is the largest error of planted pushes that were measured so."
+    "dashed line in 39 of 40 cases or more."
 )
 
 
@@ -90,13 +90,10 @@ def _numbers(result: PostMortem) -> list[tuple[str, str]]:
     push, lost = _blow(result), _lost(result)
     numbers = []
     if push:
-        where = f"the push at {push.start:.2f} s, if it hit {push.height:.2g} m above the axle"
-        best = "the largest such push that the best possible controller saves"
-        if push.saves is not None:
-            best = f"the largest such push that its controller ({push.by}) saves; the best possible one saves "
-            best += f"{push.most:.2g} N s"
-        saved = push.most if push.saves is None else push.saves
-        numbers = [(push.size, where), (f"{saved:.2g} N s", f"{best}{push.powered}")]
+        where = f"the push at {push.start:.2f} s, {push.lasted}, if it hit {push.height:.2g} m above the axle"
+        saved, by = (push.most, "the best possible") if push.saves is None else (push.saves, "its")
+        best = f"the largest such push that {by} controller saves{push.powered}"
+        numbers = [(push.size, where), (f"{saved:.2g} N s", best)]
     elif known:
         sign = "from the first sign, where the sensors differ from the model,"
         numbers = [(f"{result.fell_at - result.onset:.2g} s", f"{sign} to the fall")]
@@ -108,7 +105,7 @@ def _numbers(result: PostMortem) -> list[tuple[str, str]]:
         return numbers
     first = likely[0].likelihood
     others = [f"{c.name} {100 * c.likelihood:.0f} %" for c in likely[1:]]
-    next_to_it = f"; next: {', '.join(others)}" if others else ""
+    next_to_it = f"; second: {', '.join(others)}" if others else ""
     this = "that the push felled it" if push else "of this cause"
     this += f" ({100 * SUREST:.0f} % is the most for a push)" if push and first > SUREST - 0.005 else ""
     return [*numbers, (f"{100 * first:.0f} %", f"probability {this}{next_to_it}")]
@@ -143,7 +140,7 @@ def _lead(result: PostMortem) -> str:
     if not best:
         return text
     text += f" {sentence(_plain(best))}" if best.evidence else ""
-    repair = best.push.repair.split(". ")[0] if best.push else best.repair.rstrip(".")
+    repair = (best.push.remedy if best.push else best.repair).rstrip(".")
     repair = repair.replace("`upright design`", f"`upright design lqg --robot {result.robot}`")
     return f"{text} Next: {sentence(repair)}" if repair else text
 
@@ -151,7 +148,7 @@ def _lead(result: PostMortem) -> str:
 def _plain(cause: Cause) -> str:
     """The first clause of the evidence, without the filter's words; of a push how it compares with what is saved."""
     if push := cause.push:
-        return f"{push} most likely threw it over. {sentence(push.limits.partition(':')[0]).rstrip('.')}"
+        return f"{push} most likely threw it over. {sentence(push.limits.partition('. ')[0]).rstrip('.')}"
     return (
         cause.evidence.split("; ", maxsplit=1)[0]
         .split(". ", maxsplit=1)[0]
@@ -168,7 +165,7 @@ def _evidence(cause: Cause) -> str:
     """The evidence; of a push only what the lead does not say."""
     if not (push := cause.push):
         return f"{cause.evidence}."
-    counts, largest = (f"{math.degrees(angle):.3g}°" for angle in (push.counts, push.largest))
+    counts, largest = f"{push.lean}°", f"{math.degrees(push.largest):.3g}°"
     return (
         f"that push alone explains {100 * min(push.explained, 0.999):.3g} % of the squared innovations. The speed that "
         f"it gives is as hard to stop as a lean at rest of {counts}; the motors bring back {largest} at most."
@@ -181,7 +178,7 @@ def _causes(result: PostMortem) -> Table:
             c.name,
             f"{100 * c.likelihood:.0f} %",
             _evidence(c) if k == 0 else f"{c.evidence}.",
-            c.repair.split(". ", maxsplit=1)[0],
+            c.push.remedy if c.push else c.repair,
         ]
         for k, c in enumerate(result.causes)
         if c.likelihood >= SHOWN
@@ -196,7 +193,7 @@ def _figure(result: PostMortem) -> Figure:
     labels = ["pitch [°]", "lean and speed together / the most that can be saved",
               "requested command / the most that the motors give",
               "surprise of the sensors: error² / expected"]  # fmt: skip
-    figure, axes = panels(labels)
+    figure, axes = panels(labels, weights=(0.9, 1.5, 0.7, 0.9))
     pitch, reach, command, nis = axes
     degrees = np.degrees(s.pitch)
     line(pitch, "pitch", s.t, degrees, style=0, solid=True)
@@ -214,13 +211,14 @@ def _figure(result: PostMortem) -> Figure:
     numbered(nis.yaxis)
     line(nis, "error²", s.t, np.maximum(s.nis, 1e-3), style=4, solid=True)
     low, high = nis.get_ylim()
+    if len(s.left):
+        line(nis, "_with", s.t, np.maximum(s.left, 1e-3), style=2, solid=True)
+        nis.set_ylim(low, high)
     nis.set_yticks([power for k in range(-3, 7) if low <= (power := 10.0**k) <= high])
     if math.isfinite(s.high) and s.high > 0:
         _level(nis, s.t, s.high, f"usual, up to {number(s.high, 2)}")
     _limits(reach, s.t, _blow(result))
     reach.set_ylim(0, FAR)
-    if np.nanmax(s.reserve, initial=0.0) > FAR:
-        _cut(reach, FAR, f"cut at {FAR:g}", above=False)
     known = result.fell and math.isfinite(result.onset)
     if not known:
         return Figure("The last seconds", figure)
@@ -249,7 +247,9 @@ def _figure(result: PostMortem) -> Figure:
 
 _DOT = (
     " Lean and speed: the curve's estimator needs some hundredths of a second to follow a push. The dot is the push "
-    "estimated from the whole log; the verdict rests on it. Surprise: its model does not know the push."
+    "itself, by the whole log, and the verdict rests on it; ± is the largest error when known pushes were measured so. "
+    "Surprise: the model of the upper curve knows no push, that of the lower one does; it, too, is rough at large "
+    "leans."
 )
 _SLOWED = " Pitch: it jumps with the push, then grows more slowly while the wheels catch up with the body."
 JUMP = 0.05  # [s] in which a push turns the body, before the wheels follow
@@ -277,8 +277,8 @@ def _dot(ax: Axes, push: Blow) -> None:
     ends = np.minimum([(1 - KNOWN) * part, (1 + KNOWN) * part], FAR)
     ax.plot(push.start, min(part, FAR), "o", color=INK, markersize=4, clip_on=False)
     ax.plot([push.start] * 2, ends, "_-", color=INK, markersize=7, linewidth=1, clip_on=False)
-    words = f"push (dot): {part:.2f} ± {KNOWN * part:.2f}"
-    ax.annotate(words, (1, 0), (-2, 5), ha="right", xycoords=("axes fraction", "data"), textcoords="offset points")
+    words = f"{part:.2f} ± {KNOWN * part:.2f}"
+    ax.annotate(words, (push.start, 0.4), (-6, -4), textcoords="offset points", ha="right")
 
 
 BEFORE, AFTER = 0.3, 0.2  # [s] shown before the onset, at least, and after the fall
