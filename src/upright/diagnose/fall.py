@@ -63,7 +63,7 @@ def falling_lean(run: FilterRun) -> tuple[Array, Array] | None:
         return None
     first = int(np.searchsorted(run.log.t, fall.start))
     t, rate = run.log.t[first:], gyro(run.log)[first:]
-    angle = np.concatenate([[0.0], np.cumsum((rate[:-1] + rate[1:]) / 2 * np.diff(t))])
+    angle = np.concatenate([[0.0], np.cumsum(rate[:-1] * np.diff(t))])
     return t, angle + _lean_at(run, fall.start)
 
 

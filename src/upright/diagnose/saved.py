@@ -38,10 +38,10 @@ def with_saved(
         durations=np.array([max(push.duration, SHORTEST)]),
     )
     try:
-        found = push_map(ensemble_of(robot, law, kit), grid, samples=0)
+        survived = push_map(ensemble_of(robot, law, kit), grid, samples=0)
     except UprightError:  # a controller that no law describes
         return tuple(causes)
-    known = replace(push, by=law.spec.kind, saves=float(found["impulse"].values.squeeze()))
+    known = replace(push, by=law.spec.kind, saves=float(survived["impulse"].values.squeeze()))
     return (replace(first, push=known, repair=known.repair), *others)
 
 
