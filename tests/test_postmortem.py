@@ -377,9 +377,9 @@ def test_a_better_controller_is_advised_only_where_one_can_help() -> None:
     assert beyond.size == "0.60 ± 0.04 N s"
     for push in (at_limit, beyond, below):
         assert "survives pushes up to 0.37 N s" in push.repair
-    assert "design" not in beyond.repair
-    assert "might just save this one" in at_limit.repair
-    assert "design for larger pushes" in below.repair
+    assert "another controller" not in beyond.repair
+    assert "another controller might just save" in at_limit.repair
+    assert "another controller could save" in below.repair
 
 
 def test_wheels_slip_by_the_same_equations_in_both_places() -> None:

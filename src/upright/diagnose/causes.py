@@ -75,10 +75,9 @@ class Blow:
         """What helps: a smaller push, and a better controller where one may save this one."""
         less = "push less" if self.saves is None else f"push with less than {self.saves:.2g} N s"
         size = abs(self.impulse)
-        if size < (1 - KNOWN) * self.most:
-            less += ", or design for larger pushes (`upright design`)"
-        elif size < (1 + KNOWN) * self.most:
-            less += "; a better controller (`upright design`) might just save this one"
+        if size < (1 + KNOWN) * self.most:
+            might = "could" if size < (1 - KNOWN) * self.most else "might just"
+            less += f"; another controller {might} save this one (`upright bench-controllers`)"
         return f"nothing in the log looks broken. {sentence(less)}"
 
     @property
@@ -89,9 +88,10 @@ class Blow:
     @property
     def limits(self) -> str:
         """What the robot's own controller survives, and the best possible one."""
-        most = f"up to {self.most:.2g} N s"
-        if abs(self.impulse) > (1 + KNOWN) * self.most:
-            most += ", so none saves this one"
+        size, most = abs(self.impulse), f"up to {self.most:.2g} N s"
+        if size > (1 - KNOWN) * self.most:
+            none = size > (1 + KNOWN) * self.most
+            most += ", so none saves this one" if none else ", so that it might just save this one"
         if self.saves is not None:
             return (
                 f"its controller ({self.by}) survives pushes up to {self.saves:.2g} N s, the best possible one {most}"
@@ -104,7 +104,7 @@ class Blow:
     @property
     def lasted(self) -> str:
         """How long it was, in words."""
-        return "shorter than a sample" if self.brief else f"{1e3 * self.duration:.2g} ms long"
+        return "within one sample" if self.brief else f"{1e3 * self.duration:.2g} ms long"
 
     @property
     def powered(self) -> str:

@@ -114,12 +114,12 @@ class Demand:
 class Evidence:
     """What was measured of a fall at the time `fell_at` [s].
 
-    `then` are the times [s] of the readings that `fits` explain, the hypotheses, the likeliest first; `pairs` are two
-    faults at once, and `left` is what the likeliest leaves, where it leaves something. `ordinary` is the scale of the
-    innovations before the fall, `calm` that of its calmer seconds, `nis` their mean square in the window. A `stuck`
-    sensor has the scores of a jammed wheel and of a dumb encoder, and the NIS that the better one leaves, in `jam`.
-    `match` compares the recorded commands with the file's, whose loop is `stable`. `lost` is the fraction of periods
-    without a row since a time [s] in the last second, before it, and that time;
+    `fits` are the hypotheses, the likeliest first, `pairs` two faults at once, and `left` is what the likeliest leaves,
+    where it leaves something. `ordinary` is the scale of the innovations before the fall, `calm` that of its calmer
+    seconds, `nis` their mean square in the window. A `stuck` sensor has the scores of a jammed wheel and of a dumb
+    encoder, and the NIS that the better one leaves, in `jam`. `match` compares the recorded commands with the file's,
+    whose loop is `stable`. `lost` is the
+    fraction of periods without a row since a time [s] in the last second, before it, and that time;
     `battery` the voltage [V] before and at the fall. `demand` is None where the references never change.
     """
 
@@ -128,7 +128,6 @@ class Evidence:
     ordinary: float
     calm: float
     nis: float
-    then: Array
     fits: tuple[FaultFit, ...]
     pairs: tuple[Pair, ...]
     left: Leftover | None
@@ -240,7 +239,7 @@ def _evidence(
     per_impulse, per_height, *_ = (mode.w @ model.E).tolist()
     return Evidence(
         run=run, fell_at=end, ordinary=window.usual, calm=calm,
-        nis=float(np.mean(bank.y**2)), fits=tuple(several), then=bank.then,
+        nis=float(np.mean(bank.y**2)), fits=tuple(several),
         stuck=stuck, jam=jam, pairs=tuple(pairs), left=leftover(met, window, bank) if open_ else None,
         toppling=Toppling(per_impulse, per_height, abs(mode.b) * most / mode.pole, mode.pole),
         motors=_motor_use(run, mode.w, end), match=match, stable=stable,

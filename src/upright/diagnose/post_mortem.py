@@ -167,7 +167,7 @@ def post_mortem(
     return PostMortem(
         verdict=verdict, causes=causes, fell_at=evidence.fell_at, onset=causes[0].onset,
         missing=_helpful(evidence) if verdict == CANNOT_TELL else (), notes=(*evidence.notes, *_wiring(log, verdict)),
-        series=series_of(run, evidence.fell_at, evidence if causes[0].push else None), **head,
+        series=series_of(run, evidence.fell_at), **head,
     )  # fmt: skip
 
 

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.atomic import finite
-from upright.diagnose.evidence import Evidence
 from upright.diagnose.fall import authority, falling_lean
 from upright.diagnose.innovations import FilterRun
 from upright.diagnose.usual import SECONDS
@@ -24,7 +23,7 @@ PLOTTED_NIS = 0.1  # [s] over which the NIS of the figure is averaged
 class Series:
     """The last seconds by sample: time [s], pitch [rad], pitch rate [rad/s], command over the largest, how much of the
     motors' reach is used up, and the mean of e²/s over the readings of a tenth of a second, which lies between `low`
-    and `high` in 95 of 100 cases where the robot follows its model; `left` is that mean with pushes in the model."""
+    and `high` in 95 of 100 cases where the robot follows its model."""
 
     t: Array
     pitch: Array
@@ -32,7 +31,6 @@ class Series:
     command: Array
     reserve: Array
     nis: Array
-    left: Array = field(default_factory=lambda: np.zeros(0))
     low: float = math.nan
     high: float = math.nan
 
@@ -59,15 +57,14 @@ def _rounded(values: Array) -> list[float | None]:
     return [float(f"{v:.6g}") if math.isfinite(v) else None for v in values.tolist()]
 
 
-def series_of(run: FilterRun, end: float, evidence: Evidence | None = None) -> Series:
-    """The last seconds before `end` [s]; with what is left beside the pushes of the `evidence`."""
+def series_of(run: FilterRun, end: float) -> Series:
+    """The last seconds before `end` [s]."""
     motors = authority(run)
     keep = (motors.t > end - SECONDS) & (motors.t <= end + 0.2)
-    nis, count = _windowed(run.t[run.readings], run.whitened, motors.t[keep])
-    left = np.zeros(0)
-    if evidence is not None:
-        left, inside = _windowed(evidence.then, evidence.pushes_only.rest, motors.t[keep])
-        left[(inside == 0) | (motors.t[keep] > end)] = np.nan
+    t = run.t[run.readings]
+    sums, edges = np.concatenate([[0.0], np.cumsum(run.whitened**2)]), np.searchsorted(t, motors.t[keep])
+    count = edges - np.searchsorted(t, motors.t[keep] - PLOTTED_NIS)
+    nis = (sums[edges] - sums[edges - count]) / np.maximum(count, 1)
     low, high = _band(float(np.median(count)) if keep.any() else 1.0)
     states = motors.states[keep].copy()
     fallen = falling_lean(run)
@@ -76,15 +73,8 @@ def series_of(run: FilterRun, end: float, evidence: Evidence | None = None) -> S
         states[falling_rows, 0] = np.interp(motors.t[keep][falling_rows], *fallen)
     return Series(
         t=motors.t[keep], pitch=states[:, 0], pitch_rate=states[:, 1], command=motors.command[keep],
-        reserve=motors.reserve[keep], nis=nis, left=left, low=low, high=high,
+        reserve=motors.reserve[keep], nis=nis, low=low, high=high,
     )  # fmt: skip
-
-
-def _windowed(t: Array, whitened: Array, at: Array) -> tuple[Array, NDArray[np.int64]]:
-    """The mean square of innovations at the times t over `PLOTTED_NIS` before each time `at`, and their number."""
-    sums, edges = np.concatenate([[0.0], np.cumsum(whitened**2)]), np.searchsorted(t, at)
-    count = edges - np.searchsorted(t, at - PLOTTED_NIS)
-    return (sums[edges] - sums[edges - count]) / np.maximum(count, 1), count
 
 
 def _band(count: float) -> tuple[float, float]:

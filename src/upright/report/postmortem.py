@@ -37,7 +37,8 @@ def page_of(result: PostMortem) -> Page:
     sections = [Section("Cause", evidence)] if evidence else []
     drawn = len(result.series.t) > 1
     if drawn:
-        sections.append(Section("Reading the figure", [_READ.format(cut=CUT)], folded=True))
+        read = _READ.format(cut=CUT) + ("" if result.fell and _blow(result) else _SURPRISE)
+        sections.append(Section("Reading the figure", [read], folded=True))
     facts = {"robot": result.robot, "kit": result.kit, "samples": str(result.rows)}
     facts |= {"controller": f"{result.controller}, {result.hash[:12]}"} if result.controller else {}
     title = f"Why {result.robot} fell: {result.verdict}" if result.fell else f"{result.robot}: {result.verdict}"
@@ -49,13 +50,15 @@ def page_of(result: PostMortem) -> Page:
 
 
 _READ = (
-    "Dashed in the first panel: 40°, at which a log counts as fallen (known to a sample or two). A "
-    "simulated robot counts as fallen at 80°, where it lies; many logs end before that. The second "
-    "panel adds the lean and the speeds of body and wheels, as the unstable motion that they make together. It divides "
-    "the sum by the most that the motors can recover from: beyond 1 there is no return. The third panel is "
-    "what the controller requests, drawn up to {cut:g} times what the motors give. The last panel, logarithmic, "
-    "compares the readings with what the model expects, over a tenth of a second. Without faults it stays below the "
-    "dashed line in 39 of 40 cases or more."
+    "Dashed in the first panel: 40°, at which a log counts as fallen (known to a sample or two). A simulated robot "
+    "counts as fallen at 80°, where it lies; many logs end before that. The second panel adds the lean and the speeds "
+    "of body and wheels, as the unstable motion that they make together. It divides the sum by the most that the motors "
+    "can recover from: beyond 1 there is no return. The third panel is what the controller requests, drawn up to "
+    "{cut:g} times what the motors give."
+)
+_SURPRISE = (
+    " The last panel, logarithmic, compares the readings with what the model expects, over a tenth of a second. Without "
+    "faults it stays below the dashed line in 39 of 40 cases or more."
 )
 
 
@@ -66,8 +69,8 @@ def _most(result: PostMortem) -> list[Item]:
 
 SUREST = PUSHED * (1 - HELPED)  # a push's largest probability
 _MOST = (
-    "{:.0f} % is the most that a push gets. The rest is left for what the log does not show, and for a fault that "
-    "looks like a push."
+    "A push never gets more than {:.0f} %. The rest is kept for what the log does not show, and for a fault that looks "
+    "like a push."
 )
 
 
@@ -90,7 +93,7 @@ def _numbers(result: PostMortem) -> list[tuple[str, str]]:
     push, lost = _blow(result), _lost(result)
     numbers = []
     if push:
-        where = f"the push at {push.start:.2f} s, {push.lasted}, if it hit {push.height:.2g} m above the axle"
+        where = f"the push at {push.start:.2f} s, {push.lasted}, taken to hit {push.height:.2g} m above the axle"
         saved, by = (push.most, "the best possible") if push.saves is None else (push.saves, "its")
         best = f"the largest such push that {by} controller saves{push.powered}"
         numbers = [(push.size, where), (f"{saved:.2g} N s", best)]
@@ -107,7 +110,6 @@ def _numbers(result: PostMortem) -> list[tuple[str, str]]:
     others = [f"{c.name} {100 * c.likelihood:.0f} %" for c in likely[1:]]
     next_to_it = f"; second: {', '.join(others)}" if others else ""
     this = "that the push felled it" if push else "of this cause"
-    this += f" ({100 * SUREST:.0f} % is the most for a push)" if push and first > SUREST - 0.005 else ""
     return [*numbers, (f"{100 * first:.0f} %", f"probability {this}{next_to_it}")]
 
 
@@ -141,6 +143,7 @@ def _lead(result: PostMortem) -> str:
         return text
     text += f" {sentence(_plain(best))}" if best.evidence else ""
     repair = (best.push.remedy if best.push else best.repair).rstrip(".")
+    repair = repair.replace("`upright bench-controllers`", f"`upright bench-controllers --robot {result.robot}`")
     repair = repair.replace("`upright design`", f"`upright design lqg --robot {result.robot}`")
     return f"{text} Next: {sentence(repair)}" if repair else text
 
@@ -168,7 +171,8 @@ def _evidence(cause: Cause) -> str:
     counts, largest = f"{push.lean}°", f"{math.degrees(push.largest):.3g}°"
     return (
         f"that push alone explains {100 * min(push.explained, 0.999):.3g} % of the squared innovations. The speed that "
-        f"it gives is as hard to stop as a lean at rest of {counts}; the motors bring back {largest} at most."
+        f"it gives is as hard to stop as a lean at rest of {counts}; the motors bring back {largest} at most (a push "
+        f"of {push.most:.2g} N s)."
     )
 
 
@@ -190,11 +194,12 @@ def _causes(result: PostMortem) -> Table:
 
 def _figure(result: PostMortem) -> Figure:
     s = result.series
+    push = _blow(result) if result.fell else None
     labels = ["pitch [°]", "lean and speed together / the most that can be saved",
-              "requested command / the most that the motors give",
-              "surprise of the sensors: error² / expected"]  # fmt: skip
-    figure, axes = panels(labels, weights=(0.9, 1.5, 0.7, 0.9))
-    pitch, reach, command, nis = axes
+              "requested command / the most that the motors give"]  # fmt: skip
+    surprise = [] if push else ["surprise of the sensors: error² / expected"]  # its model knows no push
+    figure, axes = panels([*labels, *surprise], weights=(1.0, 1.5, 0.8, 1.0)[: 4 if surprise else 3])
+    pitch, reach, command = axes[:3]
     degrees = np.degrees(s.pitch)
     line(pitch, "pitch", s.t, degrees, style=0, solid=True)
     for level in (-math.degrees(LEANING), math.degrees(LEANING)):
@@ -206,23 +211,14 @@ def _figure(result: PostMortem) -> Figure:
             [tick for tick in range(-80, 81, apart) if np.nanmin(degrees) - 5 <= tick <= np.nanmax(degrees) + 5]
         )
     line(reach, "lean", s.t, s.reserve, style=2, solid=True)
-    _commands(command, s.t, s.command)
-    nis.set_yscale("log")
-    numbered(nis.yaxis)
-    line(nis, "error²", s.t, np.maximum(s.nis, 1e-3), style=4, solid=True)
-    low, high = nis.get_ylim()
-    if len(s.left):
-        line(nis, "_with", s.t, np.maximum(s.left, 1e-3), style=2, solid=True)
-        nis.set_ylim(low, high)
-    nis.set_yticks([power for k in range(-3, 7) if low <= (power := 10.0**k) <= high])
-    if math.isfinite(s.high) and s.high > 0:
-        _level(nis, s.t, s.high, f"usual, up to {number(s.high, 2)}")
-    _limits(reach, s.t, _blow(result))
+    _commands(command, s.t, s.command, result.fell_at)
+    if surprise:
+        _surprise(axes[3], result)
+    _limits(reach, s.t, push)
     reach.set_ylim(0, FAR)
     known = result.fell and math.isfinite(result.onset)
     if not known:
         return Figure("The last seconds", figure)
-    push = _blow(result)
     if (lost := _lost(result)) is not None and not push:
         reach.plot(lost, 1.0, "o", color=INK, markersize=6)
         last_half = lost > (result.onset + result.fell_at) / 2
@@ -232,7 +228,7 @@ def _figure(result: PostMortem) -> Figure:
     if push:
         _dot(reach, push)
     span(axes, max(result.onset, float(s.t[0])), result.fell_at, "_trouble")
-    start = max(float(s.t[0]), result.onset - max(BEFORE, 0.7 * (result.fell_at - result.onset)))
+    start = max(float(s.t[0]), result.onset - max(BEFORE, result.fell_at - result.onset))
     axes[0].set_xlim(start, min(float(s.t[-1]), result.fell_at + AFTER))
     lasted = result.fell_at - result.onset
     sign = "push" if push else "first sign"
@@ -246,10 +242,8 @@ def _figure(result: PostMortem) -> Figure:
 
 
 _DOT = (
-    " Lean and speed: the curve's estimator needs some hundredths of a second to follow a push. The dot is the push "
-    "itself, by the whole log, and the verdict rests on it; ± is the largest error when known pushes were measured so. "
-    "Surprise: the model of the upper curve knows no push, that of the lower one does; it, too, is rough at large "
-    "leans."
+    " Lean and speed: the curve's estimator needs some hundredths of a second to follow a push. The dot is the push, "
+    "estimated from the whole log; ± is the largest error that test pushes of known size had."
 )
 _SLOWED = " Pitch: it jumps with the push, then grows more slowly while the wheels catch up with the body."
 JUMP = 0.05  # [s] in which a push turns the body, before the wheels follow
@@ -277,14 +271,26 @@ def _dot(ax: Axes, push: Blow) -> None:
     ends = np.minimum([(1 - KNOWN) * part, (1 + KNOWN) * part], FAR)
     ax.plot(push.start, min(part, FAR), "o", color=INK, markersize=4, clip_on=False)
     ax.plot([push.start] * 2, ends, "_-", color=INK, markersize=7, linewidth=1, clip_on=False)
-    words = f"{part:.2f} ± {KNOWN * part:.2f}"
-    ax.annotate(words, (push.start, 0.4), (-6, -4), textcoords="offset points", ha="right")
+    words = f"push: {part:.2f} ± {KNOWN * part:.2f}"
+    ax.annotate(words, (push.start, (min(part, FAR) + FAR) / 2), (-8, 0), textcoords="offset points", ha="right")
 
 
 BEFORE, AFTER = 0.3, 0.2  # [s] shown before the onset, at least, and after the fall
 
 
-def _commands(ax: Axes, t: Array, command: Array) -> None:
+def _surprise(ax: Axes, result: PostMortem) -> None:
+    """The squared innovations over what the model expects of them."""
+    s = result.series
+    ax.set_yscale("log")
+    numbered(ax.yaxis)
+    line(ax, "error²", s.t, np.maximum(s.nis, 1e-3), style=4, solid=True)
+    low, high = ax.get_ylim()
+    ax.set_yticks([power for k in range(-3, 7) if low <= (power := 10.0**k) <= high])
+    if math.isfinite(s.high) and s.high > 0:
+        _level(ax, s.t, s.high, f"usual, up to {number(s.high, 2)}")
+
+
+def _commands(ax: Axes, t: Array, command: Array, fell_at: float) -> None:
     """What the controller requests, over the largest command, up to `CUT`."""
     line(ax, "requested command", t, np.clip(command, -CUT, CUT), step=True, style=1, solid=True)
     for level in (-1.0, 1.0):
@@ -294,8 +300,9 @@ def _commands(ax: Axes, t: Array, command: Array) -> None:
         above = bool((command > CUT).any())
         ax.set_ylim(*((-1.8, 2.8) if above else (-2.8, 1.8)))  # with room for the words
         ax.set_yticks([-1, 0, 1])
-        most = np.abs(command).max()
-        _cut(ax, CUT if above else -CUT, f"cut at {CUT:g}; up to {most:.2g}", above=above)
+        before = np.abs(command[t <= fell_at] if math.isfinite(fell_at) else command)
+        words = f"cut at {CUT:g}; reaches {np.max(before, initial=0.0):.2g}"
+        _cut(ax, CUT if above else -CUT, words, above=above)
 
 
 def _cut(ax: Axes, level: float, words: str, *, above: bool) -> None:
