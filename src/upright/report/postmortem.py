@@ -52,13 +52,13 @@ def page_of(result: PostMortem) -> Page:
 _READ = (
     "Dashed in the first panel: 40°, at which a log counts as fallen (known to a sample or two). A simulated robot "
     "counts as fallen at 80°, where it lies; many logs end before that. The second panel adds the lean and the speeds "
-    "of body and wheels, as the unstable motion that they make together. It divides the sum by the most that the motors "
-    "can recover from: beyond 1 there is no return. The third panel is what the controller requests, drawn up to "
+    "of body and wheels, as the unstable motion that they make together. It divides the sum by the most that the "
+    "motors can recover from: beyond 1 there is no return. The third panel is what the controller requests, drawn up to "
     "{cut:g} times what the motors give."
 )
 _SURPRISE = (
-    " The last panel, logarithmic, compares the readings with what the model expects, over a tenth of a second. Without "
-    "faults it stays below the dashed line in 39 of 40 cases or more."
+    " The last panel, logarithmic, compares the readings with what the model expects, over a tenth of a second. "
+    "Without faults it stays below the dashed line in 39 of 40 cases or more."
 )
 
 
