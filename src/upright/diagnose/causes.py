@@ -74,10 +74,8 @@ class Blow:
     def remedy(self) -> str:
         """What helps: a smaller push, and a better controller where one may save this one."""
         less = "push less" if self.saves is None else f"push with less than {self.saves:.2g} N s"
-        size = abs(self.impulse)
-        if size < (1 + KNOWN) * self.most:
-            might = "could" if size < (1 - KNOWN) * self.most else "might just"
-            less += f"; another controller {might} save this one (`upright bench-controllers`)"
+        if abs(self.impulse) < (1 + KNOWN) * self.most:
+            less += ", or compare controllers: `upright bench-controllers`"
         return f"nothing in the log looks broken. {sentence(less)}"
 
     @property
@@ -88,18 +86,15 @@ class Blow:
     @property
     def limits(self) -> str:
         """What the robot's own controller survives, and the best possible one."""
-        size, most = abs(self.impulse), f"up to {self.most:.2g} N s"
-        if size > (1 - KNOWN) * self.most:
-            none = size > (1 + KNOWN) * self.most
-            most += ", so none saves this one" if none else ", so that it might just save this one"
+        size, best = abs(self.impulse), f"the best possible {'one' if self.by else 'controller'} survives"
+        limit = f"{best} {self.most:.2g} N s"
+        if size > (1 + KNOWN) * self.most:
+            limit += ", so no controller could have saved this one"
+        elif size > (1 - KNOWN) * self.most:
+            limit += ", which is within the error of this one"
         if self.saves is not None:
-            return (
-                f"its controller ({self.by}) survives pushes up to {self.saves:.2g} N s, the best possible one {most}"
-            )
-        return (
-            f"the best possible controller survives pushes {most}; a real one mostly less. Name its file with "
-            "--controller to see what yours survives"
-        )
+            return f"its controller ({self.by}) survives pushes up to {self.saves:.2g} N s; {limit}"
+        return f"{limit}. Name the robot's controller with --controller to see what that survives"
 
     @property
     def lasted(self) -> str:

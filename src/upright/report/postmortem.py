@@ -53,8 +53,8 @@ _READ = (
     "Dashed in the first panel: 40°, at which a log counts as fallen (known to a sample or two). A simulated robot "
     "counts as fallen at 80°, where it lies; many logs end before that. The second panel adds the lean and the speeds "
     "of body and wheels, as the unstable motion that they make together. It divides the sum by the most that the "
-    "motors can recover from: beyond 1 there is no return. The third panel is what the controller requests, drawn up to "
-    "{cut:g} times what the motors give."
+    "motors can recover from: beyond 1 there is no return. The third panel is what the controller requests, drawn up "
+    "to {cut:g} times what the motors give."
 )
 _SURPRISE = (
     " The last panel, logarithmic, compares the readings with what the model expects, over a tenth of a second. "
@@ -95,7 +95,7 @@ def _numbers(result: PostMortem) -> list[tuple[str, str]]:
     if push:
         where = f"the push at {push.start:.2f} s, {push.lasted}, taken to hit {push.height:.2g} m above the axle"
         saved, by = (push.most, "the best possible") if push.saves is None else (push.saves, "its")
-        best = f"the largest such push that {by} controller saves{push.powered}"
+        best = f"the largest such push that {by} controller survives{push.powered}"
         numbers = [(push.size, where), (f"{saved:.2g} N s", best)]
     elif known:
         sign = "from the first sign, where the sensors differ from the model,"
@@ -238,7 +238,7 @@ def _figure(result: PostMortem) -> Figure:
         note += _DOT
     if lost is not None and (s.reserve[(s.t >= start) & (s.t < lost)] > 1).any():
         note += " The lean passed “no return” before and came back: this limit, the model's, is rough here."
-    return Figure(f"From the {sign} at {result.onset:.2f} s to the fall it took {lasted:.2g} s", figure, note)
+    return Figure(f"{lasted:.2g} s from the {sign} at {result.onset:.2f} s to the fall", figure, note)
 
 
 _DOT = (
@@ -301,7 +301,7 @@ def _commands(ax: Axes, t: Array, command: Array, fell_at: float) -> None:
         ax.set_ylim(*((-1.8, 2.8) if above else (-2.8, 1.8)))  # with room for the words
         ax.set_yticks([-1, 0, 1])
         before = np.abs(command[t <= fell_at] if math.isfinite(fell_at) else command)
-        words = f"cut at {CUT:g}; reaches {np.max(before, initial=0.0):.2g}"
+        words = f"cut at {CUT:g}; {before[-1]:.2g} at the fall" if len(before) else f"cut at {CUT:g}"
         _cut(ax, CUT if above else -CUT, words, above=above)
 
 
