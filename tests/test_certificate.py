@@ -19,6 +19,7 @@ from upright.certify.analysis import analyse
 from upright.certify.certificate import VERSION, Certificate, certify, read_certificate
 from upright.certify.checks import PushTrial, TrialSetup, kernel_controller, trials
 from upright.certify.pushes import RELEASE, standard_pushes
+from upright.certify.support import Support
 from upright.certify.verdict import GREEN, LinearMargins, judge
 from upright.cli import certify as command
 from upright.cli.main import main
@@ -203,6 +204,15 @@ def test_who_reads_the_truth_is_certified_for_nothing_real() -> None:
 def test_too_few_robots_prove_nothing() -> None:
     with pytest.raises(InvalidScenario, match="100 or more"):
         certify(designed("pid"), ROBOT, KIT, samples=50)
+
+
+def test_page_and_table_ask_for_a_scale_where_the_mass_decides() -> None:
+    mass = Support("body mass", "kg", 0.6, 0.26, 0.9, 0.5, 0.7, tried=(60, 200))  # 30 % fell, 5 % may
+    for fell, asks in ((60, True), (0, False)):
+        certificate = dataclasses.replace(green(), light=AMBER, support=(dataclasses.replace(mass, tried=(fell, 200)),))
+        for text in (str(certificate), page_of(certificate).lead):
+            assert ("--weighed KG" in text) == asks
+    assert "0.66 kg" in page_of(dataclasses.replace(green(), weighed=0.66)).html().replace("\u00a0", " ")
 
 
 def test_page_and_table_say_the_light() -> None:

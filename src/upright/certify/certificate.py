@@ -191,6 +191,11 @@ class Certificate(Shown):
             check_types(certificate)
         return certificate
 
+    @property
+    def mass_open(self) -> bool:
+        """Whether robots fall as light or as heavy as the log leaves open."""
+        return any(s.tried and s.outside for s in self.support)
+
     def __str__(self) -> str:
         head = f"{self.light.upper()}: {self.controller} on {self.robot} with kit {self.kit}"
         wide = max(18, *(len(t.push) for t in self.trials))
@@ -210,7 +215,7 @@ class Certificate(Shown):
         sweeps += [f"the log supports: {inside}"] if inside else []
         sweeps += [f"tried as the log shows it: {'; '.join(map(str, self.taken))}"] if self.taken else []
         sweeps += left_open(self.support)
-        sweeps += [UNWEIGHED] if any(s.tried and s.outside for s in self.support) else []
+        sweeps += [UNWEIGHED] if self.mass_open else []
         sweeps += [f"on the scale: {self.weighed:.3g} kg"] if self.weighed else []
         return "\n".join([*lines, *(line for line in sweeps if line)])
 

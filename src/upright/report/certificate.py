@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import groupby
 
 from upright.certify.agreement import AMBER, RED
-from upright.certify.certificate import Certificate
+from upright.certify.certificate import UNWEIGHED, Certificate
 from upright.certify.checks import BATTERIES, PushTrial, Swept
 from upright.certify.pushes import HELD, KNOCKED, RELEASE
 from upright.certify.recovery import KNOCK_DURATION
@@ -43,8 +43,9 @@ def page_of(certificate: Certificate) -> Page:
         sections.append(Section("Other delays and periods", _sweeps(certificate)))
     if certificate.support:
         sections.append(Section("What the log shows", [_support(certificate)]))
-    facts = {"controller": certificate.hash[:12], "seed": str(certificate.seed), "kit": certificate.kit}
     c = certificate
+    facts = {"controller": c.hash[:12], "seed": str(c.seed), "kit": c.kit}
+    facts |= {"on the scale": f"{c.weighed:.3g} kg"} if c.weighed else {}
     lead = (
         f"{c.samples} simulated robots, each within the uncertainty of {c.robot}, were held leaning, let go, and "
         f"knocked at the centre of mass{_above(c)}: {c.fell} fell."
@@ -56,6 +57,8 @@ def page_of(certificate: Certificate) -> Page:
     if c.light == GREEN:
         to = PROGRAMS.get(c.kit, "--target c -o balance.c")
         lead += f" Next: `upright firmware {c.controller} --robot {c.robot} {to}` writes its program."
+    elif c.mass_open:
+        lead += f" Next: {sentence(UNWEIGHED).replace('--weighed KG', '`--weighed KG`')}"
     title = HEADINGS.get(c.light, "{0} may drive {1}, with reservations").format(c.controller, c.robot)
     return Page(
         title, sections, lead, facts, False, verdict=verdict,
