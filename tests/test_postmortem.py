@@ -343,7 +343,7 @@ def test_a_push_is_named_with_its_numbers() -> None:
     assert "push backward of 0.46 ± 0.03 N s" in page.lead
     assert "The best possible controller survives 0.4 N s, so no controller could have saved this one" in page.lead
     assert [value for value, _ in page.numbers[:2]] == ["0.46 ± 0.03 N s", "0.4 N s"]
-    assert "a lean at rest of 41 ± 3°; the motors bring back 35° at most" in page.html()
+    assert "a lean at rest of 41 ± 3°; the motors bring back 35° at most" in page.html().replace("\u00a0", " ")
     saved = dataclasses.replace(first, push=dataclasses.replace(known, by="pid", saves=0.3))
     page = page_of(dataclasses.replace(found, causes=(saved, *found.causes[1:])))
     assert "Its controller (pid) survives pushes up to 0.3 N s; the best possible one survives 0.4 N s" in page.lead

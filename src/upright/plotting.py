@@ -80,13 +80,11 @@ def panels(
     labels: Sequence[str], x_label: str = "time [s]", x_scale: str = "linear", height: float | None = None,
     weights: Sequence[float] = (),
 ) -> tuple[Figure, list[Axes]]:  # fmt: skip
-    """An empty figure of panels above each other over one x; `labels` name their y, `x_scale` is "linear" or "log", and
-    a panel is `height` inches high, times its weight."""
+    """Empty panels above each other over one x, "linear" or "log"; `labels` name their y, `height` [inches] × weight."""
     height = height or min(PANEL, max((SCREEN - FOOT) / len(labels) - HEAD, LEAST))
     heights = [height * weight for weight in weights or [1.0] * len(labels)]
     bottom = total = len(labels) * HEAD + sum(heights) + FOOT
-    figure = _Picture(figsize=(WIDTH, total))
-    axes: list[Axes] = []
+    figure, axes = _Picture(figsize=(WIDTH, total)), list[Axes]()
     for label, high in zip(labels, heights, strict=True):
         bottom -= HEAD + high
         box = (LEFT / WIDTH, bottom / total, (WIDTH - LEFT - RIGHT) / WIDTH, high / total)
