@@ -80,7 +80,7 @@ def panels(
     labels: Sequence[str], x_label: str = "time [s]", x_scale: str = "linear", height: float | None = None,
     weights: Sequence[float] = (),
 ) -> tuple[Figure, list[Axes]]:  # fmt: skip
-    """Empty panels above each other over one x, "linear" or "log"; `labels` name their y, `height` [inches] × weight."""
+    """Empty panels above each other over one x, "linear" or "log"; `labels` name their y, `height` [inch] × weight."""
     height = height or min(PANEL, max((SCREEN - FOOT) / len(labels) - HEAD, LEAST))
     heights = [height * weight for weight in weights or [1.0] * len(labels)]
     bottom = total = len(labels) * HEAD + sum(heights) + FOOT
@@ -136,8 +136,7 @@ def span(axes: Sequence[Axes], start: float, stop: float, name: str, colour: str
 def plane(x_label: str, y_label: str, *, circle: bool = False) -> tuple[Figure, Axes]:
     """An empty plane with one scale for both axes; `circle` draws the unit circle of a sampled system."""
     side = 4.6
-    size = (LEFT + side + RIGHT, HEAD + side + FOOT)
-    figure = _Picture(figsize=size)
+    figure = _Picture(figsize=(size := (LEFT + side + RIGHT, HEAD + side + FOOT)))
     ax = _axes(figure, (LEFT / size[0], FOOT / size[1], side / size[0], side / size[1]))
     ax.set(ylabel=y_label)
     ax.set_xlabel(x_label, loc="right")
