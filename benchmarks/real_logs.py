@@ -3,6 +3,7 @@
     python benchmarks/real_logs.py                 # all of ../shared/data: about five minutes on two quiet cores
     python benchmarks/real_logs.py --only twipr    # one robot's runs
     python benchmarks/real_logs.py --preset ev3way --only ev3way    # from the file of another robot
+    python benchmarks/real_logs.py --only ev3way --alone --swing 14    # what a swing of the gyro at 14 Hz would bend
 
 Every EV3 run is calibrated alone from three cuts, TWIPR's two runs from their first row, then each robot's runs
 together. Printed are R² of half seconds simulated freely, on the run itself, crossed to the others, and of one set of
@@ -44,6 +45,8 @@ DATA = Path(__file__).parents[1] / "../shared/data"
 CUTS = (0.0, 0.15, 0.4)  # [s] off the end of an EV3 run, which ends in a fall: the same answer is wanted for each
 BANDS = (0, 6, 12)  # [Hz]
 ASKED = (3.0, 4.5)  # [Hz]
+SLOW, FADES = 12.0, 3.0  # [Hz] up to which the gyro is kept with `--swing`, and the width in which it then fades
+MIRRORED = 64  # rows by which a gyro is continued at its ends before it is filtered
 PUT_DOWN = 0.4  # [s] until then a hand may hold the robot
 PRESETS = {"ev3way": "ev3way-large-wheels", "twipr": "twipr"}
 
@@ -60,11 +63,25 @@ class Run:
         return f"{self.name} −{self.cut:g} s" if self.cut else self.name
 
 
-def runs(robot: str) -> Iterator[Run]:
-    """The runs of "ev3way", each with three ends, or of "twipr"."""
+def without_swing(log: Log, frequency: float) -> Log:
+    """`log` with its gyro up to `SLOW` alone, without phase; where its mount swings at a `frequency` [Hz] with little
+    damping, as it would be on a stiff one: a swing turns 1/(1 − (f/frequency)²) times as far. inf: none swings."""
+    grid = np.arange(log.t[0], log.t[-1] + log.period / 2, log.period)
+    y = np.interp(grid, log.t, log["sensor/gyro"])
+    padded = np.pad(y, MIRRORED, mode="reflect", reflect_type="odd")
+    f = np.fft.rfftfreq(len(padded), log.period)
+    gain = np.clip(1 - (f - SLOW) / FADES, 0, 1) * np.maximum(1 - (f / frequency) ** 2, 0)
+    stiff = np.fft.irfft(gain * np.fft.rfft(padded), len(padded))[MIRRORED:-MIRRORED]
+    channels = {**log.channels, "sensor/gyro": np.interp(log.t, grid, stiff)}
+    return Log(log.t, channels, log.units, log.origin)
+
+
+def runs(robot: str, swing: float = 0.0) -> Iterator[Run]:
+    """The runs of "ev3way", each with three ends and without a `swing` [Hz] where one is named, or of "twipr"."""
     if robot == "ev3way":
         for name, end in (("tilt_000", 7.4), ("nn_v7_000", np.inf), ("nn_v17_005", np.inf)):
             log = raw_log(DATA / f"ev3way/{name}.csv").between(0.0, end)
+            log = without_swing(log, swing) if swing else log
             for cut in CUTS:
                 yield Run(name, cut, log.between(0.0, log.t[-1] - cut))
     else:
@@ -168,10 +185,10 @@ def overlap(results: Sequence[tuple[Run, Calibration]], *, runs_apart: bool) -> 
     return f"{there} of {every} pairs overlap ({there / max(every, 1):.0%}); apart: {worst or 'none'}"
 
 
-def alone(robot: str, model: Robot) -> list[tuple[Run, Calibration]]:
-    """Each run calibrated alone, with a line for each."""
+def alone(robot: str, model: Robot, swing: float = 0.0) -> list[tuple[Run, Calibration]]:
+    """Each run calibrated alone, with a line for each; without a `swing` [Hz] where one is named."""
     results: list[tuple[Run, Calibration]] = []
-    for one in runs(robot):
+    for one in runs(robot, swing):
         clock, busy = time.perf_counter(), time.process_time()
         try:
             found = calibrate(one.log, model)
@@ -182,7 +199,11 @@ def alone(robot: str, model: Robot) -> list[tuple[Run, Calibration]]:
         widths = f"visible {len(visible(found))}, widths {found.widening:.2f} × Fisher's"
         print(f"  {one!s:<18} {line(dict(found.segments))}  {widths}, {took}")
         print("".join(f"      refused: {reason}\n" for reason in found.refused), end="", flush=True)
-        if not one.cut:
+        if swing:
+            every = {e.name: e for e in found.combinations}
+            told = (f"{every[n].value:.3g} ({every[n].low:.3g} to {every[n].high:.3g})" for n in ("a11", "a22/a11"))
+            print("      a11 [kg m²] {}, a22/a11 {}".format(*told), flush=True)
+        elif not one.cut:
             print(f"      {left_by_band(found)}", flush=True)
             if robot == "ev3way":
                 print(f"      {per_volt(one)}", flush=True)
@@ -191,9 +212,9 @@ def alone(robot: str, model: Robot) -> list[tuple[Run, Calibration]]:
     return results
 
 
-def together(robot: str, model: Robot) -> None:
-    """One set of numbers for all runs, on each of them."""
-    whole = [one for one in runs(robot) if not one.cut]
+def together(robot: str, model: Robot, swing: float = 0.0) -> None:
+    """One set of numbers for all runs, on each of them; without a `swing` [Hz] where one is named."""
+    whole = [one for one in runs(robot, swing) if not one.cut]
     began = time.perf_counter()
     found = calibrate([one.log for one in whole], model)
     print(f"  together: visible {len(visible(found))}, {time.perf_counter() - began:.1f} s")
@@ -259,6 +280,7 @@ def main() -> None:
     parser.add_argument("--only", choices=tuple(PRESETS), nargs="*", default=list(PRESETS))
     parser.add_argument("--preset", help="calibrate from this preset instead of the robot's own")
     parser.add_argument("--alone", action="store_true", help="leave the runs together out")
+    parser.add_argument("--swing", type=float, default=0.0, help="take a swing of the EV3's gyro at so many Hz out")
     asked = parser.parse_args()
     for robot in asked.only:
         if not (DATA / robot).is_dir():
@@ -266,7 +288,7 @@ def main() -> None:
             continue
         model = Robot.preset(asked.preset or PRESETS[robot])
         print(f"{robot}, each run alone from {model.name}")
-        results = alone(robot, model)
+        results = alone(robot, model, asked.swing)
         print(f"  runs: {overlap(results, runs_apart=True)}")
         print(f"  cuts: {overlap(results, runs_apart=False)}")
         whole = [(one, found) for one, found in results if not one.cut]
@@ -281,7 +303,7 @@ def main() -> None:
                 ends = "" if fell is None else f", and falls at {fell:.2f} s"
                 print(f"  {one.name}: its loop with {words}: pitch {pitch:.3f}, wheel rate {rate:.3f}{ends}")
         if not asked.alone:
-            together(robot, model)
+            together(robot, model, asked.swing)
 
 
 if __name__ == "__main__":

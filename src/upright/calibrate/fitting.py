@@ -154,9 +154,11 @@ class Problem:
         constants of the equations of motion, what drives them, and the dead time of each sensor."""
         values, lanes = self.values(z), z.shape[1]
         numbers = columns(self.robot, values)
-        c = np.empty((len(AT), lanes))
-        for row, value in zip(c, constants([getattr(numbers, name) for name in PARAMETERS], 1.0), strict=True):
-            row[:] = value
+        c, given = np.empty((len(AT), lanes)), [getattr(numbers, name) for name in PARAMETERS]
+        if lanes == 1:  # numbers are faster than arrays of one
+            given = [np.float64(value[0]) if isinstance(value, np.ndarray) else value for value in given]
+        for row, value in enumerate(constants(given, 1.0)):
+            c[row] = value
         if len(z) > len(self.asked):
             size = c[_LEVEL]
             if self.robot.coulomb_friction:
@@ -197,14 +199,18 @@ class Problem:
         """The events in the command's time at z (parameters,)."""
         return recording.order(self._own(recording, z))
 
-    def filtered(self, recording: Recording, z: Array, *, keep: bool = False, until: float = np.inf) -> Path:
-        """The filter at z (parameters,) along a recording, up to the time `until` [s]."""
+    def filtered(
+        self, recording: Recording, z: Array, *, keep: bool = False, until: float = np.inf, fitted: bool = False
+    ) -> Path:
+        """The filter at z (parameters,) along a recording, up to the time `until` [s], and where that is asked, to the
+        last event that is `fitted`."""
         from upright.calibrate.predictor import WIDE, Noise, kalman_path
 
         size, order = len(recording.first), self.order(recording, z)
         readings = np.exp([self.noise[SENSOR[row]] for row in recording.rows])
         noise = Noise(recording.P0, self.process(size), np.exp(self.noise.get(JITTER, -np.inf)), readings, self.restart)
-        events = events_of(recording, order[recording.when[order] <= until])
+        order = order[recording.when[order] <= until]
+        events = events_of(recording, _through_fitted(recording, order) if fitted else order)
         lanes = self.lanes(recording, np.repeat(z[:, None], WIDE, axis=1))
         return Path(*kalman_path(events, lanes, recording.first, noise, self.longest, keep))
 
@@ -220,13 +226,15 @@ class Problem:
         return Q
 
     def coefficient_slopes(
-        self, recording: Recording, q: Array, unit: Array, gains: Array, rows: Sequence[int]
-    ) -> Array:
+        self, recording: Recording, q: Array, unit: Array, gains: Array, rows: Sequence[int], *, fitted: bool = False
+    ) -> Array:  # fmt: skip
         """∂e/∂q (events, rows) of those `rows` of the coefficients q, each in its `unit`, at fixed gains: by lanes a
-        nudge either side, or two above zero for what may not be negative."""
+        nudge either side, or two above zero for what may not be negative. NaN after the last event that is `fitted`,
+        where that is asked."""
         from upright.calibrate.predictor import innovations
 
-        events = events_of(recording, recording.order(dict(zip(self.delays, q[DELAYS:].tolist(), strict=True))))
+        order = recording.order(dict(zip(self.delays, q[DELAYS:].tolist(), strict=True)))
+        events = events_of(recording, _through_fitted(recording, order) if fitted else order)
         low = q - NUDGE * unit
         low[_NOT_NEGATIVE] = np.maximum(low[_NOT_NEGATIVE], 0.0)
 
@@ -319,10 +327,15 @@ def fitted_readings(recording: Recording, path: Path) -> NDArray[np.bool_]:
     return recording.fitted & np.isfinite(path.s)
 
 
+def _through_fitted(recording: Recording, order: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Of the events in `order` those up to the last fitted one, on which no later one has an effect."""
+    return order[: int(np.flatnonzero(recording.fitted[order]).max(initial=-1)) + 1]
+
+
 def objective(problem: Problem, z: Array) -> tuple[float, list[Path]]:
     """−log posterior of z (innovations beyond `OUTLIER` count linearly); inf where the filter lost the robot in one of
-    the recordings, and the path of each."""
-    total, paths = 0.5 * float(z @ z), [problem.filtered(recording, z) for recording in problem.recordings]
+    the recordings, and the path of each through what is fitted."""
+    total, paths = 0.5 * float(z @ z), [problem.filtered(r, z, fitted=True) for r in problem.recordings]
     for recording, path in zip(problem.recordings, paths, strict=True):
         use = recording.fitted & (recording.kind >= 0)
         r2 = path.e[use] ** 2 / path.s[use]
@@ -343,7 +356,8 @@ def normal_equations(problem: Problem, z: Array, paths: Sequence[Path], value: f
         unit, rows = units(C)
         use = fitted_readings(recording, path)
         deviation = np.sqrt(path.s[use])
-        e = problem.coefficient_slopes(recording, q, unit, path.gains, rows)[use] / deviation[:, None]
+        e = problem.coefficient_slopes(recording, q, unit, path.gains, rows, fitted=True)[use]
+        e /= deviation[:, None]
         part = Linear(path.e[use] / deviation, np.where(np.isfinite(e), e, 0.0), unit[rows], rows)
         by_parameter = C[rows] / part.unit[:, None]
         weighed = huber_weight(part.whitened)[:, None] * part.by_coefficient

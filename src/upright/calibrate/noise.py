@@ -22,6 +22,8 @@ MOST_SENSOR = 1e6  # [1] most variance that is learnt of a sensor, over the one 
 TINY = 1e-12  # [1] of a variance: least scale of a noise, of innovations that are all zero
 
 Bounds = Mapping[str, tuple[float, float]]
+Parts = tuple[Array, Array, NDArray[np.str_]]
+"""Innovations, their variances, and the sensor of each."""
 
 
 def sensor_bounds(limits: Mapping[str, float]) -> dict[str, tuple[float, float]]:
@@ -35,7 +37,8 @@ def learn_noise(problem: Problem, z: Array, bounds: Bounds, *, iterations: int =
     names = list(bounds)
     low, high = np.log([bounds[n][0] for n in names]), np.log([bounds[n][1] for n in names])
     eta, damping = np.clip([problem.noise[n] for n in names], low, high), 0.05
-    value, gradient, hessian = _noise_score(problem, z, names, eta)
+    parts = _likelihood_parts(_with_noise(problem, names, eta), z)
+    value, gradient, hessian = _noise_score(problem, z, names, eta, parts)
     for _ in range(iterations):
         for _ in range(4):
             free = ~(((eta <= low) & (gradient > 0)) | ((eta >= high) & (gradient < 0)))
@@ -45,19 +48,20 @@ def learn_noise(problem: Problem, z: Array, bounds: Bounds, *, iterations: int =
             step = np.zeros_like(eta)
             step[free] = -np.linalg.solve(H, gradient[free])
             new = np.clip(eta + np.clip(step, -2.0, 2.0), low, high)
-            now = _noise_objective(problem, z, names, new)
+            there = _likelihood_parts(_with_noise(problem, names, new), z)
+            now = _noise_objective(there)
             if now < value:
                 break
             damping = 10 * damping
         else:
-            new, now = _scaled(problem, z, names, eta, (low, high))
+            new, now, there = _scaled(problem, z, names, eta, (low, high), parts)
             if not now < value:
                 break
         small = np.abs(new - eta).max() < 0.05 or value - now < GAIN
-        eta, damping = new, damping / 5
+        eta, damping, parts = new, damping / 5, there
         if small:
             break
-        value, gradient, hessian = _noise_score(problem, z, names, eta)
+        value, gradient, hessian = _noise_score(problem, z, names, eta, parts)
     return _with_noise(problem, names, eta)
 
 
@@ -67,43 +71,48 @@ def scaled_noise(problem: Problem, z: Array, bounds: Bounds) -> tuple[float, Pro
     names = list(bounds)
     low, high = np.log([bounds[n][0] for n in names]), np.log([bounds[n][1] for n in names])
     eta = np.array([problem.noise[n] for n in names])
-    value = _noise_objective(problem, z, names, eta)
-    new, now = _scaled(problem, z, names, eta, (low, high)) if np.isfinite(value) else (eta, value)
+    parts = _likelihood_parts(_with_noise(problem, names, eta), z)
+    value = _noise_objective(parts)
+    if not np.isfinite(value):
+        return value, problem
+    new, now, _ = _scaled(problem, z, names, eta, (low, high), parts)
     return (now, _with_noise(problem, names, new)) if now < value else (value, problem)
 
 
 def _scaled(
-    problem: Problem, z: Array, names: Sequence[str], eta: Array, bounds: tuple[Array, Array]
-) -> tuple[Array, float]:
-    """Log-variances with which innovations would be as large as their filter expects, and the objective there.
+    problem: Problem, z: Array, names: Sequence[str], eta: Array, bounds: tuple[Array, Array], parts: Parts
+) -> tuple[Array, float, Parts]:
+    """Log-variances with which innovations would be as large as their filter expects, and the objective and likelihood
+    there; `parts` is that at `eta`.
 
     Where all are scaled alike, gains and innovations stay as they are. So this goes on where a filter that is far from
     the log depends on its noise too roughly for a slope.
     """
-    e, s, sensor = _likelihood_parts(_with_noise(problem, names, eta), z)
+    e, s, sensor = parts
     loss = _robust(e, s)[1] * e**2 / s
     if not np.isfinite(loss).all():
-        return eta, np.inf
+        return eta, np.inf, parts
     own = {name: float(loss[sensor == name].mean()) for name in names if (sensor == name).any()}
     tries = [
         np.clip(eta + np.log([max(own.get(n, process), TINY) for n in names]), *bounds)
         for process in (float(loss.mean()), 1.0)
     ]
-    values = [_noise_objective(problem, z, names, new) for new in tries]
+    there = [_likelihood_parts(_with_noise(problem, names, new), z) for new in tries]
+    values = [_noise_objective(one) for one in there]
     best = int(np.argmin(values))
-    return tries[best], values[best]
+    return tries[best], values[best], there[best]
 
 
 def _with_noise(problem: Problem, names: Sequence[str], eta: Array) -> Problem:
     return replace(problem, noise={**problem.noise, **dict(zip(names, eta.tolist(), strict=True))})
 
 
-def _likelihood_parts(problem: Problem, z: Array) -> tuple[Array, Array, NDArray[np.str_]]:
-    """Innovations, their variances, and the sensor of each, of the samples that are enough."""
-    parts: list[tuple[Array, Array, NDArray[np.str_]]] = []
+def _likelihood_parts(problem: Problem, z: Array) -> Parts:
+    """Those of the samples that are enough."""
+    parts: list[Parts] = []
     for recording in problem.recordings:
         until = recording.when[0] + ENOUGH * recording.period / len(problem.recordings)
-        path = problem.filtered(recording, z, until=until)
+        path = problem.filtered(recording, z, until=until, fitted=True)
         use = recording.fitted & (recording.kind >= 0) & (recording.when <= until)
         sensor = np.array([SENSOR[row] for row in recording.rows])
         parts.append((path.e[use], path.s[use], sensor[recording.kind[use]]))
@@ -111,8 +120,8 @@ def _likelihood_parts(problem: Problem, z: Array) -> tuple[Array, Array, NDArray
     return e, s, sensor
 
 
-def _noise_objective(problem: Problem, z: Array, names: Sequence[str], eta: Array) -> float:
-    e, s, _ = _likelihood_parts(_with_noise(problem, names, eta), z)
+def _noise_objective(parts: Parts) -> float:
+    e, s, _ = parts
     if not (np.isfinite(e).all() and (s > 0).all()):
         return np.inf
     return 0.5 * float((_robust(e, s)[0] + np.log(s)).sum())
@@ -124,12 +133,13 @@ def _robust(e: Array, s: Array) -> tuple[Array, Array]:
     return np.where(r2 > OUTLIER**2, 2 * OUTLIER * np.sqrt(r2) - OUTLIER**2, r2), huber_weight(np.sqrt(r2))
 
 
-def _noise_score(problem: Problem, z: Array, names: Sequence[str], eta: Array) -> tuple[float, Array, Array]:
-    """Objective, its gradient and Fisher's information for the log-variances."""
+def _noise_score(
+    problem: Problem, z: Array, names: Sequence[str], eta: Array, parts: Parts
+) -> tuple[float, Array, Array]:
+    """Objective, its gradient and Fisher's information for the log-variances; `parts` is the likelihood at `eta`."""
     step = 0.05
-    (e, s, _), *moved = in_threads(
-        lambda at: _likelihood_parts(_with_noise(problem, names, at), z), [eta, *(eta + step * np.eye(len(eta)))]
-    )
+    moved = in_threads(lambda at: _likelihood_parts(_with_noise(problem, names, at), z), eta + step * np.eye(len(eta)))
+    e, s, _ = parts
     loss, weight = _robust(e, s)
     with np.errstate(invalid="ignore"):  # a filter that lost the robot has no variance, and its step is not taken
         dlog = np.column_stack([(np.log(s1) - np.log(s)) / step for _, s1, _ in moved])

@@ -85,7 +85,7 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
         best, _ = _best_simulated([best, *tries], [level, *pool.map(_simulated, tries)])
         several = [best, *fits] if len(problem.recordings) > 1 else [best]  # weighted, each may go elsewhere
         last = [_tempered(*fit) for fit in pool.map(_between_runs, several)]
-        return _best_simulated(last, [*pool.map(_simulated, last)], LEVEL)[0]
+        return _best_simulated(last, [*pool.map(_simulated, last)], LEVEL)[0] if len(last) > 1 else last[0]
 
 
 def _white(fit: Fitted) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,6 +47,13 @@ def segments(
 
 def score(problem: Problem, z: Array) -> float:
     """How well free simulation over half seconds follows the fitted parts: 1 is perfect."""
+    return _score(problem, np.ascontiguousarray(z, dtype=np.float64).tobytes())
+
+
+@lru_cache(maxsize=8)
+def _score(problem: Problem, of: bytes) -> float:
+    """The same at the numbers z that these bytes hold: several judges ask it of one fit."""
+    z = np.frombuffer(of)
     return float(np.mean([segments(problem, r, z, among=r.fitted).score() for r in problem.recordings]))
 
 
