@@ -45,6 +45,7 @@ DATA = Path(__file__).parents[1] / "../shared/data"
 CUTS = (0.0, 0.15, 0.4)  # [s] off the end of an EV3 run, which ends in a fall: the same answer is wanted for each
 BANDS = (0, 6, 12)  # [Hz]
 ASKED = (3.0, 4.5)  # [Hz]
+FAST = (5.7, 7.1, 8.5, 10.0, 11.4)  # [Hz]
 SLOW, FADES = 12.0, 3.0  # [Hz] up to which the gyro is kept with `--swing`, and the width in which it then fades
 MIRRORED = 64  # rows by which a gyro is continued at its ends before it is filtered
 PUT_DOWN = 0.4  # [s] until then a hand may hold the robot
@@ -143,8 +144,9 @@ def left_by_band(found: Calibration) -> str:
 
 
 def per_volt(one: Run) -> str:
-    """How many rad/s gyro and wheels turn for a volt, by Welch's cross-spectra near `ASKED`, where every EV3 run has
-    coherent motion: no model is in it. Runs of one robot agree, if the logged command is what reached the motors."""
+    """How many rad/s gyro and wheels turn for a volt near `ASKED`, where every EV3 run has coherent motion, and how far
+    the gyro turns for the wheels near `FAST`: Welch's cross-spectra with the command, and no model. Runs of one robot
+    agree in the first, if the logged command is what reached the motors. The second is constant for a stiff body."""
     from scipy.signal import csd, welch
 
     log = one.log.between(PUT_DOWN, np.inf)
@@ -158,16 +160,16 @@ def per_volt(one: Run) -> str:
     )  # fmt: skip
     size = min(64, len(t) // 2)
     frequency, power = welch(volts, 1 / log.period, nperseg=size, detrend="linear")
-    words: list[str] = []
+    turn, roll = (
+        abs(csd(volts, y, 1 / log.period, nperseg=size, detrend="linear")[1]) / power for y in (gyro, wheels)
+    )
+    rate, words = 2 * np.pi * frequency * roll, list[str]()
     for asked in ASKED:
         at = int(np.argmin(np.abs(frequency - asked)))
-        turn, roll = (
-            abs(csd(volts, y, 1 / log.period, nperseg=size, detrend="linear")[1][at] / power[at])
-            for y in (gyro, wheels)
-        )
-        rate = 2 * np.pi * frequency[at] * roll
-        words.append(f"at {frequency[at]:.1f} Hz gyro {turn:.2f}, wheels {rate:.2f} rad/s")
-    return "for a volt, " + "; ".join(words)
+        words.append(f"at {frequency[at]:.1f} Hz gyro {turn[at]:.2f}, wheels {rate[at]:.2f} rad/s")
+    fast = [int(np.argmin(np.abs(frequency - asked))) for asked in FAST]
+    over = ", ".join(f"{turn[at] / rate[at]:.2f} at {frequency[at]:.1f} Hz" for at in fast)
+    return f"for a volt, {'; '.join(words)}; gyro over wheels {over}"
 
 
 def overlap(results: Sequence[tuple[Run, Calibration]], *, runs_apart: bool) -> str:

@@ -160,7 +160,7 @@ def test_what_is_refused_is_not_used_elsewhere(tmp_path: Path, monkeypatch: pyte
     monkeypatch.setattr(handed_over, "as_logged", lambda _, setup: (setup, (), ()))
     monkeypatch.setattr(handed_over, "doubted", lambda *_: None)
     monkeypatch.setattr(handed_over, "unpushed", lambda log, *_: log)
-    monkeypatch.setattr(certificate, "raw_log", lambda *_: Log(np.arange(9.0), {}, {}))
+    monkeypatch.setattr(certificate, "raw_log", lambda *_: Log(np.arange(9.0) / 100, {}, {}))
     with pytest.raises(InvalidLog, match="another robot"):
         certify("lqr", ROBOT, "nxt", samples=100, log="run.csv")
     path = tmp_path / "posterior.json"
@@ -183,7 +183,7 @@ def test_a_doubtful_number_is_taken_over_where_it_leaves_white_innovations(
     monkeypatch.setattr(handed_over, "guessed", lambda *_: SimpleNamespace(refused=("no mass is asked here",)))
     monkeypatch.setattr(handed_over, "unloaded", lambda met: met)
     monkeypatch.setattr(handed_over, "learnt", lambda own, *_: handed_over.Learnt(own, None, None))
-    own, numbers = handed_over.calibrated(Log(np.arange(9.0), {}, {}), setup)
+    own, numbers = handed_over.calibrated(Log(np.arange(9.0) / 100, {}, {}), setup)
     assert own.mass_open is None
     assert (own.robot.temper, numbers) == ((after, (number,)) if taken else (before, ()))
 
