@@ -160,9 +160,7 @@ def per_volt(one: Run) -> str:
     )  # fmt: skip
     size = min(64, len(t) // 2)
     frequency, power = welch(volts, 1 / log.period, nperseg=size, detrend="linear")
-    turn, roll = (
-        abs(csd(volts, y, 1 / log.period, nperseg=size, detrend="linear")[1]) / power for y in (gyro, wheels)
-    )
+    turn, roll = (abs(csd(volts, y, 1 / log.period, nperseg=size, detrend="linear")[1]) / power for y in (gyro, wheels))
     rate, words = 2 * np.pi * frequency * roll, list[str]()
     for asked in ASKED:
         at = int(np.argmin(np.abs(frequency - asked)))
@@ -203,8 +201,8 @@ def alone(robot: str, model: Robot, swing: float = 0.0) -> list[tuple[Run, Calib
         print("".join(f"      refused: {reason}\n" for reason in found.refused), end="", flush=True)
         if swing:
             every = {e.name: e for e in found.combinations}
-            told = (f"{every[n].value:.3g} ({every[n].low:.3g} to {every[n].high:.3g})" for n in ("a11", "a22/a11"))
-            print("      a11 [kg m²] {}, a22/a11 {}".format(*told), flush=True)
+            numbers = (f"{every[n].value:.3g} ({every[n].low:.3g} to {every[n].high:.3g})" for n in ("a11", "a22/a11"))
+            print("      a11 [kg m²] {}, a22/a11 {}".format(*numbers), flush=True)
         elif not one.cut:
             print(f"      {left_by_band(found)}", flush=True)
             if robot == "ev3way":

@@ -175,7 +175,10 @@ def test_a_doubtful_number_is_taken_over_where_it_leaves_white_innovations(
 ) -> None:
     """Whiter alone is no reason: 0.04 and 0.08 are of a dead zone that passed for twice the mass; see `WHITE`."""
     handed_over = import_module("upright.certify.calibrated")
-    number, setup = SimpleNamespace(name="number"), SimpleNamespace(kit=None, dry_friction=False, actual_kit=None)
+    number, setup = (
+        SimpleNamespace(name="number"),
+        SimpleNamespace(kit=None, dry_friction=False, actual_kit=None, is_weighed=False),
+    )
     fits = iter([SimpleNamespace(refused=(), temper=temper) for temper in (before, after)])
     monkeypatch.setattr(handed_over, "as_logged", lambda _, setup: (setup, (), ()))
     monkeypatch.setattr(handed_over, "_own", lambda *_: next(fits))
