@@ -523,6 +523,63 @@ def test_the_tour_has_the_steps_that_need_no_python(page):
 
 
 @marked
+def test_a_phone_does_the_tour_where_it_is_read(browser, site):
+    """What a step names is in its card, and does what the real control does; a tap makes a curve large."""
+    context = browser.new_context(viewport={"width": 390, "height": 844}, has_touch=True, offline=True)
+    page = context.new_page()
+    page.goto(site.as_uri())
+    page.wait_for_function("window.upright?.page.drawnFirst")
+    page.click("[data-key=invitation]")
+    page.wait_for_selector(".scene.pinned")
+    page.click("[data-key='act-0.3']")
+    assert page.evaluate("upright.store.last.push") == ["impulse", 0.3]
+    assert page.input_value("[data-key=knock]") == page.input_value("[data-key=act-size]") == "0.3"
+    assert page.inner_text("[data-key=impulse]").split() == ["Knock", "0.30", "N", "s"]
+    page.fill("[data-key=act-size]", "0.1")
+    page.click("[data-key=impulse]")
+    assert page.evaluate("upright.store.last.push") == ["impulse", 0.1]
+    span = "(({min, max}) => max - min)(upright.page.charts.strips[0].plot.scales.x)"
+    for large in (True, False):
+        page.click(".slot .strip:first-child .plot")
+        page.wait_for_function(f"Math.abs({span} - {3 if large else 10}) < 0.01")  # [s] of those that are shown
+        box = page.locator(".slot .plot").first.bounding_box()
+        assert (box["height"] >= 150 and box["width"] > 350) == large  # [px] of a page 390 wide
+    page.click("[data-key=curves]")  # beside the names of the bodies
+    page.wait_for_function("document.querySelectorAll('.charts .strip').length === 4")
+    assert page.locator(".charts .strip").last.is_visible()
+    assert page.locator(".charts .strip").last.bounding_box()["y"] < 844
+    page.evaluate("upright.page.bring('Tour')")
+    for key, done in (("slow", "upright.page.speed === 0.05"), ("tilt", "upright.store.last.push?.[0] === 'tilt'")):
+        while not page.locator(f"[data-key=act-{key}]").count():
+            page.click("[data-key=tour-next]")
+        page.click(f"[data-key=act-{key}]")
+        page.wait_for_function(done)
+    context.close()
+
+
+@marked
+def test_a_robot_that_sets_off_by_itself_is_marked_so(page, site):
+    """Once, where the wheels begin to roll; not where somebody has pushed it before, or has changed it."""
+    send(page, kind="Play", paused=True, speed=1)
+    page.evaluate("upright.store.change({ noise: 3 })")  # soon enough
+    for push in (False, True):
+        send(page, kind="StandUp", pitch=0)
+        if push:
+            send(page, kind="Strike", what="impulse", size=0.05)
+        send(page, kind="Step", periods=1)
+        for _ in range(100):
+            send(page, kind="Step", periods=10)
+        marks = page.evaluate("upright.store.traces.marks.map(m => m.what)")
+        assert marks == (["stood", "self", "stood", "impulse"] if push else ["stood", "self"])
+
+
+@marked
+def test_a_link_with_a_knock_sets_its_size(page):
+    page.evaluate("location.hash = '#robot=nxtway-gs&controller=lqg&push=impulse:0.3'")
+    page.wait_for_function("document.querySelector('[data-key=knock]').value === '0.3'")
+
+
+@marked
 def test_every_controller_of_every_robot_stands_up_again_from_a_lean(page):
     """A lean of 0.05 rad; the one of the true state alone cannot bear TWIPR's dead time of 53 ms, as in Python."""
     fell: list[str] = []

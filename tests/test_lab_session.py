@@ -226,6 +226,42 @@ def test_without_a_controller_the_lean_doubles_as_the_unstable_pole_says(tmp_pat
     assert session.lanes[0].state()[0] == pytest.approx(1e-3 * math.exp(unstable_pole(ROBOT) * periods * KIT.period))
 
 
+def test_the_tour_asks_for_a_doubling_that_the_pole_explains(tmp_path):
+    """From rest the first doubling of the second step is slow; the one from 0.1 to 0.2 rad takes ln 2 / λ, to a
+    twentieth: by then e^{−λt} is below a hundredth of e^{λt}, and the sine of 0.2 rad is short by less than a
+    hundredth."""
+    session, _ = a_session(tmp_path, Setup(controller="off", bodies=("twin", "nonlinear", "linear")))
+    session.handle(StandUp(0.02))
+    rows = []
+    for _ in range(50):
+        rows.append([session.t, *(lane.state()[0] for lane in session.lanes)])
+        session.handle(Step(1))
+    t, *bodies = np.array(rows).T
+    doubling = math.log(2) / unstable_pole(ROBOT)
+    for pitch in bodies:
+        first, low, high = np.interp(np.log([0.04, 0.1, 0.2]), np.log(np.maximum.accumulate(np.abs(pitch))), t)
+        assert high - low == pytest.approx(doubling, rel=0.05)
+        assert first > 1.5 * doubling
+
+
+@pytest.mark.parametrize("waits", [50, 203, 407])
+def test_the_tour_says_truly_that_the_payload_makes_the_ghost_fall(tmp_path, waits):
+    """At 0.3 N s from rest the linear ghost alone falls, which bears it without the payload: the knock hits it at the
+    height of the laden robot's centre of mass and turns it at least twice as fast."""
+    usual = Setup(controller="lqr", bodies=("nonlinear", "linear"))
+    rates = []
+    for setup, falls in ((usual, set()), (replace(usual, payload=0.2, payload_height=0.3), {"linear"})):
+        session, _ = a_session(tmp_path, setup)
+        session.handle(StandUp(0.0))
+        session.handle(Step(waits))
+        session.handle(Strike("impulse", 0.3))
+        session.handle(Step(2))  # as long as a knock takes
+        rates.append(abs(session.lanes[1].state()[1]))
+        session.handle(Step(800))
+        assert {lane.name for lane in session.lanes if lane.fallen} == falls
+    assert rates[1] > 2 * rates[0]
+
+
 def test_a_fallen_robot_lies_still_until_it_is_stood_up(tmp_path):
     session, _ = a_session(tmp_path, replace(MODEL, controller="off"))
     session.handle(StandUp(0.3))
@@ -422,10 +458,10 @@ def test_files_of_the_run_can_be_read_again(tmp_path):
         assert session.logs()
     session.handle(Strike("impulse", 0.05))
     session.advance(1.0)
-    for what in ("csv", "parquet", "report", "controller", "robot"):
+    for what in ("csv", "parquet", "report", "compare", "controller", "robot"):
         session.handle(Save(what))
     names = {made.name for made in only(Made, attended(session, desk))}
-    assert names == {"run.csv", "run.parquet", "report.html", "controller.json", "robot.toml"}
+    assert names == {"run.csv", "run.parquet", "report.html", "compare.html", "controller.json", "robot.toml"}
     assert Log.load(tmp_path / "run.parquet") == session.logs()["nonlinear"]
     assert len(Log.load(tmp_path / "run.csv")) == 100
     assert Robot.load(tmp_path / "robot.toml") == ROBOT

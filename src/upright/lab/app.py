@@ -17,7 +17,7 @@ from upright.lab.connections import FINE, Address, Book
 from upright.lab.hub import Client, Hub
 from upright.lab.mailbox import Mailbox
 from upright.lab.messages import Uploaded
-from upright.lab.recording import page_text, static
+from upright.lab.recording import FILES, page_text, static
 
 Foreign = Callable[[str | None, str | None], bool]
 
@@ -118,7 +118,10 @@ def _download(hub: Hub, session: str, name: str) -> Response:
     known = {entry.name for entry in folder.iterdir()} if folder and folder.is_dir() else set()
     if folder is None or name not in known or name.startswith("."):
         return Response("not found", 404)
-    return FileResponse(folder / name, filename=name, content_disposition_type="attachment")
+    shown = (
+        "inline" if name == FILES["compare"] else "attachment"
+    )  # of an upload, whose name begins with in-, nothing is
+    return FileResponse(folder / name, filename=name, content_disposition_type=shown)
 
 
 async def _upload(hub: Hub, session: str, request: Request, what: str, name: str) -> Response:

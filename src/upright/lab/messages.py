@@ -31,7 +31,7 @@ VERSION = 7
 
 BodyName = Literal["twin", "nonlinear", "linear", "published", "calibrated"]
 Job = Literal["certify", "doctor", "calibrate", "design"]
-Keep = Literal["csv", "parquet", "report", "replay", "controller", "robot", "handin"]
+Keep = Literal["csv", "parquet", "report", "compare", "replay", "controller", "robot", "handin"]
 PushName = Literal["front", "back", "impulse", "pull_left", "pull_right"]
 
 

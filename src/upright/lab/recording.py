@@ -14,8 +14,8 @@ from upright.errors import MissingTool
 from upright.lab.codec import plain
 
 FILES = {
-    "csv": "run.csv", "parquet": "run.parquet", "report": "report.html", "replay": "replay.html",
-    "controller": "controller.json", "robot": "robot.toml", "handin": "hand-in.json",
+    "csv": "run.csv", "parquet": "run.parquet", "report": "report.html", "compare": "compare.html",
+    "replay": "replay.html", "controller": "controller.json", "robot": "robot.toml", "handin": "hand-in.json",
 }  # fmt: skip
 """What is kept of a session, and under which name."""
 

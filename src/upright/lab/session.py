@@ -348,7 +348,7 @@ class Session:
     def _keeping(self, message: Save) -> tuple[str, tuple[Any, ...]]:
         """The task and its arguments for a file to be downloaded."""
         what = message.what
-        if what == "report" and message.name:
+        if what in ("report", "compare") and message.name:
             opened = (self.upload(message.name), self.plant.nominal, self.plant.kit)
             return "keep comparison", (opened, self.logs(), self.folder / FILES[what])
         content: dict[str, Callable[[], Any]] = {
@@ -356,7 +356,7 @@ class Session:
             "robot": lambda: self.calibrated or self.plant.nominal,
             "replay": lambda: ([Welcome(VERSION, "", "alone", ""), views.catalogue(), *self.standing_events()],
                                self._display.view(), self._display.rows(MOMENT)),
-            "report": self._recorded,
+            "report": self._recorded, "compare": self._recorded,
             "handin": lambda: self._recorder.hand_in(message.name, self.setup, self.t, self.result()),
         }  # fmt: skip
         given = content[what]() if what in content else next(iter(self._recorded().values()))

@@ -254,7 +254,7 @@ def _in_folder(keep: Callable[..., Path]) -> Callable[..., Path]:
 
 
 _KEEPING: dict[str, Callable[..., Path]] = {
-    "csv": keep_log, "parquet": keep_log, "report": keep_report, "comparison": keep_comparison,
+    "csv": keep_log, "parquet": keep_log, "report": keep_report, "compare": keep_report, "comparison": keep_comparison,
     "handin": keep_hand_in, "controller": keep_controller, "robot": keep_robot, "replay": keep_replay,
 }  # fmt: skip
 

@@ -1,7 +1,7 @@
 // Strip charts of the six states, every body in its colour and dash.
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
-import { button, h, replace } from "./dom";
+import { button, h, keepingFocus, replace } from "./dom";
 import { Marks, ROOM } from "./marks";
 import { ink, laneColour, laneDash } from "./palette";
 import { STATES, SYMBOLS, UNITS, store } from "./store";
@@ -72,6 +72,8 @@ const FLOORS = [0.05, 0.3, 0.5, 1, 0.05, 0.2]; // half heights below which noise
 
 /** A phone, upright or on its side: the pitch stands by itself, right below the robot. */
 export const small = matchMedia("(max-width: 40rem), (max-width: 62rem) and (max-height: 32rem)");
+const narrow = matchMedia("(max-width: 40rem)"); // one upright
+const CLOSER = 0.3; // of the seconds shown, where one curve is large
 const sideways = matchMedia("(min-width: 40.01rem)"); // of a small one
 
 export class Charts {
@@ -79,6 +81,7 @@ export class Charts {
   private strips: (Strip | null)[] = []; // of the six states; none where it is not shown
   private legend = h("div", { className: "legend" });
   slot = h("div", { className: "slot" }); // in the scene
+  private large: number | null = null; // which curve a phone shows large
 
   constructor(private seconds: () => number) {
     for (const one of [small, sideways]) one.addEventListener("change", () => this.build());
@@ -90,19 +93,47 @@ export class Charts {
     const bodies = store.changed?.bodies ?? [];
     const lines = bodies.map((name) => ({ label: named(name), colour: laneColour(name), dash: laneDash(name, bodies) }));
     const more = remembered.getItem("curves") === "all";
+    if (!narrow.matches) this.large = null;
     this.strips = STATES.map((name, i) => (more || FIRST.includes(i) ? new Strip(`${SYMBOLS[i]}  ${named(name)}`, UNITS[i], lines, 104, FLOORS[i]) : null));
     replace(this.legend, ...bodies.map((name) => legendEntry(name)));
     const first = small.matches ? (sideways.matches ? FIRST.slice(0, 1) : FIRST) : [];
     const near = this.strips.filter((_, i) => first.includes(i)).map((strip) => strip?.root);
     const rest = this.strips.map((strip) => strip?.root).filter((root) => !near.includes(root));
-    const other = button(t(more ? "fewerCurves" : "moreCurves"), () => {
-      remembered.setItem("curves", more ? "first" : "all");
-      this.build();
-      this.root.querySelector<HTMLElement>("[data-key=curves]")?.focus();
-    }, { className: "quiet", "aria-expanded": String(more), "data-key": "curves" });
+    this.strips.forEach((strip, i) => strip && this.enlargeable(strip.root, i));
+    const name = t(more ? "fewerCurves" : "moreCurves");
+    const other = button(narrow.matches ? t(more ? "fewer" : "more") : name, () => (more ? this.shown("first") : this.more()), {
+      className: "quiet", "aria-label": name,
+      "aria-expanded": String(more), "data-key": "curves",
+    });
     const strips = (roots: (HTMLElement | undefined)[]) => (roots.some(Boolean) ? h("div", { className: `strips${more ? " all" : ""}` }, ...roots) : null);
-    replace(this.slot, ...(near.length ? [this.legend, strips(near)] : []));
-    replace(this.root, h("div", { className: "above" }, near.length ? null : this.legend, other), strips(rest));
+    const above = h("div", { className: "above" }, this.legend, other);
+    replace(this.slot, ...(near.length ? [above, strips(near)] : []));
+    replace(this.root, near.length ? null : above, strips(rest));
+    this.root.hidden = !this.root.childElementCount; // a phone has its first curves in the scene
+  }
+
+  /** Every curve; on a phone the others, which are below, come into sight. */
+  more(): void {
+    this.shown("all");
+    if (small.matches) this.root.scrollIntoView();
+  }
+
+  private shown(which: "all" | "first"): void {
+    remembered.setItem("curves", which);
+    keepingFocus(() => this.build());
+  }
+
+  /** On a phone a tap makes a curve large, over the last seconds alone, and another one small again. */
+  private enlargeable(root: HTMLElement, i: number): void {
+    const enlarge = h("button", { type: "button", className: "enlarge", "data-key": `enlarge-${i}` }, h("span", { "aria-hidden": "true" }, "⤢"), h("span", { className: "hidden" }, t("large", { what: named(STATES[i]) })));
+    root.classList.toggle("large", this.large === i);
+    enlarge.setAttribute("aria-expanded", String(this.large === i));
+    root.querySelector("figcaption")?.append(enlarge);
+    root.addEventListener("click", () => {
+      if (!narrow.matches) return;
+      this.large = this.large === i ? null : i;
+      keepingFocus(() => this.build());
+    });
   }
 
   draw(): void {
@@ -110,13 +141,18 @@ export class Charts {
     if (!time.length || x.length !== store.changed?.bodies.length) return;
     const [seconds, last] = [this.seconds(), time.at(-1) as number];
     const still = store.lain === null ? last : Math.min(last, store.lain + 0.1 * seconds); // where all lie, nothing moves: the fall stays in sight
-    const end = store.snapshot?.back ? store.snapshot.t : Math.max(still, time[0] + seconds); // from left to right at first
+    const until = (lasting: number) => (store.snapshot?.back ? store.snapshot.t : Math.max(still, time[0] + lasting)); // from left to right at first
+    const end = until(seconds);
     const start = end - seconds;
+    const closer = CLOSER * seconds;
     let first = time.length;
     while (first > 0 && time[first - 1] >= start) first -= 1;
     first = Math.max(0, first - 1);
     const t = time.slice(first);
-    this.strips.forEach((strip, i) => strip?.show(t, x.map((body) => body[i].slice(first)), start, end));
+    this.strips.forEach((strip, i) => {
+      const to = i === this.large ? until(closer) : end;
+      strip?.show(t, x.map((body) => body[i].slice(first)), i === this.large ? to - closer : start, to);
+    });
   }
 }
 

@@ -3,12 +3,13 @@ import { Charts, small } from "./charts";
 import { LocalSession, exported } from "./exported";
 import { ExportedRobotPanel, PythonPanel, linkButton } from "./exported_panels";
 import { button, degrees, digits, h, keepingFocus, replace, said, sayAgain, select, slider, throttled } from "./dom";
+import type { Slider } from "./dom";
 import { isLink, tokenIn } from "./link";
 import type { Recovered, ServerMessage } from "./messages";
 import { Line } from "./net";
 import type { State } from "./net";
 import { address, open as openLink } from "./opening";
-import { certificate, changedRobot, ControllerPanel, IdentifyPanel, KeepPanel, KitPanel, lamplight, latestLog, RobotPanel } from "./panels";
+import { certificate, changedRobot, COMPARISON, ControllerPanel, IdentifyPanel, KeepPanel, KitPanel, lamplight, latestLog, RobotPanel } from "./panels";
 import { Replay } from "./replay";
 import { Room } from "./scene";
 import { Flat } from "./flat";
@@ -27,7 +28,9 @@ type Tab = (typeof TABS)[number];
 const EXPORTED: readonly Tab[] = ["Tour", "Controller", "Robot", "See", "Keep", "Python"]; // the tabs of a page without Python
 
 const PINNED = 0.19; // of the window's height that the room takes while it is pinned, as in the style sheet
+const SIZES = [0.01, 0.5]; // [N s] of a knock by its button
 const SHOWN = 10; // [s] of the clock that the curves show: in slow motion less of the robot's time, and more of what is quick
+const SAME = 1e-6; // a record larger by less is the same one: sums of forces
 const SEEN = 400; // [ms] from the first picture to the work on another one
 
 /** Whether the browser draws in three dimensions, and whether by a processor that is made for it. */
@@ -51,11 +54,20 @@ class Page {
   private kit = new KitPanel();
   private identify = new IdentifyPanel();
   private keep = new KeepPanel(() => this.picture());
-  private tour = new Tour((speed) => (this.greeted(), this.run(speed)));
+  private tour = new Tour({
+    run: (speed) => (this.greeted(), this.run(speed)),
+    knock: (size) => (this.sizeTo(size), this.strike()),
+    sizer: () => this.sizer("act-size").root,
+    tilt: () => this.tilt(),
+    curves: () => this.charts.more(),
+    identify: () => this.bring("Identify"),
+  });
   private classes = new ClassPanel();
   private newcomer = !remembered.getItem("toured") && !isLink(location.hash);
   private tab: Tab = this.newcomer ? "Tour" : "Controller";
-  private knock = 0.05;
+  private knock = 0.05; // [N s]
+  private sizers: Slider[] = [];
+  private sized = h("span", { className: "of" }); // the same on the button
   private speed = 1;
   private scrub = h("input", { type: "range", min: "-60", max: "0", step: "0.02", value: "0", className: "scrub", "data-key": "scrub" });
   private pauseButton = h("button", { type: "button", "data-key": "pause" });
@@ -211,6 +223,8 @@ class Page {
   private link(): void {
     if (isLink(location.hash) && this.speed !== 1) this.run(1);
     openLink();
+    const [what, size] = store.last.push ?? ["", 0];
+    if (what === "impulse" && size >= SIZES[0] && size <= SIZES[1]) this.sizeTo(size); // as its push
   }
 
   /** From now on so many times as fast as the clock. */
@@ -235,20 +249,44 @@ class Page {
   }
 
   private pushes(): HTMLElement {
-    const strike = (what: "front" | "back" | "impulse" | "pull_left" | "pull_right", size: number) => () => store.push({ kind: "Strike", what, size });
+    const strike = (what: "front" | "back" | "pull_left" | "pull_right", size: number) => () => store.push({ kind: "Strike", what, size });
     const weight = () => store.changed?.look.weight ?? 6;
-    const size = slider(t("size"), { low: 0.01, high: 0.5, step: 0.01, show: (v) => `${fixed(v, 2)} N s`, key: "knock" }, (v) => (this.knock = v));
-    size.set(this.knock);
-    size.root.title = t("sizeTip");
+    const size = this.sizer("knock");
+    const knock = button(t("impulse"), () => this.strike(), { title: t("impulseTip"), className: "main", "data-key": "impulse" });
+    knock.append(this.sized);
     size.root.insertBefore(this.most, size.root.lastChild);
     this.champion();
     return h("div", { className: "pushes", role: "group", "aria-label": t("pushes") },
-      button(t("impulse"), () => strike("impulse", this.knock)(), { title: t("impulseTip"), className: "main", "data-key": "impulse" }), size.root,
+      knock, size.root,
       button(t("front"), strike("front", 0.1), { title: t("frontTip"), "data-key": "front" }),
       button(t("backPush"), strike("back", -0.12), { title: t("backTip"), "data-key": "back" }),
       button(t("pullLeft"), () => strike("pull_left", 0.25 * weight())(), { title: t("pullTip"), "data-key": "pull_left" }),
       button(t("pullRight"), () => strike("pull_right", 0.25 * weight())(), { title: t("pullTip"), "data-key": "pull_right" }),
-      button(t("tilt"), () => store.send({ kind: "StandUp", pitch: 0.1 }), { title: t("tiltTip"), "data-key": "tilt" }));
+      button(t("tilt"), () => this.tilt(), { title: t("tiltTip"), "data-key": "tilt" }));
+  }
+
+  /** A slider of the knock's size; every other one goes with it. */
+  private sizer(key: string): Slider {
+    const [low, high] = SIZES;
+    const made = slider(t("size"), { low, high, step: 0.01, show: (v) => `${fixed(v, 2)} N s`, key }, (v) => this.sizeTo(v));
+    made.root.title = t("sizeTip");
+    this.sizers = [...this.sizers.filter(({ root }) => root.isConnected), made];
+    this.sizeTo(this.knock);
+    return made;
+  }
+
+  private sizeTo(size: number): void {
+    this.knock = size;
+    for (const one of this.sizers) one.set(size);
+    this.sized.textContent = ` ${fixed(size, 2)} N s`;
+  }
+
+  private strike(): void {
+    store.push({ kind: "Strike", what: "impulse", size: this.knock });
+  }
+
+  private tilt(): void {
+    store.send({ kind: "StandUp", pitch: 0.1 });
   }
 
   private panels(): HTMLElement {
@@ -355,7 +393,7 @@ class Page {
       case "Snapshot": this.transported(); break;
       case "Progress": this.identify.progress(message.job, message.fraction); if (message.job === "certify") this.controller.certifying(message.fraction); break;
       case "JobResult": this.identify.found(); if (message === store.certified) this.controller.certify(); if (message !== store.certified || this.tab !== "Controller") this.toast(() => `${t(message.job as "doctor" | "calibrate" | "certify")}: ${translate(message.title)}`, message.ok ? "info" : message.job === "certify" ? "error" : "warn"); if (latestLog && this.tab === "Identify") keepingFocus(() => this.identify.build()); break;
-      case "Made": this.keep.made(message.name, message.url.startsWith("blob:") ? message.url : store.files + message.url); this.toast(() => t("made", { name: message.name }), "info"); break;
+      case "Made": if (message.name === COMPARISON) { this.compared(store.files + message.url); break; } this.keep.made(message.name, message.url.startsWith("blob:") ? message.url : store.files + message.url); this.toast(() => t("made", { name: message.name }), "info"); break;
       case "Notice": message.key === "lies" ? this.lie(() => t("lies")) : this.toast(() => (message.key ? named(message.key) : noticed(message.text)), message.level); break;
       case "Recovered": this.recovered(message); break;
       case "Board": if (this.tab === "Class") this.classes.update(); break;
@@ -381,15 +419,22 @@ class Page {
   /** Above the robot: what became of a push, for a while; that it fell, until it stands. */
   private recovered({ impulse, fell, single }: Recovered): void {
     const key = this.driven();
-    const best = Math.max(this.best[key] ?? 0, single && !fell ? impulse : 0);
+    const before = this.best[key] ?? 0;
+    const best = Math.max(before, single && !fell ? impulse : 0);
     if (best) this.best[key] = best;
     this.champion();
     const values = () => ({ impulse: digits(impulse), best: digits(best) });
     if (fell) this.lost = () => t(single ? "lostPush" : "lostPushes", values());
     if (this.down) return this.lie();
     if (fell) return;
-    this.tell(said(() => t(!single ? "recoveredSeveral" : impulse < best ? "recovered" : "recoveredMost", values())));
+    this.tell(said(() => t(!single ? "recoveredSeveral" : best < before * (1 + SAME) ? "recovered" : "recoveredMost", values())));
     this.telling = window.setTimeout(() => this.tell(), 6000);
+  }
+
+  /** A comparison is ready: its line in Identify stays, and whoever looks elsewhere is sent there. */
+  private compared(url: string): void {
+    this.identify.compared(url);
+    if (this.tab !== "Identify") this.toast(() => t("comparedThere"), "info");
   }
 
   private driven(): string {
@@ -434,7 +479,7 @@ class Page {
     }
     const force = s.f[0];
     const slope = s.f[2] ? `${t("slope")}: ${degrees(s.f[2])}` : "";
-    if (store.traces.marks.some(({ what }) => what !== "stood")) this.app.classList.add("pushed"); // who has pushed it knows how
+    if (store.traces.marks.some(({ what }) => what !== "stood" && what !== "self")) this.app.classList.add("pushed"); // who has pushed it knows how
     this.force.textContent = Math.abs(force) > 0.005 ? t("newtons", { force: fixed(force, 2) }) : slope;
     this.force.classList.toggle("slope", !(Math.abs(force) > 0.005));
   }
@@ -505,7 +550,7 @@ class Page {
     const rows = hands.map(([key, what]) => h("tr", {}, h("th", { scope: "row" }, key), h("td", {}, what)));
     const title = h("h2", { tabIndex: -1 }, t("help"));
     const dialog = h("dialog", { className: "help", "aria-label": t("help"), onclose: () => dialog.remove() },
-      title, h("table", {}, h("tbody", {}, ...rows)), button(t("close"), () => dialog.close(), { className: "main" }));
+      title, h("table", {}, h("tbody", {}, ...rows)), h("div", { className: "foot" }, button(t("close"), () => dialog.close(), { className: "main" })));
     this.app.append(dialog);
     dialog.showModal();
     title.focus(); // its first line is seen, not its button at the end
@@ -523,7 +568,7 @@ class Page {
     else if (event.key === "," || event.key === "/") this.seek(event.key === "," ? -0.25 : 0.25);
     else if (event.key === "s") this.stand();
     else if (event.key === "n" || event.key === "p") this.toured(event.key === "n" ? 1 : -1);
-    else if (event.key === "k") store.push({ kind: "Strike", what: "impulse", size: this.knock });
+    else if (event.key === "k") this.strike();
     else if (/^[1-8]$/.test(event.key) && document.getElementById(`tab-${this.tabAt(event.key)}`)) this.open(this.tabAt(event.key));
     else return;
     event.preventDefault();

@@ -8,14 +8,15 @@ import { named } from "./texts";
 
 export const ROOM = 13; // [px] above the curve for one row of labels
 const LETTER = 10.5; // [px]
+const QUIET = ["stood", "self"]; // what is no push
 const GAP = 5; // [px] at least between two labels
 const NEAR = 2; // [px] between a label and the line of another push
 
-/** A push in words, and its size alone for where there is no room for more. */
+/** A push in words, and without its unit for where there is no room for more. */
 function words({ what, size }: Mark): string[] {
   const text = named(size || what !== "hand" ? `mark_${what}` : "mark_held");
-  const short = /\{size\}.*/.exec(text);
-  return [text, ...(short ?? [])].map((one) => one.replace("{size}", digits(Math.abs(size), 2)));
+  const short = text.replace(/(?<=\{size\}).*/, "");
+  return [...new Set([text, short])].map((one) => one.replace("{size}", digits(Math.abs(size), 2)));
 }
 
 export class Marks {
@@ -35,7 +36,7 @@ export class Marks {
     ctx.setLineDash([3 * pixels, 3 * pixels]);
     ctx.font = `${LETTER * pixels}px system-ui, sans-serif`;
     for (const { mark, x } of seen.reverse()) {
-      ctx.strokeStyle = mark.what === "stood" ? soft : push;
+      ctx.strokeStyle = QUIET.includes(mark.what) ? soft : push;
       ctx.beginPath();
       ctx.moveTo(x, top);
       ctx.lineTo(x, top + height);
@@ -58,7 +59,7 @@ export class Marks {
 
   private label(labels: [string, string, number][]): void {
     const shown = JSON.stringify(labels.map(([text, what]) => [text, what]));
-    if (shown !== this.shown) this.root.replaceChildren(...labels.map(([text, what]) => h("span", { className: `event ${what}` }, text)));
+    if (shown !== this.shown) this.root.replaceChildren(...labels.map(([text, what]) => h("span", { className: `event ${QUIET.includes(what) ? "quiet" : ""}` }, text)));
     this.shown = shown;
     labels.forEach(([, , x], i) => ((this.root.children[i] as HTMLElement).style.left = `${x.toFixed(1)}px`));
   }

@@ -6,7 +6,7 @@ export type BodyName = "twin" | "nonlinear" | "linear" | "published" | "calibrat
 
 export type Job = "certify" | "doctor" | "calibrate" | "design";
 
-export type Keep = "csv" | "parquet" | "report" | "replay" | "controller" | "robot" | "handin";
+export type Keep = "csv" | "parquet" | "report" | "compare" | "replay" | "controller" | "robot" | "handin";
 
 export type PushName = "front" | "back" | "impulse" | "pull_left" | "pull_right";
 
@@ -130,7 +130,7 @@ export interface Cancel {
 
 export interface Save {
   kind: "Save";
-  what: "csv" | "parquet" | "report" | "replay" | "controller" | "robot" | "handin";
+  what: "csv" | "parquet" | "report" | "compare" | "replay" | "controller" | "robot" | "handin";
   name: string;
 }
 

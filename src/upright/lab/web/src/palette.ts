@@ -14,7 +14,8 @@ export function dark(): boolean {
 }
 
 export function laneColour(name: string): string {
-  return (dark() ? DARK : LIGHT)[name] ?? "#888888";
+  const shown = name === "nonlinear" && "uprightExport" in globalThis ? "twin" : name; // a page without Python has no twin: its robot is as blue
+  return (dark() ? DARK : LIGHT)[shown] ?? "#888888";
 }
 
 /** The first body's line is whole. */

@@ -13,6 +13,8 @@ import { legendEntry } from "./charts";
 import { sentence } from "./see";
 import { atMotors, leastMargins } from "./verdict";
 
+const HERE = ["127.0.0.1", "localhost", "[::1]"]; // an address that no other computer reaches
+
 const change = throttled(120, (part: Partial<Setup>) => store.change(part));
 let gathered: Partial<Setup> = {};
 /** Changes by sliders are gathered, so that none is lost between two messages. */
@@ -330,12 +332,15 @@ async function send(file: File, what: "log" | "robot"): Promise<void> {
   }
 }
 
+export const COMPARISON = "compare.html"; // as lab/recording.py names it
+
 export class IdentifyPanel extends Panel {
   private bars = h("div", { className: "bars" });
   private result = h("div", { className: "result", role: "region", "aria-live": "polite" });
   private shares = new Map<Job, number>();
   private running = new Map<Job, JobBar>();
   private source = "";
+  private comparison = h("p", { className: "comparison", role: "status" });
 
   constructor() {
     super();
@@ -355,21 +360,33 @@ export class IdentifyPanel extends Panel {
       button(t("compare"), () => this.compare(), { title: t("compareTip"), "data-key": "compare" }),
     );
     const logs = ".csv,.txt,.log,.tsv,.dat,.json,.mat,.parquet,.mcap";
+    sayAgain(this.comparison);
     replace(
       this.root,
-      h("div", { className: "column" }, source, upload(t("openLog"), logs, "log"), row, h("p", { className: "note" }, t("calibrateNote")), this.bars),
+      h("div", { className: "column" }, source, upload(t("openLog"), logs, "log"), row, this.comparison, h("p", { className: "note" }, t("calibrateNote")), this.bars),
       h("div", { className: "column wide" }, this.result),
     );
     this.found();
   }
 
   private compare(): void {
-    store.send({ kind: "Save", what: "report", name: this.source });
+    store.send({ kind: "Save", what: "compare", name: this.source });
     const key = [...this.shares.keys()].some((job) => job !== "design") ? "compareWaits" : "comparing";
-    store.say(() => t(key));
+    replace(this.comparison, said(() => t(key)));
   }
 
-  progress(job: Job, share: number): void {
+  /** The page of the comparison can be had; it stays so until the next one is asked for. */
+  compared(url: string): void {
+    const open = h("a", { href: url, target: "_blank", rel: "noopener", "data-key": "open-comparison" }, said(() => t("open")));
+    const save = h("a", { href: url, download: COMPARISON, "data-key": "save-comparison" }, said(() => t("saveAs", { name: COMPARISON })));
+    replace(this.comparison, said(() => t("compared")), " ", open, " · ", save);
+  }
+
+  progress(job: Job | "keep compare", share: number): void {
+    if (job === "keep compare") {
+      if (share >= 1 && !this.comparison.querySelector("a")) replace(this.comparison); // it failed, as a notice says
+      return;
+    }
     if (share >= 1) this.shares.delete(job);
     else this.shares.set(job, share);
     if (job === "design") return;
@@ -448,8 +465,10 @@ export class KeepPanel extends Panel {
     const [link, { kept }] = [address(), store.last];
     history.replaceState(null, "", link);
     await navigator.clipboard?.writeText(link).catch(() => undefined);
+    const words = () => `${t(HERE.includes(location.hostname) ? "linkHere" : "linkCopied")} ${t(kept)}`;
+    store.say(words);
     const field = h("input", { readOnly: true, value: link, "aria-label": t("link"), className: "address" });
-    replace(this.linked, h("p", { className: "note" }, said(() => `${t("linkCopied")} ${t(kept)}`)), field);
+    replace(this.linked, h("p", { className: "note" }, said(words)), field);
     field.select();
   }
 

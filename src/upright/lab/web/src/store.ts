@@ -14,6 +14,7 @@ const GAP = 0.15; // [s] without a sample: this page, or the way to it, is too s
 const AGAIN = 1000; // [ms] between two questions for what is missing
 const APART = 0.03; // [s] a sample of the history is taken where there is none so near before it
 const [STEP, SWIFT] = [0.1, 2]; // [rad] and times what its rate makes of it: an angle that goes further was set, not reached
+const [SOON, ROLLED] = [2, 0.05]; // [s] up to which a session is new; [rad] of the wheels, far more than a robot at rest creeps
 const UNDESIGNED = ["bodies", "payload", "payload_height", "slope", "grip", "seed"]; // what no controller is designed for
 
 /** The part of a set-up that a controller is designed for. */
@@ -174,6 +175,7 @@ export class Store {
   private fresh = false; // whether the curves begin anew when the robot stands up
   lain: number | null = null; // [s] since when every body lies
   private asked = -AGAIN;
+  private rest: { wheel: number; from: number } | null | undefined; // of a robot that nobody has touched, since a time [s]; undefined before the first picture
   private missing = Infinity; // [s] since when there are holes that nobody was asked about
 
   /** Whether nothing balances the robot: upright it would stand for seconds. */
@@ -190,6 +192,7 @@ export class Store {
 
   /** A push or a lean that was asked for acts from t [s] on. */
   private acted(t: number): void {
+    if (this.sent?.what === "stood") this.rest = { wheel: 0, from: t };
     if (this.fresh) this.traces.begin(t);
     else if (this.sent) this.sent.t = t;
     this.fresh = false;
@@ -206,6 +209,7 @@ export class Store {
     const { hand } = this.last;
     const { marks } = this.traces;
     const held = hand.on;
+    if (["Change", "Drag", "Strike", "Steer", "StandUp"].includes(message.kind)) this.rest = null;
     this.last.note(message, t);
     if (message.kind === "Strike") marks.push({ t, what: message.what, size: message.size });
     else if (message.kind === "StandUp") marks.push({ t, what: message.pitch ? "tilt" : "stood", size: message.pitch });
@@ -248,6 +252,14 @@ export class Store {
     for (const listener of this.listeners) listener(this.lit);
   }
 
+  /** Mark where a robot that nobody has touched sets off by itself. */
+  private alone({ t, x: [row] }: Snapshot): void {
+    if (this.rest === undefined) this.rest = t < SOON && !this.recorded ? { wheel: row[2], from: t } : null;
+    if (!this.rest || t <= this.rest.from || this.falls || Math.abs(row[2] - this.rest.wheel) < ROLLED) return;
+    this.traces.marks.push({ t, what: "self", size: 0 });
+    this.rest = null;
+  }
+
   /** Ask for the samples that this page has missed: for a hole that comes too soon after a question, later. */
   private recall(s: Snapshot): void {
     const last = this.traces.t.at(-1);
@@ -267,6 +279,7 @@ export class Store {
         if (!message.back) {
           this.recall(message);
           this.traces.add(message);
+          this.alone(message);
         }
         break;
       case "Welcome":

@@ -2,11 +2,27 @@
 // need neither the twin nor a design.
 import { small } from "./charts";
 import { button, h, replace } from "./dom";
+import { sentence } from "./see";
 import { exported } from "./exported";
 import { DEFAULT_SETUP } from "./messages";
 import type { Setup } from "./messages";
 import { LEAN, store } from "./store";
 import { t, texts } from "./texts";
+
+/** A knock of so many N s, or a control by its name. */
+type Act = number | "size" | "tilt" | "slow" | "curves" | "identify";
+
+/** What the page does when a step's own controls are used: the same as by the real ones. */
+export interface Tools {
+  run(speed: number): void;
+  knock(size: number): void;
+  sizer(): HTMLElement;
+  tilt(): void;
+  curves(): void;
+  identify(): void;
+}
+
+const SLOW = 0.05; // times the clock: slower than a fall is shown without being asked for
 
 interface Scene {
   setup: Partial<Setup>;
@@ -14,6 +30,7 @@ interface Scene {
   speed?: number; // of a fall, which takes half a second
   strike?: "front" | "back";
   live?: true; // the live lab alone has this step
+  acts?: Act[]; // what its text names, at hand where the controls are out of sight
 }
 
 interface Words {
@@ -27,15 +44,15 @@ type Step = Words & { title: string; here?: Partial<Words> };
 
 const THREE: Setup["bodies"] = ["twin", "nonlinear", "linear"];
 const SCENES: Scene[] = [
-  { setup: {}, lean: 0 },
+  { setup: {}, lean: 0, acts: [0.05, 0.3, "size"] },
   { setup: { controller: "off", bodies: THREE }, lean: LEAN, speed: 0.1 },
-  { setup: { controller: "off", kit: "ideal", bodies: ["nonlinear", "linear"] }, lean: 0.03, speed: 0.1 },
-  { setup: { controller: "lqr", bodies: THREE }, lean: 0.1 },
+  { setup: { controller: "off", kit: "ideal", bodies: ["nonlinear", "linear"] }, lean: 0.03, speed: 0.1, acts: ["slow"] },
+  { setup: { controller: "lqr", bodies: THREE }, lean: 0.1, acts: ["tilt"] },
   { setup: { controller: "lqg", bodies: THREE }, lean: 0, strike: "front" },
-  { setup: { controller: "lqg", bodies: THREE }, lean: 0, strike: "back" },
-  { setup: { controller: "lqg", bodies: THREE }, lean: 0, strike: "front", live: true },
-  { setup: { controller: "lqr", bodies: THREE, payload: 0.2, payload_height: 0.3 }, lean: 0 },
-  { setup: { controller: "robust", bodies: THREE, payload: 0.2, payload_height: 0.3 }, lean: 0, live: true },
+  { setup: { controller: "lqg", bodies: THREE }, lean: 0, strike: "back", acts: ["curves"] },
+  { setup: { controller: "lqg", bodies: THREE }, lean: 0, strike: "front", live: true, acts: ["identify"] },
+  { setup: { controller: "lqr", bodies: THREE, payload: 0.2, payload_height: 0.3 }, lean: 0, acts: [0.05, 0.3] },
+  { setup: { controller: "robust", bodies: THREE, payload: 0.2, payload_height: 0.3 }, lean: 0, live: true, acts: [0.05, 0.3, "tilt"] },
 ];
 const STEPS = SCENES.map((scene, i) => ({ scene, i })).filter(({ scene }) => !(exported && scene.live));
 
@@ -44,25 +61,40 @@ export class Tour {
   private at = 0;
   private before: Setup | null = null; // the tour
 
-  /** `run` sets the speed. */
-  constructor(private run: (speed: number) => void) {}
+  constructor(private tools: Tools) {}
 
   build(): void {
-    const { here, ...there }: Step = texts().tour[STEPS[this.at].i];
+    const { i, scene } = STEPS[this.at];
+    const { here, ...there }: Step = texts().tour[i];
     const step = { ...there, ...(exported && here) };
-    const part = (title: string, text: string) => h("div", { className: "hint-part" }, h("h4", {}, title), h("p", {}, text));
+    const part = (title: string, text: string, ...more: Node[]) => h("div", { className: "hint-part" }, h("h4", {}, title), h("p", {}, text), ...more);
+    const acts = (scene.acts ?? []).map((act) => this.control(act));
     replace(
       this.root,
       h("div", { className: "column wide" },
         h("p", { className: "note" }, t("tourStep", { n: this.at + 1, all: STEPS.length })),
         h("h3", {}, step.title),
-        h("div", { className: "hints" }, part(t("tourDo"), step.do), part(t("tourWatch"), step.watch), part(t("tourAsk"), step.ask)),
+        h("div", { className: "hints" }, part(t("tourDo"), step.do, h("div", { className: "acts" }, ...acts)), part(t("tourWatch"), step.watch), part(t("tourAsk"), step.ask)),
         h("div", { className: "row" },
           button(t("previous"), () => this.move(-1, "previous"), { disabled: this.at === 0, "data-key": "tour-previous" }),
           this.at || this.before ? button(t("tourSet"), () => this.set(), { className: this.at ? "main" : "", "data-key": "tour-set" }) : null, // at first all is ready
           button(t("next"), () => this.move(1, "next"), { className: this.at ? "" : "main", disabled: this.at === STEPS.length - 1, "data-key": "tour-next" })),
         this.before ? button(t("tourBack"), () => this.back(), { className: "quiet", "data-key": "tour-back" }) : null),
     );
+  }
+
+  /** A control that the text names, by which the page does what the real one does. */
+  private control(act: Act): HTMLElement {
+    const { knock, run, sizer, tilt, curves, identify } = this.tools;
+    const key = { "data-key": `act-${act}` };
+    if (typeof act === "number") return button(sentence(t("mark_impulse", { size: act.toFixed(2) })), () => knock(act), key);
+    switch (act) {
+      case "size": return sizer();
+      case "tilt": return button(t("tilt"), tilt, { ...key, title: t("tiltTip") });
+      case "slow": return button(t("slow"), () => run(SLOW), key);
+      case "curves": return button(t("moreCurves"), curves, key);
+      case "identify": return button(t("tabIdentify"), identify, key);
+    }
   }
 
   /** Go on or back, and give the focus to the button that was used, or to what sets the step up. */
@@ -87,7 +119,7 @@ export class Tour {
   private back(): void {
     if (this.before) store.change(this.before);
     this.before = null;
-    this.run(1);
+    this.tools.run(1);
     store.send({ kind: "StandUp", pitch: 0 });
     this.build();
   }
@@ -100,7 +132,7 @@ export class Tour {
       this.root.querySelector<HTMLButtonElement>("[data-key=tour-set]")?.focus();
     }
     store.anew(() => {
-      this.run(speed ?? 1); // first, so that nothing of the robot before is seen
+      this.tools.run(speed ?? 1); // first, so that nothing of the robot before is seen
       store.change({ ...DEFAULT_SETUP, ...setup });
       store.send({ kind: "StandUp", pitch: lean });
     });
