@@ -206,7 +206,7 @@ def test_at_first_sight(page):
     assert [text.split()[0] for text in captions.all_inner_texts()] == ["ψ", "θ"]  # what a push is seen by, and large
     page.click("[data-key=curves]")
     assert captions.count() == 6
-    units = page.locator(".strip figcaption span").all_inner_texts()
+    units = page.locator(".strip figcaption > span").all_inner_texts()
     assert units == ["rad", "rad/s"] * 3
     page.click("[data-key=curves]")
     assert captions.count() == 2

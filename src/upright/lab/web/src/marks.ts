@@ -10,7 +10,7 @@ export const ROOM = 13; // [px] above the curve for one row of labels
 const LETTER = 10.5; // [px]
 const QUIET = ["stood", "self"]; // what is no push
 const GAP = 5; // [px] at least between two labels
-const NEAR = 2; // [px] between a label and the line of another push
+const NEAR = 3; // [px] between a label and the line of another push
 
 /** A push in words, and without its unit for where there is no room for more. */
 function words({ what, size }: Mark): string[] {
