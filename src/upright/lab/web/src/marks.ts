@@ -10,7 +10,7 @@ export const ROOM = 13; // [px] above the curve for one row of labels
 const LETTER = 10.5; // [px]
 const QUIET = ["stood", "self"]; // what is no push
 const GAP = 5; // [px] at least between two labels
-const NEAR = 3; // [px] between a label and the line of another push
+const NEAR = 2; // [px] between a label and the line of another push
 
 /** A push in words, and without its unit for where there is no room for more. */
 function words({ what, size }: Mark): string[] {
@@ -43,7 +43,7 @@ export class Marks {
       ctx.stroke();
       const apart = NEAR * pixels;
       const after = Math.min(...seen.map((other) => other.x).filter((other) => other > x + apart)) - apart; // between the lines
-      const before = Math.max(left, ...seen.map((other) => other.x + apart).filter((other) => other < x - apart)); // beside it
+      const before = Math.max(left, ...seen.map((other) => other.x).filter((other) => other < x - apart).map((other) => other + apart)); // beside it
       for (const text of words(mark)) {
         const wide = ctx.measureText(text).width + 3 * pixels;
         const at = Math.min(x, room - wide, after - wide);
