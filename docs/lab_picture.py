@@ -30,7 +30,7 @@ EVERY = 8  # periods of 10 ms between two pictures
 PICTURES = 56
 WIDTH = 800  # [px] of the picture
 KNOCK = 0.12  # [N s], as the slider beside the button shows it
-SLIDE = "(slider, size) => { slider.value = Math.log(size); slider.dispatchEvent(new Event('input')); }"
+SLIDE = "(slider, size) => { slider.value = size; slider.dispatchEvent(new Event('input')); }"
 RUNNING = "(words) => { document.querySelector('[data-key=pause]').textContent = words; }"
 """The button as it is while the robot moves: here the page is paused, and goes on step by step."""
 HERE = Path(__file__).resolve().parent

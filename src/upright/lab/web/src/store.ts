@@ -256,7 +256,9 @@ export class Store {
   private alone({ t, x: [row] }: Snapshot): void {
     if (this.rest === undefined) this.rest = t < SOON && !this.recorded ? { wheel: row[2], from: t } : null;
     if (!this.rest || t <= this.rest.from || this.falls || Math.abs(row[2] - this.rest.wheel) < ROLLED) return;
-    this.traces.marks.push({ t, what: "self", size: 0 });
+    const { rest, traces } = this;
+    const k = traces.t.findIndex((time, i) => time > rest.from && Math.abs(traces.x[0][2][i] - rest.wheel) >= ROLLED); // of many that came at once
+    traces.marks.push({ t: traces.t[k] ?? t, what: "self", size: 0 });
     this.rest = null;
   }
 
