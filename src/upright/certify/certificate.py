@@ -72,7 +72,7 @@ class Certificate(Shown):
     `agreement` compares the innovations of a log with these assumptions, `support` what the log shows of each number
     that is taken as given. What was `taken` from the log, and tried, stands beside what had been assumed. `narrowing`
     says of a red light what would have to be known better (None: not examined). The robot `weighed` so much [kg] on a
-    scale (None: not told).
+    scale (None: not weighed).
     """
 
     light: str

@@ -81,7 +81,12 @@ class Blow:
     @property
     def repair(self) -> str:
         """What helps, and why."""
-        return f"{self.remedy} {sentence(self.limits)}"
+        hint = (
+            ""
+            if self.saves is not None
+            else " Name the robot's controller with --controller to see what that survives."
+        )
+        return f"{self.remedy} {sentence(self.limits)}{hint}"
 
     @property
     def limits(self) -> str:
@@ -92,9 +97,9 @@ class Blow:
             limit += ", so no controller could have saved this one"
         elif size > (1 - KNOWN) * self.most:
             limit += ", which is within the error of this one"
-        if self.saves is not None:
-            return f"its controller ({self.by}) survives pushes up to {self.saves:.2g} N s; {limit}"
-        return f"{limit}. Name the robot's controller with --controller to see what that survives"
+        if self.saves is None:
+            return limit
+        return f"its controller ({self.by}) survives pushes up to {self.saves:.2g} N s; {limit}"
 
     @property
     def lasted(self) -> str:

@@ -28,10 +28,11 @@ def with_saved(
     from upright.fleet.push_map import PushGrid, push_map
 
     first, *others = causes
-    law = controller or (named.controller if first.push and (named := recorded(log)) else None)
-    if first.push is None or law is None:
+    if (push := first.push) is None:
         return tuple(causes)
-    push = first.push
+    law = controller or ((named := recorded(log)) and named.controller)
+    if law is None:
+        return tuple(causes)
     grid = PushGrid(
         directions=[1 if push.impulse > 0 else -1],
         heights=np.array([push.height]),

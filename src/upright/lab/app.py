@@ -118,9 +118,8 @@ def _download(hub: Hub, session: str, name: str) -> Response:
     known = {entry.name for entry in folder.iterdir()} if folder and folder.is_dir() else set()
     if folder is None or name not in known or name.startswith("."):
         return Response("not found", 404)
-    shown = (
-        "inline" if name == FILES["compare"] else "attachment"
-    )  # of an upload, whose name begins with in-, nothing is
+    # what was uploaded is never shown: its name begins with in-
+    shown = "inline" if name == FILES["compare"] else "attachment"
     return FileResponse(folder / name, filename=name, content_disposition_type=shown)
 
 

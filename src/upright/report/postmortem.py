@@ -94,15 +94,15 @@ def _numbers(result: PostMortem) -> list[tuple[str, str]]:
     numbers = []
     if push:
         where = f"the push at {push.start:.2f} s, {push.lasted}, taken to hit {push.height:.2g} m above the axle"
-        saved, by = (push.most, "the best possible") if push.saves is None else (push.saves, "its")
+        most, by = (push.most, "the best possible") if push.saves is None else (push.saves, "its")
         best = f"the largest such push that {by} controller survives{push.powered}"
-        numbers = [(push.size, where), (f"{saved:.2g} N s", best)]
+        numbers = [(push.size, where), (f"{most:.2g} N s", best)]
     elif known:
         sign = "from the first sign, where the sensors differ from the model,"
         numbers = [(f"{result.fell_at - result.onset:.2g} s", f"{sign} to the fall")]
         if lost is not None:
-            saved = "from the first sign until the motors could no longer save it"
-            numbers.append((f"{lost - result.onset:.2g} s", saved))
+            until = "from the first sign until the motors could no longer save it"
+            numbers.append((f"{lost - result.onset:.2g} s", until))
     likely = [c for k, c in enumerate(result.causes[:3]) if c.likelihood >= (WORTH if k else SHOWN)]
     if not likely:
         return numbers
@@ -151,7 +151,7 @@ def _lead(result: PostMortem) -> str:
 def _plain(cause: Cause) -> str:
     """The first clause of the evidence, without the filter's words; of a push how it compares with what is saved."""
     if push := cause.push:
-        return f"{push} most likely threw it over. {sentence(push.limits.partition('. ')[0]).rstrip('.')}"
+        return f"{push} most likely threw it over. {sentence(push.limits, '')}"
     return (
         cause.evidence.split("; ", maxsplit=1)[0]
         .split(". ", maxsplit=1)[0]

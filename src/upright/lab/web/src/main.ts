@@ -10,6 +10,7 @@ import { Line } from "./net";
 import type { State } from "./net";
 import { address, open as openLink } from "./opening";
 import { certificate, changedRobot, COMPARISON, ControllerPanel, IdentifyPanel, KeepPanel, KitPanel, lamplight, latestLog, RobotPanel } from "./panels";
+import { QUIET } from "./marks";
 import { Replay } from "./replay";
 import { Room } from "./scene";
 import { Flat } from "./flat";
@@ -479,7 +480,7 @@ class Page {
     }
     const force = s.f[0];
     const slope = s.f[2] ? `${t("slope")}: ${degrees(s.f[2])}` : "";
-    if (store.traces.marks.some(({ what }) => what !== "stood" && what !== "self")) this.app.classList.add("pushed"); // who has pushed it knows how
+    if (store.traces.marks.some(({ what }) => !QUIET.includes(what))) this.app.classList.add("pushed"); // who has pushed it knows how
     this.force.textContent = Math.abs(force) > 0.005 ? t("newtons", { force: fixed(force, 2) }) : slope;
     this.force.classList.toggle("slope", !(Math.abs(force) > 0.005));
   }

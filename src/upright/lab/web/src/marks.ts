@@ -8,7 +8,7 @@ import { named } from "./texts";
 
 export const ROOM = 13; // [px] above the curve for one row of labels
 const LETTER = 10.5; // [px]
-const QUIET = ["stood", "self"]; // what is no push
+export const QUIET = ["stood", "self"]; // what is no push
 const GAP = 5; // [px] at least between two labels
 const NEAR = 2; // [px] between a label and the line of another push
 
