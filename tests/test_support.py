@@ -20,7 +20,7 @@ import pytest
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.body import Sample
 from upright.calibrate.estimate import Estimate
-from upright.calibrate.knocks import _calm, unpushed, without_knocks
+from upright.calibrate.knocks import _calm, first_state, unpushed, without_knocks
 from upright.certify.actual import as_logged, doubted
 from upright.certify.agreement import LARGER, RED, Agreement, agreement
 from upright.certify.calibrated import Learnt, _weighed, calibrated, guessed, learnt, weighed
@@ -33,6 +33,7 @@ from upright.certify.recovery import _rest
 from upright.certify.support import LOAD_KNOWN, Support, supported
 from upright.certify.verdict import AMBER, GREEN, LinearMargins, judge
 from upright.control import Controller, make_controller
+from upright.control.delay import sampled
 from upright.errors import InvalidLog, InvalidRobot, InvalidScenario
 from upright.experiment import Drive, Impulse, Slope, run
 from upright.kernel.batch import parameters_of
@@ -453,9 +454,11 @@ def test_a_robot_on_a_scale_has_the_mass_of_the_scale_in_its_own_shape() -> None
     assert same.numbers() == pytest.approx(ROBOT.numbers())
 
 
-@pytest.mark.parametrize(("weighed", "logged"), [(0.01, True), (0.3, False), (math.nan, True), (-1.0, True)])
+@pytest.mark.parametrize(
+    ("weighed", "logged"), [(0.01, True), (0.3, False), (math.nan, True), (-1.0, True), (660.0, True)]
+)
 def test_a_weight_that_is_none_of_this_robot_is_refused(weighed: float, *, logged: bool) -> None:
-    """Less than its wheels; and half of its mass without a log, which would show where the other half was."""
+    """Less than its wheels, or grams; and half of its mass without a log, which would show where the other half was."""
     with pytest.raises(InvalidRobot, match=r"kg"):
         on_the_scale(ROBOT, weighed, logged=logged)
 
@@ -518,3 +521,13 @@ def test_a_robot_stands_on_the_slope_that_its_motors_bore() -> None:
     assert np.ptp(angles) > 0.2 * slope  # spreads of 10 % in the motors' constants
     assert rest == pytest.approx([float(_rest(ROBOT, 0.0, slope)[1])] * 20, rel=1e-9)
     assert (shown.angles(0.0, parameters_of(robots), ROBOT) == 0).all()  # an expected slope is the same for all
+
+
+def test_a_sensor_that_is_ten_periods_behind_has_a_first_state() -> None:
+    """Its readings on their way are numbered by two digits: each of them is the first reading."""
+    behind = dataclasses.replace(KIT.sensors["sensor/gyro"], delay=11.5 * KIT.period)
+    model = sampled(ROBOT, dataclasses.replace(KIT, sensors={**KIT.sensors, "sensor/gyro": behind}))
+    state = first_state(model, np.array([0.1, 0.1, 0.3]))
+    waiting = [name for name in model.linear.states if name.startswith("sensor/gyro@")]
+    assert "sensor/gyro@10" in waiting
+    assert [state[model.linear.states.index(name)] for name in waiting] == [0.3] * len(waiting)

@@ -83,11 +83,12 @@ def _reading(log: Log, name: str) -> Array:
 
 
 def first_state(model: SampledRobot, readings: Array) -> Array:
-    """The state (states,) at rest with these first readings (sensors,)."""
-    first, start = np.nan_to_num(readings), np.zeros(len(model.linear.A))
+    """The state (states, …) at rest with these first readings (sensors, …)."""
+    first = np.nan_to_num(readings)
+    start = np.zeros((len(model.linear.A), *first.shape[1:]))
     start[2], start[4] = (first[0] + first[1]) / 2, (first[1] - first[0]) / (2 * turn_ratio(model.robot))
     for place, name in enumerate(model.linear.states):
-        start[place] += first[RAW.index(name[:-2])] if "@" in name else 0.0
+        start[place] += first[RAW.index(name.partition("@")[0])] if "@" in name else 0.0
     return start
 
 

@@ -14,13 +14,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from upright.arrays import Array
-from upright.calibrate.knocks import SETTLED, at_motors, recorded
+from upright.calibrate.knocks import SETTLED, at_motors, first_state, recorded
 from upright.certify.checks import TrialSetup, watched
 from upright.control.delay import RAW, sampled
 from upright.control.kalman import Filter, filtered, kalman_filter
 from upright.errors import SpecMismatch
 from upright.logs.recording import commanded
-from upright.physics.dynamics import turn_ratio
 from upright.signals import Log
 
 AMBER, RED = "amber", "red"
@@ -99,12 +98,7 @@ def innovation_size(estimator: Filter, readings: Array, applied: Array) -> Array
     (NaN) and the first `SETTLED` seconds are left out.
     """
     model, linear = estimator.sampled, estimator.sampled.linear
-    first = np.nan_to_num(readings[:, 0]).T
-    start = np.zeros((len(linear.A), len(readings)))
-    turn = turn_ratio(model.robot)
-    start[2], start[4] = (first[0] + first[1]) / 2, (first[1] - first[0]) / (2 * turn)
-    for place, name in enumerate(linear.states):
-        start[place] += first[RAW.index(name[:-2])] if "@" in name else 0.0
+    start = first_state(model, readings[:, 0].T)
     commands = np.moveaxis(applied, 0, 2)
     before = np.concatenate([np.zeros_like(commands[:1]), commands[:-1]])
     moved = model.before @ before + model.now @ commands
