@@ -79,7 +79,7 @@ def apart(problem: Problem, z: Array, sources: Sequence[str]) -> tuple[str, ...]
     """
     runs = range(len(problem.recordings))
     fits = [_fitted(problem, z, [run]) for run in runs] if len(runs) > 1 else []
-    alone, least = [_numbers(*fit) for fit in fits], [fit[2].objective for fit in fits]
+    alone, least = [_numbers(*fit) for fit in fits], [fit[2].objective + _by_chance(*fit) for fit in fits]
     gaps = [gap for one, other in combinations(runs, 2) for gap in _gaps(one, other, alone[one], alone[other])]
     limit = _limit(max(len(gaps), 1))
     if not gaps or max(gaps).deviations <= limit:
@@ -146,7 +146,7 @@ def _likeliest(
     problem: Problem, z: Array, runs: Sequence[int], least: Sequence[float], sources: Sequence[str]
 ) -> tuple[str, ...]:
     """The likeliest factor on the commands of one of `runs`, in words; nothing where none says enough. `least` are the
-    objectives of all runs, each fitted by itself."""
+    objectives of all runs, each fitted by itself, less what that gains by chance."""
     if not runs:
         return ()
     none = gauss_newton(problem, z, iterations=ITERATIONS)
@@ -156,7 +156,7 @@ def _likeliest(
 
 def _acts(problem: Problem, z: Array, run: int, none: Minimum, own: float) -> _Factor | None:
     """The factor on the commands of `run`; None where it does not say most of what a fit of this run apart would.
-    `none` is the fit without a factor, `own` the objective of the run fitted by itself."""
+    `none` is the fit without a factor, `own` the objective of the run fitted by itself, less its gain by chance."""
     names = [p.name for p in problem.parameters]
     supply = f"{RUN}{run}/{BATTERY}"
     if supply not in names:
@@ -223,6 +223,13 @@ def _fitted(problem: Problem, z: Array, runs: Sequence[int]) -> tuple[Problem, A
     part = replace(problem, recordings=tuple(problem.recordings[run] for run in runs), parameters=tuple(parameters))
     least = gauss_newton(part, first, iterations=ITERATIONS)
     return part, least.z, least.normal, least.paths
+
+
+def _by_chance(problem: Problem, z: Array, normal: Normal, paths: Sequence[Path]) -> float:
+    """[nats] that a fit of one run by itself gains though it does not differ: half of one for each of the robot's
+    numbers that it tells (Wilks 1938), and less for those that are mostly the prior's."""
+    C = posterior(problem, z, normal, paths)
+    return 0.5 * sum(1.0 - float(C[i, i]) for i, p in enumerate(problem.parameters) if not p.name.startswith(RUN))
 
 
 def _numbers(problem: Problem, z: Array, normal: Normal, paths: Sequence[Path]) -> list[_Number]:
