@@ -33,13 +33,6 @@ less was followed better from a third start; the others are near a fall, or of a
 GROWING = (0.25, 0.5, 0.75, 1.0)
 """Fractions of a stretch to which a first state is fitted in turn. Over a short time the motion is nearly linear in it
 and the error has one minimum; over the whole of a fall it has one for each way to fall."""
-SAME = 1e-3  # [1] of the weak hold below: first states so close descend to one
-MISSED = 1e4  # squared error, over its scale, of a reading beyond a fall: as far off as what varies a hundredfold
-
-_NUDGES = np.array([1e-5, 1e-4, 1e-4, 1e-3, 1e-4, 1e-3])  # steps in the first state, of its own size
-_SPANS = np.array([0.05, 0.5, 0.5, 5.0, 0.5, 2.0])  # [rad, rad/s] a weak hold, so that a still wheel is no singularity
-_ITERATIONS = 12  # of Gauss–Newton, at most
-_FIRST_DAMPING, _MOST_DAMPING = 1e-4, 1e4  # of Levenberg and Marquardt, of the normal equations' diagonal
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,7 +57,7 @@ class Stretch:
         object.__setattr__(self, "_robot", self.problem.lanes(self.recording, self.z[:, None]))
         object.__setattr__(self, "_given", _events(self.recording, self.order, self.before))
         object.__setattr__(self, "events", self.order[kind >= 0])
-        object.__setattr__(self, "_read", (np.flatnonzero(kind >= 0), self.scale[kind[kind >= 0], None]))
+        object.__setattr__(self, "_read", (np.flatnonzero(kind >= 0), self.scale[kind[kind >= 0]]))
 
     def predicted(self, filtered: Array) -> Array:
         """The readings (events,) as simulated from the best first state, near the one of the filter (states,) or any
@@ -94,10 +87,8 @@ class Stretch:
 
     def _errors(self, firsts: Array) -> Array:
         """Errors (events, lanes) over their scale, from the first states (states, lanes)."""
-        count, (rows, scale) = firsts.shape[1], self._read
-        if count not in self._lanes:
-            self._lanes[count] = _alike(self._robot, count)
-        return _simulated(self._given, self._lanes[count], firsts, self.problem.longest)[rows] / scale
+        (rows, scale), robots = self._read, self._robots(firsts.shape[1])
+        return _simulated(self._given, robots, firsts, self.problem.longest)[rows] / scale[:, None]
 
     def _starts(self, filtered: Array) -> Array:
         """First states (states, lanes) to try: the filter's, and those of several pitches with the rates that the first
@@ -122,34 +113,26 @@ class Stretch:
         return [firsts[:, lane] for lane in np.argsort(_cost(self._errors(firsts)), kind="stable")[:MOST_TRIED]]
 
     def _descended(self, first: Array, known: Array, until: int | None = None) -> tuple[Array, float]:
-        """The first state of least error near `first`, and its cost, by damped Gauss–Newton; as far as to one that is
-        `known` already. Of the first `until` events, where given."""
-        best, least, damping = first, np.inf, _FIRST_DAMPING
-        hessian, slope = np.eye(6), np.zeros(6)
-        candidate = first
-        for _ in range(_ITERATIONS):
-            lanes = np.repeat(candidate[:, None], 7, axis=1)
-            lanes[np.arange(6), 1 + np.arange(6)] += _NUDGES
-            e = self._errors(lanes)[:until]
-            cost = float(_cost(e[:, :1])[0])
-            if cost < least:
-                done, best, least, damping = cost > 0.9999 * least, candidate, cost, damping / 10
-                J = (e[:, 1:] - e[:, :1]) / _NUDGES
-                there = np.isfinite(J).all(axis=1) & (np.abs(e[:, 0]) < np.sqrt(MISSED))
-                hessian, slope = J[there].T @ J[there] + np.diag(1 / _SPANS**2), J[there].T @ e[there, 0]
-                if done or (np.abs(candidate - known)[:6] < SAME * _SPANS).all():
-                    break
-            else:
-                damping = max(30 * damping, 1e-3)
-                if damping > _MOST_DAMPING:
-                    break
-            candidate = best.copy()
-            candidate[:6] -= np.linalg.solve(hessian + damping * np.diag(np.diag(hessian)), slope)
-        return best, least
+        """The first state of least error near `first`, and its cost; as far as to one that is `known` already. Of the
+        first `until` readings, where given."""
+        from upright.calibrate.descent import LANES, descended
+
+        rows, scale = (of_all[:until] for of_all in self._read)
+        given = self._given._replace(order=self._given.order[: rows[-1] + 1])
+        start, robot = np.ascontiguousarray(first), self._robots(LANES)
+        return descended(given, robot, rows, scale, start, np.ascontiguousarray(known), self.problem.longest)
+
+    def _robots(self, count: int) -> RobotLanes:
+        """The robot in so many lanes."""
+        if count not in self._lanes:
+            self._lanes[count] = _alike(self._robot, count)
+        return self._lanes[count]
 
 
 def _cost(errors: Array) -> Array:
     """Sum of squares (lanes,) of errors (events, lanes); what is beyond a fall counts as `MISSED`."""
+    from upright.calibrate.descent import MISSED
+
     with np.errstate(invalid="ignore", over="ignore"):
         return np.where(np.isfinite(errors), np.minimum(errors**2, MISSED), MISSED).sum(axis=0)
 

@@ -35,7 +35,10 @@ SOURCES = (
     "compiled/electronics.py", "robots/kit.py",
 )  # fmt: skip
 """What decides about compiled functions; the last two about the rows of a sensor's numbers."""
-ALSO = ("calibrate/kept.py", "calibrate/motion.py", "calibrate/predictor.py", "diagnose/propagation.py")
+ALSO = (
+    "calibrate/descent.py", "calibrate/kept.py", "calibrate/motion.py", "calibrate/predictor.py",
+    "diagnose/propagation.py",
+)  # fmt: skip
 """What else decides about functions that Numba itself compiles and calls."""
 
 _CHECKSUM = hashlib.sha256().digest_size  # bytes before the code of a file

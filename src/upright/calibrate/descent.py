@@ -1,0 +1,109 @@
+"""Down to the first state from which a robot, simulated freely, follows its readings best: compiled."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from upright.calibrate.motion import STATES, njit
+from upright.calibrate.predictor import innovations
+
+LANES = STATES + 1  # the first state, and one nudged in each of the six
+MISSED = 1e4  # squared error, over its scale, of a reading beyond a fall: as far off as what varies a hundredfold
+NUDGES = np.array([1e-5, 1e-4, 1e-4, 1e-3, 1e-4, 1e-3])  # steps in the first state, of its own size
+SPANS = np.array([0.05, 0.5, 0.5, 5.0, 0.5, 2.0])  # [rad, rad/s] a weak hold, so that a still wheel is no singularity
+ITERATIONS = 12  # of Gauss–Newton, at most
+FIRST_DAMPING, MOST_DAMPING = 1e-4, 1e4  # of Levenberg and Marquardt, of the normal equations' diagonal
+LESS, MORE, LEAST_RAISED = 0.1, 30.0, 1e-3  # [1] factors of it after a success and a failure, and the least after this
+LEVEL = 0.9999  # [1] of the cost: one that falls by less is the last
+SAME = 1e-3  # [1] of the weak hold: first states so close descend to one
+
+
+@njit
+def cost_of(e: Any) -> Any:
+    """What an error over its scale costs; beyond a fall it is NaN, and counts as `MISSED`."""
+    return min(e * e, MISSED) if np.isfinite(e) else MISSED
+
+
+@njit
+def _normal(e: Any, hessian: Any, slope: Any) -> None:
+    """The normal equations of the errors e (events, lanes) of a first state and its neighbours."""
+    J = np.zeros(STATES)
+    for i in range(STATES):
+        slope[i] = 0.0
+        for j in range(STATES):
+            hessian[i, j] = 1 / SPANS[i] ** 2 if i == j else 0.0
+    for k in range(len(e)):
+        there = e[k, 0] * e[k, 0] < MISSED
+        for i in range(STATES):
+            J[i] = (e[k, 1 + i] - e[k, 0]) / NUDGES[i]
+            there = there and np.isfinite(J[i])
+        if there:
+            for i in range(STATES):
+                slope[i] += J[i] * e[k, 0]
+                for j in range(STATES):
+                    hessian[i, j] += J[i] * J[j]
+
+
+@njit
+def _step(hessian: Any, damping: Any, slope: Any, L: Any, step: Any) -> None:
+    """Solves (H + damping · diag H) step = slope, by Cholesky's factor L."""
+    for i in range(STATES):
+        for j in range(i + 1):
+            left = hessian[i, j] * (1 + damping if i == j else 1.0)
+            for k in range(j):
+                left -= L[i, k] * L[j, k]
+            L[i, j] = math.sqrt(left) if i == j else left / L[j, j]
+        step[i] = slope[i]
+        for k in range(i):
+            step[i] -= L[i, k] * step[k]
+        step[i] /= L[i, i]
+    for i in range(STATES - 1, -1, -1):
+        for k in range(i + 1, STATES):
+            step[i] -= L[k, i] * step[k]
+        step[i] /= L[i, i]
+
+
+@njit
+def _near(state: Any, known: Any) -> Any:
+    """Whether a state is one that is `known` already."""
+    near = True
+    for i in range(STATES):
+        near = near and abs(state[i] - known[i]) < SAME * SPANS[i]
+    return near
+
+
+@njit
+def descended(events: Any, robot: Any, read: Any, scale: Any, first: Any, known: Any, longest: Any) -> Any:
+    """The first state (states,) of least error near `first`, and its cost, by damped Gauss–Newton; as far as to one
+    that is `known` already. Errors are those of the events `read` (readings,), over their `scale` (readings,); `robot`
+    are `LANES` of it, in steps of at most `longest` [s]."""
+    size, gains = len(first), np.zeros((len(events.order), len(first)))
+    best, candidate, least, damping = first.copy(), first.copy(), np.inf, FIRST_DAMPING
+    hessian, L, slope, step = np.zeros((STATES, STATES)), np.zeros((STATES, STATES)), np.zeros(STATES), np.zeros(STATES)
+    lanes, e = np.empty((size, LANES)), np.empty((len(read), LANES))
+    for _ in range(ITERATIONS):
+        for i in range(LANES):
+            for j in range(size):
+                lanes[j, i] = candidate[j] + (NUDGES[j] if i == j + 1 else 0.0)
+        missed, cost = innovations(events, robot, lanes, gains, longest), 0.0
+        for k in range(len(read)):
+            for i in range(LANES):
+                e[k, i] = missed[read[k], i] / scale[k]
+            cost += cost_of(e[k, 0])
+        if cost < least:
+            done, least, damping = cost > LEVEL * least, cost, LESS * damping
+            best[:] = candidate
+            _normal(e, hessian, slope)
+            if done or _near(candidate, known):
+                break
+        else:
+            damping = max(MORE * damping, LEAST_RAISED)
+            if damping > MOST_DAMPING:
+                break
+        _step(hessian, damping, slope, L, step)
+        for j in range(size):
+            candidate[j] = best[j] - (step[j] if j < STATES else 0.0)
+    return best, least
