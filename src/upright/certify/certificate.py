@@ -265,7 +265,8 @@ def certify(
     setup, shown, taken = as_logged(recording, setup) if recording else (setup, (), ())
     contradicted = doubtful_mass(recording, setup, taken) if recording and posterior is not None else contradicted
     taken = (*taken, *(s for s in wrong if s.name not in {t.name for t in taken}))
-    setup = replace(setup, progress=RunCounter(setup.runs, progress)) if progress else setup
+    counted = setup.runs if sweeps else setup.runs_of_trials
+    setup = replace(setup, progress=RunCounter(counted, progress)) if progress else setup
     runs, fallen, beyond = trials(setup)
     linear, period = linear_margins(design, setup.actual_robot, setup.actual_kit), design.spec.period
     fell, hopeless, who = int(fallen.sum()), int(beyond.sum()), identity(design)

@@ -14,6 +14,7 @@ import threading
 import time
 import warnings
 from collections import deque
+from collections.abc import Callable
 from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
 from pathlib import Path
@@ -21,7 +22,6 @@ from queue import SimpleQueue
 from typing import Any, Protocol
 
 from upright.errors import UprightError
-from upright.progress import Progress, unwatched
 from upright.reading import limit_memory
 
 Key = tuple[str, str]
@@ -61,7 +61,7 @@ class InlineDesk:
     def poll(self) -> list[Word]:
         """Do all that was submitted, and say what came of it."""
         asked, self._asked = self._asked, []
-        return [(key, *_done(task, args, unwatched)) for key, task, args in asked]
+        return [(key, *_done(task, args, _unheard)) for key, task, args in asked]
 
 
 class ProcessDesk:
@@ -250,11 +250,10 @@ def _work(pipe: Connection) -> None:
 
     shown = [-1.0]
 
-    def report(fraction: float) -> None:
-        fraction = round(fraction, 2)
-        if fraction != shown[0]:
-            shown[0] = fraction
-            pipe.send(("progress", fraction))
+    def report(fraction: float, runs: int = 0) -> None:
+        if round(fraction, 2) != shown[0]:
+            shown[0] = round(fraction, 2)
+            pipe.send(("progress", (fraction, runs)))
 
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     warnings.simplefilter("ignore")  # of a student's numbers: the result says what is wrong
@@ -269,7 +268,11 @@ def _work(pipe: Connection) -> None:
             return
 
 
-def _done(task: str, args: tuple[Any, ...], report: Progress) -> tuple[str, Any]:
+def _unheard(fraction: float, runs: int = 0) -> None:
+    """A report that nobody hears of the `fraction` done, of so many `runs`."""
+
+
+def _done(task: str, args: tuple[Any, ...], report: Callable[..., None]) -> tuple[str, Any]:
     from upright.lab.tasks import TASKS
 
     try:

@@ -50,8 +50,8 @@ def export(
     progress: Progress = unwatched,
 ) -> Path:
     """Write the lab's page into `folder` and return its path: these `robots` (none: every preset), each behind its own
-    kit with every one of these `controllers` (none: all but `NOT_USUAL`) that it can have. `say` receives what was
-    left out, `progress` the fraction done.
+    kit with every one of these `controllers` (none: all but `NOT_USUAL`) that it can have. `say` receives each
+    robot's name when it is begun and what was left out, `progress` the fraction done.
 
     Raises `UprightError` for a folder that holds another page, `UnknownName`, and whatever a robot is refused for.
     """
@@ -67,9 +67,13 @@ def export(
             raise UnknownName("controller", name, CONTROLLERS)
     methods = list(controllers) or [f.name for f in families() if f.name not in (BY_HAND, OFF, *NOT_USUAL)]
     page, ready = inlined(page_text()), list[PrintedRobot]()
-    for robot in chosen:
-        progress(len(ready) / len(chosen))
-        ready.append(printed(robot, methods, say=say, load=LOAD))
+    for k, robot in enumerate(chosen):
+
+        def show(fraction: float, k: int = k) -> None:
+            progress((k + fraction) / len(chosen))
+
+        say(f"{robot.name}: robot {k + 1} of {len(chosen)}, with {len(methods)} methods of design")
+        ready.append(printed(robot, methods, say=say, load=LOAD, progress=show))
     script = exported_script(ready)
     make_folder(path.parent)
     return write_text(path, page.replace(MARK, f"<script>{script}</script>"))
@@ -101,17 +105,19 @@ class PrintedRobot:
 
 
 def printed(
-    robot: Robot, methods: Sequence[str], *, say: Callable[[str], None], load: tuple[float, float] | None = None
-) -> PrintedRobot:
+    robot: Robot, methods: Sequence[str], *, say: Callable[[str], None], load: tuple[float, float] | None = None,
+    progress: Progress = unwatched,
+) -> PrintedRobot:  # fmt: skip
     """The robot behind its own kit, with the controllers of these `methods`, and with a `load` [kg, m] that can be put
-    on it; raises `InvalidRobot` if none of the controllers fits."""
+    on it; `progress` receives the fraction done. Raises `InvalidRobot` if none of the controllers fits."""
     kit = find_kit(robot.kit)
     motion, numbers = printed_robot(robot, kit)
     laden = printed_robot(loaded(robot, *load), kit)[0] if load else ""
     numbers["laden"] = _shown(robot, kit, load) if load else None
     laws: dict[str, str] = {}
     controllers: dict[str, Any] = {}
-    for name in methods:
+    for k, name in enumerate(methods):
+        progress(k / len(methods))
         try:
             laws[name], controllers[name] = _designed(robot, kit, name)
         except UprightError as error:

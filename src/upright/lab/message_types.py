@@ -20,6 +20,10 @@ NamedNumbers = Annotated[dict[Text, Number], MaxLen(MOST_ITEMS)]
 STRICT = {"extra": "forbid", "strict": True, "allow_inf_nan": False}
 """How pydantic reads these classes: nothing unknown, nothing converted, no NaN."""
 
+Job = Literal["certify", "doctor", "calibrate", "design"]
+Work = Literal["certify", "doctor", "calibrate", "design", "light"]
+"""What is computed beside the loop: jobs that a page can start, and the light that follows every change."""
+
 T = TypeVar("T")
 
 
@@ -37,6 +41,15 @@ class Acted:
     """The last `Strike` or `StandUp` acts from `t` [s] on."""
 
     t: float
+
+
+@message
+class Progress:
+    """How far work is, from 0 to 1, and how many `runs` it has; 0 where it does not count them."""
+
+    job: Work
+    fraction: float
+    runs: int = 0
 
 
 @dataclass(frozen=True)

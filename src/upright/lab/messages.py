@@ -17,8 +17,10 @@ from upright.lab.message_types import (
     STRICT,
     Acted,
     FamilyInfo,
+    Job,
     NamedNumbers,
     Numbers,
+    Progress,
     RobotInfo,
     Student,
     Text,
@@ -26,11 +28,10 @@ from upright.lab.message_types import (
     message,
 )  # fmt: skip
 
-VERSION = 7
+VERSION = 8
 """Raised whenever a message changes; a page of another version is refused with a sentence that says what to do."""
 
 BodyName = Literal["twin", "nonlinear", "linear", "published", "calibrated"]
-Job = Literal["certify", "doctor", "calibrate", "design"]
 Keep = Literal["csv", "parquet", "report", "compare", "replay", "controller", "robot", "handin"]
 PushName = Literal["front", "back", "impulse", "pull_left", "pull_right"]
 
@@ -308,14 +309,6 @@ class Light:
     low_at: str = ""
     gain_high: float | None = None
     high_at: str = ""
-
-
-@message
-class Progress:
-    """How far a job is, from 0 to 1."""
-
-    job: Job
-    fraction: float
 
 
 @message

@@ -104,7 +104,7 @@ class Session:
     def reported(self, job: str, status: str, result: Any) -> None:
         """What the desk reports on a job; `status` is "progress", "done" or "failed"."""
         if status == "progress":
-            self._events.append(Progress(job, result))  # type: ignore[arg-type]
+            self._events.append(Progress(job, *result))  # type: ignore[arg-type]
         elif status == "failed":
             self._failed(job, str(result))
         else:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from upright.atomic import finite
 from upright.control import Controller, gain_of
@@ -24,7 +24,12 @@ if TYPE_CHECKING:
     from upright.certify.loop import Loop
     from upright.certify.verdict import LinearMargins
 
-Report = Callable[[float], None]
+
+class Report(Protocol):
+    """What is called with the fraction done, and with the number of runs where they are counted."""
+
+    def __call__(self, fraction: float, runs: int = 0, /) -> None: ...
+
 
 QUICK = 300
 """Robots behind the light that follows every change: without a fall they bound its chance to 1 %."""
@@ -85,14 +90,23 @@ def _curve(loop: Loop) -> tuple[tuple[float, ...], ...]:
     return tuple(tuple(float(f"{v:.4g}") for v in row) for row in (omega, L.real, L.imag))
 
 
-def light(report: Report, setup: Setup) -> Light:  # noqa: ARG001 (it is over before a fraction could be shown)
+def light(report: Report, setup: Setup) -> Light:
     """The light that follows a change, over fewer robots than a certificate."""
     from upright.certify import certify
+    from upright.certify.checks import BATTERIES, PUSHES
 
     plant = plant_of(setup)
+    runs = QUICK * PUSHES * len(BATTERIES) * len(plant.nominal.conditions.slopes)
+    report(0.0, runs)
+
+    def show(fraction: float) -> None:
+        report(fraction, runs)
+
     controller = design_of(setup, plant.nominal, plant.kit)
     try:
-        certificate = certify(controller, plant.nominal, plant.kit, samples=QUICK, sweeps=False, threads=1)
+        certificate = certify(
+            controller, plant.nominal, plant.kit, samples=QUICK, sweeps=False, threads=1, progress=show
+        )
     except SpecMismatch as error:
         return Light("none", (str(error).split(";")[0],))
     return _lit(certificate)

@@ -17,20 +17,20 @@ from upright.lab.codec import plain
 
 TARGET = Path(__file__).parent / "web" / "src" / "messages.ts"
 
-NAMES = ("BodyName", "Job", "Keep", "PushName")
+NAMES = ("BodyName", "Job", "Keep", "PushName", "Work")
 
 _SCALARS: dict[Any, str] = {str: "string", float: "number", int: "number", bool: "boolean", type(None): "null"}
 
 
 def generate() -> str:
     """The whole of `messages.ts`."""
-    names = vars(messages).values()
+    known = vars(message_types) | vars(messages)
     homes = (messages.__name__, message_types.__name__)
-    kinds = [k for k in names if isinstance(k, type) and is_dataclass(k) and k.__module__ in homes]
+    kinds = [k for k in vars(messages).values() if isinstance(k, type) and is_dataclass(k) and k.__module__ in homes]
     parts = [
         "// Generated from src/upright/lab/messages.py by python -m upright.lab.typescript; do not edit.",
         f"export const VERSION = {messages.VERSION};",
-        *(f"export type {name} = {_type(getattr(messages, name))};" for name in NAMES),
+        *(f"export type {name} = {_type(known[name])};" for name in NAMES),
         *map(_interface, kinds),
         f"export const DEFAULT_SETUP: Setup = {json.dumps(plain(messages.Setup()))};",
         _union("ClientMessage", messages.ClientMessage),

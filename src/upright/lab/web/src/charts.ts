@@ -14,7 +14,7 @@ export class Strip {
   private plot: uPlot;
   private marks = new Marks();
 
-  constructor(title: string, unit: string, lines: { label: string; colour: string; dash: number[]; width?: number }[], height: number, floor: number) {
+  constructor(title: string, unit: string, lines: { label: string; colour: string; dash: number[]; width?: number }[], height: number, floor: number, ceiling: () => number = () => Infinity) {
     const colours = ink();
     const scale = parseFloat(getComputedStyle(document.documentElement).fontSize) / 16; // larger on a wall
     const axis = { stroke: colours.soft, grid: { stroke: colours.grid, width: 1 }, ticks: { show: false }, font: `${11 * scale}px system-ui, sans-serif` };
@@ -25,7 +25,7 @@ export class Strip {
       {
         width: 300, height, padding: [ROOM * scale, 18 * scale, 0, 0],
         cursor: { show: false }, legend: { show: false }, hooks: { draw: [(u) => this.marks.draw(u, scale)] },
-        scales: { x: { time: false }, y: { range: (_u, low, high) => around(low, high, floor) } },
+        scales: { x: { time: false }, y: { range: (_u, low, high) => around(Math.max(low, -ceiling()), Math.min(high, ceiling()), floor) } },
         axes: [
           { ...axis, size: 20 * scale, values: (_u, ticks) => ticks.map((v) => (v < 0 ? "" : local(`${+v.toFixed(2)} s`))), space: 46 * scale },
           { ...axis, size: 46 * scale, space: (_u: uPlot, _axis: number, _low: number, _high: number, tall: number) => Math.min(18 * scale, tall / 2.5), values: (_u, ticks) => ticks.map((v) => local(String(+v.toPrecision(4)).replace("-", "−"))) },
@@ -94,7 +94,7 @@ export class Charts {
     const lines = bodies.map((name) => ({ label: named(name), colour: laneColour(name), dash: laneDash(name, bodies) }));
     const more = remembered.getItem("curves") === "all";
     if (!narrow.matches) this.large = null;
-    this.strips = STATES.map((name, i) => (more || FIRST.includes(i) ? new Strip(`${SYMBOLS[i]}  ${named(name)}`, UNITS[i], lines, 104, FLOORS[i]) : null));
+    this.strips = STATES.map((name, i) => (more || FIRST.includes(i) ? new Strip(`${SYMBOLS[i]}  ${named(name)}`, UNITS[i], lines, 104, FLOORS[i], i ? undefined : () => store.ceiling ?? Infinity) : null));
     replace(this.legend, ...bodies.map((name) => legendEntry(name)));
     const first = small.matches ? (sideways.matches ? FIRST.slice(0, 1) : FIRST) : [];
     const near = this.strips.filter((_, i) => first.includes(i)).map((strip) => strip?.root);

@@ -61,7 +61,7 @@ export function numberField(act: (value: number) => void, attributes: Record<str
   } });
   return { root: input, set: (value) => {
     if (document.activeElement === input) return;
-    input.value = local(String(value));
+    input.value = local(String(value).replace("-", "−"));
     input.removeAttribute("aria-invalid");
   } };
 }

@@ -7,15 +7,15 @@ import { translate, translated } from "./texts";
 /** What the doctor has found: where, on what evidence, and what to do. */
 function finding([severity, , channel, evidence, repair]: string[]): HTMLElement {
   const where = translate(channel.replace(/^\w+\//, "").replaceAll("_", " "));
-  return h("li", {}, h("b", {}, [translate(severity), where].filter(Boolean).join(", ")), h("p", {}, sentence(translate(evidence))), h("p", { className: "note" }, repair ? `→ ${translate(repair)}` : ""));
+  return h("li", {}, h("b", {}, [translate(severity), where].filter(Boolean).join(", ")), h("p", {}, plainNumbers(sentence(translate(evidence)))), h("p", { className: "note" }, repair ? `→ ${plainNumbers(translate(repair))}` : ""));
 }
 
 /** The title, table or findings, and remarks of a result. */
 export function reported(f: JobResult): (Node | null)[] {
   const lines = f.text.split("\n").filter(Boolean);
   const plain = (text: string) => text.replace(/\bin-(?=[\w.-]+\.\w+)/g, "").replace(/\b[a-z]+(_[a-z]+)+\b/g, (name) => name.replaceAll("_", " ")); // names of files and parameters
-  const text = lines.map((line) => h("li", { className: "note", lang: translated(line) ? "" : "en" }, plain(translate(line))));
+  const text = lines.map((line) => h("li", { className: "note", lang: translated(line) ? "" : "en" }, plainNumbers(plain(translate(line)))));
   const words = (cells: string[]) => cells.map((cell) => plainNumbers(translate(f.job === "calibrate" ? cell.replaceAll("_", " ") : cell)));
   const rows = f.job === "doctor" ? h("ul", { className: "findings" }, ...f.rows.map(finding)) : table(f.header.map(translate), f.rows.map(words), f.job);
-  return [h("h4", {}, plain(translate(f.title))), f.rows.length ? rows : null, text.length ? h("ul", { className: "remarks" }, ...text) : null];
+  return [h("h4", {}, plainNumbers(plain(translate(f.title)))), f.rows.length ? rows : null, text.length ? h("ul", { className: "remarks" }, ...text) : null];
 }

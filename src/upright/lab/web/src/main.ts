@@ -32,6 +32,7 @@ const PINNED = 0.19; // of the window's height that the room takes while it is p
 const SIZES = [0.01, 0.5]; // [N s] of a knock by its button
 const SHOWN = 10; // [s] of the clock that the curves show: in slow motion less of the robot's time, and more of what is quick
 const SAME = 1e-6; // a record larger by less is the same one: sums of forces
+const SILENT = 1500; // [ms] without the lab before it is said what helps
 const SEEN = 400; // [ms] from the first picture to the work on another one
 
 /** Whether the browser draws in three dimensions, and whether by a processor that is made for it. */
@@ -88,6 +89,8 @@ class Page {
   private best: Record<string, number> = {}; // [N s] the largest push that was recovered from, of each robot under each controller
   private most = h("span", { className: "most" });
   private telling = 0;
+  private waits = 0;
+  private busy = false; // whether a controller was being designed
   private begun = false; // whether there is a session
   private timing = false; // whether it has yet to hear how fast the time of this page goes
   drawnFirst = false; // whether a robot has been seen
@@ -387,12 +390,13 @@ class Page {
         else this.update();
         this.lamp();
         this.champion();
+        if (message.busy !== this.busy) this.rest();
         break;
       }
       case "Analysed": case "Light": this.lamp(); this.update(); break;
       case "Equations": if (this.tab === "See") this.see.show(); break;
       case "Snapshot": this.transported(); break;
-      case "Progress": this.identify.progress(message.job, message.fraction); if (message.job === "certify") this.controller.certifying(message.fraction); break;
+      case "Progress": if (message.job === "light") { this.lamp(); this.update(); break; } this.identify.progress(message.job, message.fraction); if (message.job === "certify") this.controller.certifying(message.fraction); break;
       case "JobResult": this.identify.found(); if (message === store.certified) this.controller.certify(); if (message !== store.certified || this.tab !== "Controller") this.toast(() => `${t(message.job as "doctor" | "calibrate" | "certify")}: ${translate(message.title)}`, message.ok ? "info" : message.job === "certify" ? "error" : "warn"); if (latestLog && this.tab === "Identify") keepingFocus(() => this.identify.build()); break;
       case "Made": if (message.name === COMPARISON) { this.compared(store.files + message.url); break; } this.keep.made(message.name, message.url.startsWith("blob:") ? message.url : store.files + message.url); this.toast(() => t("made", { name: message.name }), "info"); break;
       case "Notice": message.key === "lies" ? this.lie(() => t("lies")) : this.toast(() => (message.key ? named(message.key) : noticed(message.text)), message.level); break;
@@ -429,7 +433,7 @@ class Page {
     if (this.down) return this.lie();
     if (fell) return;
     this.tell(said(() => t(!single ? "recoveredSeveral" : best < before * (1 + SAME) ? "recovered" : "recoveredMost", values())));
-    this.telling = window.setTimeout(() => this.tell(), 6000);
+    this.telling = window.setTimeout(() => this.rest(), 6000);
   }
 
   /** A comparison is ready: its line in Identify stays, and whoever looks elsewhere is sent there. */
@@ -449,15 +453,22 @@ class Page {
     this.most.title = t("bestTip");
   }
 
-  private tell(...words: (Node | null)[]): void {
+  private tell(...words: (Node | false)[]): void {
     window.clearTimeout(this.telling);
     replace(this.fell, ...words);
+  }
+
+  /** Nothing became of a push: what holds it up meanwhile is not yet the controller that was chosen, or nothing is said. */
+  private rest(): void {
+    this.busy = store.changed?.busy ?? false;
+    if (this.down) return;
+    this.tell(this.busy && said(() => [t("designing"), store.setup.controller === "robust" ? t("robustTakes") : ""].join(" ").trim()));
   }
 
   /** It lies: in whose words, and with the button that helps. */
   private lie(words = this.lost ?? (() => t("fallen"))): void {
     const stand = h("button", { type: "button", className: "main", onclick: () => this.stand() }, said(() => t("standUp")));
-    this.tell(said(words), store.recorded ? null : stand);
+    this.tell(said(words), !store.recorded && stand);
   }
 
   private transported(): void {
@@ -475,7 +486,7 @@ class Page {
       if (!fell) this.lost = null;
       this.down = fell;
       if (fell) this.lie();
-      else this.tell();
+      else this.rest();
       this.app.querySelector("[data-key=impulse]")?.classList.toggle("main", !fell); // then one button leads
     }
     const force = s.f[0];
@@ -508,6 +519,8 @@ class Page {
   }
 
   private says(state: State, reason = ""): void {
+    if (state === "lost" && this.state !== "lost") this.waits = window.setTimeout(() => this.tell(said(() => t("gone"))), SILENT);
+    if (state === "connected" && this.state === "lost") this.back();
     this.state = state;
     const words: Record<State, string> = { connecting: t("connecting"), connected: t("connected"), lost: t("lost"), refused: t("refused"), replaying: t("replaying") };
     this.status.className = `status ${state}`;
@@ -515,6 +528,13 @@ class Page {
     if (state !== "refused") return;
     session.removeItem("name");
     replace(this.app, h("main", { className: "refused", role: "alert" }, h("h1", {}, t("refused")), h("p", {}, translate(reason)), button("↻", () => location.reload())));
+  }
+
+  /** The lab answers again. */
+  private back(): void {
+    window.clearTimeout(this.waits);
+    if (this.down) this.lie();
+    else this.rest();
   }
 
   private toast(words: () => string, level: "info" | "warn" | "error"): void {
@@ -618,8 +638,8 @@ class Page {
     const [s, changed] = [store.snapshot, store.changed];
     if (!s || !changed) return;
     const body = named(changed.bodies[0]);
-    const way = (changed.look.wheel_radius * s.x[0][2] * 100).toFixed(0);
-    const words = s.x[0][8] ? t("fellNow", { body }) : t("sceneNow", { body, pitch: ((s.x[0][0] * 180) / Math.PI).toFixed(1), way });
+    const way = fixed(changed.look.wheel_radius * s.x[0][2] * 100, 0);
+    const words = s.x[0][8] ? t("fellNow", { body }) : t("sceneNow", { body, pitch: fixed((s.x[0][0] * 180) / Math.PI, 1), way });
     this.spoken.textContent = words;
     this.room.element.setAttribute("aria-label", `${t("scene")} ${words}`);
   }

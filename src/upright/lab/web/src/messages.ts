@@ -1,6 +1,6 @@
 // Generated from src/upright/lab/messages.py by python -m upright.lab.typescript; do not edit.
 
-export const VERSION = 7;
+export const VERSION = 8;
 
 export type BodyName = "twin" | "nonlinear" | "linear" | "published" | "calibrated";
 
@@ -9,6 +9,8 @@ export type Job = "certify" | "doctor" | "calibrate" | "design";
 export type Keep = "csv" | "parquet" | "report" | "compare" | "replay" | "controller" | "robot" | "handin";
 
 export type PushName = "front" | "back" | "impulse" | "pull_left" | "pull_right";
+
+export type Work = "certify" | "doctor" | "calibrate" | "design" | "light";
 
 export interface Acted {
   kind: "Acted";
@@ -19,6 +21,13 @@ export interface FamilyInfo {
   name: string;
   weights: boolean;
   truth: boolean;
+}
+
+export interface Progress {
+  kind: "Progress";
+  job: "certify" | "doctor" | "calibrate" | "design" | "light";
+  fraction: number;
+  runs: number;
 }
 
 export interface RobotInfo {
@@ -238,12 +247,6 @@ export interface Light {
   low_at: string;
   gain_high: number | null;
   high_at: string;
-}
-
-export interface Progress {
-  kind: "Progress";
-  job: "certify" | "doctor" | "calibrate" | "design";
-  fraction: number;
 }
 
 export interface JobResult {

@@ -1,5 +1,5 @@
 // The panels below: controller, robot, kit, what was found, what is kept. Each builds itself from the store.
-import { button, degrees, digits, fresh, h, keepingFocus, numberField, replace, said, sayAgain, select, slider, table, throttled } from "./dom";
+import { button, degrees, digits, fresh, h, keepingFocus, numberField, plainNumbers, replace, said, sayAgain, select, slider, table, throttled } from "./dom";
 import type { Slider } from "./dom";
 import type { BodyName, Job, JobResult, Keep, Setup } from "./messages";
 import { exported } from "./exported";
@@ -72,7 +72,9 @@ export class ControllerPanel extends Panel {
 
   /** How far the full certificate is. */
   certifying(share: number): void {
-    this.root.querySelector("[data-key=certify]")?.toggleAttribute("aria-busy", share < 1);
+    const own = this.root.querySelector("[data-key=certify]");
+    own?.toggleAttribute("aria-busy", share < 1);
+    if (own) own.textContent = t("fullCertificate") + (share < 1 ? `: ${(100 * share).toFixed(0)} %` : "");
     if (share >= 1 && !this.bar) return;
     const begins = !this.bar;
     this.bar ??= new JobBar("certify");
@@ -185,12 +187,15 @@ export function certificate(): (Node | null)[] {
   const off = store.setup.controller === "off";
   const lit = off ? null : store.lit;
   const light = lamplight();
-  const words = off ? t("noneRed") : light === "none" && lit?.reasons.length ? t("noCertificate") : t(light);
+  const waits = light === "none" && !lit?.reasons.length;
+  const { trying } = store;
+  const tried = waits && trying ? t("tried", { n: Math.round(trying.fraction * trying.runs), all: trying.runs }) : t(light);
+  const words = off ? t("noneRed") : light === "none" && !waits ? t("noCertificate") : tried;
   const lamp = h("span", { className: `lamp ${light}`, "aria-hidden": "true" });
   return [
     h("h4", {}, t("certificate")), h("p", { className: "lit" }, lamp, h("b", {}, words + changedRobot())),
-    light === "none" && !lit?.reasons.length ? h("p", { className: "note" }, t("lightNote")) : null,
-    ...(lit?.reasons ?? []).map((reason) => h("p", { className: "note" }, sentence(translate(reason)))),
+    waits ? h("p", { className: "note" }, t("lightNote")) : null,
+    ...(lit?.reasons ?? []).map((reason) => h("p", { className: "note" }, plainNumbers(sentence(translate(reason))))),
   ];
 }
 

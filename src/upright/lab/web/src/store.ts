@@ -1,7 +1,7 @@
 // What the page knows: the latest snapshot, the traces of the last seconds, the set-up, and who wants to hear of it.
 import { LastPush } from "./link";
 import { DEFAULT_SETUP } from "./messages";
-import type { Analysed, Board, Catalogue, Changed, ClientMessage, Drag, Equations, JobResult, Light, ServerMessage, Setup, Snapshot, Strike } from "./messages";
+import type { Analysed, Board, Catalogue, Changed, ClientMessage, Drag, Equations, JobResult, Light, Progress, ServerMessage, Setup, Snapshot, Strike } from "./messages";
 
 export const STATES = ["pitch", "pitch_rate", "wheel", "wheel_rate", "yaw", "yaw_rate"] as const;
 export const UNITS = ["rad", "rad/s", "rad", "rad/s", "rad", "rad/s"];
@@ -25,6 +25,11 @@ function designed(setup: Setup): string {
 /** The robot and the controller of a set-up, without their numbers that a slider changes. */
 function which({ robot, drive, kit, controller }: Setup): string {
   return [robot, drive, kit, controller].join();
+}
+
+/** A set-up as text, the same for the same one. */
+function same(setup: Setup): string {
+  return JSON.stringify(Object.entries(setup).sort(([a], [b]) => (a < b ? -1 : 1)));
 }
 
 /** A push that began at `t` [s], of the size that its message has; one by hand: its impulse so far. */
@@ -156,6 +161,8 @@ export class Store {
   analysed: Analysed | null = null;
   equations: Equations | null = null;
   lit: Light | null = null;
+  trying: Progress | null = null; // for the light
+  ceiling: number | null = null; // [rad] up to which the pitch is shown
   board: Board | null = null;
   found: JobResult | null = null;
   certified: JobResult | null = null; // of the controller that is chosen
@@ -172,9 +179,10 @@ export class Store {
   private listeners: Listener[] = [];
   private sent: Mark | null = null; // a push that is on its way
   private waiting = false; // for the session to have the set-up that was chosen here
+  private asked: string[] = []; // set-ups that were sent and not answered, in order
   private fresh = false; // whether the curves begin anew when the robot stands up
   lain: number | null = null; // [s] since when every body lies
-  private asked = -AGAIN;
+  private recalled = -AGAIN; // [ms] when it asked for samples
   private rest: { wheel: number; from: number } | null | undefined; // of a robot that nobody has touched, since a time [s]; undefined before the first picture
   private missing = Infinity; // [s] since when there are holes that nobody was asked about
 
@@ -226,6 +234,8 @@ export class Store {
   change(part: Partial<Setup>): void {
     this.expect(part);
     this.corrected();
+    this.ceiling = null;
+    this.asked.push(same(this.setup));
     this.send({ kind: "Change", setup: this.setup });
   }
 
@@ -248,6 +258,7 @@ export class Store {
   private forget(): void {
     this.analysed = null;
     this.certified = null;
+    this.trying = null;
     this.lit = UNLIT;
     for (const listener of this.listeners) listener(this.lit);
   }
@@ -266,8 +277,8 @@ export class Store {
   private recall(s: Snapshot): void {
     const last = this.traces.t.at(-1);
     if (last !== undefined && s.t - last >= GAP) this.missing = Math.min(this.missing, last);
-    if (this.missing === Infinity || performance.now() - this.asked < AGAIN) return;
-    this.asked = performance.now();
+    if (this.missing === Infinity || performance.now() - this.recalled < AGAIN) return;
+    this.recalled = performance.now();
     this.send({ kind: "Recall", since: this.missing });
     this.missing = Infinity;
   }
@@ -286,6 +297,7 @@ export class Store {
         break;
       case "Welcome":
         this.traces.from = -Infinity; // its time may begin anew
+        this.asked = [];
         this.role = message.role;
         this.session = message.session;
         this.files = message.files;
@@ -301,6 +313,10 @@ export class Store {
       case "Light":
         if (this.waiting) return;
         this.lit = message;
+        this.trying = null;
+        break;
+      case "Progress":
+        if (message.job === "light" && message.runs && !this.waiting) this.trying = message;
         break;
       case "Acted": this.acted(message.t); break;
       case "Board": this.board = message; break;
@@ -308,21 +324,34 @@ export class Store {
         this.found = message;
         if (message.job === "certify" && message.rows.length) this.certified = message;
         break;
+      case "Notice":
+        if (message.key === "tooMany" && this.changed) { // what was left out may be a set-up: the one that is known stands
+          this.asked = [];
+          this.hear(this.changed);
+        }
+        break;
       case "History": this.traces.fill(message.t, message.rows); break;
     }
     for (const listener of this.listeners) listener(message);
   }
 
+  /** Whether a set-up answers what was chosen here before something else was: the later choice stands. */
+  private outdated(setup: Setup): boolean {
+    const k = this.asked.indexOf(same(setup));
+    this.asked = k < 0 ? [] : this.asked.slice(k + 1);
+    return this.asked.length > 0;
+  }
+
   private changedTo(message: Changed): void {
-    const same = this.changed?.bodies.join() === message.bodies.join();
+    const alike = this.changed?.bodies.join() === message.bodies.join();
     const before = this.changed;
     const other = before !== null && designed(before.setup) !== designed(message.setup);
     this.changed = message;
+    const late = this.outdated(message.setup);
     this.traces.other ||= before !== null && (which(before.setup) !== which(message.setup) || (before.busy && !message.busy));
     if (other && !this.waiting) this.forget();
-    this.waiting = false;
-    this.setup = message.setup;
-    if (!same) this.traces.reset(message.bodies.length);
+    if (!late) [this.waiting, this.setup] = [false, message.setup];
+    if (!alike) this.traces.reset(message.bodies.length);
   }
 }
 

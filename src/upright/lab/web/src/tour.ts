@@ -10,7 +10,7 @@ import { LEAN, store } from "./store";
 import { t, texts } from "./texts";
 
 /** A knock of so many N s, or a control by its name. */
-type Act = number | "size" | "tilt" | "slow" | "curves" | "identify";
+type Act = number | "size" | "tilt" | "curves" | "identify";
 
 /** What the page does when a step's own controls are used: the same as by the real ones. */
 export interface Tools {
@@ -22,12 +22,11 @@ export interface Tools {
   identify(): void;
 }
 
-const SLOW = 0.05; // times the clock: slower than a fall is shown without being asked for
-
 interface Scene {
   setup: Partial<Setup>;
   lean: number;
   speed?: number; // of a fall, which takes half a second
+  ceiling?: number; // [rad] up to which the pitch is shown
   strike?: "front" | "back";
   live?: true; // the live lab alone has this step
   acts?: Act[]; // what its text names, at hand where the controls are out of sight
@@ -45,8 +44,8 @@ type Step = Words & { title: string; here?: Partial<Words> };
 const THREE: Setup["bodies"] = ["twin", "nonlinear", "linear"];
 const SCENES: Scene[] = [
   { setup: {}, lean: 0, acts: [0.05, 0.3, "size"] },
-  { setup: { controller: "off", bodies: THREE }, lean: LEAN, speed: 0.1 },
-  { setup: { controller: "off", kit: "ideal", bodies: ["nonlinear", "linear"] }, lean: 0.03, speed: 0.1, acts: ["slow"] },
+  { setup: { controller: "off", bodies: THREE }, lean: LEAN, speed: 0.1, ceiling: 0.3 },
+  { setup: { controller: "off", kit: "ideal", bodies: ["nonlinear", "linear"] }, lean: 0.03, speed: 0.1 },
   { setup: { controller: "lqr", bodies: THREE }, lean: 0.1, acts: ["tilt"] },
   { setup: { controller: "lqg", bodies: THREE }, lean: 0, strike: "front" },
   { setup: { controller: "lqg", bodies: THREE }, lean: 0, strike: "back", acts: ["curves"] },
@@ -85,13 +84,12 @@ export class Tour {
 
   /** A control that the text names, by which the page does what the real one does. */
   private control(act: Act): HTMLElement {
-    const { knock, run, sizer, tilt, curves, identify } = this.tools;
+    const { knock, sizer, tilt, curves, identify } = this.tools;
     const key = { "data-key": `act-${act}` };
     if (typeof act === "number") return button(sentence(t("mark_impulse", { size: act.toFixed(2) })), () => knock(act), key);
     switch (act) {
       case "size": return sizer();
       case "tilt": return button(t("tilt"), tilt, { ...key, title: t("tiltTip") });
-      case "slow": return button(t("slow"), () => run(SLOW), key);
       case "curves": return button(t("moreCurves"), curves, key);
       case "identify": return button(t("tabIdentify"), identify, key);
     }
@@ -125,7 +123,7 @@ export class Tour {
   }
 
   private set(): void {
-    const { setup, lean, speed, strike } = STEPS[this.at].scene;
+    const { setup, lean, speed, strike, ceiling } = STEPS[this.at].scene;
     if (!this.before) {
       this.before = store.setup;
       this.build();
@@ -134,6 +132,7 @@ export class Tour {
     store.anew(() => {
       this.tools.run(speed ?? 1); // first, so that nothing of the robot before is seen
       store.change({ ...DEFAULT_SETUP, ...setup });
+      store.ceiling = ceiling ?? null;
       store.send({ kind: "StandUp", pitch: lean });
     });
     if (strike) window.setTimeout(() => store.send({ kind: "Strike", what: strike, size: strike === "front" ? 0.1 : -0.12 }), 1000);
