@@ -265,8 +265,7 @@ def certify(
     setup, shown, taken = as_logged(recording, setup) if recording else (setup, (), ())
     contradicted = doubtful_mass(recording, setup, taken) if recording and posterior is not None else contradicted
     taken = (*taken, *(s for s in wrong if s.name not in {t.name for t in taken}))
-    counted = setup.runs if sweeps else setup.runs_of_trials
-    setup = replace(setup, progress=RunCounter(counted, progress)) if progress else setup
+    setup = replace(setup, progress=progress and RunCounter(setup.runs if sweeps else setup.runs_of_trials, progress))
     runs, fallen, beyond = trials(setup)
     linear, period = linear_margins(design, setup.actual_robot, setup.actual_kit), design.spec.period
     fell, hopeless, who = int(fallen.sum()), int(beyond.sum()), identity(design)
