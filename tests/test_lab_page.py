@@ -891,6 +891,22 @@ def test_what_is_said_follows_what_was_chosen(page):
     assert page.locator(".toast").count() == 0  # which could stand over that button
 
 
+def test_an_answer_to_an_earlier_choice_does_not_undo_a_later_one(page):
+    """Whatever the session says by itself, as after a choice that cannot be, counts."""
+    shown = page.evaluate("""() => {
+        const { store } = upright;
+        const [send, before] = [store.send, store.changed];
+        const sent = [];
+        store.send = (message) => sent.push(message.setup);
+        const hear = (setup) => { store.hear({ ...before, setup }); return store.setup.controller; };
+        for (const controller of ['pid', 'gains', 'off']) store.change({ controller });
+        const shown = [...sent.slice(0, 2), sent[2], before.setup].map(hear);
+        store.send = send;
+        return [...shown, store.settled];
+    }""")
+    assert shown == ["off", "off", "off", "lqg", True]
+
+
 LIGHTS = """() => ['none', 'green', 'amber', 'red'].flatMap(light => [0, 1, 2, 3].map(changed => {
     const [{ store, page }, payload, slope] = [upright, changed & 1 ? 0.2 : 0, changed & 2 ? 0.1 : 0];
     [store.setup, store.lit] = [{ ...store.setup, payload, slope }, { ...store.lit, light }];
@@ -921,7 +937,7 @@ def test_no_words_of_the_bar_move_the_page_or_are_cut(page, size):
 
 UNDER = """() => [...document.querySelectorAll('.toast')].flatMap(toast => {
     const a = toast.getBoundingClientRect();
-    return [...document.querySelectorAll('.fell, button, select, input')].filter(e => {
+    return [...document.querySelectorAll('.fell, .plot, button, select, input')].filter(e => {
         const b = e.getBoundingClientRect();
         const beside = a.left >= b.right - 1 || b.left >= a.right - 1 || a.top >= b.bottom - 1 || b.top >= a.bottom - 1;
         return b.width > 3 && !toast.contains(e) && !beside;
@@ -1229,6 +1245,11 @@ def test_the_fall_of_the_tour_fills_its_curve(page):
     assert high - low == pytest.approx(1.0)
     assert low - 0.3 < first < fallen < high  # the fall takes half of it
     assert fallen - first > 0.4
+    top = "upright.page.charts.strips[0].plot.scales.y.max"
+    assert 0.2 < page.evaluate(top) < 0.35  # the step asks for the times of 0.1 and 0.2 rad
+    page.click("[data-key=tour-next]")
+    page.click("[data-key=tour-set]")
+    until(page, f"{top} > 1")  # the next one shows the fall down to the floor
 
 
 def test_what_is_said_follows_the_language(page):

@@ -44,6 +44,7 @@ from upright.lab.plant import COARSE, FINE, Pulled, families, is_slow, loaded
 from upright.lab.pushing import Pushing
 from upright.lab.ring import Ring
 from upright.lab.session import Session
+from upright.lab.tasks import TASKS
 from upright.lab.views import catalogue
 from upright.physics.dynamics import Disturbance, derivative, mass_matrix
 from upright.physics.linear import unstable_pole
@@ -260,6 +261,15 @@ def test_the_tour_says_truly_that_the_payload_makes_the_ghost_fall(tmp_path, wai
         session.handle(Step(800))
         assert {lane.name for lane in session.lanes if lane.fallen} == falls
     assert rates[1] > 2 * rates[0]
+
+
+@pytest.mark.slow
+def test_the_light_counts_its_runs():
+    """300 robots under each of three pushes on each of two batteries (docs/certificate.md); all are done at the end."""
+    told: list[tuple[float, int]] = []
+    TASKS["light"](lambda fraction, runs=0: told.append((fraction, runs)), Setup())
+    assert {runs for _, runs in told} == {300 * 3 * 2}
+    assert [fraction for fraction, _ in told] == pytest.approx([k / 6 for k in range(7)])
 
 
 def test_a_fallen_robot_lies_still_until_it_is_stood_up(tmp_path):

@@ -57,11 +57,14 @@ export function numberField(act: (value: number) => void, attributes: Record<str
     const text = input.value.trim().replace("−", "-").replace(",", ".");
     const fine = text !== "" && Number.isFinite(Number(text));
     input.setAttribute("aria-invalid", String(!fine));
-    if (fine) act(Number(text));
+    if (!fine) return;
+    write(Number(text));
+    act(Number(text));
   } });
+  const write = (value: number) => (input.value = local(String(value).replace("-", "−")));
   return { root: input, set: (value) => {
     if (document.activeElement === input) return;
-    input.value = local(String(value).replace("-", "−"));
+    write(value);
     input.removeAttribute("aria-invalid");
   } };
 }

@@ -38,7 +38,7 @@ interface Words {
   ask: string;
 }
 
-/** A step in words; `here`: what differs in a page without Python. */
+/** A step in words; `here`: what differs in a page without Python, and in the first step without the twin. */
 type Step = Words & { title: string; here?: Partial<Words> };
 
 const THREE: Setup["bodies"] = ["twin", "nonlinear", "linear"];
@@ -65,7 +65,8 @@ export class Tour {
   build(): void {
     const { i, scene } = STEPS[this.at];
     const { here, ...there }: Step = texts().tour[i];
-    const step = { ...there, ...(exported && here) };
+    const models = i === 0 && !store.setup.bodies.includes("twin"); // as a class begins
+    const step = { ...there, ...((exported || models) && here) };
     const part = (title: string, text: string, ...more: Node[]) => h("div", { className: "hint-part" }, h("h4", {}, title), h("p", {}, text), ...more);
     const acts = (scene.acts ?? []).map((act) => this.control(act));
     replace(
