@@ -99,7 +99,7 @@ def visible(found: Calibration) -> dict[str, Estimate]:
 
 def known(found: Calibration, other: Run) -> tuple[Problem, np.ndarray]:
     """The problem of a run, and what a calibration says of its parameters."""
-    kit = find_kit(found.robot.kit)
+    kit = find_kit(found.known_robot().kit)
     log, _ = as_driven(other.log, found.known_robot(), kit)
     problem, _ = prepared([log], found.robot, kit, (), 0.0)
     beside = {e.name: e.value for e in (*found.delays, *found.electronics)}

@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from upright.calibrate.motion import STATES, njit
+from upright.calibrate.motion import njit
 from upright.calibrate.predictor import innovations
 
-LANES = STATES + 1  # the first state, and one nudged in each of the six
 MISSED = 1e4  # squared error, over its scale, of a reading beyond a fall: as far off as what varies a hundredfold
-NUDGES = np.array([1e-5, 1e-4, 1e-4, 1e-3, 1e-4, 1e-3])  # steps in the first state, of its own size
-SPANS = np.array([0.05, 0.5, 0.5, 5.0, 0.5, 2.0])  # [rad, rad/s] a weak hold, so that a still wheel is no singularity
+NUDGES = np.array([1e-5, 1e-4, 1e-4, 1e-3, 1e-4, 1e-3, 1e-4, 1e-4])  # steps in the first state, of its own size
+SPANS = np.array([0.05, 0.5, 0.5, 5.0, 0.5, 2.0, 0.5, 0.5])
+"""[rad, rad/s] A weak hold, so that a still wheel is no singularity; the last two are of a gyro that swings."""
 ITERATIONS = 12  # of Gauss–Newton, at most
 FIRST_DAMPING, MOST_DAMPING = 1e-4, 1e4  # of Levenberg and Marquardt, of the normal equations' diagonal
 LESS, MORE, LEAST_RAISED = 0.1, 30.0, 1e-3  # [1] factors of it after a success and a failure, and the least after this
@@ -30,27 +30,29 @@ def cost_of(e: Any) -> Any:
 @njit
 def _normal(e: Any, hessian: Any, slope: Any) -> None:
     """The normal equations of the errors e (events, lanes) of a first state and its neighbours."""
-    J = np.zeros(STATES)
-    for i in range(STATES):
+    count = len(slope)
+    J = np.zeros(count)
+    for i in range(count):
         slope[i] = 0.0
-        for j in range(STATES):
+        for j in range(count):
             hessian[i, j] = 1 / SPANS[i] ** 2 if i == j else 0.0
     for k in range(len(e)):
         there = e[k, 0] * e[k, 0] < MISSED
-        for i in range(STATES):
+        for i in range(count):
             J[i] = (e[k, 1 + i] - e[k, 0]) / NUDGES[i]
             there = there and np.isfinite(J[i])
         if there:
-            for i in range(STATES):
+            for i in range(count):
                 slope[i] += J[i] * e[k, 0]
-                for j in range(STATES):
+                for j in range(count):
                     hessian[i, j] += J[i] * J[j]
 
 
 @njit
 def _step(hessian: Any, damping: Any, slope: Any, L: Any, step: Any) -> None:
     """Solves (H + damping · diag H) step = slope, by Cholesky's factor L."""
-    for i in range(STATES):
+    count = len(slope)
+    for i in range(count):
         for j in range(i + 1):
             left = hessian[i, j] * (1 + damping if i == j else 1.0)
             for k in range(j):
@@ -60,50 +62,54 @@ def _step(hessian: Any, damping: Any, slope: Any, L: Any, step: Any) -> None:
         for k in range(i):
             step[i] -= L[i, k] * step[k]
         step[i] /= L[i, i]
-    for i in range(STATES - 1, -1, -1):
-        for k in range(i + 1, STATES):
+    for i in range(count - 1, -1, -1):
+        for k in range(i + 1, count):
             step[i] -= L[k, i] * step[k]
         step[i] /= L[i, i]
 
 
 @njit
-def _near(state: Any, known: Any) -> Any:
+def _near(state: Any, known: Any, free: Any) -> Any:
     """Whether a state is one that is `known` already."""
     near = True
-    for i in range(STATES):
-        near = near and abs(state[i] - known[i]) < SAME * SPANS[i]
+    for i in range(len(free)):
+        near = near and abs(state[free[i]] - known[free[i]]) < SAME * SPANS[i]
     return near
 
 
 @njit
-def descended(events: Any, robot: Any, read: Any, scale: Any, first: Any, known: Any, longest: Any) -> Any:
-    """The first state (states,) of least error near `first`, and its cost, by damped Gauss–Newton; as far as to one
-    that is `known` already. Errors are those of the events `read` (readings,), over their `scale` (readings,); `robot`
-    are `LANES` of it, in steps of at most `longest` [s]."""
-    size, gains = len(first), np.zeros((len(events.order), len(first)))
+def descended(events: Any, robot: Any, read: Any, scale: Any, first: Any, known: Any, free: Any, longest: Any) -> Any:
+    """The first state (states,) of least error near `first`, and its cost, by damped Gauss–Newton in the states that
+    are `free` (free,); as far as to one that is `known` already. Errors are those of the events `read` (readings,),
+    over their `scale` (readings,); `robot` is in a lane for the first state and one for each that is free, in steps of
+    at most `longest` [s]."""
+    size, count, gains = len(first), len(free), np.zeros((len(events.order), len(first)))
     best, candidate, least, damping = first.copy(), first.copy(), np.inf, FIRST_DAMPING
-    hessian, L, slope, step = np.zeros((STATES, STATES)), np.zeros((STATES, STATES)), np.zeros(STATES), np.zeros(STATES)
-    lanes, e = np.empty((size, LANES)), np.empty((len(read), LANES))
+    hessian, L, slope, step = np.zeros((count, count)), np.zeros((count, count)), np.zeros(count), np.zeros(count)
+    lanes, e = np.empty((size, 1 + count)), np.empty((len(read), 1 + count))
     for _ in range(ITERATIONS):
-        for i in range(LANES):
+        for i in range(1 + count):
             for j in range(size):
-                lanes[j, i] = candidate[j] + (NUDGES[j] if i == j + 1 else 0.0)
+                lanes[j, i] = candidate[j]
+            if i > 0:
+                lanes[free[i - 1], i] += NUDGES[i - 1]
         missed, cost = innovations(events, robot, lanes, gains, longest), 0.0
         for k in range(len(read)):
-            for i in range(LANES):
+            for i in range(1 + count):
                 e[k, i] = missed[read[k], i] / scale[k]
             cost += cost_of(e[k, 0])
         if cost < least:
             done, least, damping = cost > LEVEL * least, cost, LESS * damping
             best[:] = candidate
             _normal(e, hessian, slope)
-            if done or _near(candidate, known):
+            if done or _near(candidate, known, free):
                 break
         else:
             damping = max(MORE * damping, LEAST_RAISED)
             if damping > MOST_DAMPING:
                 break
         _step(hessian, damping, slope, L, step)
-        for j in range(size):
-            candidate[j] = best[j] - (step[j] if j < STATES else 0.0)
+        candidate[:] = best
+        for i in range(count):
+            candidate[free[i]] -= step[i]
     return best, least

@@ -13,6 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.calibrate.parameters import Parameter
+from upright.calibrate.resonance import MEANING as RESONANCE
+from upright.calibrate.resonance import resonance_of
 from upright.physics.dynamics import motor_gain
 from upright.robots import Kit, Robot
 from upright.signals import Log
@@ -25,6 +27,7 @@ MEANING = {
     BATTERY: "fraction of the logged command that reaches the motors",
     DEAD_ZONE: "commands up to this size do not move the motors",
     CONSTANT: "what a sloping floor, or an offset of the motors, adds to both commands",
+    **RESONANCE,
 }
 
 UNEQUAL = 0.05  # [1] spread of the difference of two motors of one make
@@ -50,7 +53,7 @@ def electronics_of(robot: Robot, kit: Kit, logs: Sequence[Log]) -> tuple[Paramet
     zone = 0.0 if own else kit.motor.dead_zone
     if zone:
         parameters.append(Parameter(DEAD_ZONE, robot.command_unit, zone, zone / 2, "linear", 0.0, True))
-    return tuple(parameters)
+    return (*parameters, *(() if own else resonance_of(kit)))
 
 
 def driven(values: Mapping[str, Array], lanes: int) -> Array:

@@ -18,9 +18,10 @@ from numpy.typing import NDArray
 from upright.calibrate.effects import RUN, maps_of
 from upright.calibrate.electronics import driven
 from upright.calibrate.parameters import Coordinates, Parameter, columns
+from upright.calibrate.resonance import coefficients_of
 from upright.calibrate.threads import CORES, in_threads
 from upright.compiled.generated import LANES, Constants, constants
-from upright.logs.recording import SENSOR, Recording, reading_matrix
+from upright.logs.recording import SENSOR, Recording
 from upright.physics.integrate import PREDICTED
 from upright.physics.linear import linearise
 from upright.robots import PARAMETERS, Robot
@@ -94,6 +95,7 @@ class Problem:
     of each run from the robot. `held` names some that stay at their prior.
     `temper` weighs the readings against the prior: below one where innovations are not white, so that they hold less
     information than their number says (Lyddon et al. 2019). After every `restart` [s] the filter forgets the state.
+    A `resonance` of the gyro that was found makes the logs likelier by so many nats.
     """
 
     recordings: tuple[Recording, ...]
@@ -105,6 +107,7 @@ class Problem:
     temper: float = 1.0
     fine: bool = False
     restart: float = math.inf
+    resonance: float = 0.0
     longest: float = field(init=False)
     asked: tuple[Parameter, ...] = field(init=False)
     _coordinates: Coordinates = field(init=False, repr=False)
@@ -151,7 +154,7 @@ class Problem:
 
     def coefficients(self, z: Array) -> Array:
         """What the predictor is made of (coefficients, lanes), for the lanes of a run's numbers z (shared, lanes): the
-        constants of the equations of motion, what drives them, and the dead time of each sensor."""
+        constants of the equations of motion, what drives them, the dead time of each sensor, and what swings."""
         values, lanes = self.values(z), z.shape[1]
         numbers = columns(self.robot, values)
         c, given = np.empty((len(AT), lanes)), [getattr(numbers, name) for name in PARAMETERS]
@@ -164,7 +167,8 @@ class Problem:
             if self.robot.coulomb_friction:
                 size[LEVEL.index(AT.rotor_coupling)] = TURNED / EXACT * np.sqrt(c[AT.pitch_inertia])
             c[_LEVEL] += EXACT * size * z[len(self.asked) :]
-        return np.concatenate([c, driven(values, lanes), [*self._delays_at(values, lanes).values()]])
+        delays = [*self._delays_at(values, lanes).values()]
+        return np.concatenate([c, driven(values, lanes), delays, *coefficients_of(values)])
 
     def by_parameter(self, z: Array) -> list[tuple[Array, Array]]:
         """For each run the coefficients (coefficients,) at z (parameters,), and their slopes (coefficients,
@@ -181,10 +185,10 @@ class Problem:
         """What the predictor takes of the coefficients q (coefficients, lanes)."""
         from upright.calibrate.predictor import RobotLanes
 
-        delay = dict(zip(self.delays, q[DELAYS:], strict=True))
+        delay = dict(zip(self.delays, q[DELAYS:], strict=False))
         delays = np.array([delay[SENSOR[row]] for row in recording.rows])
-        reads = reading_matrix(recording.rows, len(recording.first), q[AT.half_track], recording.parts)
-        return RobotLanes(reads, delays, np.ascontiguousarray(q[:DELAYS]))
+        robots, swing = (np.ascontiguousarray(part) for part in (q[:DELAYS], q[DELAYS + len(self.delays) :]))
+        return RobotLanes(recording.reads(q[AT.half_track]), delays, robots, swing)
 
     def lanes(self, recording: Recording, z: Array) -> RobotLanes:
         """The same for z (parameters, lanes)."""
@@ -206,22 +210,23 @@ class Problem:
         last event that is `fitted`."""
         from upright.calibrate.predictor import WIDE, Noise, kalman_path
 
-        size, order = len(recording.first), self.order(recording, z)
+        order = self.order(recording, z)
         readings = np.exp([self.noise[SENSOR[row]] for row in recording.rows])
-        noise = Noise(recording.P0, self.process(size), np.exp(self.noise.get(JITTER, -np.inf)), readings, self.restart)
+        process, jitter = self.process(recording), np.exp(self.noise.get(JITTER, -np.inf))
+        noise = Noise(recording.P0, process, jitter, readings, self.restart)
         order = order[recording.when[order] <= until]
         events = events_of(recording, _through_fitted(recording, order) if fitted else order)
         lanes = self.lanes(recording, np.repeat(z[:, None], WIDE, axis=1))
         return Path(*kalman_path(events, lanes, recording.first, noise, self.longest, keep))
 
-    def process(self, size: int) -> Array:
-        """Covariance (2, size, size) of the process noise a second: while both wheels move, and while one sticks."""
-        Q = np.zeros((2, size, size))
+    def process(self, recording: Recording) -> Array:
+        """Covariance (2, s, s) of the process noise a second: while both wheels move, and while one sticks."""
+        Q = np.zeros((2, len(recording.first), len(recording.first)))
         for name, shape in zip(PROCESS, self._shapes, strict=False):
             Q[:, :6, :6] += np.exp(self.noise[name]) * shape
         Q[1, :6, :6] += np.exp(self.noise.get(STICKING, -np.inf)) * self._shapes[0]
         Q[:, 6, 6] = np.exp(self.noise["gyro_bias"])
-        if size > 7:
+        if "compass" in recording.sensors:
             Q[:, 7, 7] = 1e-10
         return Q
 
@@ -233,7 +238,7 @@ class Problem:
         where that is asked."""
         from upright.calibrate.predictor import innovations
 
-        order = recording.order(dict(zip(self.delays, q[DELAYS:].tolist(), strict=True)))
+        order = recording.order(dict(zip(self.delays, q[DELAYS:].tolist(), strict=False)))
         events = events_of(recording, _through_fitted(recording, order) if fitted else order)
         low = q - NUDGE * unit
         low[_NOT_NEGATIVE] = np.maximum(low[_NOT_NEGATIVE], 0.0)

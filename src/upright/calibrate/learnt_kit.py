@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from upright.calibrate.calibration import Calibration
 from upright.calibrate.electronics import ASYMMETRY, BATTERY, DEAD_ZONE
+from upright.calibrate.resonance import DAMPING, FREQUENCY
 from upright.logs.recording import SENSOR
 from upright.robots import Kit
 
@@ -30,6 +31,9 @@ def learnt_kit(result: Calibration, kit: Kit, delays: Mapping[str, float], hidde
     factors = {e.name: e.value for e in result.electronics}
     strength, half = factors.get(BATTERY, 1.0), factors.get(ASYMMETRY, 0.0) / 2
     zone = factors.get(DEAD_ZONE, kit.motor.dead_zone)
+    if FREQUENCY in factors and "sensor/gyro" in sensors:
+        gyro = replace(sensors["sensor/gyro"], resonance=factors[FREQUENCY], damping=factors[DAMPING])
+        sensors |= {"sensor/gyro": gyro}
     motor = replace(kit.motor, left=strength * (1 - half), right=strength * (1 + half), dead_zone=zone)
     return replace(
         kit, name=OWN if kit.name == "ideal" else kit.name, sensors=sensors, motor=motor,

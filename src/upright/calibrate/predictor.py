@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from upright.calibrate.motion import INSTANT, STATES, STUCK, TOPPLED, block_of, driven, move, njit
+from upright.calibrate.ringing import moved, spread, swung
 from upright.compiled.generated import PITCH, PITCH_RATE, WHEEL_RATE, YAW_RATE
 from upright.compiled.generated_motion import accelerations_free, constants_free
 from upright.compiled.jit import get, put
@@ -43,11 +44,13 @@ class Events(NamedTuple):
 class RobotLanes(NamedTuple):
     """Robots that go through the same events: how each sensor row `reads` the state (rows, states, lanes), the `delays`
     of the rows (rows, lanes) [s], and the `robots` (constants and 4, lanes): the named constants of the equations, the
-    factors of both motors, the dead zone and the constant command."""
+    factors of both motors, the dead zone and the constant command. `swing` (2, lanes) is ω [rad/s] and ζ of a resonance
+    before the gyro, whose two states are then the last; without lanes there is none."""
 
     reads: Any
     delays: Any
     robots: Any
+    swing: Any = np.zeros((0, 1))
 
 
 class Noise(NamedTuple):
@@ -114,7 +117,7 @@ def innovations(events: Events, lanes: RobotLanes, first: Any, gains: Any, longe
             then[i] = events.when[event] - (lanes.delays[row, i] if row >= 0 else 0.0)
         if place == 0:
             now[:] = then
-        move(w, count, u, now, then, longest)
+        moved(w, count, u, now, then, longest, lanes.swing, offsets)
         if row < 0:
             u[:] = events.commands[int(events.value[event])]
             continue
@@ -199,6 +202,15 @@ def _response_to_delay(w: Any, x: Any, old: Any, new: Any) -> Any:
 
 
 @njit
+def _forget(P: Any, start: Any, tail: Any) -> None:
+    """Adds what was not known at first of the six states, and of those of a resonance, from `tail` on."""
+    for i in range(len(P)):
+        for j in range(len(P)):
+            if (i < STATES or i >= tail) and (j < STATES or j >= tail):
+                P[i, j] += start[i, j]
+
+
+@njit
 def kalman_path(events: Events, lanes: RobotLanes, first: Any, noise: Noise, longest: Any, keep: bool) -> Any:
     """The extended Kalman filter along one log, from the state `first` (s,), in steps of at most `longest` [s].
 
@@ -209,6 +221,7 @@ def kalman_path(events: Events, lanes: RobotLanes, first: Any, noise: Noise, lon
     x, P, u = first.copy(), noise.start.copy(), events.commands[0].copy()
     w = block_of(lanes.robots)
     room = _Flow(w, np.zeros((2, WIDE)), np.zeros((STATES, STATES)), np.zeros((STATES, size)))
+    swings, whole, product = len(lanes.swing), np.eye(size), np.zeros((size, size))
     e, s, gains = np.full(many, np.nan), np.full(many, np.nan), np.zeros((many, size))
     states = np.zeros((many if keep else 0, size))
     now, forget = -np.inf, np.inf
@@ -218,11 +231,17 @@ def kalman_path(events: Events, lanes: RobotLanes, first: Any, noise: Noise, lon
         if now == -np.inf:
             now, forget = then, then + noise.restart
         if then >= forget:
-            P[:STATES, :STATES] += noise.start[:STATES, :STATES]
+            _forget(P, noise.start, size - swings)
             forget += noise.restart
         if then - now > INSTANT:
+            pitch, rate = x[0], x[1]
             _flow(room, x, u, now, then, longest)
-            _predict(P, room.phi, noise.process[int(get(w, STUCK, 0))], then - now, room.product)
+            process = noise.process[int(get(w, STUCK, 0))]
+            if swings:
+                swung(x, pitch, rate, then - now, lanes.swing, room.phi, whole)
+                spread(P, whole, process, then - now, product)
+            else:
+                _predict(P, room.phi, process, then - now, room.product)
             now = then
         if not abs(x[0]) < TOPPLED:
             break

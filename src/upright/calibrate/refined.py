@@ -22,6 +22,8 @@ from upright.calibrate.informativity import effective_fraction
 from upright.calibrate.noise import Bounds, learn_noise, sensor_bounds
 from upright.calibrate.parameters import ROLLING, most_friction
 from upright.calibrate.process_noise import NOISE_TIME, process, with_process
+from upright.calibrate.resonance import resonates
+from upright.calibrate.resonant import as_found, at_prior, resonant
 from upright.logs.recording import SENSOR
 from upright.physics.dynamics import motor_gain
 
@@ -74,11 +76,15 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
         polished = _polished(other, bounds)
         if polished.normal.objective < best.normal.objective:
             rough, best = other, polished
+    if not _white(best) and (other := _with_resonance(rough, bounds)):
+        rough, best = other, _polished(other, bounds)
+        problem, z = as_found(problem, z, rough.problem, rough.z)
     if _white(best):
         return _tempered(*_between_runs(best))
+    prior = at_prior(problem, rough.z)
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        others = pool.submit(_without_first, problem, limits)
-        fits = [rough, *pool.map(partial(segmented, problem, limits), (np.zeros_like(z), z, rough.z)), *others.result()]
+        others = pool.submit(_without_first, problem, limits, prior)
+        fits = [rough, *pool.map(partial(segmented, problem, limits), (prior, z, rough.z)), *others.result()]
         best, level = _best_simulated(fits, [*pool.map(_simulated, fits)], LEVEL)
         moved = pool.map(partial(_with_gyro_delay, best.problem, best.z), GYRO_DELAY_TRIALS)
         tries = [fit for fit in moved if fit.normal.objective < best.normal.objective]
@@ -86,6 +92,16 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
         several = [best, *fits] if len(problem.recordings) > 1 else [best]  # weighted, each may go elsewhere
         last = [_tempered(*fit) for fit in pool.map(_between_runs, several)]
         return _best_simulated(last, [*pool.map(_simulated, last)], LEVEL)[0] if len(last) > 1 else last[0]
+
+
+def _with_resonance(fit: Fitted, bounds: Bounds) -> Fitted | None:
+    """The fit with a resonance of the gyro, where that is clearly likelier, and leaves clearly less of half seconds:
+    a filter's innovations may also follow it where it stands in for another error of the model."""
+    if resonates(fit.problem.asked):
+        return None
+    found = resonant(fit, partial(_settled, bounds=bounds))
+    other = found and Fitted(*found)
+    return other if other and 1 - _simulated(other) < (1 - LEVEL) * (1 - _simulated(fit)) else None
 
 
 def _white(fit: Fitted) -> bool:
@@ -129,11 +145,11 @@ def segmented(problem: Problem, limits: Mapping[str, float], z: Array) -> Fitted
     return _fitted(problem, z, iterations=10)
 
 
-def _without_first(problem: Problem, limits: Mapping[str, float]) -> list[Fitted]:
+def _without_first(problem: Problem, limits: Mapping[str, float], prior: Array) -> list[Fitted]:
     """From a fit without rolling friction, where that is asked: with it a bad optimum may be nearer to the prior."""
-    without, zero = replace(problem, held=problem.held | {ROLLING}), np.zeros(len(problem.parameters))
+    without = replace(problem, held=problem.held | {ROLLING})
     asked = ROLLING in {p.name for p in problem.parameters} - problem.held
-    return [segmented(problem, limits, segmented(without, limits, zero).z)] if asked else []
+    return [segmented(problem, limits, segmented(without, limits, prior).z)] if asked else []
 
 
 def _changes(problem: Problem, sensor: str) -> float:

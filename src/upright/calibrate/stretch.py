@@ -98,6 +98,8 @@ class Stretch:
         shown, wheels = lines.get("sensor/gyro"), first_wheel_rates(lines)
         rate = filtered[1] if shown is None else shown[0] - filtered[6]
         fan[0, 1:], fan[1, 1:] = FAN, rate
+        if self.recording.swings:
+            fan[-2, 1:] = rate
         fan[2, 1:] += FAN - filtered[0]
         if wheels:
             fan[3, 1:] = rate + sum(wheels) / 2
@@ -115,12 +117,15 @@ class Stretch:
     def _descended(self, first: Array, known: Array, until: int | None = None) -> tuple[Array, float]:
         """The first state of least error near `first`, and its cost; as far as to one that is `known` already. Of the
         first `until` readings, where given."""
-        from upright.calibrate.descent import LANES, descended
+        from upright.calibrate.descent import descended
 
+        free = np.arange(6)
+        if self.recording.swings:
+            free = np.append(free, [len(first) - 2, len(first) - 1])
         rows, scale = (of_all[:until] for of_all in self._read)
         given = self._given._replace(order=self._given.order[: rows[-1] + 1])
-        start, robot = np.ascontiguousarray(first), self._robots(LANES)
-        return descended(given, robot, rows, scale, start, np.ascontiguousarray(known), self.problem.longest)
+        start, robot = np.ascontiguousarray(first), self._robots(1 + len(free))
+        return descended(given, robot, rows, scale, start, np.ascontiguousarray(known), free, self.problem.longest)
 
     def _robots(self, count: int) -> RobotLanes:
         """The robot in so many lanes."""

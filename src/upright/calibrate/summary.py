@@ -19,6 +19,7 @@ from upright.calibrate.fitting import Normal, Path, Problem, around, slopes_of
 from upright.calibrate.informativity import information, posterior, unseen_directions
 from upright.calibrate.judge import poorly, proposed, reasons
 from upright.calibrate.parameters import GEAR, ROLL_FRACTION, Parameter, columns, with_values
+from upright.calibrate.resonance import in_words
 from upright.calibrate.validate import segments, steps_ahead, whiteness
 from upright.logs.marks import marks_of
 from upright.logs.raw import named
@@ -100,7 +101,11 @@ def summarised(
         samples=int(sum((r.fitted & (r.kind < 0)).sum() for r in problem.recordings)),
         seconds=time.perf_counter() - began,
         sources=tuple(map(named, logs)),
-        notes=(*(() if refused else map(sentence, wrong)), *_notes(problem, every, scores, reason, other, widening)),
+        notes=(
+            *(() if refused else map(sentence, wrong)),
+            *in_words(every, problem.resonance),
+            *_notes(problem, every, scores, reason, other, widening),
+        ),
         widening=widening,
         supported=int(supported),
         quiet=reason,

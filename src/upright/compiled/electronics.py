@@ -14,7 +14,7 @@ from upright.compiled.program import Block
 from upright.physics.electronics import awake, driven, largest, loaded, measured, slackened, turned, walked
 from upright.robots import Sensor
 
-SENSOR_NUMBERS = tuple(f.name for f in fields(Sensor) if f.name not in ("delay", "period"))
+SENSOR_NUMBERS = tuple(f.name for f in fields(Sensor) if f.name not in ("delay", "period", "resonance", "damping"))
 """What formulas know of a sensor, in this order."""
 
 

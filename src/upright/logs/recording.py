@@ -43,7 +43,7 @@ FIRST_READINGS = 7
 class Recording:
     """Events in the order of the log: `kind` (−1: a command, else the row of `rows`), `when` [s], `value` (a reading,
     or the row of `commands` (n, 2)), `fitted` (True for the fitted part, False for the held-out part). `parts` are the
-    kit's sensors, by channel.
+    kit's sensors, by channel. Where the gyro `swings`, it reads the first of two more states instead of the pitch rate.
     """
 
     rows: tuple[str, ...]
@@ -56,6 +56,7 @@ class Recording:
     P0: Array
     period: float
     parts: Mapping[str, Sensor]
+    swings: bool = False
 
     @property
     def sensors(self) -> tuple[str, ...]:
@@ -66,6 +67,19 @@ class Recording:
         """Indices of the events in the order of the commands' time, with the delays of the sensors removed."""
         delay = np.array([delays[SENSOR[row]] for row in self.rows] + [0.0])
         return np.lexsort((self.kind, self.when - delay[self.kind])).astype(np.int64)
+
+    def swinging(self) -> Recording:
+        """The same with a gyro that swings: at first as fast as the body, give or take what a rate may be."""
+        size, spread = len(self.first), FIRST_SPREAD[1] ** 2
+        P0 = np.zeros((size + 2, size + 2))
+        P0[:size, :size] = self.P0
+        P0[size, size], P0[size + 1, size + 1] = self.P0[1, 1] + spread, spread
+        P0[1, size] = P0[size, 1] = self.P0[1, 1]
+        return replace(self, first=np.append(self.first, [self.first[1], 0.0]), P0=P0, swings=True)
+
+    def reads(self, turn: Array) -> Array:
+        """The sensor matrix C (rows, states, lanes) for W/(2R) = `turn` (lanes,)."""
+        return reading_matrix(self.rows, len(self.first), turn, self.parts, swings=self.swings)
 
 
 def jumps(t: Array) -> Whole:
@@ -212,9 +226,11 @@ def one_encoder(log: Log) -> bool:
     return np.array_equal(log["sensor/encoder_left"], log["sensor/encoder_right"], equal_nan=True)
 
 
-def reading_matrix(rows: Sequence[str], size: int, turn: Array, sensors: Mapping[str, Sensor]) -> Array:
+def reading_matrix(
+    rows: Sequence[str], size: int, turn: Array, sensors: Mapping[str, Sensor], *, swings: bool = False
+) -> Array:
     """The sensor matrix C (rows, states, lanes) of these sensors, for W/(2R) = `turn` (lanes,). One encoder alone reads
-    the mean of both wheels."""
+    the mean of both wheels, and a gyro that `swings` the last state but one."""
     C = np.zeros((len(rows), size, len(turn)))
     C[:, :6] = sensor_matrix(rows, turn, sensors)
     if (alone := [i for i, name in enumerate(rows) if SENSOR[name] == "encoder"]) and len(alone) == 1:
@@ -222,6 +238,9 @@ def reading_matrix(rows: Sequence[str], size: int, turn: Array, sensors: Mapping
     for i, name in enumerate(rows):
         if SENSOR[name] != "encoder":
             C[i, 6 if SENSOR[name] == "gyro" else 7] = 1.0  # its bias
+        if swings and SENSOR[name] == "gyro":
+            rate = STATE_NAMES.index("pitch_rate")
+            C[i, size - 2], C[i, rate] = C[i, rate].copy(), 0.0
     return C
 
 

@@ -56,11 +56,15 @@ class Sensor:
     range: float = math.inf  # largest absolute reading
     delay: float = 0.0  # [s] from the physics to the reading
     period: float = 0.0  # [s] between two fresh readings, held between
+    resonance: float = 0.0  # [Hz] where it swings against the frame, or its filter ends; 0 for neither
+    damping: float = 0.7  # [1] of that resonance: little of what swings, 0.7 of a filter
     gain: float = 1.0  # reading over what is measured; 1 but for a scale error
 
     def __post_init__(self) -> None:
         for f in fields(self):
             _check_size(f"sensor {f.name}", getattr(self, f.name))
+        if self.resonance and not self.damping:
+            raise InvalidRobot("sensor damping is 0", expected="more than zero, as of every resonance")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -193,7 +197,11 @@ def _sensor(listed: toml.Table, name: str, where: str) -> dict[str, float]:
 def _sensor_units(name: str) -> dict[str, tuple[str, ...]]:
     unit = _SENSOR_UNITS[name]
     units = dict.fromkeys(("quantum", "noise", "bias", "range"), (unit,))
-    return units | {"bias_walk": (f"{unit}/√s",), "delay": ("s",), "period": ("s",), "gain": ("1",)}
+    return (
+        units
+        | {"bias_walk": (f"{unit}/√s",), "delay": ("s",), "period": ("s",), "gain": ("1",)}
+        | ({"resonance": ("Hz",), "damping": ("1",)} if name == "gyro" else {})
+    )
 
 
 def _numbers(where: str, part: Any, units: Mapping[str, str]) -> Iterator[str]:

@@ -52,7 +52,7 @@ class _Plant:
 
         lanes = problem.lanes(recording, z[:, None])
         self._w, self._longest, self._reads = block_of(lanes.robots), problem.longest, lanes.reads[:, :, 0]
-        self._offsets, self._now = first[6:], np.full(1, np.nan)
+        self._offsets, self._now, self._swing = first[6:, None].copy(), np.full(1, np.nan), lanes.swing
         self.command = np.zeros(2)
         self._put(first)
 
@@ -70,15 +70,15 @@ class _Plant:
 
     def move(self, to: float) -> None:
         """The robot at the time `to` [s]."""
-        from upright.calibrate.motion import move
+        from upright.calibrate.ringing import moved
 
         if math.isnan(self._now[0]):
             self._now[0] = to
-        move(self._w, 1, self.command, self._now, np.full(1, to), self._longest)
+        moved(self._w, 1, self.command, self._now, np.full(1, to), self._longest, self._swing, self._offsets)
 
     def reading(self, row: int) -> float:
         """What the sensor of this row reads."""
-        return float(self._reads[row] @ np.concatenate([self.state, self._offsets]))
+        return float(self._reads[row] @ np.concatenate([self.state, self._offsets[:, 0]]))
 
 
 def closed_loop(problem: Problem, recording: Recording, z: Array, log: Log, kit: Kit, law: CommandLaw) -> FreeLoop:

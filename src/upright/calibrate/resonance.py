@@ -1,0 +1,72 @@
+"""A gyro that reads the pitch rate through a resonance of second order: a mount that swings, or a filter on its board.
+
+ω² / (s² + 2ζω s + ω²) is both. Little damping is something between frame and gyro that swings: it turns further than
+the frame near its frequency. A damping of 0.7 is a filter of second order, whose passband ends at that frequency.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.calibrate.estimate import Estimate
+from upright.calibrate.parameters import Parameter
+from upright.robots import Kit
+
+Array = NDArray[np.float64]
+
+FREQUENCY, DAMPING = "gyro_resonance", "gyro_damping"
+MEANING = {
+    FREQUENCY: "where the gyro swings, or where its filter ends",
+    DAMPING: "of that resonance: little of what swings, 0.7 of a filter",
+}
+
+TYPICAL = {FREQUENCY: 22.0, DAMPING: 0.17}
+"""[Hz, 1] Medians of the priors: geometric means of what is plausible. Mounts of bricks and of printed parts swing at 5
+to 40 Hz, filters on gyros' boards end at 5 to 100 Hz; a joint damps 0.02 of what is critical, a filter 0.5 to 1.4."""
+RANGE = {FREQUENCY: math.log(100 / 5) / (2 * 1.96), DAMPING: math.log(1.4 / 0.02) / (2 * 1.96)}
+"""Deviations of their logarithms: 95 % from end to end of that."""
+FILTERS = 0.5
+"""[1] Damping from which the resonance amplifies nothing by more than 1.15, and is called a filter."""
+
+
+def resonance_of(kit: Kit) -> tuple[Parameter, ...]:
+    """The two parameters of the gyro of `kit`, where it has a resonance."""
+    gyro = kit.sensors.get("sensor/gyro")
+    return parameters_about(gyro.resonance, gyro.damping) if gyro and gyro.resonance else ()
+
+
+def parameters_about(frequency: float, damping: float) -> tuple[Parameter, ...]:
+    """Frequency [Hz] and damping [1] with these medians of their priors."""
+    medians = {FREQUENCY: frequency, DAMPING: damping}
+    units = {FREQUENCY: "Hz", DAMPING: "1"}
+    return tuple(
+        Parameter(name, units[name], value, value * RANGE[name], "logarithm", 0.0, guess=True)
+        for name, value in medians.items()
+    )
+
+
+def resonates(parameters: Sequence[Parameter]) -> bool:
+    """Whether these are of a gyro that has a resonance."""
+    return any(p.name == FREQUENCY for p in parameters)
+
+
+def coefficients_of(values: Mapping[str, Array]) -> list[Array]:
+    """ω [rad/s] and ζ (2, lanes), where the parameters have these `values` (lanes,); none without a resonance."""
+    return [np.array([2 * np.pi * values[FREQUENCY], values[DAMPING]])] if FREQUENCY in values else []
+
+
+def in_words(estimates: Sequence[Estimate], nats: float = 0.0) -> list[str]:
+    """What the two numbers say of the robot, and by how many `nats` the log is likelier with them, in sentences."""
+    known = {e.name: e for e in estimates}
+    if FREQUENCY not in known:
+        return []
+    f, damping = known[FREQUENCY], known[DAMPING]
+    where = f"{f.value:.3g} Hz ({f.low:.3g} to {f.high:.3g}), damping {damping.value:.2g}"
+    likelier = f" With it the log is {nats:.0f} nats likelier, its priors counted." if nats else ""
+    if damping.value >= FILTERS:
+        return [f"The gyro is filtered: low-pass at {where}.{likelier} Part of the gyro's delay is in that filter."]
+    return [f"Gyro resonance: {where}.{likelier} Something between frame and gyro swings: fix the sensor or the frame."]

@@ -1,0 +1,101 @@
+"""Whether the gyro of a log has a resonance: the fit with one, where it is clearly likelier than the fit without."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from upright.arrays import Array
+from upright.calibrate.fitting import Normal, Path, Problem, objective
+from upright.calibrate.gauss_newton import gauss_newton
+from upright.calibrate.informativity import score_covariance
+from upright.calibrate.resonance import DAMPING, FREQUENCY, TYPICAL, parameters_about
+
+FREQUENCIES = (5.0, 7.0, 10.0, 14.0, 20.0, 28.0, 40.0, 56.0)
+"""[Hz] of the starts, half an octave apart: a resonance with a damping of 0.1 or more is nearly as wide as that."""
+DAMPINGS = (0.1, 0.7)
+"""[1] of the starts: what swings, and a filter."""
+ITERATIONS = 5  # of Gauss–Newton from each start, before the noise is learnt again at the best
+MARGIN = 10.0
+"""[nats] of marginal likelihood, readings weighted by what they count for it, by which a resonance must be
+likelier: odds of e¹⁰, twenty thousand to one, as for a gain that a file states. A log has many causes of innovations
+that are not white, and this is only one."""
+
+Fit = tuple[Problem, Array, Normal, Sequence[Path]]
+"""A problem, its z (parameters,), and the derivatives and filters there."""
+
+
+def resonant(fit: Fit, settled: Callable[[Problem, Array], Fit]) -> Fit | None:
+    """The fit with a resonance, from one without; None where it is not likelier by `MARGIN`. `settled` learns
+    parameters and noise from a start."""
+    tries: list[tuple[float, Problem, Array]] = []
+    for problem, z in _starts(*fit[:2]):
+        least = gauss_newton(problem, z, iterations=ITERATIONS)
+        tries.append((least.normal.objective, problem, least.z))
+    value, problem, z = min(tries, key=lambda one: one[0], default=(math.inf, *fit[:2]))
+    if not math.isfinite(value):
+        return None
+    other = settled(problem, z)
+    weight = weight_of(other)
+    nats = evidence(other, weight) - evidence(fit, weight)
+    return (replace(other[0], resonance=nats), *other[1:]) if nats >= MARGIN else None
+
+
+def weight_of(fit: Fit) -> float:
+    """What readings count for the two numbers of a resonance, whose innovations are not white: the covariance that
+    takes them for white over the one that does not (Chandler and Bate 2007), at most 1."""
+    problem, _, normal, paths = fit
+    two = [i for i, p in enumerate(problem.parameters) if p.name in TYPICAL]
+    white = np.linalg.inv(normal.hessian)
+    true = white @ (problem.temper**2 * score_covariance(problem, normal, paths) + np.eye(len(white))) @ white
+    ratio = np.trace(np.linalg.solve(white[np.ix_(two, two)], true[np.ix_(two, two)])) / 2
+    return float(min(1.0, 1 / ratio))
+
+
+def evidence(fit: Fit, weight: float) -> float:
+    """The logarithm of the marginal likelihood, up to a constant, where readings have this `weight`: the posterior at
+    its peak, times the volume of the peak over that of the prior (Laplace's approximation)."""
+    problem, z, normal, _ = fit
+    least, weight = 0.5 * float(z @ z), weight / problem.temper
+    hessian = np.eye(len(z)) + weight * (normal.hessian - np.eye(len(z)))
+    return -least - weight * (normal.objective - least) - 0.5 * float(np.linalg.slogdet(hessian)[1])
+
+
+def resonating(problem: Problem, z: Array, frequency: float, damping: float) -> tuple[Problem, Array]:
+    """The problem with a resonance of the gyro, and z (parameters,) with it there; its gyro is less late by the delay
+    2ζ/ω of the resonance."""
+    place, two = len(problem.asked), parameters_about(TYPICAL[FREQUENCY], TYPICAL[DAMPING])
+    parameters = (*problem.parameters[:place], *two, *problem.parameters[place:])
+    at = [p.coordinate(value) for p, value in zip(two, (frequency, damping), strict=True)]
+    new = np.concatenate([z[:place], at, z[place:]])
+    for i, p in enumerate(problem.asked):
+        if p.name == "delay/gyro":
+            new[i] = max(p.coordinate(float(p.value(z[i])) - damping / (math.pi * frequency)), p.least)
+    recordings = tuple(r.swinging() for r in problem.recordings)
+    return replace(problem, parameters=parameters, recordings=recordings), new
+
+
+def _starts(problem: Problem, z: Array) -> Iterator[tuple[Problem, Array]]:
+    """For each damping the frequencies that are likelier than their neighbours, all else as in the fit at z."""
+    for damping in DAMPINGS:
+        each = [resonating(problem, z, frequency, damping) for frequency in FREQUENCIES]
+        values = np.array([math.inf, *(objective(*one)[0] for one in each), math.inf])
+        for i, one in enumerate(each):
+            if values[i + 1] <= min(values[i], values[i + 2]) and math.isfinite(values[i + 1]):
+                yield one
+
+
+def as_found(problem: Problem, z: Array, other: Problem, at: Array) -> tuple[Problem, Array]:
+    """The problem without a resonance, and its z (parameters,), with the resonance that the `other` has `at`."""
+    frequency, damping = (float(p.value(x)) for p, x in zip(other.asked, at, strict=False) if p.name in TYPICAL)
+    found, z = resonating(problem, z, frequency, damping)
+    return replace(found, resonance=other.resonance), z
+
+
+def at_prior(problem: Problem, z: Array) -> Array:
+    """The prior's coordinates (parameters,), with the resonance that z has."""
+    own = [p.name in TYPICAL for p in problem.parameters]
+    return np.where(own, z, 0.0)

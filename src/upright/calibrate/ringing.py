@@ -1,0 +1,100 @@
+"""What a gyro reads of the pitch rate r through a resonance of second order: g̈ + 2ζω ġ + ω² g = ω² r.
+
+Two states, g and p = ġ/ω, are moved over the time between two events. Over it r is the parabola through its first and
+last value whose mean is the change of the pitch over the time. Under a parabola their power series has no other error
+than its end.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from upright.calibrate.motion import inlined, move, njit
+from upright.compiled.generated import PITCH, PITCH_RATE
+from upright.compiled.jit import get
+
+SWINGS = 2
+"""States of a resonance."""
+TERMS = 12  # of the power series: the next is 1/13! of what goes in, a part in 10¹⁰
+FASTEST = 1e4  # [rad] of phase between two events: beyond it nothing is computed
+
+
+@inlined
+def rung(g: Any, p: Any, first: Any, last: Any, mean: Any, phase: Any, damping: Any) -> Any:
+    """g and p after the `phase` ω h, while the pitch rate goes from `first` to `last` with this `mean`."""
+    if not abs(phase) * (1 + 2 * damping) < FASTEST:
+        return np.nan, np.nan
+    pieces = max(1, math.ceil(abs(phase) * (1 + 2 * damping)))
+    part, bend = 1.0 / pieces, 6 * mean - 3 * (first + last)
+    slope, turn = last - first + bend, phase * part
+    for piece in range(pieces):
+        at = piece * part
+        rate_0, rate_1, rate_2 = first + (slope - bend * at) * at, (slope - 2 * bend * at) * part, -bend * part * part
+        a, b = turn * p, turn * (rate_0 - g - 2 * damping * p)
+        g, p = g + a, p + b
+        a, b = turn * b / 2, turn * (rate_1 - a - 2 * damping * b) / 2
+        g, p = g + a, p + b
+        a, b = turn * b / 3, turn * (rate_2 - a - 2 * damping * b) / 3
+        g, p = g + a, p + b
+        for term in range(4, TERMS + 1):
+            a, b = turn * b / term, -turn * (a + 2 * damping * b) / term
+            g, p = g + a, p + b
+    return g, p
+
+
+@njit
+def moved(w: Any, count: Any, u: Any, start: Any, stop: Any, longest: Any, swing: Any, offsets: Any) -> None:
+    """`move`, and with it the two states of a resonance, the last of `offsets` (offsets, lanes); `swing` (2, lanes) is
+    ω [rad/s] and ζ, or nothing where there is none."""
+    if len(swing) == 0:
+        move(w, count, u, start, stop, longest)
+        return
+    tail, first, rate, span = len(offsets) - SWINGS, np.empty(count), np.empty(count), np.empty(count)
+    for i in range(count):
+        first[i], rate[i], span[i] = get(w, PITCH, i), get(w, PITCH_RATE, i), stop[i] - start[i]
+    move(w, count, u, start, stop, longest)
+    for i in range(count):
+        if span[i] != 0:
+            offsets[tail, i], offsets[tail + 1, i] = rung(
+                offsets[tail, i], offsets[tail + 1, i], rate[i], get(w, PITCH_RATE, i),
+                (get(w, PITCH, i) - first[i]) / span[i], swing[0, i] * span[i], swing[1, i],
+            )  # fmt: skip
+
+
+@njit
+def swung(x: Any, first: Any, rate: Any, span: Any, swing: Any, phi: Any, whole: Any) -> None:
+    """The same for one robot, whose state x (s,) has moved over the `span` [s] from the pitch `first` and the pitch
+    `rate`, with ∂x(stop)/∂x(start) of its six states `phi`; fills the `whole` (s, s) of it."""
+    tail, motion = len(x) - SWINGS, len(phi)
+    phase, damping = swing[0, 0] * span, swing[1, 0]
+    x[tail], x[tail + 1] = rung(x[tail], x[tail + 1], rate, x[1], (x[0] - first) / span, phase, damping)
+    whole[:motion, :motion] = phi
+    for j in range(SWINGS):
+        own = 1.0 - j
+        whole[tail, tail + j], whole[tail + 1, tail + j] = rung(own, 1.0 - own, 0.0, 0.0, 0.0, phase, damping)
+    for j in range(motion):
+        start = 1.0 if j == 1 else 0.0
+        mean = (phi[0, j] - (1.0 if j == 0 else 0.0)) / span
+        whole[tail, j], whole[tail + 1, j] = rung(0.0, 0.0, start, phi[1, j], mean, phase, damping)
+
+
+@njit
+def spread(P: Any, whole: Any, Q: Any, h: Any, product: Any) -> None:
+    """P ← Φ P Φᵀ + Q h, for any Φ `whole` (s, s)."""
+    size = len(P)
+    for i in range(size):
+        for j in range(size):
+            total = 0.0
+            for k in range(size):
+                total += whole[i, k] * P[k, j]
+            product[i, j] = total
+    for i in range(size):
+        for j in range(i, size):
+            total = Q[i, j] * h
+            for k in range(size):
+                total += product[i, k] * whole[j, k]
+            P[i, j] = total
+            P[j, i] = total
