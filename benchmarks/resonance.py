@@ -93,7 +93,7 @@ def log_of(name: str, true: Robot, seed: int, frequency: float, damping: float) 
     return Log(log.t, {**log.channels, "sensor/gyro": read}, log.units, log.origin)
 
 
-def truth(name: str, true: Robot, frequency: float, damping: float) -> dict[str, float]:
+def truth(true: Robot, frequency: float, damping: float) -> dict[str, float]:
     """What a calibration of that run ought to find, but for the dead times."""
     combined = {combination: float(formula(true)) for combination, (_, formula) in COMBINATIONS.items()}
     return {**true.numbers(), **combined, "asymmetry": 0.0, FREQUENCY: frequency, DAMPING: damping}
@@ -113,7 +113,7 @@ def judged(name: str, frequency: float, damping: float, seeds: Sequence[int]) ->
         except UprightError as error:
             print(f"    seed {seed}: {error}")
             continue
-        spent, logs, right = spent + time.process_time() - began, logs + 1, truth(name, true, frequency, damping)
+        spent, logs, right = spent + time.process_time() - began, logs + 1, truth(true, frequency, damping)
         found += any(e.name == FREQUENCY for e in result.electronics)
         for e in (*result.parameters, *result.combinations, *result.electronics):
             if e.verdict == VISIBLE and e.name in right:

@@ -29,7 +29,7 @@ from upright.calibrate.learnt_kit import learnt_kit
 from upright.calibrate.parameters import parameters_of
 from upright.calibrate.process_noise import arrival, process
 from upright.calibrate.refined import Fitted, refined
-from upright.calibrate.resonance import resonates
+from upright.calibrate.resonance import FIRST, SWING, resonates, swing_noise
 from upright.calibrate.stated_gain import as_meant
 from upright.doctor.doctor import contradictions
 from upright.doctor.wheels import on_its_wheels
@@ -123,6 +123,7 @@ def prepared(
     parameters = parameters_of(robot, delays, known, electronics_of(robot, kit, logs), foreign=foreign)
     if resonates(parameters):
         recordings = tuple(recording.swinging() for recording in recordings)
+        noise |= {SWING: math.log(swing_noise(recordings, FIRST))}
     every = (*parameters, *EQUATIONS, *effects_of(parameters, len(recordings)))
     problem = Problem(
         recordings=recordings, robot=robot, parameters=every, delays=delays,

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from upright.calibrate.effects import RUN, maps_of
 from upright.calibrate.electronics import driven
 from upright.calibrate.parameters import Coordinates, Parameter, columns
-from upright.calibrate.resonance import coefficients_of
+from upright.calibrate.resonance import SWING, coefficients_of
 from upright.calibrate.threads import CORES, in_threads
 from upright.compiled.generated import LANES, Constants, constants
 from upright.logs.recording import SENSOR, Recording
@@ -228,6 +228,8 @@ class Problem:
         Q[:, 6, 6] = np.exp(self.noise["gyro_bias"])
         if "compass" in recording.sensors:
             Q[:, 7, 7] = 1e-10
+        if recording.swings:
+            Q[:, -1, -1] = np.exp(self.noise.get(SWING, -np.inf))
         return Q
 
     def coefficient_slopes(

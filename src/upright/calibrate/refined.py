@@ -22,7 +22,7 @@ from upright.calibrate.informativity import effective_fraction
 from upright.calibrate.noise import Bounds, learn_noise, sensor_bounds
 from upright.calibrate.parameters import ROLLING, most_friction
 from upright.calibrate.process_noise import NOISE_TIME, process, with_process
-from upright.calibrate.resonance import resonates
+from upright.calibrate.resonance import FIRST, LEAST, MOST, SWING, resonates, swing_noise
 from upright.calibrate.resonant import as_found, at_prior, resonant
 from upright.logs.recording import SENSOR
 from upright.physics.dynamics import motor_gain
@@ -77,7 +77,7 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
         if polished.normal.objective < best.normal.objective:
             rough, best = other, polished
     if not _white(best) and (other := _with_resonance(rough, bounds)):
-        rough, best = other, _polished(other, bounds)
+        rough, best = other, _polished(other, {**bounds, **_swings(problem)})
         problem, z = as_found(problem, z, rough.problem, rough.z)
     if _white(best):
         return _tempered(*_between_runs(best))
@@ -95,13 +95,20 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
 
 
 def _with_resonance(fit: Fitted, bounds: Bounds) -> Fitted | None:
-    """The fit with a resonance of the gyro, where that is clearly likelier, and leaves clearly less of half seconds:
-    a filter's innovations may also follow it where it stands in for another error of the model."""
-    if resonates(fit.problem.asked):
+    """The fit with a resonance of the gyro, where that is clearly likelier, and either leaves clearly less of half
+    seconds or makes the innovations white: else it stands in for another error of the model.
+
+    Noise that makes the gyro swing is learnt only then. It would be likelier of every gyro whose noise is not white.
+    """
+    found = None if resonates(fit.problem.asked) else resonant(fit, partial(_settled, bounds=bounds))
+    if not found:
         return None
-    found = resonant(fit, partial(_settled, bounds=bounds))
-    other = found and Fitted(*found)
-    return other if other and 1 - _simulated(other) < (1 - LEVEL) * (1 - _simulated(fit)) else None
+    other = Fitted(*found)
+    if not _white(other) and 1 - _simulated(other) > (1 - LEVEL) * (1 - _simulated(fit)):
+        return None
+    own = _swings(other.problem)
+    noise = {**other.problem.noise, SWING: math.log(swing_noise(other.problem.recordings, FIRST))}
+    return _settled(replace(other.problem, noise=noise), other.z, {**bounds, **own})
 
 
 def _white(fit: Fitted) -> bool:
@@ -208,7 +215,12 @@ def _bounds(problem: Problem, limits: Mapping[str, float], fraction: float) -> B
     free = {
         name: (math.exp(value) * NOISE_RANGE, math.exp(value)) for name, value in top.items() if name != "gyro_bias"
     }
-    return {**sensor_bounds(limits), **free}
+    return {**sensor_bounds(limits), **free, **(_swings(problem) if resonates(problem.asked) else {})}
+
+
+def _swings(problem: Problem) -> dict[str, tuple[float, float]]:
+    """Between which variances the noise is learnt that makes a gyro swing."""
+    return {SWING: (swing_noise(problem.recordings, LEAST), swing_noise(problem.recordings, MOST))}
 
 
 def _settled(problem: Problem, z: Array, bounds: Bounds) -> Fitted:

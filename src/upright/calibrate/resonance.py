@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from upright.calibrate.estimate import Estimate
 from upright.calibrate.parameters import Parameter
+from upright.logs.recording import SENSOR, Recording
 from upright.robots import Kit
 
 Array = NDArray[np.float64]
@@ -29,6 +30,11 @@ TYPICAL = {FREQUENCY: 22.0, DAMPING: 0.17}
 to 40 Hz, filters on gyros' boards end at 5 to 100 Hz; a joint damps 0.02 of what is critical, a filter 0.5 to 1.4."""
 RANGE = {FREQUENCY: math.log(100 / 5) / (2 * 1.96), DAMPING: math.log(1.4 / 0.02) / (2 * 1.96)}
 """Deviations of their logarithms: 95 % from end to end of that."""
+SWING = "swing"
+"""Noise that makes a gyro swing, a variance a second: gears and shocks do so without turning the frame."""
+FIRST, LEAST, MOST = 0.1, 1e-3, 0.3
+"""[1] How much of a gyro's deviation such a swing is: at first, at least, and at most. Beyond a tenth of its power it
+would be no addition to the motion, and stand in for what the robot's equations leave out."""
 FILTERS = 0.5
 """[1] Damping from which the resonance amplifies nothing by more than 1.15, and is called a filter."""
 
@@ -52,6 +58,14 @@ def parameters_about(frequency: float, damping: float) -> tuple[Parameter, ...]:
 def resonates(parameters: Sequence[Parameter]) -> bool:
     """Whether these are of a gyro that has a resonance."""
     return any(p.name == FREQUENCY for p in parameters)
+
+
+def swing_noise(recordings: Sequence[Recording], part: float) -> float:
+    """The variance a second [(rad/s)²/s] under which a resonance of typical numbers swings with this `part` of the
+    gyro's deviation: 4ζω times the variance of the swing."""
+    gyros = [r.value[r.kind == [SENSOR[row] for row in r.rows].index("gyro")] for r in recordings]
+    rate = 4 * TYPICAL[DAMPING] * 2 * math.pi * TYPICAL[FREQUENCY]
+    return rate * part**2 * float(np.mean([y.var() for y in gyros]))
 
 
 def coefficients_of(values: Mapping[str, Array]) -> list[Array]:

@@ -12,7 +12,7 @@ from upright.arrays import Array
 from upright.calibrate.fitting import Normal, Path, Problem, objective
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.informativity import score_covariance
-from upright.calibrate.resonance import DAMPING, FREQUENCY, TYPICAL, parameters_about
+from upright.calibrate.resonance import DAMPING, FREQUENCY, SWING, TYPICAL, parameters_about
 
 FREQUENCIES = (5.0, 7.0, 10.0, 14.0, 20.0, 28.0, 40.0, 56.0)
 """[Hz] of the starts, half an octave apart: a resonance with a damping of 0.1 or more is nearly as wide as that."""
@@ -92,7 +92,8 @@ def as_found(problem: Problem, z: Array, other: Problem, at: Array) -> tuple[Pro
     """The problem without a resonance, and its z (parameters,), with the resonance that the `other` has `at`."""
     frequency, damping = (float(p.value(x)) for p, x in zip(other.asked, at, strict=False) if p.name in TYPICAL)
     found, z = resonating(problem, z, frequency, damping)
-    return replace(found, resonance=other.resonance), z
+    noise = {**found.noise, SWING: other.noise[SWING]}
+    return replace(found, noise=noise, resonance=other.resonance), z
 
 
 def at_prior(problem: Problem, z: Array) -> Array:

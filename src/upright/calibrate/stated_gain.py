@@ -55,12 +55,14 @@ def commands_of(log: Log) -> Array:
     return np.column_stack([log[f"{commanded(log)}/{side}"] for side in SIDES])
 
 
-def nats(fit: Fitted, run: int, commands: Array, other: Array | None = None) -> float:
+def nats(fit: Fitted, run: int, commands: Array, rival: Fitted | None = None) -> float:
     """By how much the log posterior is larger, at the noise and weights of a fit, where a run's commands are `commands`
-    (rows, 2). Parameters are fitted anew from the fit's, and from `other` (parameters,) or the prior."""
+    (rows, 2). Parameters are fitted anew from the fit's, and from those of a `rival` or the prior."""
     recordings = list(fit.problem.recordings)
     recordings[run] = replace(recordings[run], commands=np.ascontiguousarray(commands))
     here, there = fit.problem, replace(fit.problem, recordings=tuple(recordings))
+    rivals = {p.name: at for p, at in zip(rival.problem.parameters, rival.z, strict=True)} if rival else {}
+    other = np.array([rivals.get(p.name, 0.0) for p in here.parameters]) if rival else None
     starts = [fit.z, *([other] if other is not None else [np.zeros_like(fit.z)])]
     own = [fit.normal.objective, *([_least(here, other)] if other is not None else [])]
     return min(own) - min(_least(there, z) for z in starts)
@@ -95,7 +97,7 @@ def as_meant(
         except DesignFailed:
             notes[run] = _as_logged(chosen[run], words, -math.inf)
             continue
-        likelier = min(likelier, -nats(other, run, commands_of(chosen[run]), fit.z))
+        likelier = min(likelier, -nats(other, run, commands_of(chosen[run]), fit))
         if likelier < MARGIN:
             notes[run] = _as_logged(chosen[run], words, likelier)
             continue
