@@ -14,7 +14,6 @@ import argparse
 import os
 import time
 from collections.abc import Sequence
-from typing import Any
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the command `upright` does
 
@@ -23,6 +22,7 @@ from calibrate import DITHER, drawn
 from scipy.signal import lsim
 
 from upright.bodies import Electronics
+from upright.bodies.body import REST, Sample
 from upright.bodies.models import NonlinearBody
 from upright.calibrate.calibrate import calibrate
 from upright.calibrate.estimate import VISIBLE
@@ -32,7 +32,8 @@ from upright.control import Estimated, kalman, lqr, make_controller
 from upright.control.excited import Excited, random_binary
 from upright.errors import UprightError
 from upright.experiment import run
-from upright.robots import Kit, Robot
+from upright.physics.dynamics import CALM, Disturbance
+from upright.robots import Robot, find_kit
 from upright.signals import STATE_NAMES, Log
 
 SECONDS = 20.0
@@ -50,13 +51,13 @@ class Watched:
         self._body, self.spec = body, body.spec
         self._row = [signal.name for signal in body.spec.channels].index(f"truth/{STATE_NAMES[1]}")
 
-    def reset(self, *given: Any) -> Any:
-        first = self._body.reset(*given)
+    def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:
+        first = self._body.reset(start, seed)
         self.rates = [first.numbers[self._row]]
         return first
 
-    def step(self, *given: Any) -> Any:
-        after = self._body.step(*given)
+    def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
+        after = self._body.step(command, disturbance)
         self.rates.append(after.numbers[self._row])
         return after
 
@@ -74,7 +75,7 @@ def swung(rates: Sequence[float], period: float, frequency: float, damping: floa
 def log_of(name: str, true: Robot, seed: int, frequency: float, damping: float) -> Log:
     """A run of that robot, whose gyro has the resonance; none where the frequency is zero."""
     robot = Robot.preset(name)
-    kit = Kit.preset(robot.kit)
+    kit = find_kit(robot.kit)
     if name == "nxtway-gs":
         controller = Estimated(lqr(robot, kit.period), kalman(robot, kit, kit.period))
     else:
@@ -135,7 +136,7 @@ def main() -> None:
     parser.add_argument("--only", type=int, nargs="*", default=range(len(GYROS)), help="which of the gyros, from 0")
     asked = parser.parse_args()
     for which in asked.only:
-        judged(*GYROS[which], range(*asked.seeds))
+        judged(*GYROS[which], range(asked.seeds[0], asked.seeds[1]))
 
 
 if __name__ == "__main__":

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
 from itertools import pairwise
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,6 +17,7 @@ from scipy.signal import lsim
 
 from test_predictor import LONGEST, ROBOT, SIZE, SMALL, START, C, R, process, uneven_log
 from upright.bodies import Electronics
+from upright.bodies.body import REST, Sample
 from upright.bodies.models import NonlinearBody
 from upright.calibrate.calibrate import calibrate, prepared
 from upright.calibrate.calibration import Calibration
@@ -28,8 +32,9 @@ from upright.control import make_controller
 from upright.control.excited import Excited, random_binary
 from upright.errors import InvalidRobot
 from upright.experiment import run
+from upright.physics.dynamics import CALM, Disturbance
 from upright.physics.linear import linearise
-from upright.robots import Kit, Robot, Sensor
+from upright.robots import Kit, Robot, Sensor, find_kit
 from upright.signals import Log
 
 SWING = ("ev3way", 11.0, 0.05)  # [Hz, 1]
@@ -39,7 +44,7 @@ SPAN = 0.01  # [s]
 
 
 @njit
-def after(g, p, first, last, mean, phase, damping):
+def after(g: Any, p: Any, first: Any, last: Any, mean: Any, phase: Any, damping: Any) -> Any:
     """`rung`, which is put into its callers, as a function of its own."""
     return rung(g, p, first, last, mean, phase, damping)
 
@@ -141,13 +146,13 @@ class _Watched:
     def __init__(self, body: NonlinearBody) -> None:
         self._body, self.spec = body, body.spec
 
-    def reset(self, *given):
-        first = self._body.reset(*given)
+    def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:
+        first = self._body.reset(start, seed)
         self.rates = [first.numbers[1]]
         return first
 
-    def step(self, *given):
-        after = self._body.step(*given)
+    def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
+        after = self._body.step(command, disturbance)
         self.rates.append(after.numbers[1])
         return after
 
@@ -165,7 +170,7 @@ def prior(name: str) -> Robot:
 def logged(name: str, frequency: float, damping: float, seed: int = 3, seconds: float = 12.0) -> Log:
     """A run of the preset whose gyro is read through SciPy's filter; as if from another program, without its origin."""
     robot = Robot.preset(name)
-    kit = Kit.preset(robot.kit)
+    kit = find_kit(robot.kit)
     body = _Watched(NonlinearBody.dividing(robot, kit.period))
     dither = random_binary(round(seconds / kit.period), DITHER[name], seed, 4)
     controller = Excited(make_controller("lqg", prior(name), kit, kit.period), dither)
@@ -226,7 +231,7 @@ def test_the_resonance_is_kept_in_the_file_and_judges_another_log() -> None:
     assert left[0] < left[1] / 10
 
 
-def test_a_kit_with_a_resonance_is_written_and_read(tmp_path) -> None:
+def test_a_kit_with_a_resonance_is_written_and_read(tmp_path: Path) -> None:
     kit = Kit.preset("ev3")
     gyro = replace(kit.sensors["sensor/gyro"], resonance=14.0, damping=0.1)
     swings = replace(kit, sensors=kit.sensors | {"sensor/gyro": gyro})
