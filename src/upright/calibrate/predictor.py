@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from upright.calibrate.motion import INSTANT, STATES, STUCK, TOPPLED, block_of, driven, move, njit
-from upright.calibrate.ringing import moved, spread, swung
+from upright.calibrate.motion import INSTANT, STATES, STUCK, TOPPLED, block_of, driven, njit
+from upright.calibrate.ringing import moved, spread, undriven
 from upright.compiled.generated import PITCH, PITCH_RATE, WHEEL_RATE, YAW_RATE
 from upright.compiled.generated_motion import accelerations_free, constants_free
 from upright.compiled.jit import get, put
@@ -67,12 +67,16 @@ class Noise(NamedTuple):
 
 class _Flow(NamedTuple):
     """Room for the flow of one robot: its block, times of start and stop (2, WIDE), ∂x(stop)/∂x(start) (6, 6), and
-    what the product of two matrices needs (6, s)."""
+    what the product of two matrices needs (6, s). Of a robot whose gyro swings also its `swing` (2, WIDE), both states
+    of that (2, WIDE), and ∂x(stop)/∂x(start) of all states (s, s)."""
 
     block: Any
     times: Any
     phi: Any
     product: Any
+    swing: Any = np.zeros((0, 1))
+    swung: Any = np.zeros((0, 1))
+    whole: Any = np.zeros((0, 0))
 
 
 @njit
@@ -117,7 +121,7 @@ def innovations(events: Events, lanes: RobotLanes, first: Any, gains: Any, longe
             then[i] = events.when[event] - (lanes.delays[row, i] if row >= 0 else 0.0)
         if place == 0:
             now[:] = then
-        moved(w, count, u, now, then, longest, lanes.swing, offsets)
+        moved(w, u, now, then, longest, lanes.swing, offsets)
         if row < 0:
             u[:] = events.commands[int(events.value[event])]
             continue
@@ -129,8 +133,12 @@ def innovations(events: Events, lanes: RobotLanes, first: Any, gains: Any, longe
 
 @njit
 def _flow(room: _Flow, x: Any, u: Any, start: Any, stop: Any, longest: Any) -> None:
-    """Moves x from `start` to `stop` [s] and writes ∂x(stop)/∂x(start) of the six states into `room.phi`."""
-    w, phi = room.block, room.phi
+    """Moves x from `start` to `stop` [s] and writes ∂x(stop)/∂x(start) of the six states into `room.phi`, and where the
+    gyro swings of all into `room.whole`."""
+    w, phi, swings = room.block, room.phi, len(room.swing)
+    tail = len(x) - swings
+    for j in range(swings):
+        room.swung[j] = x[tail + j]
     for i in range(WIDE):
         room.times[0, i], room.times[1, i] = start, stop
         for j in range(STATES):
@@ -138,13 +146,20 @@ def _flow(room: _Flow, x: Any, u: Any, start: Any, stop: Any, longest: Any) -> N
     for i in range(len(MOVING)):
         put(w, MOVING[i], 1 + i, get(w, MOVING[i], 1 + i) + _NUDGE)
     put(w, STUCK, 0, 0.0)
-    move(w, WIDE, u, room.times[0], room.times[1], longest)
+    moved(w, u, room.times[0], room.times[1], longest, room.swing, room.swung)
     for j in range(STATES):
         x[j] = get(w, PITCH + j, 0)
         for i in range(len(MOVING)):
             phi[j, MOVING[i]] = (get(w, PITCH + j, 1 + i) - x[j]) / _NUDGE
         phi[j, 2] = 1.0 if j == 2 else 0.0
         phi[j, 4] = 1.0 if j == 4 else 0.0
+    if swings:
+        room.whole[:STATES, :STATES] = phi
+        undriven(stop - start, room.swing, room.whole)
+        for j in range(swings):
+            x[tail + j] = room.swung[j, 0]
+            for i in range(len(MOVING)):
+                room.whole[tail + j, MOVING[i]] = (room.swung[j, 1 + i] - x[tail + j]) / _NUDGE
 
 
 @njit
@@ -220,8 +235,11 @@ def kalman_path(events: Events, lanes: RobotLanes, first: Any, noise: Noise, lon
     size, many = len(first), len(events.kind)
     x, P, u = first.copy(), noise.start.copy(), events.commands[0].copy()
     w = block_of(lanes.robots)
-    room = _Flow(w, np.zeros((2, WIDE)), np.zeros((STATES, STATES)), np.zeros((STATES, size)))
-    swings, whole, product = len(lanes.swing), np.eye(size), np.zeros((size, size))
+    swings, product = len(lanes.swing), np.zeros((size, size))
+    room = _Flow(
+        w, np.zeros((2, WIDE)), np.zeros((STATES, STATES)), np.zeros((STATES, size)),
+        lanes.swing, np.zeros((swings, WIDE)), np.eye(size),
+    )  # fmt: skip
     e, s, gains = np.full(many, np.nan), np.full(many, np.nan), np.zeros((many, size))
     states = np.zeros((many if keep else 0, size))
     now, forget = -np.inf, np.inf
@@ -234,12 +252,10 @@ def kalman_path(events: Events, lanes: RobotLanes, first: Any, noise: Noise, lon
             _forget(P, noise.start, size - swings)
             forget += noise.restart
         if then - now > INSTANT:
-            pitch, rate = x[0], x[1]
             _flow(room, x, u, now, then, longest)
             process = noise.process[int(get(w, STUCK, 0))]
             if swings:
-                swung(x, pitch, rate, then - now, lanes.swing, room.phi, whole)
-                spread(P, whole, process, then - now, product)
+                spread(P, room.whole, process, then - now, product)
             else:
                 _predict(P, room.phi, process, then - now, room.product)
             now = then

@@ -23,7 +23,7 @@ from upright.calibrate.noise import Bounds, learn_noise, sensor_bounds
 from upright.calibrate.parameters import ROLLING, most_friction
 from upright.calibrate.process_noise import NOISE_TIME, process, with_process
 from upright.calibrate.resonance import FIRST, LEAST, MOST, SWING, resonates, swing_noise
-from upright.calibrate.resonant import as_found, at_prior, resonant
+from upright.calibrate.resonant import at_prior, resonant, with_that_of
 from upright.logs.recording import SENSOR
 from upright.physics.dynamics import motor_gain
 
@@ -78,7 +78,7 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
             rough, best = other, polished
     if not _white(best) and (other := _with_resonance(rough, bounds)):
         rough, best = other, _polished(other, {**bounds, **_swings(problem)})
-        problem, z = as_found(problem, z, rough.problem, rough.z)
+        problem, z = with_that_of(problem, z, rough.problem, rough.z)
     if _white(best):
         return _tempered(*_between_runs(best))
     prior = at_prior(problem, rough.z)
@@ -100,10 +100,10 @@ def _with_resonance(fit: Fitted, bounds: Bounds) -> Fitted | None:
 
     Noise that makes the gyro swing is learnt only then. It would be likelier of every gyro whose noise is not white.
     """
-    found = None if resonates(fit.problem.asked) else resonant(fit, partial(_settled, bounds=bounds))
-    if not found:
+    likelier = None if resonates(fit.problem.asked) else resonant(fit, partial(_settled, bounds=bounds))
+    if not likelier:
         return None
-    other = Fitted(*found)
+    other = Fitted(*likelier)
     if not _white(other) and 1 - _simulated(other) > (1 - LEVEL) * (1 - _simulated(fit)):
         return None
     own = _swings(other.problem)

@@ -58,10 +58,8 @@ def weight_of(fit: Fit) -> float:
 def evidence(fit: Fit, weight: float) -> float:
     """The logarithm of the marginal likelihood, up to a constant, where readings have this `weight`: the posterior at
     its peak, times the volume of the peak over that of the prior (Laplace's approximation)."""
-    problem, z, normal, _ = fit
-    least, weight = 0.5 * float(z @ z), weight / problem.temper
-    hessian = np.eye(len(z)) + weight * (normal.hessian - np.eye(len(z)))
-    return -least - weight * (normal.objective - least) - 0.5 * float(np.linalg.slogdet(hessian)[1])
+    least = gauss_newton(replace(fit[0], temper=weight), fit[1], iterations=ITERATIONS).normal
+    return -least.objective - 0.5 * float(np.linalg.slogdet(least.hessian)[1])
 
 
 def resonating(problem: Problem, z: Array, frequency: float, damping: float) -> tuple[Problem, Array]:
@@ -88,12 +86,12 @@ def _starts(problem: Problem, z: Array) -> Iterator[tuple[Problem, Array]]:
                 yield one
 
 
-def as_found(problem: Problem, z: Array, other: Problem, at: Array) -> tuple[Problem, Array]:
+def with_that_of(problem: Problem, z: Array, other: Problem, at: Array) -> tuple[Problem, Array]:
     """The problem without a resonance, and its z (parameters,), with the resonance that the `other` has `at`."""
     frequency, damping = (float(p.value(x)) for p, x in zip(other.asked, at, strict=False) if p.name in TYPICAL)
-    found, z = resonating(problem, z, frequency, damping)
-    noise = {**found.noise, SWING: other.noise[SWING]}
-    return replace(found, noise=noise, resonance=other.resonance), z
+    new, z = resonating(problem, z, frequency, damping)
+    noise = {**new.noise, SWING: other.noise[SWING]}
+    return replace(new, noise=noise, resonance=other.resonance), z
 
 
 def at_prior(problem: Problem, z: Array) -> Array:

@@ -1,7 +1,7 @@
 """What a gyro reads of the pitch rate r through a resonance of second order: g̈ + 2ζω ġ + ω² g = ω² r.
 
-Two states, g and p = ġ/ω, are moved over the time between two events. Over it r is the parabola through its first and
-last value whose mean is the change of the pitch over the time. Under a parabola their power series has no other error
+Two states, g and p = ġ/ω, are moved with the robot, step by step. Over a step r is the parabola through its first and
+last value whose mean is the change of the pitch over the step. Under a parabola their power series has no other error
 than its end.
 """
 
@@ -46,39 +46,36 @@ def rung(g: Any, p: Any, first: Any, last: Any, mean: Any, phase: Any, damping: 
 
 
 @njit
-def moved(w: Any, count: Any, u: Any, start: Any, stop: Any, longest: Any, swing: Any, offsets: Any) -> None:
+def moved(w: Any, u: Any, start: Any, stop: Any, longest: Any, swing: Any, offsets: Any) -> None:
     """`move`, and with it the two states of a resonance, the last of `offsets` (offsets, lanes); `swing` (2, lanes) is
-    ω [rad/s] and ζ, or nothing where there is none."""
+    ω [rad/s] and ζ, or nothing where there is none. The parabola is of one step of the motion, not of the whole."""
+    count = len(start)
     if len(swing) == 0:
         move(w, count, u, start, stop, longest)
         return
-    tail, first, rate, span = len(offsets) - SWINGS, np.empty(count), np.empty(count), np.empty(count)
-    for i in range(count):
-        first[i], rate[i], span[i] = get(w, PITCH, i), get(w, PITCH_RATE, i), stop[i] - start[i]
-    move(w, count, u, start, stop, longest)
-    for i in range(count):
-        if span[i] != 0:
-            offsets[tail, i], offsets[tail + 1, i] = rung(
-                offsets[tail, i], offsets[tail + 1, i], rate[i], get(w, PITCH_RATE, i),
-                (get(w, PITCH, i) - first[i]) / span[i], swing[0, i] * span[i], swing[1, i],
-            )  # fmt: skip
+    tail, first, rate = len(offsets) - SWINGS, np.empty(count), np.empty(count)
+    span, then = stop - start, np.empty(count)
+    steps = max(1, math.ceil(np.abs(span).max() / longest))
+    for step in range(1, steps + 1):
+        for i in range(count):
+            first[i], rate[i] = get(w, PITCH, i), get(w, PITCH_RATE, i)
+            then[i] = stop[i] if step == steps else start[i] + span[i] / steps
+        move(w, count, u, start, then, longest)
+        for i in range(count):
+            h = span[i] / steps
+            if h != 0:
+                offsets[tail, i], offsets[tail + 1, i] = rung(
+                    offsets[tail, i], offsets[tail + 1, i], rate[i], get(w, PITCH_RATE, i),
+                    (get(w, PITCH, i) - first[i]) / h, swing[0, i] * h, swing[1, i],
+                )  # fmt: skip
 
 
 @njit
-def swung(x: Any, first: Any, rate: Any, span: Any, swing: Any, phi: Any, whole: Any) -> None:
-    """The same for one robot, whose state x (s,) has moved over the `span` [s] from the pitch `first` and the pitch
-    `rate`, with ∂x(stop)/∂x(start) of its six states `phi`; fills the `whole` (s, s) of it."""
-    tail, motion = len(x) - SWINGS, len(phi)
-    phase, damping = swing[0, 0] * span, swing[1, 0]
-    x[tail], x[tail + 1] = rung(x[tail], x[tail + 1], rate, x[1], (x[0] - first) / span, phase, damping)
-    whole[:motion, :motion] = phi
-    for j in range(SWINGS):
-        own = 1.0 - j
-        whole[tail, tail + j], whole[tail + 1, tail + j] = rung(own, 1.0 - own, 0.0, 0.0, 0.0, phase, damping)
-    for j in range(motion):
-        start = 1.0 if j == 1 else 0.0
-        mean = (phi[0, j] - (1.0 if j == 0 else 0.0)) / span
-        whole[tail, j], whole[tail + 1, j] = rung(0.0, 0.0, start, phi[1, j], mean, phase, damping)
+def undriven(span: Any, swing: Any, whole: Any) -> None:
+    """∂(g, p)(stop)/∂(g, p)(start) over the `span` [s], into the corner of `whole` (s, s)."""
+    tail, phase, damping = len(whole) - SWINGS, swing[0, 0] * span, swing[1, 0]
+    whole[tail, tail], whole[tail + 1, tail] = rung(1.0, 0.0, 0.0, 0.0, 0.0, phase, damping)
+    whole[tail, tail + 1], whole[tail + 1, tail + 1] = rung(0.0, 1.0, 0.0, 0.0, 0.0, phase, damping)
 
 
 @njit

@@ -101,11 +101,7 @@ def summarised(
         samples=int(sum((r.fitted & (r.kind < 0)).sum() for r in problem.recordings)),
         seconds=time.perf_counter() - began,
         sources=tuple(map(named, logs)),
-        notes=(
-            *(() if refused else map(sentence, wrong)),
-            *in_words(every, problem.resonance),
-            *_notes(problem, every, scores, reason, other, widening),
-        ),
+        notes=(*(() if refused else map(sentence, wrong)), *_notes(problem, every, scores, reason, other, widening)),
         widening=widening,
         supported=int(supported),
         quiet=reason,
@@ -285,7 +281,7 @@ def _mean(each: Sequence[Mapping[str, float]]) -> dict[str, float]:
 def _notes(
     problem: Problem, every: Sequence[Estimate], free: Mapping[str, float], reason: str, other: str, widening: float
 ) -> list[str]:
-    notes = [reason] if reason else []
+    notes = [*([reason] if reason else []), *in_words(every, problem.resonance)]
     if problem.temper < 1:
         notes.append(
             "The innovations are not white: the model leaves something out. "

@@ -74,7 +74,7 @@ class _Plant:
 
         if math.isnan(self._now[0]):
             self._now[0] = to
-        moved(self._w, 1, self.command, self._now, np.full(1, to), self._longest, self._swing, self._offsets)
+        moved(self._w, self.command, self._now, np.full(1, to), self._longest, self._swing, self._offsets)
 
     def reading(self, row: int) -> float:
         """What the sensor of this row reads."""
