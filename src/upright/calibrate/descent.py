@@ -78,11 +78,12 @@ def _near(state: Any, known: Any, free: Any) -> Any:
 
 
 @njit
-def descended(events: Any, robot: Any, read: Any, scale: Any, first: Any, known: Any, free: Any, longest: Any) -> Any:
+def descended(events: Any, robot: Any, readings: Any, first: Any, known: Any, free: Any, longest: Any) -> Any:
     """The first state (states,) of least error near `first`, and its cost, by damped Gauss–Newton in the states that
-    are `free` (free,); as far as to one that is `known` already. Errors are those of the events `read` (readings,),
-    over their `scale` (readings,); `robot` is in a lane for the first state and one for each that is free, in steps of
+    are `free` (free,); as far as to one that is `known` already. `readings` are the events and the scale of each, over
+    which errors count (readings,); `robot` is in a lane for the first state and one for each that is free, in steps of
     at most `longest` [s]."""
+    read, scale = readings
     size, count, gains = len(first), len(free), np.zeros((len(events.order), len(first)))
     best, candidate, least, damping = first.copy(), first.copy(), np.inf, FIRST_DAMPING
     hessian, L, slope, step = np.zeros((count, count)), np.zeros((count, count)), np.zeros(count), np.zeros(count)

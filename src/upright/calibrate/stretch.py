@@ -125,7 +125,7 @@ class Stretch:
         rows, scale = (of_all[:until] for of_all in self._read)
         given = self._given._replace(order=self._given.order[: rows[-1] + 1])
         start, robot = np.ascontiguousarray(first), self._robots(1 + len(free))
-        return descended(given, robot, rows, scale, start, np.ascontiguousarray(known), free, self.problem.longest)
+        return descended(given, robot, (rows, scale), start, np.ascontiguousarray(known), free, self.problem.longest)
 
     def _robots(self, count: int) -> RobotLanes:
         """The robot in so many lanes."""
