@@ -31,19 +31,19 @@ REPAIRS = {
     DROPPED: "take logging and sockets out of the loop, relieve the bus, and count missed periods with a watchdog",
     SLIP: "clean tyres and floor, use softer tyres, or limit the command to the grip of the floor",
     BATTERY: "charge or change the battery; scale the duty by the measured voltage",
-    PUSH: "nothing looks broken: push less, or design for larger pushes (`upright push-map` finds the largest)",
+    PUSH: "nothing looks broken: push less, or design for more (`upright push-map --robot ROBOT` finds the largest)",
     DELAY: "find the cause of the delay (bus, filter, sensor mode), or design for it",
-    LOW: "raise the gain, or design a new controller (`upright design`)",
-    HIGH: "lower the gain, or design a new controller (`upright design`)",
+    LOW: "raise the gain, or design a new controller (`upright design lqg --robot ROBOT`)",
+    HIGH: "lower the gain, or design a new controller (`upright design lqg --robot ROBOT`)",
     STUCK: "check the plug and the cable of the sensor, and whether its wheel is jammed",
     SCALED: "check the sensor's unit, range and gear in the program's constants, and its supply",
     DEAD: "check the motor's plug and cable, its driver's output and fuse",
     JAMMED: "free the wheel and its gear: hair, thread, a stone, a bent axle",
     WALL: "leave more room, drive slower near walls, or stop when the wheels are held",
-    RAMP: "drive slower on slopes, or design for them (lqi, slope in `upright certify`)",
+    RAMP: "drive slower on slopes, or design for them (`upright design lqi --robot ROBOT`)",
     LOAD: "fix the load, or calibrate again with it and design anew",
     TYRE: "put the tyre back on its wheel, and glue it; look at both wheels",
-    NONE: "look at the robot where the evidence points; `upright doctor` tests the log for signs, units and plugs",
+    NONE: "look at the robot where the evidence points; `upright doctor LOG` tests it for signs, units and plugs",
     REVERSED: "turn the motor or the sensor round, or its sign in the program's first constants",
     CANNOT_TELL: "",
 }
@@ -55,7 +55,7 @@ class Blow:
     above the axle, the lean [rad] that its speed `counts` as, the `largest` lean [rad] and the impulse, `most` [N s],
     that the motors bring back with the kit's `battery` [V] (infinite for a torque drive), the fraction of the
     innovations `explained` by it, whether it was too `brief` for its length to show, and what the robot's own
-    controller `saves` [N s], where one is known `by` name."""
+    controller `saves` [N s], where one is known `by` name. Commands name the robot as `--robot` has it."""
 
     impulse: float
     start: float
@@ -69,13 +69,14 @@ class Blow:
     battery: float = math.inf
     by: str = ""
     saves: float | None = None
+    robot: str = "ROBOT"
 
     @property
     def remedy(self) -> str:
         """What helps: a smaller push, and a better controller where one may save this one."""
         less = "push less" if self.saves is None else f"push with less than {self.saves:.2g} N s"
         if abs(self.impulse) < (1 + KNOWN) * self.most:
-            less += ", or compare controllers: `upright bench-controllers`"
+            less += f", or compare controllers: `upright bench-controllers --robot {self.robot}`"
         return f"nothing in the log looks broken. {sentence(less)}"
 
     @property
@@ -150,6 +151,11 @@ class Cause:
     push: Blow | None = None
 
 
+def as_typed(text: str, robot: str, log: str) -> str:
+    """A text whose commands can be typed as they are: with the name or file of the robot, and the log's."""
+    return text.replace("--robot ROBOT", f"--robot {robot}").replace(" LOG ", f" {log} ").replace(" LOG`", f" {log}`")
+
+
 def noisy(noise: Mapping[str, float]) -> str:
     """What a filter of a calibrated robot cannot see."""
     units = {"gyro": "rad/s", "encoder": "rad"}
@@ -165,4 +171,4 @@ def foreign(ordinary: float, robot: Robot) -> str:
     )
     if any(origin.source.startswith("calibrated from ") for origin in robot.provenance.values()):
         return f"{text}. Its calibration is of another run, or without the noise of one: calibrate it from this log too"
-    return f"{text}. Calibrate it first (`upright calibrate`), or name another robot"
+    return f"{text}. Calibrate it first (`upright calibrate LOG --robot ROBOT -o robot.toml`), or name another robot"

@@ -36,6 +36,7 @@ from upright.diagnose.pairs import Pair, paired
 from upright.diagnose.remedy import Window, dropped, remedied, searched, sharpened
 from upright.diagnose.signatures import Bank
 from upright.diagnose.sizes import possible
+from upright.diagnose.thrown import Throw, thrown
 from upright.diagnose.usual import FOREIGN, calm_of, window_of
 from upright.doctor.wheels import on_its_wheels
 from upright.errors import SpecMismatch, UprightError
@@ -120,7 +121,8 @@ class Evidence:
     encoder, and the NIS that the better one leaves, in `jam`. `match` compares the recorded commands with the file's,
     whose loop is `stable`. `lost` is the
     fraction of periods without a row since a time [s] in the last second, before it, and that time;
-    `battery` the voltage [V] before and at the fall. `demand` is None where the references never change.
+    `battery` the voltage [V] before and at the fall. A blow that shows in the readings alone is a `throw`.
+    `demand` is None where the references never change.
     """
 
     run: FilterRun
@@ -140,6 +142,7 @@ class Evidence:
     lost: tuple[float, float, float]
     demand: Demand | None
     battery: tuple[float, float]
+    throw: Throw | None
     notes: tuple[str, ...]
 
     @cached_property
@@ -159,9 +162,12 @@ def gather(
 
     A fall is one of the integrated motion. Where that shows none, a filter that is lost may, if it is of this robot.
     """
-    fallen = last_fall(log) is not None
-    run = follow(log if fallen else on_its_wheels(log)[0], robot, kit)
+    throw, fallen = thrown(log, robot, kit, float(log.t[-1])), last_fall(log) is not None
+    gone = throw is not None and throw.lost
+    run = follow(log if fallen or gone else on_its_wheels(log)[0], robot, kit)
     fell_at = fall_time(run)
+    if throw is not None and gone and (fell_at is None or fell_at < throw.start):
+        fell_at, fallen = float(log.t[-1]), True
     if fell_at is None and (stuck := stuck_sensor(log, kit, float(log.t[-1]))) and "gyro" in stuck.channel:
         fell_at, fallen = float(run.t[-1]), True  # nothing balances while its gyro stands still
     window = window_of(run, float(run.t[-1]) if fell_at is None else fell_at)
@@ -244,7 +250,8 @@ def _evidence(
         toppling=Toppling(per_impulse, per_height, abs(mode.b) * most / mode.pole, mode.pole),
         motors=_motor_use(run, mode.w, end), match=match, stable=stable,
         lost=lost_lately(log, run.kit.period, end),
-        demand=_demand(log, robot, most, end), battery=_battery(log, end), notes=notes,
+        demand=_demand(log, robot, most, end), battery=_battery(log, end), throw=thrown(log, robot, run.kit, end),
+        notes=notes,
     )  # fmt: skip
 
 

@@ -10,8 +10,10 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+import shlex
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, field, replace
+from os import PathLike, fspath
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +22,7 @@ from numpy.typing import NDArray
 
 from upright.atomic import finite
 from upright.control import Controller, controller_hash, read_controller
-from upright.diagnose.causes import CANNOT_TELL, NO_FALL, NONE, Blow, Cause
+from upright.diagnose.causes import CANNOT_TELL, NO_FALL, NONE, Blow, Cause, as_typed
 from upright.diagnose.evidence import EXCURSION, FOREIGN, Evidence, gather
 from upright.diagnose.fall import against, last_fall
 from upright.diagnose.saved import with_saved
@@ -163,12 +165,30 @@ def post_mortem(
             series=series_of(run, float(run.t[-1])), **head,
         )  # fmt: skip
     causes = with_saved(ranked(evidence), log, nominal, parts, controller)
-    verdict = causes[0].name
+    names = _typed(robot, nominal.name), _typed(source, "LOG")
+    causes, verdict = _with_names(causes, *names), causes[0].name
+    missing = _helpful(evidence) if verdict == CANNOT_TELL else ()
+    notes = (*evidence.notes, *_wiring(log, verdict))
+    missing, notes = (tuple(as_typed(text, *names) for text in texts) for texts in (missing, notes))
     return PostMortem(
-        verdict=verdict, causes=causes, fell_at=evidence.fell_at, onset=causes[0].onset,
-        missing=_helpful(evidence) if verdict == CANNOT_TELL else (), notes=(*evidence.notes, *_wiring(log, verdict)),
+        verdict=verdict, causes=causes, fell_at=evidence.fell_at, onset=causes[0].onset, missing=missing, notes=notes,
         series=series_of(run, evidence.fell_at), **head,
     )  # fmt: skip
+
+
+def _typed(given: object, otherwise: str) -> str:
+    """A name or a file as a word of a command; without one the preset of that name, or a word that stands for it."""
+    if isinstance(given, str | PathLike):
+        return shlex.quote(fspath(given))
+    return otherwise if otherwise in (*preset_names(), "LOG") else "ROBOT"
+
+
+def _with_names(causes: Sequence[Cause], robot: str, log: str) -> tuple[Cause, ...]:
+    """The causes, with repairs whose commands name the robot and the log."""
+    named = (replace(one, push=one.push and replace(one.push, robot=robot)) for one in causes)
+    return tuple(
+        replace(one, repair=one.push.repair if one.push else as_typed(one.repair, robot, log)) for one in named
+    )
 
 
 def _short(log: Log, head: dict[str, Any]) -> PostMortem:
@@ -206,7 +226,7 @@ def _wiring(log: Log, verdict: str) -> tuple[str, ...]:
     """What the doctor finds wrong in signs, units and sensors of a log that no cause explains."""
     if verdict not in (NONE, CANNOT_TELL):
         return ()
-    return tuple(f"`upright doctor` on it: {text}" for text in contradictions(log))
+    return tuple(f"`upright doctor LOG`: {text}" for text in contradictions(log))
 
 
 def missing_channels(log: Log) -> tuple[str, ...]:
@@ -232,7 +252,7 @@ def missing_channels(log: Log) -> tuple[str, ...]:
 def _helpful(evidence: Evidence) -> tuple[str, ...]:
     """What would help where no cause is likely."""
     if evidence.ordinary > FOREIGN:
-        return ("the robot's own numbers (upright calibrate)",)
+        return ("the robot's own numbers: `upright calibrate LOG --robot ROBOT -o robot.toml`",)
     seconds = evidence.fell_at - float(evidence.run.log.t[0])
     if seconds < EXCURSION:
         return (f"the seconds before: the fall began {seconds:.2g} s after the first row",)

@@ -22,6 +22,7 @@ from upright.diagnose.causes import (
     REPAIRS,
     REVERSED,
     SATURATION,
+    STUCK,
     WALL,
     Cause,
 )
@@ -51,6 +52,7 @@ from upright.diagnose.facts import FACT, TEMPER, Answer, changed_gain, lost_rows
 from upright.diagnose.fall import blocked
 from upright.diagnose.fault_fits import FaultFit
 from upright.diagnose.sizes import possible
+from upright.diagnose.thrown import FEW
 from upright.diagnose.usual import SECONDS
 from upright.diagnose.words import (
     at_limit,
@@ -64,6 +66,7 @@ from upright.diagnose.words import (
     of_low,
     of_pegged,
     of_push,
+    of_throw,
     percent,
     sound,
 )
@@ -105,6 +108,9 @@ NOISE = 0.1  # of the calm NIS, that counts as nothing left
 FITS_TWO = 2.7  # NIS over the calm one, that two faults may leave
 STOOD = 0.1  # [s] after the beginning of what is judged: a fault that shows earlier was there before
 HALF = 0.8  # of the lean that topples, from which a push beside a fault is a cause of its own
+
+FAILED, BRIEFLY = 0.25, 0.8
+"""Of a blow's probability, that its gyro failed where nothing else shows it, and what is left of it at a log's end."""
 
 JUMP = 0.22  # [m/s] sudden change of the reference speed that asks too much, or
 JUMP_OF_TOP = 0.6  # of the speed at which the motors have no torque left
@@ -238,6 +244,31 @@ def _beyond_noise(evidence: Evidence, nis: float) -> float:
     return max(nis - evidence.calm, NOISE * evidence.calm)
 
 
+def _thrown(evidence: Evidence) -> list[Answer]:
+    """Whether a blow threw the robot over, by its readings alone: no filter follows wheels that slide and lift off. A
+    gyro that fails at the end of its range looks like it where the wheels show nothing."""
+    throw = evidence.throw
+    if throw is None:
+        return []
+    by_model, _, _ = toppled(evidence)
+    if by_model > CLEAR and evidence.pushes_only.nis < FITS_BADLY * evidence.calm:
+        return []  # the push is known better by what it did
+    wall, text = sum(answer.probability for answer in _driven_into(evidence)), of_throw(throw)
+    failed = 0.0 if throw.wheels or not throw.clipped else FAILED
+    sure = (1 - wall) * (1 - HELPED) * (BRIEFLY if throw.rows < FEW else PUSHED)
+    answers = [Answer((1 - failed) * sure, PUSH, throw.start, text)]
+    if failed:
+        other = (
+            f"the gyro stands at the end of its range from t = {throw.start:.2f} s on, and the wheels do not show why"
+        )
+        answers.append(Answer(failed * sure, STUCK, throw.start, other))
+    if throw.rows < FEW:
+        answers.append(
+            Answer(1 - sure, CANNOT_TELL, math.nan, f"the log ends {1e3 * throw.left:.0f} ms after the blow")
+        )
+    return answers
+
+
 def _none(evidence: Evidence) -> list[Answer]:
     """Whether what the likeliest leaves follows a disturbance of some other shape, or is far too much; where it is a
     little too much, something else keeps a small part of the probability."""
@@ -293,7 +324,7 @@ def _pushed(evidence: Evidence) -> list[Answer]:
     """Whether a push in the last excursion is worth a lean that topples: for the robot as it should be, so that a load
     that went, or a slope, may have helped it."""
     chance, lean, push = toppled(evidence)
-    if push is None:
+    if push is None or _thrown(evidence):
         return []
     numbers = blow(evidence, push, lean)
     return [Answer(PUSHED * (1 - HELPED) * chance, PUSH, push.start, of_push(evidence, push, numbers), numbers)]
@@ -348,8 +379,8 @@ def _weak_or_wild(evidence: Evidence) -> list[Answer]:
 
 
 QUESTIONS: tuple[Callable[[Evidence], list[Answer]], ...] = (
-    stuck, stuck_sensor, changed_gain, lost_rows, _two, _driven_into, _none, _changed_robot, _pushed, _steady_load,
-    _demanded, _weak_or_wild,
+    stuck, stuck_sensor, changed_gain, lost_rows, _thrown, _two, _driven_into, _none, _changed_robot, _pushed,
+    _steady_load, _demanded, _weak_or_wild,
 )  # fmt: skip
 
 OF_THE_MODEL = frozenset((_two, _driven_into, _none, _changed_robot, _pushed, _steady_load))

@@ -15,6 +15,7 @@ from upright.diagnose.evidence import EXCURSION, FOREIGN, Demand, Evidence
 from upright.diagnose.fall import LEANING
 from upright.diagnose.fault_fits import FaultFit, PushEstimate
 from upright.diagnose.sizes import turned
+from upright.diagnose.thrown import Throw
 from upright.physics.dynamics import motor_gain
 
 Array = NDArray[np.float64]
@@ -141,6 +142,17 @@ def of_push(evidence: Evidence, push: PushEstimate, numbers: Blow) -> str:
         f"{most(numbers.explained)} of the innovations. "
         f"{speed} is as hard to stop as a lean at rest of {numbers.lean}°; the motors bring back "
         f"{math.degrees(numbers.largest):.3g}° at most{numbers.powered}, a push of {numbers.most:.2g} N s there"
+    )
+
+
+def of_throw(throw: Throw) -> str:
+    """A blow that the readings alone show."""
+    more = "more than " if throw.clipped else ""
+    return (
+        f"at t = {throw.start:.2f} s something hit the robot: within {1e3 * throw.seconds:.0f} ms its body turned at "
+        f"{more}{abs(throw.after):.2g} rad/s, {more or 'about '}{throw.times:.1g} times what the motors stop. Neither "
+        "they nor gravity do that so fast. Wheels may slide or lift off then, so size and direction do not show. The "
+        f"log ends {1e3 * throw.left:.0f} ms after it"
     )
 
 

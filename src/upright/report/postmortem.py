@@ -143,8 +143,6 @@ def _lead(result: PostMortem) -> str:
         return text
     text += f" {sentence(_plain(best))}" if best.evidence else ""
     repair = (best.push.remedy if best.push else best.repair).rstrip(".")
-    repair = repair.replace("`upright bench-controllers`", f"`upright bench-controllers --robot {result.robot}`")
-    repair = repair.replace("`upright design`", f"`upright design lqg --robot {result.robot}`")
     return f"{text} Next: {sentence(repair)}" if repair else text
 
 
