@@ -5,10 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+import numpy as np
+
 from upright.diagnose.causes import DEAD, NAMES, PUSH, REVERSED
 from upright.diagnose.evidence import EXCURSION, Evidence
+from upright.diagnose.fall import authority
 from upright.diagnose.fault_fits import FaultFit, PushEstimate
 from upright.diagnose.sizes import possible, turned
+from upright.diagnose.usual import CALMER
 from upright.diagnose.words import gained
 
 SURE, SURE_WIDTH = 15.0, 3.0
@@ -34,6 +38,8 @@ EMPTY = 0.02  # of its voltage: less is no supply, or a driver that is off
 TOPPLES = 0.3  # [rad] lean that a push must be worth to topple, or
 TOPPLES_OF_LARGEST = 0.4  # of the largest lean that the motors bring back
 LIMIT_WIDTH = 0.1  # of these limits: the width of their steps
+RESTED = 0.4  # [s] in which a robot is at rest, by the lean that it has over the largest that its motors bring back:
+AT_REST, RESTLESS = 0.03, 4.0  # below this, or below so many times what it has in calmer times
 PUSH_SCORE, PUSH_SCORE_WIDTH = 8.0, 2.0  # nats that a push must add to be one
 
 
@@ -98,9 +104,24 @@ def unexplained(evidence: Evidence, nis: float, fault: str = "") -> float:
     return DOUBT * step(nis / evidence.calm - FITS_BADLY - by_model, FITS_WIDTH)
 
 
-def worth(evidence: Evidence, several: Sequence[PushEstimate]) -> tuple[float, PushEstimate | None]:
-    """The lean [rad] that pushes in the last excursion are worth, and the largest of them."""
-    toppling, start = evidence.toppling, evidence.fell_at - EXCURSION
+def unsettled(evidence: Evidence, fit: FaultFit) -> float:
+    """Since when [s] a robot with a fault has not come to rest: a loop that swings carries on what a push began."""
+    motors = authority(fit.run or evidence.run)
+    since = evidence.fell_at - EXCURSION
+    stops = np.arange(since, float(motors.t[0]) + RESTED, -RESTED)
+    if not len(stops):
+        return since
+    blocks = [motors.reserve[(motors.t > stop - RESTED) & (motors.t <= stop)] for stop in stops]
+    largest = np.array([block.max() if len(block) else 0.0 for block in blocks])
+    rests = largest < max(AT_REST, RESTLESS * float(np.quantile(largest, CALMER)))
+    return since - RESTED * (int(np.argmax(rests)) if rests.any() else len(rests))
+
+
+def worth(
+    evidence: Evidence, several: Sequence[PushEstimate], since: float | None = None
+) -> tuple[float, PushEstimate | None]:
+    """The lean [rad] that pushes in the last excursion, or `since` a time [s], are worth, and the largest of them."""
+    toppling, start = evidence.toppling, evidence.fell_at - EXCURSION if since is None else since
     pushes = [push for push in several if push.start > start]
     if not pushes:
         return 0.0, None

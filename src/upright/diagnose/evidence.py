@@ -33,6 +33,7 @@ from upright.diagnose.forces import forced, pair_refined
 from upright.diagnose.innovations import FilterRun, follow
 from upright.diagnose.law import CommandMatch, matched, references
 from upright.diagnose.pairs import Pair, paired
+from upright.diagnose.pushed import LEAVES, with_sudden_pushes
 from upright.diagnose.remedy import Window, dropped, remedied, searched, sharpened
 from upright.diagnose.signatures import Bank
 from upright.diagnose.sizes import possible
@@ -187,6 +188,9 @@ def gather(
     several = sharpened(run, several, window, bank)
     if not foreign and _unexplained(several, bank):
         several = forced(run, several, window, bank)
+        if several[0].nis > LEAVES * calm_of(run, window):
+            several += with_sudden_pushes(run, window, bank)
+            several.sort(key=lambda fit: -fit.score)
     frozen = frozen_rows(run)
     if not foreign and frozen[(log.t > fell_at - REPEATING) & (log.t <= fell_at)].sum() >= 2:
         stale = stale_rows(log) & (log.t >= log.t[np.flatnonzero(frozen)[0]] - 0.1)

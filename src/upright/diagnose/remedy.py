@@ -158,7 +158,7 @@ def _searched(recent: FilterRun, window: Window, fault: FaultFit, sizes: tuple[f
     least, best = _least(squares, [replace(fault, onset=t, size=x) for t in onsets for x in sizes])
     for halving in range(HALVINGS):
         for _ in range(MOST_MOVES):
-            tried = _least(squares, _near(best, 0.5**halving, window.end - YOUNGEST))
+            tried = _least(squares, near(best, 0.5**halving, window.end - YOUNGEST))
             if tried[0] >= least:
                 break
             least, best = tried
@@ -197,7 +197,7 @@ def moved(
     least, best = min(((squares(fits), list(fits)) for fits in starts), key=lambda one: one[0])
     for halving in range(HALVINGS):
         for i in range(len(best)):
-            for other in _near(best[i], 0.5**halving, window.end - YOUNGEST):
+            for other in near(best[i], 0.5**halving, window.end - YOUNGEST):
                 tried = [*best[:i], other, *best[i + 1 :]]
                 left = squares(tried)
                 if left < least:
@@ -212,7 +212,7 @@ def faded(fit: FaultFit) -> list[FaultFit]:
     return [fit, replace(fit, rise=FADE, onset=fit.onset - FADE / 2)]
 
 
-def _near(fit: FaultFit, step: float, latest: float) -> list[FaultFit]:
+def near(fit: FaultFit, step: float, latest: float) -> list[FaultFit]:
     """The same fault a little earlier or later, and of a smaller or larger size."""
     times = [fit.onset - step * ONSET_STEP / 2, min(fit.onset + step * ONSET_STEP / 2, latest)]
     near = [replace(fit, onset=t) for t in times]

@@ -45,6 +45,7 @@ from upright.diagnose.chances import (
     surer,
     toppled,
     unexplained,
+    unsettled,
     worth,
 )
 from upright.diagnose.evidence import FOREIGN, Evidence
@@ -225,7 +226,7 @@ def _two(evidence: Evidence) -> list[Answer]:
         answers.append(Answer((1 - HELPED) * FACT * chance, " and ".join(names), first, text))
     if best.fault not in NAMES or best.fault == "slip":  # a slip and a push look alike
         return answers
-    lean, push = worth(evidence, best.pushes)
+    lean, push = worth(evidence, best.pushes, unsettled(evidence, best))
     if push is None:
         return answers
     limit = min(TOPPLES, TOPPLES_OF_LARGEST * evidence.toppling.largest)

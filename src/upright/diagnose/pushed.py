@@ -1,0 +1,100 @@
+"""Faults with a push beside them, searched together: alone, a fault takes up a part of the push, and stays where that
+led it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from upright.arrays import Array
+from upright.diagnose.changes import scaled_sensors
+from upright.diagnose.fault_fits import FaultFit
+from upright.diagnose.forces import refined
+from upright.diagnose.innovations import FilterRun, follow
+from upright.diagnose.remedy import (
+    CHARGES,
+    DELAYS,
+    FADE,
+    HALVINGS,
+    ONSET_STEP,
+    SHORT,
+    WARM_UP,
+    Window,
+    beside_pushes,
+    exact,
+    near,
+    remedied,
+)
+from upright.diagnose.signatures import YOUNGEST, Bank, beside
+
+SCALES = (-1.0, -0.4, 0.25, 0.5, 0.7)  # fractions of a reading that are too much, which are tried first
+BESIDE = 2  # pushes that explain most beside a fault
+STARTS = 2  # sizes from which the steps begin
+ROUNDS = 2  # of steps of one length
+LEAVES = 1.3  # NIS over the calm one, up to which a hypothesis leaves only noise
+
+
+def with_sudden_pushes(run: FilterRun, window: Window, against: Bank) -> list[FaultFit]:
+    """A weak battery of either kind, a longer delay and sensors of another scale, each of the size and onset that
+    leaves least beside the two pushes that then explain most."""
+    recent = follow(run.log.between(window.end - window.seconds - WARM_UP, math.inf), run.robot, run.kit)
+    faults = [(FaultFit(fault="weak", way=way, rise=FADE), CHARGES) for way in ("pwm", "limit")]
+    faults += [(FaultFit(fault="delay"), DELAYS)]
+    faults += [(FaultFit(fault="scale", way=way), SCALES) for way in scaled_sensors(run)]
+    found: list[FaultFit] = []
+    for fault, sizes in faults:
+        best = _least(recent, window, against, fault, sizes)
+        if best is not None:
+            fit = exact(run, best, window, against)
+            found.append(beside_pushes(run, fit, window, against) if fit.pushes else fit)
+    return [refined(run, fit, window, against) for fit in found if len(fit.rest)]
+
+
+def _least(recent: FilterRun, window: Window, bank: Bank, fault: FaultFit, sizes: Sequence[float]) -> FaultFit | None:
+    """By a grid in size and onset, then from the best sizes of it."""
+
+    def squares(tried: FaultFit) -> float:
+        freed = remedied(recent, tried)
+        if freed is None or freed.t[-1] < recent.t[-1] - SHORT:
+            return math.inf
+        return left(window.of(freed).whitened, bank)
+
+    latest = window.end - YOUNGEST
+    onsets = np.arange(window.end - window.seconds, latest, ONSET_STEP).tolist()
+    starts: list[tuple[float, FaultFit]] = []  # the best of each size
+    for size in sizes:
+        tries = [replace(fault, onset=t, size=size) for t in onsets]
+        starts.append(min(((squares(one), one) for one in tries), key=lambda one: one[0]))
+    starts.sort(key=lambda one: one[0])
+    found = [_descended(squares, *start, latest) for start in starts[:STARTS] if math.isfinite(start[0])]
+    return min(found, key=lambda one: one[0])[1] if found else None
+
+
+def _descended(
+    squares: Callable[[FaultFit], float], least: float, best: FaultFit, latest: float
+) -> tuple[float, FaultFit]:
+    """By steps that are halved."""
+    for halving in range(HALVINGS):
+        for _ in range(ROUNDS):
+            before = least
+            for tried in near(best, 0.5**halving, latest):
+                if (one := squares(tried)) < least:
+                    least, best = one, tried
+            if least == before:
+                break
+    return least, best
+
+
+def left(whitened: Array, bank: Bank) -> float:
+    """What innovations are left (sum of squares) by the pushes that explain most of them."""
+    if len(whitened) + bank.basis.shape[1] != len(bank.y):  # the filter lost a reading
+        return math.inf
+    y = beside(bank.basis, whitened)
+    for _ in range(BESIDE if len(bank.pushes) else 0):
+        dots = bank.dots(y)
+        i = int(np.argmax(dots**2 / bank.squares))
+        y = y - dots[i] / bank.squares[i] * bank.push(i)
+    return float(y @ y)
