@@ -10,7 +10,7 @@ import numpy as np
 from upright.diagnose.causes import DEAD, NAMES, PUSH, REVERSED
 from upright.diagnose.evidence import EXCURSION, Evidence
 from upright.diagnose.fall import authority
-from upright.diagnose.fault_fits import FaultFit, PushEstimate
+from upright.diagnose.fault_fits import CORRELATED, FaultFit, PushEstimate
 from upright.diagnose.sizes import possible, turned
 from upright.diagnose.usual import CALMER
 from upright.diagnose.words import gained
@@ -38,6 +38,7 @@ EMPTY = 0.02  # of its voltage: less is no supply, or a driver that is off
 TOPPLES = 0.3  # [rad] lean that a push must be worth to topple, or
 TOPPLES_OF_LARGEST = 0.4  # of the largest lean that the motors bring back
 LIMIT_WIDTH = 0.1  # of these limits: the width of their steps
+NO_RETURN = 1.3  # times the largest lean that the motors bring back, from which nothing saves a robot
 RESTED = 0.4  # [s] in which a robot is at rest, by the lean that it has over the largest that its motors bring back:
 AT_REST, RESTLESS = 0.03, 4.0  # below this, or below so many times what it has in calmer times
 PUSH_SCORE, PUSH_SCORE_WIDTH = 8.0, 2.0  # nats that a push must add to be one
@@ -102,6 +103,31 @@ def unexplained(evidence: Evidence, nis: float, fault: str = "") -> float:
     if fault in ("delay", "dropped"):
         by_model = BY_TIMES * evidence.nis / evidence.calm
     return DOUBT * step(nis / evidence.calm - FITS_BADLY - by_model, FITS_WIDTH)
+
+
+def lost_before(evidence: Evidence) -> float:
+    """When [s] the robot leaned by so much more than its motors bring back that nothing later is a cause."""
+    motors = authority(evidence.run)
+    inside = motors.t <= evidence.fell_at
+    saved = np.flatnonzero(motors.reserve[inside] < NO_RETURN)
+    return float(motors.t[inside][saved[-1]]) if len(saved) else float(motors.t[0])
+
+
+def explains_the_start(evidence: Evidence) -> bool:
+    """Whether pushes that topple leave only noise, and no more than any fault leaves, up to where nothing saves the
+    robot: what comes later, wheels that slide under a body on its way to the floor for instance, is no cause."""
+    none, lost = evidence.pushes_only, lost_before(evidence)
+    pushes = [push for push in none.pushes if push.stop < lost]
+    lean, largest = worth(evidence, pushes)
+    if largest is None or lean < evidence.toppling.largest or len(none.rest) < len(evidence.then):
+        return False
+    rows = np.flatnonzero(evidence.then < lost)
+    squares = {id(fit): float((fit.rest[rows] ** 2).sum()) for fit in evidence.fits if len(fit.rest) == len(none.rest)}
+    mine, floor = squares[id(none)], evidence.calm * len(rows)
+    if not len(rows) or mine > FITS_BADLY * floor:
+        return False
+    nats = len(rows) / 2 / CORRELATED * math.log((mine + floor) / (min(squares.values()) + floor))
+    return nats < SURE
 
 
 def unsettled(evidence: Evidence, fit: FaultFit) -> float:

@@ -118,11 +118,11 @@ class Evidence:
 
     `fits` are the hypotheses, the likeliest first, `pairs` two faults at once, and `left` is what the likeliest leaves,
     where it leaves something. `ordinary` is the scale of the innovations before the fall, `calm` that of its calmer
-    seconds, `nis` their mean square in the window. A `stuck` sensor has the scores of a jammed wheel and of a dumb
-    encoder, and the NIS that the better one leaves, in `jam`. `match` compares the recorded commands with the file's,
-    whose loop is `stable`. `lost` is the
-    fraction of periods without a row since a time [s] in the last second, before it, and that time;
-    `battery` the voltage [V] before and at the fall. A blow that shows in the readings alone is a `throw`.
+    seconds, `nis` their mean square in the window, whose readings are at the times `then` [s]. A `stuck` sensor has the
+    scores of a jammed wheel and of a dumb encoder, and the NIS that the better one leaves, in `jam`. `match` compares
+    the recorded commands with the file's, whose loop is `stable`. `lost` is the fraction of periods without a row since a
+    time [s] in the last second, before it, and that time; `battery` the voltage [V] before and at the fall. A blow that
+    shows in the readings alone is a `throw`.
     `demand` is None where the references never change.
     """
 
@@ -131,6 +131,7 @@ class Evidence:
     ordinary: float
     calm: float
     nis: float
+    then: Array
     fits: tuple[FaultFit, ...]
     pairs: tuple[Pair, ...]
     left: Leftover | None
@@ -249,7 +250,7 @@ def _evidence(
     per_impulse, per_height, *_ = (mode.w @ model.E).tolist()
     return Evidence(
         run=run, fell_at=end, ordinary=window.usual, calm=calm,
-        nis=float(np.mean(bank.y**2)), fits=tuple(several),
+        nis=float(np.mean(bank.y**2)), then=bank.then, fits=tuple(several),
         stuck=stuck, jam=jam, pairs=tuple(pairs), left=leftover(met, window, bank) if open_ else None,
         toppling=Toppling(per_impulse, per_height, abs(mode.b) * most / mode.pole, mode.pole),
         motors=_motor_use(run, mode.w, end), match=match, stable=stable,

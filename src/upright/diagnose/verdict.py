@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 
+from upright.diagnose.blows import HELPED, LIKELY, driven_into, pushed, pushed_already, thrown_over
 from upright.diagnose.causes import (
     CANNOT_TELL,
     HIGH,
@@ -22,8 +23,6 @@ from upright.diagnose.causes import (
     REPAIRS,
     REVERSED,
     SATURATION,
-    STUCK,
-    WALL,
     Cause,
 )
 from upright.diagnose.chances import (
@@ -33,7 +32,6 @@ from upright.diagnose.chances import (
     FITS_BADLY,
     FITS_WIDTH,
     LIMIT_WIDTH,
-    PUSH_SCORE,
     PUSH_SCORE_WIDTH,
     TOPPLES,
     TOPPLES_OF_LARGEST,
@@ -43,17 +41,14 @@ from upright.diagnose.chances import (
     name_of,
     step,
     surer,
-    toppled,
     unexplained,
     unsettled,
     worth,
 )
 from upright.diagnose.evidence import FOREIGN, Evidence
 from upright.diagnose.facts import FACT, TEMPER, Answer, changed_gain, lost_rows, stuck, stuck_sensor
-from upright.diagnose.fall import blocked
 from upright.diagnose.fault_fits import FaultFit
 from upright.diagnose.sizes import possible
-from upright.diagnose.thrown import FEW
 from upright.diagnose.usual import SECONDS
 from upright.diagnose.words import (
     at_limit,
@@ -67,19 +62,9 @@ from upright.diagnose.words import (
     of_low,
     of_pegged,
     of_push,
-    of_throw,
     percent,
     sound,
 )
-
-LIKELY = 0.95  # most probability of a demand or a steady load, PUSHED of a push: a fault may look like either
-PUSHED = 0.97
-HELPED = 0.1
-"""Probability that something else took part in a fall that one cause explains: what is known of the log is that it does
-not show it, and what is known of the robot is not that this cause alone fells it. Of ten pairs of faults neither of
-which fells the robot, three do not show in their logs (docs/post-mortem.md); where pairs are a quarter of all falls,
-that is one fall in ten."""
-
 
 TWO, TWO_WIDTH, TWO_LEAVE = 25.0, 5.0, 0.75
 """Nats by which two faults must explain more than one, the width of that step, and the most NIS beyond the calm one
@@ -93,10 +78,6 @@ OF_ITS_SIZE = 0.03
 """Of the NIS without any fault, that a fault has to leave for a disturbance of another shape to be sure: errors of the
 model grow with it."""
 
-WALL_HEIGHT, WALL_HOLDS = 0.6, 2.0
-"""Where a wall holds a robot, over the height of its centre of mass, and what it takes, over the robot's momentum: the
-motors go on driving."""
-
 UNSOUND, UNSOUND_WIDTH, UNSOUND_LEAVES = 2.5, 0.2, 0.1
 """NIS that the likeliest fault may leave over that of calmer seconds, the width of that step in its logarithm, and what
 it may leave besides, over the NIS without any fault: beyond both, nothing explains the fall."""
@@ -109,9 +90,6 @@ NOISE = 0.1  # of the calm NIS, that counts as nothing left
 FITS_TWO = 2.7  # NIS over the calm one, that two faults may leave
 STOOD = 0.1  # [s] after the beginning of what is judged: a fault that shows earlier was there before
 HALF = 0.8  # of the lean that topples, from which a push beside a fault is a cause of its own
-
-FAILED, BRIEFLY = 0.25, 0.8
-"""Of a blow's probability, that its gyro failed where nothing else shows it, and what is left of it at a log's end."""
 
 JUMP = 0.22  # [m/s] sudden change of the reference speed that asks too much, or
 JUMP_OF_TOP = 0.6  # of the speed at which the motors have no torque left
@@ -245,31 +223,6 @@ def _beyond_noise(evidence: Evidence, nis: float) -> float:
     return max(nis - evidence.calm, NOISE * evidence.calm)
 
 
-def _thrown(evidence: Evidence) -> list[Answer]:
-    """Whether a blow threw the robot over, by its readings alone: no filter follows wheels that slide and lift off. A
-    gyro that fails at the end of its range looks like it where the wheels show nothing."""
-    throw = evidence.throw
-    if throw is None:
-        return []
-    by_model, _, _ = toppled(evidence)
-    if by_model > CLEAR and evidence.pushes_only.nis < FITS_BADLY * evidence.calm:
-        return []  # the push is known better by what it did
-    wall, text = sum(answer.probability for answer in _driven_into(evidence)), of_throw(throw)
-    failed = 0.0 if throw.wheels or not throw.clipped else FAILED
-    sure = (1 - wall) * (1 - HELPED) * (BRIEFLY if throw.rows < FEW else PUSHED)
-    answers = [Answer((1 - failed) * sure, PUSH, throw.start, text)]
-    if failed:
-        other = (
-            f"the gyro stands at the end of its range from t = {throw.start:.2f} s on, and the wheels do not show why"
-        )
-        answers.append(Answer(failed * sure, STUCK, throw.start, other))
-    if throw.rows < FEW:
-        answers.append(
-            Answer(1 - sure, CANNOT_TELL, math.nan, f"the log ends {1e3 * throw.left:.0f} ms after the blow")
-        )
-    return answers
-
-
 def _none(evidence: Evidence) -> list[Answer]:
     """Whether what the likeliest leaves follows a disturbance of some other shape, or is far too much; where it is a
     little too much, something else keeps a small part of the probability."""
@@ -298,37 +251,6 @@ def _none(evidence: Evidence) -> list[Answer]:
         text = f"{of_fault(evidence, odd)}, which is more than robots meet: something that acts like it"
         answers.append(Answer(FACT * (1 - answers[0].probability) * chance, NONE, odd.onset, text))
     return answers
-
-
-def _driven_into(evidence: Evidence) -> list[Answer]:
-    """Whether a push that shows was something that the robot drove into."""
-    log, robot = evidence.run.log, evidence.run.robot
-    mass = robot.body_mass + 2 * robot.wheel_mass
-    for push in sorted(evidence.pushes_only.pushes, key=lambda push: push.start):
-        wall = blocked(log, robot, push.start, push.impulse)
-        low = push.height < WALL_HEIGHT * robot.com_height  # the wheels touch first
-        if wall is not None and low and abs(push.impulse) > WALL_HOLDS * mass * abs(wall.speed):
-            sure = step(push.score - PUSH_SCORE, PUSH_SCORE_WIDTH)
-            others = [fit for fit in evidence.fits if fit.fault in NAMES and possible(fit, evidence.fell_at)]
-            free = 1 - max((holds(evidence, fit) for fit in others), default=0.0)
-            slip = max((fit.score for fit in others if fit.fault == "slip"), default=-math.inf)
-            free *= step(evidence.pushes_only.score - slip, TEMPER)  # wheels that slip go no further either
-            text = (
-                f"the robot drove at {wall.speed:.2g} m/s and its wheels were held from t = {wall.start:.2f} s on, "
-                f"within {1e3 * max(wall.further, 0.0):.0f} mm, by {abs(push.impulse):.2g} N s"
-            )
-            return [Answer(LIKELY * sure * free, WALL, wall.start, text)]
-    return []
-
-
-def _pushed(evidence: Evidence) -> list[Answer]:
-    """Whether a push in the last excursion is worth a lean that topples: for the robot as it should be, so that a load
-    that went, or a slope, may have helped it."""
-    chance, lean, push = toppled(evidence)
-    if push is None or _thrown(evidence):
-        return []
-    numbers = blow(evidence, push, lean)
-    return [Answer(PUSHED * (1 - HELPED) * chance, PUSH, push.start, of_push(evidence, push, numbers), numbers)]
 
 
 def _steady_load(evidence: Evidence) -> list[Answer]:
@@ -380,10 +302,10 @@ def _weak_or_wild(evidence: Evidence) -> list[Answer]:
 
 
 QUESTIONS: tuple[Callable[[Evidence], list[Answer]], ...] = (
-    stuck, stuck_sensor, changed_gain, lost_rows, _thrown, _two, _driven_into, _none, _changed_robot, _pushed,
-    _steady_load, _demanded, _weak_or_wild,
+    stuck, stuck_sensor, changed_gain, lost_rows, thrown_over, pushed_already, _two, driven_into, _none,
+    _changed_robot, pushed, _steady_load, _demanded, _weak_or_wild,
 )  # fmt: skip
 
-OF_THE_MODEL = frozenset((_two, _driven_into, _none, _changed_robot, _pushed, _steady_load))
+OF_THE_MODEL = frozenset((pushed_already, _two, driven_into, _none, _changed_robot, pushed, _steady_load))
 """Questions to the innovations of a model that describes the robot. Those of another robot's model are largest where
 the robot moves most, so in the fall, and look like whatever grows with the motion."""

@@ -44,7 +44,7 @@ def on_its_wheels(log: Log, *, falling: bool = True) -> tuple[Log, str]:
         slow = wrong.severity == "warning"
         raise InvalidLog(
             wrong.evidence, expected="rows every 10 to 50 ms" if slow else "times in seconds",
-            hint="" if slow else "upright doctor --fix, or a mapping",
+            hint="" if slow else "upright doctor LOG --fix NEW.csv, or a mapping",
         )  # fmt: skip
     for wrong in wrapped(record):
         raise InvalidLog(

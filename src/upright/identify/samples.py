@@ -263,7 +263,9 @@ def _wheel(log: Log, side: str) -> Array:
 def _whole(log: Log, name: str) -> Array:
     values = log[name]
     if not np.isfinite(values).all():
-        raise InvalidLog(f"{name} has {int((~np.isfinite(values)).sum())} gaps (NaN)", hint="`upright doctor --fix`")
+        raise InvalidLog(
+            f"{name} has {int((~np.isfinite(values)).sum())} gaps (NaN)", hint="`upright doctor LOG --fix NEW.csv`"
+        )
     if name.startswith(("sensor/", "estimate/")) and np.ptp(values) == 0:
         raise InvalidLog(f"{name} never changes", expected="a sensor that moves", likely="a sensor that is not plugged")
     return values

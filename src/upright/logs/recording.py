@@ -98,7 +98,8 @@ def check_clock(log: Log) -> None:
         raise InvalidLog(
             f"the clock jumps by {by:.3g} s after t = {when:.4g} s, at row {row}",
             expected=f"one run without a pause over {LONGEST_PAUSE:g} s",
-            likely="two recordings, or a clock that was set", hint="upright doctor --fix keeps the longest part",
+            likely="two recordings, or a clock that was set",
+            hint="upright doctor LOG --fix NEW.csv keeps the longest part",
         )  # fmt: skip
 
 

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from upright.diagnose import PostMortem
+from upright.diagnose.blows import HELPED, PUSHED
 from upright.diagnose.causes import KNOWN, NO_FALL, Blow, Cause
 from upright.diagnose.fall import LEANING
 from upright.diagnose.series import Series
-from upright.diagnose.verdict import HELPED, PUSHED
 from upright.plotting import INK, line, number, numbered, panels, span
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict

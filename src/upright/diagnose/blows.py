@@ -1,0 +1,107 @@
+"""Whether a push, a blow or a wall felled the robot."""
+
+from __future__ import annotations
+
+import math
+
+from upright.diagnose.causes import CANNOT_TELL, NAMES, PUSH, STUCK, WALL
+from upright.diagnose.chances import (
+    FITS_BADLY,
+    PUSH_SCORE,
+    PUSH_SCORE_WIDTH,
+    explains_the_start,
+    holds,
+    step,
+    toppled,
+    worth,
+)
+from upright.diagnose.evidence import Evidence
+from upright.diagnose.facts import TEMPER, Answer
+from upright.diagnose.fall import blocked
+from upright.diagnose.sizes import possible
+from upright.diagnose.thrown import FEW
+from upright.diagnose.words import blow, of_push, of_throw
+
+LIKELY = 0.95  # most probability of a demand or a steady load, PUSHED of a push: a fault may look like either
+PUSHED = 0.97
+HELPED = 0.1
+"""Probability that something else took part in a fall that one cause explains: what is known of the log is that it does
+not show it, and what is known of the robot is not that this cause alone fells it. Of ten pairs of faults neither of
+which fells the robot, three do not show in their logs (docs/post-mortem.md); where pairs are a quarter of all falls,
+that is one fall in ten."""
+
+WALL_HEIGHT, WALL_HOLDS = 0.6, 2.0
+"""Where a wall holds a robot, over the height of its centre of mass, and what it takes, over the robot's momentum: the
+motors go on driving."""
+
+FAILED, BRIEFLY = 0.25, 0.8
+"""Of a blow's probability, that its gyro failed where nothing else shows it, and what is left of it at a log's end."""
+
+TOPPLED = 0.9  # probability that a push topples, from which its model is trusted
+
+
+def driven_into(evidence: Evidence) -> list[Answer]:
+    """Whether a push that shows was something that the robot drove into."""
+    log, robot = evidence.run.log, evidence.run.robot
+    mass = robot.body_mass + 2 * robot.wheel_mass
+    for push in sorted(evidence.pushes_only.pushes, key=lambda push: push.start):
+        wall = blocked(log, robot, push.start, push.impulse)
+        low = push.height < WALL_HEIGHT * robot.com_height  # the wheels touch first
+        if wall is not None and low and abs(push.impulse) > WALL_HOLDS * mass * abs(wall.speed):
+            sure = step(push.score - PUSH_SCORE, PUSH_SCORE_WIDTH)
+            others = [fit for fit in evidence.fits if fit.fault in NAMES and possible(fit, evidence.fell_at)]
+            free = 1 - max((holds(evidence, fit) for fit in others), default=0.0)
+            slip = max((fit.score for fit in others if fit.fault == "slip"), default=-math.inf)
+            free *= step(evidence.pushes_only.score - slip, TEMPER)  # wheels that slip go no further either
+            text = (
+                f"the robot drove at {wall.speed:.2g} m/s and its wheels were held from t = {wall.start:.2f} s on, "
+                f"within {1e3 * max(wall.further, 0.0):.0f} mm, by {abs(push.impulse):.2g} N s"
+            )
+            return [Answer(LIKELY * sure * free, WALL, wall.start, text)]
+    return []
+
+
+def thrown_over(evidence: Evidence) -> list[Answer]:
+    """Whether a blow threw the robot over, by its readings alone: no filter follows wheels that slide and lift off. A
+    gyro that fails at the end of its range looks like it where the wheels show nothing."""
+    throw = evidence.throw
+    if throw is None:
+        return []
+    by_model, _, _ = toppled(evidence)
+    if by_model > TOPPLED and evidence.pushes_only.nis < FITS_BADLY * evidence.calm:
+        return []  # the push is known better by what it did
+    wall, text = sum(answer.probability for answer in driven_into(evidence)), of_throw(throw)
+    failed = 0.0 if throw.wheels or not throw.clipped else FAILED
+    sure = (1 - wall) * (1 - HELPED) * (BRIEFLY if throw.rows < FEW else PUSHED)
+    answers = [Answer((1 - failed) * sure, PUSH, throw.start, text)]
+    if failed:
+        other = (
+            f"the gyro stands at the end of its range from t = {throw.start:.2f} s on, and the wheels do not show why"
+        )
+        answers.append(Answer(failed * sure, STUCK, throw.start, other))
+    if throw.rows < FEW:
+        answers.append(
+            Answer(1 - sure, CANNOT_TELL, math.nan, f"the log ends {1e3 * throw.left:.0f} ms after the blow")
+        )
+    return answers
+
+
+def pushed_already(evidence: Evidence) -> list[Answer]:
+    """Whether pushes explain all until nothing could save the robot, whatever came on the way to the floor."""
+    if thrown_over(evidence) or not explains_the_start(evidence):
+        return []
+    lean, push = worth(evidence, evidence.pushes_only.pushes)
+    if push is None:
+        return []
+    numbers = blow(evidence, push, lean)
+    return [Answer(PUSHED * (1 - HELPED), PUSH, push.start, of_push(evidence, push, numbers), numbers)]
+
+
+def pushed(evidence: Evidence) -> list[Answer]:
+    """Whether a push in the last excursion is worth a lean that topples: for the robot as it should be, so that a load
+    that went, or a slope, may have helped it."""
+    chance, lean, push = toppled(evidence)
+    if push is None or thrown_over(evidence) or explains_the_start(evidence):
+        return []
+    numbers = blow(evidence, push, lean)
+    return [Answer(PUSHED * (1 - HELPED) * chance, PUSH, push.start, of_push(evidence, push, numbers), numbers)]
