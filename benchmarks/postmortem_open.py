@@ -602,6 +602,11 @@ def one_alone(told: Told) -> bool:
     return not told.right and " and " not in name and not name.startswith(NONE) and bool(name) and float(odds) >= 0.9
 
 
+def one_below(told: Told) -> bool:
+    """Whether one of two causes is named, below 0.9: the rest is left to what the log does not show."""
+    return told.verdict in told.causes.split("+") and not one_alone(told)
+
+
 def report(told: Sequence[Told]) -> None:
     """Figures against the bars."""
     runs = [t for t in told if t.robot]
@@ -616,6 +621,7 @@ def report(told: Sequence[Told]) -> None:
     pairs = [t for t in runs if "+" in t.causes]
     alone = sum(one_alone(t) for t in pairs)
     print(f"\npairs: both named in {sum(t.right for t in pairs)} of {len(pairs)}; one alone at 0.9 or more in {alone}")
+    print(f"  besides, one of both named below 0.9 in {sum(one_below(t) for t in pairs)}")
     print("  what the log supports of both: nats over one of them, and over the best that was found")
     for t in pairs:
         log = "      –       –" if t.log is None else f"{t.log[0]:+7.0f} {t.log[1]:+7.0f}"

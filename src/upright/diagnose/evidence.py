@@ -120,10 +120,9 @@ class Evidence:
     where it leaves something. `ordinary` is the scale of the innovations before the fall, `calm` that of its calmer
     seconds, `nis` their mean square in the window, whose readings are at the times `then` [s]. A `stuck` sensor has the
     scores of a jammed wheel and of a dumb encoder, and the NIS that the better one leaves, in `jam`. `match` compares
-    the recorded commands with the file's, whose loop is `stable`. `lost` is the fraction of periods without a row since a
-    time [s] in the last second, before it, and that time; `battery` the voltage [V] before and at the fall. A blow that
-    shows in the readings alone is a `throw`.
-    `demand` is None where the references never change.
+    the recorded commands with the file's, whose loop is `stable`. `lost` is the fraction of periods without a row since
+    a time [s] in the last second, before it, and that time; `battery` the voltage [V] before and at the fall. A blow
+    that shows in the readings alone is a `throw`. `demand` is None where the references never change.
     """
 
     run: FilterRun

@@ -44,13 +44,13 @@ def with_sudden_pushes(run: FilterRun, window: Window, against: Bank) -> list[Fa
     faults = [(FaultFit(fault="weak", way=way, rise=FADE), CHARGES) for way in ("pwm", "limit")]
     faults += [(FaultFit(fault="delay"), DELAYS)]
     faults += [(FaultFit(fault="scale", way=way), SCALES) for way in scaled_sensors(run)]
-    found: list[FaultFit] = []
+    several: list[FaultFit] = []
     for fault, sizes in faults:
         best = _least(recent, window, against, fault, sizes)
         if best is not None:
             fit = exact(run, best, window, against)
-            found.append(beside_pushes(run, fit, window, against) if fit.pushes else fit)
-    return [refined(run, fit, window, against) for fit in found if len(fit.rest)]
+            several.append(beside_pushes(run, fit, window, against) if fit.pushes else fit)
+    return [refined(run, fit, window, against) for fit in several if len(fit.rest)]
 
 
 def _least(recent: FilterRun, window: Window, bank: Bank, fault: FaultFit, sizes: Sequence[float]) -> FaultFit | None:
@@ -69,8 +69,8 @@ def _least(recent: FilterRun, window: Window, bank: Bank, fault: FaultFit, sizes
         tries = [replace(fault, onset=t, size=size) for t in onsets]
         starts.append(min(((squares(one), one) for one in tries), key=lambda one: one[0]))
     starts.sort(key=lambda one: one[0])
-    found = [_descended(squares, *start, latest) for start in starts[:STARTS] if math.isfinite(start[0])]
-    return min(found, key=lambda one: one[0])[1] if found else None
+    lowest = [_descended(squares, *start, latest) for start in starts[:STARTS] if math.isfinite(start[0])]
+    return min(lowest, key=lambda one: one[0])[1] if lowest else None
 
 
 def _descended(
