@@ -15,6 +15,8 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody, make_body
+from upright.calibrate.calibrate import prepared
+from upright.calibrate.informativity import too_quiet
 from upright.classwork.grading import grade_file
 from upright.classwork.tasks import TASKS
 from upright.classwork.worksheet import fragment
@@ -35,7 +37,7 @@ from upright.lab.printed import linear_plant, printed_law, printed_robot, readin
 from upright.lab.pushing import Score
 from upright.lab.rerun import rerun
 from upright.lab.tasks import analysed
-from upright.robots import Kit, Robot, Sensor
+from upright.robots import Kit, Robot, Sensor, find_kit, preset_names
 from upright.signals import STATE_NAMES, Log
 
 WEB = Path(__file__).resolve().parents[1] / "src" / "upright" / "lab" / "web"
@@ -541,7 +543,8 @@ def test_a_phone_does_the_tour_where_it_is_read(browser, site):
     span = "(({min, max}) => max - min)(upright.page.charts.strips[0].plot.scales.x)"
     for large in (True, False):
         page.click(".slot .strip:first-child .plot")
-        page.wait_for_function(f"Math.abs({span} - {3 if large else 10}) < 0.01")  # [s] of those that are shown
+        page.wait_for_function(f"{'' if large else '!'}document.querySelector('.slot .strip.large')")
+        page.wait_for_function(f"Math.abs({span} - 10) < 0.01")  # [s] that are shown, large or small
         box = page.locator(".slot .plot").first.bounding_box()
         assert (box["height"] >= 150 and box["width"] > 350) == large  # [px] of a page 390 wide
     page.click("[data-key=curves]")  # beside the names of the bodies
@@ -705,6 +708,27 @@ def test_a_link_that_is_opened_in_slow_motion_runs_at_full_speed(page):
     page.wait_for_function("upright.store.snapshot.x[0][0] < -0.01")  # its push comes after a second
 
 
+EXCITED = "upright example excited -o run.csv"
+DRIVEN = (
+    "upright simulate -r twipr -b twin -c lqg --start pitch=0.1 --drive 0.5,start=1,until=4 --turn 1,start=2,until=5 "
+    "-s 6 -o run.csv"  # 0.5 m/s: 8 rad/s of wheels of 63 mm
+)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", [name for name in preset_names() if name != "nxtway-gs"])
+def test_the_log_of_the_recipe_is_one_to_calibrate_from(tmp_path, name):
+    """Its robot stands all the time, and moves by more than the steps of its gyro."""
+    speed = f"{8 * Robot.preset(name).wheel_radius:.2g}"
+    command = DRIVEN.replace("twipr", name).replace("0.5,", f"{speed},").replace("run.csv", str(tmp_path / "run.csv"))
+    assert main(shlex.split(command)[1:]) == 0
+    log = Log.load(tmp_path / "run.csv")
+    assert log.t[-1] > 5.9
+    robot = Robot.preset(name)
+    problem, _ = prepared([log], robot, find_kit(robot.kit), (), 0.25)
+    assert too_quiet(problem) == ""
+
+
 @marked
 def test_what_needs_python_says_so_with_its_command(page):
     for language in ("en", "es"):
@@ -712,9 +736,14 @@ def test_what_needs_python_says_so_with_its_command(page):
         page.click("#tab-Python")
         commands = page.locator(".commands code").all_inner_texts()
         assert "upright calibrate run.csv --robot nxtway-gs" in commands
-        for line in commands:
-            name, *arguments = shlex.split(line)[1:]
-            group().commands[name].make_context(name, arguments)  # raises where it is no such call
+        for robot, first in (("twipr", DRIVEN), ("nxtway-gs", EXCITED)):
+            page.evaluate("(robot) => upright.store.change({ robot })", robot)
+            page.click("#tab-Python")
+            commands = page.locator(".commands code").all_inner_texts()
+            assert commands[0] == first  # a log that moves enough for an inertia, of this robot
+            for line in commands:
+                name, *arguments = shlex.split(line)[1:]
+                group().commands[name].make_context(name, arguments)  # raises where it is no such call
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])

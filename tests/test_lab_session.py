@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import ast
 import math
+import re
 import time
 from dataclasses import replace
 from pathlib import Path
@@ -10,8 +12,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import upright
 from upright.bodies import Electronics, NonlinearBody
 from upright.control import CONTROLLERS, ControllerSpec, lqg
+from upright.errors import InvalidLog
 from upright.experiment import Hold, run
 from upright.lab.codec import decode, encode
 from upright.lab.desk import LASTING, InlineDesk, ProcessDesk
@@ -40,12 +44,14 @@ from upright.lab.messages import (
     Strike,
     Uploaded,
 )  # fmt: skip
+from upright.lab.page_words import for_page
 from upright.lab.plant import COARSE, FINE, Pulled, families, is_slow, loaded
 from upright.lab.pushing import Pushing
 from upright.lab.ring import Ring
 from upright.lab.session import Session
 from upright.lab.tasks import TASKS
 from upright.lab.views import catalogue
+from upright.logs.recording import check_unit
 from upright.physics.dynamics import Disturbance, derivative, mass_matrix
 from upright.physics.linear import unstable_pole
 from upright.robots import Kit, Robot
@@ -514,6 +520,43 @@ def test_a_calibrated_model_joins_as_a_further_trace(tmp_path):
     session.reported("calibrate", "done", (learnt, JobResult("calibrate", "", "", (), (), True)))
     assert [lane.name for lane in session.lanes] == ["nonlinear", "calibrated"]
     assert session.lanes[1].body.spec.robot == learnt
+
+
+def test_a_job_that_failed_is_told_in_the_page_s_own_words(tmp_path):
+    """A log in volts opened for TWIPR, whose motors take torques: the page has a tab for what the terminal has an
+    option for."""
+    session, _ = a_session(tmp_path)
+    session.advance(1.0)
+    with pytest.raises(InvalidLog) as wrong:
+        check_unit(session.logs()["nonlinear"], "applied", Robot.preset("twipr"))
+    session.reported("calibrate", "failed", str(wrong.value))
+    told = only(Notice, session.events())[-1]
+    assert (told.job, told.level) == ("calibrate", "error")
+    assert told.text == (
+        "this log is of a robot whose commands are in V; twipr takes N m. "
+        "Choose the log's robot in the tab Robot, then press Calibrate again."
+    )
+
+
+FOR_THE_TERMINAL = (
+    (src := Path(upright.__file__).parent) / "logs" / "recording.py", src / "logs" / "mapping.py",
+    src / "doctor" / "wheels.py", src / "doctor" / "doctor.py", src / "doctor" / "columns.py",
+    src / "doctor" / "speeds.py", src / "calibrate" / "knocks.py", src / "calibrate" / "annealing.py",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("path", FOR_THE_TERMINAL, ids=lambda path: path.name)
+def test_no_option_of_the_terminal_reaches_the_page_by_itself(path):
+    """Every hint in the source that has one, as an error would say it: it stands in a command quoted as one."""
+    texts = [
+        node.value
+        for node in ast.walk(ast.parse(path.read_text("utf-8")))
+        if isinstance(node, ast.Constant) and isinstance(node.value, str) and "\n" not in node.value
+    ]
+    for text in (one for one in texts if re.search(r"--[a-z]|`upright", one)):
+        said = for_page(f"it failed; try: {text}")
+        bare = re.sub(r"“upright [^”]*”|In a terminal: .*", "", said)
+        assert not re.search(r"--[a-z]", bare), said
 
 
 def test_a_calibration_sees_no_truth(tmp_path):

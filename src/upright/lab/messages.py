@@ -334,11 +334,13 @@ class Made:
 
 @message
 class Notice:
-    """A sentence for the user: what went wrong, or what was done; `key` names the page's own words for it, if any."""
+    """A sentence for the user: what went wrong, or what was done. `key` names the page's own words for it, `job` what
+    failed, if any."""
 
     level: Literal["info", "error"]
     text: str
     key: str = ""
+    job: str = ""
 
 
 @message

@@ -48,6 +48,7 @@ from upright.lab.messages import (
     Uploaded,
     Welcome,
 )  # fmt: skip
+from upright.lab.page_words import for_page
 from upright.lab.plant import FINE, Plant, behind, body_of, design, design_part, is_slow, plant_of, setup_of, stand_in
 from upright.lab.pushing import Pushing, Score
 from upright.lab.recording import FILES, MOMENT
@@ -89,7 +90,7 @@ class Session:
             self._handlers()[type(message)](message)
             self._recorder.note(message, self.t)
         except UprightError as error:
-            self._events.append(Notice("error", str(error)))
+            self._events.append(Notice("error", for_page(str(error))))
 
     def advance(self, seconds: float) -> None:
         """Let `seconds` of simulated time pass, unless paused."""
@@ -333,7 +334,7 @@ class Session:
 
     def _failed(self, job: str, reason: str) -> None:
         self._busy = "" if job == "design" else self._busy
-        self._events += [Notice("error", reason), Progress(job, 1.0)]  # type: ignore[arg-type]
+        self._events += [Notice("error", for_page(reason, job), job=job), Progress(job, 1.0)]  # type: ignore[arg-type]
 
     # What the desk is given, and what comes of it
 
@@ -378,8 +379,7 @@ class Session:
             return [*result, Progress(job, 1.0)]  # type: ignore[arg-type]
         if job == "calibrate":
             self.calibrated, table = result
-            names = tuple(dict.fromkeys((*self.setup.bodies, "calibrated")))
-            self.handle(Change(replace(self.setup, bodies=names)))
+            self.handle(Change(replace(self.setup, bodies=tuple(dict.fromkeys((*self.setup.bodies, "calibrated"))))))
             return [table, Progress(job, 1.0)]
         if job == "robot":
             return self._read(result)

@@ -14,6 +14,7 @@ from upright.lab.codec import encode
 from upright.lab.display import View
 from upright.lab.handin import HandIn, write_hand_in
 from upright.lab.messages import Analysed, JobResult, Light, Setup
+from upright.lab.page_words import for_page
 from upright.lab.plant import design as design_of
 from upright.lab.plant import design_part, plant_of
 from upright.robots import Kit, Robot
@@ -150,7 +151,7 @@ def doctor(report: Report, source: Path | Log, robot: Robot) -> tuple[JobResult]
     from upright.doctor.doctor import doctor as examine
 
     diagnosis = examine(source, robot=robot, progress=report)
-    rows = tuple((f.severity, f.code, f.channel, f.evidence, f.repair) for f in diagnosis.findings)
+    rows = tuple((f.severity, f.code, f.channel, f.evidence, for_page(f.repair, "doctor")) for f in diagnosis.findings)
     name = Path(diagnosis.source).name if diagnosis.source else "this run"
     title = f"{name}: {diagnosis.rows} rows, {diagnosis.seconds:.1f} s, every {1e3 * diagnosis.period:.3g} ms"
     text = "" if rows else "Nothing found: this log can be used as it is."
@@ -168,7 +169,7 @@ def calibrate(report: Report, source: Path | Log, robot: Robot, kit: Kit) -> tup
     rows = tuple((e.name, f"{e.value:.4g}", f"{e.low:.4g} … {e.high:.4g}", f"{e.prior:.4g}", e.unit, e.verdict)
                  for e in estimates)  # fmt: skip
     header = ("parameter", "value", "95 %", "prior", "unit", "what the log tells")
-    text = "\n".join((*calibration.refused, *calibration.notes, *calibration.unseen))
+    text = "\n".join(map(for_page, (*calibration.refused, *calibration.notes, *calibration.unseen)))
     title = f"{robot.name} from {calibration.samples} samples"
     return calibration.robot, JobResult("calibrate", title, text, header, rows, not calibration.check())
 

@@ -4,6 +4,7 @@ import "uplot/dist/uPlot.min.css";
 import { button, h, keepingFocus, replace } from "./dom";
 import { Marks, ROOM } from "./marks";
 import { ink, laneColour, laneDash } from "./palette";
+import { ticks } from "./plots";
 import { STATES, SYMBOLS, UNITS, store } from "./store";
 import { remembered } from "./remember";
 import { local, named, t } from "./texts";
@@ -13,6 +14,7 @@ export class Strip {
   root: HTMLElement;
   private plot: uPlot;
   private marks = new Marks();
+  private extent: [number, number] = [NaN, NaN]; // of what the scale is for
 
   constructor(title: string, unit: string, lines: { label: string; colour: string; dash: number[]; width?: number }[], height: number, floor: number, ceiling: () => number = () => Infinity) {
     const colours = ink();
@@ -25,10 +27,10 @@ export class Strip {
       {
         width: 300, height, padding: [ROOM * scale, 18 * scale, 0, 0],
         cursor: { show: false }, legend: { show: false }, hooks: { draw: [(u) => this.marks.draw(u, scale)] },
-        scales: { x: { time: false }, y: { range: (_u, low, high) => around(Math.max(low, -ceiling()), Math.min(high, ceiling()), floor) } },
+        scales: { x: { time: false }, y: { range: () => around(Math.max(this.extent[0], -ceiling()), Math.min(this.extent[1], ceiling()), floor) } },
         axes: [
           { ...axis, size: 20 * scale, values: (_u, ticks) => ticks.map((v) => (v < 0 ? "" : local(`${+v.toFixed(2)} s`))), space: 46 * scale },
-          { ...axis, size: 46 * scale, space: (_u: uPlot, _axis: number, _low: number, _high: number, tall: number) => Math.min(18 * scale, tall / 2.5), values: (_u, ticks) => ticks.map((v) => local(String(+v.toPrecision(4)).replace("-", "−"))) },
+          { ...axis, size: 46 * scale, splits: (u: uPlot, _axis: number, low: number, high: number) => labelled(low, high, u.bbox.height / devicePixelRatio / (18 * scale)), values: (_u, ticks) => ticks.map((v) => local(String(+v.toPrecision(4)).replace("-", "−"))) },
         ],
         series: [{}, ...lines.map((l) => ({ label: l.label, stroke: l.colour, width: (l.width ?? 1.6) * scale, dash: l.dash, points: { show: false }, spanGaps: false, gaps: (u: uPlot, _i: number, _from: number, _to: number, holes: [number, number][]) => [...holes, ...breaks(u)].sort(([a], [b]) => a - b) }))],
       },
@@ -42,7 +44,10 @@ export class Strip {
     if (box.clientWidth > 40) this.plot.setSize({ width: box.clientWidth, height: box.clientHeight });
   }
 
-  show(t: number[], lines: number[][], from: number, to: number): void {
+  /** The lines over the times t [s] between two of them, on a scale for those that are `scaled`. */
+  show(t: number[], lines: number[][], from: number, to: number, scaled = lines): void {
+    const values = scaled.flat().filter(Number.isFinite);
+    this.extent = values.length ? [Math.min(...values), Math.max(...values)] : [NaN, NaN];
     this.plot.batch(() => {
       this.plot.setData([t, ...lines] as uPlot.AlignedData, false);
       this.plot.setScale("x", { min: from, max: to });
@@ -60,6 +65,14 @@ function breaks(plot: uPlot): [number, number][] {
     .filter(([from, to]) => from > left && to < left + width);
 }
 
+/** Ticks of a scale on which there is room for so many, and two at least. */
+function labelled(low: number, high: number, room: number): number[] {
+  let wanted = Math.max(1, Math.floor(room));
+  let made = ticks([low, high], wanted);
+  while (made.length < 2 && wanted < 12) made = ticks([low, high], (wanted += 1));
+  return made;
+}
+
 export function around(low: number, high: number, floor: number): [number, number] {
   if (!Number.isFinite(low) || !Number.isFinite(high)) return [-floor, floor];
   const middle = (low + high) / 2;
@@ -73,7 +86,6 @@ const FLOORS = [0.05, 0.3, 0.5, 1, 0.05, 0.2]; // half heights below which noise
 /** A phone, upright or on its side: the pitch stands by itself, right below the robot. */
 export const small = matchMedia("(max-width: 40rem), (max-width: 62rem) and (max-height: 32rem)");
 const narrow = matchMedia("(max-width: 40rem)"); // one upright
-const CLOSER = 0.3; // of the seconds shown, where one curve is large
 const sideways = matchMedia("(min-width: 40.01rem)"); // of a small one
 
 export class Charts {
@@ -123,7 +135,7 @@ export class Charts {
     keepingFocus(() => this.build());
   }
 
-  /** On a phone a tap makes a curve large, over the last seconds alone, and another one small again. */
+  /** On a phone a tap makes a curve large, over the same seconds, and another one small again. */
   private enlargeable(root: HTMLElement, i: number): void {
     const enlarge = h("button", { type: "button", className: "enlarge", "data-key": `enlarge-${i}` }, h("span", { "aria-hidden": "true" }, "⤢"), h("span", { className: "hidden" }, t("large", { what: named(STATES[i]) })));
     root.classList.toggle("large", this.large === i);
@@ -141,18 +153,31 @@ export class Charts {
     if (!time.length || x.length !== store.changed?.bodies.length) return;
     const [seconds, last] = [this.seconds(), time.at(-1) as number];
     const still = store.lain === null ? last : Math.min(last, store.lain + 0.1 * seconds); // where all lie, nothing moves: the fall stays in sight
-    const until = (lasting: number) => (store.snapshot?.back ? store.snapshot.t : Math.max(still, time[0] + lasting)); // from left to right at first
-    const end = until(seconds);
+    const end = store.snapshot?.back ? store.snapshot.t : Math.max(still, time[0] + seconds); // from left to right at first
     const start = end - seconds;
-    const closer = CLOSER * seconds;
     let first = time.length;
     while (first > 0 && time[first - 1] >= start) first -= 1;
     first = Math.max(0, first - 1);
     const t = time.slice(first);
+    const since = store.traces.marks.findLast((mark) => ["stood", "tilt"].includes(mark.what) && mark.t <= end)?.t ?? -Infinity;
+    const from = t.findIndex((at) => at >= Math.max(start, since));
+    const lies = store.snapshot?.x.map((row) => row[8] === 1) ?? [];
+    const counted = x.map((_, b) => lies.every(Boolean) || !lies[b]); // by those that stand, where any does
+    const clip = this.clipped(t, x[0] && x.map((body) => body[0].slice(first)));
     this.strips.forEach((strip, i) => {
-      const to = i === this.large ? until(closer) : end;
-      strip?.show(t, x.map((body) => body[i].slice(first)), i === this.large ? to - closer : start, to);
+      const lines = x.map((body) => body[i].slice(first));
+      const scaled = from < 0 ? lines : lines.filter((_, b) => counted[b]).map((line) => line.slice(from));
+      const shown: [number, number] = clip && i === 0 && i === this.large ? clip : [start, end];
+      strip?.show(t, lines, ...shown, scaled);
     });
+  }
+
+  /** From the first time shown to where the pitch of every body has left its scale [s]; null where one is within it. */
+  private clipped(t: number[], pitch: number[][]): [number, number] | null {
+    const { ceiling } = store;
+    if (ceiling === null || !t.length) return null;
+    const last = Math.max(...pitch.map((line) => line.findIndex((v) => Math.abs(v) > ceiling) + 1 || Infinity));
+    return last <= t.length && last > 1 ? [t[0], t[last - 1]] : null;
   }
 }
 

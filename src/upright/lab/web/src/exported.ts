@@ -276,7 +276,7 @@ export class LocalSession {
     const { facts } = this;
     const setup = { ...this.setup, ...facts.setup, gains: this.setup.controller === "gains" ? this.setup.gains : [] };
     const text = facts.setup && this.recorder.handIn(student, setup, facts.period, this.t, this.result());
-    if (!text) return store.hear({ kind: "Notice", level: "error", text: "", key: facts.setup ? "noRun" : "noReplay" });
+    if (!text) return store.hear({ kind: "Notice", level: "error", text: "", key: facts.setup ? "noRun" : "noReplay", job: "" });
     const url = URL.createObjectURL(new Blob([text], { type: "application/json" }));
     store.hear({ kind: "Made", what: "json", name: "hand-in.json", url });
   }

@@ -9,6 +9,8 @@ import { t, translate, texts } from "./texts";
 
 const change = throttled(60, (part: Partial<Setup>) => store.change(part));
 
+const BRISK = 8; // [rad/s] of the wheels: enough motion for an inertia of each robot of ours, and none of them falls
+
 type Number = "slope" | "noise" | "delay";
 
 /** The robot, its floor and its electronics; the controller stays as it was designed. */
@@ -64,7 +66,8 @@ export class ExportedRobotPanel {
 
 /** A command with a button that copies it. */
 function shell(command: string): HTMLElement {
-  const code = h("code", { tabIndex: 0 }, command);
+  const tokens = command.split(" ").flatMap((token, i) => [i ? " " : "", h("span", { className: "token" }, token)]);
+  const code = h("code", { tabIndex: 0 }, ...tokens);
   const copy = button(t("copy"), () => {
     getSelection()?.selectAllChildren(code); // to be copied by hand where this may not be done
     void navigator.clipboard?.writeText(command).then(() => (copy.textContent = t("copied")), () => undefined);
@@ -81,9 +84,11 @@ export class PythonPanel {
   build(): void {
     const { robot, controller } = store.setup;
     this.shown = JSON.stringify([robot, controller]);
-    const values: Record<string, string> = { robot, controller };
+    const speed = String(parseFloat((BRISK * (store.changed?.look.wheel_radius ?? 0.04)).toPrecision(2)));
+    const values: Record<string, string> = { robot, controller, speed };
     const bare = ["off", "gains"].includes(controller); // which no command knows by name
-    const own = texts().python.map(([what, command]) => [what, bare ? command.replace(" -c {controller}", "") : command]);
+    const other = robot === "nxtway-gs" ? "--drive" : "upright example"; // of two ways to a log that one can calibrate from
+    const own = texts().python.filter(([, command]) => !command.includes(other)).map(([what, command]) => [what, bare ? command.replace(" -c {controller}", "") : command]);
     const rows = own.filter(([, command]) => !(bare && command.includes("{controller}"))).flatMap(([what, command]) => [
       h("dt", {}, what),
       h("dd", {}, shell(command.replace(/\{(\w+)\}/g, (_, name: string) => values[name] ?? ""))),

@@ -13,7 +13,7 @@ function finding([severity, , channel, evidence, repair]: string[]): HTMLElement
 /** The title, table or findings, and remarks of a result. */
 export function reported(f: JobResult): (Node | null)[] {
   const lines = f.text.split("\n").filter(Boolean);
-  const plain = (text: string) => text.replace(/\bin-(?=[\w.-]+\.\w+)/g, "").replace(/\b[a-z]+(_[a-z]+)+\b/g, (name) => name.replaceAll("_", " ")); // names of files and parameters
+  const plain = (text: string) => text.replace(/\bin-(?=[\w.-]+\.\w+)/g, "").replace(/\b[a-z]+(_[a-z]+)+\b/g, (name) => translate(name.replaceAll("_", " "))); // names of files and parameters
   const text = lines.map((line) => h("li", { className: "note", lang: translated(line) ? "" : "en" }, plainNumbers(plain(translate(line)))));
   const words = (cells: string[]) => cells.map((cell) => plainNumbers(translate(f.job === "calibrate" ? cell.replaceAll("_", " ") : cell)));
   const rows = f.job === "doctor" ? h("ul", { className: "findings" }, ...f.rows.map(finding)) : table(f.header.map(translate), f.rows.map(words), f.job);

@@ -21,7 +21,7 @@ import { Steering } from "./steering";
 import { LEAN, store } from "./store";
 import { ClassPanel } from "./board";
 import "./style.css";
-import { LANGUAGES, choose, fixed, language, named, noticed, t, texts, translate } from "./texts";
+import { LANGUAGES, choose, fixed, language, named, noticed, stopped, t, texts, translate } from "./texts";
 import { Tour } from "./tour";
 
 const TABS = ["Tour", "Controller", "Robot", "Kit", "See", "Identify", "Keep", "Class", "Python"] as const;
@@ -74,7 +74,7 @@ class Page {
   private scrub = h("input", { type: "range", min: "-60", max: "0", step: "0.02", value: "0", className: "scrub", "data-key": "scrub" });
   private pauseButton = h("button", { type: "button", "data-key": "pause" });
   private status = h("span", { className: "status", role: "status" });
-  private light = h("button", { type: "button", className: "headlight", onclick: () => this.open("Controller") });
+  private light = h("button", { type: "button", className: "headlight", "data-key": "headlight", onclick: () => this.certificate() });
   private force = h("div", { className: "force", "aria-hidden": "true" });
   private fell = h("div", { className: "fell", role: "status" });
   private toasts = h("div", { className: "toasts", role: "log", "aria-live": "polite" });
@@ -329,6 +329,12 @@ class Page {
     document.getElementById(`tab-${tab}`)?.scrollIntoView({ block: "nearest", inline: "center" }); // in its row
   }
 
+  /** Where the light's colour comes from: its heading comes into sight. */
+  private certificate(): void {
+    this.open("Controller");
+    this.panel.querySelector(".light h4")?.scrollIntoView({ block: small.matches ? "start" : "nearest" });
+  }
+
   /** Whoever has found the tabs, or is on the tour, needs no invitation. */
   private greeted(): void {
     this.newcomer = false;
@@ -390,6 +396,7 @@ class Page {
         else this.update();
         this.lamp();
         this.champion();
+        this.identify.changed();
         if (message.busy !== this.busy) this.rest();
         break;
       }
@@ -399,7 +406,7 @@ class Page {
       case "Progress": if (message.job === "light") { this.lamp(); this.update(); break; } this.identify.progress(message.job, message.fraction); if (message.job === "certify") this.controller.certifying(message.fraction); break;
       case "JobResult": this.identify.found(); if (message === store.certified) this.controller.certify(); if (message !== store.certified || this.tab !== "Controller") this.toast(() => `${t(message.job as "doctor" | "calibrate" | "certify")}: ${translate(message.title)}`, message.ok ? "info" : message.job === "certify" ? "error" : "warn"); if (latestLog && this.tab === "Identify") keepingFocus(() => this.identify.build()); break;
       case "Made": if (message.name === COMPARISON) { this.compared(store.files + message.url); break; } this.keep.made(message.name, message.url.startsWith("blob:") ? message.url : store.files + message.url); this.toast(() => t("made", { name: message.name }), "info"); break;
-      case "Notice": message.key === "lies" ? this.lie(() => t("lies")) : this.toast(() => (message.key ? named(message.key) : noticed(message.text)), message.level); break;
+      case "Notice": message.key === "lies" ? this.lie(() => t("lies")) : message.job ? this.failed(message.job, message.text) : this.toast(() => (message.key ? named(message.key) : noticed(message.text)), message.level); break;
       case "Recovered": this.recovered(message); break;
       case "Board": if (this.tab === "Class") this.classes.update(); break;
     }
@@ -418,7 +425,7 @@ class Page {
     const whole = certificate()[1]?.textContent ?? "";
     this.light.title = `${whole[0].toUpperCase()}${whole.slice(1)}. ${t("lightNote")}`;
     const short = store.setup.controller === "off" ? whole : whole.split(",")[0] + changedRobot().split(",").slice(0, 2).join(); // its colour, and what it is not of
-    replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span", {}, `${t("certificate")}:`), h("span", {}, short));
+    replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span", { className: "word", "aria-hidden": "true" }, light === "none" ? "…" : t(light).split(",")[0]), h("span", {}, `${t("certificate")}:`), h("span", {}, short));
   }
 
   /** Above the robot: what became of a push, for a while; that it fell, until it stands. */
@@ -440,6 +447,15 @@ class Page {
   private compared(url: string): void {
     this.identify.compared(url);
     if (this.tab !== "Identify") this.toast(() => t("comparedThere"), "info");
+  }
+
+  /** A job has stopped: said in Identify where it was begun there, and to whoever looks elsewhere. */
+  private failed(job: string, why: string): void {
+    const button = job.startsWith("keep compar") ? "compare" : job;
+    const known = ["doctor", "calibrate", "compare"].includes(button);
+    const words = () => (known || job === "certify" ? stopped(button, why) : noticed(why));
+    if (known) this.identify.fail(words);
+    if (!known || this.tab !== "Identify") this.toast(words, "error");
   }
 
   private driven(): string {
@@ -479,7 +495,10 @@ class Page {
     const text = s.paused ? t("play") : t("pause");
     if (this.pauseButton.textContent !== text) this.pauseButton.textContent = text;
     if (store.recorded) this.timed(s.t);
-    else if (document.activeElement !== this.scrub) this.scrub.value = String(-s.back);
+    else if (document.activeElement !== this.scrub) {
+      this.scrub.min = String(-Math.min(Math.max(Math.ceil(s.t + s.back - (store.traces.t[0] ?? s.t)), 1), 60)); // no further than there is something
+      this.scrub.value = String(-s.back);
+    }
     this.clock.textContent = `${fixed(s.t, 1)} ${store.recorded ? `/ ${fixed(store.recorded, 1)} ` : ""}s`;
     const fell = Boolean(s.x[0][8]);
     if (fell !== this.down) {

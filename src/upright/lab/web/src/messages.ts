@@ -271,6 +271,7 @@ export interface Notice {
   level: "info" | "error";
   text: string;
   key: string;
+  job: string;
 }
 
 export interface Recovered {

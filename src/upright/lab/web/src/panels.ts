@@ -123,7 +123,7 @@ export class ControllerPanel extends Panel {
       const unit = store.changed?.look.command_unit ?? "V";
       const per = (i: number) => `${unit}${i % 2 ? " s" : ""}/rad`;
       const reach = (i: number) => Math.max(4 * Math.abs(present[i] ?? 0), largest / 4); // there is room on both sides
-      this.sliders = SYMBOLS.map((symbol, i) => slider(`${symbol} ${named(STATES[i])} → u`, { low: -reach(i), high: reach(i), step: reach(i) / 500, show: (v) => `${digits(v, 4)} ${per(i)}`, typed: per(i), key: `gain-${i}` }, (v) => {
+      this.sliders = SYMBOLS.map((symbol, i) => slider(`${symbol} ${named(STATES[i])} →\u00a0u`, { low: -reach(i), high: reach(i), step: reach(i) / 500, show: (v) => `${digits(v, 4)} ${per(i)}`, typed: per(i), key: `gain-${i}` }, (v) => {
         const gains = [...(this.byHand().length ? this.byHand() : [0, 0, 0, 0, 0, 0])];
         gains[i] = v;
         later({ gains });
@@ -166,7 +166,9 @@ export class ControllerPanel extends Panel {
       [t("phaseMargin"), a.phase === null ? t("unlimited") : `${digits((a.phase * 180) / Math.PI, 2)}°`],
       [t("delayMargin"), a.delay === null ? t("unlimited") : `${digits(a.delay * 1000, 3)} ms`],
     ];
-    if (!a.stable) parts.push(h("p", { className: "note" }, sentence(translate(a.words))));
+    const words = sentence(translate(a.words));
+    if (unstable()) parts.push(h("p", { className: "verdict bad" }, h("b", {}, words)));
+    else if (!a.stable) parts.push(h("p", { className: "note" }, words));
     else parts.push(...leastMargins(a), atMotors(), table([], rows, "margins"));
     return parts;
   }
@@ -178,9 +180,15 @@ export function changedRobot(): string {
   return (store.setup.payload > 0 ? t("butPayload") : "") + (store.setup.slope ? t("butSlope") : "");
 }
 
-/** The light's colour: without a controller it waits for no certificate. */
+/** Whether the loop is known to be unstable: a controller that is not linear has no poles. */
+function unstable(): boolean {
+  return store.analysed?.stable === false && store.analysed.poles.length > 0;
+}
+
+/** The light's colour: without a controller, or with an unstable loop, it waits for no certificate. */
 export function lamplight(): "green" | "amber" | "red" | "none" {
-  return store.setup.controller === "off" ? "red" : (store.lit?.light ?? "none");
+  const light = store.lit?.light ?? "none";
+  return store.setup.controller === "off" || (light === "none" && unstable()) ? "red" : light;
 }
 
 export function certificate(): (Node | null)[] {
@@ -195,7 +203,7 @@ export function certificate(): (Node | null)[] {
   return [
     h("h4", {}, t("certificate")), h("p", { className: "lit" }, lamp, h("b", {}, words + changedRobot())),
     waits ? h("p", { className: "note" }, t("lightNote")) : null,
-    ...(lit?.reasons ?? []).map((reason) => h("p", { className: "note" }, plainNumbers(sentence(translate(reason))))),
+    ...(lit?.reasons ?? []).map((reason) => h("p", { className: "note" }, plainNumbers(sentence(translate(reason))) + (light === "green" && /robots fell/.test(reason) ? ` ${t("allowed")}` : ""))),
   ];
 }
 
@@ -346,6 +354,8 @@ export class IdentifyPanel extends Panel {
   private running = new Map<Job, JobBar>();
   private source = "";
   private comparison = h("p", { className: "comparison", role: "status" });
+  private robot = ""; // of the comparison, and of what failed
+  private failed = h("p", { className: "failed", role: "alert" });
 
   constructor() {
     super();
@@ -357,7 +367,10 @@ export class IdentifyPanel extends Panel {
     if (latestLog) choices.push([latestLog, latestLog.replace(/^in-/, "")]);
     if (latestLog) this.source = latestLog;
     const source = select(t("source"), choices, this.source, (v) => (this.source = v), "source");
-    const start = (job: Job) => store.send({ kind: "Start", job, file: this.source });
+    const start = (job: Job) => {
+      replace(this.failed);
+      store.send({ kind: "Start", job, file: this.source });
+    };
     const row = h(
       "div", { className: "row" },
       button(t("doctor"), () => start("doctor"), { title: t("doctorTip"), "data-key": "doctor" }),
@@ -365,16 +378,31 @@ export class IdentifyPanel extends Panel {
       button(t("compare"), () => this.compare(), { title: t("compareTip"), "data-key": "compare" }),
     );
     const logs = ".csv,.txt,.log,.tsv,.dat,.json,.mat,.parquet,.mcap";
-    sayAgain(this.comparison);
+    this.changed();
+    for (const words of [this.comparison, this.failed]) sayAgain(words);
     replace(
       this.root,
-      h("div", { className: "column" }, source, upload(t("openLog"), logs, "log"), row, this.comparison, h("p", { className: "note" }, t("calibrateNote")), this.bars),
+      h("div", { className: "column" }, source, upload(t("openLog"), logs, "log"), row, this.failed, this.comparison, h("p", { className: "note" }, t("calibrateNote")), this.bars),
       h("div", { className: "column wide" }, this.result),
     );
     this.found();
   }
 
+  /** A job has stopped; it is said under its button until another one begins. */
+  fail(words: () => string): void {
+    this.robot = store.setup.robot;
+    replace(this.failed, said(words));
+    this.failed.scrollIntoView({ block: "nearest" });
+  }
+
+  /** What was of another robot goes. */
+  changed(): void {
+    if (this.robot !== store.setup.robot) for (const words of [this.comparison, this.failed]) replace(words);
+  }
+
   private compare(): void {
+    this.robot = store.setup.robot;
+    replace(this.failed);
     store.send({ kind: "Save", what: "compare", name: this.source });
     const key = [...this.shares.keys()].some((job) => job !== "design") ? "compareWaits" : "comparing";
     replace(this.comparison, said(() => t(key)));
@@ -382,6 +410,7 @@ export class IdentifyPanel extends Panel {
 
   /** The page of the comparison can be had; it stays so until the next one is asked for. */
   compared(url: string): void {
+    this.robot = store.setup.robot;
     const open = h("a", { href: url, target: "_blank", rel: "noopener", "data-key": "open-comparison" }, said(() => t("open")));
     const save = h("a", { href: url, download: COMPARISON, "data-key": "save-comparison" }, said(() => t("saveAs", { name: COMPARISON })));
     replace(this.comparison, said(() => t("compared")), " ", open, " · ", save);

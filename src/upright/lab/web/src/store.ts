@@ -232,6 +232,7 @@ export class Store {
 
   /** Change the set-up and tell the session. */
   change(part: Partial<Setup>): void {
+    if (part.robot !== undefined && part.robot !== this.setup.robot) this.last.name(null); // it was another robot's
     this.expect(part);
     this.corrected();
     this.ceiling = null;
@@ -242,7 +243,7 @@ export class Store {
   /** Push the robot, unless it lies: then say what helps. */
   push(message: Drag | Strike): void {
     const begins = message.kind === "Strike" || message.force !== 0;
-    if (begins && this.snapshot?.x[0][8]) this.hear({ kind: "Notice", level: "info", text: "", key: "lies" });
+    if (begins && this.snapshot?.x[0][8]) this.hear({ kind: "Notice", level: "info", text: "", key: "lies", job: "" });
     else this.send(message);
   }
 

@@ -59,14 +59,28 @@ export function translate(text: string): string {
   if (chosen === en) return text;
   for (const [pattern, words] of PHRASES) {
     const parts = pattern.exec(text);
-    if (parts) return words.replace(/\{(\d)\}/g, (_, i: string) => translate(parts[Number(i) + 1]));
+    if (parts) return words.replace(/\{(\d)\}/g, (_, i: string) => listed(parts[Number(i) + 1]));
   }
   return local(text);
+}
+
+/** A part of a sentence: what it lists one by one, where each has a translation of its own. */
+function listed(text: string): string {
+  const parts = text.split(/, | and /).map((part) => part.replaceAll("_", " "));
+  if (!parts.every((part) => translated(part) || /^[\d.…]+$/.test(part))) return translate(text);
+  const last = text.includes(" and ") ? parts.pop() : undefined;
+  return [parts.map(translate).join(", "), ...(last === undefined ? [] : [translate(last)])].join(" y ");
 }
 
 /** Whether the chosen language has words for a sentence of the server. */
 export function translated(text: string): boolean {
   return chosen === en || PHRASES.some(([pattern]) => pattern.test(text));
+}
+
+/** What stopped a job, with its name, in the chosen language. */
+export function stopped(job: string, text: string): string {
+  const why = noticed(text);
+  return t("jobStopped", { job: named(job), why: /[.!?…]$/.test(why) ? why : `${why}.` });
 }
 
 /** A notice of the server in the chosen language, or as it is, with a word on that. */

@@ -117,6 +117,7 @@ export class Tour {
   /** The robot, controller and speed as they were before the tour. */
   private back(): void {
     if (this.before) store.change(this.before);
+    store.last.name(null); // of the tour
     this.before = null;
     this.tools.run(1);
     store.send({ kind: "StandUp", pitch: 0 });
