@@ -136,7 +136,8 @@ def main() -> None:
     parser.add_argument("--only", type=int, nargs="*", default=range(len(GYROS)), help="which of the gyros, from 0")
     asked = parser.parse_args()
     for which in asked.only:
-        judged(*GYROS[which], range(asked.seeds[0], asked.seeds[1]))
+        name, frequency, damping = GYROS[which]
+        judged(name, frequency, damping, range(*asked.seeds))
 
 
 if __name__ == "__main__":
