@@ -94,7 +94,7 @@ def test_numbers_that_json_lacks_become_null():
 
 
 def test_a_message_is_plain_data_whatever_it_holds():
-    assert plain(Notice("info", "π ψ")) == {"level": "info", "text": "π ψ", "key": "", "kind": "Notice"}
+    assert plain(Notice("info", "π ψ")) == {"level": "info", "text": "π ψ", "key": "", "job": "", "kind": "Notice"}
     assert "π" in encode(Notice("info", "π"))
 
 

@@ -300,7 +300,9 @@ def _work(page: Any, where: str = "") -> set[str]:
     )
     for key in keys:
         target = page.locator(f"[data-key='{key}']").first
-        if not key or key.startswith(("tab-", "open-", "stop-")) or not target.is_visible() or not target.is_enabled():
+        if not key or key.startswith(("tab-", "open-", "stop-", "headlight")):  # what shows other controls
+            continue
+        if not target.is_visible() or not target.is_enabled():
             continue
         _use(page, target, key)
         used.add(key)
