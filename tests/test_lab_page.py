@@ -315,7 +315,7 @@ def _use(page: Any, target: Any, key: str) -> None:
         target.focus()
         page.keyboard.press("ArrowLeft")
     elif target.evaluate("e => e.className") == "number":
-        target.fill(str(float(target.input_value()) * 1.001))
+        target.fill(str(float(target.input_value().replace("−", "-")) * 1.001))
         page.keyboard.press("Enter")
     elif kind.startswith("SELECT"):
         choices = target.evaluate("e => [...e.options].map(o => o.value)")
