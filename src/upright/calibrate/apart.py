@@ -79,7 +79,9 @@ def apart(problem: Problem, z: Array, sources: Sequence[str]) -> tuple[str, ...]
     """
     runs = range(len(problem.recordings))
     fits = [_fitted(problem, z, [run]) for run in runs] if len(runs) > 1 else []
-    alone, least = [_numbers(*fit) for fit in fits], [fit[2].objective + _by_chance(*fit) for fit in fits]
+    known = [posterior(*fit) for fit in fits]
+    alone = [_numbers(*fit[:2], C) for fit, C in zip(fits, known, strict=True)]
+    least = [fit[2].objective + _by_chance(fit[0], C) for fit, C in zip(fits, known, strict=True)]
     gaps = [gap for one, other in combinations(runs, 2) for gap in _gaps(one, other, alone[one], alone[other])]
     limit = _limit(max(len(gaps), 1))
     if not gaps or max(gaps).deviations <= limit:
@@ -96,9 +98,9 @@ def apart(problem: Problem, z: Array, sources: Sequence[str]) -> tuple[str, ...]
         one, other = (f"log {run + 1}, {sources[run]}," for run in (furthest.run, furthest.other))
         words = _words([g for g in gaps if (g.run, g.other) == (furthest.run, furthest.other)], limit)
         return (f"Runs differ, most of all {one} and {other} in {words}. Nothing tells which of them has changed.",)
-    rest = _numbers(*_fitted(problem, z, [run for run in runs if run != odd]))
+    rest = _fitted(problem, z, [run for run in runs if run != odd])
     which = f"Log {odd + 1}, {sources[odd]},"
-    words = _words(_gaps(odd, odd, alone[odd], rest), limit)
+    words = _words(_gaps(odd, odd, alone[odd], _numbers(*rest[:2], posterior(*rest))), limit)
     return (f"{which} differs from the other runs: {words}. Look for what changed, or leave it out.",)
 
 
@@ -225,16 +227,15 @@ def _fitted(problem: Problem, z: Array, runs: Sequence[int]) -> tuple[Problem, A
     return part, least.z, least.normal, least.paths
 
 
-def _by_chance(problem: Problem, z: Array, normal: Normal, paths: Sequence[Path]) -> float:
+def _by_chance(problem: Problem, C: Array) -> float:
     """[nats] that a fit of one run by itself gains though it does not differ: half of one for each of the robot's
-    numbers that it tells (Wilks 1938), and less for those that are mostly the prior's."""
-    C = posterior(problem, z, normal, paths)
+    numbers that it shows (Wilks 1938), and less for those that are mostly the prior's. C is its covariance."""
     return 0.5 * sum(1.0 - float(C[i, i]) for i, p in enumerate(problem.parameters) if not p.name.startswith(RUN))
 
 
-def _numbers(problem: Problem, z: Array, normal: Normal, paths: Sequence[Path]) -> list[_Number]:
-    """The robot's numbers that no run should change, and the coefficients of its motion."""
-    C, differ = posterior(problem, z, normal, paths), run_spreads(problem.asked)
+def _numbers(problem: Problem, z: Array, C: Array) -> list[_Number]:
+    """The robot's numbers that no run should change, and the coefficients of its motion, with the covariance C."""
+    differ = run_spreads(problem.asked)
     numbers: list[_Number] = []
     for i, p in enumerate(problem.asked):
         spread = float(np.sqrt(C[i, i]))

@@ -22,13 +22,13 @@ from upright.calibrate.calibration import Calibration
 from upright.calibrate.effects import effects_of
 from upright.calibrate.electronics import electronics_of
 from upright.calibrate.filter_log import one_step_noise
-from upright.calibrate.fitting import EQUATIONS, Problem
+from upright.calibrate.fitting import EQUATIONS, Fitted, Problem
 from upright.calibrate.informativity import INERTIAL, STRAIGHT, TURNING, drives_straight, too_quiet
 from upright.calibrate.knocks import without_knocks
 from upright.calibrate.learnt_kit import learnt_kit
 from upright.calibrate.parameters import parameters_of
 from upright.calibrate.process_noise import arrival, process
-from upright.calibrate.refined import Fitted, refined
+from upright.calibrate.refined import refined
 from upright.calibrate.resonance import FIRST, SWING, resonates, swing_noise
 from upright.calibrate.stated_gain import as_meant
 from upright.doctor.doctor import contradictions

@@ -22,9 +22,13 @@ SAME = 1e-3  # [1] of the weak hold: first states so close descend to one
 
 
 @njit
-def cost_of(e: Any) -> Any:
-    """What an error over its scale costs; beyond a fall it is NaN, and counts as `MISSED`."""
-    return min(e * e, MISSED) if np.isfinite(e) else MISSED
+def costs(errors: Any) -> Any:
+    """Sums of squares (lanes,) of errors (events, lanes) over their scale; what is beyond a fall counts as `MISSED`."""
+    total = np.zeros(errors.shape[1])
+    for k in range(len(errors)):
+        for i in range(len(total)):
+            total[i] += min(errors[k, i] ** 2, MISSED) if np.isfinite(errors[k, i]) else MISSED
+    return total
 
 
 @njit
@@ -94,11 +98,11 @@ def descended(events: Any, robot: Any, readings: Any, first: Any, known: Any, fr
                 lanes[j, i] = candidate[j]
             if i > 0:
                 lanes[free[i - 1], i] += NUDGES[i - 1]
-        missed, cost = innovations(events, robot, lanes, gains, longest), 0.0
+        missed = innovations(events, robot, lanes, gains, longest)
         for k in range(len(read)):
             for i in range(1 + count):
                 e[k, i] = missed[read[k], i] / scale[k]
-            cost += cost_of(e[k, 0])
+        cost = costs(e)[0]
         if cost < least:
             done, least, damping = cost > LEVEL * least, cost, LESS * damping
             best[:] = candidate

@@ -325,6 +325,15 @@ class Normal:
         return huber_weight(self.whitened)
 
 
+class Fitted(NamedTuple):
+    """A problem, its parameters of greatest posterior z (parameters,), and the derivatives and filters there."""
+
+    problem: Problem
+    z: Array
+    normal: Normal
+    paths: Sequence[Path]
+
+
 def huber_weight(whitened: Array) -> Array:
     """One, and less beyond `OUTLIER`."""
     return np.minimum(1.0, OUTLIER / np.maximum(np.abs(whitened), 1e-12))

@@ -16,11 +16,11 @@ import numpy as np
 from upright.calibrate.calibrate import prepared
 from upright.calibrate.calibration import Segments
 from upright.calibrate.effects import FRACTIONS, run_spreads
-from upright.calibrate.fitting import Problem
+from upright.calibrate.fitting import Fitted, Problem
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.informativity import effective_fraction
 from upright.calibrate.parameters import Parameter
-from upright.calibrate.refined import Fitted, segmented
+from upright.calibrate.refined import segmented
 from upright.calibrate.stated_gain import as_meant, stated_gains
 from upright.calibrate.validate import score, segments
 from upright.robots import Kit, Robot

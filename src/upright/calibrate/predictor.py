@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from upright.calibrate.motion import INSTANT, STATES, STUCK, TOPPLED, block_of, driven, njit
-from upright.calibrate.ringing import moved, spread, undriven
+from upright.calibrate.motion import INSTANT, STATES, STUCK, TOPPLED, block_of, driven, inlined, njit
+from upright.calibrate.ringing import moved, undriven
 from upright.compiled.generated import PITCH, PITCH_RATE, WHEEL_RATE, YAW_RATE
 from upright.compiled.generated_motion import accelerations_free, constants_free
 from upright.compiled.jit import get, put
@@ -67,7 +67,7 @@ class Noise(NamedTuple):
 
 class _Flow(NamedTuple):
     """Room for the flow of one robot: its block, times of start and stop (2, WIDE), ∂x(stop)/∂x(start) (6, 6), and
-    what the product of two matrices needs (6, s). Of a robot whose gyro swings also its `swing` (2, WIDE), both states
+    what the product of two matrices needs (s, s). Of a robot whose gyro swings also its `swing` (2, WIDE), both states
     of that (2, WIDE), and ∂x(stop)/∂x(start) of all states (s, s)."""
 
     block: Any
@@ -162,22 +162,23 @@ def _flow(room: _Flow, x: Any, u: Any, start: Any, stop: Any, longest: Any) -> N
                 room.whole[tail + j, MOVING[i]] = (room.swung[j, 1 + i] - x[tail + j]) / _NUDGE
 
 
-@njit
-def _predict(P: Any, phi: Any, Q: Any, h: Any, product: Any) -> None:
-    """P ← Φ P Φᵀ + Q h, for Φ that is the identity beyond the six states."""
-    size = P.shape[0]
-    for i in range(STATES):
+@inlined
+def _predict(P: Any, phi: Any, part: Any, Q: Any, h: Any, product: Any) -> None:
+    """P ← Φ P Φᵀ + Q h, for Φ that is the identity beyond a `part` of so many states: put into its callers, for which
+    that number is known."""
+    size = len(P)
+    for i in range(part):
         for j in range(size):
             total = 0.0
-            for k in range(STATES):
+            for k in range(part):
                 total += phi[i, k] * P[k, j]
             product[i, j] = total
-    for i in range(STATES):
+    for i in range(part):
         for j in range(i, size):
             total = product[i, j]
-            if j < STATES:
+            if j < part:
                 total = 0.0
-                for k in range(STATES):
+                for k in range(part):
                     total += product[i, k] * phi[j, k]
             P[i, j] = total
             P[j, i] = total
@@ -235,9 +236,9 @@ def kalman_path(events: Events, lanes: RobotLanes, first: Any, noise: Noise, lon
     size, many = len(first), len(events.kind)
     x, P, u = first.copy(), noise.start.copy(), events.commands[0].copy()
     w = block_of(lanes.robots)
-    swings, product = len(lanes.swing), np.zeros((size, size))
+    swings = len(lanes.swing)
     room = _Flow(
-        w, np.zeros((2, WIDE)), np.zeros((STATES, STATES)), np.zeros((STATES, size)),
+        w, np.zeros((2, WIDE)), np.zeros((STATES, STATES)), np.zeros((size, size)),
         lanes.swing, np.zeros((swings, WIDE)), np.eye(size),
     )  # fmt: skip
     e, s, gains = np.full(many, np.nan), np.full(many, np.nan), np.zeros((many, size))
@@ -255,9 +256,9 @@ def kalman_path(events: Events, lanes: RobotLanes, first: Any, noise: Noise, lon
             _flow(room, x, u, now, then, longest)
             process = noise.process[int(get(w, STUCK, 0))]
             if swings:
-                spread(P, room.whole, process, then - now, product)
+                _predict(P, room.whole, size, process, then - now, room.product)
             else:
-                _predict(P, room.phi, process, then - now, room.product)
+                _predict(P, room.phi, STATES, process, then - now, room.product)
             now = then
         if not abs(x[0]) < TOPPLED:
             break

@@ -9,14 +9,13 @@ from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from functools import partial
-from typing import NamedTuple
 
 import numpy as np
 
 from upright.arrays import Array
 from upright.calibrate.annealing import from_likeliest_delays
 from upright.calibrate.effects import respread
-from upright.calibrate.fitting import STICKING, Normal, Path, Problem, normal_equations, objective
+from upright.calibrate.fitting import STICKING, Fitted, Normal, Path, Problem, normal_equations, objective
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.informativity import effective_fraction
 from upright.calibrate.noise import Bounds, learn_noise, sensor_bounds
@@ -26,16 +25,6 @@ from upright.calibrate.resonance import FIRST, LEAST, MOST, SWING, resonates, sw
 from upright.calibrate.resonant import at_prior, resonant, with_that_of
 from upright.logs.recording import SENSOR
 from upright.physics.dynamics import motor_gain
-
-
-class Fitted(NamedTuple):
-    """A problem, its parameters of greatest posterior z (parameters,), and the derivatives and filters there."""
-
-    problem: Problem
-    z: Array
-    normal: Normal
-    paths: Sequence[Path]
-
 
 FREEDOM = 0.015
 """[1] Most process noise that is learnt, as a fraction of the commands and of the robot's weight."""
@@ -100,11 +89,8 @@ def _with_resonance(fit: Fitted, bounds: Bounds) -> Fitted | None:
 
     Noise that makes the gyro swing is learnt only then. It would be likelier of every gyro whose noise is not white.
     """
-    likelier = None if resonates(fit.problem.asked) else resonant(fit, partial(_settled, bounds=bounds))
-    if not likelier:
-        return None
-    other = Fitted(*likelier)
-    if not _white(other) and 1 - _simulated(other) > (1 - LEVEL) * (1 - _simulated(fit)):
+    other = None if resonates(fit.problem.asked) else resonant(fit, partial(_settled, bounds=bounds))
+    if not other or (not _white(other) and 1 - _simulated(other) > (1 - LEVEL) * (1 - _simulated(fit))):
         return None
     own = _swings(other.problem)
     noise = {**other.problem.noise, SWING: math.log(swing_noise(other.problem.recordings, FIRST))}

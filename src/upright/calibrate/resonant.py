@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 import numpy as np
 
 from upright.arrays import Array
-from upright.calibrate.fitting import Normal, Path, Problem, objective
+from upright.calibrate.fitting import Fitted, Problem, objective
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.informativity import score_covariance
 from upright.calibrate.resonance import DAMPING, FREQUENCY, SWING, TYPICAL, parameters_about
@@ -24,11 +24,8 @@ MARGIN = 10.0
 likelier: odds of e¹⁰, twenty thousand to one, as for a gain that a file states. A log has many causes of innovations
 that are not white, and this is only one."""
 
-Fit = tuple[Problem, Array, Normal, Sequence[Path]]
-"""A problem, its z (parameters,), and the derivatives and filters there."""
 
-
-def resonant(fit: Fit, settled: Callable[[Problem, Array], Fit]) -> Fit | None:
+def resonant(fit: Fitted, settled: Callable[[Problem, Array], Fitted]) -> Fitted | None:
     """The fit with a resonance, from one without; None where it is not likelier by `MARGIN`. `settled` learns
     parameters and noise from a start."""
     tries: list[tuple[float, Problem, Array]] = []
@@ -41,10 +38,10 @@ def resonant(fit: Fit, settled: Callable[[Problem, Array], Fit]) -> Fit | None:
     other = settled(problem, z)
     weight = weight_of(other)
     nats = evidence(other, weight) - evidence(fit, weight)
-    return (replace(other[0], resonance=nats), *other[1:]) if nats >= MARGIN else None
+    return other._replace(problem=replace(other.problem, resonance=nats)) if nats >= MARGIN else None
 
 
-def weight_of(fit: Fit) -> float:
+def weight_of(fit: Fitted) -> float:
     """What readings count for the two numbers of a resonance, whose innovations are not white: the covariance that
     takes them for white over the one that does not (Chandler and Bate 2007), at most 1."""
     problem, _, normal, paths = fit
@@ -55,10 +52,10 @@ def weight_of(fit: Fit) -> float:
     return float(min(1.0, 1 / ratio))
 
 
-def evidence(fit: Fit, weight: float) -> float:
+def evidence(fit: Fitted, weight: float) -> float:
     """The logarithm of the marginal likelihood, up to a constant, where readings have this `weight`: the posterior at
     its peak, times the volume of the peak over that of the prior (Laplace's approximation)."""
-    least = gauss_newton(replace(fit[0], temper=weight), fit[1], iterations=ITERATIONS).normal
+    least = gauss_newton(replace(fit.problem, temper=weight), fit.z, iterations=ITERATIONS).normal
     return -least.objective - 0.5 * float(np.linalg.slogdet(least.hessian)[1])
 
 

@@ -76,22 +76,3 @@ def undriven(span: Any, swing: Any, whole: Any) -> None:
     tail, phase, damping = len(whole) - SWINGS, swing[0, 0] * span, swing[1, 0]
     whole[tail, tail], whole[tail + 1, tail] = rung(1.0, 0.0, 0.0, 0.0, 0.0, phase, damping)
     whole[tail, tail + 1], whole[tail + 1, tail + 1] = rung(0.0, 1.0, 0.0, 0.0, 0.0, phase, damping)
-
-
-@njit
-def spread(P: Any, whole: Any, Q: Any, h: Any, product: Any) -> None:
-    """P ← Φ P Φᵀ + Q h, for any Φ `whole` (s, s)."""
-    size = len(P)
-    for i in range(size):
-        for j in range(size):
-            total = 0.0
-            for k in range(size):
-                total += whole[i, k] * P[k, j]
-            product[i, j] = total
-    for i in range(size):
-        for j in range(i, size):
-            total = Q[i, j] * h
-            for k in range(size):
-                total += product[i, k] * whole[j, k]
-            P[i, j] = total
-            P[j, i] = total

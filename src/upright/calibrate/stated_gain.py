@@ -14,9 +14,8 @@ from dataclasses import replace
 import numpy as np
 
 from upright.arrays import Array
-from upright.calibrate.fitting import Problem
+from upright.calibrate.fitting import Fitted, Problem
 from upright.calibrate.gauss_newton import gauss_newton
-from upright.calibrate.refined import Fitted
 from upright.errors import DesignFailed
 from upright.logs.raw import named
 from upright.logs.readers import GAINS
@@ -62,10 +61,9 @@ def nats(fit: Fitted, run: int, commands: Array, rival: Fitted | None = None) ->
     recordings[run] = replace(recordings[run], commands=np.ascontiguousarray(commands))
     here, there = fit.problem, replace(fit.problem, recordings=tuple(recordings))
     rivals = {p.name: at for p, at in zip(rival.problem.parameters, rival.z, strict=True)} if rival else {}
-    other = np.array([rivals.get(p.name, 0.0) for p in here.parameters]) if rival else None
-    starts = [fit.z, *([other] if other is not None else [np.zeros_like(fit.z)])]
-    own = [fit.normal.objective, *([_least(here, other)] if other is not None else [])]
-    return min(own) - min(_least(there, z) for z in starts)
+    other = np.array([rivals.get(p.name, 0.0) for p in here.parameters])
+    own = [fit.normal.objective, *([_least(here, other)] if rival else [])]
+    return min(own) - min(_least(there, z) for z in (fit.z, other))
 
 
 def _least(problem: Problem, z: Array) -> float:

@@ -80,7 +80,7 @@ class Stretch:
         """The first state, and its cost, that is fitted to the beginning alone and then to more and more: from that of
         the `starts` (states, lanes) which follows the beginning best."""
         until = [round(fraction * len(self.events)) for fraction in GROWING]
-        state, cost = starts[:, np.argmin(_cost(self._errors(starts)[: until[0]]))], np.inf
+        state, cost = starts[:, np.argmin(self._costs(starts, until[0]))], np.inf
         for events in until:
             state, cost = self._descended(state, np.full_like(state, np.inf), events)
         return state, cost
@@ -89,6 +89,12 @@ class Stretch:
         """Errors (events, lanes) over their scale, from the first states (states, lanes)."""
         (rows, scale), robots = self._read, self._robots(firsts.shape[1])
         return _simulated(self._given, robots, firsts, self.problem.longest)[rows] / scale[:, None]
+
+    def _costs(self, firsts: Array, until: int | None = None) -> Array:
+        """What the errors of the first `until` readings cost (lanes,), or all."""
+        from upright.calibrate.descent import costs
+
+        return costs(self._errors(firsts)[:until])
 
     def _starts(self, filtered: Array) -> Array:
         """First states (states, lanes) to try: the filter's, and those of several pitches with the rates that the first
@@ -112,7 +118,7 @@ class Stretch:
 
     def _likeliest(self, firsts: Array) -> list[Array]:
         """The best of the first states (states, lanes), best first."""
-        return [firsts[:, lane] for lane in np.argsort(_cost(self._errors(firsts)), kind="stable")[:MOST_TRIED]]
+        return [firsts[:, lane] for lane in np.argsort(self._costs(firsts), kind="stable")[:MOST_TRIED]]
 
     def _descended(self, first: Array, known: Array, until: int | None = None) -> tuple[Array, float]:
         """The first state of least error near `first`, and its cost; as far as to one that is `known` already. Of the
@@ -132,14 +138,6 @@ class Stretch:
         if count not in self._lanes:
             self._lanes[count] = _alike(self._robot, count)
         return self._lanes[count]
-
-
-def _cost(errors: Array) -> Array:
-    """Sum of squares (lanes,) of errors (events, lanes); what is beyond a fall counts as `MISSED`."""
-    from upright.calibrate.descent import MISSED
-
-    with np.errstate(invalid="ignore", over="ignore"):
-        return np.where(np.isfinite(errors), np.minimum(errors**2, MISSED), MISSED).sum(axis=0)
 
 
 def free(robot: RobotLanes, recording: Recording, order: Whole, before: Whole, firsts: Array, longest: float) -> Array:

@@ -185,7 +185,7 @@ class TrialSetup:
     @property
     def runs_of_trials(self) -> int:
         """Number of runs in all trials."""
-        return PUSHES * len(conditions(self)) * len(self.robots)
+        return PUSHES * len(conditions(self.robot, self.kit, self.logged)) * len(self.robots)
 
 
 class Condition(NamedTuple):
@@ -198,10 +198,10 @@ class Condition(NamedTuple):
     expected_voltage: float | None
 
 
-def conditions(setup: TrialSetup) -> list[Condition]:
-    """What every push is tried at: the expected batteries and slopes, and those that only a log shows."""
-    volts, logged = batteries(setup.robot, setup.kit), setup.logged
-    expected = setup.robot.conditions.slopes
+def conditions(robot: Robot, kit: Kit, logged: Logged | None = None) -> list[Condition]:
+    """What every push is tried at: the batteries and slopes that are expected of a robot, and those that only a log
+    shows."""
+    volts, expected = batteries(robot, kit), robot.conditions.slopes
     named = [(name, volts and volts[i]) for i, name in enumerate(BATTERIES)]
     named += [(f"{v:.3g} V", v) for v in logged.batteries] if logged else []
     slopes = [*expected, *(logged.slopes if logged else ())]
@@ -257,7 +257,7 @@ def tried(setup: TrialSetup) -> Iterator[TriedPush]:
     parameters = parameters_of(setup.robots)
     parameters = logged.weighed(parameters) if logged else parameters
     for kind in range(PUSHES):
-        for slope, battery, voltage, expected_slope, expected_voltage in conditions(setup):
+        for slope, battery, voltage, expected_slope, expected_voltage in conditions(setup.robot, setup.kit, logged):
             name, standard = list(setup.pushes(expected_voltage, expected_slope).items())[kind]
             changed = {} if voltage is None else {"battery.voltage": [voltage]}
             angles = logged.angles(slope, parameters, setup.actual_robot) if logged else np.full(len(parameters), slope)

@@ -25,17 +25,17 @@ from upright.diagnose.fault_fits import (
     score_of,
     with_pushes,
 )
-from upright.diagnose.innovations import FilterRun, follow
+from upright.diagnose.innovations import FilterRun
 from upright.diagnose.remedy import (
     COMMAND_FAULTS,
     FADE_PRICE,
     RARE,
     READING_FAULTS,
     SHORT,
-    WARM_UP,
     Window,
     exact,
     faded,
+    lately,
     moved,
     remedied,
 )
@@ -198,7 +198,7 @@ def _slopes(run: FilterRun, first: FaultFit, window: Window, here: Bank) -> tupl
         same = [one for one in here.faults if (one.fault, one.way) == (first.fault, first.way)]
         same.sort(key=lambda one: abs(one.onset - first.onset))
         return [], np.column_stack([one.values for one in same[:NEAR]] or [np.zeros(len(here.y))])
-    recent = follow(run.log.between(window.end - window.seconds - WARM_UP, math.inf), run.robot, run.kit)
+    recent = lately(run, window)
 
     def left(fit: FaultFit) -> Array:
         freed = remedied(recent, fit)

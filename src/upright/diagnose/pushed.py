@@ -4,7 +4,7 @@ led it."""
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -13,19 +13,17 @@ from upright.arrays import Array
 from upright.diagnose.changes import scaled_sensors
 from upright.diagnose.fault_fits import FaultFit
 from upright.diagnose.forces import refined
-from upright.diagnose.innovations import FilterRun, follow
+from upright.diagnose.innovations import FilterRun
 from upright.diagnose.remedy import (
-    CHARGES,
-    DELAYS,
-    FADE,
-    HALVINGS,
+    BATTERY_OR_DELAY,
     ONSET_STEP,
     SHORT,
-    WARM_UP,
     Window,
     beside_pushes,
+    descended,
     exact,
-    near,
+    lately,
+    least_of,
     remedied,
 )
 from upright.diagnose.signatures import YOUNGEST, Bank, beside
@@ -40,10 +38,8 @@ LEAVES = 1.3  # NIS over the calm one, up to which a hypothesis leaves only nois
 def with_sudden_pushes(run: FilterRun, window: Window, against: Bank) -> list[FaultFit]:
     """A weak battery of either kind, a longer delay and sensors of another scale, each of the size and onset that
     leaves least beside the two pushes that then explain most."""
-    recent = follow(run.log.between(window.end - window.seconds - WARM_UP, math.inf), run.robot, run.kit)
-    faults = [(FaultFit(fault="weak", way=way, rise=FADE), CHARGES) for way in ("pwm", "limit")]
-    faults += [(FaultFit(fault="delay"), DELAYS)]
-    faults += [(FaultFit(fault="scale", way=way), SCALES) for way in scaled_sensors(run)]
+    recent = lately(run, window)
+    faults = (*BATTERY_OR_DELAY, *((FaultFit(fault="scale", way=way), SCALES) for way in scaled_sensors(run)))
     several: list[FaultFit] = []
     for fault, sizes in faults:
         best = _least(recent, window, against, fault, sizes)
@@ -56,8 +52,8 @@ def with_sudden_pushes(run: FilterRun, window: Window, against: Bank) -> list[Fa
 def _least(recent: FilterRun, window: Window, bank: Bank, fault: FaultFit, sizes: Sequence[float]) -> FaultFit | None:
     """By a grid in size and onset, then from the best sizes of it."""
 
-    def squares(tried: FaultFit) -> float:
-        freed = remedied(recent, tried)
+    def squares(tried: Sequence[FaultFit]) -> float:
+        freed = remedied(recent, *tried)
         if freed is None or freed.t[-1] < recent.t[-1] - SHORT:
             return math.inf
         return left(window.of(freed).whitened, bank)
@@ -67,25 +63,11 @@ def _least(recent: FilterRun, window: Window, bank: Bank, fault: FaultFit, sizes
     starts: list[tuple[float, FaultFit]] = []  # the best of each size
     for size in sizes:
         tries = [replace(fault, onset=t, size=size) for t in onsets]
-        starts.append(min(((squares(one), one) for one in tries), key=lambda one: one[0]))
+        starts.append(least_of(lambda one: squares([one]), tries))
     starts.sort(key=lambda one: one[0])
-    lowest = [_descended(squares, *start, latest) for start in starts[:STARTS] if math.isfinite(start[0])]
-    return min(lowest, key=lambda one: one[0])[1] if lowest else None
-
-
-def _descended(
-    squares: Callable[[FaultFit], float], least: float, best: FaultFit, latest: float
-) -> tuple[float, FaultFit]:
-    """By steps that are halved."""
-    for halving in range(HALVINGS):
-        for _ in range(ROUNDS):
-            before = least
-            for tried in near(best, 0.5**halving, latest):
-                if (one := squares(tried)) < least:
-                    least, best = one, tried
-            if least == before:
-                break
-    return least, best
+    best = [(least, one) for least, one in starts[:STARTS] if math.isfinite(least)]
+    lowest = [descended(squares, least, [one], latest, ROUNDS) for least, one in best]
+    return min(lowest, key=lambda one: one[0])[1][0] if lowest else None
 
 
 def left(whitened: Array, bank: Bank) -> float:

@@ -136,12 +136,24 @@ class Window:
         return self.banks[key]
 
 
+BATTERY_OR_DELAY = (
+    (FaultFit(fault="weak", way="pwm", rise=FADE), CHARGES),
+    (FaultFit(fault="weak", way="limit", rise=FADE), CHARGES),
+    (FaultFit(fault="delay"), DELAYS),
+)
+"""A weak battery of either kind and a longer delay, and the sizes that are tried first."""
+
+
+def lately(run: FilterRun, window: Window) -> FilterRun:
+    """The filter along the window and the seconds in which it warms up."""
+    return follow(run.log.between(window.end - window.seconds - WARM_UP, math.inf), run.robot, run.kit)
+
+
 def searched(run: FilterRun, window: Window) -> list[FaultFit]:
     """A weak battery of either kind and a longer delay, each of the size and onset with the smallest innovations; their
     scores are not yet exact."""
-    recent = follow(run.log.between(window.end - window.seconds - WARM_UP, math.inf), run.robot, run.kit)
-    faults = [(FaultFit(fault="weak", way=way, rise=FADE), CHARGES) for way in ("pwm", "limit")]
-    faults += [(FaultFit(fault="delay"), DELAYS), *((FaultFit(fault="motor", way=way), (1.0,)) for way in MOTORS)]
+    faults = (*BATTERY_OR_DELAY, *((FaultFit(fault="motor", way=way), (1.0,)) for way in MOTORS))
+    recent = lately(run, window)
     return [_searched(recent, window, *fault) for fault in faults]
 
 
@@ -155,17 +167,17 @@ def _searched(recent: FilterRun, window: Window, fault: FaultFit, sizes: tuple[f
         return float((window.of(freed).whitened ** 2).sum())
 
     onsets = np.arange(window.end - window.seconds, window.end - YOUNGEST, ONSET_STEP).tolist()
-    least, best = _least(squares, [replace(fault, onset=t, size=x) for t in onsets for x in sizes])
+    least, best = least_of(squares, [replace(fault, onset=t, size=x) for t in onsets for x in sizes])
     for halving in range(HALVINGS):
         for _ in range(MOST_MOVES):
-            tried = _least(squares, near(best, 0.5**halving, window.end - YOUNGEST))
+            tried = least_of(squares, _near(best, 0.5**halving, window.end - YOUNGEST))
             if tried[0] >= least:
                 break
             least, best = tried
     return best
 
 
-def _least(squares: Callable[[FaultFit], float], several: Sequence[FaultFit]) -> tuple[float, FaultFit]:
+def least_of(squares: Callable[[FaultFit], float], several: Sequence[FaultFit]) -> tuple[float, FaultFit]:
     """What leaves the smallest squares, and these."""
     return min(((squares(one), one) for one in several), key=lambda one: one[0])
 
@@ -180,7 +192,7 @@ def moved(
     """Faults that a log can be freed of, with the onsets and sizes that leave the smallest innovations near the best of
     the `starts`, beside what the best of `others` (readings, signatures) and unknown parameters by their `basis`
     explain."""
-    recent = follow(run.log.between(window.end - window.seconds - WARM_UP, math.inf), run.robot, run.kit)
+    recent = lately(run, window)
     bases = [np.linalg.qr(one)[0] for one in others]
 
     def squares(tried: Sequence[FaultFit]) -> float:
@@ -195,14 +207,26 @@ def moved(
         return float(y @ y) - max((float(((y @ one) ** 2).sum()) for one in bases), default=0.0)
 
     least, best = min(((squares(fits), list(fits)) for fits in starts), key=lambda one: one[0])
+    return descended(squares, least, best, window.end - YOUNGEST)[1]
+
+
+def descended(
+    squares: Callable[[Sequence[FaultFit]], float], least: float, best: list[FaultFit], latest: float, rounds: int = 1
+) -> tuple[float, list[FaultFit]]:
+    """From the `best` faults, which leave `least`, by steps that are halved; with each length at most so many `rounds`,
+    as long as they lead on."""
     for halving in range(HALVINGS):
-        for i in range(len(best)):
-            for other in near(best[i], 0.5**halving, window.end - YOUNGEST):
-                tried = [*best[:i], other, *best[i + 1 :]]
-                left = squares(tried)
-                if left < least:
-                    best, least = tried, left
-    return best
+        for _ in range(rounds):
+            before = least
+            for i in range(len(best)):
+                for other in _near(best[i], 0.5**halving, latest):
+                    tried = [*best[:i], other, *best[i + 1 :]]
+                    left = squares(tried)
+                    if left < least:
+                        best, least = tried, left
+            if least == before:
+                break
+    return least, best
 
 
 def faded(fit: FaultFit) -> list[FaultFit]:
@@ -212,7 +236,7 @@ def faded(fit: FaultFit) -> list[FaultFit]:
     return [fit, replace(fit, rise=FADE, onset=fit.onset - FADE / 2)]
 
 
-def near(fit: FaultFit, step: float, latest: float) -> list[FaultFit]:
+def _near(fit: FaultFit, step: float, latest: float) -> list[FaultFit]:
     """The same fault a little earlier or later, and of a smaller or larger size."""
     times = [fit.onset - step * ONSET_STEP / 2, min(fit.onset + step * ONSET_STEP / 2, latest)]
     near = [replace(fit, onset=t) for t in times]

@@ -14,7 +14,7 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.control.mpc import largest_command
-from upright.diagnose.fall import LEANING, falling, gyro
+from upright.diagnose.fall import LEANING, falling, gyro, limit
 from upright.diagnose.innovations import FULL_RANGE, asked_of
 from upright.diagnose.sizes import LARGEST_OFFSET
 from upright.logs.raw import RATES
@@ -54,8 +54,7 @@ def thrown(log: Log, robot: Robot, kit: Kit, end: float) -> Throw | None:
         return None
     rate, asked = gyro(log), _asked(log, robot, kit)
     model, mode = linearise(robot), falling(robot)
-    most = largest_command(robot, kit)
-    topples = min(abs(mode.b) * (most if math.isfinite(most) else np.abs(asked).max()) / mode.pole, LEANING) * mode.pole
+    topples = min(abs(mode.b) * limit(robot, kit, asked) / mode.pole, LEANING) * mode.pole
     gravity, driven = STANDING_LEAN * abs(float(model.A[1, 0])), asked @ model.B[1]
     recent = np.flatnonzero((log.t > end - RECENT) & (log.t <= end + 1e-9)).tolist()
     for count in range(1, ROWS + 1):

@@ -21,7 +21,7 @@ STRICT = {"extra": "forbid", "strict": True, "allow_inf_nan": False}
 """How pydantic reads these classes: nothing unknown, nothing converted, no NaN."""
 
 Job = Literal["certify", "doctor", "calibrate", "design"]
-Work = Literal["certify", "doctor", "calibrate", "design", "light"]
+Work = Literal[Job, "light"]
 """What is computed beside the loop: jobs that a page can start, and the light that follows every change."""
 
 T = TypeVar("T")

@@ -94,10 +94,10 @@ def _curve(loop: Loop) -> tuple[tuple[float, ...], ...]:
 def light(report: Report, setup: Setup) -> Light:
     """The light that follows a change, over fewer robots than a certificate."""
     from upright.certify import certify
-    from upright.certify.checks import BATTERIES, PUSHES
+    from upright.certify.checks import PUSHES, conditions
 
     plant = plant_of(setup)
-    runs = QUICK * PUSHES * len(BATTERIES) * len(plant.nominal.conditions.slopes)
+    runs = QUICK * PUSHES * len(conditions(plant.nominal, plant.kit))
     report(0.0, runs)
 
     def show(fraction: float) -> None:

@@ -67,9 +67,9 @@ function breaks(plot: uPlot): [number, number][] {
 
 /** Ticks of a scale on which there is room for so many, and two at least. */
 function labelled(low: number, high: number, room: number): number[] {
-  let wanted = Math.max(1, Math.floor(room));
-  let made = ticks([low, high], wanted);
-  while (made.length < 2 && wanted < 12) made = ticks([low, high], (wanted += 1));
+  let count = Math.max(1, Math.floor(room));
+  let made = ticks([low, high], count);
+  while (made.length < 2 && count < 12) made = ticks([low, high], (count += 1));
   return made;
 }
 
