@@ -21,6 +21,7 @@ from upright.bodies.body import REST, Sample
 from upright.bodies.models import NonlinearBody
 from upright.calibrate.calibrate import calibrate, prepared
 from upright.calibrate.calibration import Calibration
+from upright.calibrate.estimate import PRIOR, VISIBLE, Estimate
 from upright.calibrate.motion import block_of, move, njit
 from upright.calibrate.own_run import of_this_run
 from upright.calibrate.predictor import WIDE, Noise, RobotLanes, innovations, kalman_path
@@ -213,6 +214,17 @@ def test_a_gyro_that_does_neither_gets_no_resonance() -> None:
     assert in_words(found.electronics) == []
     assert found.kit
     assert found.kit.sensors["sensor/gyro"].resonance == 0
+
+
+def test_nothing_is_said_of_a_resonance_that_the_log_leaves_open() -> None:
+    """A gyro that stands still fitted a "low-pass at 34.5 Hz, damping 11", anywhere from 10 to 116 Hz."""
+    two = [
+        Estimate(name=name, unit="", value=value, low=value / 3, high=3 * value, prior=value, prior_spread=value,
+                 verdict=PRIOR, shift=0.0, shrink=0.7)
+        for name, value in ((FREQUENCY, 34.5), (DAMPING, 10.6))
+    ]  # fmt: skip
+    assert in_words(two, 24.0) == []
+    assert in_words([replace(two[0], verdict=VISIBLE), two[1]], 24.0)
 
 
 def test_the_resonance_is_kept_in_the_file_and_judges_another_log() -> None:

@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.calibrate.estimate import Estimate
+from upright.calibrate.estimate import VISIBLE, Estimate
 from upright.calibrate.parameters import Parameter
 from upright.logs.recording import SENSOR, Recording
 from upright.robots import Kit
@@ -74,9 +74,10 @@ def coefficients_of(values: Mapping[str, Array]) -> list[Array]:
 
 
 def in_words(estimates: Sequence[Estimate], nats: float = 0.0) -> list[str]:
-    """What the two numbers say of the robot, and by how many `nats` the log is likelier with them, in sentences."""
+    """What the two numbers say of the robot, and by how many `nats` the log is likelier with them, in sentences; none
+    where the log leaves the frequency open."""
     known = {e.name: e for e in estimates}
-    if FREQUENCY not in known:
+    if FREQUENCY not in known or known[FREQUENCY].verdict != VISIBLE:
         return []
     f, damping = known[FREQUENCY], known[DAMPING]
     where = f"{f.value:.3g} Hz ({f.low:.3g} to {f.high:.3g}), damping {damping.value:.2g}"
