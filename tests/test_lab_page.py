@@ -680,6 +680,22 @@ def test_the_notes_of_a_calibration_are_in_spanish_too(page):
     assert "altura del centro de masa (1,2 veces el archivo)" in lines.nth(1).inner_text()
 
 
+def test_each_phrase_of_the_server_has_its_own_translation(page):
+    """No pattern takes another's sentence: "{0} by {1}" made "drives por voltage" of "drives by voltage"."""
+    web = Path(__file__).parents[1] / "src/upright/lab/web"
+    phrases = json.loads((web / "src/texts/phrases.es.json").read_text(encoding="utf-8"))
+    filled = [[re.sub(r"\{\d\}", "7", text) for text in pair] for pair in phrases]
+    page.select_option("[data-key=language]", "es")
+    shown = page.evaluate(
+        """(texts) => texts.map((text) => {
+            upright.store.hear({ kind: 'Notice', level: 'error', text, key: '', job: '' });
+            return document.querySelector('.toast.error span').textContent;
+        })""",
+        [english for english, _ in filled],
+    )
+    assert [(english, got) for (english, spanish), got in zip(filled, shown, strict=True) if got != spanish] == []
+
+
 def test_a_phone_s_large_curve_shows_the_fall_that_the_tour_asks_about(page):
     """The step asks for the times of 0.1 and 0.2 rad, and the curve is shown up to 0.3: so far."""
     page.set_viewport_size({"width": 390, "height": 844})
@@ -690,7 +706,7 @@ def test_a_phone_s_large_curve_shows_the_fall_that_the_tour_asks_about(page):
     page.click(".slot .strip:first-child .plot")
     until(page, "document.querySelector('.slot .strip.large')")
     scale = "(({min, max}) => [min, max])(upright.page.charts.strips[0].plot.scales.x)"
-    until(page, f"{scale}[1] - {scale}[0] < 0.99")
+    until(page, f"{scale}[0] !== null && {scale}[1] - {scale}[0] < 0.99")
     low, high = page.evaluate(scale)
     t, pitch = page.evaluate("[upright.store.traces.t, upright.store.traces.x[0][0]]")
     shown = [abs(y) for x, y in zip(t, pitch, strict=True) if low - 1e-6 <= x <= high + 1e-6]

@@ -51,8 +51,12 @@ function numeral(text: string): string {
 }
 
 const escaped = (text: string) => text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
-/** What stands for a part is as short as it can be, but before " at ", since the name of a push has an "at" of its own. */
-const PHRASES = phrases.map(([english, spanish]): [RegExp, string] => [new RegExp(`^${escaped(english).replace(/\\\{\d\\\}(?= at )/g, "(.+)").replace(/\\\{\d\\\}/g, "(.+?)")}$`, "s"), spanish]);
+/** How many letters of a pattern are its own. */
+const fixedPart = (pattern: string) => pattern.replace(/\{\d\}/g, "").length;
+/** Those with most words of their own come first, so that "{0} by {1}" takes no longer sentence apart.
+ *  What stands for a part is as short as it can be, but before " at ", since the name of a push has an "at" of its own. */
+const PHRASES = [...phrases].sort(([a], [b]) => fixedPart(b) - fixedPart(a)).map(([english, spanish]): [RegExp, string] =>
+  [new RegExp(`^${escaped(english).replace(/\\\{\d\\\}(?= at )/g, "(.+)").replace(/\\\{\d\\\}/g, "(.+?)")}$`, "s"), spanish]);
 
 /** A sentence of the server in the chosen language, part by part; what has no translation stays as it is. */
 export function translate(text: string): string {
