@@ -15,7 +15,20 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from upright.doctor import columns, delays, motion, plausible, poses, rates, segments, sensors, speeds, time, units
+from upright.doctor import (
+    columns,
+    delays,
+    estimates,
+    motion,
+    plausible,
+    poses,
+    rates,
+    segments,
+    sensors,
+    speeds,
+    time,
+    units,
+)
 from upright.doctor.finding import (
     BALANCING,
     FEWEST,
@@ -312,7 +325,7 @@ def _stages(robot: Robot | None) -> list[list[Check]]:
         [plausible.speeds],
         [partial(units.commands, robot=robot)],
         [segments.zero],
-        [units.estimates, sensors.bias, sensors.saturation, sensors.grain, sensors.quiet],
+        [estimates.estimates, sensors.bias, sensors.saturation, sensors.grain, sensors.quiet],
         [delays.delays],
         [
             sensors.contaminated,

@@ -22,11 +22,9 @@ from upright.doctor.duty import (
 )
 from upright.doctor.finding import (
     BATTERY,
-    COMPASS,
     FORWARD,
     GYRO,
     LEFT,
-    PITCH,
     RIGHT,
     UP,
     Array,
@@ -34,9 +32,7 @@ from upright.doctor.finding import (
     Fix,
     Record,
     error,
-    note,
 )  # fmt: skip
-from upright.doctor.fixes import COARSE, levels
 from upright.doctor.motion import TRUSTED
 from upright.doctor.physics import Resampled, lagged, motion, smooth, widths
 from upright.doctor.poses import LARGEST_OFFSET
@@ -321,62 +317,3 @@ def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
     assumed = "" if best == "millivolts" else f", assuming a battery of {USUAL_BATTERY:g} V"
     repair = f"divide by {unit.factor:.4g}{assumed}"
     return [error("units/command", names[0], evidence, repair, Fix("scale", channels, (1 / unit.factor,)))]
-
-
-def estimates(record: Record) -> list[Finding]:
-    """Pitch estimate and compass, against the repaired gyro and encoders."""
-    m = motion(record)
-    return _pitch(record, m) + _heading(record, m) if m is not None else []
-
-
-_FACTORS = {
-    "degrees instead of radians": 1 / DEGREE,
-    "radians × 10": 10.0,
-    "degrees × 10": 10 / DEGREE,
-    "milliradians": 1000.0,
-    "converted from degrees twice": DEGREE,
-    "radians / 10": 0.1,
-}
-
-
-def _pitch(record: Record, m: Resampled) -> list[Finding]:
-    """The rate of the pitch estimate relative to the gyro, which should be 1."""
-    if PITCH not in record or m.gyro is None or m.gyro_name != GYRO or not np.isfinite(record[PITCH]).all():
-        return []
-    if 1 < (count := levels(record[PITCH])) <= COARSE:
-        step = grain_of(record[PITCH])
-        return [note("channel/coarse", PITCH, f"it has {count} values in steps of {step:.3g}: too coarse to compare")]
-    even, width = np.interp(m.t, record.t, record[PITCH]), widths(m.period)[-1]
-    fit = lagged(m, width, smooth(even, m.period, width, 1), [smooth(m.gyro, m.period, width)], [], reach=(-0.06, 0.06))
-    return _slope(PITCH, fit.values[0] if fit.values else 0.0, fit.r2, "gyro")
-
-
-def _heading(record: Record, m: Resampled) -> list[Finding]:
-    """The compass relative to the turn of the wheels: R/W, from 0.1 to 1, or 57 times that in degrees."""
-    if COMPASS not in record or not np.isfinite(record[COMPASS]).all():
-        return []
-    even, width = np.interp(m.t, record.t, record[COMPASS]), 4 * widths(m.period)[-1]
-    a, b = (smooth(x, m.period, width, 1)[m.good] for x in (even, m.right - m.left))
-    if b.std() < 0.05 or abs(float(np.corrcoef(a, b)[0, 1])) < 0.8:
-        return []
-    slope = abs(float(a @ b / (b @ b)))
-    if slope < 4:
-        return []
-    evidence = (
-        f"degrees instead of radians: it turns {slope:.3g} rad per rad between the wheels; robots have R/W of 0.1 to 1"
-    )
-    return [divide((COMPASS,), evidence, 1 / DEGREE)]
-
-
-def _slope(channel: str, slope: float, r2: float, against: str) -> list[Finding]:
-    if r2 < 0.7 or not slope or 0.5 < slope < 2.0:
-        return []
-    evidence = f"its rate is {slope:.3g} times the {against} (R² {r2:.2f}), where it should be 1"
-    if -2 < slope < -0.5:
-        return [error("motion/flipped", channel, evidence, "multiply by −1", Fix("scale", (channel,), (-1.0,)))]
-    if slope < 0:
-        return []
-    why = min(_FACTORS, key=lambda name: abs(math.log(slope / _FACTORS[name])))
-    if abs(math.log(slope / _FACTORS[why])) > 0.4:
-        return [divide((channel,), evidence, slope)]
-    return [divide((channel,), f"{why}: {evidence}", _FACTORS[why])]
