@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import math
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -338,6 +339,49 @@ def test_one_encoder_tells_nothing_of_sides_and_half_a_log_no_delay(shared: Path
     rows = slice(0, 500)  # of which 180 stand still: the longest delay that is tried fits best, 120 ms instead of 74
     half = RawTable({name: values[rows] for name, values in table.columns.items()})
     assert "delay/command" not in doctor(half).codes()
+
+
+def table(log: Log, **columns: np.ndarray) -> RawTable:
+    """A log as another program writes it: time, gyro and these columns, and nothing that says more."""
+    return RawTable({"t": log.t, "gyro": log[bench.GYRO], **columns}, source="theirs.csv")
+
+
+def test_a_speed_in_rad_per_second_under_a_name_that_says_rpm_is_named() -> None:
+    """It is read as rpm, and the wheels then turn 9.55 times too slowly: no unit of an angle explains that."""
+    log = made("nxt")
+    speeds = {f"rpm_{side}": np.gradient(log[f"sensor/encoder_{side}"], log.t) for side in ("left", "right")}
+    found = [f for f in doctor(table(log, **speeds)).findings if f.code == "units/scale"]
+    assert [f.channel for f in found] == [bench.LEFT]
+    assert "rad/s under a name that says rpm" in found[0].evidence
+    right = {name: x * 60 / math.tau for name, x in speeds.items()}
+    assert "units/scale" not in doctor(table(log, **right)).codes()
+
+
+def test_metres_of_travel_are_no_angle_of_a_known_factor() -> None:
+    """Radians are metres over a radius that the log does not state, so no number is offered."""
+    log = made("nxt")
+    metres = {f"enc_{side}": 0.04 * log[f"sensor/encoder_{side}"] for side in ("left", "right")}
+    found = [f for f in doctor(table(log, **metres)).findings if f.code == "units/scale"]
+    assert [f.channel for f in found] == [bench.LEFT]
+    assert "metres of travel" in found[0].evidence
+    assert not found[0].fixes
+
+
+@pytest.mark.parametrize(("most", "open_"), [(35.0, True), (100.0, False)])
+def test_a_duty_below_a_half_may_be_of_255_and_one_that_ends_at_100_is_per_cent(most: float, open_: bool) -> None:
+    log = made("nxt")
+    volts = (log["applied/left"] + log["applied/right"]) / 2
+    duty = np.rint(volts / np.abs(volts).max() * most)
+    wheels = {f"enc_{side}": log[f"sensor/encoder_{side}"] for side in ("left", "right")}
+    found = [f for f in doctor(table(log, pwmOutput=duty, **wheels)).findings if f.code == "units/command"]
+    assert len(found) == 1
+    assert ("make sure that full duty is 100, not 255" in found[0].repair) == open_
+
+
+def test_a_tilt_alone_says_only_near_upright() -> None:
+    log = made("nxt, tall")
+    found = doctor(RawTable({"t": log.t, "tilt": np.degrees(log[bench.PITCH])}, source="theirs.csv")).findings
+    assert any("near upright" in f.evidence for f in found if f.code == "columns/missing")
 
 
 @pytest.mark.needs("shared/data/ev3-balanc3r/datalog.json.txt")

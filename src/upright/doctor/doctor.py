@@ -28,7 +28,7 @@ from upright.doctor import (
     speeds,
     time,
     units,
-)
+)  # fmt: skip
 from upright.doctor.finding import (
     BALANCING,
     FEWEST,
@@ -47,6 +47,7 @@ from upright.doctor.finding import (
     warning,
 )
 from upright.doctor.fixes import repaired
+from upright.doctor.lines import columns_line, poses_line
 from upright.doctor.wheels import record_of
 from upright.doctor.wrapped import wrapped
 from upright.errors import InvalidLog
@@ -172,8 +173,8 @@ class Diagnosis(Shown):
         head = f"{self.source or 'log'}: {self.rows} rows, {self.seconds:.4g} s, every {self.period * 1e3:.4g} ms"
         head += "" if self.mapping.name == "ours" else f", read as '{self.mapping.name}'"
         if self.mapping.name != "ours":
-            head += "\n" + textwrap.fill(_columns(self.mapping, self.ignored), 120, subsequent_indent="       ")
-        lines = [head, *textwrap.wrap(_poses(self.segments), 120, subsequent_indent="       ")]
+            head += "\n" + textwrap.fill(columns_line(self.mapping, self.ignored), 120, subsequent_indent="       ")
+        lines = [head, *textwrap.wrap(poses_line(self.segments), 120, subsequent_indent="       ")]
         if not self.findings:
             return "\n".join([*lines, "no faults"])
         for finding in self.findings:
@@ -188,29 +189,6 @@ class Diagnosis(Shown):
 
 
 PERIOD = "state under [time] its column, or how many seconds a row takes: period = 0.01"
-MOST_POSES = 12  # in one line
-MOST_IGNORED = 20
-
-
-def _columns(mapping: Mapping, ignored: Sequence[str]) -> str:
-    """Which column was taken for which channel, and which for none."""
-    time = _source(mapping.time) if mapping.time.column else f"a row every {mapping.time.period:g} s"
-    parts = [f"t = {time}"] + [f"{name} = {_source(source)}" for name, source in mapping.channels.items()]
-    more = ", …" if len(ignored) > MOST_IGNORED else ""
-    rest = f"; ignored: {', '.join(ignored[:MOST_IGNORED])}{more}" if ignored else ""
-    return f"columns: {'; '.join(parts)}{rest}"
-
-
-def _source(source: Source) -> str:
-    done = "integrated" if source.integrate else "differentiated" if source.differentiate else ""
-    notes = ", ".join(note for note in (source.unit, done) if note)
-    return f"{'-' if source.sign < 0 else ''}{source.column}" + (f" ({notes})" if notes else "")
-
-
-def _poses(several: Sequence[Segment]) -> str:
-    """The poses in a line."""
-    more = f"; and {len(several) - MOST_POSES} more" if len(several) > MOST_POSES else ""
-    return "poses: " + "; ".join(map(str, several[:MOST_POSES])) + more if several else ""
 
 
 def doctor(
@@ -266,6 +244,7 @@ def proposed(table: RawTable) -> tuple[Mapping, list[Finding]]:
         if mapping is None or not mapping.time.column or columns.lacking(mapping):
             mapping = columns.with_gyro(named, table)
             text = f"no column is recognised as {lacking}: what rests on them is not judged"
+            text += "" if "encoders" not in lacking else ", and “balancing” says only that it is near upright"
             missing = warning("columns/missing", named.time.column, text, "--write-mapping MINE.toml, and edit it")
             return mapping, [missing, *_unnamed(mapping, by_name)]
     mapping = columns.with_tilt(mapping, table)
@@ -284,7 +263,10 @@ def _unnamed(mapping: Mapping, by_name: set[tuple[str, Source]]) -> list[Finding
 def _record(table: RawTable, mapping: Mapping) -> Record:
     t, channels, units = channels_of(mapping, table)
     measured = {name: values for name, values in channels.items() if not name.startswith("truth/")}
-    record = Record(t, measured, units | {name: unit for name, unit in table.units.items() if name in measured})
+    record = Record(
+        t, measured, units | {name: unit for name, unit in table.units.items() if name in measured},
+        read={name: source.unit for name, source in mapping.channels.items()},
+    )  # fmt: skip
     if len(t) < FEWEST:
         raise InvalidLog(
             f"the log has {len(t)} row{'' if len(t) == 1 else 's'}", expected=f"at least {FEWEST} to judge a motion"

@@ -6,10 +6,10 @@ import math
 
 import numpy as np
 
-from upright.doctor.finding import COMPASS, GYRO, PITCH, Finding, Fix, Record, error, note
+from upright.doctor.finding import COMPASS, PITCH, Finding, Fix, Record, error, note
 from upright.doctor.fixes import COARSE, levels
-from upright.doctor.physics import Resampled, lagged, motion, smooth, widths
-from upright.doctor.units import DEGREE, divide
+from upright.doctor.physics import Resampled, motion, smooth, widths
+from upright.doctor.units import DEGREE, divide, pitch_slope
 from upright.logs.outliers import grain_of
 
 
@@ -31,14 +31,11 @@ _FACTORS = {
 
 def _pitch(record: Record, m: Resampled) -> list[Finding]:
     """The rate of the pitch estimate relative to the gyro, which should be 1."""
-    if PITCH not in record or m.gyro is None or m.gyro_name != GYRO or not np.isfinite(record[PITCH]).all():
-        return []
-    if 1 < (count := levels(record[PITCH])) <= COARSE:
+    slope, r2 = pitch_slope(record, m)
+    if slope and 1 < (count := levels(record[PITCH])) <= COARSE:
         step = grain_of(record[PITCH])
         return [note("channel/coarse", PITCH, f"it has {count} values in steps of {step:.3g}: too coarse to compare")]
-    even, width = np.interp(m.t, record.t, record[PITCH]), widths(m.period)[-1]
-    fit = lagged(m, width, smooth(even, m.period, width, 1), [smooth(m.gyro, m.period, width)], [], reach=(-0.06, 0.06))
-    return _slope(PITCH, fit.values[0] if fit.values else 0.0, fit.r2, "gyro")
+    return _slope(PITCH, slope, r2, "gyro")
 
 
 def _heading(record: Record, m: Resampled) -> list[Finding]:

@@ -65,13 +65,15 @@ class Record:
     """A log before validation: time [s] may repeat or run backwards, channels may hold anything.
 
     It never contains `truth/…`: the doctor reads only what a real robot measures. `segments` are the poses, where they
-    are known: the equations of motion hold only on the wheels.
+    are known: the equations of motion hold only on the wheels. `read` are the units in which the columns of the
+    channels were taken to be.
     """
 
     t: Array
     channels: Mapping[str, Array]
     units: Mapping[str, str] = field(default_factory=dict[str, str])
     segments: tuple[Segment, ...] = ()
+    read: Mapping[str, str] = field(default_factory=dict[str, str])
 
     def __contains__(self, name: str) -> bool:
         return name in self.channels

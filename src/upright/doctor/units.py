@@ -25,6 +25,7 @@ from upright.doctor.finding import (
     FORWARD,
     GYRO,
     LEFT,
+    PITCH,
     RIGHT,
     UP,
     Array,
@@ -37,6 +38,7 @@ from upright.doctor.motion import TRUSTED
 from upright.doctor.physics import Resampled, lagged, motion, smooth, widths
 from upright.doctor.poses import LARGEST_OFFSET
 from upright.logs.outliers import grain_of
+from upright.logs.units import UNITS
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.robots import Robot
 
@@ -47,11 +49,13 @@ DEGREE = math.pi / 180
 
 @dataclass(frozen=True)
 class _Suspect:
-    """What may be wrong, in words (`why`), and by which factors the gyro and the encoders are then too large."""
+    """What may be wrong, in words (`why`), and by which factors the gyro and the encoders are then too large: `about`
+    so much, where that depends on the robot."""
 
     why: str
     gyro: float = 1.0
     encoder: float = 1.0
+    about: bool = False
 
 
 _SUSPECTS = (
@@ -63,11 +67,23 @@ _SUSPECTS = (
     _Suspect("degrees instead of radians", encoder=1 / DEGREE),
     _Suspect("tenths of a radian instead of radians", encoder=10.0),
     _Suspect("turns instead of radians", encoder=1 / math.tau),
+    _Suspect("metres of travel instead of radians", encoder=0.04, about=True),
     _Suspect("converted from degrees twice", encoder=DEGREE),
     _Suspect("degrees instead of radians in gyro and encoders", gyro=1 / DEGREE, encoder=1 / DEGREE),
     _Suspect("gyro and encoders converted from degrees twice", gyro=DEGREE, encoder=DEGREE),
 )
-"""One mistake of a program each: who prints degrees prints them everywhere."""
+"""One mistake of a program each: who prints degrees prints them everywhere. Usual wheels have a radius of 0.04 m."""
+
+_OF_RPM = tuple(
+    _Suspect(f"{unit} under a name that says rpm", encoder=UNITS["rpm"][0] / factor)
+    for unit, factor in (("rad/s", 1.0), ("deg/s", DEGREE), ("turns per second", math.tau), ("m/s", 25.0))
+)
+"""Instead of those of an angle, for wheels whose speed was read in rpm."""
+
+ALIKE = math.log(20)
+"""Of two mistakes of which neither is likelier by odds of twenty to one, the log does not tell which."""
+
+STATE = "state the true unit and scale in a mapping: --write-mapping MINE.toml"
 
 _COUNTS = 500.0
 """Of 1 rad/s, fewer than any chip of 16 bits has: 940 where its range is ±2000 degrees per second."""
@@ -116,18 +132,24 @@ def _scaled(record: Record, robot: Robot | None, m: Resampled, values: tuple[flo
     usual = expected(robot)
     estimated, units = _estimated(record, m, values), command_units(record)
     by_gravity = _gyro_by_gravity(record, m)
-    plain = _penalty(estimated, usual, by_gravity, units, _Suspect("none"))
-    graded = sorted((FAULT + _penalty(estimated, usual, by_gravity, units, s), i) for i, s in enumerate(_SUSPECTS))
+    by_pitch = _gyro_by_pitch(record, m)
+
+    def penalty(s: _Suspect) -> float:
+        return _penalty(estimated, usual, by_gravity, by_pitch, units, s)
+
+    plain = penalty(_Suspect("none"))
+    graded = sorted([(FAULT + penalty(s), i, s) for i, s in enumerate(_suspects(record))])
     if graded[0][0] >= plain:
         return []
-    suspect, odds = _SUSPECTS[graded[0][1]], plain - graded[0][0]
+    suspect, odds = graded[0][2], plain - graded[0][0]
+    alike = [s for p, _, s in graded if p < graded[0][0] + ALIKE]
     q = estimated["q"] * suspect.gyro / suspect.encoder
     possible = q > 1 and _fine(estimated, suspect)
     if counted(record[GYRO]) and (suspect.gyro >= _COUNTS or not possible):
         return _raw_counts(record, estimated["q"], usual["q"])
     counts = suspect.encoder != 1 and counted(record[LEFT]) and counted(record[RIGHT])
     repair = ", or where these are counts: state in a mapping how many are a turn" if counts else ""
-    wrong = _wrong(suspect, estimated, odds, by_gravity, repair)
+    wrong = _wrong(suspect, estimated, odds, by_gravity, repair) if len(alike) == 1 else _unclear(alike, estimated)
     if not counts or (possible and _usual(record, estimated, usual, suspect)):
         return wrong
     unknown = _of_no_unit(record, m.good, m.gyro) if suspect.gyro == 1 else []
@@ -135,6 +157,12 @@ def _scaled(record: Record, robot: Robot | None, m: Resampled, values: tuple[flo
         return unknown
     gyro = [f for f in wrong if f.channel == GYRO]
     return gyro + _encoder_counts(estimated["q"] * suspect.gyro, usual["q"])
+
+
+def _suspects(record: Record) -> Sequence[_Suspect]:
+    """What may be wrong with the units of a log, as they were read."""
+    rpm = record.read.get(LEFT) == "rpm"
+    return (*(s for s in _SUSPECTS if s.encoder == 1), *_OF_RPM) if rpm else _SUSPECTS
 
 
 def _usual(
@@ -202,12 +230,27 @@ def _gyro_by_gravity(record: Record, m: Resampled) -> float:
     return 1 / fit.values[0] if fit.r2 > 0.7 and fit.values and fit.values[0] else 0.0
 
 
+def _gyro_by_pitch(record: Record, m: Resampled) -> float:
+    """The factor by which the gyro is too large according to the estimate of the pitch; 0 where there is none."""
+    slope, r2 = pitch_slope(record, m)
+    return 1 / slope if r2 > 0.7 and slope > 0 else 0.0
+
+
+def pitch_slope(record: Record, m: Resampled) -> tuple[float, float]:
+    """The rate of the pitch estimate over the gyro, which should be 1, and R² of that; zeros where it is unknown."""
+    if PITCH not in record or m.gyro is None or m.gyro_name != GYRO or not np.isfinite(record[PITCH]).all():
+        return 0.0, 0.0
+    even, width = np.interp(m.t, record.t, record[PITCH]), widths(m.period)[-1]
+    fit = lagged(m, width, smooth(even, m.period, width, 1), [smooth(m.gyro, m.period, width)], [], reach=(-0.06, 0.06))
+    return (fit.values[0], fit.r2) if fit.values else (0.0, 0.0)
+
+
 def _penalty(
-    estimated: dict[str, float], usual: dict[str, tuple[float, float]], gravity: float, units: Sequence[CommandUnit],
-    s: _Suspect,
+    estimated: dict[str, float], usual: dict[str, tuple[float, float]], gravity: float, pitch: float,
+    units: Sequence[CommandUnit], s: _Suspect,
 ) -> float:  # fmt: skip
     """Negative log prior density of the robot that results from correcting the suspect's scale, its commands in the
-    likeliest of their `units`."""
+    likeliest of their `units`; an estimate of the `pitch` that contradicts it may have a fault of its own."""
     gyro, wheel = s.gyro, s.encoder
     divide = {"q": wheel / gyro, "p": wheel / gyro, "pitch": gyro, "wheel_rate": wheel}
     total = 0.0
@@ -224,12 +267,26 @@ def _penalty(
     total += 0.0 if _fine(estimated, s) else 8.0
     if gravity:
         total += (math.log(abs(gravity) / gyro) / 0.3) ** 2 / 2
+    if pitch:
+        total += min((math.log(pitch / gyro) / 0.3) ** 2 / 2, FAULT)
     return total
 
 
 def _fine(estimated: dict[str, float], s: _Suspect) -> bool:
     """Whether the sensors resolve enough: no robot balances on twenty counts per turn, nor on steps of 30 °/s."""
     return estimated["grain"] / s.encoder < 0.3 and estimated["gyro_grain"] / s.gyro < 0.5  # [rad] and [rad/s]
+
+
+def _unclear(several: Sequence[_Suspect], estimated: dict[str, float]) -> list[Finding]:
+    """That a unit is wrong, where several mistakes explain the log about as well."""
+    of = {True: "gyro", False: "encoders"}
+    whys = [s.why if s.gyro != 1 and s.encoder != 1 else f"{s.why} ({of[s.gyro != 1]})" for s in several]
+    evidence = (
+        f"a unit is wrong: as logged, the pendulum equation has q = {estimated['q']:.3g} and "
+        f"p = {estimated['p']:.3g} 1/s² (robots: 1.2 to 15, 10 to 500); it may be {', '.join(whys[:-1])} or {whys[-1]}"
+    )
+    channels = [GYRO] * any(s.gyro != 1 for s in several) + [LEFT] * any(s.encoder != 1 for s in several)
+    return [error("units/scale", channel, evidence, STATE) for channel in channels]
 
 
 def _wrong(s: _Suspect, estimated: dict[str, float], odds: float, gravity: float, or_else: str = "") -> list[Finding]:
@@ -245,6 +302,8 @@ def _wrong(s: _Suspect, estimated: dict[str, float], odds: float, gravity: float
         evidence += f"{estimated['wheel_rate']:.2g} rad/s; log odds {odds:.0f}"
     if gravity and s.gyro != 1:
         evidence += f"; by the accelerometer the gyro is {abs(gravity):.3g} times too large"
+    if s.about:
+        return [error("units/scale", LEFT, evidence, "state in a mapping: unit rad, scale 1 over the wheel's radius")]
     groups = (((GYRO,), s.gyro), ((LEFT, RIGHT), s.encoder))
     divided = [divide(channels, evidence, factor) for channels, factor in groups if factor != 1]
     return [replace(f, repair=f.repair + or_else) if f.channel != GYRO else f for f in divided]
@@ -310,10 +369,18 @@ def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
         evidence += f"; back-EMF {emf:.3g} V s/rad as logged, {emf / unit.factor:.3g} V s/rad repaired"
     also = tuple(n for n in ("command/left", "command/right") if n in record and n not in names)
     channels = (*names, *also)
+    alike = [u for u in units if u is not unit and penalty(u) < penalty(unit) + ALIKE and largest < full]
     if best != "millivolts" and battery:
         fixes = (Fix("scale", channels, (100 / full,)),) if full != 100 else ()
-        repair = f"multiply by the battery over {full:g}"
+        repair = f"multiply by the battery over {full:g}" + _or_else(full, alike, battery)
         return [error("units/command", names[0], evidence, repair, *fixes, Fix("percent", (*channels, BATTERY)))]
     assumed = "" if best == "millivolts" else f", assuming a battery of {USUAL_BATTERY:g} V"
-    repair = f"divide by {unit.factor:.4g}{assumed}"
+    repair = f"divide by {unit.factor:.4g}{assumed}" + _or_else(full, alike, battery or USUAL_BATTERY)
     return [error("units/command", names[0], evidence, repair, Fix("scale", channels, (1 / unit.factor,)))]
+
+
+def _or_else(full: float, alike: Sequence[CommandUnit], battery: float) -> str:
+    """What else full duty may be, where the log does not tell."""
+    others = [unit.factor * battery for unit in alike if unit.name not in ("volts", "millivolts")]
+    more = " or more" if len(others) > 1 else ""
+    return f"; but first make sure that full duty is {full:g}, not {min(others):g}{more}" if others else ""

@@ -27,6 +27,8 @@ _SPEED = r"speed|spd|vel\w*|omega|rpm"
 _RATE = rf"(?:{_SPEED}|w)"
 _DRIVEN = r"pwm|duty(?: cycle)?|volt\w*|cmd|command|control(?: signal)?|output|torque|power|mando|tensi[oó]n"
 _COMMAND = rf"\b(?:(?:mot\w* )?(?:{_DRIVEN}|u|tau))"
+_LAW = r"(?:pid|lqr|control(?:ler)?|balance|motor)"
+_COMMANDS = f"{BOTH}command/"
 _NEITHER = (
     r"\b(?:current|curr|amps?|corriente|temp\w*|target|set ?points?|desired|goal|ref\w*|err\w*)\b"
     rf"|\b{_RATE} (?:cmd|command)\b|\b(?:cmd|command) {_RATE}\b"
@@ -69,7 +71,8 @@ _WORDS: Sequence[tuple[str, str]] = (
     (r"^(?:d ?t|delta ?t(?:ime)?|loop ?time|time ?(?:step|diff))\b", f"{RATE}{TIME}"),
     (rf"^(?:{_TIME}|seconds|secs?|millis|micros|[mun]s)\b|\b(?:time ?stamp|stamp)$", TIME),
     (r"^(?:enc\w*|cnt|counts?|tacho\w*|wheel|motor)(?: (?:angle|pos\w*|rad|deg|mean))*$", f"{BOTH}sensor/encoder_"),
-    (rf"^{_COMMAND}(?: (?:v|m ?v|volts?|percent|m|n?nm|mnm|mean))*$", f"{BOTH}command/"),
+    (rf"^(?:{_LAW} )?{_COMMAND}(?: (?:v|m ?v|volts?|percent|m|n?nm|mnm|mean|out(?:put)?|value|signal))*$", _COMMANDS),
+    (rf"^{_LAW} out$", _COMMANDS),
 )
 """Names of our channels in other programs, the more specific first; one encoder or command stands for both sides."""
 
