@@ -412,6 +412,25 @@ def test_links_of_the_worksheet_set_the_page_up_too(page, site):
 
 
 @marked
+def test_margins_say_what_another_dead_time_takes_of_them(page):
+    """The controller stays as it was designed: 40 ms in place of 2 are more than any sensor's loop bears (8.5 ms)."""
+    page.evaluate("upright.store.change({ robot: 'nxtway-gs', controller: 'lqg' })")
+    page.wait_for_function("document.querySelector('.verdict.good')")
+    page.evaluate("upright.store.change({ delay: 0.006 })")
+    verdict = page.locator(".numbers .verdict")
+    page.wait_for_function("document.querySelector('.numbers .verdict.open')")
+    assert "at the kit's own dead time" in verdict.inner_text()
+    assert "The slider adds 4\u00a0ms" in verdict.inner_text()
+    page.evaluate("upright.store.change({ delay: 0.04 })")
+    page.wait_for_function("document.querySelector('.numbers .verdict.bad')")
+    assert verdict.locator("b").inner_text().startswith("The slider adds 38\u00a0ms of dead time, more than")
+    page.evaluate("upright.store.change({ delay: -1 })")
+    page.wait_for_function("document.querySelector('.numbers .verdict.good')")
+    page.evaluate("upright.store.change({ controller: 'gains' })")
+    assert "computes one for gains by hand" in page.locator(".column.full.note, .note.column.full").inner_text()
+
+
+@marked
 def test_a_payload_is_put_on_and_taken_off(page):
     page.click("#tab-Robot")
     weight = page.evaluate("upright.store.changed.look.weight")

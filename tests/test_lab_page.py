@@ -1295,6 +1295,62 @@ def test_a_hand_in_of_the_page_is_graded(page, tmp_path):
     assert (graded.student, graded.task, graded.verdict) == ("Ana", "push", "ok"), graded.why
 
 
+def test_a_calibration_of_a_loaded_run_says_what_to_do_first(page):
+    """What "refused" means stands there, and what the log does not separate is folded."""
+    page.evaluate("upright.store.change({ payload: 0.2 })")
+    tab(page, "Identify")
+    page.click("[data-key=calibrate]")
+    until(page, "upright.store.jobs.has('calibrate')")
+    page.evaluate("""upright.store.hear({
+        kind: 'JobResult', job: 'calibrate', title: 'a', ok: false, header: ['parameter', 'what the log tells'],
+        rows: [['track', 'refused']],
+        text: 'A remark.\\nThe readings hardly change with track up and roll fraction up together: …',
+    })""")
+    result = page.locator(".result")
+    assert (
+        result.locator(".verdict b")
+        .inner_text()
+        .startswith("This run carried 200\u00a0g that the robot's file does not")
+    )
+    assert "contradicts the robot's file" in result.inner_text()
+    assert result.locator("ul.remarks").first.locator("li").count() == 1
+    assert result.locator("details summary").inner_text() == "What this log does not separate (1)"
+    assert not result.locator("details li").is_visible()
+    page.click("[data-key=stop-calibrate]")
+    until(page, "!upright.store.jobs.has('calibrate')")
+
+
+def test_a_certificate_that_waits_for_a_job_says_so(page):
+    page.evaluate("upright.store.hear({ kind: 'Progress', job: 'calibrate', fraction: 0.3, runs: 0 })")
+    page.evaluate("upright.store.hear({ kind: 'Light', light: 'none', reasons: [] })")
+    tab(page, "Controller")
+    assert page.inner_text(".lit b") == "waits for the job in Identify"
+    page.evaluate("upright.store.hear({ kind: 'Progress', job: 'calibrate', fraction: 1, runs: 0 })")
+    page.evaluate("upright.store.hear({ kind: 'Light', light: 'none', reasons: [] })")
+    assert page.inner_text(".lit b") == "computing …"
+
+
+def test_a_prepared_run_begins_when_its_controller_is_designed(page):
+    """Until then another one drives: a sway that it left would fell the new one, and a push would judge the old."""
+    page.evaluate("upright.page.bring('Tour')")
+    for _ in range(8):
+        page.click("[data-key=tour-next]")
+    page.evaluate("""() => {
+        window.stood = [];
+        const send = upright.store.send;
+        upright.store.send = (message) => {
+            if (message.kind === 'StandUp') stood.push(upright.store.changed.busy);
+            send(message);
+        };
+    }""")
+    page.click("[data-key=tour-set]")
+    until(page, "upright.store.changed.busy")
+    assert "another controller drives" in page.inner_text(".fell")
+    until(page, "stood.length === 2")
+    assert page.evaluate("stood[1]") is False
+    assert page.inner_text(".fell") == "The new controller drives now: push the robot."
+
+
 def test_no_margin_is_judged_before_every_place_is_known(page):
     """What is said last is what `linear_margins` finds; before it, nothing is called enough or the weakest place."""
     from upright.certify.verdict import linear_margins

@@ -8,6 +8,8 @@ BUTTONS = {"calibrate": "Calibrate", "doctor": "Doctor", "keep compare": "Compar
 """The button of each job that works on a log."""
 
 _RULES: tuple[tuple[str, str], ...] = (
+    (r"there is no run to hand in.*",
+     "Nothing to hand in yet: press Stand up, push the robot, then Hand in within a minute."),
     (r"the log's commands are in (.+?); expected (.+?), as those of '(.+?)'; likely another robot; try: .*",
      "this log is of a robot whose commands are in {0}; {2} takes {1}. "
      "Choose the log's robot in the tab Robot, then press {job} again."),

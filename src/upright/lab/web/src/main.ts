@@ -397,7 +397,9 @@ class Page {
         this.lamp();
         this.champion();
         this.identify.changed();
+        const ready = this.busy && !message.busy;
         if (message.busy !== this.busy) this.rest();
+        if (ready && this.tour.designed()) this.tell(said(() => t("designed")));
         break;
       }
       case "Analysed": case "Light": this.lamp(); this.update(); break;

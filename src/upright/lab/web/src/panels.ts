@@ -32,6 +32,7 @@ abstract class Panel {
 }
 
 export class ControllerPanel extends Panel {
+  private nowhere = h("p", { className: "note column full" }); // in a page that has no certificate
   private weights = h("div", { className: "sliders" });
   private numbers = h("div", { className: "numbers" });
   private gain = h("div", {});
@@ -58,7 +59,7 @@ export class ControllerPanel extends Panel {
       h("div", { className: "column" }, choice, this.weights),
       h("div", { className: "column full" }, this.gain),
       h("div", { className: exported ? "column full" : "column" }, this.numbers),
-      exported ? h("p", { className: "note column full" }, t("noCertificateHere")) : h("div", { className: "column" }, this.light, certify, this.working),
+      exported ? this.nowhere : h("div", { className: "column" }, this.light, certify, this.working),
       this.certified,
     );
     this.update();
@@ -98,6 +99,7 @@ export class ControllerPanel extends Panel {
     replace(this.gain, ...this.gains());
     replace(this.numbers, ...this.analysis());
     replace(this.light, ...certificate());
+    this.nowhere.textContent = t(["gains", "off"].includes(store.setup.controller) ? "noCertificateByHand" : "noCertificateHere");
     if (this.reported === store.certified) return;
     this.reported = store.certified;
     replace(this.certified, ...(this.reported ? [h("p", {}, t("certified")), ...reported(this.reported)] : []));
@@ -197,7 +199,7 @@ export function certificate(): (Node | null)[] {
   const light = lamplight();
   const waits = light === "none" && !lit?.reasons.length;
   const { trying } = store;
-  const tried = waits && trying ? t("tried", { n: Math.round(trying.fraction * trying.runs), all: trying.runs }) : t(light);
+  const tried = waits && trying ? t("tried", { n: Math.round(trying.fraction * trying.runs), all: trying.runs }) : waits && store.jobs.size ? t("queued") : t(light);
   const words = off ? t("noneRed") : light === "none" && !waits ? t("noCertificate") : tried;
   const lamp = h("span", { className: `lamp ${light}`, "aria-hidden": "true" });
   return [
@@ -303,7 +305,8 @@ export class KitPanel extends Panel {
       ["dead_zone", slider(t("deadZone"), { low: 0, high: unit === "V" ? 2 : 0.1, show: (v) => `${digits(v, 2)} ${unit}`, key: "dead_zone" }, (v) => later({ dead_zone: v }))],
     ];
     const own = button(t("ownKit"), () => store.change({ noise: 1, delay: -1, voltage: -1, dead_zone: -1 }), { className: "quiet", "data-key": "own-kit" });
-    replace(this.root, h("div", { className: "column" }, choice, own), h("div", { className: "column wide" }, h("div", { className: "sliders" }, ...this.sliders.map(([, s]) => s.root))));
+    const anew = h("p", { className: "note" }, t("redesigned"));
+    replace(this.root, h("div", { className: "column" }, choice, own), h("div", { className: "column wide" }, h("div", { className: "sliders" }, ...this.sliders.map(([, s]) => s.root)), anew));
     this.update();
   }
 
@@ -356,6 +359,7 @@ export class IdentifyPanel extends Panel {
   private comparison = h("p", { className: "comparison", role: "status" });
   private robot = ""; // of the comparison, and of what failed
   private failed = h("p", { className: "failed", role: "alert" });
+  private load = 0; // [kg] that the run carried whose calibration was begun
 
   constructor() {
     super();
@@ -369,6 +373,7 @@ export class IdentifyPanel extends Panel {
     const source = select(t("source"), choices, this.source, (v) => (this.source = v), "source");
     const start = (job: Job) => {
       replace(this.failed);
+      this.load = this.source ? 0 : store.setup.payload;
       store.send({ kind: "Start", job, file: this.source });
     };
     const row = h(
@@ -435,7 +440,8 @@ export class IdentifyPanel extends Panel {
   found(): void {
     const f = store.found;
     if (!f) return;
-    replace(this.result, ...reported(f));
+    const laden = f.job === "calibrate" && this.load > 0;
+    replace(this.result, laden && h("p", { className: "verdict bad" }, h("b", {}, t("calibratedLaden", { mass: digits(this.load * 1000, 3) }))), ...reported(f));
   }
 }
 

@@ -106,7 +106,8 @@ export class See {
     const found = store.analysed;
     if (store.setup.controller === "off") return [h("p", { className: "note" }, t("noLoop"))];
     if (!found) return [h("p", { className: "note" }, t("designing"))];
-    const words = h("p", { className: "note" }, sentence(translate(found.words)));
+    const unstable = !found.stable && found.poles.length > 0;
+    const words = h("p", { className: unstable ? "verdict bad" : "note" }, h(unstable ? "b" : "span", {}, sentence(translate(found.words))));
     const colour = laneColour("twin");
     const drawings: Node[] = found.stable ? leastMargins(found) : [words];
     if (found.L.length === 3) drawings.push(...frequency(found.L, colour));

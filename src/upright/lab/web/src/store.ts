@@ -162,6 +162,7 @@ export class Store {
   equations: Equations | null = null;
   lit: Light | null = null;
   trying: Progress | null = null; // for the light
+  jobs = new Set<string>(); // that have begun or wait, but for those of the controller itself
   ceiling: number | null = null; // [rad] up to which the pitch is shown
   board: Board | null = null;
   found: JobResult | null = null;
@@ -318,6 +319,7 @@ export class Store {
         break;
       case "Progress":
         if (message.job === "light" && message.runs && !this.waiting) this.trying = message;
+        if (message.job !== "light" && message.job !== "design") message.fraction < 1 ? this.jobs.add(message.job) : this.jobs.delete(message.job);
         break;
       case "Acted": this.acted(message.t); break;
       case "Board": this.board = message; break;

@@ -59,6 +59,7 @@ export class Tour {
   root = h("div", { className: "panel-body tour" });
   private at = 0;
   private before: Setup | null = null; // the tour
+  private awaits = false; // whether the run that was prepared begins once its controller is designed
 
   constructor(private tools: Tools) {}
 
@@ -124,6 +125,14 @@ export class Tour {
     this.build();
   }
 
+  /** The controller that was being designed drives now: what was prepared begins. */
+  designed(): boolean {
+    const begins = this.awaits && store.setup.controller === "robust";
+    this.awaits = false;
+    if (begins) store.send({ kind: "StandUp", pitch: 0 });
+    return begins;
+  }
+
   private set(): void {
     const { setup, lean, speed, strike, ceiling } = STEPS[this.at].scene;
     if (!this.before) {
@@ -137,6 +146,7 @@ export class Tour {
       store.ceiling = ceiling ?? null;
       store.send({ kind: "StandUp", pitch: lean });
     });
+    this.awaits = setup.controller === "robust";
     if (strike) window.setTimeout(() => store.send({ kind: "Strike", what: strike, size: strike === "front" ? 0.1 : -0.12 }), 1000);
   }
 }

@@ -12,11 +12,33 @@ export function leastMargins(a: Analysed): Node[] {
   const lit = store.lit;
   const known = Boolean(lit?.delay_at);
   const thin = tight(known && lit ? lit : a); // no smallest margin is larger than one
-  if (!known || !lit) return [h("p", { className: `verdict ${thin ? "bad" : "open"}` }, thin && h("b", {}, `${t("thinMotors")} `), thin ? "" : t(exported ? "placesPython" : lit?.reasons.length ? "placesCertificate" : "placesPending"))];
+  if (!known || !lit) {
+    const lost = moved() > (a.delay ?? Infinity);
+    const places = thin || lost ? "" : t(exported ? "placesPython" : lit?.reasons.length ? "placesCertificate" : "placesPending");
+    return [h("p", { className: `verdict ${thin || lost ? "bad" : "open"}` }, lost ? h("b", {}, moreDelay()) : thin && h("b", {}, `${t("thinMotors")} `), places, lost ? "" : ` ${moreDelay()}`.trimEnd())];
+  }
   const red = lit.light === "red" || lit.light === "amber" ? lit.light : null;
-  const own = store.setup.payload > 0 ? t("butPayload") : ""; // the margins are those of the robot alone
+  const own = (store.setup.payload > 0 ? t("butPayload") : "") + (moved() ? t("butDelay") : ""); // the margins are those of the robot alone
   const words = thin ? t("thin") : t(red === "red" ? "enoughRed" : red ? "enoughAmber" : "enough").replace(/\.$/, `${own}.`);
-  return [h("p", { className: `verdict ${thin ? "bad" : red ? "open" : "good"}` }, h("b", {}, words), ` ${delayed(lit)} ${scaled(lit)}`)];
+  const lost = moved() > (lit.delay ?? Infinity);
+  return [h("p", { className: `verdict ${thin || lost ? "bad" : red || moved() ? "open" : "good"}` }, h("b", {}, lost ? moreDelay() : words), ` ${delayed(lit)} ${scaled(lit)} ${lost ? "" : moreDelay()}`.trimEnd())];
+}
+
+/** By how much the dead time [s] was changed since the margins were computed: only in a page without Python, whose
+ *  controllers stay as they were designed. */
+function moved(): number {
+  const own = exported?.facts.robots[store.setup.robot]?.delay_own;
+  const by = own === undefined || store.setup.delay < 0 ? 0 : store.setup.delay - own;
+  return Math.abs(by) < 5e-4 ? 0 : by;
+}
+
+/** What the changed dead time is of these margins; "" where it is as it was. */
+function moreDelay(): string {
+  const by = moved();
+  if (!by) return "";
+  const bears = store.lit?.delay ?? store.analysed?.delay ?? null;
+  const values = { by: digits(Math.abs(1000 * by), 2), own: digits(1000 * (store.setup.delay - by), 2), bears: digits(1000 * (bears ?? 0), 2) };
+  return t(bears !== null && by > bears ? "delayLost" : by > 0 ? "delayMore" : "delayLess", values);
 }
 
 function tight({ delay, gain_low, gain_high }: Pick<Light, "delay" | "gain_low" | "gain_high">): boolean {
