@@ -13,15 +13,15 @@ export function leastMargins(a: Analysed): Node[] {
   const known = Boolean(lit?.delay_at);
   const thin = tight(known && lit ? lit : a); // no smallest margin is larger than one
   if (!known || !lit) {
-    const lost = moved() > (a.delay ?? Infinity);
+    const lost = unborne(a);
     const places = thin || lost ? "" : t(exported ? "placesPython" : lit?.reasons.length ? "placesCertificate" : "placesPending");
-    return [h("p", { className: `verdict ${thin || lost ? "bad" : "open"}` }, lost ? h("b", {}, moreDelay()) : thin && h("b", {}, `${t("thinMotors")} `), places, lost ? "" : ` ${moreDelay()}`.trimEnd())];
+    return [h("p", { className: `verdict ${thin || lost ? "bad" : "open"}` }, lost ? h("b", {}, moreDelay(a)) : thin && h("b", {}, `${t("thinMotors")} `), places, lost ? "" : ` ${moreDelay(a)}`.trimEnd())];
   }
   const red = lit.light === "red" || lit.light === "amber" ? lit.light : null;
   const own = (store.setup.payload > 0 ? t("butPayload") : "") + (moved() ? t("butDelay") : ""); // the margins are those of the robot alone
   const words = thin ? t("thin") : t(red === "red" ? "enoughRed" : red ? "enoughAmber" : "enough").replace(/\.$/, `${own}.`);
-  const lost = moved() > (lit.delay ?? Infinity);
-  return [h("p", { className: `verdict ${thin || lost ? "bad" : red || moved() ? "open" : "good"}` }, h("b", {}, lost ? moreDelay() : words), ` ${delayed(lit)} ${scaled(lit)} ${lost ? "" : moreDelay()}`.trimEnd())];
+  const lost = unborne(a);
+  return [h("p", { className: `verdict ${thin || lost ? "bad" : red || moved() ? "open" : "good"}` }, h("b", {}, lost ? moreDelay(a) : words), ` ${delayed(lit)} ${scaled(lit)} ${lost ? "" : moreDelay(a)}`.trimEnd())];
 }
 
 /** By how much the dead time [s] was changed since the margins were computed: only in a page without Python, whose
@@ -32,13 +32,17 @@ function moved(): number {
   return Math.abs(by) < 5e-4 ? 0 : by;
 }
 
+/** Whether the dead time grew by more than the loop bears: it is one of both motors. */
+function unborne({ delay }: Analysed): boolean {
+  return moved() > (delay ?? Infinity);
+}
+
 /** What the changed dead time is of these margins; "" where it is as it was. */
-function moreDelay(): string {
+function moreDelay(a: Analysed): string {
   const by = moved();
   if (!by) return "";
-  const bears = store.lit?.delay ?? store.analysed?.delay ?? null;
-  const values = { by: digits(Math.abs(1000 * by), 2), own: digits(1000 * (store.setup.delay - by), 2), bears: digits(1000 * (bears ?? 0), 2) };
-  return t(bears !== null && by > bears ? "delayLost" : by > 0 ? "delayMore" : "delayLess", values);
+  const values = { by: digits(Math.abs(1000 * by), 2), own: digits(1000 * (store.setup.delay - by), 2), bears: digits(1000 * (a.delay ?? 0), 2) };
+  return t(unborne(a) ? "delayLost" : by < 0 ? "delayLess" : a.delay === null ? "delayMore" : "delayUsed", values);
 }
 
 function tight({ delay, gain_low, gain_high }: Pick<Light, "delay" | "gain_low" | "gain_high">): boolean {
