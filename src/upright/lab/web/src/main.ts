@@ -573,6 +573,7 @@ class Page {
     this.build();
     this.says(this.state);
     sayAgain(this.app);
+    this.describe();
     this.app.querySelector<HTMLElement>("[data-key=language]")?.focus();
   }
 
