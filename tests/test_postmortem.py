@@ -44,14 +44,16 @@ from upright.diagnose.causes import (
 from upright.diagnose.evidence import gather
 from upright.diagnose.fall import lost_lately, stuck_sensor
 from upright.diagnose.fault_fits import FaultFit, fits
-from upright.diagnose.forces import sliding
+from upright.diagnose.forces import loaded, sliding
 from upright.diagnose.innovations import driven, follow
+from upright.diagnose.joint import jointly
 from upright.diagnose.pairs import together
 from upright.diagnose.propagation import fly, slide
 from upright.diagnose.remedy import Window, remedied, searched
 from upright.diagnose.series import Series
 from upright.diagnose.signatures import bank
 from upright.diagnose.slip import _slip_acceleration
+from upright.diagnose.usual import window_of
 from upright.errors import InvalidLog, InvalidRobot
 from upright.experiment import Drive, Impulse, Push, run
 from upright.experiment.examples import example
@@ -268,6 +270,35 @@ def test_a_battery_that_fades_is_fitted_by_what_is_left_and_how_fast() -> None:
     assert freed is not None
     assert np.mean(window.of(freed).whitened ** 2) < 2.0
     assert found.rise == pytest.approx(0.5, abs=0.1)  # twice the last step
+
+
+def test_readings_that_come_late_jump_back_where_they_begin_to() -> None:
+    # planted: readings three periods late, from the first row after `ONSET` on. Freed of the truth the log leaves noise
+    # (the bound of the sound robot above); commands that are as late leave what the angles jump back by
+    twipr, kit = Robot.preset("twipr"), Kit.preset("twipr")
+    log = logged("delay grown", "sensors", 3.0, robot="twipr")
+    run = follow(log, twipr, kit)
+    planted = FaultFit(fault="delay", way="readings", onset=ONSET + log.period / 2, size=3.0)
+    window = Window(ONSET + 0.5, 1.5, 1.0)
+    late, commands = (remedied(run, one) for one in (planted, dataclasses.replace(planted, way="")))
+    assert late is not None
+    assert commands is not None
+    assert len(window.of(late).whitened) == len(window.of(run).whitened)  # it is the same part of the log
+    assert np.mean(window.of(late).whitened ** 2) < 1.5
+    assert np.mean(window.of(commands).whitened ** 2) > 3.0
+
+
+def test_the_numbers_of_a_battery_are_reached_together_along_their_valley() -> None:
+    # the battery of the test above, from a start whose onset, size and time of fading make up for each other
+    run = follow(logged("weak battery", "pwm", 0.2, wanted=Drive(speed=0.3, start=ONSET - 0.1)), NXT, KIT)
+    window = Window(ONSET + 0.54, 2.0, 1.0)
+    known = window.bank(run)
+    start = FaultFit(fault="weak", way="pwm", onset=ONSET + 0.15, size=0.4, rise=0.2)
+    (found,), fit = jointly(run, [start], dataclasses.replace(start, run=remedied(run, start)), window, known)
+    assert fit.nis < 2.0
+    assert found.onset == pytest.approx(ONSET, abs=0.05)  # five periods
+    # of what is left, a twentieth; it falls before the battery has faded, so that only the slope shows well
+    assert (1 - found.size) / found.rise == pytest.approx(0.8 / 0.5, rel=0.1)
 
 
 def test_a_charge_for_every_row_is_what_the_electronics_make_of_each() -> None:
@@ -556,6 +587,23 @@ def test_two_causes_are_found_where_the_first_one_alone_takes_up_a_part_of_the_s
     found = post_mortem(Log(log.t, {n: log[n] for n in names}), NXT, KIT)
     assert set(found.verdict.split(" and ")) == {"weak battery", "ramp"}, str(found)
     assert found.onset == pytest.approx(ONSET, abs=0.2)  # the slope grows within 0.2 s
+
+
+@pytest.mark.slow
+def test_a_load_that_goes_is_found_beside_the_push_that_hides_it() -> None:
+    # planted: six tenths of the body come off, 0.3 s before a push of 0.9 m/s
+    body = open_bench.BrokenBody(Twin(NXT), KIT, bench.Fault("load changed", "dropped", ONSET, 0.6, -1.0), 1)
+    push = Push(force=0.9 * MASS / 0.15, start=ONSET + 0.3, duration=0.15)
+    log = run(body, designed(), [Impulse(impulse=0.05, start=0.7, duration=0.02), push], seconds=7.0, seed=2)
+    assert log.origin["outcome"]["fell"]
+    names = [n for n in log.channels if n.startswith(("sensor/", "command/"))]
+    followed, evidence = gather(Log(log.t, {n: log[n] for n in names}), NXT, KIT, None, lambda _: None)
+    assert evidence is not None
+    window = window_of(followed, evidence.fell_at)
+    bank_ = window.bank(followed, pushes_only=False)
+    found = loaded(followed, evidence.pushes_only, window, bank_)
+    assert found.score > evidence.pushes_only.score + 15  # nats, from which a fault counts (`chances.SURE`)
+    assert found.onset == pytest.approx(ONSET, abs=0.1)
 
 
 @pytest.mark.slow

@@ -29,10 +29,11 @@ from upright.diagnose.fall import (
     stuck_sensor,
 )
 from upright.diagnose.fault_fits import FaultFit, PushEstimate, fits, with_commands
-from upright.diagnose.forces import forced, pair_refined
+from upright.diagnose.forces import forced
 from upright.diagnose.innovations import FilterRun, follow
+from upright.diagnose.joint import pairs_settled, settled
 from upright.diagnose.law import CommandMatch, matched, references
-from upright.diagnose.pairs import Pair, paired
+from upright.diagnose.pairs import Pair, contributing, paired
 from upright.diagnose.pushed import LEAVES, with_sudden_pushes
 from upright.diagnose.remedy import Window, dropped, remedied, searched, sharpened
 from upright.diagnose.signatures import Bank
@@ -191,6 +192,7 @@ def gather(
         if several[0].nis > LEAVES * calm_of(run, window):
             several += with_sudden_pushes(run, window, bank)
             several.sort(key=lambda fit: -fit.score)
+        several = settled(run, several, window, bank)
     frozen = frozen_rows(run)
     if not foreign and frozen[(log.t > fell_at - REPEATING) & (log.t <= fell_at)].sum() >= 2:
         stale = stale_rows(log) & (log.t >= log.t[np.flatnonzero(frozen)[0]] - 0.1)
@@ -241,7 +243,8 @@ def _evidence(
     calm = calm_of(run, window)
     more = met[0].nis > EXPLAINED * calm or (met[0].fault != "none" and met[0].pushes)  # that a fault leaves
     open_ = not stuck and window.usual <= FOREIGN and bool(more)
-    pairs = [pair_refined(run, pair, window, bank) for pair in paired(run, met, window, bank)] if open_ else []
+    pairs = pairs_settled(run, paired(run, met, window, bank), window, bank) if open_ else []
+    pairs = contributing(run, pairs, window, bank)
     if window.usual > FOREIGN:
         notes = (*notes, foreign(window.usual, robot))
     elif robot.noise:

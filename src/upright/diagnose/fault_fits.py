@@ -43,10 +43,10 @@ class PushEstimate:
 class FaultFit:
     """A fault (or "none") that explains the innovations by `score`, the log likelihood ratio [nats] less the penalty.
 
-    `size` is in the fault's own unit from `onset` [s] on, which a battery reaches after the `rise` [s]; `pushes` stand
-    beside it. `explained` is the fraction of the squares that it explains, `nis` the mean square that it leaves, `rest`
-    the innovations themselves that it leaves. `values` is what it took from them, `run` the log's run without it, where
-    there is one.
+    `size` is in the fault's own unit from `onset` [s] on, which a battery reaches after the `rise` [s]; `more` are a
+    load's height over that of the body and the torque of its weight [N m]. `pushes` stand beside it. `explained` is the
+    fraction of the squares that it explains, `nis` the mean square that it leaves, `rest` the innovations themselves
+    that it leaves. `values` is what it took from them, `run` the log's run without it, where there is one.
     """
 
     fault: str
@@ -54,6 +54,7 @@ class FaultFit:
     onset: float = math.nan
     size: float = 0.0
     rise: float = 0.0
+    more: tuple[float, ...] = ()
     score: float = -math.inf
     pushes: tuple[PushEstimate, ...] = ()
     explained: float = math.nan

@@ -10,17 +10,25 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Protocol
 
 import numpy as np
 
 from upright.arrays import Array
 from upright.compiled.generated import constants
 from upright.diagnose.changes import with_mass
-from upright.diagnose.fault_fits import PUSH_NUMBERS, VISIBLE_SLIP, FaultFit, PushEstimate, score_of, with_pushes
+from upright.diagnose.fault_fits import (
+    PUSH_NUMBERS,
+    VISIBLE_SLIP,
+    FaultFit,
+    PushEstimate,
+    numbers_of,
+    score_of,
+    with_pushes,
+)
 from upright.diagnose.innovations import FilterRun
-from upright.diagnose.pairs import Pair
 from upright.diagnose.remedy import Window
-from upright.diagnose.signatures import YOUNGEST, Bank, beside, unknown_parameters
+from upright.diagnose.signatures import YOUNGEST, Bank, beside, pushing, unknown_parameters
 from upright.physics.dynamics import motor_damping, motor_gain
 from upright.physics.integrate import PREDICTED, substeps
 from upright.physics.linear import linearise
@@ -42,7 +50,8 @@ BEHIND = 100.0  # nats behind the likeliest, up to which a hypothesis is searche
 MOST = 6  # hypotheses that are searched
 LEAVES = 1.2  # of the usual NIS, up to which the likeliest leaves nothing for a slip to explain
 LITTLE = 0.5  # of the squares, that the floor by itself leaves where there may be a slip
-STARTS = 3  # times from which the floor is slippery, from which a search starts
+STARTS = 3  # times from which the floor is slippery, or loads, from which a search starts
+LOADS = ((-0.7, 0.8), (-0.4, 0.8), (0.5, 1.5), (1.5, 1.5))  # mass and height over those of the body
 AGAIN = 2  # most times that pushes are looked for beside a slip
 LOST = 1e6  # standard deviations that stand for an innovation of a robot that fell over
 
@@ -119,7 +128,7 @@ class Observer:
 
 
 @dataclass(frozen=True, eq=False)
-class _Search:
+class ForceSearch:
     """The numbers of a fault (`FORCED`; of a floor `since` a time [s]), and of the pushes beside it by start, stop [s],
     impulse [N s] and height [m]; without them `left` (readings,) are the innovations."""
 
@@ -139,10 +148,28 @@ class _Search:
         fit = self.fit
         pushes = [x for push in fit.pushes for x in (push.start, push.stop, push.impulse, push.height)]
         own = {
-            0: [], 1: [fit.size], 2: [fit.onset, fit.size], 4: [fit.onset, fit.size, 1.0, 0.0],
+            0: [], 1: [fit.size], 2: [fit.onset, fit.size],
+            4: [fit.onset, fit.size, *(fit.more or (1.0, 0.0))],
         }  # fmt: skip
         own[3] = [fit.onset, float(fit.way.split()[1]), fit.size] if self.own == 3 else []
         return np.array([*own[self.own], *pushes])
+
+    def placed(self, x: Array) -> FaultFit:
+        """The fit with these numbers."""
+        fit, own = self.fit, x[: self.own].tolist()
+        pushes = tuple(
+            PushEstimate(start, stop, impulse, height, 0.0)
+            for start, stop, impulse, height in x[self.own :].reshape(-1, 4).tolist()
+        )
+        fit = replace(fit, pushes=pushes)
+        if self.own == 1:
+            return replace(fit, size=own[0])
+        if self.own == 3:
+            return replace(fit, onset=own[0], way=f"within {own[1]:.2g} s", size=own[2])
+        if not own:
+            return fit
+        way = fit.way if self.own == 2 else "added" if own[1] > 0 else "dropped"
+        return replace(fit, onset=own[0], way=way, size=own[1], more=tuple(own[2:]))
 
     def steps(self, count: int) -> Array:
         """A small change of each number."""
@@ -193,21 +220,37 @@ class _Search:
     def least(self) -> Array:
         """The numbers of least squares near the first."""
         x = self.inside(self.first())
-        change = self.steps(len(x))
-        for _ in range(ROUNDS if len(x) else 0):
-            y = self.rest(x, *(x + row for row in np.diag(change)))
-            J = (y[:, 1:] - y[:, :1]) / change
-            curvature, slope, squares = J.T @ J, J.T @ y[:, 0], float(y[:, 0] @ y[:, 0])
-            size = np.diag(np.maximum(np.diag(curvature), 1e-9 * np.diag(curvature).max() + 1e-30))
-            tried = [self.inside(x - np.linalg.solve(curvature + d * size, slope)) for d in DAMPINGS]
-            left = (self.rest(*tried) ** 2).sum(axis=0)
-            i = int(np.argmin(left))
-            if not left[i] < squares:
-                break
-            x = tried[i]
-            if left[i] > (1 - ENOUGH) * squares:
-                break
-        return x
+        return least_squares(self, x, self.steps(len(x))) if len(x) else x
+
+
+class Residuals(Protocol):
+    """What some numbers leave (readings, lanes), and the nearest numbers that a robot meets."""
+
+    def rest(self, *several: Array) -> Array: ...
+
+    def inside(self, x: Array) -> Array: ...
+
+
+def least_squares(
+    of: Residuals, x: Array, change: Array, dampings: Sequence[float] = DAMPINGS, strides: Sequence[float] = (1.0,)
+) -> Array:
+    """The numbers of least squares near x, by steps of Gauss and Newton whose slopes are those of a small `change` of
+    each, the best of several `dampings` and `strides`."""
+    for _ in range(ROUNDS):
+        y = of.rest(x, *(x + row for row in np.diag(change)))
+        J = (y[:, 1:] - y[:, :1]) / change
+        curvature, slope, squares = J.T @ J, J.T @ y[:, 0], float(y[:, 0] @ y[:, 0])
+        size = np.diag(np.maximum(np.diag(curvature), 1e-9 * np.diag(curvature).max() + 1e-30))
+        steps = [np.linalg.solve(curvature + d * size, slope) for d in dampings]
+        tried = [of.inside(x - stride * step) for step in steps for stride in strides]
+        left = (of.rest(*tried) ** 2).sum(axis=0)
+        i = int(np.argmin(left))
+        if not left[i] < squares:
+            break
+        x = tried[i]
+        if left[i] > (1 - ENOUGH) * squares:
+            break
+    return x
 
 
 def forced(run: FilterRun, fits: Sequence[FaultFit], window: Window, bank: Bank) -> list[FaultFit]:
@@ -223,7 +266,33 @@ def forced(run: FilterRun, fits: Sequence[FaultFit], window: Window, bank: Bank)
     slip = next((fit for fit in several if fit.fault == "slip"), None)
     if slip is not None and max(several, key=lambda fit: fit.score).nis > LEAVES * bank.scale:
         several.append(slipped(run, slip, window, bank))
+    none = next(fit for fit in several if fit.fault == "none")
+    if none.pushes and none.score > top - BEHIND and "moment" in bank.free:
+        several.append(loaded(run, none, window, bank))
     return sorted(several, key=lambda fit: -fit.score)
+
+
+def loaded(run: FilterRun, fit: FaultFit, window: Window, bank: Bank) -> FaultFit:
+    """A mass that comes or goes beside the pushes of a fit: alone, they take up a part of what it does."""
+    part, com = window.of(run), run.robot.com_height
+    basis = unknown_parameters(part)
+    start = replace(fit, fault="payload", way="added", spent=fit.spent + numbers_of("payload"), score=-math.inf)
+    search = ForceSearch(Observer(part), start, beside(basis, part.whitened), basis)
+    pushes = replace(search, fit=fit).first()
+    beside_it = beside(basis, pushing(part, [(p.start, p.stop, h) for p in fit.pushes for h in (0.0, com)]))
+    tried: list[tuple[float, Array]] = []
+    for i in range(0, len(bank.steps), 2):
+        lanes = [np.array([bank.steps[i], mass, height, 0.0, *pushes]) for mass, height in LOADS]
+        known = np.column_stack([bank.free["moment"][:, i], beside_it])
+        y = search.rest(*lanes)
+        change = -np.linalg.lstsq(known, y, rcond=1e-6)[0]
+        squares = ((y + known @ change) ** 2).sum(axis=0)
+        for k, x in enumerate(lanes):
+            x[3] = change[0, k]
+            tried.append((float(squares[k]), x))
+    tried.sort(key=lambda one: one[0])
+    best = [refined(run, search.placed(x), window, bank) for _, x in tried[:STARTS]]
+    return max(best, key=lambda one: one.score, default=start)
 
 
 def slipped(run: FilterRun, fit: FaultFit, window: Window, bank: Bank) -> FaultFit:
@@ -231,7 +300,7 @@ def slipped(run: FilterRun, fit: FaultFit, window: Window, bank: Bank) -> FaultF
     part = window.of(run)
     basis = unknown_parameters(part)
     left = beside(basis, part.whitened)
-    search = _Search(Observer(part, slip=True), replace(fit, pushes=()), left, basis)
+    search = ForceSearch(Observer(part, slip=True), replace(fit, pushes=()), left, basis)
     times = np.arange(part.t[0], part.t[-1] - YOUNGEST, SINCE)
     if not len(times):
         return fit
@@ -248,7 +317,7 @@ def slipped(run: FilterRun, fit: FaultFit, window: Window, bank: Bank) -> FaultF
     return best if best.score > fit.score else fit
 
 
-def _with_pushes(search: _Search, grip: float, bank: Bank) -> FaultFit:
+def _with_pushes(search: ForceSearch, grip: float, bank: Bank) -> FaultFit:
     """The slip on a floor near one that was tried, and the pushes beside it, looked for again where it moved."""
     best = replace(search.fit, size=grip, score=-math.inf)
     for _ in range(AGAIN):
@@ -272,19 +341,12 @@ def refined(run: FilterRun, fit: FaultFit, window: Window, bank: Bank) -> FaultF
         if len(fit.values) != len(left):
             return fit
         left = left + fit.values
-    search = _Search(Observer(part), fit, left, basis)
+    search = ForceSearch(Observer(part), fit, left, basis)
     best = _lessened(_best_fit(search, bank), search, bank)
     return best if best.score > fit.score else fit
 
 
-def pair_refined(run: FilterRun, pair: Pair, window: Window, bank: Bank) -> Pair:
-    """The pair with its forces by the equations of motion, where the log was freed of the rest."""
-    known = pair.second.run is not None and pair.second.fault != "slip"
-    moves = pair.second.pushes or pair.second.fault in FORCED
-    return replace(pair, second=refined(run, pair.second, window, bank)) if known and moves else pair
-
-
-def _lessened(fit: FaultFit, search: _Search, bank: Bank) -> FaultFit:
+def _lessened(fit: FaultFit, search: ForceSearch, bank: Bank) -> FaultFit:
     """The fit without pushes that add less than their price."""
     while fit.pushes:
         weakest = min(fit.pushes, key=lambda push: push.score)
@@ -296,7 +358,7 @@ def _lessened(fit: FaultFit, search: _Search, bank: Bank) -> FaultFit:
     return fit
 
 
-def _best_fit(search: _Search, bank: Bank) -> FaultFit:
+def _best_fit(search: ForceSearch, bank: Bank) -> FaultFit:
     """The fit of the least squares of a search; a push's score is what the others miss without it."""
     fit, own, x = search.fit, search.own, search.least()
     pushes = x[own:].reshape(-1, 4).tolist()
@@ -311,13 +373,5 @@ def _best_fit(search: _Search, bank: Bank) -> FaultFit:
     )
     nis = float(rest @ rest) / len(rest)
     explained = 1 - nis / max(float(bank.y @ bank.y) / len(bank.y), 1e-12)
-    fit = replace(fit, score=score, pushes=estimates, explained=explained, nis=nis, rest=rest)
-    if not own:
-        return fit
-    values = search.rest(x[:own])[:, 0] - search.left
-    if own == 1:
-        return replace(fit, size=float(x[0]), values=values)
-    if own == 3:
-        return replace(fit, onset=float(x[0]), way=f"within {x[1]:.2g} s", size=float(x[2]), values=values)
-    way = fit.way if own == 2 else "added" if x[1] > 0 else "dropped"
-    return replace(fit, onset=float(x[0]), way=way, size=float(x[1]), values=values)
+    fit = replace(search.placed(x), score=score, pushes=estimates, explained=explained, nis=nis, rest=rest)
+    return replace(fit, values=search.rest(x[:own])[:, 0] - search.left) if own else fit

@@ -50,13 +50,15 @@ _SPREAD_STEP = 0.01  # of its spread, by which a parameter is moved for a finite
 @dataclass(frozen=True, eq=False, kw_only=True)
 class FilterRun(FilteredLog):
     """The filter of a `robot` in its `kit` along a log, whose controller `asked` for commands (samples, 2), as the
-    `problem` that gave it."""
+    `problem` that gave it. The log has each event at the time of its `clock` [s], which differs from its own where
+    readings came late."""
 
     robot: Robot
     kit: Kit
     log: Log
     asked: Array
     problem: Problem
+    clock: Array
 
     def driven(self, charge: float | Array = 1.0, *, pwm: bool = True) -> Array:
         """What the kit's driver makes of the commands (samples, 2) with the fraction `charge` of the battery."""
@@ -78,12 +80,16 @@ class FilterRun(FilteredLog):
         return self.innovation[self.readings] / np.sqrt(self.variance[self.readings])
 
     def between(self, start: float, end: float) -> FilterRun:
-        """The events from `start` to `end` [s]."""
-        return self.only((self.t >= start) & (self.t <= end))
+        """The events that the log has from `start` to `end` [s]."""
+        return self.only((self.clock >= start) & (self.clock <= end))
+
+    def reaches(self, end: float) -> bool:
+        """Whether the filter has not lost the robot before `end` [s]."""
+        return float(self.clock[-1]) >= end
 
     def only(self, keep: NDArray[np.bool_] | slice) -> FilterRun:
         """Some of the events."""
-        names = ("t", "row", "sample", "innovation", "variance", "gains", "before", "after", "command")
+        names = ("t", "row", "sample", "innovation", "variance", "gains", "before", "after", "command", "clock")
         return replace(self, **{name: getattr(self, name)[keep] for name in names})
 
     def corrected(self, i: int, error: Array) -> Array | float:
@@ -95,13 +101,14 @@ class FilterRun(FilteredLog):
         error += self.gains[i][:, None] * innovation
         return innovation / math.sqrt(self.variance[i])
 
-    def sent(self, commands: Array) -> FilterRun:
-        """The run of the same log with these commands (samples, 2) at the motors."""
+    def sent(self, commands: Array, delayed: tuple[float, float, float] = (math.inf, 0.0, 0.0)) -> FilterRun:
+        """The run of the same log with these commands (samples, 2) at the motors; from a time on [s], all of them, and
+        all readings, are `delayed` by more time [s] than the kit has it."""
         more = len(self.problem.recordings[0].commands) - len(commands)
         if more:
             commands = np.vstack([commands, np.repeat(commands[-1:], more, axis=0)])
         problem = commanded_by(self.problem, commands)
-        return _run(problem, self.robot, self.kit, self.log, self.asked)
+        return _run(problem, self.robot, self.kit, self.log, self.asked, delayed)
 
     @cached_property
     def tangent(self) -> Tangent:
@@ -139,9 +146,26 @@ def follow(log: Log, robot: Robot, kit: Kit, sent: Array | None = None) -> Filte
     return _run(known(long, robot, kit, _dead_time(names[0], kit)), robot, kit, log, asked)
 
 
-def _run(problem: Problem, robot: Robot, kit: Kit, log: Log, asked: Array) -> FilterRun:
-    result = filtered(problem, disturbance=PROCESS_NOISE, friction=DRY_FRICTION_NOISE)
-    run = FilterRun(**vars(result), robot=robot, kit=kit, log=log, asked=asked, problem=problem)
+def _run(
+    problem: Problem, robot: Robot, kit: Kit, log: Log, asked: Array,
+    delayed: tuple[float, float, float] = (math.inf, 0.0, 0.0),
+) -> FilterRun:  # fmt: skip
+    recording, (since, commands, readings) = problem.recordings[0], delayed
+    if not commands and not readings:
+        result = vars(filtered(problem, disturbance=PROCESS_NOISE, friction=DRY_FRICTION_NOISE))
+        run = FilterRun(**result, robot=robot, kit=kit, log=log, asked=asked, problem=problem, clock=result["t"])
+        return run.only(run.sample < len(log)) if len(log) < FEWEST else run
+    shift = np.where(recording.when >= since - 1e-9, np.where(recording.kind < 0, commands, -readings), 0.0)
+    moved = replace(problem, recordings=(replace(recording, when=recording.when + shift),))
+    result = vars(filtered(moved, disturbance=PROCESS_NOISE, friction=DRY_FRICTION_NOISE))
+    events = moved.order(moved.recordings[0], np.zeros(len(moved.parameters)))[: len(result["t"])]
+    rows = recording.when[recording.kind < 0]
+    result["sample"] = np.searchsorted(rows, recording.when[events] - 1e-9)
+    # a command stands in the log with the readings of its time
+    clock = result["t"] + np.where(
+        recording.kind[events] < 0, readings * (recording.when[events] >= since), -shift[events]
+    )
+    run = FilterRun(**result, robot=robot, kit=kit, log=log, asked=asked, problem=problem, clock=clock)
     return run.only(run.sample < len(log)) if len(log) < FEWEST else run
 
 

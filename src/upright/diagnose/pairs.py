@@ -114,8 +114,15 @@ def paired(run: FilterRun, fits: Sequence[FaultFit], window: Window, bank: Bank)
         behind = BEHIND if top is not None and top.second.nis < LEAVES * calm else FAR_BEHIND
         if top is None or start.promise > top.score - behind:
             pairs += _searched(run, start, window, bank)
-    pairs.sort(key=lambda pair: -pair.score)
-    judged = (replace(pair, alone=_alone(run, pair, window, bank)) for pair in pairs)
+    return sorted(pairs, key=lambda pair: -pair.score)
+
+
+def contributing(run: FilterRun, pairs: Sequence[Pair], window: Window, bank: Bank) -> list[Pair]:
+    """The likeliest pair of which neither fault, as the pair has it, explains as much alone; none where there is
+    none."""
+    judged = (
+        replace(pair, alone=_alone(run, pair, window, bank)) for pair in sorted(pairs, key=lambda pair: -pair.score)
+    )
     first = next((pair for pair in judged if pair.score > pair.alone + CONTRIBUTES), None)
     return [first] if first else []
 
@@ -269,7 +276,7 @@ def together(run: FilterRun, first: FaultFit, second: FaultFit, window: Window, 
         return _beside_signature(run, several, other, window, bank)[0]
     if several:
         freed = remedied(run, *several)
-        if freed is not None and freed.t[-1] > window.end - SHORT:
+        if freed is not None and freed.reaches(window.end - SHORT):
             here, last = window.bank(freed), several[1]
             again = with_pushes(here, against=bank, beside=here.y)
             again = replace(again, fault=last.fault, way=last.way, onset=last.onset, size=last.size, rise=last.rise)
@@ -292,7 +299,7 @@ def _beside_signature(
     """A fault that the log is freed of, and the signature of the `other` that explains most of the rest, with those
     near it (readings, signatures)."""
     freed, lost = remedied(run, *several), Pair(first=several[0], second=other)
-    if freed is None or freed.t[-1] < window.end - SHORT:
+    if freed is None or not freed.reaches(window.end - SHORT):
         return lost, np.zeros((0, 0))
     here = window.bank(freed, beside_it=other.fault)
     some = sorted(range(len(here.faults)), key=lambda i: least_squares(here.y, here.faults[i])[1])[:TRIED]

@@ -29,6 +29,8 @@ from upright.diagnose.remedy import (
 from upright.diagnose.signatures import YOUNGEST, Bank, beside
 
 SCALES = (-1.0, -0.4, 0.25, 0.5, 0.7)  # fractions of a reading that are too much, which are tried first
+FINE_STEP, ROUND = 2, 4  # periods between the onsets of late readings, and how many stand for those about one
+JUMPS = 3  # onsets of late readings that are examined
 BESIDE = 2  # pushes that explain most beside a fault
 STARTS = 2  # sizes from which the steps begin
 ROUNDS = 2  # of steps of one length
@@ -40,13 +42,42 @@ def with_sudden_pushes(run: FilterRun, window: Window, against: Bank) -> list[Fa
     leaves least beside the two pushes that then explain most."""
     recent = lately(run, window)
     faults = (*BATTERY_OR_DELAY, *((FaultFit(fault="scale", way=way), SCALES) for way in scaled_sensors(run)))
+    best = [_least(recent, window, against, fault, sizes) for fault, sizes in faults]
+    best += [
+        fit
+        for one in best
+        if one is not None and one.fault == "delay"
+        for fit in _delayed_readings(recent, window, against, one)
+    ]
     several: list[FaultFit] = []
-    for fault, sizes in faults:
-        best = _least(recent, window, against, fault, sizes)
-        if best is not None:
-            fit = exact(run, best, window, against)
-            several.append(beside_pushes(run, fit, window, against) if fit.pushes else fit)
-    return [refined(run, fit, window, against) for fit in several if len(fit.rest)]
+    for one in best:
+        fit = exact(run, one, window, against) if one is not None else None
+        if fit is not None and len(fit.rest):
+            fit = beside_pushes(run, fit, window, against) if fit.pushes else fit
+            several.append(refined(run, fit, window, against))
+    return several
+
+
+def _delayed_readings(recent: FilterRun, window: Window, bank: Bank, fit: FaultFit) -> list[FaultFit]:
+    """Readings that come late by as much as a `fit` of late commands, since the times that leave least: there they jump
+    back."""
+    onsets = np.arange(window.end - window.seconds, window.end - YOUNGEST, FINE_STEP * recent.log.period)
+
+    def squares(onset: float) -> float:
+        freed = remedied(recent, replace(fit, way="readings", onset=onset))
+        follows = freed is not None and freed.reaches(recent.t[-1] - SHORT)
+        return left(window.of(freed).whitened, bank) if freed is not None and follows else math.inf
+
+    by_onset = np.array([squares(float(t)) for t in onsets])
+    around = [by_onset[max(i - ROUND, 0) : i + ROUND + 1] for i in range(len(onsets))]
+    depth = [
+        one / np.median(near) if np.isfinite(one) else math.inf for one, near in zip(by_onset, around, strict=True)
+    ]
+    shifts = recent.log.period * np.array([-1.0, 0.0, 1.0])
+    return [
+        replace(fit, way="readings", onset=min((onsets[i] + shifts).tolist(), key=squares))
+        for i in np.argsort(depth)[:JUMPS].tolist()
+    ]
 
 
 def _least(recent: FilterRun, window: Window, bank: Bank, fault: FaultFit, sizes: Sequence[float]) -> FaultFit | None:
@@ -54,7 +85,7 @@ def _least(recent: FilterRun, window: Window, bank: Bank, fault: FaultFit, sizes
 
     def squares(tried: Sequence[FaultFit]) -> float:
         freed = remedied(recent, *tried)
-        if freed is None or freed.t[-1] < recent.t[-1] - SHORT:
+        if freed is None or not freed.reaches(recent.t[-1] - SHORT):
             return math.inf
         return left(window.of(freed).whitened, bank)
 

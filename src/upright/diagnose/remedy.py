@@ -48,7 +48,7 @@ def remedied(run: FilterRun, *fits: FaultFit) -> FilterRun | None:
     """The run of the log without these faults; None where a log cannot be freed of one of them."""
     if any(fit.fault not in READING_FAULTS + COMMAND_FAULTS for fit in fits):
         return None
-    channels, sent = dict(run.log.channels), None
+    channels, sent, delayed = dict(run.log.channels), None, _in_time(run, fits)
     for fit in fits:
         if fit.fault == "bias":
             elapsed = run.log.t - fit.onset
@@ -60,7 +60,16 @@ def remedied(run: FilterRun, *fits: FaultFit) -> FilterRun | None:
             sent = _sent(run, fit, sent)
     if any(fit.fault in READING_FAULTS for fit in fits):
         run = follow(Log(run.log.t, channels, run.log.units, run.log.origin), run.robot, run.kit)
-    return run if sent is None else run.sent(sent)
+    return run if sent is None else run.sent(sent, delayed)
+
+
+def _in_time(run: FilterRun, fits: Sequence[FaultFit]) -> tuple[float, float, float]:
+    """Since when [s] commands, or readings, are late by how much [s] of a delay: of commands, what is left of a
+    period."""
+    delay = next((fit for fit in fits if fit.fault == "delay"), FaultFit(fault="none"))
+    if delay.way == "readings":
+        return delay.onset, 0.0, delay.size * run.log.period
+    return delay.onset, (delay.size - math.floor(delay.size)) * run.log.period, 0.0
 
 
 def _rescaled(t: Array, name: str, values: Array, fit: FaultFit) -> Array:
@@ -81,7 +90,9 @@ def _sent(run: FilterRun, fit: FaultFit, before: Array | None = None) -> Array:
             (run.log.t >= fit.onset)[:, None], usual + fit.size * _by_sample(run, drag(run, fit.way)), usual
         )
     if fit.fault == "delay":
-        return np.where((run.log.t >= fit.onset)[:, None], _delayed(usual, fit.size), usual)
+        whole = 0 if fit.way == "readings" else math.floor(fit.size)
+        before = np.vstack([np.repeat(usual[:1], whole, axis=0), usual[: len(usual) - whole]])
+        return np.where((run.log.t >= fit.onset)[:, None], before, usual)
     grown = np.clip((run.log.t - fit.onset) / max(fit.rise, NO_TIME), 0.0, 1.0)
     faulty = run.driven(1 - (1 - fit.size) * grown, pwm=fit.way == "pwm")
     return np.where((grown > 0)[:, None], faulty, usual)
@@ -97,14 +108,6 @@ def _by_sample(run: FilterRun, values: Array) -> Array:
     """What is known at each event (events, 2) at each sample of the log (samples, 2)."""
     rows = run.row < 0
     return np.column_stack([np.interp(run.log.t, run.t[rows], one) for one in values[rows].T])
-
-
-def _delayed(commands: Array, periods: float) -> Array:
-    """Commands (samples, 2) so many periods later, a fraction of one as the mean of two."""
-    whole = math.floor(periods)
-    part = periods - whole
-    nearer = np.vstack([np.repeat(commands[:1], whole, axis=0), commands[: len(commands) - whole]])
-    return (1 - part) * nearer + part * np.vstack([nearer[:1], nearer[:-1]])
 
 
 @dataclass(frozen=True)
@@ -161,8 +164,8 @@ def _searched(recent: FilterRun, window: Window, fault: FaultFit, sizes: tuple[f
     """By a grid in size and onset, then by steps that are halved."""
 
     def squares(tried: FaultFit) -> float:
-        freed = recent.sent(_sent(recent, tried))
-        if freed.t[-1] < recent.t[-1] - SHORT:
+        freed = remedied(recent, tried)
+        if freed is None or not freed.reaches(recent.t[-1] - SHORT):
             return math.inf
         return float((window.of(freed).whitened ** 2).sum())
 
@@ -197,7 +200,7 @@ def moved(
 
     def squares(tried: Sequence[FaultFit]) -> float:
         freed = remedied(recent, *tried)
-        if freed is None or freed.t[-1] < recent.t[-1] - SHORT:
+        if freed is None or not freed.reaches(recent.t[-1] - SHORT):
             return math.inf
         y = window.of(freed).whitened
         if basis is not None:
@@ -262,7 +265,7 @@ def exact(run: FilterRun, fit: FaultFit, window: Window, against: Bank) -> Fault
     best = fit
     for _ in range(BIAS_ROUNDS if fit.fault in READING_FAULTS else 1):
         freed = remedied(run, fit)
-        if freed is None or freed.t[-1] < window.end - SHORT:
+        if freed is None or not freed.reaches(window.end - SHORT):
             return best
         again = with_pushes(window.bank(freed), against=against)
         now = replace(again, fault=fit.fault, way=fit.way, onset=fit.onset, size=fit.size, rise=fit.rise, run=freed)
@@ -286,11 +289,11 @@ def beside_pushes(run: FilterRun, fit: FaultFit, window: Window, against: Bank) 
     part = window.of(freed)
     basis = unknown_parameters(part)
     again = moved(run, [[one] for one in faded(fit)], window, basis, [beside(basis, pushing(part, edges))])[0]
-    again = _priced(exact(run, replace(again, score=-math.inf), window, against), against)
+    again = priced(exact(run, replace(again, score=-math.inf), window, against), against)
     return max(fit, again, key=lambda one: one.score)
 
 
-def _priced(fit: FaultFit, against: Bank) -> FaultFit:
+def priced(fit: FaultFit, against: Bank) -> FaultFit:
     """The fit with the price of a scale."""
     price = RARE * min(max(fit.nis / against.scale, 1.0), 2.0) if fit.fault == "scale" and len(fit.rest) else 0.0
     return replace(fit, score=fit.score - price)
@@ -323,7 +326,7 @@ def sharpened(run: FilterRun, fits: Sequence[FaultFit], window: Window, against:
     rest = [fit for fit in fits if not any(fit is one for one in (*exact_ones, *stiff))]
     exact_ones += [moved(run, [[fit]], window)[0] for fit in stiff]
     exactly = [exact(run, fit, window, against) for fit in exact_ones]
-    every = [_priced(fit, against) for fit in (*exactly, *rest) if len(fit.rest)]
+    every = [priced(fit, against) for fit in (*exactly, *rest) if len(fit.rest)]
     every.sort(key=lambda fit: -fit.score)
     pushed: dict[tuple[str, str], FaultFit] = {}
     for fit in every:

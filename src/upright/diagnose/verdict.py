@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from upright.diagnose.blows import HELPED, LIKELY, driven_into, pushed, pushed_already, thrown_over
 from upright.diagnose.causes import (
@@ -48,6 +49,7 @@ from upright.diagnose.chances import (
 from upright.diagnose.evidence import FOREIGN, Evidence
 from upright.diagnose.facts import FACT, TEMPER, Answer, changed_gain, lost_rows, stuck, stuck_sensor
 from upright.diagnose.fault_fits import FaultFit
+from upright.diagnose.pairs import Pair
 from upright.diagnose.sizes import possible
 from upright.diagnose.usual import SECONDS
 from upright.diagnose.words import (
@@ -90,6 +92,8 @@ NOISE = 0.1  # of the calm NIS, that counts as nothing left
 FITS_TWO = 2.7  # NIS over the calm one, that two faults may leave
 STOOD = 0.1  # [s] after the beginning of what is judged: a fault that shows earlier was there before
 HALF = 0.8  # of the lean that topples, from which a push beside a fault is a cause of its own
+
+KNOCK = 0.1  # [rad] lean that a push is worth, below which it is a knock as robots meet them
 
 JUMP = 0.22  # [m/s] sudden change of the reference speed that asks too much, or
 JUMP_OF_TOP = 0.6  # of the speed at which the motors have no torque left
@@ -183,39 +187,55 @@ def _beside(evidence: Evidence, fit: FaultFit) -> str:
 
 def _two(evidence: Evidence) -> list[Answer]:
     """Whether two faults at once explain the innovations, and neither alone; a push that goes far to topple is one."""
+    pushed = _fault_and_push(evidence)
+    answers = [answer for pair in evidence.pairs[:1] if (answer := _two_faults(evidence, pair, pushed)) is not None]
+    left = 1 - sum(one.probability for one in answers)
+    return [*answers, *(replace(answer, probability=left * answer.probability) for answer in pushed)]
+
+
+def _two_faults(evidence: Evidence, pair: Pair, pushed: Sequence[Answer]) -> Answer | None:
+    """Whether a pair explains what neither of both does alone, and what a fault and a push do not; where these are two
+    causes as well, as `pushed` has it, the likelihood alone decides."""
     best = best_of(evidence)
-    answers: list[Answer] = []
-    for pair in evidence.pairs[:1]:
-        names = [name_of(fit) for fit in (pair.first, pair.second)]
-        first = min(pair.first.onset, pair.second.onset)
-        readings = [fit for fit in (pair.first, pair.second) if fit.fault in ("bias", "scale")]
-        if any(fit.onset < evidence.fell_at - SECONDS + STOOD for fit in readings):  # the robot stood with it
-            continue
-        if names[0] == names[1] or not all(possible(fit, evidence.fell_at) for fit in (pair.first, pair.second)):
-            continue
-        chance = step(pair.score - max(best.score, pair.alone) - TWO, TWO_WIDTH)
-        leaves, one_leaves = (_beyond_noise(evidence, nis) for nis in (pair.second.nis, best.nis))
-        if one_leaves > LITTLE * evidence.calm:  # else the likelihood alone decides
-            chance *= step(TWO_LEAVE - leaves / one_leaves, EXPLAINED_WIDTH)
-        if evidence.left is not None:  # one unknown cause rather than two that are known
-            chance *= step(pair.score - evidence.left.score, TWO_WIDTH)
-        chance *= step(FITS_TWO - pair.second.nis / evidence.calm, FITS_WIDTH)
-        text = f"{of_fault(evidence, pair.first)}; with it, {of_fault(evidence, pair.second)}"
-        answers.append(Answer((1 - HELPED) * FACT * chance, " and ".join(names), first, text))
+    names = [name_of(fit) for fit in (pair.first, pair.second)]
+    readings = [fit for fit in (pair.first, pair.second) if fit.fault in ("bias", "scale")]
+    if any(fit.onset < evidence.fell_at - SECONDS + STOOD for fit in readings):  # the robot stood with it
+        return None
+    if names[0] == names[1] or not all(possible(fit, evidence.fell_at) for fit in (pair.first, pair.second)):
+        return None
+    more = TWO * (1 - max((answer.probability for answer in pushed), default=0.0))
+    chance = step(pair.score - best.score - more, TWO_WIDTH) * step(pair.score - pair.alone - TWO, TWO_WIDTH)
+    leaves, one_leaves = (_beyond_noise(evidence, nis) for nis in (pair.second.nis, best.nis))
+    if one_leaves > LITTLE * evidence.calm:  # else the likelihood alone decides
+        chance *= step(TWO_LEAVE - leaves / one_leaves, EXPLAINED_WIDTH)
+    if evidence.left is not None:  # one unknown cause rather than two that are known
+        chance *= step(pair.score - evidence.left.score, TWO_WIDTH)
+    chance *= step(FITS_TWO - pair.second.nis / evidence.calm, FITS_WIDTH)
+    text = f"{of_fault(evidence, pair.first)}; with it, {of_fault(evidence, pair.second)}"
+    first = min(pair.first.onset, pair.second.onset)
+    return Answer((1 - HELPED) * FACT * chance, " and ".join(names), first, text)
+
+
+def _fault_and_push(evidence: Evidence) -> list[Answer]:
+    """Whether a push beside the likeliest fault goes far to topple the robot."""
+    best = best_of(evidence)
     if best.fault not in NAMES or best.fault == "slip":  # a slip and a push look alike
-        return answers
+        return []
     lean, push = worth(evidence, best.pushes, unsettled(evidence, best))
     if push is None:
-        return answers
+        return []
     limit = min(TOPPLES, TOPPLES_OF_LARGEST * evidence.toppling.largest)
-    chance = step(lean / limit - HALF, LIMIT_WIDTH) * holds(evidence, best)
+    beyond = lean / limit
+    if best.fault == "weak":  # these motors bring back less
+        weak = max(limit * best.size, min(KNOCK, limit))
+        beyond = max(beyond, abs(evidence.toppling.lean(push)) / weak)
+    chance = step(beyond - HALF, LIMIT_WIDTH) * holds(evidence, best)
     chance *= step(push.score - PUSH_BESIDE, PUSH_SCORE_WIDTH)
     chance *= step(PUSH_LEAVES - (best.nis - evidence.calm) / evidence.nis, PUSH_LEAVES / 6)
     chance *= 1 - unexplained(evidence, best.nis, best.fault)
     text = f"{of_fault(evidence, best)}; and {of_push(evidence, push, blow(evidence, push, lean))}"
     name = f"{name_of(best)} and {PUSH}"
-    left = 1 - sum(one.probability for one in answers)
-    return [*answers, Answer(left * (1 - HELPED) * FACT * chance, name, min(best.onset, push.start), text)]
+    return [Answer((1 - HELPED) * FACT * chance, name, min(best.onset, push.start), text)]
 
 
 def _beyond_noise(evidence: Evidence, nis: float) -> float:
