@@ -301,6 +301,11 @@ def test_the_numbers_of_a_battery_are_reached_together_along_their_valley() -> N
     assert (1 - found.size) / found.rise == pytest.approx(0.8 / 0.5, rel=0.1)
 
 
+def test_a_log_that_is_freed_of_more_than_a_gyro_shows_is_none() -> None:
+    # a search may try an offset beyond the gyro's range: then no row has a reading, and no filter follows
+    assert remedied(follow(standing(), NXT, KIT), FaultFit(fault="bias", way="step", onset=0.0, size=1e3)) is None
+
+
 def test_a_charge_for_every_row_is_what_the_electronics_make_of_each() -> None:
     asked, charge = np.array([[9.0, -3.0], [0.4, 7.0], [5.0, 5.0]]), np.array([1.0, 0.5, 0.2])
     for pwm in (True, False):

@@ -15,6 +15,7 @@ from upright.diagnose.fault_fits import FaultFit, dearer, remaining, with_pushes
 from upright.diagnose.innovations import FilterRun, follow
 from upright.diagnose.signatures import YOUNGEST, Bank, bank, beside, finer, pushing, unknown_parameters
 from upright.diagnose.sizes import possible
+from upright.errors import InvalidLog
 from upright.signals import Log
 
 Array = NDArray[np.float64]
@@ -45,7 +46,7 @@ SHORT = 0.1  # [s] before the window's end: a filter that stops earlier has lost
 
 
 def remedied(run: FilterRun, *fits: FaultFit) -> FilterRun | None:
-    """The run of the log without these faults; None where a log cannot be freed of one of them."""
+    """The run of the log without these faults; None where a log cannot be freed of one of them, or none is left."""
     if any(fit.fault not in READING_FAULTS + COMMAND_FAULTS for fit in fits):
         return None
     channels, sent, delayed = dict(run.log.channels), None, _in_time(run, fits)
@@ -59,7 +60,10 @@ def remedied(run: FilterRun, *fits: FaultFit) -> FilterRun | None:
         else:
             sent = _sent(run, fit, sent)
     if any(fit.fault in READING_FAULTS for fit in fits):
-        run = follow(Log(run.log.t, channels, run.log.units, run.log.origin), run.robot, run.kit)
+        try:
+            run = follow(Log(run.log.t, channels, run.log.units, run.log.origin), run.robot, run.kit)
+        except InvalidLog:  # of a sensor beyond its range in all rows nothing is left
+            return None
     return run if sent is None else run.sent(sent, delayed)
 
 
