@@ -204,7 +204,7 @@ export function certificate(): (Node | null)[] {
   const lamp = h("span", { className: `lamp ${light}`, "aria-hidden": "true" });
   return [
     h("h4", {}, t("certificate")), h("p", { className: "lit" }, lamp, h("b", {}, words + changedRobot())),
-    waits ? h("p", { className: "note" }, t("lightNote")) : null,
+    waits && !store.jobs.size ? h("p", { className: "note" }, t("lightNote")) : null,
     ...(lit?.reasons ?? []).map((reason) => h("p", { className: "note" }, plainNumbers(sentence(translate(reason))) + (light === "green" && /robots fell/.test(reason) ? ` ${t("allowed")}` : ""))),
   ];
 }
@@ -293,6 +293,7 @@ export class RobotPanel extends Panel {
 
 export class KitPanel extends Panel {
   private sliders: [string, Slider][] = [];
+  private anew = h("p", { className: "note" });
 
   build(): void {
     const kits = (store.catalogue?.kits ?? []).map((name): [string, string] => [name, name === "ideal" ? t("ideal") : name]);
@@ -305,14 +306,14 @@ export class KitPanel extends Panel {
       ["dead_zone", slider(t("deadZone"), { low: 0, high: unit === "V" ? 2 : 0.1, show: (v) => `${digits(v, 2)} ${unit}`, key: "dead_zone" }, (v) => later({ dead_zone: v }))],
     ];
     const own = button(t("ownKit"), () => store.change({ noise: 1, delay: -1, voltage: -1, dead_zone: -1 }), { className: "quiet", "data-key": "own-kit" });
-    const anew = h("p", { className: "note" }, t("redesigned"));
-    replace(this.root, h("div", { className: "column" }, choice, own), h("div", { className: "column wide" }, h("div", { className: "sliders" }, ...this.sliders.map(([, s]) => s.root)), anew));
+    replace(this.root, h("div", { className: "column" }, choice, own), h("div", { className: "column wide" }, h("div", { className: "sliders" }, ...this.sliders.map(([, s]) => s.root)), this.anew));
     this.update();
   }
 
   override update(): void {
     const kit = store.changed?.kit ?? {};
     for (const [name, s] of this.sliders) s.set(name === "noise" ? store.setup.noise : kit[name]);
+    this.anew.textContent = ["gains", "off"].includes(store.setup.controller) ? "" : t("redesigned");
     const box = this.root.querySelector<HTMLSelectElement>("[data-key=kit]");
     if (box && document.activeElement !== box) box.value = store.setup.kit;
   }

@@ -14,7 +14,7 @@ export function leastMargins(a: Analysed): Node[] {
   const thin = tight(known && lit ? lit : a); // no smallest margin is larger than one
   if (!known || !lit) {
     const lost = unborne(a);
-    const places = thin || lost ? "" : t(exported ? "placesPython" : lit?.reasons.length ? "placesCertificate" : "placesPending");
+    const places = thin || lost ? "" : t(exported ? "placesPython" : lit?.reasons.length ? "placesCertificate" : store.jobs.size ? "placesQueued" : "placesPending");
     return [h("p", { className: `verdict ${thin || lost ? "bad" : "open"}` }, lost ? h("b", {}, moreDelay(a)) : thin && h("b", {}, `${t("thinMotors")} `), places, lost ? "" : ` ${moreDelay(a)}`.trimEnd())];
   }
   const red = lit.light === "red" || lit.light === "amber" ? lit.light : null;
@@ -65,9 +65,9 @@ function scaled({ gain_low, low_at, gain_high, high_at }: Light): string {
   return gain_high === null ? t("leastGainLow", down) : t("leastGain", { ...down, up: percent(gain_high - 1), high: translate(high_at) });
 }
 
-/** The heading of the margins at the motors, which are not always the smallest. */
+/** The heading of the margins at the motors, of which none may be the smallest. */
 export function atMotors(): Node {
   const { delay_at, low_at, high_at } = store.lit ?? { delay_at: "", low_at: "", high_at: "" };
-  const elsewhere = [delay_at, low_at, high_at].some((place) => place && place !== "both motors");
+  const elsewhere = [delay_at, low_at, high_at].every((place) => place && place !== "both motors");
   return h("h4", {}, t("margins"), elsewhere ? ` ${t("notWeakest")}` : "");
 }
