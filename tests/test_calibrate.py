@@ -379,6 +379,23 @@ def test_what_is_known_is_not_fitted() -> None:
         calibrate(twin_log(10.0), PRIOR, known=("body_mas",))
 
 
+def test_a_resonance_is_learnt_together_and_no_number_of_it_is_known() -> None:
+    """A real log, by its origin, of a kit whose gyro swings."""
+    log, gyro = twin_log(10.0), Kit.preset("nxt").sensors["sensor/gyro"]
+    kit = Kit.preset("nxt")
+    kit = replace(kit, sensors={**kit.sensors, "sensor/gyro": replace(gyro, resonance=11.0, damping=0.1)})
+    with pytest.raises(UnknownName, match="gyro_damping"):
+        calibrate(Log(log.t, log.channels, log.units), PRIOR, kit, known=("gyro_damping",))
+
+
+def test_a_calibration_shows_how_far_it_is() -> None:
+    """Of a log whose innovations are white: the search is not the one half of it of which nothing is shown."""
+    shares: list[float] = []
+    calibrate(twin_log(10.0), PRIOR, progress=shares.append)
+    assert shares == sorted(shares)
+    assert len([share for share in shares if 0.01 < share < 0.7]) >= 3
+
+
 def test_the_result_serialises_and_its_robot_is_a_robot(tmp_path: Path) -> None:
     found = calibration()
     data = json.loads(json.dumps(found.to_json(), allow_nan=False))

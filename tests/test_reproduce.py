@@ -22,16 +22,17 @@ import pytest
 from matplotlib.figure import Figure as Drawing
 from scipy.linalg import solve_discrete_are
 
+from upright.bodies import Electronics
 from upright.bodies.models import NonlinearBody
 from upright.comparison import compare
-from upright.control import lqr
+from upright.control import Estimated, kalman, lqr
 from upright.errors import UprightError
-from upright.experiment import Impulse, run
+from upright.experiment import Hold, Impulse, run
 from upright.paper import as_built, controllers, equations, printed, pushes, regulator, turning
 from upright.paper.claim import BEYOND, NOT_AS_PRINTED, REPRODUCED, Claim, judged
 from upright.paper.reproduce import Reproduction, reproduce
 from upright.report import Figure
-from upright.robots import Robot
+from upright.robots import Kit, Robot
 from upright.signals import STATE, Log
 
 VERDICTS = {
@@ -336,6 +337,22 @@ def planted(decay: float, yaw: float = 0.0, sign: float = 1.0) -> Log:
 def measured(**options: dict[str, float]) -> pushes.Measured:
     logs = {"twin": {"decay": 2.0}, "nonlinear": {"decay": 2.0}, "linear": {"decay": 2.0}} | options
     return pushes.measure(compare({name: planted(**given) for name, given in logs.items()}))
+
+
+def test_a_robot_that_falls_has_no_rest_and_never_settles() -> None:
+    """With guessed friction and backlash the robot of 5f is near its limit, and one run in sixteen falls."""
+    robot, kit = Robot.preset("nxtway-gs"), Kit.preset("nxt")
+    controller = Estimated(lqr(robot, 0.01), kalman(robot, kit))
+    fallen, held = (
+        run(Electronics(NonlinearBody(robot), kit), controller, Hold(pitch=pitch, until=8.0), seconds=16.0, seed=1)
+        for pitch in (0.6, 0.05)
+    )
+    assert fallen.t[-1] < 14.0
+    others = {name: [held] for name in as_built.OTHERS}
+    one = as_built.settled({as_built.AS_BUILT: [fallen, held], **others})
+    assert one.rest[as_built.AS_BUILT][0] == math.inf
+    assert 0 < one.rest[as_built.AS_BUILT][1] < 0.05
+    assert one.settling["5 %"][as_built.AS_BUILT][0] == math.inf
 
 
 def test_friction_keeps_a_robot_from_settling_as_fast_as_its_models(parts: dict[str, Claim]) -> None:

@@ -29,7 +29,7 @@ from upright.calibrate.learnt_kit import learnt_kit
 from upright.calibrate.parameters import parameters_of
 from upright.calibrate.process_noise import arrival, process
 from upright.calibrate.refined import refined
-from upright.calibrate.resonance import FIRST, SWING, resonates, swing_noise
+from upright.calibrate.resonance import FIRST, SWING, resonance_of, resonates, swing_noise
 from upright.calibrate.stated_gain import as_meant
 from upright.doctor.doctor import contradictions
 from upright.doctor.wheels import on_its_wheels
@@ -78,12 +78,13 @@ def calibrate(
     reason, straight = too_quiet(stated), drives_straight(stated)
     held = (*(INERTIAL if reason else ()), *(TURNING if straight else ()))
 
-    def searched(logs: Sequence[Log]) -> Fitted:
+    def searched(logs: Sequence[Log], start: float = 0.7, stop: float = 0.77) -> Fitted:
         problem, limits = prepared(logs, nominal, parts, known, held_out)
-        return _searched(replace(problem, held=frozenset(p.name for p in problem.parameters if p.name in held)), limits)
+        problem = replace(problem, held=frozenset(p.name for p in problem.parameters if p.name in held))
+        return _searched(problem, limits, lambda share: show(start + share * (stop - start)))
 
     show(0.01)  # these shares are of the time that logs of half a minute took
-    fit, meant = searched(several), list[str]()
+    fit, meant = searched(several, 0.01, 0.7), list[str]()
     show(0.7)
     if not reason:
         fit, several, meant = as_meant(fit, several, parts, searched)
@@ -121,6 +122,7 @@ def prepared(
     noise |= arrival(kit, logs)
     foreign = not all("body" in log.origin for log in logs)
     parameters = parameters_of(robot, delays, known, electronics_of(robot, kit, logs), foreign=foreign)
+    parameters += resonance_of(kit) if foreign else ()  # which is learnt together, and no `known` number
     if resonates(parameters):
         recordings = tuple(recording.swinging() for recording in recordings)
         noise |= {SWING: math.log(swing_noise(recordings, FIRST))}
@@ -149,9 +151,11 @@ def _delay(kit: Kit, sensor: str) -> float:
     return max((s.delay for name, s in kit.sensors.items() if SENSOR.get(name) == sensor), default=0.0)
 
 
-def _searched(problem: Problem, limits: Mapping[str, float]) -> Fitted:
+def _searched(problem: Problem, limits: Mapping[str, float], show: Progress) -> Fitted:
     """The fit of a problem from its prior; raises `DesignFailed` where the filter loses the robot."""
-    fit = refined(*annealed(problem, limits), limits)
+    start = annealed(problem, limits)
+    show(0.1)
+    fit = refined(*start, limits, show)
     if not np.isfinite(fit.normal.objective):
         raise lost()
     return fit

@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from upright.calibrate.parameters import Parameter
 from upright.calibrate.resonance import MEANING as RESONANCE
-from upright.calibrate.resonance import resonance_of
 from upright.physics.dynamics import motor_gain
 from upright.robots import Kit, Robot
 from upright.signals import Log
@@ -53,7 +52,7 @@ def electronics_of(robot: Robot, kit: Kit, logs: Sequence[Log]) -> tuple[Paramet
     zone = 0.0 if own else kit.motor.dead_zone
     if zone:
         parameters.append(Parameter(DEAD_ZONE, robot.command_unit, zone, zone / 2, "linear", 0.0, True))
-    return (*parameters, *(() if own else resonance_of(kit)))
+    return tuple(parameters)
 
 
 def driven(values: Mapping[str, Array], lanes: int) -> Array:

@@ -25,6 +25,7 @@ from upright.calibrate.resonance import FIRST, LEAST, MOST, SWING, resonates, sw
 from upright.calibrate.resonant import at_prior, resonant, with_that_of
 from upright.logs.recording import SENSOR
 from upright.physics.dynamics import motor_gain
+from upright.progress import Progress, unwatched
 
 FREEDOM = 0.015
 """[1] Most process noise that is learnt, as a fraction of the commands and of the robot's weight."""
@@ -54,26 +55,30 @@ WHITE = 0.15  # [1] autocorrelation of innovations below which the model is take
 NOISE_RANGE = 1e-6  # [1] least process noise that is learnt, over the most
 
 
-def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
+def refined(problem: Problem, z: Array, limits: Mapping[str, float], show: Progress = unwatched) -> Fitted:
     """Parameters and noise of greatest likelihood; where the innovations show that the model is not right, those whose
     free simulation follows the log best, and readings weighted by their effective sample size."""
     bounds = _bounds(problem, limits, FREEDOM)
     rough = _likeliest_noise(problem, z, bounds)
     best = _polished(rough, bounds)
+    show(0.2)  # these shares are of the time of logs whose innovations are never white
     if not _white(best) and (start := from_likeliest_delays(problem, z, limits)):
         other = _likeliest_noise(*start, bounds)
         polished = _polished(other, bounds)
         if polished.normal.objective < best.normal.objective:
             rough, best = other, polished
+    show(0.3)
     if not _white(best) and (other := _with_resonance(rough, bounds)):
         rough, best = other, _polished(other, {**bounds, **_swings(problem)})
         problem, z = with_that_of(problem, z, rough.problem, rough.z)
     if _white(best):
         return _tempered(*_between_runs(best))
+    show(0.6)
     prior = at_prior(problem, rough.z)
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         others = pool.submit(_without_first, problem, limits, prior)
         fits = [rough, *pool.map(partial(segmented, problem, limits), (prior, z, rough.z)), *others.result()]
+        show(0.85)
         best, level = _best_simulated(fits, [*pool.map(_simulated, fits)], LEVEL)
         moved = pool.map(partial(_with_gyro_delay, best.problem, best.z), GYRO_DELAY_TRIALS)
         tries = [fit for fit in moved if fit.normal.objective < best.normal.objective]

@@ -43,7 +43,8 @@ OTHERS = ("twin", *MODELS)
 @dataclass(frozen=True)
 class Settled:
     """One robot under one push. `settling` [s] by band and run; a run's value is a list, one for each seed, and
-    infinity stands for a run that does not settle. `rest` is the largest pitch [rad] of the last `AT_REST` seconds."""
+    infinity stands for a run that does not settle. `rest` is the largest pitch [rad] of the last `AT_REST` seconds,
+    infinite where the robot fell."""
 
     settling: Mapping[str, Mapping[str, Sequence[float]]]
     rest: Mapping[str, Sequence[float]]
@@ -86,8 +87,14 @@ def settled(logs: Mapping[str, Sequence[Log]]) -> Settled:
         metrics = [compare({name: log}).metrics[name] for log in several]
         settling["5 %"][name] = [_never(m.settling_5) for m in metrics]
         settling["2 %"][name] = [_never(m.settling_2) for m in metrics]
-        rest[name] = [float(np.abs(log.between(SECONDS - AT_REST, SECONDS)["truth/pitch"]).max()) for log in several]
+        rest[name] = [_rest(log) for log in several]
     return Settled(settling, rest)
+
+
+def _rest(log: Log) -> float:
+    if log.origin["outcome"]["fell"]:
+        return math.inf
+    return float(np.abs(log.between(SECONDS - AT_REST, SECONDS)["truth/pitch"]).max())
 
 
 def _never(value: float) -> float:
@@ -114,12 +121,15 @@ def chapter(trial: RegulatedRobot, kit: Kit, logs: Mapping[str, Log], progress: 
         drawn = state_figure(compare(_shown(kept, logs, name, side)), "pitch")
         figures.append(replace(drawn, title=f"Force on the {side}. {drawn.title}"))
     slower = sum(c.slower for c in cases.values())
-    swings = [1000 * x for c in cases.values() for x in c.rest[AS_BUILT]]
+    swings = [1000 * x for c in cases.values() for x in c.rest[AS_BUILT] if math.isfinite(x)]
+    tried = len(SEEDS) * len(cases)
+    sways = f"At rest its pitch keeps swinging by {_range(swings, 1)} mrad. " if swings else ""
+    falls = f"It falls in {tried - len(swings)} of {tried} runs. " if len(swings) < tried else ""
     summary = (
         f"With dry friction of {cell_text(1000 * FRICTION)} mN m and {cell_text(math.degrees(PLAY), 2)}° of backlash "
         "(guessed here, as the paper gives none), "
         f"{name} settles later than both models, or never, under {slower} of {len(cases)} pushes, as the paper's robot "
-        f"does. At rest its pitch keeps swinging by {cell_text(min(swings), 2)} to {cell_text(max(swings), 2)} mrad. "
+        f"does. {sways}{falls}"
         "The filter knows the robot from a calibration, "
         f"which finds a dry friction of {cell_text(1000 * friction.value, 2)} mN m "
         f"({cell_text(1000 * friction.low, 2)} to {cell_text(1000 * friction.high, 2)}). A push counts where each of "
@@ -144,7 +154,8 @@ def _plain(c: Settled) -> dict[str, object]:
         band: {run: [None if math.isinf(x) else x for x in values] for run, values in runs.items()}
         for band, runs in c.settling.items()
     }
-    return {"settling": finite, "rest": {run: list(values) for run, values in c.rest.items()}}
+    rest = {run: [None if math.isinf(x) else x for x in values] for run, values in c.rest.items()}
+    return {"settling": finite, "rest": rest}
 
 
 def _tables(cases: Mapping[str, Settled]) -> list[Table]:
@@ -153,13 +164,13 @@ def _tables(cases: Mapping[str, Settled]) -> list[Table]:
     for band in BANDS:
         rows: list[list[Cell]] = [[n, *(_range(c.settling[band][r], 3) for r in runs)] for n, c in cases.items()]
         tables.append(Table(["push", *(f"{r} [s]" for r in runs)], rows, f"Pitch settles to {band}"))
-    rows = [[n, *(_range([1000 * x for x in c.rest[r]], 3) for r in runs)] for n, c in cases.items()]
+    rows = [[n, *(_range([1000 * x for x in c.rest[r]], 3, "fell") for r in runs)] for n, c in cases.items()]
     caption = f"Largest pitch in the last {AT_REST:g} s"
     return [*tables, Table(["push", *(f"{r} [mrad]" for r in runs)], rows, caption)]
 
 
-def _range(values: Sequence[float], digits: int) -> str:
-    """Smallest and largest value over the seeds; "never" where a run does not settle."""
+def _range(values: Sequence[float], digits: int, endless: str = "never") -> str:
+    """Smallest and largest value over the seeds; `endless` where there is none, as of a run that does not settle."""
     low, high = min(values), max(values)
-    texts = ["never" if math.isinf(x) else cell_text(round(x, digits), digits) for x in (low, high)]
+    texts = [endless if math.isinf(x) else cell_text(round(x, digits), digits) for x in (low, high)]
     return texts[0] if texts[0] == texts[1] else f"{texts[0]} to {texts[1]}"
