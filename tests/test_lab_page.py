@@ -1131,7 +1131,7 @@ def test_a_job_says_what_it_computes_and_how_long_it_still_takes(page):
     page.evaluate(tell.format(0.1))
     page.wait_for_timeout(1200)
     page.evaluate(tell.format(0.4))
-    found = re.search(r"40 % · about (\d+) s left\s+The parameters", page.inner_text(".bar"))
+    found = re.search(r"40 % · about (\d+) s left\s+Searching for the parameters", page.inner_text(".bar"))
     assert found
     assert 2.4 <= int(found[1]) < 60
     page.evaluate(tell.format(1))

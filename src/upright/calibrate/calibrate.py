@@ -81,7 +81,7 @@ def calibrate(
     def searched(logs: Sequence[Log], start: float = 0.7, stop: float = 0.77) -> Fitted:
         problem, limits = prepared(logs, nominal, parts, known, held_out)
         problem = replace(problem, held=frozenset(p.name for p in problem.parameters if p.name in held))
-        return _searched(problem, limits, lambda share: show(start + share * (stop - start)))
+        return _searched(problem, limits, lambda fraction: show(start + fraction * (stop - start)))
 
     show(0.01)  # these shares are of the time that logs of half a minute took
     fit, meant = searched(several, 0.01, 0.7), list[str]()
