@@ -11,7 +11,7 @@ import { LEAN, STATES, SYMBOLS, UNITS, store } from "./store";
 import { named, noticed, t, translate } from "./texts";
 import { legendEntry } from "./charts";
 import { sentence } from "./see";
-import { atMotors, leastMargins } from "./verdict";
+import { atMotors, leastMargins, unstable } from "./verdict";
 
 const HERE = ["127.0.0.1", "localhost", "[::1]"]; // an address that no other computer reaches
 
@@ -32,7 +32,7 @@ abstract class Panel {
 }
 
 export class ControllerPanel extends Panel {
-  private nowhere = h("p", { className: "note column full" }); // in a page that has no certificate
+  private noCertificate = h("p", { className: "note column full" }); // in a page that has no certificate
   private weights = h("div", { className: "sliders" });
   private numbers = h("div", { className: "numbers" });
   private gain = h("div", {});
@@ -59,7 +59,7 @@ export class ControllerPanel extends Panel {
       h("div", { className: "column" }, choice, this.weights),
       h("div", { className: "column full" }, this.gain),
       h("div", { className: exported ? "column full" : "column" }, this.numbers),
-      exported ? this.nowhere : h("div", { className: "column" }, this.light, certify, this.working),
+      exported ? this.noCertificate : h("div", { className: "column" }, this.light, certify, this.working),
       this.certified,
     );
     this.update();
@@ -99,7 +99,7 @@ export class ControllerPanel extends Panel {
     replace(this.gain, ...this.gains());
     replace(this.numbers, ...this.analysis());
     replace(this.light, ...certificate());
-    this.nowhere.textContent = t(["gains", "off"].includes(store.setup.controller) ? "noCertificateByHand" : "noCertificateHere");
+    this.noCertificate.textContent = t(["gains", "off"].includes(store.setup.controller) ? "noCertificateByHand" : "noCertificateHere");
     if (this.reported === store.certified) return;
     this.reported = store.certified;
     replace(this.certified, ...(this.reported ? [h("p", {}, t("certified")), ...reported(this.reported)] : []));
@@ -169,7 +169,7 @@ export class ControllerPanel extends Panel {
       [t("delayMargin"), a.delay === null ? t("unlimited") : `${digits(a.delay * 1000, 3)} ms`],
     ];
     const words = sentence(translate(a.words));
-    if (unstable()) parts.push(h("p", { className: "verdict bad" }, h("b", {}, words)));
+    if (unstable(a)) parts.push(h("p", { className: "verdict bad" }, h("b", {}, words)));
     else if (!a.stable) parts.push(h("p", { className: "note" }, words));
     else parts.push(...leastMargins(a), atMotors(), table([], rows, "margins"));
     return parts;
@@ -182,15 +182,10 @@ export function changedRobot(): string {
   return (store.setup.payload > 0 ? t("butPayload") : "") + (store.setup.slope ? t("butSlope") : "");
 }
 
-/** Whether the loop is known to be unstable: a controller that is not linear has no poles. */
-function unstable(): boolean {
-  return store.analysed?.stable === false && store.analysed.poles.length > 0;
-}
-
 /** The light's colour: without a controller, or with an unstable loop, it waits for no certificate. */
 export function lamplight(): "green" | "amber" | "red" | "none" {
   const light = store.lit?.light ?? "none";
-  return store.setup.controller === "off" || (light === "none" && unstable()) ? "red" : light;
+  return store.setup.controller === "off" || (light === "none" && store.analysed !== null && unstable(store.analysed)) ? "red" : light;
 }
 
 export function certificate(): (Node | null)[] {

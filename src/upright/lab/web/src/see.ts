@@ -5,7 +5,7 @@ import { ink, laneColour, laneDash } from "./palette";
 import { drawing } from "./plots";
 import { STATES, SYMBOLS, store } from "./store";
 import { named, t, translate } from "./texts";
-import { leastMargins } from "./verdict";
+import { leastMargins, unstable } from "./verdict";
 
 type View = "loop" | "portrait" | "voltages" | "estimate" | "equations";
 const VIEWS: View[] = ["loop", "portrait", "voltages", "estimate", "equations"];
@@ -106,8 +106,8 @@ export class See {
     const found = store.analysed;
     if (store.setup.controller === "off") return [h("p", { className: "note" }, t("noLoop"))];
     if (!found) return [h("p", { className: "note" }, t("designing"))];
-    const unstable = !found.stable && found.poles.length > 0;
-    const words = h("p", { className: unstable ? "verdict bad" : "note" }, h(unstable ? "b" : "span", {}, sentence(translate(found.words))));
+    const bad = unstable(found);
+    const words = h("p", { className: bad ? "verdict bad" : "note" }, h(bad ? "b" : "span", {}, sentence(translate(found.words))));
     const colour = laneColour("twin");
     const drawings: Node[] = found.stable ? leastMargins(found) : [words];
     if (found.L.length === 3) drawings.push(...frequency(found.L, colour));

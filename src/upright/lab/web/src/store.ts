@@ -300,6 +300,7 @@ export class Store {
       case "Welcome":
         this.traces.from = -Infinity; // its time may begin anew
         this.asked = [];
+        this.jobs.clear(); // those of a session before
         this.role = message.role;
         this.session = message.session;
         this.files = message.files;
