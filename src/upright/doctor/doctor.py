@@ -28,7 +28,7 @@ from upright.doctor import (
     speeds,
     time,
     units,
-)  # fmt: skip
+)
 from upright.doctor.finding import (
     BALANCING,
     FEWEST,

@@ -12,6 +12,9 @@ from upright.doctor.finding import BATTERY, Array, Record
 from upright.doctor.physics import Resampled, motor
 from upright.logs.mapping import FULL_DUTIES, full_duty
 
+ALIKE = math.log(20)
+"""Of two explanations of which neither is likelier by odds of twenty to one, the log does not tell which."""
+
 FAULT = 6.0
 """Prior of a fault in natural log odds: one log in 400 has a given unit wrong."""
 
@@ -60,7 +63,7 @@ def command_units(record: Record) -> list[CommandUnit]:
 
 def as_likely(units: Sequence[CommandUnit], best: CommandUnit) -> list[CommandUnit]:
     """What the commands may be as well by their size alone, within odds of twenty to one."""
-    return [unit for unit in units if unit is not best and unit.prior < best.prior + math.log(20)]
+    return [unit for unit in units if unit is not best and unit.prior < best.prior + ALIKE]
 
 
 def largest_command(record: Record, names: tuple[str, str]) -> float:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.doctor.duty import (
+    ALIKE,
     FAULT,
     USUAL_BATTERY,
     CommandUnit,
@@ -80,9 +81,6 @@ _OF_RPM = tuple(
 )
 """Instead of those of an angle, for wheels whose speed was read in rpm."""
 
-ALIKE = math.log(20)
-"""Of two mistakes of which neither is likelier by odds of twenty to one, the log does not tell which."""
-
 STATE = "state the true unit and scale in a mapping: --write-mapping MINE.toml"
 
 _COUNTS = 500.0
@@ -149,7 +147,7 @@ def _scaled(record: Record, robot: Robot | None, m: Resampled, values: tuple[flo
         return _raw_counts(record, estimated["q"], usual["q"])
     counts = suspect.encoder != 1 and counted(record[LEFT]) and counted(record[RIGHT])
     repair = ", or where these are counts: state in a mapping how many are a turn" if counts else ""
-    wrong = _wrong(suspect, estimated, odds, by_gravity, repair) if len(alike) == 1 else _unclear(alike, estimated)
+    wrong = _wrong(suspect, estimated, odds, by_gravity, repair) if len(alike) == 1 else _ambiguous(alike, estimated)
     if not counts or (possible and _usual(record, estimated, usual, suspect)):
         return wrong
     unknown = _of_no_unit(record, m.good, m.gyro) if suspect.gyro == 1 else []
@@ -277,7 +275,7 @@ def _fine(estimated: dict[str, float], s: _Suspect) -> bool:
     return estimated["grain"] / s.encoder < 0.3 and estimated["gyro_grain"] / s.gyro < 0.5  # [rad] and [rad/s]
 
 
-def _unclear(several: Sequence[_Suspect], estimated: dict[str, float]) -> list[Finding]:
+def _ambiguous(several: Sequence[_Suspect], estimated: dict[str, float]) -> list[Finding]:
     """That a unit is wrong, where several mistakes explain the log about as well."""
     of = {True: "gyro", False: "encoders"}
     whys = [s.why if s.gyro != 1 and s.encoder != 1 else f"{s.why} ({of[s.gyro != 1]})" for s in several]
@@ -369,7 +367,8 @@ def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
         evidence += f"; back-EMF {emf:.3g} V s/rad as logged, {emf / unit.factor:.3g} V s/rad repaired"
     also = tuple(n for n in ("command/left", "command/right") if n in record and n not in names)
     channels = (*names, *also)
-    alike = [u for u in units if u is not unit and penalty(u) < penalty(unit) + ALIKE and largest < full]
+    full_unknown = best != "millivolts" and largest < full  # a duty that ends below the full one may be of a larger one
+    alike = [u for u in units if u is not unit and penalty(u) < penalty(unit) + ALIKE] if full_unknown else []
     if best != "millivolts" and battery:
         fixes = (Fix("scale", channels, (100 / full,)),) if full != 100 else ()
         repair = f"multiply by the battery over {full:g}" + _or_else(full, alike, battery)

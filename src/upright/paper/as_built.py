@@ -150,12 +150,11 @@ def _shown(kept: Mapping[str, Log], logs: Mapping[str, Log], name: str, side: st
 
 
 def _plain(c: Settled) -> dict[str, object]:
-    finite = {
-        band: {run: [None if math.isinf(x) else x for x in values] for run, values in runs.items()}
-        for band, runs in c.settling.items()
-    }
-    rest = {run: [None if math.isinf(x) else x for x in values] for run, values in c.rest.items()}
-    return {"settling": finite, "rest": rest}
+    return {"settling": {band: _finite(runs) for band, runs in c.settling.items()}, "rest": _finite(c.rest)}
+
+
+def _finite(runs: Mapping[str, Sequence[float]]) -> dict[str, list[float | None]]:
+    return {run: [None if math.isinf(x) else x for x in values] for run, values in runs.items()}
 
 
 def _tables(cases: Mapping[str, Settled]) -> list[Table]:
