@@ -20,8 +20,9 @@ from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
 from upright.calibrate.calibrate import calibrate, prepared
 from upright.calibrate.calibration import Calibration
+from upright.calibrate.coefficients import DRIVEN, LEVEL, ROLLING_DRY
 from upright.calibrate.estimate import HELD, VISIBLE
-from upright.calibrate.fitting import DRIVEN, LEVEL, ROLLING_DRY, events_of, normal_equations, objective
+from upright.calibrate.fitting import events_of, normal_equations, objective
 from upright.calibrate.informativity import _within_prior, drives_straight
 from upright.calibrate.judge import poorly
 from upright.calibrate.noise import scaled_noise, sensor_bounds

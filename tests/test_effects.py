@@ -48,7 +48,7 @@ def test_runs_share_a_robot_and_differ_in_what_is_theirs() -> None:
     C, names = np.linalg.inv(normal.hessian), [p.name for p in problem.asked]
     gain = TRUE.torque_constant / TRUE.motor_resistance
     for run_, (share, slope) in enumerate(RUNS):
-        own, map_ = problem.of_run(z[:, None], run_)[:, 0], problem._runs[run_]
+        own, map_ = problem.of_run(z[:, None], run_)[:, 0], problem.curves.maps[run_]
         truth = {
             "motor_friction": share * TRUE.motor_friction, "constant_command": -SLOPE_TORQUE * slope / gain,
             "torque_constant": TRUE.torque_constant, "pitch_inertia": TRUE.pitch_inertia,

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.linalg import expm, solve_discrete_are
 
-from upright.calibrate.fitting import LEVEL, ROLLING_DRY
+from upright.calibrate.coefficients import LEVEL, ROLLING_DRY
 from upright.calibrate.motion import STATES, block_of
 from upright.calibrate.predictor import WIDE, Events, Noise, RobotLanes, _Flow, _flow, innovations, kalman_path
 from upright.compiled.generated import Constants, constants

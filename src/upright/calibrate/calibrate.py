@@ -19,10 +19,11 @@ from numpy.typing import NDArray
 
 from upright.calibrate.annealing import ANNEALING_NOISE, annealed, lost
 from upright.calibrate.calibration import Calibration
+from upright.calibrate.coefficients import EQUATIONS
 from upright.calibrate.effects import effects_of
 from upright.calibrate.electronics import electronics_of
 from upright.calibrate.filter_log import one_step_noise
-from upright.calibrate.fitting import EQUATIONS, Fitted, Problem
+from upright.calibrate.fitting import Fitted, Problem
 from upright.calibrate.informativity import INERTIAL, STRAIGHT, TURNING, drives_straight, too_quiet
 from upright.calibrate.knocks import without_knocks
 from upright.calibrate.learnt_kit import learnt_kit

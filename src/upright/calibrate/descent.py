@@ -53,7 +53,7 @@ def _normal(e: Any, hessian: Any, slope: Any) -> None:
 
 
 @njit
-def _step(hessian: Any, damping: Any, slope: Any, L: Any, step: Any) -> None:
+def damped_step(hessian: Any, damping: Any, slope: Any, L: Any, step: Any) -> None:
     """Solves (H + damping · diag H) step = slope, by Cholesky's factor L."""
     count = len(slope)
     for i in range(count):
@@ -113,7 +113,7 @@ def descended(events: Any, robot: Any, readings: Any, first: Any, known: Any, fr
             damping = max(MORE * damping, LEAST_RAISED)
             if damping > MOST_DAMPING:
                 break
-        _step(hessian, damping, slope, L, step)
+        damped_step(hessian, damping, slope, L, step)
         candidate[:] = best
         for i in range(count):
             candidate[free[i]] -= step[i]

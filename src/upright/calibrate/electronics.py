@@ -7,7 +7,7 @@ what somebody computed from a duty and a battery, and each of these has its prio
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -53,12 +53,3 @@ def electronics_of(robot: Robot, kit: Kit, logs: Sequence[Log]) -> tuple[Paramet
     if zone:
         parameters.append(Parameter(DEAD_ZONE, robot.command_unit, zone, zone / 2, "linear", 0.0, True))
     return tuple(parameters)
-
-
-def driven(values: Mapping[str, Array], lanes: int) -> Array:
-    """Factor of the left and of the right motor, dead zone and constant command (4, lanes) where the parameters have
-    these `values` (lanes,)."""
-    half = values.get(ASYMMETRY, np.zeros(lanes)) / 2
-    supply = values.get(BATTERY, np.ones(lanes))
-    zone, constant = (values.get(name, np.zeros(lanes)) for name in (DEAD_ZONE, CONSTANT))
-    return np.array([supply * (1 - half), supply * (1 + half), zone, constant])

@@ -7,7 +7,7 @@ uncorrelated with their own derivative at fixed gains, and the estimate stays co
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
@@ -15,16 +15,28 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.calibrate.coefficients import (
+    AT,
+    DELAYS,
+    DRIVEN,
+    EQUATION,
+    LEVEL,
+    NOT_NEGATIVE,
+    NUDGE,
+    ROLLING_DRY,
+    Bowls,
+    Curves,
+    priors_of,
+)
 from upright.calibrate.effects import RUN, maps_of
-from upright.calibrate.electronics import driven
-from upright.calibrate.parameters import Coordinates, Parameter, columns
-from upright.calibrate.resonance import SWING, coefficients_of
+from upright.calibrate.parameters import Parameter
+from upright.calibrate.resonance import SWING
 from upright.calibrate.threads import CORES, in_threads
-from upright.compiled.generated import LANES, Constants, constants
+from upright.compiled.generated import LANES
 from upright.logs.recording import SENSOR, Recording
 from upright.physics.integrate import PREDICTED
 from upright.physics.linear import linearise
-from upright.robots import PARAMETERS, Robot
+from upright.robots import Robot
 
 if TYPE_CHECKING:
     from upright.calibrate.predictor import Events, RobotLanes
@@ -40,31 +52,6 @@ JITTER = "jitter"
 learnt."""
 ROLLING = 0.004  # [s] longest step: within one a wheel's rate is taken for straight where dry friction stops it
 SLIDING = 0.001  # [s] the same for a robot known to have dry friction: its error is 0.03 % of the friction then
-NUDGE = 1e-4  # of the prior's deviation: central differences are right to 1e-8, and rounding stays below
-AT = Constants(*range(len(Constants._fields)))
-"""Where each named constant of the equations stands among the coefficients."""
-DRIVEN, DELAYS = len(AT), len(AT) + 4
-"""Where among the coefficients begins what drives the robot, and where the delays."""
-ZONE = DRIVEN + 2
-_NOT_NEGATIVE = [AT.coulomb_torque, AT.rolling_torque, AT.yaw_rolling_torque, ZONE]
-LEVEL = (
-    AT.half_track, AT.motor_damping, AT.centrifugal, AT.weight, AT.coulomb_torque, AT.motor_torque, AT.lever,
-    AT.rolling_damping, AT.turning_lever, AT.yaw_coriolis, AT.yaw_lever, AT.yaw_damping, AT.yaw_motor_torque,
-    AT.rotor_coupling, AT.pitch_inertia, AT.yaw_swing,
-)  # fmt: skip
-"""The constants that a robot on a level floor shows; the rest belong to slopes and pushes."""
-_LEVEL = list(LEVEL)
-ROLLING_DRY = (AT.rolling_torque, AT.yaw_rolling_torque)
-"""Those of rolling friction, which have no error of their own: it is far less certain than the equations."""
-EXACT = 7e-4
-"""How right the equations are (root mean square): with the same numbers they and MuJoCo, whose contacts yield a little,
-differ by 0.04 % in pitch and 0.07 % in the wheel rate (docs/twin.md), and no real robot is nearer to either."""
-TURNED = 1.5e-3
-"""How right the coupling is where there is dry friction, of the geometric mean of both inertias: wheels that turn back,
-which MuJoCo does at the end of a time step, differ by what a rotor of 0.1 % of all that rolls would do."""
-EQUATION = "equation/"
-EQUATIONS = tuple(Parameter(f"{EQUATION}{i}", "1", 0.0, EXACT, "linear") for i in LEVEL)
-"""By what share each constant of the equations is off: estimated beside the parameters, and never told."""
 OUTLIER = 4.0  # deviations beyond which an innovation counts linearly (Huber 1964)
 
 
@@ -110,9 +97,7 @@ class Problem:
     resonance: float = 0.0
     longest: float = field(init=False)
     asked: tuple[Parameter, ...] = field(init=False)
-    _coordinates: Coordinates = field(init=False, repr=False)
-    _least: Array = field(init=False, repr=False)
-    _runs: Array = field(init=False, repr=False)
+    curves: Curves = field(init=False, repr=False)
     _shapes: tuple[Array, Array] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -122,9 +107,8 @@ class Problem:
         object.__setattr__(self, "_shapes", shapes)
         shared = [p for p in self.parameters if not p.name.startswith(RUN)]
         object.__setattr__(self, "asked", tuple(p for p in shared if not p.name.startswith(EQUATION)))
-        object.__setattr__(self, "_coordinates", Coordinates(self.asked))
-        object.__setattr__(self, "_least", np.array([[p.least - 2 * NUDGE] for p in shared]))
-        object.__setattr__(self, "_runs", maps_of(self.parameters, len(self.recordings)))
+        maps, least = maps_of(self.parameters, len(self.recordings)), np.array([p.least - 2 * NUDGE for p in shared])
+        object.__setattr__(self, "curves", Curves(maps, least, priors_of(self.robot, self.asked, self.delays)))
 
     @property
     def active(self) -> NDArray[np.bool_]:
@@ -137,49 +121,30 @@ class Problem:
 
     def of_run(self, z: Array, run: int) -> Array:
         """The numbers of one run (shared, lanes) at z (parameters, lanes): the robot's, and what this run adds."""
-        return np.maximum(self._runs[run] @ z, self._least) if len(z) else z
+        from upright.calibrate.curves import of_run
+
+        return of_run(np.array(z, order="C"), run, self.curves)
 
     def values(self, z: Array) -> dict[str, Array]:
         """What is asked (lanes,), by name, at a run's numbers z (shared, lanes)."""
-        return self._coordinates.values(z)
+        from upright.calibrate.curves import numbers_at
 
-    def _delays_at(self, values: Mapping[str, Array], lanes: int) -> dict[str, Array]:
-        """Dead time [s] of each sensor (lanes,), where the parameters have these `values`."""
-        return {name: values.get(f"delay/{name}", np.full(lanes, d)) for name, d in self.delays.items()}
+        numbers = numbers_at(np.array(z, order="C"), self.curves.priors)
+        return {p.name: numbers[place] for p, place in zip(self.asked, self.curves.priors.place, strict=True)}
 
     def _own(self, recording: Recording, z: Array) -> dict[str, float]:
         """Dead time [s] of each sensor in this recording at z (parameters,)."""
-        values = self.values(self.of_run(z[:, None], self.run_of(recording)))
-        return {name: float(d[0]) for name, d in self._delays_at(values, 1).items()}
+        from upright.calibrate.curves import DEAD_TIMES, numbers_at
 
-    def coefficients(self, z: Array) -> Array:
-        """What the predictor is made of (coefficients, lanes), for the lanes of a run's numbers z (shared, lanes): the
-        constants of the equations of motion, what drives them, the dead time of each sensor, and what swings."""
-        values, lanes = self.values(z), z.shape[1]
-        numbers = columns(self.robot, values)
-        c, given = np.empty((len(AT), lanes)), [getattr(numbers, name) for name in PARAMETERS]
-        if lanes == 1:  # numbers are faster than arrays of one
-            given = [np.float64(value[0]) if isinstance(value, np.ndarray) else value for value in given]
-        for row, value in enumerate(constants(given, 1.0)):
-            c[row] = value
-        if len(z) > len(self.asked):
-            size = c[_LEVEL]
-            if self.robot.coulomb_friction:
-                size[LEVEL.index(AT.rotor_coupling)] = TURNED / EXACT * np.sqrt(c[AT.pitch_inertia])
-            c[_LEVEL] += EXACT * size * z[len(self.asked) :]
-        delays = [*self._delays_at(values, lanes).values()]
-        return np.concatenate([c, driven(values, lanes), delays, *coefficients_of(values)])
+        numbers = numbers_at(self.of_run(z[:, None], self.run_of(recording)), self.curves.priors)
+        return dict(zip(self.delays, numbers[DEAD_TIMES:, 0].tolist(), strict=False))
 
     def by_parameter(self, z: Array) -> list[tuple[Array, Array]]:
         """For each run the coefficients (coefficients,) at z (parameters,), and their slopes (coefficients,
         parameters)."""
-        q = self.coefficients_of_runs(z[:, None], around)
-        return [(part[:, -1], slopes_of(part) @ of_z) for part, of_z in zip(q, self._runs, strict=True)]
+        from upright.calibrate.curves import by_parameter
 
-    def coefficients_of_runs(self, z: Array, lanes: Callable[[Array], Array] = np.asarray) -> list[Array]:
-        """For each run its coefficients (coefficients, lanes) at z (parameters, 1), or at `lanes` of its numbers."""
-        several = [lanes(self.of_run(z, run)) for run in range(len(self.recordings))]
-        return np.split(self.coefficients(np.concatenate(several, axis=1)), len(several), axis=1)
+        return [by_parameter(np.array(z), run, self.curves) for run in range(len(self.recordings))]
 
     def lanes_of(self, recording: Recording, q: Array) -> RobotLanes:
         """What the predictor takes of the coefficients q (coefficients, lanes)."""
@@ -192,7 +157,9 @@ class Problem:
 
     def lanes(self, recording: Recording, z: Array) -> RobotLanes:
         """The same for z (parameters, lanes)."""
-        return self.lanes_of(recording, self.coefficients(self.of_run(z, self.run_of(recording))))
+        from upright.calibrate.curves import coefficients
+
+        return self.lanes_of(recording, coefficients(self.of_run(z, self.run_of(recording)), self.curves.priors))
 
     def own_delays(self, recording: Recording, z: Array) -> Array:
         """Dead time [s] of each event (events,): zero for commands."""
@@ -243,7 +210,7 @@ class Problem:
         order = recording.order(dict(zip(self.delays, q[DELAYS:].tolist(), strict=False)))
         events = events_of(recording, _through_fitted(recording, order) if fitted else order)
         low = q - NUDGE * unit
-        low[_NOT_NEGATIVE] = np.maximum(low[_NOT_NEGATIVE], 0.0)
+        low[NOT_NEGATIVE] = np.maximum(low[NOT_NEGATIVE], 0.0)
 
         def of(part: NDArray[np.int64]) -> Array:
             count = len(part)
@@ -271,21 +238,6 @@ def events_of(recording: Recording, order: NDArray[np.int64]) -> Events:
     return Events(order, recording.kind, recording.when, recording.value, recording.commands)
 
 
-def around(z: Array) -> Array:
-    """Lanes (n, 2n + 1) a nudge above z (n,) in each parameter, then a nudge below, then z."""
-    n = len(z)
-    lanes = np.repeat(z.reshape(n, 1), 2 * n + 1, axis=1)
-    lanes[np.arange(n), np.arange(n)] += NUDGE
-    lanes[np.arange(n), n + np.arange(n)] -= NUDGE
-    return lanes
-
-
-def slopes_of(values: Array) -> Array:
-    """By z (..., n), of what the lanes of `around` give (..., 2n + 1)."""
-    n = (values.shape[-1] - 1) // 2
-    return (values[..., :n] - values[..., n:-1]) / (2 * NUDGE)
-
-
 def units(C: Array) -> tuple[Array, list[int]]:
     """How far the prior lets each coefficient be off (coefficients,), from its slopes C (coefficients, parameters), and
     the rows of those that move and that a level floor shows."""
@@ -293,23 +245,13 @@ def units(C: Array) -> tuple[Array, list[int]]:
     return unit, [i for i in (*LEVEL, *ROLLING_DRY, *range(DRIVEN, len(C))) if unit[i] > 0]
 
 
-class Linear(NamedTuple):
-    """A recording near z: its whitened innovations (events,), their slopes by the coefficients (events, rows), each in
-    its `unit` (rows,), and which `rows` of the coefficients these are."""
-
-    whitened: Array
-    by_coefficient: Array
-    unit: Array
-    rows: list[int]
-
-
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Normal:
     """What Gauss–Newton needs at z: objective −log posterior (up to a constant), gradient and Hessian, and by event the
     whitened innovations and their slopes (of the fitted events that are readings).
 
-    The slopes are those by the coefficients, in `linear` for each recording, times the coefficients' own: what the
-    equations cannot tell apart, the Hessian cannot either.
+    The slopes are those by the coefficients, in which the objective is made of `bowls`, times the coefficients' own:
+    what the equations cannot tell apart, the Hessian cannot either.
     """
 
     objective: float
@@ -317,7 +259,7 @@ class Normal:
     hessian: Array
     whitened: Array
     slopes: Array
-    linear: list[Linear]
+    bowls: Bowls
 
     @property
     def weight(self) -> Array:
@@ -365,21 +307,25 @@ def objective(problem: Problem, z: Array) -> tuple[float, list[Path]]:
 
 def normal_equations(problem: Problem, z: Array, paths: Sequence[Path], value: float) -> Normal:
     """Gradient and Gauss–Newton Hessian of the objective at fixed gains."""
-    linear: list[Linear] = []
+    at = problem.by_parameter(z)
+    shape = len(at), len(at[0][0])
+    bowls = Bowls(np.array([q for q, _ in at]), np.zeros(shape), np.zeros((*shape, shape[1])))
+    whitened: list[Array] = []
     slopes: list[Array] = []
     hessian = np.eye(len(z))
-    for recording, path, (q, C) in zip(problem.recordings, paths, problem.by_parameter(z), strict=True):
+    for run, (recording, path, (q, C)) in enumerate(zip(problem.recordings, paths, at, strict=True)):
         unit, rows = units(C)
         use = fitted_readings(recording, path)
         deviation = np.sqrt(path.s[use])
         e = problem.coefficient_slopes(recording, q, unit, path.gains, rows, fitted=True)[use]
-        e /= deviation[:, None]
-        part = Linear(path.e[use] / deviation, np.where(np.isfinite(e), e, 0.0), unit[rows], rows)
-        by_parameter = C[rows] / part.unit[:, None]
-        weighed = huber_weight(part.whitened)[:, None] * part.by_coefficient
-        hessian += problem.temper * by_parameter.T @ (part.by_coefficient.T @ weighed) @ by_parameter
-        linear.append(part)
-        slopes.append(part.by_coefficient @ by_parameter)
-    r, J = np.concatenate([part.whitened for part in linear]), np.concatenate(slopes)
+        e /= deviation[:, None] * unit[rows]
+        by_coefficient = np.where(np.isfinite(e), e, 0.0)
+        whitened.append(path.e[use] / deviation)
+        weighed = problem.temper * huber_weight(whitened[-1])[:, None] * by_coefficient
+        bowls.gradient[run, rows] = weighed.T @ whitened[-1]
+        bowls.hessian[run][np.ix_(rows, rows)] = by_coefficient.T @ weighed
+        hessian += C.T @ bowls.hessian[run] @ C
+        slopes.append(by_coefficient @ C[rows])
+    r, J = np.concatenate(whitened), np.concatenate(slopes)
     gradient = z + problem.temper * (J.T @ (huber_weight(r) * r))
-    return Normal(objective=value, gradient=gradient, hessian=hessian, whitened=r, slopes=J, linear=linear)
+    return Normal(objective=value, gradient=gradient, hessian=hessian, whitened=r, slopes=J, bowls=bowls)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from types import SimpleNamespace
 from typing import Any, Literal
 
@@ -63,7 +63,7 @@ class Parameter:
 
     def value(self, z: Any) -> Any:
         """The parameter at the coordinate z."""
-        return _values(np.asarray(z), self.prior, self.spread, self.rate, self.lower)[()]
+        return _values(z, self.prior, self.spread, self.rate, self.lower)[()]
 
     @property
     def rate(self) -> float:
@@ -82,27 +82,15 @@ class Parameter:
         return (self.lower - self.prior) / self.spread if self.scale == "linear" else -math.inf
 
 
-def _values(z: Array, prior: Any, spread: Any, rate: Any, lower: Any) -> Array:
+def value_at(z: Any, prior: Any, spread: Any, rate: Any, lower: Any) -> Any:
+    """A parameter at the coordinate z, of numbers alone: compiled for the coefficients, too."""
+    if rate > 0:
+        return prior * np.exp(z * rate)
     linear = prior + z * spread
-    linear = np.where(np.abs(linear - lower) < ROUNDING * spread, lower, linear)
-    return np.where(rate > 0, prior * np.exp(z * rate), linear)
+    return lower if abs(linear - lower) < ROUNDING * spread else linear
 
 
-@dataclass(frozen=True, eq=False)
-class Coordinates:
-    """Several parameters as functions of their coordinates, all at once."""
-
-    parameters: tuple[Parameter, ...]
-    _shapes: tuple[Array, ...] = field(init=False, repr=False)
-
-    def __post_init__(self) -> None:
-        each = [[getattr(p, name) for p in self.parameters] for name in ("prior", "spread", "rate", "lower")]
-        object.__setattr__(self, "_shapes", tuple(np.array(one, dtype=np.float64)[:, None] for one in each))
-
-    def values(self, z: Array) -> dict[str, Array]:
-        """Each parameter (lanes,) at the coordinates z (parameters and more, lanes)."""
-        each = _values(z[: len(self.parameters)], *self._shapes)
-        return {p.name: row for p, row in zip(self.parameters, each, strict=True)}
+_values = np.vectorize(value_at, otypes=[np.float64])
 
 
 def parameters_of(
@@ -151,10 +139,9 @@ def _physical(robot: Robot, name: str) -> Parameter:
 
 def _roll_fraction(robot: Robot) -> Parameter:
     low, high = roll_bounds(robot.pitch_inertia, robot.yaw_inertia)
-    fraction = min(max((robot.roll_inertia - low) / (high - low), 0.02), 0.98)
     spread = stated(robot, "roll_inertia")
     size = ANYWHERE if spread is None else min(spread / (high - low), ANYWHERE)
-    return Parameter(ROLL_FRACTION, "1", fraction, size, "linear", 0.0, guess=spread is None)
+    return Parameter(ROLL_FRACTION, "1", roll_fraction(robot), size, "linear", 0.0, guess=spread is None)
 
 
 def _scale(robot: Robot, name: str) -> float:
@@ -186,21 +173,31 @@ def with_values(robot: Robot, values: Mapping[str, float]) -> Robot:
     """`robot` with new numbers, its roll inertia where `ROLL_FRACTION` says between its bounds, or where it stood."""
     physical = {name: value for name, value in values.items() if name in PARAMETERS}
     changed = SimpleNamespace(**robot.numbers() | physical)
-    fraction = min(max(values.get(ROLL_FRACTION, _roll_fraction(robot).prior), 0.02), 0.98)
-    return robot.replace(**physical, roll_inertia=float(roll_inertia(changed, fraction)))
+    fraction = min(max(values.get(ROLL_FRACTION, roll_fraction(robot)), 0.02), 0.98)
+    return robot.replace(**physical, roll_inertia=float(_roll_inertia(changed, fraction)))
 
 
-def roll_inertia(p: Any, fraction: Any) -> Any:
+def roll_fraction(robot: Robot) -> float:
+    """Where the roll inertia of `robot` lies between its bounds, away from their ends."""
+    low, high = roll_bounds(robot.pitch_inertia, robot.yaw_inertia)
+    return min(max((robot.roll_inertia - low) / (high - low), 0.02), 0.98)
+
+
+def between(bounds: Any, fraction: Any) -> Any:
+    """This `fraction` of the way from the first to the second of `bounds`."""
+    return bounds[0] + fraction * (bounds[1] - bounds[0])
+
+
+def _roll_inertia(p: Any, fraction: Any) -> Any:
     """J_ρ of parameters `p` (numbers or arrays), at this `fraction` of the way between its bounds."""
-    low, high = roll_bounds(p.pitch_inertia, p.yaw_inertia)
-    return low + fraction * (high - low)
+    return between(roll_bounds(p.pitch_inertia, p.yaw_inertia), fraction)
 
 
 def columns(robot: Robot, values: Mapping[str, Any]) -> Any:
     """The robot's numbers, with the fields of `Robot`: those of `values` (arrays over lanes) in place of its own."""
     changed = SimpleNamespace(**robot.numbers() | {n: v for n, v in values.items() if n in PARAMETERS})
-    fraction = values[ROLL_FRACTION] if ROLL_FRACTION in values else _roll_fraction(robot).prior
-    changed.roll_inertia = roll_inertia(changed, fraction)
+    fraction = values[ROLL_FRACTION] if ROLL_FRACTION in values else roll_fraction(robot)
+    changed.roll_inertia = _roll_inertia(changed, fraction)
     return changed
 
 

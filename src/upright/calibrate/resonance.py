@@ -7,7 +7,7 @@ the frame near its frequency. A damping of 0.7 is a filter of second order, whos
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -66,11 +66,6 @@ def swing_noise(recordings: Sequence[Recording], part: float) -> float:
     gyros = [r.value[r.kind == [SENSOR[row] for row in r.rows].index("gyro")] for r in recordings]
     rate = 4 * TYPICAL[DAMPING] * 2 * math.pi * TYPICAL[FREQUENCY]
     return rate * part**2 * float(np.mean([y.var() for y in gyros]))
-
-
-def coefficients_of(values: Mapping[str, Array]) -> list[Array]:
-    """ω [rad/s] and ζ (2, lanes), where the parameters have these `values` (lanes,); none without a resonance."""
-    return [np.array([2 * np.pi * values[FREQUENCY], values[DAMPING]])] if FREQUENCY in values else []
 
 
 def in_words(estimates: Sequence[Estimate], nats: float = 0.0) -> list[str]:

@@ -12,10 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.calibrate.calibration import Calibration, Segments
+from upright.calibrate.coefficients import around, slopes_of
 from upright.calibrate.effects import FRACTIONS, of_robot
 from upright.calibrate.electronics import MEANING
 from upright.calibrate.estimate import BOUND, HELD, NORMAL, PRIOR, QUIET, REFUSED, SURPRISE, VISIBLE, Estimate
-from upright.calibrate.fitting import Normal, Path, Problem, around, slopes_of
+from upright.calibrate.fitting import Normal, Path, Problem
 from upright.calibrate.informativity import information, posterior, unseen_directions
 from upright.calibrate.judge import poorly, proposed, reasons
 from upright.calibrate.parameters import GEAR, ROLL_FRACTION, Parameter, columns, with_values

@@ -20,7 +20,8 @@ import numpy as np
 from upright.arrays import Array
 from upright.calibrate.calibrate import prepared
 from upright.calibrate.calibration import GOOD, PREDICTED, Segments
-from upright.calibrate.fitting import EQUATION, Problem, normal_equations, objective
+from upright.calibrate.coefficients import EQUATION
+from upright.calibrate.fitting import Problem, normal_equations, objective
 from upright.calibrate.informativity import effective_fraction
 from upright.calibrate.noise import learn_noise
 from upright.calibrate.own_run import as_driven, of_this_run
