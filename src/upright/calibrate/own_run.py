@@ -71,7 +71,7 @@ def _free(problem: Problem) -> Problem:
 
 
 def _own_fit(free: Problem, limits: Mapping[str, float]) -> Fitted:
-    fit = segmented(free, limits, np.zeros(len(free.parameters)))
+    fit = segmented(free, limits, [np.zeros(len(free.parameters))])[0]
     if not np.isfinite(fit.normal.objective):
         return fit
     tempered = replace(fit.problem, temper=effective_fraction(fit.problem, fit.normal, fit.paths))

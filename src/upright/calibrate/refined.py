@@ -18,7 +18,7 @@ from upright.calibrate.effects import respread
 from upright.calibrate.fitting import STICKING, Fitted, Normal, Path, Problem, normal_equations, objective
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.informativity import effective_fraction
-from upright.calibrate.noise import Bounds, learn_noise, sensor_bounds
+from upright.calibrate.noise import GAIN, Bounds, learn_noise, sensor_bounds
 from upright.calibrate.parameters import ROLLING, most_friction
 from upright.calibrate.process_noise import NOISE_TIME, process, with_process
 from upright.calibrate.resonance import FIRST, LEAST, MOST, SWING, resonates, swing_noise
@@ -41,6 +41,7 @@ ALIKE = 0.5
 of a log of 7 s have some eleven degrees of freedom in each of a few directions (97.5 % of F(33, 33) lie below 2.0)."""
 SPREADS = 3  # turns in which parameters and the spreads between runs are fitted
 SETTLED = 0.05  # [1] deviations of the prior by which no parameter moves any more
+TURNS = 6  # of noise and parameters, at most
 
 GYRO_DELAY_TRIALS = (-0.5, 0.5, 1.0)
 """[periods] added to the gyro's delay where the best fit is fitted again: delays have optima a period apart.
@@ -76,8 +77,7 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float], show: Progr
     show(0.6)
     prior = at_prior(problem, rough.z)
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        others = pool.submit(_without_first, problem, limits, prior)
-        fits = [rough, *pool.map(partial(segmented, problem, limits), (prior, z, rough.z)), *others.result()]
+        fits = [rough, *segmented(problem, limits, [prior, z, rough.z, *_without_rolling(problem, limits, prior)])]
         show(0.85)
         best, level = _best_simulated(fits, [*pool.map(_simulated, fits)], LEVEL)
         moved = pool.map(partial(_with_gyro_delay, best.problem, best.z), GYRO_DELAY_TRIALS)
@@ -128,26 +128,43 @@ def _between_runs(fit: Fitted) -> Fitted:
     return fit
 
 
-def segmented(problem: Problem, limits: Mapping[str, float], z: Array) -> Fitted:
-    """From z, the fit of what free simulations of half a second leave."""
+def segmented(problem: Problem, limits: Mapping[str, float], starts: Sequence[Array]) -> list[Fitted]:
+    """From the `starts` the fits of what free simulations of half a second leave: noise and parameters in turn, until a
+    turn neither moves nor gains. A start that comes to where a likelier one is goes no further."""
     problem = with_process(replace(problem, restart=SEGMENT), SEGMENT_NOISE)
     bounds = sensor_bounds(limits)
     first = {name: math.log(min(max(_changes(problem, name), low), high)) for name, (low, high) in bounds.items()}
     problem = replace(problem, noise={**problem.noise, **first})
-    for _ in range(6):
-        problem = learn_noise(problem, z, bounds, iterations=5)
-        fit, before = _fitted(problem, z, iterations=5), z
-        z = fit.z
-        if np.abs(z - before).max() < SETTLED:
-            return fit
-    return _fitted(problem, z, iterations=10)
+
+    def turned(fit: Fitted) -> tuple[Fitted, bool]:
+        new = _fitted(learn_noise(fit.problem, fit.z, bounds, iterations=5), fit.z, iterations=5)
+        gained = fit.normal.objective - new.normal.objective
+        return new, bool(np.abs(new.z - fit.z).max() < SETTLED or abs(gained) < GAIN)
+
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        fits = [(fit, False) for fit in pool.map(partial(_fitted, problem, iterations=0), starts)]
+        for _ in range(TURNS):
+            going = pool.map(turned, [fit for fit, ended in fits if not ended])
+            fits = _likeliest([*going, *(one for one in fits if one[1])])
+        last = [_fitted(fit.problem, fit.z, iterations=10) for fit, ended in fits if not ended]
+        return [*last, *(fit for fit, ended in fits if ended)]
 
 
-def _without_first(problem: Problem, limits: Mapping[str, float], prior: Array) -> list[Fitted]:
-    """From a fit without rolling friction, where that is asked: with it a bad optimum may be nearer to the prior."""
+def _likeliest(fits: Sequence[tuple[Fitted, bool]]) -> list[tuple[Fitted, bool]]:
+    """Of fits that are at one place the likeliest."""
+    kept: list[tuple[Fitted, bool]] = []
+    for fit, ended in sorted(fits, key=lambda one: one[0].normal.objective):
+        if all(np.abs(fit.z - other.z).max() >= SETTLED for other, _ in kept):
+            kept.append((fit, ended))
+    return kept
+
+
+def _without_rolling(problem: Problem, limits: Mapping[str, float], prior: Array) -> list[Array]:
+    """A start from a fit without rolling friction, where that is asked: with it a bad optimum may be nearer to the
+    prior."""
     without = replace(problem, held=problem.held | {ROLLING})
     asked = ROLLING in {p.name for p in problem.parameters} - problem.held
-    return [segmented(problem, limits, segmented(without, limits, prior).z)] if asked else []
+    return [segmented(without, limits, [prior])[0].z] if asked else []
 
 
 def _changes(problem: Problem, sensor: str) -> float:
@@ -220,7 +237,7 @@ def _settled(problem: Problem, z: Array, bounds: Bounds) -> Fitted:
     inside = {n: float(np.clip(problem.noise[n], np.log(low), np.log(high))) for n, (low, high) in bounds.items()}
     within = replace(problem, noise={**problem.noise, **inside})
     problem = within if np.isfinite(objective(within, z)[0]) else problem
-    for turn in range(6):
+    for turn in range(TURNS):
         _, z, normal, paths = _fitted(problem, z, iterations=5)
         before, problem = problem, learn_noise(problem, z, bounds, iterations=3 if turn else 5)
         changed = {n: abs(problem.noise[n] - before.noise[n]) for n in bounds}
