@@ -362,7 +362,9 @@ def test_friction_keeps_a_robot_from_settling_as_fast_as_its_models(parts: dict[
         case, ideal = numbers["cases"][f"{side} push"], parts["5e"].numbers["cases"][f"herrera2015, {side} push"]
         # statics: a stuck wheel stays stuck until the gains of pitch, 85 V/rad on two motors of 0.047 N m/V, exceed
         # two dry frictions of 5 mN m, at 1.3 mrad; without friction and noise nothing keeps pitch off zero
-        assert min(case["rest"][as_built.AS_BUILT]) > 1.3e-3 > max(case["rest"]["nonlinear"])
+        swings = [rest for rest in case["rest"][as_built.AS_BUILT] if rest is not None]  # one run in sixteen falls
+        assert swings
+        assert min(swings) > 1.3e-3 > max(case["rest"]["nonlinear"])
         for name in as_built.MODELS:
             assert case["settling"]["5 %"][name] == [ideal["settling"][name]]
 
