@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -13,6 +15,7 @@ from upright.calibrate.fitting import Fitted, Problem, objective
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.informativity import score_covariance
 from upright.calibrate.resonance import DAMPING, FREQUENCY, SWING, TYPICAL, parameters_about
+from upright.calibrate.threads import CORES, in_threads
 
 FREQUENCIES = (5.0, 7.0, 10.0, 14.0, 20.0, 28.0, 40.0, 56.0)
 """[Hz] of the starts, half an octave apart: a resonance with a damping of 0.1 or more is nearly as wide as that."""
@@ -28,17 +31,21 @@ that are not white, and this is only one."""
 def resonant(fit: Fitted, settled: Callable[[Problem, Array], Fitted]) -> Fitted | None:
     """The fit with a resonance, from one without; None where it is not likelier by `MARGIN`. `settled` learns
     parameters and noise from a start."""
-    tries: list[tuple[float, Problem, Array]] = []
-    for problem, z in _starts(*fit[:2]):
-        least = gauss_newton(problem, z, iterations=ITERATIONS)
-        tries.append((least.normal.objective, problem, least.z))
-    value, problem, z = min(tries, key=lambda one: one[0], default=(math.inf, *fit[:2]))
-    if not math.isfinite(value):
-        return None
-    other = settled(problem, z)
-    weight = weight_of(other)
-    nats = evidence(other, weight) - evidence(fit, weight)
+    with ThreadPoolExecutor(CORES) as pool:
+        tries = [*pool.map(_nearby, _starts(*fit[:2]))]
+        value, problem, z = min(tries, key=lambda one: one[0], default=(math.inf, *fit[:2]))
+        if not math.isfinite(value):
+            return None
+        other = settled(problem, z)
+        likelier, less = pool.map(partial(evidence, weight=weight_of(other)), (other, fit))
+    nats = likelier - less
     return other._replace(problem=replace(other.problem, resonance=nats)) if nats >= MARGIN else None
+
+
+def _nearby(start: tuple[Problem, Array]) -> tuple[float, Problem, Array]:
+    """The objective near a start, and its problem and z (parameters,) there."""
+    least = gauss_newton(*start, iterations=ITERATIONS)
+    return least.normal.objective, start[0], least.z
 
 
 def weight_of(fit: Fitted) -> float:
@@ -77,7 +84,7 @@ def _starts(problem: Problem, z: Array) -> Iterator[tuple[Problem, Array]]:
     """For each damping the frequencies that are likelier than their neighbours, all else as in the fit at z."""
     for damping in DAMPINGS:
         each = [resonating(problem, z, frequency, damping) for frequency in FREQUENCIES]
-        values = np.array([math.inf, *(objective(*one)[0] for one in each), math.inf])
+        values = np.array([math.inf, *in_threads(lambda one: objective(*one)[0], each), math.inf])
         for i, one in enumerate(each):
             if values[i + 1] <= min(values[i], values[i + 2]) and math.isfinite(values[i + 1]):
                 yield one
