@@ -10,7 +10,7 @@ from scipy.linalg import expm, solve_discrete_are
 
 from upright.calibrate.coefficients import LEVEL, ROLLING_DRY
 from upright.calibrate.motion import STATES, block_of
-from upright.calibrate.predictor import WIDE, Events, Noise, RobotLanes, _Flow, _flow, innovations, kalman_path
+from upright.calibrate.predictor import PADDED, WIDE, Events, Noise, RobotLanes, _Flow, _flow, innovations, kalman_path
 from upright.compiled.generated import Constants, constants
 from upright.compiled.generated_motion import rk4_free
 from upright.physics.linear import linearise
@@ -128,7 +128,7 @@ def test_the_flow_of_wheels_that_stick_is_smooth() -> None:
     numbers = np.array([*constants(list(robot.numbers().values()), 1.0), 1.0, 1.0, 0.0, 0.0])
     room = _Flow(
         block_of(np.repeat(numbers[:, None], WIDE, axis=1)),
-        np.zeros((2, WIDE)), np.zeros((STATES, STATES)), np.zeros((STATES, SIZE)),
+        np.zeros((2, WIDE)), np.zeros((STATES, STATES)), np.zeros((SIZE, PADDED)), np.zeros((SIZE, PADDED)),
     )  # fmt: skip
     _flow(room, np.zeros(SIZE), np.array([0.002, 0.002]), 0.0, 0.004, 0.004)
     body, wheels, turn = room.phi[1, [1, 3, 5]]

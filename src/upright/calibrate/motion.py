@@ -223,25 +223,36 @@ def driven(w: Any, i: Any, u: Any) -> Any:
 
 
 @njit
-def move(w: Any, count: Any, u: Any, start: Any, stop: Any, longest: Any) -> None:
-    """Each lane from its `start` to its `stop` [s], in as many steps as the longest span needs."""
+def begun(w: Any, count: Any, u: Any, start: Any, stop: Any, longest: Any) -> Any:
+    """Each lane's motors on the command u (2,) from its `start` to its `stop` [s]; in how many steps."""
     span = 0.0
     for i in range(count):
         put(w, SPAN, i, stop[i] - start[i])
         span = max(span, abs(stop[i] - start[i]))
         start[i] = stop[i]
-    if span >= INSTANT:
-        for i in range(count):
-            left, right = driven(w, i, u)
-            put(w, LEFT, i, left)
-            put(w, RIGHT, i, right)
-        steps, rolls = max(1, math.ceil(span / longest)), False
-        for i in range(count):
-            rolls |= get(w, ROLLING_TORQUE, i) > 0
-        for _ in range(steps):
-            if rolls:
-                _roll(w, count, steps)
-            _advance(w, count, steps)
+        left, right = driven(w, i, u)
+        put(w, LEFT, i, left)
+        put(w, RIGHT, i, right)
+    return max(1, math.ceil(span / longest)) if span >= INSTANT else 0
+
+
+@njit
+def step(w: Any, count: Any, steps: Any) -> None:
+    """One of so many `steps` of what has `begun`; `START` has the states before it."""
+    rolls = False
+    for i in range(count):
+        rolls |= get(w, ROLLING_TORQUE, i) > 0
+    if rolls:
+        _roll(w, count, steps)
+    _advance(w, count, steps)
+
+
+@njit
+def move(w: Any, count: Any, u: Any, start: Any, stop: Any, longest: Any) -> None:
+    """Each lane from its `start` to its `stop` [s], in as many steps as the longest span needs."""
+    steps = begun(w, count, u, start, stop, longest)
+    for _ in range(steps):
+        step(w, count, steps)
 
 
 _FIRST, _CONSTANTS = HALF_TRACK, len(Constants._fields)

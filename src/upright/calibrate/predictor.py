@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from upright.calibrate.motion import INSTANT, STATES, STUCK, TOPPLED, block_of, driven, inlined, njit
+from upright.calibrate.motion import INSTANT, STATES, STUCK, TOPPLED, block_of, driven, njit
 from upright.calibrate.ringing import moved, undriven
 from upright.compiled.generated import PITCH, PITCH_RATE, WHEEL_RATE, YAW_RATE
 from upright.compiled.generated_motion import accelerations_free, constants_free
@@ -25,6 +25,9 @@ RATES = (PITCH_RATE, WHEEL_RATE, YAW_RATE)
 
 WIDE = 8
 """Lanes of the filter: the state and four neighbours; eight are moved faster than five."""
+
+PADDED = 12
+"""Columns of the filter's covariance: of ten states at most, and as many as fill the vectors of a processor."""
 
 _NUDGE = 1e-6  # a step in the state to differentiate the flow: error and rounding both near 1e-9
 
@@ -67,13 +70,14 @@ class Noise(NamedTuple):
 
 class _Flow(NamedTuple):
     """Room for the flow of one robot: its block, times of start and stop (2, WIDE), ∂x(stop)/∂x(start) (6, 6), and
-    what the product of two matrices needs (s, s). Of a robot whose gyro swings also its `swing` (2, WIDE), both states
-    of that (2, WIDE), and ∂x(stop)/∂x(start) of all states (s, s)."""
+    for a product and a turned matrix (s, `PADDED`). Of a robot whose gyro swings also its `swing` (2, WIDE), both
+    states of that (2, WIDE), and ∂x(stop)/∂x(start) of all states (s, s)."""
 
     block: Any
     times: Any
     phi: Any
     product: Any
+    turned: Any
     swing: Any = np.zeros((0, 1))
     swung: Any = np.zeros((0, 1))
     whole: Any = np.zeros((0, 0))
@@ -137,10 +141,10 @@ def _flow(room: _Flow, x: Any, u: Any, start: Any, stop: Any, longest: Any) -> N
     gyro swings of all into `room.whole`."""
     w, phi, swings = room.block, room.phi, len(room.swing)
     tail = len(x) - swings
-    for j in range(swings):
-        room.swung[j] = x[tail + j]
     for i in range(WIDE):
         room.times[0, i], room.times[1, i] = start, stop
+        for j in range(swings):
+            room.swung[j, i] = x[tail + j]
         for j in range(STATES):
             put(w, PITCH + j, i, x[j])
     for i in range(len(MOVING)):
@@ -154,7 +158,9 @@ def _flow(room: _Flow, x: Any, u: Any, start: Any, stop: Any, longest: Any) -> N
         phi[j, 2] = 1.0 if j == 2 else 0.0
         phi[j, 4] = 1.0 if j == 4 else 0.0
     if swings:
-        room.whole[:STATES, :STATES] = phi
+        for j in range(STATES):
+            for i in range(STATES):
+                room.whole[j, i] = phi[j, i]
         undriven(stop - start, room.swing, room.whole)
         for j in range(swings):
             x[tail + j] = room.swung[j, 0]
@@ -162,49 +168,62 @@ def _flow(room: _Flow, x: Any, u: Any, start: Any, stop: Any, longest: Any) -> N
                 room.whole[tail + j, MOVING[i]] = (room.swung[j, 1 + i] - x[tail + j]) / _NUDGE
 
 
-@inlined
-def _predict(P: Any, phi: Any, part: Any, Q: Any, h: Any, product: Any) -> None:
-    """P ← Φ P Φᵀ + Q h, for Φ that is the identity beyond a `part` of so many states: put into its callers, for which
-    that number is known."""
-    size = len(P)
+@njit
+def _times(made: Any, left: Any, right: Any, part: Any) -> None:
+    """Fills the first rows of `made` (s, s) with a `part` of so many rows and columns of `left` times as many rows of
+    `right`. Six at once fill the vectors of a processor."""
     for i in range(part):
-        for j in range(size):
-            total = 0.0
-            for k in range(part):
-                total += phi[i, k] * P[k, j]
-            product[i, j] = total
-    for i in range(part):
-        for j in range(i, size):
-            total = product[i, j]
-            if j < part:
-                total = 0.0
-                for k in range(part):
-                    total += product[i, k] * phi[j, k]
-            P[i, j] = total
-            P[j, i] = total
-    for i in range(size):
-        for j in range(size):
-            P[i, j] += Q[i, j] * h
+        a, b, c, d, e, f = left[i, 0], left[i, 1], left[i, 2], left[i, 3], left[i, 4], left[i, 5]
+        for j in range(right.shape[1]):
+            first = a * right[0, j] + b * right[1, j] + c * right[2, j]
+            made[i, j] = first + d * right[3, j] + e * right[4, j] + f * right[5, j]
+        for k in range(STATES, part):
+            weight = left[i, k]
+            for j in range(right.shape[1]):
+                made[i, j] += weight * right[k, j]
 
 
 @njit
-def _correct(x: Any, P: Any, C: Any, error: Any, variance: Any, gain: Any) -> Any:
+def _predict(P: Any, phi: Any, Q: Any, mode: Any, h: Any, product: Any, turned: Any) -> None:
+    """P ← Φ P Φᵀ + Q h, for Φ that is the identity beyond its own states; Q is one of two, (2, s, s). P, and the room
+    for Φ P and for Φᵀ, are (s, `PADDED`)."""
+    size, part = len(P), len(phi)
+    for i in range(part):
+        for j in range(part):
+            turned[i, j] = phi[j, i]
+    _times(product, phi, P, part)
+    _times(P, product, turned, part)
+    for i in range(part):
+        for j in range(part, size):
+            P[i, j] = product[i, j]
+        for j in range(i + 1, size):
+            P[j, i] = P[i, j]
+    for i in range(size):
+        for j in range(size):
+            P[i, j] += Q[mode, i, j] * h
+
+
+@njit
+def _correct(x: Any, P: Any, reads: Any, row: Any, error: Any, variance: Any, gains: Any, event: Any) -> Any:
     """State and covariance with a scalar reading C x of this noise `variance`, which is off by `error` from zero state;
-    fills `gain` and returns innovation and its variance."""
+    C is the first lane of this `row` of `reads` (rows, s, lanes). Fills the gain of this `event` in `gains` (events,
+    s), and returns innovation and its variance."""
     size = len(x)
     for i in range(size):
-        gain[i] = 0.0
+        C = reads[row, i, 0]
+        error -= C * x[i]
+        if C != 0.0:
+            for j in range(size):
+                gains[event, j] += P[i, j] * C
+    for i in range(size):
+        variance += reads[row, i, 0] * gains[event, i]
+    for i in range(size):
+        gain = gains[event, i] / variance
         for j in range(size):
-            gain[i] += P[i, j] * C[j]
-        error -= C[i] * x[i]
+            P[i, j] -= gain * gains[event, j]
     for i in range(size):
-        variance += C[i] * gain[i]
-    for i in range(size):
-        for j in range(size):
-            P[i, j] -= gain[i] * gain[j] / variance
-    for i in range(size):
-        gain[i] /= variance
-        x[i] += gain[i] * error
+        gains[event, i] /= variance
+        x[i] += gains[event, i] * error
     return error, variance
 
 
@@ -234,11 +253,12 @@ def kalman_path(events: Events, lanes: RobotLanes, first: Any, noise: Noise, lon
     s) and, with `keep`, the state after each event (events, s), else none; NaN, or zero, from where it toppled.
     """
     size, many = len(first), len(events.kind)
-    x, P, u = first.copy(), noise.start.copy(), events.commands[0].copy()
+    x, P, u = first.copy(), np.zeros((size, PADDED)), events.commands[0].copy()
+    P[:, :size] = noise.start
     w = block_of(lanes.robots)
     swings = len(lanes.swing)
     room = _Flow(
-        w, np.zeros((2, WIDE)), np.zeros((STATES, STATES)), np.zeros((size, size)),
+        w, np.zeros((2, WIDE)), np.zeros((STATES, STATES)), np.zeros((size, PADDED)), np.zeros((size, PADDED)),
         lanes.swing, np.zeros((swings, WIDE)), np.eye(size),
     )  # fmt: skip
     e, s, gains = np.full(many, np.nan), np.full(many, np.nan), np.zeros((many, size))
@@ -254,11 +274,8 @@ def kalman_path(events: Events, lanes: RobotLanes, first: Any, noise: Noise, lon
             forget += noise.restart
         if then - now > INSTANT:
             _flow(room, x, u, now, then, longest)
-            process = noise.process[int(get(w, STUCK, 0))]
-            if swings:
-                _predict(P, room.whole, size, process, then - now, room.product)
-            else:
-                _predict(P, room.phi, STATES, process, then - now, room.product)
+            phi, mode = room.whole if swings else room.phi, int(get(w, STUCK, 0))
+            _predict(P, phi, noise.process, mode, then - now, room.product, room.turned)
             now = then
         if not abs(x[0]) < TOPPLED:
             break
@@ -270,8 +287,8 @@ def kalman_path(events: Events, lanes: RobotLanes, first: Any, noise: Noise, lon
                 for j in range(len(RATES)):
                     P[RATES[i], RATES[j]] += noise.jitter * lag[i] * lag[j]
         else:
-            C = lanes.reads[row, :, 0]
-            e[event], s[event] = _correct(x, P, C, events.value[event], noise.readings[row], gains[event])
+            value, variance = events.value[event], noise.readings[row]
+            e[event], s[event] = _correct(x, P, lanes.reads, row, value, variance, gains, event)
         if keep:
             states[event] = x
     return e, s, gains, states
