@@ -23,7 +23,7 @@ from upright.calibrate.electronics import BATTERY
 from upright.calibrate.estimate import NORMAL
 from upright.calibrate.fitting import Normal, Path, Problem
 from upright.calibrate.gauss_newton import Minimum, gauss_newton
-from upright.calibrate.informativity import posterior
+from upright.calibrate.informativity import MARGIN, posterior
 from upright.calibrate.summary import HALVED, combined_numbers
 from upright.robots.uncertainty import GUESS
 from upright.tables import joined
@@ -35,7 +35,6 @@ COEFFICIENTS = ("a11", "a12", "a22", "weight_moment", "a22/a11", "weight_moment/
 CHANCE = 0.05  # probability that runs of one robot are said to differ, over all numbers and runs
 ITERATIONS = 10  # of Gauss–Newton, from the optimum of all runs
 MOST_NAMED = 2  # numbers in a sentence
-LEAST_GAIN = -math.log(CHANCE)  # [nats] by which a factor on a run's commands must be likelier than none
 MOST_OF_IT = 0.5  # [1] of what fits apart gain: the least that such a factor must gain
 WINDING, OTHER_WINDING = "motor_resistance", 4.0  # [1] standard deviations between runs: a copper wire 25 K warmer
 FACTORS = (-0.5, 0.0, 0.5)  # logarithms at which the search for it starts
@@ -174,7 +173,7 @@ def _acts(problem: Problem, z: Array, run: int, none: Minimum, own: float) -> _F
     gained = joint - best.normal.objective - math.log(GUESS / unit / p.spread)
     others = [other for other in range(len(problem.recordings)) if other != run]
     separate = joint - own - _fitted(problem, z, others)[2].objective
-    if gained < max(LEAST_GAIN, MOST_OF_IT * separate):
+    if gained < max(MARGIN, MOST_OF_IT * separate):
         return None
     slope = np.zeros(len(z))
     for other in range(len(problem.recordings)):

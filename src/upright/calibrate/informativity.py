@@ -29,6 +29,11 @@ QUIET = 4.0
 """Root mean square of the pitch rate, in steps of its gyro, below which no inertia is given: the errors of the readings
 then are no longer small beside the motion, and what the fit calls an inertia is partly their image."""
 
+MARGIN = 10.0
+"""[nats] of likelihood, readings weighted by what they count for it, by which a cause must be likelier that a log may
+have beside its robot: a resonance, a gain that its file states, a factor on the commands of a run. Odds of e¹⁰, twenty
+thousand to one: a log has many causes of innovations that are not white, and each of these is only one."""
+
 WINDOW = 1.0  # [s] beyond which innovations are taken to be independent: many times the time in which a robot falls
 
 

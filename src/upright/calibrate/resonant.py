@@ -13,7 +13,7 @@ import numpy as np
 from upright.arrays import Array
 from upright.calibrate.fitting import Fitted, Problem, objective
 from upright.calibrate.gauss_newton import gauss_newton
-from upright.calibrate.informativity import score_covariance
+from upright.calibrate.informativity import MARGIN, score_covariance
 from upright.calibrate.resonance import DAMPING, FREQUENCY, SWING, TYPICAL, parameters_about
 from upright.calibrate.threads import CORES, in_threads
 
@@ -22,10 +22,6 @@ FREQUENCIES = (5.0, 7.0, 10.0, 14.0, 20.0, 28.0, 40.0, 56.0)
 DAMPINGS = (0.1, 0.7)
 """[1] of the starts: what swings, and a filter."""
 ITERATIONS = 5  # of Gauss–Newton from each start, before the noise is learnt again at the best
-MARGIN = 10.0
-"""[nats] of marginal likelihood, readings weighted by what they count for it, by which a resonance must be
-likelier: odds of e¹⁰, twenty thousand to one, as for a gain that a file states. A log has many causes of innovations
-that are not white, and this is only one."""
 
 
 def resonant(fit: Fitted, settled: Callable[[Problem, Array], Fitted]) -> Fitted | None:

@@ -16,6 +16,7 @@ import numpy as np
 from upright.arrays import Array
 from upright.calibrate.fitting import Fitted, Problem
 from upright.calibrate.gauss_newton import gauss_newton
+from upright.calibrate.informativity import MARGIN
 from upright.errors import DesignFailed
 from upright.logs.raw import named
 from upright.logs.readers import GAINS
@@ -23,9 +24,6 @@ from upright.logs.recording import commanded
 from upright.robots import Kit
 from upright.signals import SIDES, Log
 
-MARGIN = 10.0
-"""[nats] of log posterior, readings weighted by their effective sample size, by which commands before the gain must be
-likelier, at the noise of either fit: odds of e¹⁰, twenty thousand to one. A gain in a header may be of anything."""
 ITERATIONS = 10  # of Gauss–Newton, from each start
 
 
