@@ -596,9 +596,10 @@ def test_two_causes_are_found_where_the_first_one_alone_takes_up_a_part_of_the_s
 
 @pytest.mark.slow
 def test_a_load_that_goes_is_found_beside_the_push_that_hides_it() -> None:
-    # planted: six tenths of the body come off, 0.3 s before a push of 0.9 m/s
-    body = open_bench.BrokenBody(Twin(NXT), KIT, bench.Fault("load changed", "dropped", ONSET, 0.6, -1.0), 1)
-    push = Push(force=0.9 * MASS / 0.15, start=ONSET + 0.3, duration=0.15)
+    # planted: eight tenths of the body come off, 0.3 s before a push of 0.7 m/s. Of six tenths before 0.9 m/s the log
+    # shows nothing: from the planted numbers on a load and a push have 301.5 nats, pushes alone 301.9
+    body = open_bench.BrokenBody(Twin(NXT), KIT, bench.Fault("load changed", "dropped", ONSET, 0.8, -1.0), 1)
+    push = Push(force=0.7 * MASS / 0.15, start=ONSET + 0.3, duration=0.15)
     log = run(body, designed(), [Impulse(impulse=0.05, start=0.7, duration=0.02), push], seconds=7.0, seed=2)
     assert log.origin["outcome"]["fell"]
     names = [n for n in log.channels if n.startswith(("sensor/", "command/"))]
@@ -607,8 +608,8 @@ def test_a_load_that_goes_is_found_beside_the_push_that_hides_it() -> None:
     window = window_of(followed, evidence.fell_at)
     bank_ = window.bank(followed, pushes_only=False)
     found = loaded(followed, evidence.pushes_only, window, bank_)
-    assert found.score > evidence.pushes_only.score + 15  # nats, from which a fault counts (`chances.SURE`)
-    assert found.onset == pytest.approx(ONSET, abs=0.1)
+    assert found.score > evidence.pushes_only.score + 10  # nats, by which a fault contributes (`pairs.CONTRIBUTES`)
+    assert (found.onset, found.size) == (pytest.approx(ONSET, abs=0.1), pytest.approx(-0.8, abs=0.1))
 
 
 @pytest.mark.slow

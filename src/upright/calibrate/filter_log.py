@@ -4,19 +4,24 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.calibrate.electronics import ASYMMETRY, BATTERY, electronics_of
-from upright.calibrate.fitting import STICKING, Path, Problem, objective
+from upright.calibrate.fitting import STICKING, Problem, objective
 from upright.calibrate.noise import learn_noise
 from upright.calibrate.parameters import Parameter
 from upright.calibrate.process_noise import NOISE_TIME, process
-from upright.logs.recording import SENSOR, first_noise, reading_matrix, record
+from upright.logs.recording import SENSOR, Recording, first_noise, reading_matrix, record
 from upright.physics.dynamics import motor_gain, turn_ratio
 from upright.robots import Kit, Robot
 from upright.signals import Log
+
+if TYPE_CHECKING:
+    from upright.calibrate.predictor import Followed, Noise, RobotLanes
 
 KNOWN_WELL = 0.03  # of the commands: process noise from which that of a log is learnt
 MOST = 1e6  # of a variance, over the one from which it is learnt
@@ -62,18 +67,144 @@ def filter_log(
 
 def filtered(problem: Problem, *, disturbance: float, friction: float) -> FilteredLog:
     """The same of a log that is `known` already."""
-    robot = problem.robot
-    dry = friction * robot.coulomb_friction / motor_gain(robot)
-    noise = {**problem.noise, **process(problem.recordings, robot, disturbance), **NO_STICKING}
-    noise["motor"] = math.log(math.exp(noise["motor"]) + dry**2 * NOISE_TIME)
-    noise |= {name: 2 * math.log(size) for name, size in robot.noise.items() if name in noise}
-    problem = replace(problem, noise=noise)
-    return _in_order(problem, problem.filtered(problem.recordings[0], np.zeros(len(problem.parameters)), keep=True))
+    return Follower(problem, disturbance, friction).along()
 
 
-def commanded_by(problem: Problem, commands: Array) -> Problem:
-    """The same log with other `commands` (rows, 2) at the motors."""
-    return replace(problem, recordings=(replace(problem.recordings[0], commands=np.ascontiguousarray(commands)),))
+@dataclass(frozen=True, eq=False)
+class _Order:
+    """The events of a recording in an order: which (n,), their times [s], rows, samples, and the command that each
+    holds."""
+
+    events: Whole
+    t: Array
+    row: Whole
+    sample: Whole
+    command: Whole
+
+
+@dataclass(frozen=True, eq=False)
+class Follower:
+    """The filter of a known robot along the one recording of a `problem`, any number of times: what does not depend on
+    commands and readings is made once. `disturbance` and `friction` are those of `filter_log`."""
+
+    problem: Problem
+    disturbance: float
+    friction: float
+
+    @property
+    def recording(self) -> Recording:
+        """The recording that is followed."""
+        return self.problem.recordings[0]
+
+    @cached_property
+    def samples(self) -> Whole:
+        """The row of the log (events,) of each event in the recording's order."""
+        when = self.recording.when
+        return np.searchsorted(when[self.recording.kind < 0], when - 1e-9)
+
+    @cached_property
+    def _delays(self) -> Array:
+        return self.problem.own_delays(self.recording, self._none)
+
+    @cached_property
+    def _none(self) -> Array:
+        return np.zeros(len(self.problem.parameters))
+
+    @cached_property
+    def _robot(self) -> tuple[RobotLanes, Array]:
+        """What the predictor takes of the robot, and how each sensor reads the state."""
+        from upright.calibrate.predictor import WIDE
+
+        recording, problem = self.recording, self.problem
+        lanes = problem.lanes(recording, np.repeat(self._none[:, None], WIDE, axis=1))
+        turn = np.array([turn_ratio(problem.robot)])
+        return lanes, reading_matrix(recording.rows, len(recording.first), turn, recording.parts)[:, :, 0]
+
+    @cached_property
+    def _usual(self) -> _Order:
+        return self._ordered(self.recording.when)
+
+    def _ordered(self, when: Array) -> _Order:
+        kind, then = self.recording.kind, when - self._delays
+        events = np.lexsort((kind, then)).astype(np.int64)
+        row = kind[events]
+        latest = np.maximum.accumulate(np.where(row < 0, np.arange(len(events)), 0))
+        command = self.recording.value[events][latest].astype(np.int64)
+        command[: int((row < 0).argmax())] = 0
+        return _Order(events, then[events], row, self.samples[events], np.concatenate([command[:1], command[:-1]]))
+
+    @cached_property
+    def _noise(self) -> Noise:
+        """That of the sensors and the process; of the commands as the recording has them, whichever are sent."""
+        from upright.calibrate.predictor import Noise
+
+        problem, robot = self.problem, self.problem.robot
+        dry = self.friction * robot.coulomb_friction / motor_gain(robot)
+        noise = {**problem.noise, **process(problem.recordings, robot, self.disturbance)}
+        noise["motor"] = math.log(math.exp(noise["motor"]) + dry**2 * NOISE_TIME)
+        noise |= NO_STICKING | {name: 2 * math.log(size) for name, size in robot.noise.items() if name in noise}
+        readings = np.exp([noise[SENSOR[row]] for row in self.recording.rows])
+        whole = replace(problem, noise=noise).process(self.recording)
+        return Noise(self.recording.P0, whole, 0.0, readings, problem.restart)
+
+    @cached_property
+    def _path(self) -> Followed:
+        """What the filter leaves of the recording as it is."""
+        from upright.calibrate.predictor import Events, Followed, kalman_along
+
+        recording, n, size = self.recording, len(self.recording.kind), len(self.recording.first)
+        path = Followed(
+            np.full(n, np.nan), np.full(n, np.nan), np.zeros((n, size)), np.zeros((n, size)), np.zeros((n, size, size))
+        )
+        events = Events(self._usual.events, recording.kind, recording.when, recording.value, recording.commands)
+        kalman_along(events, self._robot[0], recording.first, self._noise, self.problem.longest, path)
+        return path
+
+    def along(
+        self, commands: Array | None = None, values: Array | None = None, when: Array | None = None
+    ) -> FilteredLog:
+        """The filter along the recording, or one with these `commands` (rows, 2), `values` (events,) of its readings,
+        NaN of those that say nothing, and times `when` (events,) [s] of its events."""
+        recording, (_, reads) = self.recording, self._robot
+        commands = recording.commands if commands is None else np.ascontiguousarray(commands)
+        order = self._usual if when is None else self._ordered(when)
+        values = recording.value if values is None else values
+        path = self._again(order, commands, values, recording.when if when is None else when)
+        e, after = path.e[order.events], path.states[order.events]
+        end = _lost(order.row, e, after)
+        return FilteredLog(
+            rows=recording.rows, t=order.t[:end], row=order.row[:end], sample=order.sample[:end], innovation=e[:end],
+            variance=path.s[order.events][:end], gains=path.gains[order.events][:end],
+            before=np.vstack([recording.first, after[:-1]])[:end], after=after[:end],
+            command=commands[order.command][:end],  # the one held until the event
+            reads=reads,
+        )  # fmt: skip
+
+    def _again(self, order: _Order, commands: Array, values: Array, when: Array) -> Followed:
+        """What the filter leaves of events of other commands, readings and times: it begins where these first differ
+        from the recording's."""
+        from upright.calibrate.predictor import Events, Followed, kalman_along
+
+        recording, before, usual = self.recording, self._path, self._usual
+        events, row = usual.events, usual.row
+        other = (commands != recording.commands).any(axis=1)[np.where(row < 0, recording.value[events].astype(int), 0)]
+        differs = (order.events != events) | ((row < 0) & other)
+        differs |= (values != recording.value)[events] | (when != recording.when)[events]
+        first = int(differs.argmax()) if differs.any() else len(events)
+        if first == len(events):
+            return before
+        held = np.flatnonzero((row[:first] < 0) & before.states[events[:first]].any(axis=1))
+        e, s, gains, states = (one.copy() for one in before[:4])
+        path = Followed(e, s, gains, states, before.covariances[:0])
+        start, state, noise = 0, recording.first, self._noise
+        if len(held):  # a command, which changes neither the state nor what is known of it
+            start = int(held[-1])
+            state, noise = states[events[start]].copy(), noise._replace(start=before.covariances[events[start]])
+        for one, nothing in ((e, np.nan), (s, np.nan), (gains, 0.0), (states, 0.0)):
+            one[events[start:]] = nothing
+        several = Events(order.events[start:], recording.kind, when, values, commands)
+        kalman_along(several, self._robot[0], state, noise, self.problem.longest, path)
+        return path
 
 
 def known(log: Log, robot: Robot, kit: Kit, delay: float) -> Problem:
@@ -114,28 +245,9 @@ def _motors(robot: Robot, kit: Kit, log: Log) -> tuple[Parameter, ...]:
     return tuple(p for p in electronics_of(robot, kit, [log]) if p.name in (ASYMMETRY, BATTERY))
 
 
-def _in_order(problem: Problem, path: Path) -> FilteredLog:
-    recording, z = problem.recordings[0], np.zeros(len(problem.parameters))
-    order = problem.order(recording, z)
-    row, after = recording.kind[order], path.states[order]
-    latest = np.maximum.accumulate(np.where(row < 0, np.arange(len(order)), 0))
-    command = recording.commands[recording.value[order][latest].astype(int)]
-    command[: int((row < 0).argmax())] = recording.commands[0]
-    turn = np.array([turn_ratio(problem.robot)])
-    lost = ~np.isfinite(after).all(axis=1) | ((row >= 0) & ~np.isfinite(path.e[order]))
+def _lost(row: Whole, e: Array, after: Array) -> int:
+    """The event at which the filter lost the robot, or how many there are."""
+    lost = ~np.isfinite(after).all(axis=1) | ((row >= 0) & ~np.isfinite(e))
     first = int((row >= 0).argmax())
     lost[first:] |= ~after[first:].any(axis=1)  # the filter stopped where the robot toppled
-    keep = slice(0, int(lost.argmax()) if lost.any() else len(order))
-    return FilteredLog(
-        rows=recording.rows,
-        t=(recording.when - problem.own_delays(recording, z))[order][keep],
-        row=row[keep],
-        sample=np.searchsorted(recording.when[recording.kind < 0], recording.when[order] - 1e-9)[keep],
-        innovation=path.e[order][keep],
-        variance=path.s[order][keep],
-        gains=path.gains[order][keep],
-        before=np.vstack([recording.first, after[:-1]])[keep],
-        after=after[keep],
-        command=np.vstack([command[:1], command[:-1]])[keep],  # the one held until the event
-        reads=reading_matrix(recording.rows, len(recording.first), turn, recording.parts)[:, :, 0],
-    )
+    return int(lost.argmax()) if lost.any() else len(row)

@@ -9,6 +9,7 @@ innovations are those of the log's own likelihood, since a command depends only 
 
 from __future__ import annotations
 
+import math
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -228,6 +229,15 @@ def _correct(x: Any, P: Any, reads: Any, row: Any, error: Any, variance: Any, ga
 
 
 @njit
+def _silent(P: Any, reads: Any, row: Any, variance: Any) -> Any:
+    """The same of a reading that is NaN: it corrects nothing, and is off by one standard deviation."""
+    for i in range(len(P)):
+        for j in range(len(P)):
+            variance += reads[row, i, 0] * P[i, j] * reads[row, j, 0]
+    return math.sqrt(variance), variance
+
+
+@njit
 def _response_to_delay(w: Any, x: Any, old: Any, new: Any) -> Any:
     """By how much ψ̇, θ̇ and φ̇ lag for each second that the command `new` arrives late after `old`."""
     constants = constants_free(w, 0)
@@ -245,6 +255,17 @@ def _forget(P: Any, start: Any, tail: Any) -> None:
                 P[i, j] += start[i, j]
 
 
+class Followed(NamedTuple):
+    """What the filter leaves of each event: innovations (events,), their variances (events,) and gains (events, s); the
+    state (events, s) and its covariance (events, s, s) after it, or none of either."""
+
+    e: Any
+    s: Any
+    gains: Any
+    states: Any
+    covariances: Any
+
+
 @njit
 def kalman_path(events: Events, lanes: RobotLanes, first: Any, noise: Noise, longest: Any, keep: bool) -> Any:
     """The extended Kalman filter along one log, from the state `first` (s,), in steps of at most `longest` [s].
@@ -253,6 +274,17 @@ def kalman_path(events: Events, lanes: RobotLanes, first: Any, noise: Noise, lon
     s) and, with `keep`, the state after each event (events, s), else none; NaN, or zero, from where it toppled.
     """
     size, many = len(first), len(events.kind)
+    e, s, gains = np.full(many, np.nan), np.full(many, np.nan), np.zeros((many, size))
+    states = np.zeros((many if keep else 0, size))
+    kalman_along(events, lanes, first, noise, longest, Followed(e, s, gains, states, np.zeros((0, size, size))))
+    return e, s, gains, states
+
+
+@njit
+def kalman_along(events: Events, lanes: RobotLanes, first: Any, noise: Noise, longest: Any, followed: Followed) -> None:
+    """The same into what was `followed` so far. No hypothesis gains by readings that say nothing: each is off by one
+    standard deviation."""
+    size = len(first)
     x, P, u = first.copy(), np.zeros((size, PADDED)), events.commands[0].copy()
     P[:, :size] = noise.start
     w = block_of(lanes.robots)
@@ -261,8 +293,7 @@ def kalman_path(events: Events, lanes: RobotLanes, first: Any, noise: Noise, lon
         w, np.zeros((2, WIDE)), np.zeros((STATES, STATES)), np.zeros((size, PADDED)), np.zeros((size, PADDED)),
         lanes.swing, np.zeros((swings, WIDE)), np.eye(size),
     )  # fmt: skip
-    e, s, gains = np.full(many, np.nan), np.full(many, np.nan), np.zeros((many, size))
-    states = np.zeros((many if keep else 0, size))
+    e, s, gains = followed.e, followed.s, followed.gains
     now, forget = -np.inf, np.inf
     for event in events.order:
         row = events.kind[event]
@@ -288,7 +319,16 @@ def kalman_path(events: Events, lanes: RobotLanes, first: Any, noise: Noise, lon
                     P[RATES[i], RATES[j]] += noise.jitter * lag[i] * lag[j]
         else:
             value, variance = events.value[event], noise.readings[row]
-            e[event], s[event] = _correct(x, P, lanes.reads, row, value, variance, gains, event)
-        if keep:
-            states[event] = x
-    return e, s, gains, states
+            if math.isnan(value):
+                e[event], s[event] = _silent(P, lanes.reads, row, variance)
+            else:
+                e[event], s[event] = _correct(x, P, lanes.reads, row, value, variance, gains, event)
+        _keep(followed, event, x, P)
+
+
+@njit
+def _keep(followed: Followed, event: int, x: Any, P: Any) -> None:
+    if len(followed.states):
+        followed.states[event] = x
+    if len(followed.covariances):
+        followed.covariances[event] = P[:, : len(x)]

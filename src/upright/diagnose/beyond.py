@@ -73,7 +73,7 @@ def leftover(fits: Sequence[FaultFit], window: Window, bank: Bank) -> Leftover |
 
 
 def _beyond(fit: FaultFit, window: Window, bank: Bank) -> Leftover | None:
-    here = window.beside(fit, bank)
+    here = window.channels(fit, bank)
     if not len(here.steps):
         return None
     best = max((_of_channel(channel, fit, here, bank) for channel in here.free), key=lambda one: one.score)

@@ -28,18 +28,18 @@ from upright.diagnose.fall import (
     stale_rows,
     stuck_sensor,
 )
-from upright.diagnose.fault_fits import FaultFit, PushEstimate, fits, with_commands
+from upright.diagnose.fault_fits import FaultFit, PushEstimate, fits, gainable, spared, with_commands
 from upright.diagnose.forces import forced
 from upright.diagnose.innovations import FilterRun, follow
 from upright.diagnose.joint import pairs_settled, settled
 from upright.diagnose.law import CommandMatch, matched, references
-from upright.diagnose.pairs import Pair, contributing, paired
+from upright.diagnose.pairs import CONTRIBUTES, Pair, contributing, paired
 from upright.diagnose.pushed import LEAVES, with_sudden_pushes
 from upright.diagnose.remedy import Window, dropped, remedied, searched, sharpened
 from upright.diagnose.signatures import Bank
 from upright.diagnose.sizes import possible
 from upright.diagnose.thrown import Throw, thrown
-from upright.diagnose.usual import FOREIGN, calm_of, window_of
+from upright.diagnose.usual import FOREIGN, calm_of, quiet_of, window_of
 from upright.doctor.wheels import on_its_wheels
 from upright.errors import SpecMismatch, UprightError
 from upright.physics.dynamics import motor_damping, motor_gain
@@ -190,7 +190,7 @@ def gather(
     if not foreign and _unexplained(several, bank):
         several = forced(run, several, window, bank)
         if several[0].nis > LEAVES * calm_of(run, window):
-            several += with_sudden_pushes(run, window, bank)
+            several += with_sudden_pushes(run, window, bank, several[0].score)
             several.sort(key=lambda fit: -fit.score)
         several = settled(run, several, window, bank)
     frozen = frozen_rows(run)
@@ -241,19 +241,23 @@ def _evidence(
     jam = jam_or_stuck(run, stuck, window, bank) if stuck and "encoder" in stuck.channel else None
     met = [fit for fit in several if possible(fit, end)]
     calm = calm_of(run, window)
-    more = met[0].nis > EXPLAINED * calm or (met[0].fault != "none" and met[0].pushes)  # that a fault leaves
-    open_ = not stuck and window.usual <= FOREIGN and bool(more)
-    pairs = pairs_settled(run, paired(run, met, window, bank), window, bank) if open_ else []
-    pairs = contributing(run, pairs, window, bank)
+    known, best = not stuck and window.usual <= FOREIGN, met[0]
+    more = best.nis > EXPLAINED * calm or (best.fault != "none" and best.pushes)  # that a fault leaves
+    gain = gainable(bank, best.nis, quiet_of(run, window)) + spared(bank, best.spent)
+    pairs: list[Pair] = []
+    if known and gain > CONTRIBUTES:  # else no pair explains more
+        pairs = pairs_settled(run, paired(run, met, window, bank), best.score, window, bank)
+        pairs = contributing(run, pairs, best.score, window, bank)
     if window.usual > FOREIGN:
         notes = (*notes, foreign(window.usual, robot))
     elif robot.noise:
         notes = (*notes, noisy(robot.noise))
+    left = leftover(met, window, bank) if known and (more or pairs) else None
     per_impulse, per_height, *_ = (mode.w @ model.E).tolist()
     return Evidence(
         run=run, fell_at=end, ordinary=window.usual, calm=calm,
         nis=float(np.mean(bank.y**2)), then=bank.then, fits=tuple(several),
-        stuck=stuck, jam=jam, pairs=tuple(pairs), left=leftover(met, window, bank) if open_ else None,
+        stuck=stuck, jam=jam, pairs=tuple(pairs), left=left,
         toppling=Toppling(per_impulse, per_height, abs(mode.b) * most / mode.pole, mode.pole),
         motors=_motor_use(run, mode.w, end), match=match, stable=stable,
         lost=lost_lately(log, run.kit.period, end),

@@ -182,6 +182,18 @@ def score_of(bank: Bank, rest: Array, spent: float) -> float:
     return n / 2 * math.log((bank.y @ bank.y + floor) / (squares + floor)) - spent * math.log(n)
 
 
+def gainable(bank: Bank, nis: float, quiet: float) -> float:
+    """How many nats more than one that leaves `nis` a hypothesis has, before it pays for its numbers, that leaves no
+    more than `quiet` seconds do."""
+    n = len(bank.y) / CORRELATED
+    return n / 2 * math.log((nis + bank.scale) / (min(nis, quiet) + bank.scale))
+
+
+def spared(bank: Bank, spent: float) -> float:
+    """How many nats cheaper two faults of an onset and a size each are than so many free numbers."""
+    return (spent - 2 * FAULT_NUMBERS) * math.log(len(bank.y) / CORRELATED)
+
+
 def numbers_of(fault: str) -> int:
     """How many free numbers a fault has."""
     return FAULT_NUMBERS + MORE_NUMBERS.get(fault, 0)

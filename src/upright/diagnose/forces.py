@@ -197,6 +197,8 @@ class ForceSearch:
     def rest(self, *several: Array) -> Array:
         """What numbers leave of the innovations (readings, lanes)."""
         observer, p, lanes = self.observer, self.observer.part.robot, len(several)
+        if not len(several[0]):  # no force at all
+            return np.repeat(self.left[:, None], lanes, axis=1)
         forces, floors = np.zeros((lanes, len(observer.part.t), 2)), np.zeros((lanes, 2))
         robots, onsets = np.repeat(observer.usual[None], lanes, axis=0), np.full(lanes, np.inf)
         slope = (-(p.body_mass + 2 * p.wheel_mass) * p.gravity, -p.body_mass * p.com_height * p.gravity)
@@ -232,18 +234,22 @@ class Residuals(Protocol):
 
 
 def least_squares(
-    of: Residuals, x: Array, change: Array, dampings: Sequence[float] = DAMPINGS, strides: Sequence[float] = (1.0,)
+    of: Residuals, x: Array, change: Array, dampings: Sequence[float] = DAMPINGS, strides: Sequence[float] = ()
 ) -> Array:
     """The numbers of least squares near x, by steps of Gauss and Newton whose slopes are those of a small `change` of
-    each, the best of several `dampings` and `strides`."""
+    each, the best of several `dampings`, and farther the same way by `strides`."""
     for _ in range(ROUNDS):
         y = of.rest(x, *(x + row for row in np.diag(change)))
         J = (y[:, 1:] - y[:, :1]) / change
         curvature, slope, squares = J.T @ J, J.T @ y[:, 0], float(y[:, 0] @ y[:, 0])
         size = np.diag(np.maximum(np.diag(curvature), 1e-9 * np.diag(curvature).max() + 1e-30))
         steps = [np.linalg.solve(curvature + d * size, slope) for d in dampings]
-        tried = [of.inside(x - stride * step) for step in steps for stride in strides]
+        tried = [of.inside(x - step) for step in steps]
         left = (of.rest(*tried) ** 2).sum(axis=0)
+        step = steps[int(np.argmin(left))]
+        if strides:
+            strided = [of.inside(x - stride * step) for stride in strides]
+            tried, left = tried + strided, np.concatenate([left, (of.rest(*strided) ** 2).sum(axis=0)])
         i = int(np.argmin(left))
         if not left[i] < squares:
             break

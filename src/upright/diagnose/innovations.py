@@ -17,8 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.calibrate.filter_log import FilteredLog, commanded_by, filtered, known
-from upright.calibrate.fitting import Problem
+from upright.calibrate.filter_log import FilteredLog, Follower, known
 from upright.calibrate.knocks import Arrays
 from upright.compiled.generated import constants
 from upright.errors import InvalidLog
@@ -43,21 +42,24 @@ FULL_RANGE = 0.98  # of a sensor's range: a reading beyond it is clipped and say
 INPUTS = ("left", "right", "force", "moment")
 """What can enter between two events: command errors of both motors, a force at the axle [N], a moment [N m]."""
 
+IN_TIME = (math.inf, 0.0, 0.0)
+"""No commands and no readings that are late."""
+
 _STEP = 1e-4  # [SI] of a finite difference: truncation and rounding both near 1e-8 of it
 _SPREAD_STEP = 0.01  # of its spread, by which a parameter is moved for a finite difference
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class FilterRun(FilteredLog):
-    """The filter of a `robot` in its `kit` along a log, whose controller `asked` for commands (samples, 2), as the
-    `problem` that gave it. The log has each event at the time of its `clock` [s], which differs from its own where
+    """The filter of a `robot` in its `kit` along a log, whose controller `asked` for commands (samples, 2), by the
+    `follower` that gave it. The log has each event at the time of its `clock` [s], which differs from its own where
     readings came late."""
 
     robot: Robot
     kit: Kit
     log: Log
     asked: Array
-    problem: Problem
+    follower: Follower
     clock: Array
 
     def driven(self, charge: float | Array = 1.0, *, pwm: bool = True) -> Array:
@@ -101,14 +103,18 @@ class FilterRun(FilteredLog):
         error += self.gains[i][:, None] * innovation
         return innovation / math.sqrt(self.variance[i])
 
-    def sent(self, commands: Array, delayed: tuple[float, float, float] = (math.inf, 0.0, 0.0)) -> FilterRun:
-        """The run of the same log with these commands (samples, 2) at the motors; from a time on [s], all of them, and
-        all readings, are `delayed` by more time [s] than the kit has it."""
-        more = len(self.problem.recordings[0].commands) - len(commands)
-        if more:
+    def again(
+        self, commands: Array | None, log: Log | None = None, delayed: tuple[float, float, float] = IN_TIME
+    ) -> FilterRun:
+        """The run of the same log with these commands (samples, 2) at the motors (None: those of the log), or of a
+        `log` with other readings in the same rows; from a time on [s], all commands, and all readings, are `delayed` by
+        more time [s] than the kit has it."""
+        own = self.follower.recording
+        if commands is not None and len(own.commands) > len(commands):
+            more = len(own.commands) - len(commands)
             commands = np.vstack([commands, np.repeat(commands[-1:], more, axis=0)])
-        problem = commanded_by(self.problem, commands)
-        return _run(problem, self.robot, self.kit, self.log, self.asked, delayed)
+        values = own.value if log is None else _read(self.follower, log, self.kit)
+        return _run(self.follower, self.kit, log or self.log, self.asked, commands, values, delayed)
 
     @cached_property
     def tangent(self) -> Tangent:
@@ -133,39 +139,51 @@ def driven(asked: Array, kit: Kit, unit: str, charge: float | Array = 1.0, *, pw
     return np.stack(electronics.driven([scale * u for u in asked.T], motor, battery, Arrays, volts=unit == "V"), axis=1)
 
 
-def follow(log: Log, robot: Robot, kit: Kit, sent: Array | None = None) -> FilterRun:
-    """The nominal robot's filter along the whole of `log`, with the commands `sent` (samples, 2) at its motors (None:
-    what the kit makes of those asked for); raises `InvalidLog` where it cannot follow."""
+def follow(log: Log, robot: Robot, kit: Kit) -> FilterRun:
+    """The nominal robot's filter along the whole of `log`, with what the kit makes of its commands; raises `InvalidLog`
+    where it cannot follow."""
     names = asked_of(log)
     asked = np.column_stack([log[n] for n in names])
-    if sent is None:
-        sent = driven(asked, kit, robot.command_unit)
     others = {n: v for n, v in log.channels.items() if not n.startswith(("applied/", "truth/", "command/"))}
-    channels = {n: _inside(v, kit, n) for n, v in others.items()} | dict(zip(names, sent.T, strict=True))
+    sent = dict(zip(names, driven(asked, kit, robot.command_unit).T, strict=True))
+    channels = {n: _inside(v, kit, n) for n, v in others.items()} | sent
     long = _long_enough(Log(log.t, channels, {n: log.unit(n) for n in channels}), names)
-    return _run(known(long, robot, kit, _dead_time(names[0], kit)), robot, kit, log, asked)
+    follower = Follower(known(long, robot, kit, _dead_time(names[0], kit)), PROCESS_NOISE, DRY_FRICTION_NOISE)
+    return _run(follower, kit, log, asked)
+
+
+def _read(follower: Follower, log: Log, kit: Kit) -> Array:
+    """The values of all events (events,) where the readings are those of another log, NaN where that has none; a
+    compass stays as it is."""
+    recording = follower.recording
+    values = recording.value.copy()
+    for row, name in enumerate(recording.rows):
+        if name != "sensor/compass":
+            mine = recording.kind == row
+            values[mine] = _inside(log[name], kit, name)[follower.samples[mine]]
+    return values
 
 
 def _run(
-    problem: Problem, robot: Robot, kit: Kit, log: Log, asked: Array,
-    delayed: tuple[float, float, float] = (math.inf, 0.0, 0.0),
+    follower: Follower, kit: Kit, log: Log, asked: Array, commands: Array | None = None,
+    values: Array | None = None, delayed: tuple[float, float, float] = IN_TIME,
 ) -> FilterRun:  # fmt: skip
-    recording, (since, commands, readings) = problem.recordings[0], delayed
-    if not commands and not readings:
-        result = vars(filtered(problem, disturbance=PROCESS_NOISE, friction=DRY_FRICTION_NOISE))
-        run = FilterRun(**result, robot=robot, kit=kit, log=log, asked=asked, problem=problem, clock=result["t"])
-        return run.only(run.sample < len(log)) if len(log) < FEWEST else run
-    shift = np.where(recording.when >= since - 1e-9, np.where(recording.kind < 0, commands, -readings), 0.0)
-    moved = replace(problem, recordings=(replace(recording, when=recording.when + shift),))
-    result = vars(filtered(moved, disturbance=PROCESS_NOISE, friction=DRY_FRICTION_NOISE))
-    events = moved.order(moved.recordings[0], np.zeros(len(moved.parameters)))[: len(result["t"])]
-    rows = recording.when[recording.kind < 0]
-    result["sample"] = np.searchsorted(rows, recording.when[events] - 1e-9)
+    recording, (since, commanded, readings), when = follower.recording, delayed, None
+    if commanded or readings:
+        shift = np.where(recording.kind < 0, commanded, -readings)
+        when = recording.when + np.where(recording.when >= since - 1e-9, shift, 0.0)
+    path = follower.along(commands, values, when)
     # a command stands in the log with the readings of its time
-    clock = result["t"] + np.where(
-        recording.kind[events] < 0, readings * (recording.when[events] >= since), -shift[events]
+    on = recording.when[recording.kind < 0][path.sample] >= since - 1e-9
+    run = FilterRun(
+        **vars(path),
+        robot=follower.problem.robot,
+        kit=kit,
+        log=log,
+        asked=asked,
+        follower=follower,
+        clock=path.t + readings * on,
     )
-    run = FilterRun(**result, robot=robot, kit=kit, log=log, asked=asked, problem=problem, clock=clock)
     return run.only(run.sample < len(log)) if len(log) < FEWEST else run
 
 

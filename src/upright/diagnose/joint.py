@@ -14,14 +14,25 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from upright.arrays import Array
-from upright.diagnose.fault_fits import FaultFit, score_of
+from upright.diagnose.fault_fits import FaultFit, gainable, score_of
 from upright.diagnose.forces import FORCED, LOST, ForceSearch, Observer, least_squares, refined
 from upright.diagnose.innovations import FilterRun
-from upright.diagnose.pairs import Pair, together
-from upright.diagnose.remedy import COMMAND_FAULTS, FADE, LONGEST, READING_FAULTS, SHORT, Window, lately, remedied
+from upright.diagnose.pairs import CONTRIBUTES, RIVALS, Pair, together
+from upright.diagnose.remedy import (
+    COMMAND_FAULTS,
+    FADE,
+    LONGEST,
+    READING_FAULTS,
+    SHORT,
+    STRONGEST,
+    WEAKEST,
+    Window,
+    lately,
+    remedied,
+)
 from upright.diagnose.signatures import YOUNGEST, Bank, beside, unknown_parameters
 from upright.diagnose.sizes import ALL
-from upright.diagnose.usual import calm_of
+from upright.diagnose.usual import quiet_of
 
 CHANGES = {"bias": 0.01, "scale": 0.01, "weak": 0.04, "delay": 0.02, "friction": 0.02}
 """A small change of each fault's size, in its own unit: of a battery more, since a driver's duty has steps."""
@@ -29,13 +40,12 @@ CHANGES = {"bias": 0.01, "scale": 0.01, "weak": 0.04, "delay": 0.02, "friction":
 FADING_CHANGE = 0.04  # [s] of a battery's onset and of the time in which it breaks down
 SLOWER = 0.6  # of the time in which a battery breaks down, by which other starts differ
 SHORTEST_RISE = 0.02  # [s] in which a battery breaks down
-WEAKEST, STRONGEST = 0.03, 0.97  # of a battery's voltage
 LEAST_DELAY = 0.05  # periods
 DAMPINGS = (1e-6, 1e-3, 1e-1)  # of a step, over its curvature
-STRIDES = (1.0, 2.0, 4.0)  # of a step: a narrow valley is long
+STRIDES = (2.0, 4.0)  # of a step: a narrow valley is long
 MOST, BEHIND = 3, 150.0  # faults whose numbers are moved together, and their nats behind the likeliest
-MOST_PAIRS = 2  # whose numbers are moved together
-LEAVES = 1.3  # NIS over the calm one, up to which a hypothesis leaves only noise
+ALIKE = 5.0  # nats behind, up to which a pair with pushes that were looked for again is searched again
+WORTH = 15.0  # nats that a pair must still be able to gain, for its faults to be tried in other ways
 
 
 def _names(fit: FaultFit) -> tuple[str, ...]:
@@ -194,17 +204,26 @@ def pair_settled(run: FilterRun, pair: Pair, window: Window, bank: Bank) -> Pair
     return moved if moved.score > pair.score else pair
 
 
-def pairs_settled(run: FilterRun, pairs: Sequence[Pair], window: Window, bank: Bank) -> list[Pair]:
-    """The likeliest pairs with all of their numbers moved together; and the likeliest of all, where it leaves more than
-    noise, with faults that act in another way."""
-    moved = [*(pair_settled(run, pair, window, bank) for pair in pairs[:MOST_PAIRS]), *pairs[MOST_PAIRS:]]
-    best = max(moved, key=lambda pair: pair.score, default=None)
-    if best is None:
-        return moved
-    if best.second.nis > LEAVES * calm_of(run, window):
-        firsts, seconds = ([fit, *_otherwise(fit, window.end)] for fit in (best.first, best.second))
+def pairs_settled(run: FilterRun, pairs: Sequence[Pair], single: float, window: Window, bank: Bank) -> list[Pair]:
+    """All pairs, those that may be the likeliest with all of their numbers moved together; and the likeliest of all,
+    with each rival, in their other ways where these could explain more; `single` is the score of the best fault."""
+    moved, quiet = list[Pair](), quiet_of(run, window)
+
+    def may_reach(pair: Pair) -> float:
+        return pair.score + gainable(bank, pair.second.nis, quiet) if len(pair.second.rest) else pair.score
+
+    for pair in sorted(pairs, key=lambda pair: -pair.score):
+        top = max((one.score for one in moved), default=single + CONTRIBUTES)
+        moved.append(pair_settled(run, pair, window, bank) if may_reach(pair) > top else pair)
+    top, tried = max((pair.score for pair in moved), default=0.0), set[frozenset[str]]()
+    for pair in sorted(moved, key=lambda pair: -pair.score):
+        kinds = frozenset((pair.first.fault, pair.second.fault))
+        if kinds in tried or pair.score < top - RIVALS or may_reach(pair) < max(pair.score, single) + WORTH:
+            continue
+        tried.add(kinds)
+        firsts, seconds = ([fit, *_otherwise(fit, window.end)] for fit in (pair.first, pair.second))
         others = [(first, second) for first in firsts for second in seconds][1:]
-        moved += [_again(run, first, second, best.score - BEHIND, window, bank) for first, second in others]
+        moved += [_again(run, first, second, top - BEHIND, window, bank) for first, second in others]
     return moved
 
 
@@ -214,7 +233,8 @@ def _again(run: FilterRun, first: FaultFit, second: FaultFit, least: float, wind
     pair = pair_settled(run, together(run, first, second, window, bank), window, bank)
     if pair.score < least:
         return pair
-    return pair_settled(run, together(run, pair.first, pair.second, window, bank), window, bank)
+    again = together(run, pair.first, pair.second, window, bank)
+    return pair_settled(run, again, window, bank) if again.score > pair.score - ALIKE else pair
 
 
 def _otherwise(fit: FaultFit, end: float) -> list[FaultFit]:

@@ -20,6 +20,7 @@ from upright.diagnose.fault_fits import (
     FaultFit,
     as_fit,
     dearer,
+    gainable,
     least_squares,
     numbers_of,
     score_of,
@@ -40,18 +41,19 @@ from upright.diagnose.remedy import (
     remedied,
 )
 from upright.diagnose.signatures import Bank, beside, pushing
-from upright.diagnose.usual import calm_of
+from upright.diagnose.usual import quiet_of
 
 Array = NDArray[np.float64]
 
 BESIDE = ("ramp", "payload", "radius")  # faults whose signature may stand beside one that a log was freed of
 MOST_PAIRS = 4  # that the filter itself searches
 MORE = 2  # faults, besides the likeliest, beside which another one is looked for
+UNLIKELY = 150.0  # nats behind the likeliest, from which no second fault is looked for
 TRIED = 3  # signatures of the second kind that are tried with pushes beside them
 CONTRIBUTES = 10.0  # nats that each of both must explain beyond the other one to be one of two
 BEHIND = 10.0  # nats behind the likeliest, that a start must promise to be searched where that one leaves only noise
-FAR_BEHIND = 100.0  # the same where it leaves more: the search gains as much where it begins at the right kinds
-LEAVES = 1.3  # NIS over the calm one, that counts as noise
+FAR_BEHIND = 100.0  # most of it where it leaves more: the search gains as much where it begins at the right kinds
+RIVALS = 20.0  # nats behind the likeliest, up to which another pair may be the right one
 NEAR = 8  # signatures of one kind round its onset, one of which stands for it while the other one is searched
 ALIKE = 0.02  # of a signature's squares, that must be left beside the first fault's changes
 ROUNDS = 2  # most times that the one is searched beside the other's signature where it then is
@@ -101,30 +103,36 @@ def paired(run: FilterRun, fits: Sequence[FaultFit], window: Window, bank: Bank)
         if fit.fault not in ("none", "dropped"):
             best.setdefault(fit.fault, fit)
     several = list(best.values())
-    firsts = several[:1] + [fit for fit in several[1:] if fit.run is not None][:MORE]
+    likely = [fit for fit in several[1:] if fit.run is not None and fit.score > several[0].score - UNLIKELY]
+    firsts = several[:1] + likely[:MORE]
     starts: dict[frozenset[str], _Start] = {}
     for one in firsts:
         for start in _starts(run, one, window, bank):
             kinds = frozenset((one.fault, start.second.fault))
             if kinds not in starts or start.promise > starts[kinds].promise:
                 starts[kinds] = start
-    pairs, calm = list[Pair](), calm_of(run, window)
+    pairs, quiet = list[Pair](), quiet_of(run, window)
     for start in sorted(starts.values(), key=lambda start: -start.promise)[:MOST_PAIRS]:
         top = max(pairs, key=lambda pair: pair.score, default=None)
-        behind = BEHIND if top is not None and top.second.nis < LEAVES * calm else FAR_BEHIND
-        if top is None or start.promise > top.score - behind:
+        more = 0.0 if top is None else gainable(bank, top.second.nis, quiet)
+        if top is None or start.promise > top.score - min(BEHIND + more, FAR_BEHIND):
             pairs += _searched(run, start, window, bank)
     return sorted(pairs, key=lambda pair: -pair.score)
 
 
-def contributing(run: FilterRun, pairs: Sequence[Pair], window: Window, bank: Bank) -> list[Pair]:
-    """The likeliest pair of which neither fault, as the pair has it, explains as much alone; none where there is
-    none."""
-    judged = (
-        replace(pair, alone=_alone(run, pair, window, bank)) for pair in sorted(pairs, key=lambda pair: -pair.score)
-    )
-    first = next((pair for pair in judged if pair.score > pair.alone + CONTRIBUTES), None)
-    return [first] if first else []
+def contributing(run: FilterRun, pairs: Sequence[Pair], single: float, window: Window, bank: Bank) -> list[Pair]:
+    """The likeliest pair of which neither fault, as the pair has it, explains as much alone, and others that explain
+    nearly as much, one of each two faults; the likeliest first, and none that is far behind the best `single` fault's
+    score."""
+    kept: dict[frozenset[str], Pair] = {}
+    for pair in sorted(pairs, key=lambda pair: -pair.score):
+        kinds = frozenset((pair.first.fault, pair.second.fault))
+        least = max([single, *(one.score for one in kept.values())]) - RIVALS
+        if kinds not in kept and pair.score > least:
+            judged = replace(pair, alone=_alone(run, pair, window, bank))
+            if judged.score > judged.alone + CONTRIBUTES:
+                kept[kinds] = judged
+    return list(kept.values())
 
 
 def _alone(run: FilterRun, pair: Pair, window: Window, bank: Bank) -> float:

@@ -11,6 +11,8 @@ from upright.calibrate.kept import njit
 from upright.calibrate.motion import block_of
 from upright.compiled.generated_motion import constants_rolling, rk4_rolling
 
+BLOCK = 32  # faults that are gone through together
+
 
 @njit
 def fly(constants: Any, x: Any, u: Any, w: Any, spans: Any, steps: int) -> Any:
@@ -42,10 +44,23 @@ def propagate(phi: Any, pushed: Any, shifted: Any, reads: Any, gains: Any, devia
     whose innovation has this standard `deviation` (events,), NaN where none is used. Faults enter the state,
     `pushed` (events, 6, faults), and readings, `shifted` (events, faults); either may have one row for all.
     """
+    faults = pushed.shape[2]
+    response = np.zeros((len(phi), faults))
+    for start in range(0, faults, BLOCK):  # neighbours begin at about the same time
+        stop = min(start + BLOCK, faults)
+        _propagate(
+            phi, pushed[:, :, start:stop], shifted[:, start:stop], reads, gains, deviation, response[:, start:stop]
+        )
+    return response
+
+
+@njit
+def _propagate(phi: Any, pushed: Any, shifted: Any, reads: Any, gains: Any, deviation: Any, response: Any) -> None:
+    """The same of some faults into their part of the response."""
     n, size, faults = len(phi), gains.shape[1], pushed.shape[2]
     error, before = np.zeros((size, faults)), np.zeros((6, faults))
-    innovation, response = np.zeros(faults), np.zeros((n, faults))
-    for i in range(n):
+    innovation = np.zeros(faults)
+    for i in range(_first(pushed, shifted, n), n):
         before[:] = error[:6]
         for row in range(6):
             into = error[row]
@@ -68,7 +83,15 @@ def propagate(phi: Any, pushed: Any, shifted: Any, reads: Any, gains: Any, devia
                 error[state, fault] += gains[i, state] * innovation[fault]
         for fault in range(faults):
             response[i, fault] = innovation[fault] / deviation[i]
-    return response
+
+
+@njit
+def _first(pushed: Any, shifted: Any, n: int) -> int:
+    """The event, of n, at which some fault first enters."""
+    i = 0
+    while i < n and not (pushed[i % len(pushed)].any() or shifted[i % len(shifted)].any()):
+        i += 1
+    return i
 
 
 @njit

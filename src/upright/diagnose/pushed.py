@@ -11,7 +11,7 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.diagnose.changes import scaled_sensors
-from upright.diagnose.fault_fits import FaultFit
+from upright.diagnose.fault_fits import FAULT_NUMBERS, PUSH_NUMBERS, FaultFit, score_of
 from upright.diagnose.forces import refined
 from upright.diagnose.innovations import FilterRun
 from upright.diagnose.remedy import (
@@ -29,44 +29,62 @@ from upright.diagnose.remedy import (
 from upright.diagnose.signatures import YOUNGEST, Bank, beside
 
 SCALES = (-1.0, -0.4, 0.25, 0.5, 0.7)  # fractions of a reading that are too much, which are tried first
-FINE_STEP, ROUND = 2, 4  # periods between the onsets of late readings, and how many stand for those about one
-JUMPS = 3  # onsets of late readings that are examined
+FINE_STEP, ROUND = 2, 4  # periods between onsets at which readings jump, and how many stand for those about one
+JUMPS = 3  # of these onsets, that are examined
 BESIDE = 2  # pushes that explain most beside a fault
 STARTS = 2  # sizes from which the steps begin
 ROUNDS = 2  # of steps of one length
 LEAVES = 1.3  # NIS over the calm one, up to which a hypothesis leaves only noise
+BEHIND, MOST = 100.0, 6  # nats behind the best, up to which a start is examined, and how many are
+LOST = 1e12  # squares that stand for a filter that lost the robot
 
 
-def with_sudden_pushes(run: FilterRun, window: Window, against: Bank) -> list[FaultFit]:
+def with_sudden_pushes(run: FilterRun, window: Window, against: Bank, known: float) -> list[FaultFit]:
     """A weak battery of either kind, a longer delay and sensors of another scale, each of the size and onset that
-    leaves least beside the two pushes that then explain most."""
+    leaves least beside the two pushes that then explain most; none that is far behind the best, or behind what is
+    `known` [nats]."""
     recent = lately(run, window)
     faults = (*BATTERY_OR_DELAY, *((FaultFit(fault="scale", way=way), SCALES) for way in scaled_sensors(run)))
-    best = [_least(recent, window, against, fault, sizes) for fault, sizes in faults]
-    best += [
-        fit
-        for one in best
-        if one is not None and one.fault == "delay"
-        for fit in _delayed_readings(recent, window, against, one)
-    ]
+    tried = (_least(recent, window, against, fault, sizes) for fault, sizes in faults)
+    best = [(_promise(recent, window, against, one), one) for one in tried if one is not None]
+    least = max([known, *(promise for promise, _ in best)]) - BEHIND
+    best = [one for one in best if one[0] > least]
+    jumping = [(promise, replace(one, way="readings")) for promise, one in best if one.fault == "delay"]
+    jumping += sorted(((promise, one) for promise, one in best if "encoder" in one.way), key=lambda one: -one[0])[:1]
+    for _, one in jumping:
+        best += [(_promise(recent, window, against, fit), fit) for fit in _jumps(recent, window, against, one)]
+    best.sort(key=lambda one: -one[0])
     several: list[FaultFit] = []
-    for one in best:
-        fit = exact(run, one, window, against) if one is not None else None
-        if fit is not None and len(fit.rest):
+    for promise, one in best[:MOST]:
+        fit = exact(run, one, window, against) if promise > best[0][0] - BEHIND else one
+        if len(fit.rest):
             fit = beside_pushes(run, fit, window, against) if fit.pushes else fit
             several.append(refined(run, fit, window, against))
     return several
 
 
-def _delayed_readings(recent: FilterRun, window: Window, bank: Bank, fit: FaultFit) -> list[FaultFit]:
-    """Readings that come late by as much as a `fit` of late commands, since the times that leave least: there they jump
-    back."""
+def _promise(recent: FilterRun, window: Window, bank: Bank, fit: FaultFit) -> float:
+    """The score [nats] of a fault and of two pushes by what they leave."""
+    squares = _squares(recent, window, bank, fit)
+    rest = np.full(len(bank.y), math.sqrt(min(squares, LOST) / len(bank.y)))
+    return score_of(bank, rest, FAULT_NUMBERS + BESIDE * PUSH_NUMBERS)
+
+
+def _squares(recent: FilterRun, window: Window, bank: Bank, *fits: FaultFit) -> float:
+    """What faults, and the pushes that explain most beside them, leave (sum of squares)."""
+    freed = remedied(recent, *fits)
+    if freed is None or not freed.reaches(recent.t[-1] - SHORT):
+        return math.inf
+    return left(window.of(freed).whitened, bank)
+
+
+def _jumps(recent: FilterRun, window: Window, bank: Bank, fit: FaultFit) -> list[FaultFit]:
+    """A fault since the times that leave least, at which its readings jump wherever it does not begin: late ones jump
+    back, and an angle of another scale begins where it was."""
     onsets = np.arange(window.end - window.seconds, window.end - YOUNGEST, FINE_STEP * recent.log.period)
 
     def squares(onset: float) -> float:
-        freed = remedied(recent, replace(fit, way="readings", onset=onset))
-        follows = freed is not None and freed.reaches(recent.t[-1] - SHORT)
-        return left(window.of(freed).whitened, bank) if freed is not None and follows else math.inf
+        return _squares(recent, window, bank, replace(fit, onset=onset))
 
     by_onset = np.array([squares(float(t)) for t in onsets])
     around = [by_onset[max(i - ROUND, 0) : i + ROUND + 1] for i in range(len(onsets))]
@@ -75,8 +93,7 @@ def _delayed_readings(recent: FilterRun, window: Window, bank: Bank, fit: FaultF
     ]
     shifts = recent.log.period * np.array([-1.0, 0.0, 1.0])
     return [
-        replace(fit, way="readings", onset=min((onsets[i] + shifts).tolist(), key=squares))
-        for i in np.argsort(depth)[:JUMPS].tolist()
+        replace(fit, onset=min((onsets[i] + shifts).tolist(), key=squares)) for i in np.argsort(depth)[:JUMPS].tolist()
     ]
 
 
@@ -84,10 +101,7 @@ def _least(recent: FilterRun, window: Window, bank: Bank, fault: FaultFit, sizes
     """By a grid in size and onset, then from the best sizes of it."""
 
     def squares(tried: Sequence[FaultFit]) -> float:
-        freed = remedied(recent, *tried)
-        if freed is None or not freed.reaches(recent.t[-1] - SHORT):
-            return math.inf
-        return left(window.of(freed).whitened, bank)
+        return _squares(recent, window, bank, *tried)
 
     latest = window.end - YOUNGEST
     onsets = np.arange(window.end - window.seconds, latest, ONSET_STEP).tolist()

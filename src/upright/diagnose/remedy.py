@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from upright.diagnose.changes import MOTORS, channels_of, drag, lost_command
 from upright.diagnose.fall import without
 from upright.diagnose.fault_fits import FaultFit, dearer, remaining, with_pushes
-from upright.diagnose.innovations import FilterRun, follow
-from upright.diagnose.signatures import YOUNGEST, Bank, bank, beside, finer, pushing, unknown_parameters
+from upright.diagnose.innovations import IN_TIME, FilterRun, follow
+from upright.diagnose.signatures import YOUNGEST, Bank, bank, beside, channels, finer, pushing, unknown_parameters
 from upright.diagnose.sizes import possible
 from upright.errors import InvalidLog
 from upright.signals import Log
@@ -29,11 +29,12 @@ CHARGES = (0.05, 0.15, 0.3, 0.5, 0.7)  # fractions of the battery's voltage that
 DELAYS = (1.0, 2.0, 3.5, 5.0, 7.0, 10.0)  # periods that are tried first
 LONGEST = 20.0  # periods: a loop whose commands arrive later does not run, which lost rows show
 FADE, FADE_PRICE = 0.4, 1  # [s] in which a battery breaks down that are tried first, and its free number
+WEAKEST, STRONGEST = 0.03, 0.97  # of a battery's voltage
 NO_TIME = 1e-9  # [s]
 ONSET_STEP = 0.4  # [s] between onsets that are tried first
 WARM_UP = 2.0  # [s] that the filter has to find the robot before the part of the log that is judged
 HALVINGS = 4  # of the steps in size and onset, round the best
-MOST_MOVES = 4  # by steps of one length
+MOST_MOVES = 8  # by steps of one length
 BIAS_ROUNDS = 2  # most times that a gyro's offset is estimated again on the log freed of it
 BEHIND = 150.0  # nats behind the likeliest, from which a gyro's offset is not examined again
 RARE = 50.0
@@ -42,6 +43,7 @@ noise: it follows the motion, so it takes up a part of whatever else is wrong.""
 
 MOST_BIASES, MOST_SCALES, MOST_MOTORS = 4, 2, 2  # that are examined again
 PUSHED = 2  # faults that are searched again together with the pushes beside them
+SETTLED = 0.3  # [s] of a log, by whose readings the filter begins
 SHORT = 0.1  # [s] before the window's end: a filter that stops earlier has lost the robot
 
 
@@ -49,22 +51,25 @@ def remedied(run: FilterRun, *fits: FaultFit) -> FilterRun | None:
     """The run of the log without these faults; None where a log cannot be freed of one of them, or none is left."""
     if any(fit.fault not in READING_FAULTS + COMMAND_FAULTS for fit in fits):
         return None
-    channels, sent, delayed = dict(run.log.channels), None, _in_time(run, fits)
-    for fit in fits:
+    channels, changed, delayed = dict(run.log.channels), [fit for fit in fits if fit.fault in READING_FAULTS], IN_TIME
+    for fit in changed:
         if fit.fault == "bias":
             elapsed = run.log.t - fit.onset
             channels[GYRO] = channels[GYRO] - fit.size * np.where(elapsed >= 0, elapsed if fit.way == "ramp" else 1, 0)
-        elif fit.fault == "scale":
+        else:
             names = channels_of(run, fit.way)
             channels |= {name: _rescaled(run.log.t, name, channels[name], fit) for name in names}
-        else:
-            sent = _sent(run, fit, sent)
-    if any(fit.fault in READING_FAULTS for fit in fits):
+    log = Log(run.log.t, channels, run.log.units, run.log.origin) if changed else None
+    if log and min(fit.onset for fit in changed) < run.log.t[0] + SETTLED:  # what the filter begins with
         try:
-            run = follow(Log(run.log.t, channels, run.log.units, run.log.origin), run.robot, run.kit)
+            run, log = follow(log, run.robot, run.kit), None
         except InvalidLog:  # of a sensor beyond its range in all rows nothing is left
             return None
-    return run if sent is None else run.sent(sent, delayed)
+    sent = None
+    for fit in fits:
+        if fit.fault in COMMAND_FAULTS:
+            sent, delayed = _sent(run if log is None else replace(run, log=log), fit, sent), _in_time(run, fits)
+    return run if log is None and sent is None else run.again(sent, log, delayed)
 
 
 def _in_time(run: FilterRun, fits: Sequence[FaultFit]) -> tuple[float, float, float]:
@@ -79,8 +84,16 @@ def _in_time(run: FilterRun, fits: Sequence[FaultFit]) -> tuple[float, float, fl
 def _rescaled(t: Array, name: str, values: Array, fit: FaultFit) -> Array:
     """A sensor's readings without the fraction `fit.size` of them since the onset; of an angle, of what it grew by."""
     on = t >= fit.onset
-    first = 0.0 if "encoder" not in name or "rate" in name else float(values[max(0, int(np.argmax(on)) - 1)])
+    first = 0.0 if "encoder" not in name or "rate" in name else _angle_at(fit.onset, t, values, max(1 - fit.size, 0.0))
     return np.where(on, first + (1 - fit.size) * (values - first), values)
+
+
+def _angle_at(onset: float, t: Array, values: Array, rest: float) -> float:
+    """An angle's true reading at a time between two rows [s], from which on `rest` of its change counts."""
+    i = max(0, int(np.argmax(t >= onset)) - 1)
+    part = min(max((onset - t[i]) / (t[i + 1] - t[i]), 0.0), 1.0) if i + 1 < len(t) else 0.0
+    whole = 1 - part + part * rest
+    return float(((1 - part) * values[i] + part * rest * values[i + 1]) / whole if whole > 0 else values[i])
 
 
 def _sent(run: FilterRun, fit: FaultFit, before: Array | None = None) -> Array:
@@ -141,6 +154,12 @@ class Window:
         key = id(fit.run)
         self.banks[key] = self.banks.get(key) or self.bank(fit.run, pushes_only=False)
         return self.banks[key]
+
+    def channels(self, fit: FaultFit, usual: Bank) -> Bank:
+        """The same of disturbances of any shape alone."""
+        if fit.run is None:
+            return usual
+        return self.banks.get(id(fit.run)) or channels(self.of(fit.run), self.usual)
 
 
 BATTERY_OR_DELAY = (
@@ -256,11 +275,12 @@ def _near(fit: FaultFit, step: float, latest: float) -> list[FaultFit]:
         sizes = [min(size, LONGEST) for size in sizes]
     if fit.fault != "weak":
         return near + [replace(fit, size=size) for size in sizes]
-    near += [replace(fit, size=min(size, 0.97)) for size in sizes]
+    least = WEAKEST if fit.rise > 0 else 0.0  # of one that fades beyond the fall, what is left in the end does not show
+    near += [replace(fit, size=min(max(size, least), STRONGEST)) for size in sizes]
     rises = [max(0.0, fit.rise - step * FADE), fit.rise + step * FADE]  # about the same middle
     near += [replace(fit, rise=rise, onset=fit.onset - (rise - fit.rise) / 2) for rise in rises]
     longer = [1 - step / 2, 1 + step / 2]  # as steep: the robot may fall while its battery fades
-    sizes = [min(max(1 - (1 - fit.size) * k, 0.03), 0.97) for k in longer]
+    sizes = [min(max(1 - (1 - fit.size) * k, WEAKEST), STRONGEST) for k in longer]
     return near + [replace(fit, rise=k * fit.rise, size=size) for k, size in zip(longer, sizes, strict=True)]
 
 

@@ -146,6 +146,17 @@ def bank(run: FilterRun, scale: float, *, pushes_only: bool = False, beside_it: 
     )  # fmt: skip
 
 
+def channels(run: FilterRun, scale: float) -> Bank:
+    """A bank of disturbances of any shape alone, by the channels that they enter by."""
+    basis = unknown_parameters(run)
+    steps = np.arange(float(run.t[0]), float(run.t[-1]) - YOUNGEST, ONSET_STEP)
+    free = {channel: beside(basis, values) for channel, values in free_steps(run, steps).items()}
+    return Bank(
+        y=beside(basis, run.whitened), then=run.t[run.readings], scale=scale, faults=[], pushes=np.zeros((0, 3)),
+        forces=(), free=free, steps=steps, basis=basis,
+    )  # fmt: skip
+
+
 def signatures_of(run: FilterRun, fault: str, onsets: Array) -> list[Signature]:
     """The signatures of one kind of fault that a log cannot be freed of."""
     makers = {"ramp": _loads, "load": _loads, "payload": payloads, "radius": radii, "slip": _slips}

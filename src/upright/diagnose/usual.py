@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from upright.arrays import Array
 from upright.diagnose.innovations import FilterRun
 from upright.diagnose.remedy import Window
 from upright.logs.recording import FEWEST
@@ -31,8 +32,20 @@ def window_of(run: FilterRun, end: float) -> Window:
 
 def calm_of(run: FilterRun, window: Window) -> float:
     """The scale of the innovations in the calmer seconds before the fall: trouble may last longer than calm."""
+    blocks = [float(np.median(squares)) for squares in _seconds(run, window)]
+    return min(window.usual, max(1.0, float(np.quantile(blocks, CALMER)) / MEDIAN)) if blocks else window.usual
+
+
+def quiet_of(run: FilterRun, window: Window) -> float:
+    """The NIS of a usual second before the fall, at most that of calmer ones as the filter expects it: it is below 1
+    where the robot is better known than that."""
+    blocks = [float(np.mean(squares)) for squares in _seconds(run, window)]
+    return min([calm_of(run, window), *([float(np.median(blocks))] if blocks else [])])
+
+
+def _seconds(run: FilterRun, window: Window) -> list[Array]:
+    """The squares of the whitened innovations in each second up to a while before the fall."""
     use = run.readings & (run.t < window.end - ORDINARY_END)
     t, squares = run.t[use], run.innovation[use] ** 2 / run.variance[use]
     seconds = np.floor(t - run.t[0])
-    blocks = [float(np.median(squares[seconds == k])) for k in np.unique(seconds) if (seconds == k).sum() > FEWEST / 2]
-    return min(window.usual, max(1.0, float(np.quantile(blocks, CALMER)) / MEDIAN)) if blocks else window.usual
+    return [squares[seconds == k] for k in np.unique(seconds) if (seconds == k).sum() > FEWEST / 2]

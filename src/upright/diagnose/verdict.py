@@ -188,7 +188,13 @@ def _beside(evidence: Evidence, fit: FaultFit) -> str:
 def _two(evidence: Evidence) -> list[Answer]:
     """Whether two faults at once explain the innovations, and neither alone; a push that goes far to topple is one."""
     pushed = _fault_and_push(evidence)
-    answers = [answer for pair in evidence.pairs[:1] if (answer := _two_faults(evidence, pair, pushed)) is not None]
+    several = [
+        (answer, math.exp((pair.score - evidence.pairs[0].score) / TEMPER))
+        for pair in evidence.pairs
+        if (answer := _two_faults(evidence, pair, pushed)) is not None
+    ]
+    total = sum(weight for _, weight in several)
+    answers = [replace(answer, probability=answer.probability * weight / total) for answer, weight in several]
     left = 1 - sum(one.probability for one in answers)
     return [*answers, *(replace(answer, probability=left * answer.probability) for answer in pushed)]
 
@@ -198,8 +204,8 @@ def _two_faults(evidence: Evidence, pair: Pair, pushed: Sequence[Answer]) -> Ans
     causes as well, as `pushed` has it, the likelihood alone decides."""
     best = best_of(evidence)
     names = [name_of(fit) for fit in (pair.first, pair.second)]
-    readings = [fit for fit in (pair.first, pair.second) if fit.fault in ("bias", "scale")]
-    if any(fit.onset < evidence.fell_at - SECONDS + STOOD for fit in readings):  # the robot stood with it
+    sudden = [fit for fit in (pair.first, pair.second) if fit.fault in ("bias", "scale", "motor")]
+    if any(fit.onset < evidence.fell_at - SECONDS + STOOD for fit in sudden):  # the robot stood with it
         return None
     if names[0] == names[1] or not all(possible(fit, evidence.fell_at) for fit in (pair.first, pair.second)):
         return None
