@@ -205,11 +205,11 @@ def _predict(P: Any, phi: Any, Q: Any, mode: Any, h: Any, product: Any, turned: 
 
 
 @njit
-def _correct(x: Any, P: Any, reads: Any, row: Any, error: Any, variance: Any, gains: Any, event: Any) -> Any:
-    """State and covariance with a scalar reading C x of this noise `variance`, which is off by `error` from zero state;
-    C is the first lane of this `row` of `reads` (rows, s, lanes). Fills the gain of this `event` in `gains` (events,
-    s), and returns innovation and its variance."""
-    size = len(x)
+def _correct(x: Any, P: Any, reads: Any, row: Any, reading: Any, gains: Any, event: Any) -> Any:
+    """State and covariance with a scalar `reading` C x and the variance of its noise; C is the first lane of this `row`
+    of `reads` (rows, s, lanes). Fills the gain of this `event` in `gains` (events, s), and returns innovation and its
+    variance."""
+    (error, variance), size = reading, len(x)
     for i in range(size):
         C = reads[row, i, 0]
         error -= C * x[i]
@@ -322,7 +322,7 @@ def kalman_along(events: Events, lanes: RobotLanes, first: Any, noise: Noise, lo
             if math.isnan(value):
                 e[event], s[event] = _silent(P, lanes.reads, row, variance)
             else:
-                e[event], s[event] = _correct(x, P, lanes.reads, row, value, variance, gains, event)
+                e[event], s[event] = _correct(x, P, lanes.reads, row, (value, variance), gains, event)
         _keep(followed, event, x, P)
 
 
