@@ -16,7 +16,10 @@ from upright.calibrate.calibration import Calibration
 from upright.calibrate.parameters import parameters_of
 from upright.doctor.columns import by_physics
 from upright.doctor.doctor import Diagnosis, doctor
+from upright.doctor.duty import ALIKE, FAULT
+from upright.doctor.motion import _first_clear
 from upright.doctor.physics import _r_squared
+from upright.doctor.units import _penalty, _Suspect, expected
 from upright.doctor.wheels import on_its_wheels
 from upright.logs.mapping import apply, propose
 from upright.logs.readers import RawTable
@@ -209,3 +212,31 @@ def test_encoders_that_were_set_to_zero_and_unequal_ones_are_named() -> None:
     assert found.repaired().t[-1] == pytest.approx(5.0, abs=0.02)  # its longest part, without the rest
     assert "encoder/unequal" in doctor(RawTable({**columns, "enc_r_rad": 2 * columns["enc_r_rad"]})).codes()
     assert not {"encoder/jump", "encoder/unequal"} & {*doctor(RawTable(columns)).codes()}
+
+
+def test_a_robot_that_hardly_moves_was_not_converted_twice() -> None:
+    """One that stands on sticking wheels, and sways by 3 mrad: the steps of its encoders, 1320 to a turn, say that
+    these are radians. Of 360 to a turn, converted twice, there would be 20600."""
+    estimated = {
+        "q": 10.0,
+        "p": 120.0,
+        "pitch": 0.003,
+        "wheel_rate": 0.03,
+        "gyro_grain": 3e-4,
+        "grain": math.tau / 1320,
+    }
+    twice, right = _Suspect("twice", gyro=DEGREE, encoder=DEGREE), _Suspect("none")
+
+    def odds() -> float:
+        penalties = [_penalty(estimated, expected(None), 0.0, 0.0, (), suspect) for suspect in (right, twice)]
+        return penalties[0] - penalties[1] - FAULT
+
+    assert odds() < 0
+    estimated["grain"] = DEGREE * math.tau / 360
+    assert odds() > ALIKE
+
+
+def test_a_response_to_a_command_lasts_longer_than_a_row() -> None:
+    """Masses keep the rate that a command gives them; an encoder's step, which a turning command answers, is gone."""
+    assert _first_clear(np.array([0.3, -10.7, 0.7, 0.4, -0.2, 1.9])) == 0
+    assert _first_clear(np.array([0.2, -20.8, -52.7, -44.5, -18.1, -4.4])) == -52.7

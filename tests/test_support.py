@@ -179,6 +179,15 @@ def test_a_calibration_names_knocks_and_leaves_them_out_where_asked() -> None:
     assert without_knocks([quiet], ROBOT, KIT, cut=True) == ([quiet], [])
 
 
+@pytest.mark.parametrize("row", [200, 405])
+def test_a_lost_row_is_no_knock(row: int) -> None:
+    """The command of that row is unknown: 2.00 and 4.05 s are moments at which the reference sets the robot off."""
+    log = plain_log()
+    kept = np.delete(np.arange(len(log)), row)
+    lossy = Log(log.t[kept], {name: values[kept] for name, values in log.channels.items()}, log.units, log.origin)
+    assert without_knocks([lossy], ROBOT, KIT, cut=False)[1] == without_knocks([log], ROBOT, KIT, cut=False)[1]
+
+
 def test_a_part_between_knocks_in_which_the_wheels_stand_is_left_out() -> None:
     """It tells of no motion: a robot that stuck by dry friction until it was knocked was refused as unlike its file."""
     t = np.arange(0.0, 8.0, 0.01)

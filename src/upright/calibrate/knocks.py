@@ -5,6 +5,7 @@ A calibration knows of no pushes: what a knock moves, it takes for the robot's o
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -27,6 +28,7 @@ Array = NDArray[np.float64]
 SETTLED = 1.0  # [s] in which the filter finds the first state
 LEAST = 2.0  # [s] of log after that
 UNEVEN = 0.02  # fraction of steps that may be half a period off
+MOST_LOST = 10  # periods without a row over which a filter goes on
 FAR = 5.0  # usual sizes of an innovation beyond which a push is taken for its cause
 PUSHED = 0.3  # [s] after it that are left out, in which the filter finds the state again
 MOST_PUSHED = 0.5  # of a log that may be left out; where more would be, it is no push
@@ -36,8 +38,16 @@ LEAST_MOVED = 0.05  # of how far the wheels turn in the part in which they turn 
 MOST_NAMED = 4  # times of knocks in a sentence
 
 
+def periods_of(log: Log) -> NDArray[np.int64]:
+    """The period, counted from the first row, in which each row of the log stands: where rows are lost, some have none.
+    A pause of more than `MOST_LOST` periods counts as one: after it a filter begins anew in any case."""
+    steps = np.maximum(1, np.rint(np.diff(log.t) / log.period)).astype(np.int64)
+    return np.concatenate([[0], np.cumsum(np.where(steps > MOST_LOST, 1, steps))])
+
+
 def recorded(log: Log, delay: int) -> tuple[Array, Array]:
-    """Readings (n, 3) of both encoders and the gyro, and applied commands (n, 2).
+    """Readings (n, 3) of both encoders and the gyro in every period of the log, NaN where its row is lost, and applied
+    commands (n, 2), which stay over a lost row.
 
     Where the log has only commands as sent, they are delayed by `delay` periods.
     """
@@ -47,13 +57,16 @@ def recorded(log: Log, delay: int) -> tuple[Array, Array]:
                          hint="cut the log with --start and --until, or ask `upright doctor`")  # fmt: skip
     if log.t[-1] - log.t[0] < SETTLED + LEAST:
         raise InvalidLog(f"the log lasts {log.t[-1] - log.t[0]:.1f} s", expected=f"{SETTLED + LEAST:g} s or more")
-    readings = np.column_stack([_reading(log, name) for name in RAW])
+    at = periods_of(log)
+    readings = np.full((at[-1] + 1, len(RAW)), np.nan)
+    readings[at] = np.column_stack([_reading(log, name) for name in RAW])
     prefix = commanded(log)
     if not prefix:
         raise InvalidLog("the log has no commands", expected="channels applied/left and applied/right")
-    commands = np.column_stack([log[f"{prefix}/left"], log[f"{prefix}/right"]])
+    last = np.searchsorted(at, np.arange(len(readings)), side="right") - 1
+    commands = np.column_stack([log[f"{prefix}/left"], log[f"{prefix}/right"]])[last]
     periods = delay if prefix == "command" else 0
-    return readings, np.vstack([np.zeros((periods, 2)), commands])[: len(log)]
+    return readings, np.vstack([np.zeros((periods, 2)), commands])[: len(readings)]
 
 
 def at_motors(commands: Array, kit: Kit, unit: str, *, sent: bool = True) -> Array:
@@ -108,12 +121,17 @@ def moved_by(model: SampledRobot, commands: Array) -> Array:
 
 
 def innovations(log: Log, robot: Robot, kit: Kit) -> Array:
-    """What each reading of the log (n, 3) is beside the one predicted by the steady filter of `robot` on `kit`."""
+    """What each reading of the log (n, 3) is beside the one predicted by the steady filter of `robot` on `kit`; NaN
+    after a lost row, whose command nobody knows, until that has reached the readings."""
     model = sampled(robot, kit, log.period, longest=MOST_PERIODS)
     readings, sent = recorded(log, model.delay)
     moved = moved_by(model, at_motors(sent, kit, robot.command_unit, sent=commanded(log) == "command"))
     A, C, L = model.linear.A, model.linear.C, kalman_filter(model).L
-    return filtered(A, C, L, readings, moved, first_state(model, readings[0]))[1]
+    errors = filtered(A, C, L, readings, moved, first_state(model, readings[0]))[1]
+    latest = kit.delay + kit.jitter + max(sensor.delay for sensor in kit.sensors.values())
+    reached = np.ones(2 + math.ceil(latest / log.period))
+    errors[np.convolve(np.isnan(readings).any(axis=1), reached)[: len(errors)] > 0] = np.nan
+    return errors[periods_of(log)]
 
 
 def unpushed(log: Log, robot: Robot, kit: Kit) -> list[Log]:

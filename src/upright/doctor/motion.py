@@ -24,6 +24,7 @@ TRUSTED = 0.6
 
 MARGIN = 0.2  # margin in R² by which another hypothesis must exceed that of the log as it stands
 SURE = 8.0  # t-value of a clear response
+LASTING = 0.25  # of it, in the next row
 
 
 def kinds(record: Record) -> list[Finding]:
@@ -227,9 +228,10 @@ def _turn_answer(m: Resampled, turn: Array) -> float:
 
 
 def _first_clear(t_value: Array) -> float:
-    """The t-value of the first row that is clear and half as clear as the clearest."""
-    size = np.abs(t_value)
-    clear = (size > SURE) & (size > 0.5 * size.max())
+    """The t-value of the first row that is clear, half as clear as the clearest, and whose next row goes the same way:
+    a rate lasts, where a step of an encoder that a command answers is gone in the next row."""
+    size, after = np.abs(t_value), np.append(t_value[1:], t_value[-1])
+    clear = (size > SURE) & (size > 0.5 * size.max()) & (after * np.sign(t_value) > LASTING * size)
     return float(t_value[int(np.argmax(clear))]) if clear.any() else 0.0
 
 

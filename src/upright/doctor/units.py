@@ -34,6 +34,7 @@ from upright.doctor.finding import (
     Fix,
     Record,
     error,
+    warning,
 )  # fmt: skip
 from upright.doctor.motion import TRUSTED
 from upright.doctor.physics import Resampled, lagged, motion, smooth, widths
@@ -87,14 +88,18 @@ _COUNTS = 500.0
 """Of 1 rad/s, fewer than any chip of 16 bits has: 940 where its range is ±2000 degrees per second."""
 
 # Logarithms of usual values and their spreads over known robots: q from 1.2 (low, heavy wheels) to 15 (tall, slender),
-# p = MgL/(a11 + a12) < g/R, motors of 0.05 to 1.5 V s/rad, pitch of 0.002 to 1 rad, wheels of 0.2 to 40 rad/s.
+# p = MgL/(a11 + a12) < g/R, motors of 0.05 to 1.5 V s/rad, pitch of 0.002 to 1 rad, wheels of 0.2 to 40 rad/s,
+# encoders of 90 (a wheel with Hall sensors) to 5000 counts a turn.
 _USUAL = {
     "q": (math.log(3.0), 0.8),
     "p": (math.log(110.0), 0.9),
     "back_emf": (math.log(0.3), 1.0),
     "pitch": (math.log(0.04), 1.5),
     "wheel_rate": (math.log(3.0), 1.3),
+    "grain": (math.log(math.tau / 700), 1.3),
 }
+
+_FINEST = math.tau / 20000  # [rad] a step of an encoder; smaller ones are of numbers that were computed from it
 
 
 def expected(robot: Robot | None) -> dict[str, tuple[float, float]]:
@@ -148,6 +153,8 @@ def _scaled(record: Record, robot: Robot | None, m: Resampled, values: tuple[flo
     counts = suspect.encoder != 1 and counted(record[LEFT]) and counted(record[RIGHT])
     repair = ", or where these are counts: state in a mapping how many are a turn" if counts else ""
     wrong = _wrong(suspect, estimated, odds, by_gravity, repair) if len(alike) == 1 else _ambiguous(alike, estimated)
+    if odds < ALIKE:
+        return [_perhaps(one) for one in wrong]
     if not counts or (possible and _usual(record, estimated, usual, suspect)):
         return wrong
     unknown = _of_no_unit(record, m.good, m.gyro) if suspect.gyro == 1 else []
@@ -250,12 +257,13 @@ def _penalty(
     """Negative log prior density of the robot that results from correcting the suspect's scale, its commands in the
     likeliest of their `units`; an estimate of the `pitch` that contradicts it may have a fault of its own."""
     gyro, wheel = s.gyro, s.encoder
-    divide = {"q": wheel / gyro, "p": wheel / gyro, "pitch": gyro, "wheel_rate": wheel}
+    divide = {"q": wheel / gyro, "p": wheel / gyro, "pitch": gyro, "wheel_rate": wheel, "grain": wheel}
     total = 0.0
     for name, divisor in divide.items():
         if name in estimated:
-            centre, spread = usual[name]
-            total += ((math.log(estimated[name] / divisor) - centre) / spread) ** 2 / 2
+            value, (centre, spread) = estimated[name] / divisor, usual[name]
+            value = max(value, _FINEST) if name == "grain" else value
+            total += ((math.log(value) - centre) / spread) ** 2 / 2
     if "back_emf" in estimated:
         centre, spread = usual["back_emf"]
         volts = [(u.prior, math.log(estimated["back_emf"] * wheel / u.factor)) for u in units]
@@ -285,6 +293,11 @@ def _ambiguous(several: Sequence[_Suspect], estimated: dict[str, float]) -> list
     )
     channels = [GYRO] * any(s.gyro != 1 for s in several) + [LEFT] * any(s.encoder != 1 for s in several)
     return [error("units/scale", channel, evidence, STATE) for channel in channels]
+
+
+def _perhaps(finding: Finding) -> Finding:
+    """A mistake of a unit that is hardly likelier than none: a question, and no repair."""
+    return warning(finding.code, finding.channel, f"perhaps {finding.evidence}", STATE)
 
 
 def _wrong(s: _Suspect, estimated: dict[str, float], odds: float, gravity: float, or_else: str = "") -> list[Finding]:
