@@ -134,6 +134,21 @@ def test_planted_cause_is_named_from_the_data_alone(cause: str) -> None:
         assert found.causes[0].likelihood < 0.9
 
 
+def test_a_battery_that_breaks_down_is_named_from_commands_in_volts_that_it_has_scaled() -> None:
+    """A mapping with `times` makes volts of duty and battery: the commands then only become small, as of a low gain."""
+    log = weakened()  # the motors get a quarter of what the law asks for, and the log has what they get
+    for left, verdict in ((np.where(log.t < ONSET, 1.0, 0.25), "weak battery"), (np.ones(len(log)), "gain too low")):
+        found = post_mortem(Log(log.t, {**log.channels, "sensor/battery": KIT.battery.voltage * left}), NXT, KIT)
+        assert found.verdict == verdict, str(found)
+
+
+def test_motors_that_ran_out_of_speed_are_no_low_gain_where_no_reference_was_logged() -> None:
+    log = logged("saturation", **PLANTED["saturation"])
+    blind = {name: values for name, values in log.channels.items() if not name.startswith("reference/")}
+    found = post_mortem(Log(log.t, blind), NXT, KIT)
+    assert found.verdict == "saturation", str(found)
+
+
 BROKEN = {
     "motor dead": ("motor dead", "left", 1.0),
     "sensor mis-scaled": ("sensor mis-scaled", "gyro", 0.3),

@@ -59,6 +59,7 @@ UNEXPLAINED, BETTER = 1.5, 5.0  # NIS over the ordinary one, or nats, that pushe
 REPEATING = 1.5  # [s] before the fall in which two repeated readings make dropped samples a hypothesis
 LAST_SECONDS = (0.2, 0.3, 0.5)  # [s] before the fall over which commands are compared with the file's
 SAME = 0.9999  # fraction of the commands' difference that a gain explains where it was wrong from the start
+UPRIGHT = 0.35  # [rad] up to which a lean is one that motors bring back
 LIMIT, AT_LIMIT = 0.95, 0.98  # of the largest command: at the limit for a second's count, and where it is to be sure
 SMALL_EXCURSION = 0.1  # of the last excursion's peak, below which its rows do not count
 FEWEST_FREE = 4  # rows with motors below their limit, for a median of how they helped
@@ -94,7 +95,8 @@ class MotorUse:
     """How the motors were used before the fall: fraction of the last excursion at the limit (`saturated`) and of the
     last second (`pegged`), whether no command changed (`stuck`) or from when to when one was `held` short of the limit
     [s], changes of the command's sign a second (`swings`), and the median of what they gave over what would have
-    stopped the fall, where they had more (`help`)."""
+    stopped the fall, where they had more (`help`). Last the largest rate of a wheel while the robot was `UPRIGHT`, over
+    that at which full commands give no torque (`speed`)."""
 
     saturated: float
     pegged: float
@@ -102,6 +104,7 @@ class MotorUse:
     held: tuple[float, float] | None
     swings: float
     help: float
+    speed: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -334,7 +337,17 @@ def _motor_use(run: FilterRun, w: Array, end: float) -> MotorUse:
         stuck=not np.ptp(run.asked[(log.t > end - EXCURSION) & (log.t <= end)], axis=0).any(),
         swings=float((np.diff(np.sign(recent)) != 0).sum()) / EXCURSION,
         help=float(np.median(helped)) if len(free) >= FEWEST_FREE else math.nan,
+        speed=_speed(run, motors.states[inside & (motors.t > end - 2 * EXCURSION)]),
     )
+
+
+def _speed(run: FilterRun, states: Array) -> float:
+    """The largest wheel rate of these states (n, 6) while the robot was upright, over that without torque."""
+    damping, upright = motor_damping(run.robot), np.abs(states[:, 0]) < UPRIGHT
+    if not damping or not upright.any():
+        return 0.0
+    top = motor_gain(run.robot) * limit(run.robot, run.kit, run.asked) / damping
+    return float(np.abs(states[upright, 3] - states[upright, 1]).max()) / top
 
 
 def _battery(log: Log, end: float) -> tuple[float, float]:

@@ -140,12 +140,19 @@ def authority(run: FilterRun) -> Authority:
     commands = run.row < 0
     states = run.after[commands][:, :6]
     sample = run.sample[commands]
-    mode, most = falling(run.robot), limit(run.robot, run.kit, run.asked)
+    mode, most = falling(run.robot), _most(run)[sample]
     command = run.asked[sample].mean(axis=1) / most
     xi = states @ mode.w
     reserve = np.abs(xi) * mode.pole / (abs(mode.b) * most)
     help_ = -np.sign(xi) * np.sign(mode.b) * np.clip(command, -1, 1)
     return Authority(run.t[commands], command, reserve, help_, states)
+
+
+def _most(run: FilterRun) -> Array:
+    """The largest command (samples,): `limit`, and no more than the battery shows."""
+    most = np.full(len(run.asked), limit(run.robot, run.kit, run.asked))
+    volts = run.log["sensor/battery"] if "sensor/battery" in run.log and run.robot.command_unit == "V" else most
+    return np.where(volts > 0, np.fmin(volts, most), most) if len(volts) == len(most) else most
 
 
 def limit(robot: Robot, kit: Kit, asked: Array) -> float:

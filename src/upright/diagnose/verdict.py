@@ -15,6 +15,7 @@ from dataclasses import replace
 
 from upright.diagnose.blows import HELPED, LIKELY, driven_into, pushed, pushed_already, thrown_over
 from upright.diagnose.causes import (
+    BATTERY,
     CANNOT_TELL,
     HIGH,
     LOW,
@@ -105,6 +106,8 @@ SAME_GAIN = 0.1  # of one: a gain that the file confirms
 GAIN_WITHOUT_FILE, GAIN_WITH_FILE, AT_LIMIT = 0.8, 0.9, 0.5  # probability that is left to the gain, or to saturation
 HIDDEN = 0.5  # the same for a robot whose calibration has noise of its own, in which faults hide
 IN_PART = 0.3  # of it where the log begins within the last excursion
+NO_TORQUE, NO_TORQUE_WIDTH = 0.85, 0.02  # [1] of the speed without torque: what is left of it stops no fall
+BROKEN_DOWN, BROKEN_DOWN_WIDTH = 0.6, 0.03  # [1] of the voltage before: what stalled motors leave of a sound battery
 CLEAR = 0.9  # of it for the gain that the fall's shape shows
 LEAST = 1e-4  # of a likelihood, below which a cause is left out
 
@@ -304,6 +307,28 @@ def _demanded(evidence: Evidence) -> list[Answer]:
     return [Answer(chance, SATURATION, demand.at, of_demand(evidence, demand))]
 
 
+def _out_of_speed(evidence: Evidence) -> list[Answer]:
+    """Whether the wheels turned, while the robot was upright, as fast as its motors can: no gain gives torque there."""
+    speed = evidence.motors.speed
+    text = (
+        f"{sound(evidence)}, and a wheel reached {percent(min(speed, 1.0))} of the speed at which full commands give "
+        "no torque, while the robot was upright"
+    )
+    return [Answer(CLEAR * step(speed - NO_TORQUE, NO_TORQUE_WIDTH), SATURATION, began(evidence), text)]
+
+
+def _run_down(evidence: Evidence) -> list[Answer]:
+    """Whether the battery's own channel shows that it broke down: commands that are scaled by it are only small then,
+    and motors that turn at full duty make none lose so much."""
+    before, last = evidence.battery
+    if not math.isfinite(last + before) or before <= 0:
+        return []
+    chance = CLEAR * step(BROKEN_DOWN - last / before, BROKEN_DOWN_WIDTH)
+    shown = f"the battery shows {last:.3g} V after {before:.3g} V"
+    text = f"{sound(evidence)}, and {shown}: commands that are scaled by it are small"
+    return [Answer(chance, BATTERY, began(evidence), text)]
+
+
 def _weak_or_wild(evidence: Evidence) -> list[Answer]:
     """What is left: the gain, by how the robot fell, unless the file shows that it is right."""
     motors, match, since = evidence.motors, evidence.match, began(evidence)
@@ -329,7 +354,8 @@ def _weak_or_wild(evidence: Evidence) -> list[Answer]:
 
 QUESTIONS: tuple[Callable[[Evidence], list[Answer]], ...] = (
     stuck, stuck_sensor, changed_gain, lost_rows, thrown_over, pushed_already, _two, driven_into, _none,
-    _changed_robot, pushed, _steady_load, _demanded, _weak_or_wild,
+    _changed_robot, pushed, _steady_load, _demanded, _out_of_speed, _run_down,
+    _weak_or_wild,
 )  # fmt: skip
 
 OF_THE_MODEL = frozenset((pushed_already, _two, driven_into, _none, _changed_robot, pushed, _steady_load))

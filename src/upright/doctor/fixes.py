@@ -104,6 +104,25 @@ def _even(record: Record, fix: Fix) -> Record:
     return replace(record, t=t, channels={name: np.interp(t, record.t, x) for name, x in record.channels.items()})
 
 
+def _insert(record: Record, fix: Fix) -> Record:
+    """The rows that are missing at a period of `numbers[0]`, in steps of up to `numbers[1]` [s], by linear
+    interpolation, rounded to a channel's own steps. All others stay as they are."""
+    period, longest = fix.numbers
+    steps = np.diff(record.t)
+    rows = np.where(steps <= longest, np.maximum(1, np.rint(steps / period)), 1).astype(np.int64)
+    at = np.concatenate([[0], np.cumsum(rows)])
+    t = np.interp(np.arange(at[-1] + 1), at, record.t)
+    missing = ~np.isin(np.arange(len(t)), at)
+
+    def whole(x: Array) -> Array:
+        between, grain = np.interp(t, record.t, x), grain_of(x)
+        between[missing] = np.rint(between[missing] / grain) * grain if grain else between[missing]
+        between[at] = x
+        return between
+
+    return replace(record, t=t, channels={name: whole(x) for name, x in record.channels.items()})
+
+
 def _bridge(record: Record, fix: Fix) -> Record:
     """Replace stale readings (repeated while the channel moves) by linear interpolation."""
     return _each(record, fix, lambda x: bridged(record.t, x, stale(x)))
@@ -172,6 +191,6 @@ def switched(command: Array) -> bool:
 FIXES: dict[str, Callable[[Record, Fix], Record]] = {
     "scale": _scale, "offset": _offset, "swap": _swap, "differentiate": _differentiate, "integrate": _integrate,
     "earlier": _earlier, "percent": _percent, "time scale": _time_scale, "sort": _sort, "unique": _unique,
-    "finite time": _finite_time, "rows": _row_range, "cut": _cut, "even": _even, "bridge": _bridge, "fill": _fill,
-    "unwrap": _unwrap, "single": _single, "spread": _spread,
+    "finite time": _finite_time, "rows": _row_range, "cut": _cut, "even": _even, "insert": _insert, "bridge": _bridge,
+    "fill": _fill, "unwrap": _unwrap, "single": _single, "spread": _spread,
 }  # fmt: skip

@@ -131,8 +131,8 @@ def steps(record: Record) -> list[Finding]:
         lost, first = int(np.rint(step[missed] / period - 1).sum()), float(record.t[int(np.argmax(missed))])
         evidence = f"{lost} rows are missing at {int(missed.sum())} places, the first after t = {moment(first, 4)} s"
         evidence += f": steps of two or more periods of {period * 1e3:.4g} ms"
-        even = Fix("even", numbers=(period,))
-        findings.append(warning("time/dropped", "t", evidence, "interpolate them linearly", even))
+        lost_rows = Fix("insert", numbers=(period, GAP * period))
+        findings.append(warning("time/dropped", "t", evidence, "interpolate them linearly", lost_rows))
     return findings
 
 

@@ -42,7 +42,7 @@ from upright.doctor.poses import LARGEST_OFFSET
 from upright.logs.outliers import grain_of
 from upright.logs.units import UNITS
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
-from upright.robots import Robot
+from upright.robots import Robot, find_kit
 
 Mask = NDArray[np.bool_]
 
@@ -99,6 +99,7 @@ _USUAL = {
     "grain": (math.log(math.tau / 700), 1.3),
 }
 
+_SAME_STEP = 0.02  # of a degree: a step that is one
 _FINEST = math.tau / 20000  # [rad] a step of an encoder; smaller ones are of numbers that were computed from it
 
 
@@ -141,16 +142,17 @@ def _scaled(record: Record, robot: Robot | None, m: Resampled, values: tuple[flo
         return _penalty(estimated, usual, by_gravity, by_pitch, units, s)
 
     plain = penalty(_Suspect("none"))
-    graded = sorted([(FAULT + penalty(s), i, s) for i, s in enumerate(_suspects(record))])
+    stated = _of_kit(record, robot)
+    graded = sorted([(FAULT + penalty(s), i, s) for i, s in enumerate((*_suspects(record), *stated))])
     if graded[0][0] >= plain:
         return []
     suspect, odds = graded[0][2], plain - graded[0][0]
     alike = [s for p, _, s in graded if p < graded[0][0] + ALIKE]
     q = estimated["q"] * suspect.gyro / suspect.encoder
     possible = q > 1 and _fine(estimated, suspect)
-    if counted(record[GYRO]) and (suspect.gyro >= _COUNTS or not possible):
+    if counted(record[GYRO]) and suspect not in stated and (suspect.gyro >= _COUNTS or not possible):
         return _raw_counts(record, estimated["q"], usual["q"])
-    counts = suspect.encoder != 1 and counted(record[LEFT]) and counted(record[RIGHT])
+    counts = suspect.encoder != 1 and suspect not in stated and counted(record[LEFT]) and counted(record[RIGHT])
     repair = ", or where these are counts: state in a mapping how many are a turn" if counts else ""
     wrong = _wrong(suspect, estimated, odds, by_gravity, repair) if len(alike) == 1 else _ambiguous(alike, estimated)
     if odds < ALIKE:
@@ -168,6 +170,20 @@ def _suspects(record: Record) -> Sequence[_Suspect]:
     """What may be wrong with the units of a log, as they were read."""
     rpm = record.read.get(LEFT) == "rpm"
     return (*(s for s in _SUSPECTS if s.encoder == 1), *_OF_RPM) if rpm else _SUSPECTS
+
+
+def _of_kit(record: Record, robot: Robot | None) -> Sequence[_Suspect]:
+    """Counts of encoders whose number to a turn the known robot's kit states: alone, and beside a gyro in degrees."""
+    if robot is None or not (counted(record[LEFT]) and counted(record[RIGHT])):
+        return ()
+    sensor = find_kit(robot.kit).sensors.get(LEFT)
+    if sensor is None or not sensor.quantum or abs(sensor.quantum / DEGREE - 1) < _SAME_STEP:
+        return ()
+    why, counts = f"counts, of which the kit has {math.tau / sensor.quantum:.5g} to a turn,", 1 / sensor.quantum
+    return (
+        _Suspect(f"{why} instead of radians", encoder=counts),
+        _Suspect(f"{why} instead of radians, and a gyro in degrees per second", gyro=1 / DEGREE, encoder=counts),
+    )
 
 
 def _usual(
