@@ -14,6 +14,7 @@ from foreign_robots import DEGREE, SMALL, Bot, Course, arduino, known, logged, m
 from upright.calibrate.calibrate import calibrate
 from upright.calibrate.calibration import Calibration
 from upright.calibrate.parameters import parameters_of
+from upright.doctor import units
 from upright.doctor.columns import by_physics
 from upright.doctor.doctor import Diagnosis, doctor
 from upright.doctor.duty import ALIKE, FAULT
@@ -23,7 +24,7 @@ from upright.doctor.units import _penalty, _Suspect, expected
 from upright.doctor.wheels import on_its_wheels
 from upright.logs.mapping import apply, propose
 from upright.logs.readers import RawTable
-from upright.robots import Robot
+from upright.robots import Kit, Robot
 from upright.signals import Log
 
 PUSHES = ((2.0, 2.1, 1.0), (4.0, 4.1, -1.0), (6.0, 6.1, 1.0))  # [s, s, N] 0.1 m/s of a robot of a kilogram
@@ -240,3 +241,32 @@ def test_a_response_to_a_command_lasts_longer_than_a_row() -> None:
     """Masses keep the rate that a command gives them; an encoder's step, which a turning command answers, is gone."""
     assert _first_clear(np.array([0.3, -10.7, 0.7, 0.4, -0.2, 1.9])) == 0
     assert _first_clear(np.array([0.2, -20.8, -52.7, -44.5, -18.1, -4.4])) == -52.7
+
+
+def test_a_lost_row_spoils_no_counts() -> None:
+    """Rows at even times, all of them interpolated, made fractions of counts, and a step of 5e-10."""
+    columns = arduino(moved(), Bot())
+    kept = np.delete(np.arange(len(columns["ms"])), 700)
+    found = doctor(RawTable({name: values[kept] for name, values in columns.items()}))
+    assert "time/dropped" in found.codes()
+    assert {f.channel for f in found.findings if f.code == "units/counts"} >= {
+        "sensor/encoder_left",
+        "sensor/encoder_right",
+    }
+    repaired = found.repaired()
+    assert len(repaired) == len(kept) + 1
+
+
+def test_counts_of_which_the_robot_s_kit_has_so_many_to_a_turn_are_no_degrees() -> None:
+    """Degrees would make the wheels 3.7 times too fast: 1320 to a turn, and 57.3 to a radian."""
+    kit = Kit.preset("nxt")
+    sensors = {
+        name: replace(sensor, quantum=math.tau / 1320) if "encoder" in name else sensor
+        for name, sensor in kit.sensors.items()
+    }
+    robot, table = known(Bot()), RawTable(arduino(moved(), Bot()))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(units, "find_kit", lambda _: replace(kit, sensors=sensors))
+        found = doctor(table, robot)
+    (scale,) = [f for f in found.findings if f.code == "units/scale" and f.channel == "sensor/encoder_left"]
+    assert scale.fixes[0].numbers[0] == pytest.approx(math.tau / 1320)
