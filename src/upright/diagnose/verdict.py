@@ -308,13 +308,16 @@ def _demanded(evidence: Evidence) -> list[Answer]:
 
 
 def _out_of_speed(evidence: Evidence) -> list[Answer]:
-    """Whether the wheels turned, while the robot was upright, as fast as its motors can: no gain gives torque there."""
-    speed = evidence.motors.speed
+    """Whether the wheels turned, while the robot was upright, as fast as its motors can: no gain gives torque there.
+    Not in a log that begins while it falls, since a push may have been before."""
+    speed, since = evidence.motors.speed, began(evidence)
+    if since < evidence.run.log.t[0]:
+        return []
     text = (
         f"{sound(evidence)}, and a wheel reached {percent(min(speed, 1.0))} of the speed at which full commands give "
         "no torque, while the robot was upright"
     )
-    return [Answer(CLEAR * step(speed - NO_TORQUE, NO_TORQUE_WIDTH), SATURATION, began(evidence), text)]
+    return [Answer(CLEAR * step(speed - NO_TORQUE, NO_TORQUE_WIDTH), SATURATION, since, text)]
 
 
 def _run_down(evidence: Evidence) -> list[Answer]:

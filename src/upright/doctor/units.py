@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.doctor.counts import DEGREE, encoder_counts, raw_counts, whole_numbers
 from upright.doctor.duty import (
     ALIKE,
     FAULT,
@@ -45,8 +46,6 @@ from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.robots import Robot, find_kit
 
 Mask = NDArray[np.bool_]
-
-DEGREE = math.pi / 180
 
 
 @dataclass(frozen=True)
@@ -122,7 +121,7 @@ def scales(record: Record, robot: Robot | None = None) -> list[Finding]:
     says what whole numbers of an encoder are."""
     m = motion(record)
     if m is None or m.gyro is None or m.gyro_name != GYRO:
-        return _whole(record, "this motion does not tell which" if GYRO in record else "no gyro tells which")
+        return whole_numbers(record, "this motion does not tell which" if GYRO in record else "no gyro tells which")
     fit = m.law
     if fit.r2 < TRUSTED or min(fit.values, default=0.0) <= 0:
         return _of_no_unit(record, m.good, m.gyro)
@@ -151,7 +150,7 @@ def _scaled(record: Record, robot: Robot | None, m: Resampled, values: tuple[flo
     q = estimated["q"] * suspect.gyro / suspect.encoder
     possible = q > 1 and _fine(estimated, suspect)
     if counted(record[GYRO]) and suspect not in stated and (suspect.gyro >= _COUNTS or not possible):
-        return _raw_counts(record, estimated["q"], usual["q"])
+        return raw_counts(record, estimated["q"], usual["q"])
     counts = suspect.encoder != 1 and suspect not in stated and counted(record[LEFT]) and counted(record[RIGHT])
     repair = ", or where these are counts: state in a mapping how many are a turn" if counts else ""
     wrong = _wrong(suspect, estimated, odds, by_gravity, repair) if len(alike) == 1 else _ambiguous(alike, estimated)
@@ -163,7 +162,7 @@ def _scaled(record: Record, robot: Robot | None, m: Resampled, values: tuple[flo
     if any(f.channel == GYRO for f in unknown):
         return unknown
     gyro = [f for f in wrong if f.channel == GYRO]
-    return gyro + _encoder_counts(estimated["q"] * suspect.gyro, usual["q"])
+    return gyro + encoder_counts(estimated["q"] * suspect.gyro, usual["q"])
 
 
 def _suspects(record: Record) -> Sequence[_Suspect]:
@@ -202,21 +201,13 @@ _FASTEST = 35.0  # [rad/s] 2000 degrees per second, the largest range of the chi
 def _of_no_unit(record: Record, on: Mask, gyro: Array) -> list[Finding]:
     """Channels that are not in radians, where no motion tells in what: whole numbers of an encoder, and a gyro whose
     mean or largest reading no gyro in rad/s has."""
-    findings = _whole(record, "this motion does not tell which")
+    findings = whole_numbers(record, "this motion does not tell which")
     mean, most = float(gyro[on].mean()), float(np.abs(gyro).max())
     if abs(mean) > LARGEST_OFFSET or most > _FASTEST:
         shown = f"its mean is {mean:.3g}" if abs(mean) > LARGEST_OFFSET else f"it reaches {most:.3g}"
         evidence = f"{shown}, as no gyro in rad/s: another unit, and this motion does not tell which"
         findings.append(error("units/counts", GYRO, evidence, "state unit and scale in a mapping: deg/s, …"))
     return findings
-
-
-def _whole(record: Record, why: str) -> list[Finding]:
-    """Encoders in whole numbers that go over more than two turns of radians."""
-    whole = [name for name in (LEFT, RIGHT) if name in record and counted(record[name])]
-    names = [name for name in whole if np.nanmax(record[name]) - np.nanmin(record[name]) > 2 * math.tau]
-    evidence, repair = f"whole numbers, so degrees or counts: {why}", "state unit and scale in a mapping"
-    return [error("units/counts", name, evidence, repair) for name in names]
 
 
 def _estimated(record: Record, m: Resampled, values: tuple[float, ...]) -> dict[str, float]:
@@ -334,29 +325,6 @@ def _wrong(s: _Suspect, estimated: dict[str, float], odds: float, gravity: float
     groups = (((GYRO,), s.gyro), ((LEFT, RIGHT), s.encoder))
     divided = [divide(channels, evidence, factor) for channels, factor in groups if factor != 1]
     return [replace(f, repair=f.repair + or_else) if f.channel != GYRO else f for f in divided]
-
-
-def _raw_counts(record: Record, q: float, usual: tuple[float, float]) -> list[Finding]:
-    """A gyro of which nobody knows what a count means: robots differ by more than chips do."""
-    encoders = [name for name in (LEFT, RIGHT) if counted(record[name])]
-    factor = 1 / DEGREE if encoders else 1.0
-    least, most = (factor * math.exp(usual[0] + side * usual[1]) / q for side in (-1, 1))
-    alike = " if the encoders count degrees" if encoders else ""
-    evidence = f"raw counts: by the pendulum equation, of usual robots {least:.2g} to {most:.2g} make 1 rad/s{alike}"
-    repair = "state unit and scale in a mapping: deg/s, 1/131, 1/65.5, 1/32.8, 1/16.4, or as the chip's data sheet says"
-    turns = "state in a mapping how many counts are a turn"
-    return [
-        error("units/counts", GYRO, evidence, repair),
-        *(error("units/counts", name, "raw counts, of an unknown number to a turn", turns) for name in encoders),
-    ]
-
-
-def _encoder_counts(q: float, usual: tuple[float, float]) -> list[Finding]:
-    """Encoders of which nobody knows how many counts are a turn, beside a gyro in a known unit, with q in counts."""
-    least, most = (math.tau * q / math.exp(usual[0] + side * usual[1]) for side in (1, -1))
-    evidence = f"raw counts: by the pendulum equation, of usual robots {least:.2g} to {most:.2g} are a turn"
-    repair = "state in a mapping how many counts are a turn: unit turn, scale 1 over that number"
-    return [error("units/counts", name, evidence, repair) for name in (LEFT, RIGHT)]
 
 
 def divide(channels: tuple[str, ...], evidence: str, divisor: float) -> Finding:
