@@ -45,7 +45,7 @@ from upright.diagnose.evidence import gather
 from upright.diagnose.fall import lost_lately, stuck_sensor
 from upright.diagnose.fault_fits import FaultFit, fits
 from upright.diagnose.forces import loaded, sliding
-from upright.diagnose.innovations import driven, follow
+from upright.diagnose.innovations import FilterRun, driven, follow
 from upright.diagnose.joint import jointly
 from upright.diagnose.pairs import together
 from upright.diagnose.propagation import fly, slide
@@ -625,6 +625,24 @@ def test_a_load_that_goes_is_found_beside_the_push_that_hides_it() -> None:
     found = loaded(followed, evidence.pushes_only, window, bank_)
     assert found.score > evidence.pushes_only.score + 10  # nats, by which a fault contributes (`pairs.CONTRIBUTES`)
     assert (found.onset, found.size) == (pytest.approx(ONSET, abs=0.1), pytest.approx(-0.8, abs=0.1))
+
+
+def test_numbers_with_which_the_filter_loses_the_robot_are_not_taken(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Numbers that suit the last seconds may lose the robot before, in the whole log: an IndexError, at 250 Hz."""
+    followed, evidence = gather(logged("weak battery", "pwm", 0.2), NXT, KIT, None, lambda _: None)
+    assert evidence is not None
+    window = window_of(followed, evidence.fell_at)
+    weak = next(fit for fit in evidence.fits if fit.fault == "weak" and fit.run is not None)
+
+    def lost(run: FilterRun, *several: FaultFit) -> FilterRun | None:
+        freed = remedied(run, *several)
+        return freed.only(slice(0, 20)) if freed is not None and run is followed else freed
+
+    monkeypatch.setattr("upright.diagnose.joint.remedied", lost)
+    start = dataclasses.replace(weak, score=-math.inf)
+    faults, found = jointly(followed, [weak], start, window, window.bank(followed, pushes_only=False))
+    assert faults == [weak]
+    assert found is start
 
 
 @pytest.mark.slow

@@ -149,7 +149,7 @@ def jointly(
     x = least_squares(joint, x, joint.changes(x), DAMPINGS, STRIDES)
     search, faults = joint.search(x), joint.faults(x)
     freed = remedied(run, *faults)
-    if search is None or freed is None:
+    if search is None or freed is None or not freed.reaches(window.end - SHORT):
         return usual
     start = replace(search.placed(x[joint.count :]), run=freed, score=-math.inf)
     moved = refined(run, start, window, bank)
