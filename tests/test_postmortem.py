@@ -627,6 +627,16 @@ def test_a_load_that_goes_is_found_beside_the_push_that_hides_it() -> None:
     assert (found.onset, found.size) == (pytest.approx(ONSET, abs=0.1), pytest.approx(-0.8, abs=0.1))
 
 
+def test_a_log_of_which_only_a_part_is_filtered_is_judged_by_that_part(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Rows after the wheels left the floor are cut: the rows of both were confused, in an IndexError."""
+    log = weakened()
+    monkeypatch.setattr("upright.diagnose.evidence.last_fall", lambda _: None)
+    monkeypatch.setattr("upright.diagnose.evidence.on_its_wheels", lambda log: (log.between(0.0, log.t[-1] - 0.1), ""))
+    followed, evidence = gather(log, NXT, KIT, None, lambda _: None)
+    assert len(followed.log) < len(log)
+    assert evidence is not None
+
+
 def test_numbers_with_which_the_filter_loses_the_robot_are_not_taken(monkeypatch: pytest.MonkeyPatch) -> None:
     """Numbers that suit the last seconds may lose the robot before, in the whole log: an IndexError, at 250 Hz."""
     followed, evidence = gather(logged("weak battery", "pwm", 0.2), NXT, KIT, None, lambda _: None)

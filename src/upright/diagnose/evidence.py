@@ -196,9 +196,9 @@ def gather(
             several += with_sudden_pushes(run, window, bank, several[0].score)
             several.sort(key=lambda fit: -fit.score)
         several = settled(run, several, window, bank)
-    frozen = frozen_rows(run)
-    if not foreign and frozen[(log.t > fell_at - REPEATING) & (log.t <= fell_at)].sum() >= 2:
-        stale = stale_rows(log) & (log.t >= log.t[np.flatnonzero(frozen)[0]] - 0.1)
+    frozen, t = frozen_rows(run), run.log.t  # of the part of the log that was filtered
+    if not foreign and frozen[(t > fell_at - REPEATING) & (t <= fell_at)].sum() >= 2:
+        stale = stale_rows(run.log) & (t >= t[np.flatnonzero(frozen)[0]] - 0.1)
         several = sorted([*several, dropped(run, stale, window, bank)], key=lambda f: -f.score)
     show(0.9)
     return run, _evidence(run, fell_at, window, bank, several, controller)
