@@ -1,7 +1,7 @@
 """What the predictor is made of: coefficients of the motion, of what drives it and of the sensors, and what they follow
 from.
 
-They are products and quotients of masses, lengths and inertias, and the only thing that a log can tell of these.
+They are products and quotients of masses, lengths and inertias, and the only thing that a log shows of these.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ TURNED = 1.5e-3
 which MuJoCo does at the end of a time step, differ by what a rotor of 0.1 % of all that rolls would do."""
 EQUATION = "equation/"
 EQUATIONS = tuple(Parameter(f"{EQUATION}{i}", "1", 0.0, EXACT, "linear") for i in LEVEL)
-"""By what share each constant of the equations is off: estimated beside the parameters, and never told."""
+"""By what share each constant of the equations is off: estimated beside the parameters, and never reported."""
 
 
 class Priors(NamedTuple):

@@ -224,24 +224,26 @@ def driven(w: Any, i: Any, u: Any) -> Any:
 
 @njit
 def begun(w: Any, count: Any, u: Any, start: Any, stop: Any, longest: Any) -> Any:
-    """Each lane's motors on the command u (2,) from its `start` to its `stop` [s]; in how many steps."""
-    span = 0.0
+    """Each lane's motors on the command u (2,) from its `start` to its `stop` [s]; in how many steps, and whether any
+    lane has rolling friction."""
+    span, rolls = 0.0, False
     for i in range(count):
         put(w, SPAN, i, stop[i] - start[i])
         span = max(span, abs(stop[i] - start[i]))
         start[i] = stop[i]
+    if span < INSTANT:
+        return 0, rolls
+    for i in range(count):
         left, right = driven(w, i, u)
         put(w, LEFT, i, left)
         put(w, RIGHT, i, right)
-    return max(1, math.ceil(span / longest)) if span >= INSTANT else 0
+        rolls |= get(w, ROLLING_TORQUE, i) > 0
+    return max(1, math.ceil(span / longest)), rolls
 
 
 @njit
-def step(w: Any, count: Any, steps: Any) -> None:
+def step(w: Any, count: Any, steps: Any, rolls: Any) -> None:
     """One of so many `steps` of what has `begun`; `START` has the states before it."""
-    rolls = False
-    for i in range(count):
-        rolls |= get(w, ROLLING_TORQUE, i) > 0
     if rolls:
         _roll(w, count, steps)
     _advance(w, count, steps)
@@ -250,9 +252,9 @@ def step(w: Any, count: Any, steps: Any) -> None:
 @njit
 def move(w: Any, count: Any, u: Any, start: Any, stop: Any, longest: Any) -> None:
     """Each lane from its `start` to its `stop` [s], in as many steps as the longest span needs."""
-    steps = begun(w, count, u, start, stop, longest)
+    steps, rolls = begun(w, count, u, start, stop, longest)
     for _ in range(steps):
-        step(w, count, steps)
+        step(w, count, steps, rolls)
 
 
 _FIRST, _CONSTANTS = HALF_TRACK, len(Constants._fields)

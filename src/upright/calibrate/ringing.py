@@ -52,9 +52,9 @@ def moved(w: Any, u: Any, start: Any, stop: Any, longest: Any, swing: Any, offse
     """As `move`, and with it the two states of a resonance, the last of `offsets` (offsets, lanes); `swing` (2, lanes)
     is ω [rad/s] and ζ, or nothing where there is none. The parabola is of one step of the motion, not of the whole."""
     count = len(start)
-    steps = begun(w, count, u, start, stop, longest)
+    steps, rolls = begun(w, count, u, start, stop, longest)
     for _ in range(steps):
-        step(w, count, steps)
+        step(w, count, steps, rolls)
         if len(swing):
             _ring(w, count, steps, swing, offsets)
 

@@ -302,8 +302,7 @@ def _demand(log: Log, robot: Robot, most: float, end: float) -> Demand | None:
     targets = references(log)
     if not np.ptp(targets):
         return None
-    damping = motor_damping(robot)
-    top = motor_gain(robot) * most / damping * robot.wheel_radius if damping else math.inf
+    top = _top_rate(robot, most) * robot.wheel_radius
     rows = np.flatnonzero((log.t > end - 1.3 * EXCURSION) & (log.t <= end))
     if len(rows) < 2:
         return Demand(0.0, math.nan, top)
@@ -343,11 +342,16 @@ def _motor_use(run: FilterRun, w: Array, end: float) -> MotorUse:
 
 def _speed(run: FilterRun, states: Array) -> float:
     """The largest wheel rate of these states (n, 6) while the robot was upright, over that without torque."""
-    damping, upright = motor_damping(run.robot), np.abs(states[:, 0]) < UPRIGHT
-    if not damping or not upright.any():
-        return 0.0
-    top = motor_gain(run.robot) * limit(run.robot, run.kit, run.asked) / damping
-    return float(np.abs(states[upright, 3] - states[upright, 1]).max()) / top
+    upright = np.abs(states[:, 0]) < UPRIGHT
+    largest = float(np.abs(states[upright, 3] - states[upright, 1]).max(initial=0.0))
+    top = _top_rate(run.robot, limit(run.robot, run.kit, run.asked))
+    return largest / top if top > 0 else 0.0  # of motors that were off nothing is known
+
+
+def _top_rate(robot: Robot, most: float) -> float:
+    """The rate of a wheel [rad/s] at which commands of `most` give no torque; infinite where nothing damps it."""
+    damping = motor_damping(robot)
+    return motor_gain(robot) * most / damping if damping else math.inf
 
 
 def _battery(log: Log, end: float) -> tuple[float, float]:
