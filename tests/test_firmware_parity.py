@@ -275,6 +275,17 @@ def test_c_on_an_arm7tdmi(tmp_path: Path, number):
     assert products < executor.worst.instructions <= executor.worst.cycles < 480_000
 
 
+@pytest.mark.needs("arm-none-eabi-gcc", "module:unicorn", "module:elftools")
+def test_a_step_that_does_not_end_is_counted_by_its_own_clock(tmp_path: Path):
+    """By the clock of this machine, a busy one cut steps short, and the program was NOT EQUAL."""
+    source, made = written(tmp_path, "c", number="fixed")
+    text = source.read_text("utf-8")
+    place = text.index("{", text.index("void upright_update(")) + 1
+    source.write_text(text[:place] + "\n    for (volatile int i = 0; ; i ^= 1) {}\n" + text[place:])
+    with pytest.raises(ExecutionFailed, match="upright_update does not return within a second"):
+        executed_parity(ArmExecutor(source, made.program, "fixed"), frozen(), made, ROBOT, NXT)
+
+
 @pytest.mark.needs("gcc")
 @pytest.mark.parametrize("number", ["double", "float"])
 def test_predictive_control_in_c(tmp_path: Path, number):

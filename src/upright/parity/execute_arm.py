@@ -19,7 +19,7 @@ FLASH, RAM, STACK, RETURN = 0x0010_0000, 0x0020_0000, 0x0021_0000, 0x0030_0000
 
 CLOCK = 48e6  # [Hz] of the NXT
 SAVED = 3 * 4096
-LONGEST = 2_000_000  # [µs] of this machine: a step that takes more hangs
+LONGEST = 48_000_000  # [cycles] a second of the chip: a step that takes more does not end
 
 
 @dataclass
@@ -31,9 +31,9 @@ class Cost:
 
 
 class ArmExecutor:
-    """One emulated processor. With `counting`, `worst` keeps the most expensive step."""
+    """One emulated processor; `worst` keeps the most expensive step."""
 
-    def __init__(self, source: Path, program: Program, number: str, counting: bool = True) -> None:
+    def __init__(self, source: Path, program: Program, number: str) -> None:
         self.where, self.numbers = "an emulated ARM7TDMI (soft float)", number
         self._words = Words(program, number)
         with TemporaryFolder() as folder:
@@ -45,10 +45,7 @@ class ArmExecutor:
             self._load(binary)
         self.worst, self._step = Cost(), Cost()
         self._blocks: dict[int, tuple[int, int]] = {}
-        if counting:
-            from unicorn import UC_HOOK_BLOCK
-
-            self._machine.hook_add(UC_HOOK_BLOCK, self._count)
+        self._machine.hook_add(self._every_block, self._count)
         self.start()
 
     def _load(self, binary: Path) -> None:
@@ -71,10 +68,10 @@ class ArmExecutor:
             self.code_bytes = sum(s["sh_size"] for s in sections)
             symbols = elf.get_section_by_name(".symtab").iter_symbols()
             self._functions = {s.name: s["st_value"] for s in symbols if s.name.startswith("upright_")}
-        self._machine = machine
+        self._machine, self._every_block = machine, emulator.UC_HOOK_BLOCK
 
     def start(self) -> None:
-        self._ready = False
+        self._ready, self._step = False, Cost()
         self._call("reset", (RAM,))
 
     def step(self, raw: Values) -> Values:
@@ -112,9 +109,11 @@ class ArmExecutor:
         self._machine.reg_write(arm_const.UC_ARM_REG_SP, STACK)
         self._machine.reg_write(arm_const.UC_ARM_REG_LR, RETURN)
         try:
-            self._machine.emu_start(self._functions[f"upright_{name}"], RETURN, timeout=LONGEST)
+            self._machine.emu_start(self._functions[f"upright_{name}"], RETURN)
         except failed as error:
             raise ExecutionFailed(f"upright_{name} crashed on the emulated ARM7TDMI: {error}") from None
+        if self._step.cycles > LONGEST:
+            raise ExecutionFailed(f"upright_{name} does not return within a second of the emulated ARM7TDMI")
 
     def _count(self, machine: Any, address: int, size: int, _: object) -> None:
         if address not in self._blocks:
@@ -123,6 +122,8 @@ class ArmExecutor:
         instructions, spent = self._blocks[address]
         self._step.instructions += instructions
         self._step.cycles += spent
+        if self._step.cycles > LONGEST:
+            machine.emu_stop()
 
 
 def cycles(word: int) -> int:  # noqa: PLR0911 (one for each kind of instruction)
