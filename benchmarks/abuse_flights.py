@@ -42,7 +42,7 @@ PATIENCE = 1.2  # [s] for an answer of a device in this very process
 SECONDS = 0.5  # of a flight, of the device's time
 STILL = 1.0  # [s] of a hub's program before it drives
 NEVER = 10**9
-LONGEST = 120  # [s] of real time for one flight: it takes a few
+LONGEST = 1200  # [s] of real time for one flight: it takes a few
 MAY_RUN = "motors may be running"
 
 NXC = """
@@ -184,10 +184,12 @@ def _gone_after(brick: Brick, truly: Callable[[], bytes]) -> bytes:
     return _gone(brick, truly)
 
 
-def _slow(seconds: float) -> Fault:
+def _slow(part: float) -> Fault:
+    """The reply comes after so much of `PATIENCE`."""
+
     def slow(_: Brick, truly: Callable[[], bytes]) -> bytes:
         reply = truly()
-        time.sleep(seconds)
+        time.sleep(part * PATIENCE)
         return reply
 
     return slow
@@ -260,8 +262,8 @@ REPLIES: dict[str, Fault] = {
     "half a frame": _raw(lambda frame: frame[: len(frame) // 2]),
     "two replies": _raw(lambda frame: 2 * frame),
     "noise before it": _raw(lambda frame: b"\x00\x00" + frame),
-    "slow": _slow(0.5 * PATIENCE),
-    "too late": _slow(2 * PATIENCE),
+    "slow": _slow(0.5),
+    "too late": _slow(2),
     "busy": _status(0x20),
     "refused": _status(0xDD),
     "out of memory": _status(0xFA),
@@ -430,10 +432,12 @@ async def _request_lost(_hub: Hub, _truly: Callable[[], Any]) -> None:
     await asyncio.Event().wait()
 
 
-def _delayed(seconds: float) -> Fault:
+def _delayed(part: float) -> Fault:
+    """The reply comes after so much of `PATIENCE`."""
+
     async def delayed(_hub: Hub, truly: Callable[[], Any]) -> Any:
         answer = await truly()
-        await asyncio.sleep(seconds)
+        await asyncio.sleep(part * PATIENCE)
         return answer
 
     return delayed
@@ -487,8 +491,8 @@ LINK: dict[str, Fault] = {
     "not allowed": _refuse("the hub answers 0x13, not allowed"),
     "lost reply": _reply_lost,
     "lost request": _request_lost,
-    "slow": _delayed(0.5 * PATIENCE),
-    "too late": _delayed(2 * PATIENCE),
+    "slow": _delayed(0.5),
+    "too late": _delayed(2),
     "input/output error": _raise(OSError),
     "end of the line": _raise(EOFError),
     "wrong answer": _raise(ValueError),

@@ -15,6 +15,8 @@ from pathlib import Path
 
 import pytest
 
+from conftest import PATIENCE
+
 CHECKOUT = Path(__file__).resolve().parents[1]
 SOURCE = CHECKOUT / "src" / "upright"
 
@@ -205,7 +207,7 @@ def test_every_imported_package_is_a_declared_dependency() -> None:
 def test_start_loads_no_numerics(module: str) -> None:
     heavy = sorted({"numpy", "scipy", *HEAVY})
     code = f"import sys, {module}; print([name for name in {heavy} if name in sys.modules])"
-    said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60)
+    said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=PATIENCE)
     assert said.stdout.strip() == "[]"
 
 

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from conftest import PATIENCE
 from test_architecture import trees
 from upright.atomic import write_text, writing
 from upright.cli.main import USER_ERROR, main
@@ -104,7 +105,7 @@ def test_a_pipe_gets_the_bytes_and_stays_one(writer: tuple[Write, str], tmp_path
     reader = threading.Thread(target=lambda: came.append(pipe.read_bytes()), daemon=True)
     reader.start()
     write(pipe)
-    reader.join(5)
+    reader.join(PATIENCE)
     write(file)
     assert stat.S_ISFIFO(pipe.stat().st_mode)
     assert came

@@ -16,6 +16,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from conftest import PATIENCE
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
 from upright.calibrate.calibrate import calibrate, prepared
@@ -817,7 +818,7 @@ def test_a_forked_process_has_threads_of_its_own() -> None:
 
     assert _doubled() == [0, 2, 4, 6]
     with multiprocessing.get_context("fork").Pool(1) as pool:
-        assert pool.apply_async(_doubled).get(timeout=60) == [0, 2, 4, 6]
+        assert pool.apply_async(_doubled).get(timeout=PATIENCE) == [0, 2, 4, 6]
 
 
 def test_a_parameter_at_its_bound_is_the_bound() -> None:

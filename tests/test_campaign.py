@@ -15,6 +15,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from conftest import PATIENCE
 from upright.cli.fleet import sweep
 from upright.errors import InvalidScenario, UnknownName, UprightError
 from upright.fleet.campaign import chunk_path, collect, run_campaign
@@ -101,11 +102,11 @@ def test_a_campaign_killed_half_way_goes_on_from_what_is_on_disk(spec, alone, tm
     folder = tmp_path / "c"
     code = (
         "import sys; from upright.fleet.campaign import run_campaign; from upright.fleet.sweep import read_campaign; "
-        "import time; slow = lambda done, total, left: time.sleep(0.3); "
-        "run_campaign(read_campaign(sys.argv[1]), sys.argv[2], workers=0, progress=slow)"
+        "import time; stop = lambda done, total, left: done < 4 or time.sleep(600); "
+        "run_campaign(read_campaign(sys.argv[1]), sys.argv[2], workers=0, progress=stop)"
     )
     process = subprocess.Popen([sys.executable, "-c", code, str(spec), str(folder)])
-    deadline = time.monotonic() + 60
+    deadline = time.monotonic() + PATIENCE
     while not chunk_path(folder, 3).exists():
         assert time.monotonic() < deadline
         assert process.poll() is None

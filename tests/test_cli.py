@@ -16,6 +16,7 @@ from typing import Any
 
 import pytest
 
+from conftest import PATIENCE
 from upright.atomic import write_json
 from upright.cli import main as cli
 from upright.cli.help import EXAMPLES
@@ -158,7 +159,7 @@ def test_a_mistake_in_a_real_process_shows_no_traceback(call: str, files: Path) 
         cwd=files,
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=PATIENCE,
         check=False,
     )
     assert said.returncode == USER_ERROR
@@ -257,7 +258,7 @@ def test_the_shell_completes_commands() -> None:
         env=asked,
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=PATIENCE,
         check=False,  # completion has exit codes of its own
     )
     assert said.stdout.split() == ["linearise"]

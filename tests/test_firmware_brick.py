@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from conftest import PATIENCE
 from firmware_cases import frozen, steering, written
 from upright.bricks.brick import Hardware, set_readings
 from upright.bricks.lcp import VirtualBrick
@@ -158,7 +159,7 @@ def test_nxt_python_s_own_compass_reads_the_virtual_one(heading: int) -> None:
     set_readings(brick.hardware, resting | {COMPASS: float(heading)})
     with Line(brick) as line:
         command = [sys.executable, "-c", READ_COMPASS, line.path]
-        said = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
+        said = subprocess.run(command, capture_output=True, text=True, check=False, timeout=PATIENCE)
     assert said.stdout.strip() == str(heading), said.stderr
 
 

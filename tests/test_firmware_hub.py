@@ -19,6 +19,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from conftest import PATIENCE
 from upright.bricks.hub import COMMANDS, CommandRefused, VirtualHub
 from upright.bricks.virtual_robot import virtual_hub
 from upright.cli.fly import LOST
@@ -39,8 +40,6 @@ from upright.robots import Kit, Robot
 pytestmark = pytest.mark.needs("module:pybricksdev", "module:micropython_unix")
 
 ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("spike")
-PATIENCE = 30.0  # [s] for a hub in this very process, which answers at once unless the machine is busy
-BRIEF = 1.0  # [s] for one that answers no more, which is waited for five times
 
 
 @pytest.fixture(scope="module")
@@ -155,15 +154,22 @@ def test_its_button_stops_a_hub_out_of_reach(made: tuple[Path, Program], hub: Vi
     assert at_rest(hub)
 
 
-def test_a_silent_hub_is_given_up_and_what_it_said_is_kept(made: tuple[Path, Program], hub: VirtualHub) -> None:
-    flight = flown(made, hub, 60.0, lambda now: setattr(hub, "silent", now > 2.0), BRIEF)
-    assert flight.lost
-    assert flight.notes[0].startswith("motors may be running: ")
-    assert flight.log is not None
-    with pytest.raises(HubLost, match="does not answer"):
-        flown(made, hub, patience=BRIEF)
-    hub.press()
-    assert at_rest(hub)
+def test_a_silent_hub_is_given_up_and_what_it_said_is_kept(made: tuple[Path, Program]) -> None:
+    """It answers for two seconds of its own, and no more."""
+    for brief in (1.0, 6.0, 36.0):  # [s] it is waited for five times; a busy machine may not fly in the first of them
+        with virtual_hub(ROBOT, KIT, [Hold(pitch=0.1, until=1.0)]) as hub, suppress(HubLost):
+            flight = flown(made, hub, 60.0, lambda now, hub=hub: setattr(hub, "silent", now > 2.0), brief)
+            if not hub.silent:
+                continue
+            assert flight.lost
+            assert flight.notes[0].startswith("motors may be running: ")
+            assert flight.log is not None
+            with pytest.raises(HubLost, match="does not answer"):
+                flown(made, hub, patience=brief)
+            hub.press()
+            assert at_rest(hub)
+            return
+    raise AssertionError("it did not come to its second second")
 
 
 def test_a_torn_log_keeps_its_whole_rows(made: tuple[Path, Program], hub: VirtualHub) -> None:
@@ -524,7 +530,7 @@ def test_a_device_that_vanishes_is_one_line(tmp_path: Path) -> None:
         assert process.stdout.readline() == "hello\n"
         os.close(theirs)
         os.close(ours)
-        _, said = process.communicate(timeout=60)
+        _, said = process.communicate(timeout=PATIENCE)
     assert process.returncode == 2
     assert len(said.strip().splitlines()) == 1
     assert "is gone" in said

@@ -14,12 +14,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from conftest import PATIENCE
 from upright.control import make_controller
 from upright.kernel.batch import FleetBatch, parameters_of, silent
 from upright.kernel.simulate import simulate
 from upright.robots import Kit, Robot
-
-PATIENCE = 180.0  # [s] for a busy machine; alone it takes half a second
 
 SLEEPS = {
     "Python": "time.sleep(600)",

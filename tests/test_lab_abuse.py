@@ -16,6 +16,7 @@ from typing import Any, ClassVar
 
 import pytest
 
+from conftest import PATIENCE
 from test_lab_server import MODEL, Room, heard, kinds
 from upright.lab import desk as desk_module
 from upright.lab import display, stage_process
@@ -149,7 +150,7 @@ def test_a_stage_that_is_killed_or_hangs_is_replaced(monkeypatch):
     client = Client("a", Mailbox())
 
     async def until(kind: str, meanwhile: Callable[[], None] = lambda: None) -> None:
-        end, found = time.monotonic() + 60, list[str]()
+        end, found = time.monotonic() + PATIENCE, list[str]()
 
         async def send(text: str) -> None:
             found.append(json.loads(text)["kind"])
@@ -428,14 +429,14 @@ def test_a_clerk_that_starts_or_reads_slowly_holds_up_nobody(monkeypatch):
     """A job's process starts modestly, and a log of a minute does not fit into its pipe: the loop waits for neither."""
     ready = threading.Event()
     start = BaseProcess.start
-    monkeypatch.setattr(BaseProcess, "start", lambda process: (ready.wait(30.0), start(process)))
+    monkeypatch.setattr(BaseProcess, "start", lambda process: (ready.wait(PATIENCE), start(process)))
     clerk = desk_module._Clerk()
     try:
         clerk.give(("ana", "keep csv"), "keep csv", (bytes(10 << 20), Path()))
-        assert clerk.poll(30.0) == []  # we are here, and its process has not started
+        assert clerk.poll(PATIENCE) == []  # we are here, and its process has not started
         ready.set()
-        end = time.monotonic() + 60
-        while not (words := clerk.poll(30.0)):
+        end = time.monotonic() + PATIENCE
+        while not (words := clerk.poll(PATIENCE)):
             assert time.monotonic() < end
             time.sleep(0.01)
         assert words[0][:2] == (("ana", "keep csv"), "failed")  # ten megabytes of nothing are no log
@@ -450,7 +451,7 @@ def test_a_stage_belongs_to_the_servers_session():
     link = stage_process.StageProcess(Options())
     try:
         link.say("stats", "")
-        assert link._pipe.poll(60.0)  # it runs
+        assert link._pipe.poll(PATIENCE)  # it runs
         pid = link._process.pid or 0
         assert os.getsid(pid) == os.getsid(0)
         assert os.getpgid(pid) == pid

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from conftest import PATIENCE
 from upright.lab.recording import MARK, inlined, page_text
 
 LAB = Path(__file__).resolve().parents[1] / "src" / "upright" / "lab"
@@ -38,8 +39,10 @@ def _built(folder: Path) -> Path:
     if (WEB / "node_modules").is_dir():
         (copy / "node_modules").symlink_to(WEB / "node_modules")
     else:
-        subprocess.run(INSTALL, cwd=copy, check=True, capture_output=True, timeout=300)
-    built = subprocess.run(["npm", "run", "build"], cwd=copy, capture_output=True, text=True, timeout=300, check=False)
+        subprocess.run(INSTALL, cwd=copy, check=True, capture_output=True, timeout=PATIENCE)
+    built = subprocess.run(
+        ["npm", "run", "build"], cwd=copy, capture_output=True, text=True, timeout=PATIENCE, check=False
+    )
     assert built.returncode == 0, built.stdout + built.stderr
     return folder / "static"
 

@@ -16,6 +16,7 @@ from typing import Any
 
 import pytest
 
+from conftest import PATIENCE
 from test_lab_messages import hostile
 from upright.cli.main import main
 from upright.errors import UprightError
@@ -376,7 +377,7 @@ def served() -> Iterator[str]:
     address = process.stdout.readline().split()[-1]
     yield address
     process.send_signal(signal.SIGINT)
-    _, said = process.communicate(timeout=180)
+    _, said = process.communicate(timeout=PATIENCE)
     assert process.returncode == 0
     assert said == ""  # whatever was thrown at it
 
@@ -384,7 +385,7 @@ def served() -> Iterator[str]:
 def test_pages_are_served_to_this_site_alone(served):
     import httpx
 
-    http = httpx.Client(timeout=180)  # [s] for a busy machine
+    http = httpx.Client(timeout=PATIENCE)
     page = http.get(served)
     assert page.status_code == 200
     assert "default-src 'self'" in page.headers["content-security-policy"]
@@ -408,7 +409,7 @@ def test_a_foreign_socket_is_refused(served):
 def test_a_log_is_sent_examined_and_fetched_over_the_wire(served, tmp_path):
     import httpx
 
-    http = httpx.Client(timeout=180)  # [s] for a busy machine
+    http = httpx.Client(timeout=PATIENCE)
     with _page(served) as (socket, welcome):
         _send(socket, {"kind": "Drag", "force": 0.6, "height": 0.07})
         _until(socket, lambda m: m["kind"] == "Snapshot" and m["t"] > 0.5)
@@ -446,7 +447,7 @@ def _page(address: str) -> Iterator[tuple[Any, dict[str, Any]]]:
     """A page that has said hello, over the wire."""
     from websockets.sync.client import connect
 
-    with connect(address.replace("http", "ws") + "ws", max_size=None, open_timeout=180, close_timeout=1) as socket:
+    with connect(address.replace("http", "ws") + "ws", max_size=None, open_timeout=PATIENCE, close_timeout=1) as socket:
         _send(socket, {"kind": "Hello", "version": VERSION, "setup": json.loads(encode(Change(MODEL)))["setup"]})
         yield socket, _until(socket, lambda m: m["kind"] == "Welcome")
 
@@ -455,7 +456,7 @@ def _send(socket: Any, message: dict[str, Any]) -> None:
     socket.send(json.dumps(message))
 
 
-def _until(socket: Any, wanted: Callable[[dict[str, Any]], bool], seconds: float = 180.0) -> dict[str, Any]:
+def _until(socket: Any, wanted: Callable[[dict[str, Any]], bool], seconds: float = PATIENCE) -> dict[str, Any]:
     end = time.monotonic() + seconds
     while time.monotonic() < end:
         message = json.loads(socket.recv(timeout=seconds))

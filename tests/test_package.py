@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 
 import upright as up
+from conftest import PATIENCE
 from upright.tables import Listing
 
 VERBS = ("doctor", "calibrate", "identify", "excite", "certify", "post_mortem", "design", "fleet", "push_map", "parity",
@@ -28,7 +29,7 @@ ROOMS = {
 
 
 def executed(code: str) -> str:
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=120)
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=PATIENCE)
     assert done.returncode == 0, done.stderr
     return done.stdout.strip()
 

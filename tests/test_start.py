@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from conftest import PATIENCE
 from upright.cli.guide import STATE
 from upright.cli.main import main
 
@@ -20,7 +21,7 @@ START = (sys.executable, "-m", "upright", "start", "--samples", "100")  # the fe
 
 def started(folder: Path, answers: str, *options: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [*START, *options], cwd=folder, input=answers, capture_output=True, text=True, timeout=300, check=False
+        [*START, *options], cwd=folder, input=answers, capture_output=True, text=True, timeout=4 * PATIENCE, check=False
     )
 
 
@@ -95,13 +96,12 @@ def test_ctrl_c_keeps_what_was_answered(tmp_path):
     assert process.stdin
     process.stdin.write("ev3way\nsimulated\n")
     process.stdin.flush()
-    end = time.monotonic() + 180
-    while (
-        time.monotonic() < end and "where" not in (tmp_path / STATE).read_text() if (tmp_path / STATE).exists() else 1
-    ):
+    end, state = time.monotonic() + PATIENCE, tmp_path / STATE
+    while not (state.exists() and "where" in state.read_text()):
+        assert time.monotonic() < end
         time.sleep(0.05)
     process.send_signal(signal.SIGINT)
-    _, wrong = process.communicate(timeout=180)
+    _, wrong = process.communicate(timeout=PATIENCE)
     assert process.returncode == 130
     assert "Traceback" not in wrong
     assert json.loads((tmp_path / STATE).read_text())["answers"] == {"robot": "ev3way", "where": "simulated"}

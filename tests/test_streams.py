@@ -13,13 +13,15 @@ from typing import Any
 
 import pytest
 
+from conftest import PATIENCE
+
 COMMAND = [sys.executable, "-m", "upright"]
 PRINTS = ["linearise"]  # prints Greek letters
 
 
 def run(arguments: list[str], **options: Any) -> subprocess.CompletedProcess[bytes]:
     given = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE} | options
-    done = subprocess.run([*COMMAND, *arguments], check=False, timeout=120, **given)
+    done = subprocess.run([*COMMAND, *arguments], check=False, timeout=PATIENCE, **given)
     assert b"Traceback" not in (done.stderr or b"")
     assert b"Exception ignored" not in (done.stderr or b"")
     return done

@@ -10,7 +10,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from upright.atomic import make_folder, write_text
+from upright.atomic import make_folder, place_of, write_text
 from upright.certify.verdict import linear_margins
 from upright.compiled.print_javascript import JavaScriptPrinter, functions
 from upright.control import CONTROLLERS, gain_of
@@ -65,6 +65,8 @@ def export(
     for name in controllers:
         if name not in CONTROLLERS:
             raise UnknownName("controller", name, CONTROLLERS)
+    make_folder(path.parent)
+    place_of(path)  # refused now, and not after all designs
     methods = list(controllers) or [f.name for f in families() if f.name not in (BY_HAND, OFF, *NOT_USUAL)]
     page, ready = inlined(page_text()), list[PrintedRobot]()
     for k, robot in enumerate(chosen):
@@ -74,9 +76,7 @@ def export(
 
         say(f"{robot.name}: robot {k + 1} of {len(chosen)}, with {len(methods)} methods of design")
         ready.append(printed(robot, methods, say=say, load=LOAD, progress=show))
-    script = exported_script(ready)
-    make_folder(path.parent)
-    return write_text(path, page.replace(MARK, f"<script>{script}</script>"))
+    return write_text(path, page.replace(MARK, f"<script>{exported_script(ready)}</script>"))
 
 
 def _place(folder: Path) -> Path:
