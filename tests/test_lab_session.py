@@ -640,7 +640,7 @@ def test_a_page_cannot_have_a_file_s_code_run(tmp_path):
 
 
 def test_a_job_in_a_process_reports_and_can_be_killed(tmp_path):
-    desk = ProcessDesk()
+    desk = ProcessDesk(modest=0)
     try:
         desk.submit(("s", "design"), "design", (replace(MODEL, controller="lqr-state", kit="ideal"), True))
         desk.submit(("s", "robust"), "design", (replace(MODEL, controller="robust"), True), alone=True)
@@ -669,7 +669,7 @@ def test_what_was_computed_once_costs_no_process_again(tmp_path, monkeypatch):
     assert "light" in LASTING
     monkeypatch.setattr("upright.lab.desk.LASTING", ("robot",))
     paths = [str(Robot.preset(name).save(tmp_path / f"{name}.toml")) for name in ("nxtway-gs", "twipr")]
-    desk = ProcessDesk()
+    desk = ProcessDesk(modest=0)
     try:
         desk.submit(("one", "robot"), "robot", (paths[0],), alone=True)
         words = []
