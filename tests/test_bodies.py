@@ -8,7 +8,7 @@ import pytest
 from upright.bodies import BODIES, Body, Electronics, LinearBody, NonlinearBody, make_body
 from upright.bodies.electronics import advanced, drive
 from upright.control import make_controller
-from upright.errors import SpecMismatch, UnknownName
+from upright.errors import InvalidRobot, SpecMismatch, UnknownName
 from upright.experiment import run
 from upright.physics.dynamics import CALM, MODELS, Disturbance, accelerations, derivative
 from upright.physics.integrate import rk4_step
@@ -182,6 +182,28 @@ def test_drive_order_dead_zone_sag_saturation_quantum():
     # both motors at full: the battery sags by 0.05·(8 + 8) = 0.8 V
     applied, voltage = drive((100.0, -100.0), kit)
     assert (applied[0], applied[1], voltage) == (pytest.approx(7.2), pytest.approx(-7.2), pytest.approx(7.2))
+
+
+def test_a_driver_keeps_its_drop_of_what_saturation_and_quantum_leave():
+    """sign(u) max(0, |u| − 1.5 V), last of all: after the dead zone, a sag of 0.05·(|u1| + |u2|), steps of 0.1 V."""
+    battery = Battery(voltage=8.0, sag=0.05)
+    kit = Kit(name="k", motor=Motor(dead_zone=2.0, quantum=0.1, drop=1.5), battery=battery)
+    assert drive((1.9, -2.04), kit)[0] == (0.0, pytest.approx(-0.5))  # in the dead zone; 2.0 V after the quantum
+    assert drive((100.0, -100.0), kit)[0] == (pytest.approx(5.7), pytest.approx(-5.7))  # both at 8 − 0.8 V
+    bare = Kit(name="k", motor=Motor(drop=1.5))
+    for u, left in ((1.4, 0.0), (-1.5, 0.0), (1.75, 0.25), (-4.0, -2.5)):
+        assert drive((u, 0.0), bare)[0] == (left, 0.0)  # all exact in binary
+
+
+def test_a_torque_drive_has_no_drop():
+    with pytest.raises(InvalidRobot, match=r"drop is 1\.5 V with a torque drive"):
+        Kit(name="k", drive="torque", motor=Motor(drop=1.5))
+    kit = Kit(name="k", sensors=IDEAL, motor=Motor(drop=1.5))
+    torque = Robot.preset("twipr")
+    with pytest.raises(SpecMismatch, match=r"drop of 1\.5 V"):
+        Electronics(NonlinearBody(torque), kit)
+    with pytest.raises(SpecMismatch, match=r"drop of 1\.5 V"):
+        torque.replace(kit=kit)
 
 
 def test_sensor_delay_and_hold_are_counted_in_steps():

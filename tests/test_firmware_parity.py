@@ -7,6 +7,7 @@ import re
 import shutil
 import signal
 from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -85,6 +86,20 @@ def test_c_follows_a_reference(tmp_path: Path):
     references = [Drive(speed=0.1, start=1.0, until=6.0), Turn(rate=0.5, start=2.0, until=4.0)]
     executor = HostExecutor(source, made.program, "float")
     passed(executed_parity(executor, designed("lqi"), made, ROBOT, NXT, reference=references))
+
+
+@pytest.mark.parametrize("target", [pytest.param("c", marks=pytest.mark.needs("gcc")), "ev3dev"])
+def test_a_program_believes_what_a_driver_with_a_drop_leaves(tmp_path: Path, target):
+    """Its memory takes what reached the motors, 1.5 V less than its duty gives; the body behind the kit gets the same.
+    The design knows nothing of the drop, so that only its commands are compared, not that it stands."""
+    kit = replace(NXT, motor=replace(NXT.motor, drop=1.5), battery=replace(NXT.battery, voltage=9.0))
+    source, made = written(tmp_path, target, kit)
+    hosted = target == "c"
+    executor = HostExecutor(source, made.program, "float") if hosted else PythonExecutor(source, made.program)
+    found = executed_parity(executor, frozen(), made, ROBOT, kit)
+    executor.close()
+    assert (found.steps > 100, found.duties) == (True, 0), str(found)
+    assert found.worst < found.tolerance
 
 
 @pytest.mark.needs("gcc")

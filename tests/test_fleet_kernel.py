@@ -103,6 +103,28 @@ def test_unequal_motors_equal_the_obvious_loop(delay):
     assert difference(NXT, FILTERED, kit, push=Push(force=1.5, start=0.5), pushes=[[1.5, math.nan, 0.5, 0.1]]) < EQUAL
 
 
+@pytest.mark.parametrize("drop", [0.2, 1.5])
+def test_a_drop_equals_the_obvious_loop(drop):
+    kit = smooth(
+        NOISY, motor=Motor(drop=drop, left=0.9, limit=6.0), delay=0.013, battery=Battery(voltage=8.0, sag=0.02)
+    )
+    assert difference(NXT, FILTERED, kit, push=Push(force=1.5, start=0.5), pushes=[[1.5, math.nan, 0.5, 0.1]]) < EQUAL
+
+
+def test_a_drop_of_each_robot_is_that_of_its_own_kit():
+    given = {"parameters": parameters_of(NXT), "controller": FILTERED, "start": (0.05, 0, 0, 0, 0, 0)}
+    channels = ("truth/pitch", "applied/left")
+    drops = [0.0, 0.3]
+    both = simulate(
+        FleetBatch(**given, kit=smooth(NOISY), kit_changes={"motor.drop": drops}), 2.0, record=1, channels=channels
+    )
+    for i, drop in enumerate(drops):
+        kit = smooth(NOISY)
+        alone = FleetBatch(**given, kit=replace(kit, motor=replace(kit.motor, drop=drop)))
+        assert np.array_equal(both.trace[i], simulate(alone, 2.0, record=1, channels=channels).trace[0])
+    assert not np.array_equal(both.trace[0], both.trace[1])
+
+
 def test_a_weak_motor_turns_the_robot_and_is_reported_as_what_was_applied():
     # each motor's own strength as a change, among robots whose motors are alike: the same bits as alone
     kit, changes = smooth(NOISY), {"motor.left": [1.0, 0.9, 1.0], "motor.right": [1.0, 1.0, 0.9]}

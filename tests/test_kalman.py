@@ -104,7 +104,7 @@ def test_a_long_dead_time_has_a_filter_too():
 
 
 def test_commands_of_a_whole_log_reach_the_motors_as_those_of_a_body_do():
-    commands = np.random.default_rng(0).uniform(-10, 10, (500, 2))  # beyond dead zone, battery and quantum
+    commands = np.random.default_rng(0).uniform(-10, 10, (500, 2))  # beyond dead zone, drop, battery and quantum
     kit = Kit.preset("nxt")
-    kit = replace(kit, motor=replace(kit.motor, dead_zone=1.5))
+    kit = replace(kit, motor=replace(kit.motor, dead_zone=1.5, drop=0.7))
     assert np.array_equal(at_motors(commands, kit, "V"), [drive(row, kit)[0] for row in commands.tolist()])

@@ -167,10 +167,10 @@ def test_sines_of_the_page_are_rounded_correctly(tmp_path):
 
 @pytest.mark.needs("node")
 def test_every_fault_of_a_kit_is_in_the_page(tmp_path):
-    """Delays, sample and hold, backlash, range, unequal motors, a limit and a sagging battery, all at once."""
+    """Delays, sample and hold, backlash, range, unequal motors, a limit, a drop and a sagging battery, all at once."""
     robot, usual = Robot.preset("nxtway-gs"), Kit.preset("nxt")
     sensor = Sensor(delay=0.003, period=0.004, range=0.9)
-    motor = replace(usual.motor, backlash=0.02, left=0.9, right=0.95, limit=5.0)
+    motor = replace(usual.motor, backlash=0.02, left=0.9, right=0.95, limit=5.0, drop=0.4)
     battery = replace(usual.battery, sag=0.2)
     kit = replace(quiet(usual, False), sensors=dict.fromkeys(usual.sensors, sensor), motor=motor, battery=battery)
     controller = CONTROLLERS["lqg"](robot, usual, usual.period)

@@ -23,7 +23,7 @@ _TURN, _SLACKEN, _MEASURE = (formulas()[name].function() for name in ("turn", "s
 
 
 class Electronics:
-    """`body` behind the electronics of `kit`: quantisation, noise, bias, delay, dead zone, backlash, battery.
+    """`body` behind the electronics of `kit`: quantisation, noise, bias, delay, dead zone, drop, backlash, battery.
 
     Truth channels of the body are passed on, so that a log shows both; a controller for a real robot must
     not read them. Times are rounded to the body's period. Everything random is drawn from the seed of `reset`.
@@ -43,8 +43,7 @@ class Electronics:
                 expected="a body with these sensors",
                 hint="a kit without them, such as 'ideal'",
             )
-        if kit.drive and kit.drive != inner.robot.drive:
-            raise SpecMismatch(f"kit '{kit.name}' drives by {kit.drive}", expected=f"{inner.robot.drive}, as the robot")
+        kit.check_drive(inner.robot.drive)
         names = [*(s.name for s in TRUTH if s.name in have), *kit.sensors]
         self.body, self.kit = body, kit
         self._truth = [have[s.name] for s in TRUTH if s.name in have]
@@ -123,7 +122,7 @@ def drive(command: Sequence[float], kit: Kit, unit: str = "V") -> tuple[tuple[fl
     left, right = command
     motor, battery = kit.motor, kit.battery
     left, right, voltage, _ = _DRIVE[unit == "V"](
-        left, right, motor.limit, motor.dead_zone, motor.quantum, battery.voltage, battery.sag
+        left, right, motor.limit, motor.dead_zone, motor.quantum, motor.drop, battery.voltage, battery.sag
     )
     return (left, right), voltage
 

@@ -119,7 +119,7 @@ def _in_place_of(assumed: Support, last: Support, setup: TrialSetup) -> Support:
     encoder, turning = (kit.sensors[name].delay - before.sensors[name].delay for name in (ENCODER, GYRO))
     totals = {
         "battery's sag": kit.battery.sag, "further delay": encoder, "dead zone": motor.dead_zone,
-        "gyro's scale": gyro.gain / before.sensors[GYRO].gain, "gyro's noise": gyro.noise,
+        "drop": motor.drop, "gyro's scale": gyro.gain / before.sensors[GYRO].gain, "gyro's noise": gyro.noise,
         "gyro's further delay": turning - encoder, "motors' strength": mean,
         "difference of the motors": difference / mean,
         "body's mass": setup.robot.body_mass * (logged.load if logged else 1.0),
@@ -176,6 +176,8 @@ def _fitted(kit: Kit, s: Support, drawn: Array) -> tuple[Kit, dict[str, Array]]:
             result = delaying(kit, s.value), dict[str, Array]()
         case "dead zone":
             result = replace(kit, motor=replace(motor, dead_zone=value)), {"motor.dead_zone": zero}
+        case "drop":
+            result = replace(kit, motor=replace(motor, drop=value)), {"motor.drop": zero}
         case "gyro's scale":
             result = other(gain=gyro.gain * factor), {"sensors.gyro.gain": gyro.gain * factors}
         case "gyro's noise":

@@ -28,7 +28,7 @@ FREEDOM = 4.0  # of Student's distribution, under which a push costs little
 SCALES = (0.15, 0.2, 0.28, 0.4, 0.55, 0.75, 1.0, 1.3, 1.7, 2.2, 3.0, 4.0, 5.5)
 FINER = 4  # parts of a step of these, in which the likeliest is looked for at last
 DISTURBANCES = (0.1, 0.18, 0.32, 0.56, 1.0, 1.8, 3.2)  # times the usual noise of forces and torques
-ZOOMS = 2  # of the search for a dead zone: a hundredth of it more or less swallows other commands
+ZOOMS = 2  # of the search for a dead zone or a drop: a hundredth of it more or less swallows other commands
 AT_ONCE = 12  # signatures in memory
 ROUNDING = 1e-9  # [s] of times
 
@@ -172,9 +172,9 @@ def body_load(log: Log, setup: TrialSetup) -> float:
     return _likeliest(log, lambda factor: (loaded(setup.actual_robot, factor), setup.actual_kit), setup.disturbed)
 
 
-def dead_zone(path: FollowedLog, motors: Array, made: Callable[[float], Array], tried: Sequence[float]) -> float:
-    """The dead zone with which the log is likeliest, of those `tried` and between: `motors` (n, 2) are what the filter
-    of `path` counts with, `made` what the motors make with another one."""
+def taken(path: FollowedLog, motors: Array, made: Callable[[float], Array], tried: Sequence[float]) -> float:
+    """The dead zone or drop with which the log is likeliest, of those `tried` and between: `motors` (n, 2) are what the
+    filter of `path` counts with, `made` what the motors make with another one."""
     best, near = 0.0, list(tried)
     for _ in range(1 + ZOOMS):
         place = int(np.argmin(path.surprises([made(zone) - motors for zone in near])))

@@ -43,14 +43,15 @@ class Means(NamedTuple):
 
 
 def means(robot: Robot, kit: Kit, battery: float | None = None) -> Means:
-    """The driver's limit, or what `battery` [V] (None: the kit's) gives while both motors draw from it. The wait is the
-    kit's period and dead time, and the delay of the fastest sensor that sees a push."""
+    """The driver's limit, or what `battery` [V] (None: the kit's) gives while both motors draw from it, less the
+    driver's drop. The wait is the kit's period and dead time, and the delay of the fastest sensor that sees a push."""
     full = kit.battery.voltage if battery is None else battery
     volts = full / (1 + 2 * kit.battery.sag) if robot.command_unit == "V" else math.inf
     delays = [sensor.delay for name, sensor in kit.sensors.items() if name in SEEING]
     strength = (kit.motor.left + kit.motor.right) / 2
     wait = kit.period + kit.delay + min(delays, default=0.0)
-    return Means(min(kit.motor.limit, volts) * strength, math.floor(wait / STEP + 1e-6) * STEP)
+    drop = kit.motor.drop if robot.command_unit == "V" else 0.0
+    return Means(max(min(kit.motor.limit, volts) - drop, 0.0) * strength, math.floor(wait / STEP + 1e-6) * STEP)
 
 
 def largest_hold(robot: Robot, kit: Kit, side: int = 1, *, battery: float | None = None, slope: float = 0.0) -> float:

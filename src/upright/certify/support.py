@@ -19,7 +19,7 @@ from upright.arrays import Array
 from upright.calibrate.estimate import SURPRISE, Estimate
 from upright.calibrate.knocks import at_motors, moved_by
 from upright.certify.checks import TrialSetup, batteries, red
-from upright.certify.likelihood import FollowedLog, body_load, dead_zone, filtered_log, gyro_scale
+from upright.certify.likelihood import FollowedLog, body_load, filtered_log, gyro_scale, taken
 from upright.control.delay import MOST_PERIODS, sampled
 from upright.logs.recording import commanded
 from upright.robots import Kit, Robot
@@ -216,7 +216,8 @@ def _dynamics(log: Log, setup: TrialSetup) -> list[Support]:
         *_noise(log, kit, path),
         _delay(fit, path, motors, log.period),
     ]  # fmt: skip
-    return [*numbers, _dead_zone(path, setup, sent, motors)] if raw else numbers
+    known = ("dead_zone", *(("drop",) if kit.motor.drop else ()))
+    return [*numbers, *(_taken(name, path, setup, sent, motors) for name in known if raw)]
 
 
 def body_mass(setup: TrialSetup, value: float, known: float) -> Support:
@@ -322,19 +323,20 @@ def _delay(fit: _Fit, path: FollowedLog, motors: Array, period: float) -> Suppor
     return Support("further delay", "s", value, low - half, high + half, LEAD * period, LAG * period)
 
 
-def _dead_zone(path: FollowedLog, setup: TrialSetup, sent: Array, motors: Array) -> Support:
+def _taken(name: str, path: FollowedLog, setup: TrialSetup, sent: Array, motors: Array) -> Support:
+    """What the driver takes from commands: the motor's `dead_zone`, or its `drop`."""
     kit, unit = setup.actual_kit, setup.robot.command_unit
     sizes = np.abs(sent)
-    unit_zone = max(kit.motor.dead_zone, LEAST_ZONE * float(np.abs(motors).max()))
-    most = 0.9 * float(sizes.max())  # a dead zone beyond all commands is a strength of zero
+    unit_zone = max(getattr(kit.motor, name), LEAST_ZONE * float(np.abs(motors).max()))
+    most = 0.9 * float(sizes.max())  # one beyond all commands is a strength of zero
     zones = np.unique([0.0, unit_zone, *np.quantile(sizes, np.linspace(0.0, 1.0, ZONES))])
 
     def made(zone: float) -> Array:
-        return at_motors(sent, replace(kit, motor=replace(kit.motor, dead_zone=zone)), unit)
+        return at_motors(sent, replace(kit, motor=replace(kit.motor, **{name: zone})), unit)
 
-    value = dead_zone(path, motors, made, [z for z in zones.tolist() if z <= unit_zone or z < most])
+    value = taken(path, motors, made, [z for z in zones.tolist() if z <= unit_zone or z < most])
     wide = max(ZONE_KNOWN * value, LEAST_ZONE * float(np.abs(sent).max()))
-    return Support("dead zone", unit, value, value - wide, value + wide, 0.0, 2 * unit_zone)
+    return Support(name.replace("_", " "), unit, value, value - wide, value + wide, 0.0, 2 * unit_zone)
 
 
 def _slope(path: FollowedLog, period: float, setup: TrialSetup) -> Support:

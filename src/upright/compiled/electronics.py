@@ -54,7 +54,7 @@ def formulas(*, volts: bool = True) -> dict[str, TracedFormula]:
     return {
         name: _recorded(name, inputs.split(), record)
         for name, inputs, record in (
-            ("drive", "command_left command_right limit dead_zone quantum voltage sag", drive),
+            ("drive", "command_left command_right limit dead_zone quantum drop voltage sag", drive),
             ("turn", "applied_left applied_right left right", _turn),
             ("slacken", "touch wheel play", _slacken),
             ("measure", f"ideal offset normal step {' '.join(SENSOR_NUMBERS)}", _measure),

@@ -132,11 +132,11 @@ class ExcitedLoop:
 
 
 def perfect(kit: Kit) -> Kit:
-    """The kit with its dead times and limits, but without noise, steps, dead zone or sag."""
+    """The kit with its dead times and limits, but without noise, steps, dead zone, drop or sag."""
     sensors = {
         name: dataclasses.replace(s, quantum=0.0, noise=0.0, bias=0.0, bias_walk=0.0) for name, s in kit.sensors.items()
     }
-    motor = dataclasses.replace(kit.motor, dead_zone=0.0, quantum=0.0, backlash=0.0)
+    motor = dataclasses.replace(kit.motor, dead_zone=0.0, quantum=0.0, drop=0.0, backlash=0.0)
     battery = dataclasses.replace(kit.battery, sag=0.0)
     return dataclasses.replace(kit, sensors=sensors, motor=motor, battery=battery, jitter=0.0)
 

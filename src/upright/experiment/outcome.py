@@ -66,6 +66,10 @@ def undisturbed(log: Log) -> bool:
     return not (any(scenario["start"]) or scenario.get("push") or scenario.get("reference") or "excitation" in kind)
 
 
+TAKEN = {"dead_zone": "dead zone", "drop": "drop"}
+"""Numbers of a motor [V] that keep small commands from it, in words."""
+
+
 def motionless(log: Log) -> str:
     """Why an undisturbed robot never moved, as a sentence; '' where it moved, or the log lacks its state or commands.
 
@@ -85,6 +89,7 @@ def motionless(log: Log) -> str:
         return "Exactly upright it reads no lean, so every command is 0."
     unit = log.unit("command/left")
     asks = f"The sensors' noise makes commands of up to {asked:.2g} {unit}"
-    zone = log.origin.get("kit", {}).get("motor", {}).get("dead_zone") if unit == "V" else None
-    within = f" (dead zone: {zone:g} V)" if zone else ""
+    motor = log.origin.get("kit", {}).get("motor", {}) if unit == "V" else {}
+    why = [f"{words}: {motor[name]:g} V" for name, words in TAKEN.items() if motor.get(name)]
+    within = f" ({', '.join(why)})" if why else ""
     return f"{asks}, too small to turn the motors{within}: 0 {unit} is applied."

@@ -5,7 +5,7 @@ their duty is computed.
 
 reading = scale · (raw − offset), kept within the sensor's range; positions enter the memory by what they moved
 u = the controller's output; duty = whole(full · u / battery), zero in the dead zone and within ±full
-applied = duty · battery / full, which enters the controller's memory in place of u
+applied = duty · battery / full, less the driver's drop, which enters the controller's memory in place of u
 """
 
 from __future__ import annotations
@@ -175,7 +175,7 @@ def _fit(t: Tracer, setup: ProgramSetup, read: dict[str, Form], values: list[For
 
 def _applied(t: Tracer, setup: ProgramSetup, u: list[Form], read: dict[str, Form], fit: Form) -> list[Form]:
     """The applied commands: zero in the dead zone and unless the readings are `fit`, within the limit, in whole steps
-    of the battery's voltage."""
+    of the battery's voltage, less what the driver drops."""
     d, full = setup.driver, float(setup.driver.full)
     awake = [
         t.choose(f"sure_{side}", fit, 0.5, _awake(t, d, form, side), 0.0, d.unit)
@@ -197,7 +197,12 @@ def _applied(t: Tracer, setup: ProgramSetup, u: list[Form], read: dict[str, Form
         exact = t.product(f"exact_duty_{side}", form, per_volt, "1")
         limited = t.limit(f"limited_duty_{side}", exact, -full, full, "1")
         duty = t.whole(f"duty_{side}", limited, "1")
-        applied.append(t.product(f"applied_{side}", duty, step, "V", output=True))
+        if not d.drop:
+            applied.append(t.product(f"applied_{side}", duty, step, "V", output=True))
+            continue
+        given = t.product(f"given_{side}", duty, step, "V")
+        kept = t.limit(f"dropped_{side}", given, -d.drop, d.drop, "V")
+        applied.append(t.let(f"applied_{side}", given - kept, "V", setup.strongest, output=True))
     return applied
 
 

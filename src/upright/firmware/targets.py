@@ -85,13 +85,14 @@ def find_target(name: str) -> Target:
 class Driver:
     """How a command becomes what the motors get, in the command's unit.
 
-    Commands up to `dead_zone` do nothing and none exceeds `limit`; `full` is the largest duty, 0 for none, and the
-    battery [V] stands between `lowest` and `highest`; nothing starts below `empty`.
+    Commands up to `dead_zone` do nothing, none exceeds `limit`, and motors get `drop` less; `full` is the largest duty,
+    0 for none, and the battery [V] stands between `lowest` and `highest`; nothing starts below `empty`.
     """
 
     unit: str
     full: int
     dead_zone: float
+    drop: float
     limit: float
     lowest: float
     highest: float
@@ -130,9 +131,13 @@ def driver(robot: Robot, kit: Kit, target: Target) -> Driver:
     if not powered and not target.numeric:
         why = f"'{robot.name}' is commanded in N m" if unit != "V" else f"kit '{kit.name}' has no battery"
         raise SpecMismatch(f"{target.name}: {why}", expected="a battery and motors driven by its voltage", hint="use c")
+    kit.check_drive(robot.drive)
+    if motor.drop and not powered:
+        raise SpecMismatch(f"kit '{kit.name}' has a drop and no battery", expected="the battery's voltage",
+                           hint="[battery.voltage] in the kit's file")  # fmt: skip
     steps = target.full or (round(volts / motor.quantum) if motor.quantum else FINE)
     lowest, highest, empty = (FLAT * volts, FRESH * volts, EMPTY * volts) if powered else (1.0, 1.0, 1.0)
-    return Driver(unit, steps if powered else 0, motor.dead_zone, motor.limit, lowest, highest, empty)
+    return Driver(unit, steps if powered else 0, motor.dead_zone, motor.drop, motor.limit, lowest, highest, empty)
 
 
 def largest(kit: Kit, channel: str, travel: float) -> float:

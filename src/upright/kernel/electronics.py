@@ -14,8 +14,8 @@ from upright.kernel.store import functions_of
 
 _DRIVE = {
     "command_left": b.COMMAND, "command_right": b.COMMAND + 1, "limit": b.LIMIT, "dead_zone": b.DEAD_ZONE,
-    "quantum": b.QUANTUM, "voltage": b.VOLTAGE, "sag": b.SAG, "applied_left": b.DRIVEN, "applied_right": b.DRIVEN + 1,
-    "beyond": b.BEYOND,
+    "quantum": b.QUANTUM, "drop": b.DROP, "voltage": b.VOLTAGE, "sag": b.SAG, "applied_left": b.DRIVEN,
+    "applied_right": b.DRIVEN + 1, "beyond": b.BEYOND,
 }  # fmt: skip
 _TURN = {
     "applied_left": b.APPLIED, "applied_right": b.APPLIED + 1, "left": b.STRENGTH,

@@ -24,13 +24,14 @@ KINDS = tuple(
 """Sensors in the order of the kinds in `block`."""
 
 _MOTOR = (
-    "motor.limit", "motor.dead_zone", "motor.quantum", "battery.voltage", "battery.sag", "motor.left", "motor.right",
+    "motor.limit", "motor.dead_zone", "motor.quantum", "motor.drop", "battery.voltage", "battery.sag", "motor.left",
+    "motor.right",
 )  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
 class KitTables:
-    """`motor` (·, 7) and `sensor` (·, s, numbers) as in `block`; `dead_time` (·, 3) as in `block.arrive`;
+    """`motor` (·, 8) and `sensor` (·, s, numbers) as in `block`; `dead_time` (·, 3) as in `block.arrive`;
     `times` (s, 3): kind, delay and period [steps] of each sensor."""
 
     motor: Array
@@ -47,15 +48,16 @@ class KitTables:
 def kit_tables(batch: FleetBatch, stride: int) -> KitTables:
     """The tables for the sensors that the batch's controller reads, in that order.
 
-    Raises `SpecMismatch` for a sensor that the kit does not have, `UnknownName` for a change of an unknown number,
-    `InvalidScenario` for a jitter longer than a period.
+    Raises `SpecMismatch` for a sensor that the kit does not have or a drive that it is not for, `UnknownName` for a
+    change of an unknown number, `InvalidScenario` for a jitter longer than a period.
     """
     kit, controller = batch.kit or BARE, batch.form
     voltage = controller.command_unit == "V"
     if batch.kit is None and not batch.kit_changes and not any(name.startswith("sensor/") for name in controller.reads):
         return _bare(voltage)
+    kit.check_drive("voltage" if voltage else "torque")
     numbers = _Numbers(kit, batch.kit_changes)
-    ideal = {"battery.voltage": math.inf, "battery.sag": 0.0}
+    ideal = {"battery.voltage": math.inf, "battery.sag": 0.0, "motor.drop": 0.0}
     motor = _stack([numbers[n] if voltage or n not in ideal else np.array([ideal[n]]) for n in _MOTOR])
     reads = [name for name in controller.reads if name.startswith("sensor/")]
     sensors = [_sensor(batch.kit, name) for name in reads]
@@ -75,7 +77,7 @@ def kit_tables(batch: FleetBatch, stride: int) -> KitTables:
 @cache
 def _bare(voltage: bool) -> KitTables:
     """The tables without a kit, made once: they would take half of the time to start a single robot."""
-    motor = [[BARE.motor.limit, 0.0, 0.0, BARE.battery.voltage if voltage else math.inf, 0.0, 1.0, 1.0]]
+    motor = [[BARE.motor.limit, 0.0, 0.0, 0.0, BARE.battery.voltage if voltage else math.inf, 0.0, 1.0, 1.0]]
     dead_time, times = np.zeros((1, 3), dtype=np.int64), np.zeros((0, 3), dtype=np.int64)
     return KitTables(np.array(motor), dead_time, np.zeros((1, 0, SENSOR_SIZE)), times)
 

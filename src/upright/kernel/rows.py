@@ -25,7 +25,7 @@ reading, 1 for backlash, and the sum of its random parts:"""
 LOUD_NOISE, LOUD_WALK, LOUD_BIAS = 1, 2, 4
 
 KIT = WORK + WORK_ROWS  # rows that every block has, after those of the motion
-LIMIT, DEAD_ZONE, QUANTUM, VOLTAGE, SAG, STRENGTH = range(KIT, KIT + 6)  # numbers of a kit; 2 strengths; then counts:
+LIMIT, DEAD_ZONE, QUANTUM, DROP, VOLTAGE, SAG, STRENGTH = range(KIT, KIT + 7)  # of a kit; 2 strengths; then counts:
 COUNTS = STRENGTH + 2
 PEAK_PITCH, PEAK_WHEEL, PEAK_YAW, OUTSIDE, EFFORT, SATURATED, SQUARE, REFERENCE = range(COUNTS, COUNTS + 8)
 KIT_SIZE, COUNTED = COUNTS - KIT, REFERENCE - COUNTS

@@ -256,4 +256,5 @@ def behind(body: Pulled, kit: Kit) -> Body:
 
 def is_bare(kit: Kit) -> bool:
     """Whether nothing stands between controller and motors."""
-    return kit.name == "ideal" and kit.delay == 0 and kit.motor.dead_zone == 0 and math.isinf(kit.battery.voltage)
+    taken = kit.motor.dead_zone + kit.motor.drop
+    return kit.name == "ideal" and kit.delay == 0 and taken == 0 and math.isinf(kit.battery.voltage)

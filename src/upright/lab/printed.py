@@ -51,7 +51,8 @@ def kit_numbers(kit: Kit, robot: Robot, period: float) -> dict[str, Any] | None:
         for name, s in kit.sensors.items()
     ]  # fmt: skip
     return {
-        "limit": finite(m.limit), "dead_zone": m.dead_zone, "quantum": m.quantum, "left": m.left, "right": m.right,
+        "limit": finite(m.limit), "dead_zone": m.dead_zone, "quantum": m.quantum, "drop": m.drop,
+        "left": m.left, "right": m.right,
         "voltage": finite(kit.battery.voltage), "sag": kit.battery.sag, "volts": robot.command_unit == "V",
         "delay": round(kit.delay / period), "jitter": round(kit.jitter / period), "sensors": sensors,
     }  # fmt: skip

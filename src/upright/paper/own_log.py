@@ -326,6 +326,7 @@ def _parts(kit: Kit) -> str:
     delays = [f"{1e3 * kit.delay:.3g} ms to the motors"] if kit.delay else []
     delays += [f"{1e3 * s.delay:.3g} ms of the {n.partition('/')[2]}" for n, s in kit.sensors.items() if s.delay]
     zone = [f"dead zone {kit.motor.dead_zone:.3g}"] if kit.motor.dead_zone else []
+    zone += [f"drop {kit.motor.drop:.3g} V"] if kit.motor.drop else []
     return ", ".join(["resolution and noise of its sensors", *zone, *delays])
 
 

@@ -34,11 +34,18 @@ def largest(voltage: Any, motor: Any, xp: Any, *, volts: bool = True) -> Any:
 
 
 def driven(command: Sequence[Any], motor: Any, battery: Any, xp: Any, *, volts: bool = True) -> list[Any]:
-    """What reaches both motors: after the dead zone, the battery's sag under both commands, saturation, and the
-    driver's quantum, in this order."""
+    """What reaches both motors: after the dead zone, the battery's sag under both commands, saturation, the driver's
+    quantum and its drop, in this order."""
     commands = awake(command, motor, xp)
     limit = largest(loaded(commands, battery, xp), motor, xp, volts=volts)
-    return [stepped(limited(u, -limit, limit, xp), motor.quantum, xp.whole, xp) for u in commands]
+    given = [stepped(limited(u, -limit, limit, xp), motor.quantum, xp.whole, xp) for u in commands]
+    return [dropped(u, motor.drop, xp) for u in given]
+
+
+def dropped(value: Any, drop: Any, xp: Any) -> Any:
+    """sign(u) max(0, |u| − drop): what is left of a command u of which the driver keeps `drop`; u itself where that is
+    zero."""
+    return xp.choose(-drop, 0.0, value - limited(value, -drop, drop, xp), value)
 
 
 def stepped(value: Any, quantum: Any, rounded: Any, xp: Any) -> Any:

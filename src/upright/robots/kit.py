@@ -8,14 +8,14 @@ from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Any
 
-from upright.errors import InvalidRobot
+from upright.errors import InvalidRobot, SpecMismatch
 from upright.robots import toml
 from upright.signals.signal import SENSORS
 
 PRESETS = "kits"
 _TIMING = ("period", "delay", "jitter")
 _MOTOR_UNITS = {
-    "limit": "V", "dead_zone": "V", "quantum": "V", "backlash": "rad", "left": "1", "right": "1",
+    "limit": "V", "dead_zone": "V", "quantum": "V", "drop": "V", "backlash": "rad", "left": "1", "right": "1",
 }  # fmt: skip
 _BATTERY_UNITS = {"voltage": ("V",), "sag": ("1",)}
 _KEYS = ("name", "title", "period", "delay", "jitter", "drive", "battery", "motor", "sensors")
@@ -74,6 +74,7 @@ class Motor:
     limit: float = math.inf  # largest command the driver gives (V or N m)
     dead_zone: float = 0.0  # commands up to this size do nothing (V or N m)
     quantum: float = 0.0  # step between two commands (V or N m)
+    drop: float = 0.0  # [V] that the driver keeps of each command, as bridges of bipolar transistors do
     backlash: float = 0.0  # [rad] play between wheel and encoder
     left: float = 1.0  # [1] fraction of a command that the left motor turns into torque
     right: float = 1.0  # [1] the same of the right motor
@@ -124,10 +125,21 @@ class Kit:
         object.__setattr__(self, "name", toml.checked_name(self.name, "kit"))
         if self.drive not in ("", "voltage", "torque"):
             raise InvalidRobot(f"kit '{self.name}': drive is '{self.drive}'", expected="'voltage', 'torque' or nothing")
+        if self.drive == "torque" and self.motor.drop:
+            raise InvalidRobot(f"kit '{self.name}': motor.drop is {self.motor.drop:g} V with a torque drive",
+                               expected="no drop, which only a voltage drive has")  # fmt: skip
         _check_size("kit delay", self.delay)
         _check_size("kit jitter", self.jitter)
         if not 0 < self.period < 1:
             raise InvalidRobot(f"kit period is {self.period:g} s", expected="between 0 and 1 s", likely="milliseconds")
+
+    def check_drive(self, drive: str) -> None:
+        """Raise `SpecMismatch` for a robot whose motors are driven by something else: "voltage" or "torque"."""
+        if self.drive and self.drive != drive:
+            raise SpecMismatch(f"kit '{self.name}' drives by {self.drive}", expected=f"{drive}, as the robot")
+        if self.motor.drop and drive != "voltage":
+            raise SpecMismatch(f"kit '{self.name}' has a drop of {self.motor.drop:g} V", expected="a voltage drive",
+                               hint="a kit without motor.drop")  # fmt: skip
 
     def most(self, unit: str) -> float:
         """The largest command in this `unit` that the motors get, "V" or "N m": the driver's limit, or the battery."""
@@ -180,7 +192,7 @@ def kit_of(table: toml.Table, where: str) -> Kit:
     timing = {key: toml.number(table[key], key, ("s",), where) for key in _TIMING if key in table}
     battery = toml.numbers(table, "battery", _BATTERY_UNITS, where)
     command = ("V", "N m")  # a kit serves voltage and torque drives alike
-    units = {key: command if unit == "V" else (unit,) for key, unit in _MOTOR_UNITS.items()}
+    units = {key: command if unit == "V" and key != "drop" else (unit,) for key, unit in _MOTOR_UNITS.items()}
     motor = toml.numbers(table, "motor", units, where)
     listed = toml.subtable(table, "sensors", where)
     toml.check_keys(listed, _SENSOR_UNITS, where, "sensors.")

@@ -333,6 +333,8 @@ def _check_numbers(robot: Robot) -> None:
         object.__setattr__(robot, name, float(value))
     if robot.drive not in ("voltage", "torque"):
         raise InvalidRobot(f"{robot.name}: drive is '{robot.drive}'", expected="'voltage' or 'torque'")
+    if isinstance(robot.kit, Kit):
+        robot.kit.check_drive(robot.drive)
 
 
 def _written(name: str, robot: Robot) -> str:

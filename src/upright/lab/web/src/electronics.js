@@ -9,8 +9,8 @@ function nearest(v) {
   return Math.abs(v % 1) === 0.5 && near % 2 ? near - 1 : near;
 }
 
-/** @type {(command_left: number, command_right: number, limit: number, dead_zone: number, quantum: number, voltage: number, sag: number, out: Float64Array) => void} */
-export const driveVolts = (command_left, command_right, limit, dead_zone, quantum, voltage, sag, out) => {
+/** @type {(command_left: number, command_right: number, limit: number, dead_zone: number, quantum: number, drop: number, voltage: number, sag: number, out: Float64Array) => void} */
+export const driveVolts = (command_left, command_right, limit, dead_zone, quantum, drop, voltage, sag, out) => {
   const t0 = Math.abs(command_left);
   const t1 = dead_zone < t0 ? command_left : 0;
   const t2 = Math.abs(command_right);
@@ -38,16 +38,25 @@ export const driveVolts = (command_left, command_right, limit, dead_zone, quantu
   const t24 = Math.trunc(t23);
   const t25 = t24 * t16;
   const t26 = t15 < 0 ? t25 : t22;
-  const t27 = t4 < t6 ? t6 : t4;
-  const t28 = t11 < t27 ? 1 : 0;
-  out[0] = t20;
-  out[1] = t26;
+  const t27 = -drop;
+  const t28 = drop < t20 ? drop : t20;
+  const t29 = t20 < t27 ? t27 : t28;
+  const t30 = t20 - t29;
+  const t31 = t27 < 0 ? t30 : t20;
+  const t32 = drop < t26 ? drop : t26;
+  const t33 = t26 < t27 ? t27 : t32;
+  const t34 = t26 - t33;
+  const t35 = t27 < 0 ? t34 : t26;
+  const t36 = t4 < t6 ? t6 : t4;
+  const t37 = t11 < t36 ? 1 : 0;
+  out[0] = t31;
+  out[1] = t35;
   out[2] = t10;
-  out[3] = t28;
+  out[3] = t37;
 };
 
-/** @type {(command_left: number, command_right: number, limit: number, dead_zone: number, quantum: number, voltage: number, sag: number, out: Float64Array) => void} */
-export const driveTorque = (command_left, command_right, limit, dead_zone, quantum, voltage, sag, out) => {
+/** @type {(command_left: number, command_right: number, limit: number, dead_zone: number, quantum: number, drop: number, voltage: number, sag: number, out: Float64Array) => void} */
+export const driveTorque = (command_left, command_right, limit, dead_zone, quantum, drop, voltage, sag, out) => {
   const t0 = Math.abs(command_left);
   const t1 = dead_zone < t0 ? command_left : 0;
   const t2 = Math.abs(command_right);
@@ -74,12 +83,21 @@ export const driveTorque = (command_left, command_right, limit, dead_zone, quant
   const t23 = Math.trunc(t22);
   const t24 = t23 * t15;
   const t25 = t14 < 0 ? t24 : t21;
-  const t26 = t4 < t6 ? t6 : t4;
-  const t27 = limit < t26 ? 1 : 0;
-  out[0] = t19;
-  out[1] = t25;
+  const t26 = -drop;
+  const t27 = drop < t19 ? drop : t19;
+  const t28 = t19 < t26 ? t26 : t27;
+  const t29 = t19 - t28;
+  const t30 = t26 < 0 ? t29 : t19;
+  const t31 = drop < t25 ? drop : t25;
+  const t32 = t25 < t26 ? t26 : t31;
+  const t33 = t25 - t32;
+  const t34 = t26 < 0 ? t33 : t25;
+  const t35 = t4 < t6 ? t6 : t4;
+  const t36 = limit < t35 ? 1 : 0;
+  out[0] = t30;
+  out[1] = t34;
   out[2] = t10;
-  out[3] = t27;
+  out[3] = t36;
 };
 
 /** @type {(applied_left: number, applied_right: number, left: number, right: number, out: Float64Array) => void} */

@@ -28,6 +28,7 @@ import { driveTorque, driveVolts, measure, slacken, turn } from "./electronics.j
  * @property {number | null} limit
  * @property {number} dead_zone
  * @property {number} quantum
+ * @property {number} drop
  * @property {number} left
  * @property {number} right
  * @property {number | null} voltage
@@ -246,7 +247,7 @@ export class Loop {
     const [left, right] = this.delayed(kit);
     const [limit, full] = [kit.limit ?? Infinity, kit.voltage ?? Infinity];
     const drive = kit.volts ? driveVolts : driveTorque;
-    drive(left, right, limit, kit.dead_zone, kit.quantum, full, kit.sag, this.out);
+    drive(left, right, limit, kit.dead_zone, kit.quantum, kit.drop, full, kit.sag, this.out);
     [this.applied[0], this.applied[1], this.voltage] = this.out;
   }
 
