@@ -81,7 +81,7 @@ def find_target(name: str) -> Target:
     return TARGETS[name]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Driver:
     """How a command becomes what the motors get, in the command's unit.
 
@@ -137,7 +137,10 @@ def driver(robot: Robot, kit: Kit, target: Target) -> Driver:
                            hint="[battery.voltage] in the kit's file")  # fmt: skip
     steps = target.full or (round(volts / motor.quantum) if motor.quantum else FINE)
     lowest, highest, empty = (FLAT * volts, FRESH * volts, EMPTY * volts) if powered else (1.0, 1.0, 1.0)
-    return Driver(unit, steps if powered else 0, motor.dead_zone, motor.drop, motor.limit, lowest, highest, empty)
+    return Driver(
+        unit=unit, full=steps if powered else 0, dead_zone=motor.dead_zone, drop=motor.drop, limit=motor.limit,
+        lowest=lowest, highest=highest, empty=empty,
+    )  # fmt: skip
 
 
 def largest(kit: Kit, channel: str, travel: float) -> float:

@@ -83,8 +83,7 @@ def _swinging(data: Dataset) -> NDArray[np.bool_] | None:
     """Of the robots that stood those that swing; None where there are no two groups, or a push moved them."""
     origin, rolled = origin_of(data), stood(data, "travel") if "travel" in data else np.empty(0)
     motor = (origin.get("kit") or {}).get("motor") or {}
-    zone = motor.get("dead_zone", 0.0) + motor.get("drop", 0.0)
-    still = int((rolled < STILL).sum())
+    zone, still = motor.get("dead_zone", 0.0) + motor.get("drop", 0.0), int((rolled < STILL).sum())
     if origin.get("scenario", {}).get("push") or not zone or not MANY * len(rolled) < still < (1 - MANY) * len(rolled):
         return None
     return rolled >= STILL
