@@ -144,10 +144,10 @@ PATIENCE = 300.0
 CALM = """{
     const later = window.setTimeout;
     window.setTimeout = (act, wait, ...given) => later(act, wait >= 6000 ? 1e9 : wait, ...given);
-    window.requestAnimationFrame = (draw) => later(() => draw(performance.now()), 200);
+    window.requestAnimationFrame = (draw) => later(() => draw(performance.now()), 400);
 }"""
-"""A page whose messages stay, which go after 6 s or more: a busy machine may read them later. It draws five times a
-second: sixty times, in software, takes half a core from what is tested."""
+"""A page whose messages stay, which go after 6 s or more: a busy machine may read them later. It draws hardly three
+times a second: sixty times, in software, takes a core from what is tested, and five times a quarter."""
 
 
 def patient(browser: Any) -> Any:

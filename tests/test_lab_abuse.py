@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from multiprocessing.process import BaseProcess
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any, ClassVar
 
 import pytest
@@ -372,6 +373,7 @@ def test_at_the_desk_each_session_has_its_turn(monkeypatch, alone):
 def test_who_asks_again_and_again_does_not_begin_a_process_each_time(monkeypatch):
     """Each takes the machine a third of a second, whatever becomes of it."""
     monkeypatch.setattr(desk_module, "_Clerk", FakeClerk)
+    monkeypatch.setattr(desk_module, "REST", PATIENCE)
     FakeClerk.done = []
     desk = ProcessDesk()
     for _ in range(20):
@@ -379,7 +381,7 @@ def test_who_asks_again_and_again_does_not_begin_a_process_each_time(monkeypatch
         desk.poll()
         desk.poll()
     assert FakeClerk.done == [("hostile", "design")]
-    monkeypatch.setattr(desk, "_rested", {})  # two seconds later
+    monkeypatch.setattr(desk, "_rested", {})  # when that is over
     desk.poll()
     desk.poll()
     assert len(FakeClerk.done) == 2
@@ -396,8 +398,9 @@ def test_where_time_is_short_who_only_watches_comes_before_who_asks_for_much():
     assert not asking.quiet
 
 
-def test_one_address_has_no_more_new_robots_than_two_classes(classroom):
+def test_one_address_has_no_more_new_robots_than_two_classes(classroom, monkeypatch):
     """Whoever comes and goes all the time would have the others wait while robots are made."""
+    monkeypatch.setattr("upright.lab.hub.OPENING", 0.0)  # however long this takes
     said: list[str] = []
     for i in range(2 * MOST_STUDENTS + 1):
         client = Client(f"k{i}", Mailbox(), "10.0.0.9")
@@ -409,8 +412,10 @@ def test_one_address_has_no_more_new_robots_than_two_classes(classroom):
     assert goes_on(classroom, classroom.page("elsewhere", token="students", name="Ana"))
 
 
-def test_a_robot_is_kept_as_long_as_it_was_used(classroom):
+def test_a_robot_is_kept_as_long_as_it_was_used(classroom, monkeypatch):
     """A reload finds it; whoever only looked in leaves nothing behind for a quarter of an hour."""
+    now = time.monotonic()
+    monkeypatch.setattr("upright.lab.hub.time", SimpleNamespace(monotonic=lambda: now))
     ana = classroom.page("a", token="students", name="Ana")
     entry = classroom.hub.entries[ana.session]
     classroom.hub.leave(ana)

@@ -1203,7 +1203,6 @@ LABELS = """() => upright.page.charts.strips.filter(Boolean).slice(0, 2).flatMap
 """Each label of a curve, and the lines of pushes that it touches."""
 
 DRAWN = """async () => {
-    for (let k = 0; k < 3; k += 1) await new Promise(requestAnimationFrame);
     upright.page.charts.draw();
     await new Promise(requestAnimationFrame);
 }"""
