@@ -23,7 +23,7 @@ from upright.firmware import Firmware, generate, longest_run
 from upright.firmware.tools import ExecutionFailed, run_tool, tool
 from upright.flight.program_logs import read_lines
 from upright.links.brick import LEFT, RIGHT
-from upright.parity import Parity, executed_parity
+from upright.parity import Parity, execute_arm, executed_parity
 from upright.parity.execute import execute
 from upright.parity.execute_arm import ArmExecutor, cycles
 from upright.parity.execute_avr import FLASH, MEMORY, AvrExecutor
@@ -291,8 +291,10 @@ def test_c_on_an_arm7tdmi(tmp_path: Path, number):
 
 
 @pytest.mark.needs("arm-none-eabi-gcc", "module:unicorn", "module:elftools")
-def test_a_step_that_does_not_end_is_counted_by_its_own_clock(tmp_path: Path):
-    """By the clock of this machine, a busy one cut steps short, and the program was NOT EQUAL."""
+def test_a_step_that_does_not_end_is_counted_by_its_own_clock(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """By the clock of this machine, a busy one cut steps short, and the program was NOT EQUAL. A tenth of the second
+    that it is given is more than any step takes (above), and ten times as soon over."""
+    monkeypatch.setattr(execute_arm, "LONGEST", execute_arm.LONGEST // 10)
     source, made = written(tmp_path, "c", number="fixed")
     text = source.read_text("utf-8")
     place = text.index("{", text.index("void upright_update(")) + 1
