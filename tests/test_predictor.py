@@ -43,7 +43,7 @@ START = np.diag([1e-3, 1e-2, 1e-3, 1e-2, 1e-3, 1e-2, 1e-2])
 
 def filtered(events: Events, delays: np.ndarray) -> tuple[np.ndarray, ...]:
     """Innovations, variances, gains and states of the predictor."""
-    robot = np.array([*constants(list(ROBOT.numbers().values()), 1.0), 1.0, 1.0, 0.0, 0.0])
+    robot = np.array([*constants(list(ROBOT.numbers().values()), 1.0), 1.0, 1.0, 0.0, 0.0, 0.0])
     lanes = RobotLanes(*(np.repeat(a[..., None], WIDE, axis=-1) for a in (C, delays, robot)))
     noise = Noise(START, np.array([process()] * 2), 0.0, R, np.inf)
     return kalman_path(events, lanes, np.zeros(SIZE), noise, LONGEST, True)
@@ -125,7 +125,7 @@ def test_the_flow_of_wheels_that_stick_is_smooth() -> None:
     """Held by dry friction, body and wheels are one: a pitch rate or a wheel rate is shared by both after the step, and
     a yaw rate is gone. Rolling friction changes that by its own slope at rest alone, 2τ_w/(a ω_c) h = 0.02."""
     robot = Robot.preset("twipr").replace(rolling_friction=0.001)
-    numbers = np.array([*constants(list(robot.numbers().values()), 1.0), 1.0, 1.0, 0.0, 0.0])
+    numbers = np.array([*constants(list(robot.numbers().values()), 1.0), 1.0, 1.0, 0.0, 0.0, 0.0])
     room = _Flow(
         block_of(np.repeat(numbers[:, None], WIDE, axis=1)),
         np.zeros((2, WIDE)), np.zeros((STATES, STATES)), np.zeros((SIZE, PADDED)), np.zeros((SIZE, PADDED)),
@@ -144,7 +144,7 @@ def test_innovations_at_the_filter_s_gains_are_the_filter_s() -> None:
     events = uneven_log()
     events = events._replace(order=np.lexsort((events.kind, events.when - np.append(delays, 0.0)[events.kind])))
     e, _, gains, _ = filtered(events, delays)
-    robot = np.array([*constants(list(ROBOT.numbers().values()), 1.0), 1.0, 1.0, 0.0, 0.0])
+    robot = np.array([*constants(list(ROBOT.numbers().values()), 1.0), 1.0, 1.0, 0.0, 0.0, 0.0])
     lanes = RobotLanes(*(np.repeat(a[..., None], 3, axis=-1) for a in (C, delays, robot)))
     lanes.robots[-3, 2] = 1.1  # a neighbour whose left motor is stronger
     alone = innovations(events, lanes, np.zeros((SIZE, 3)), gains, LONGEST)

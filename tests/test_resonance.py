@@ -103,7 +103,7 @@ def test_on_small_motions_the_filter_is_a_textbook_one_of_nine_states() -> None:
     delays, events = np.array([0.0, 0.0, 0.0035]), uneven_log()
     then = events.when - np.append(delays, 0.0)[events.kind]
     events = events._replace(order=np.lexsort((events.kind, then)))
-    numbers = np.array([*constants(list(robot.numbers().values()), 1.0), 1.0, 1.0, 0.0, 0.0])
+    numbers = np.array([*constants(list(robot.numbers().values()), 1.0), 1.0, 1.0, 0.0, 0.0, 0.0])
     lanes = RobotLanes(
         *(np.repeat(a[..., None], WIDE, axis=-1) for a in (reads, delays, numbers, np.array([omega, damping])))
     )
@@ -133,7 +133,7 @@ def test_on_small_motions_the_filter_is_a_textbook_one_of_nine_states() -> None:
 
 
 def test_without_a_resonance_nothing_but_the_robot_moves() -> None:
-    robot = np.array([*constants(list(ROBOT.numbers().values()), 1.0), 1.0, 1.0, 0.0, 0.0])[:, None]
+    robot = np.array([*constants(list(ROBOT.numbers().values()), 1.0), 1.0, 1.0, 0.0, 0.0, 0.0])[:, None]
     one, other, u, offsets = block_of(robot), block_of(robot), np.array([1.0, 2.0]), np.ones((1, 1))
     move(one, 1, u, np.zeros(1), np.full(1, SPAN), LONGEST)
     moved(other, u, np.zeros(1), np.full(1, SPAN), LONGEST, np.zeros((0, 1)), offsets)

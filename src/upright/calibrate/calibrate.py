@@ -122,7 +122,8 @@ def prepared(
     noise = {s: float(np.log(v)) for s, v in limits.items()}
     noise |= arrival(kit, logs)
     foreign = not all("body" in log.origin for log in logs)
-    parameters = parameters_of(robot, delays, known, electronics_of(robot, kit, logs), foreign=foreign)
+    electronics = electronics_of(robot, kit, logs)
+    parameters = parameters_of(robot, delays, known, electronics, foreign=foreign)
     parameters += resonance_of(kit) if foreign else ()  # which is learnt together, and no `known` number
     if resonates(parameters):
         recordings = tuple(recording.swinging() for recording in recordings)
@@ -130,7 +131,8 @@ def prepared(
     every = (*parameters, *EQUATIONS, *effects_of(parameters, len(recordings)))
     problem = Problem(
         recordings=recordings, robot=robot, parameters=every, delays=delays,
-        noise=noise | process(recordings, robot, ANNEALING_NOISE[0]),
+        noise=noise | process(recordings, robot, ANNEALING_NOISE[0]), foreign=foreign,
+        exact={p.name: p.prior for p in electronics if p.name in known},
     )  # fmt: skip
     return problem, limits
 

@@ -21,10 +21,12 @@ from upright.signals import Log
 Array = NDArray[np.float64]
 
 ASYMMETRY, BATTERY, DEAD_ZONE, CONSTANT = "asymmetry", "battery", "dead_zone", "constant_command"
+DROP = "drop"
 MEANING = {
     ASYMMETRY: "strength of the right motor less that of the left, over their mean",
     BATTERY: "fraction of the logged command that reaches the motors",
     DEAD_ZONE: "commands up to this size do not move the motors",
+    DROP: "volts that the driver keeps of each command, as the motors get them",
     CONSTANT: "what a sloping floor, or an offset of the motors, adds to both commands",
     **RESONANCE,
 }
@@ -52,4 +54,6 @@ def electronics_of(robot: Robot, kit: Kit, logs: Sequence[Log]) -> tuple[Paramet
     zone = 0.0 if own else kit.motor.dead_zone
     if zone:
         parameters.append(Parameter(DEAD_ZONE, robot.command_unit, zone, zone / 2, "linear", 0.0, True))
+    if drop := 0.0 if own else strength * kit.motor.drop:
+        parameters.append(Parameter(DROP, robot.command_unit, drop, drop / 2, "linear", 0.0, True))
     return tuple(parameters)

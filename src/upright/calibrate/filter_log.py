@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.calibrate.electronics import ASYMMETRY, BATTERY, electronics_of
+from upright.calibrate.electronics import ASYMMETRY, BATTERY, DROP, electronics_of
 from upright.calibrate.fitting import STICKING, Problem, objective
 from upright.calibrate.noise import learn_noise
 from upright.calibrate.parameters import Parameter
@@ -226,7 +226,9 @@ def one_step_noise(log: Log, robot: Robot, kit: Kit, *, delay: float) -> dict[st
 
     What the equations leave out is in it: the noise of a calibration is that of half seconds, or bounded.
     """
+    drop = [p for p in electronics_of(robot, kit, [log]) if p.name == DROP]
     problem = known(log, robot, kit, delay)
+    problem = replace(problem, parameters=(*problem.parameters, *drop))  # the kit's, as the log has what was commanded
     first = process(problem.recordings, robot, KNOWN_WELL)
     bounds = {name: (value / 4, value * MOST) for name, value in ((s, math.exp(v)) for s, v in problem.noise.items())}
     bounds |= {name: (math.exp(first[name]) / MOST, math.exp(first[name]) * MOST) for name in ("motor", "push")}

@@ -82,7 +82,8 @@ class Problem:
     of each run from the robot. `held` names some that stay at their prior.
     `temper` weighs the readings against the prior: below one where innovations are not white, so that they hold less
     information than their number says (Lyddon et al. 2019). After every `restart` [s] the filter forgets the state.
-    A `resonance` of the gyro that was found makes the logs likelier by so many nats.
+    A `resonance` of the gyro that was found, or a `drop` of the driver, makes the logs likelier by so many nats. Logs
+    that are `foreign` are not of a body of ours. Some numbers of the electronics are `exact`, by name.
     """
 
     recordings: tuple[Recording, ...]
@@ -95,6 +96,9 @@ class Problem:
     fine: bool = False
     restart: float = math.inf
     resonance: float = 0.0
+    drop: float = 0.0
+    foreign: bool = False
+    exact: Mapping[str, float] = field(default_factory=dict[str, float])
     longest: float = field(init=False)
     asked: tuple[Parameter, ...] = field(init=False)
     curves: Curves = field(init=False, repr=False)
@@ -108,7 +112,8 @@ class Problem:
         shared = [p for p in self.parameters if not p.name.startswith(RUN)]
         object.__setattr__(self, "asked", tuple(p for p in shared if not p.name.startswith(EQUATION)))
         maps, least = maps_of(self.parameters, len(self.recordings)), np.array([p.least - 2 * NUDGE for p in shared])
-        object.__setattr__(self, "curves", Curves(maps, least, priors_of(self.robot, self.asked, self.delays)))
+        priors = priors_of(self.robot, self.asked, self.delays, self.exact)
+        object.__setattr__(self, "curves", Curves(maps, least, priors))
 
     @property
     def active(self) -> NDArray[np.bool_]:

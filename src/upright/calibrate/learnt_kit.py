@@ -1,4 +1,4 @@
-"""The electronics that a calibration has learnt: dead times, two motors that differ, and a dead zone."""
+"""The electronics that a calibration has learnt: dead times, two motors that differ, a dead zone, and a drop."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from upright.calibrate.calibration import Calibration
-from upright.calibrate.electronics import ASYMMETRY, BATTERY, DEAD_ZONE
+from upright.calibrate.electronics import ASYMMETRY, BATTERY, DEAD_ZONE, DROP
 from upright.calibrate.resonance import DAMPING, FREQUENCY
 from upright.logs.recording import SENSOR
 from upright.robots import Kit
@@ -31,10 +31,12 @@ def learnt_kit(result: Calibration, kit: Kit, delays: Mapping[str, float], hidde
     factors = {e.name: e.value for e in result.electronics}
     strength, half = factors.get(BATTERY, 1.0), factors.get(ASYMMETRY, 0.0) / 2
     zone = factors.get(DEAD_ZONE, kit.motor.dead_zone)
+    drop = factors[DROP] / strength if DROP in factors else kit.motor.drop
     if FREQUENCY in factors and "sensor/gyro" in sensors:
         gyro = replace(sensors["sensor/gyro"], resonance=factors[FREQUENCY], damping=factors[DAMPING])
         sensors |= {"sensor/gyro": gyro}
-    motor = replace(kit.motor, left=strength * (1 - half), right=strength * (1 + half), dead_zone=zone)
+    sides = {"left": strength * (1 - half), "right": strength * (1 + half)}
+    motor = replace(kit.motor, **sides, dead_zone=zone, drop=drop)
     return replace(
         kit, name=OWN if kit.name == "ideal" else kit.name, sensors=sensors, motor=motor,
         delay=max(hidden + common - kit.jitter / 2, 0.0),

@@ -42,12 +42,15 @@ inlined: Any = partial(numba.njit, error_model="numpy", forceinline=True, no_cpy
 STATES = 6
 
 
-DRIVE_LEFT, DRIVE_RIGHT, DEAD_ZONE, CONSTANT, SPAN, FRICTION, REVERSAL, STUCK, ROLL_LEFT, ROLL_RIGHT, START, ROWS = (
-    WORK + row for row in (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 10 + STATES)
-)
-"""Rows of a block after those of the kernel's, one number for each lane: factors of both motors, their dead zone, and
-what is added to both commands; the time to move [s]; dry friction as a command; negative where a wheel turned back;
-whether one has since the row was cleared; the smoothed signs of rolling friction; the state before the step."""
+DRIVE_LEFT, DRIVE_RIGHT, DEAD_ZONE, CONSTANT, DROP = range(WORK, WORK + 5)
+DRIVES = 5
+"""How many numbers of what drives a robot stand behind its constants."""
+SPAN, FRICTION, REVERSAL, STUCK, ROLL_LEFT, ROLL_RIGHT, START = range(WORK + 5, WORK + 12)
+ROWS = START + STATES
+"""Rows of a block after those of the kernel's, one number for each lane: factors of both motors, their dead zone, what
+is added to both commands, and their drop; the time to move [s]; dry friction as a command; negative where a wheel
+turned back; whether one has since the row was cleared; the smoothed signs of rolling friction; the state before the
+step."""
 
 SWEEPS = 20  # of Gauss and Seidel over both wheels, at most, from where both would stand still
 PASSES = 3  # in which the response to friction, known to a few hundredths, is corrected, at most
@@ -216,10 +219,17 @@ def _beyond(command: Any, zone: Any) -> Any:
 
 
 @inlined
+def _left(command: Any, drop: Any) -> Any:
+    """What a driver leaves of a command of which it keeps `drop`."""
+    return command - min(drop, max(-drop, command))
+
+
+@inlined
 def driven(w: Any, i: Any, u: Any) -> Any:
     """What reaches both motors of lane i of the command u (2,)."""
-    zone, added = get(w, DEAD_ZONE, i), get(w, CONSTANT, i)
-    return get(w, DRIVE_LEFT, i) * _beyond(u[0], zone) + added, get(w, DRIVE_RIGHT, i) * _beyond(u[1], zone) + added
+    zone, added, drop = get(w, DEAD_ZONE, i), get(w, CONSTANT, i), get(w, DROP, i)
+    left, right = _left(_beyond(u[0], zone), drop), _left(_beyond(u[1], zone), drop)
+    return get(w, DRIVE_LEFT, i) * left + added, get(w, DRIVE_RIGHT, i) * right + added
 
 
 @njit
@@ -262,12 +272,12 @@ _FIRST, _CONSTANTS = HALF_TRACK, len(Constants._fields)
 
 @njit
 def block_of(robots: Any) -> Any:
-    """The block of lanes of these robots (constants and 4, lanes), their states zero."""
+    """The block of lanes of these robots (constants and 5, lanes), their states zero."""
     w = np.zeros(ROWS * ROW)
     for i in range(robots.shape[1]):
         for j in range(_CONSTANTS):
             put(w, _FIRST + j, i, robots[j, i])
-        for j in range(4):
+        for j in range(DRIVES):
             put(w, DRIVE_LEFT + j, i, robots[_CONSTANTS + j, i])
         put(w, FRICTION, i, max(0.0, get(w, COULOMB_TORQUE, i) / get(w, MOTOR_TORQUE, i)))
     return w

@@ -47,9 +47,9 @@ class Events(NamedTuple):
 
 class RobotLanes(NamedTuple):
     """Robots that go through the same events: how each sensor row `reads` the state (rows, states, lanes), the `delays`
-    of the rows (rows, lanes) [s], and the `robots` (constants and 4, lanes): the named constants of the equations, the
-    factors of both motors, the dead zone and the constant command. `swing` (2, lanes) is ω [rad/s] and ζ of a resonance
-    before the gyro, whose two states are then the last; without lanes there is none."""
+    of the rows (rows, lanes) [s], and the `robots` (constants and 5, lanes): the named constants of the equations, the
+    factors of both motors, the dead zone, the constant command and the drop. `swing` (2, lanes) is ω [rad/s] and ζ of a
+    resonance before the gyro, whose two states are then the last; without lanes there is none."""
 
     reads: Any
     delays: Any

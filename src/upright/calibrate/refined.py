@@ -13,7 +13,10 @@ from functools import partial
 import numpy as np
 
 from upright.arrays import Array
+from upright.calibrate import dropping
+from upright.calibrate import resonant as resonating
 from upright.calibrate.annealing import from_likeliest_delays
+from upright.calibrate.dropping import dropped
 from upright.calibrate.effects import respread
 from upright.calibrate.fitting import STICKING, Fitted, Normal, Path, Problem, normal_equations, objective
 from upright.calibrate.gauss_newton import gauss_newton
@@ -22,7 +25,8 @@ from upright.calibrate.noise import GAIN, Bounds, learn_noise, sensor_bounds
 from upright.calibrate.parameters import ROLLING, most_friction
 from upright.calibrate.process_noise import NOISE_TIME, process, with_process
 from upright.calibrate.resonance import FIRST, LEAST, MOST, SWING, resonates, swing_noise
-from upright.calibrate.resonant import at_prior, resonant, with_that_of
+from upright.calibrate.resonant import resonant
+from upright.calibrate.sought import at_prior
 from upright.logs.recording import SENSOR
 from upright.physics.dynamics import motor_gain
 from upright.progress import Progress, unwatched
@@ -69,9 +73,12 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float], show: Progr
         if polished.normal.objective < best.normal.objective:
             rough, best = other, polished
     show(0.3)
+    if not _white(best) and (other := _with_drop(rough, bounds)):
+        rough, best = other, _polished(other, bounds)
+        problem, z = dropping.with_that_of(problem, z, rough.problem, rough.z)
     if not _white(best) and (other := _with_resonance(rough, bounds)):
         rough, best = other, _polished(other, {**bounds, **_swings(problem)})
-        problem, z = with_that_of(problem, z, rough.problem, rough.z)
+        problem, z = resonating.with_that_of(problem, z, rough.problem, rough.z)
     if _white(best):
         return _tempered(*_between_runs(best))
     show(0.6)
@@ -88,14 +95,25 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float], show: Progr
         return _best_simulated(last, [*pool.map(_simulated, last)], LEVEL)[0] if len(last) > 1 else last[0]
 
 
+def _with_drop(fit: Fitted, bounds: Bounds) -> Fitted | None:
+    """The fit with a drop of the driver, where that explains the log."""
+    other = dropped(fit, partial(_settled, bounds=bounds))
+    return other if other and _explains(other, fit) else None
+
+
+def _explains(other: Fitted, fit: Fitted) -> bool:
+    """Whether a fit that is likelier leaves clearly less of half seconds too, or makes the innovations white: else what
+    it has more stands in for another error of the model."""
+    return _white(other) or 1 - _simulated(other) <= (1 - LEVEL) * (1 - _simulated(fit))
+
+
 def _with_resonance(fit: Fitted, bounds: Bounds) -> Fitted | None:
-    """The fit with a resonance of the gyro, where that is clearly likelier, and either leaves clearly less of half
-    seconds or makes the innovations white: else it stands in for another error of the model.
+    """The fit with a resonance of the gyro, where that explains the log.
 
     Noise that makes the gyro swing is learnt only then. It would be likelier of every gyro whose noise is not white.
     """
-    other = None if resonates(fit.problem.asked) else resonant(fit, partial(_settled, bounds=bounds))
-    if not other or (not _white(other) and 1 - _simulated(other) > (1 - LEVEL) * (1 - _simulated(fit))):
+    other = resonant(fit, partial(_settled, bounds=bounds))
+    if not other or not _explains(other, fit):
         return None
     own = _swings(other.problem)
     noise = {**other.problem.noise, SWING: math.log(swing_noise(other.problem.recordings, FIRST))}

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.calibrate import dropping, resonance
 from upright.calibrate.calibration import Calibration, Segments
 from upright.calibrate.coefficients import around, slopes_of
 from upright.calibrate.effects import FRACTIONS, of_robot
@@ -20,7 +21,6 @@ from upright.calibrate.fitting import Normal, Path, Problem
 from upright.calibrate.informativity import information, posterior, unseen_directions
 from upright.calibrate.judge import poorly, proposed, reasons
 from upright.calibrate.parameters import GEAR, ROLL_FRACTION, Parameter, columns, with_values
-from upright.calibrate.resonance import in_words
 from upright.calibrate.validate import segments, steps_ahead, whiteness
 from upright.logs.marks import marks_of
 from upright.logs.raw import named
@@ -282,7 +282,8 @@ def _mean(each: Sequence[Mapping[str, float]]) -> dict[str, float]:
 def _notes(
     problem: Problem, every: Sequence[Estimate], free: Mapping[str, float], reason: str, other: str, widening: float
 ) -> list[str]:
-    notes = [*([reason] if reason else []), *in_words(every, problem.resonance)]
+    notes = [*([reason] if reason else []), *dropping.in_words(every, problem.drop)]
+    notes += resonance.in_words(every, problem.resonance)
     if problem.temper < 1:
         notes.append(
             "The innovations are not white: the model leaves something out. "

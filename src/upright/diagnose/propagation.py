@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from upright.calibrate.kept import njit
-from upright.calibrate.motion import block_of
+from upright.calibrate.motion import DRIVES, block_of
 from upright.compiled.generated_motion import constants_rolling, rk4_rolling
 
 BLOCK = 32  # faults that are gone through together
@@ -19,7 +19,7 @@ def fly(constants: Any, x: Any, u: Any, w: Any, spans: Any, steps: int) -> Any:
     """States (lanes, n, 6) of robots with these `constants` (constants, lanes), from the states x (lanes, n, 6), after
     the `spans` (n,) [s], each in so many `steps`, under the commands u (lanes, n, 2), forces [N] and moments [N m] w
     (lanes, n, 2)."""
-    whole = np.zeros((len(constants) + 4, x.shape[0]))
+    whole = np.zeros((len(constants) + DRIVES, x.shape[0]))
     whole[: len(constants)] = constants
     block, end = block_of(whole), x.copy()
     for lane in range(x.shape[0]):
@@ -147,11 +147,11 @@ def observe(steps: int, followed: Any, floor: Any, robots: Any, onsets: Any, for
     first, t, u, spans, reads, gains, readings, deviation = followed
     n, size, lanes = len(spans), gains.shape[1], len(forces)
     result = np.zeros((lanes, n))
-    whole = np.zeros((robots.shape[1] + 4, 1))
-    whole[:-4, 0] = robots[lanes]
+    whole = np.zeros((robots.shape[1] + DRIVES, 1))
+    whole[:-DRIVES, 0] = robots[lanes]
     usual = constants_rolling(block_of(whole), 0)
     for lane in range(lanes):
-        whole[:-4, 0] = robots[lane]
+        whole[:-DRIVES, 0] = robots[lane]
         changed = constants_rolling(block_of(whole), 0)
         x, slipped = first.copy(), 0.0
         for i in range(n):
