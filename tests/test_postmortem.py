@@ -648,7 +648,7 @@ def test_numbers_with_which_the_filter_loses_the_robot_are_not_taken(monkeypatch
         freed = remedied(run, *several)
         return freed.only(slice(0, 20)) if freed is not None and run is followed else freed
 
-    monkeypatch.setattr("upright.diagnose.joint.remedied", lost)
+    monkeypatch.setattr("upright.diagnose.remedy.remedied", lost)
     start = dataclasses.replace(weak, score=-math.inf)
     faults, found = jointly(followed, [weak], start, window, window.bank(followed, pushes_only=False))
     assert faults == [weak]

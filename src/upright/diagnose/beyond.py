@@ -48,13 +48,17 @@ def jam_or_stuck(run: FilterRun, stuck: StuckSensor, window: Window, bank: Bank)
     nothing = replace(with_pushes(bank), rest=bank.y, spent=2)
     held = _of_channel(f"{side} motor", nothing, bank, bank, since=max(stuck.start, float(bank.steps[0])))
     blind = without(run.log, run.log.t > stuck.start, stuck.channel)
-    dumb = with_pushes(window.bank(follow(blind, run.robot, run.kit)), against=bank)
+    dumb = with_pushes(window.bank(follow(blind, run.robot, run.kit, run.kept)), against=bank)
     return held.score, dumb.score, held.nis if held.score > dumb.score else dumb.nis
 
 
 def goes_beyond(run: FilterRun, stuck: StuckSensor, end: float) -> bool:
     """Whether the body turns faster, the same way, than a gyro that stands still shows, as the other sensors have it up
-    to `end` [s]: then it is at the end of its range. Of one that is stuck the rate has any size and sign."""
+    to `end` [s]: then it is at the end of its range. Of one that is stuck the rate has any size and sign; and what a
+    gyro showed before is within its range."""
+    before = run.log[stuck.channel][run.log.t < stuck.start]
+    if (np.sign(stuck.reading) * before > abs(stuck.reading)).any():
+        return False
     blind = follow(without(run.log, run.log.t >= stuck.start, stuck.channel), run.robot, run.kit)
     rate = blind.after[(blind.t > stuck.start) & (blind.t <= end) & (blind.row >= 0), 1]
     return len(rate) > 0 and bool(np.mean(np.sign(stuck.reading) * rate > abs(stuck.reading)) > BEYOND)

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from upright.control import Controller
 from upright.diagnose.beyond import Leftover, goes_beyond, jam_or_stuck, leftover
 from upright.diagnose.causes import foreign, noisy
+from upright.diagnose.clock import on_even_clock, thinned
 from upright.diagnose.fall import (
     StuckSensor,
     authority,
@@ -30,12 +31,13 @@ from upright.diagnose.fall import (
 )
 from upright.diagnose.fault_fits import FaultFit, PushEstimate, fits, gainable, spared, with_commands
 from upright.diagnose.forces import forced
+from upright.diagnose.hidden import hidden_fall, sooner
 from upright.diagnose.innovations import FilterRun, follow
 from upright.diagnose.joint import pairs_settled, settled
 from upright.diagnose.law import CommandMatch, matched, references
 from upright.diagnose.pairs import CONTRIBUTES, Pair, contributing, paired
 from upright.diagnose.pushed import LEAVES, with_sudden_pushes
-from upright.diagnose.remedy import Window, dropped, remedied, searched, sharpened
+from upright.diagnose.remedy import Window, dropped, searched, sharpened
 from upright.diagnose.signatures import Bank
 from upright.diagnose.sizes import possible
 from upright.diagnose.thrown import Throw, thrown
@@ -54,7 +56,6 @@ EXCURSION = 1.2  # [s] before the fall in which a push or a demand must lie to b
 EXPLAINED = 1.1  # NIS over the calm one, up to which nothing is left to explain
 LOST = 20.0  # times the ordinary NIS at which the filter has lost the robot, over the log's last `LOST_SECONDS`
 LOST_SECONDS = 0.4  # [s]
-TIPPING = 0.35  # [rad] lean at the log's end that is a fall where the filter has lost the robot as well
 UNEXPLAINED, BETTER = 1.5, 5.0  # NIS over the ordinary one, or nats, that pushes leave to other faults to explain
 REPEATING = 1.5  # [s] before the fall in which two repeated readings make dropped samples a hypothesis
 LAST_SECONDS = (0.2, 0.3, 0.5)  # [s] before the fall over which commands are compared with the file's
@@ -169,26 +170,32 @@ def gather(
     """
     throw, fallen = thrown(log, robot, kit, float(log.t[-1])), last_fall(log) is not None
     gone = throw is not None and throw.lost
-    run = follow(log if fallen or gone else on_its_wheels(log)[0], robot, kit)
-    fell_at = fall_time(run)
+    blind = _blind(stuck_sensor(log, kit, float(log.t[-1])))  # nothing balances while its gyro stands still
+    whole = on_even_clock(follow(log if fallen or gone or blind else on_its_wheels(log)[0], robot, kit))
+    log, fell_at, run = whole.log if fallen or gone or blind else log, fall_time(whole), thinned(whole)
     if throw is not None and gone and (fell_at is None or fell_at < throw.start):
         fell_at, fallen = float(log.t[-1]), True
-    if fell_at is None and (stuck := stuck_sensor(log, kit, float(log.t[-1]))) and "gyro" in stuck.channel:
-        fell_at, fallen = float(run.t[-1]), True  # nothing balances while its gyro stands still
+    if fell_at is None and blind:
+        fell_at, fallen = float(run.t[-1]), True
     window = window_of(run, float(run.t[-1]) if fell_at is None else fell_at)
     show(0.1)
     if not fallen and (window.usual > FOREIGN or (fell_at is None and not _lost(run, window))):
-        return run, None
-    foreign = window.usual > FOREIGN and stuck_sensor(log, kit, window.end) is None  # no cause will rest on the fits
+        return whole, None
+    still = stuck_sensor(log, kit, window.end)
+    foreign = _blind(still) or (window.usual > FOREIGN and still is None)  # no cause will rest on the fits
     bank = window.bank(run, pushes_only=foreign)
-    show(0.4)
     several = fits(bank)
+    if not foreign and (true := sooner(run, several, window)) is not None:
+        fell_at, window = true, window_of(run, true)
+        bank = window.bank(run, pushes_only=False)
+        several = fits(bank)
+    show(0.4)
     if not foreign and _unexplained(several, bank):
         several += [*searched(run, window), *with_commands(bank, several)]
     if fell_at is None:
-        fell_at = _hidden_fall(run, several)
+        fell_at = hidden_fall(run, several)
         if fell_at is None:
-            return run, None
+            return whole, None
     several = sharpened(run, several, window, bank)
     if not foreign and _unexplained(several, bank):
         several = forced(run, several, window, bank)
@@ -196,29 +203,22 @@ def gather(
             several += with_sudden_pushes(run, window, bank, several[0].score)
             several.sort(key=lambda fit: -fit.score)
         several = settled(run, several, window, bank)
-    frozen, t = frozen_rows(run), run.log.t  # of the part of the log that was filtered
+    frozen, t = frozen_rows(whole), whole.log.t  # of the part of the log that was filtered
     if not foreign and frozen[(t > fell_at - REPEATING) & (t <= fell_at)].sum() >= 2:
-        stale = stale_rows(run.log) & (t >= t[np.flatnonzero(frozen)[0]] - 0.1)
+        stale = stale_rows(whole.log) & (t >= t[np.flatnonzero(frozen)[0]] - 0.1)
         several = sorted([*several, dropped(run, stale, window, bank)], key=lambda f: -f.score)
     show(0.9)
-    return run, _evidence(run, fell_at, window, bank, several, controller)
+    return whole, _evidence(whole, run, fell_at, window, bank, several, controller)
+
+
+def _blind(still: StuckSensor | None) -> bool:
+    return still is not None and "gyro" in still.channel
 
 
 def _lost(run: FilterRun, window: Window) -> bool:
     """Whether innovations at the log's end show that the filter is far from the robot."""
     last = run.only(run.t > window.end - LOST_SECONDS).whitened
     return bool(len(last)) and float(np.mean(last**2)) > LOST * window.usual
-
-
-def _hidden_fall(run: FilterRun, several: Sequence[FaultFit]) -> float | None:
-    """The time of the fall [s] that shows where the likeliest fault is taken out of the log."""
-    for fit in several:
-        freed = remedied(run, fit) if fit.fault in ("bias", "delay") else None
-        fell_at = fall_time(freed) if freed is not None else None
-        if fell_at is not None:
-            return fell_at
-    # a log of delayed readings ends before they show the floor
-    return float(run.t[-1]) if abs(run.after[-1, 0]) > TIPPING else None
 
 
 def _unexplained(several: Sequence[FaultFit], bank: Bank) -> bool:
@@ -228,6 +228,7 @@ def _unexplained(several: Sequence[FaultFit], bank: Bank) -> bool:
 
 
 def _evidence(
+    whole: FilterRun,
     run: FilterRun,
     end: float,
     window: Window,
@@ -235,9 +236,9 @@ def _evidence(
     several: Sequence[FaultFit],
     controller: Controller | None,
 ) -> Evidence:
-    log, robot = run.log, run.robot
+    log, robot = whole.log, run.robot
     most, mode, model = limit(robot, run.kit, run.asked), falling(robot), linearise(robot)
-    match, stable, notes = _match(run, controller, end)
+    match, stable, notes = _match(whole, controller, end)
     stuck = stuck_sensor(log, run.kit, end)
     if stuck and "gyro" in stuck.channel and not stuck.clipped:
         stuck = replace(stuck, beyond=far_from_zero(stuck, run.kit) and goes_beyond(run, stuck, end))
@@ -262,7 +263,7 @@ def _evidence(
         nis=float(np.mean(bank.y**2)), then=bank.then, fits=tuple(several),
         stuck=stuck, jam=jam, pairs=tuple(pairs), left=left,
         toppling=Toppling(per_impulse, per_height, abs(mode.b) * most / mode.pole, mode.pole),
-        motors=_motor_use(run, mode.w, end), match=match, stable=stable,
+        motors=_motor_use(whole, mode.w, end), match=match, stable=stable,
         lost=lost_lately(log, run.kit.period, end),
         demand=_demand(log, robot, most, end), battery=_battery(log, end), throw=thrown(log, robot, run.kit, end),
         notes=notes,

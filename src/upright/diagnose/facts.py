@@ -15,6 +15,7 @@ from upright.tables import short
 FACT = 0.98  # probability of what the commands themselves show
 PEGGED = 0.95  # fraction of the last second at the limit, where a constant command means saturation
 GAIN_STEP = 0.03  # |ln| of a gain from which it is another one
+BEFORE = 0.1  # [s] by which a sensor stands still before the commands do: after that it is the loop that stood
 EXACT = 0.9999  # fraction of the difference between commands and file that a changed gain explains
 LOST_ROWS, LOST_WIDTH = 0.14, 0.02  # fraction of periods without a row that these robots' loops hardly survive
 FEW_LOST = 0.05  # below which lost rows are no cause
@@ -36,7 +37,10 @@ class Answer:
 
 def stuck(evidence: Evidence) -> list[Answer]:
     """Whether the motors got one and the same command all through the fall."""
-    if (held := evidence.motors.held) is not None and not evidence.motors.pegged > PEGGED:
+    held, still = evidence.motors.held, evidence.stuck
+    if held is not None and still is not None and still.start < held[0] - BEFORE:  # commands follow what it shows
+        held = None
+    if held is not None and not evidence.motors.pegged > PEGGED:
         text = (
             f"both commands stood still from t = {held[0]:.2f} to {held[1]:.2f} s, while the robot leaned further and "
         )

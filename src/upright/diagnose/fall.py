@@ -33,7 +33,7 @@ RUN_UP, CONTACT, HELD = 0.2, 0.03, 0.1  # [s] before a contact, of its beginning
 GIVES, THROWN = 0.6, 0.6  # of the way that the robot would have gone on: how far it may go, and be thrown back
 USUALLY_HELD = 3.0  # times the longest that a command was held before: a loop may do so near rest
 CLIPPED_GRAINS = 5  # steps of a reading from zero, below which rows repeat each other by chance
-CLIPPED_ROWS = 2  # in which a reading was at the end of its range before
+CLIPPED_ROWS = 3  # one after the other, in which a reading was at the end of its range before
 STILL_GRAINS = 2  # encoder steps that wheels must turn before a repeated reading cannot be true
 
 
@@ -233,20 +233,23 @@ def stuck_sensor(log: Log, kit: Kit, end: float) -> StuckSensor | None:
         moves = [float(np.ptp(np.nan_to_num(log[n][upto][first:]))) for n in others]
         grains = [STUCK_STEPS * kit.sensors[n].quantum if n in kit.sensors else 0.0 for n in others]
         if any(m > max(g, STUCK_MOVES) for m, g in zip(moves, grains, strict=True)):
-            return StuckSensor(name, float(readings[-1]), start, _at_its_end(readings, first, sensor))
+            ends = "encoder" not in name or "rate" in name  # an angle counts on
+            return StuckSensor(name, float(readings[-1]), start, ends and _at_its_end(readings, first, sensor))
     return None
 
 
 def _at_its_end(readings: Array, first: int, sensor: Sensor | None) -> bool:
-    """Whether readings that stand still from row `first` on, many steps from zero, were at the same size in rows before
-    and never beyond since then: a range may be smaller than the kit says."""
+    """Whether readings that stand still from row `first` on, many steps from zero, stood at the same size for some rows
+    before and never went beyond since then: a range may be smaller than the kit says."""
     size = abs(float(readings[-1]))
     if sensor is not None and size < CLIPPED_GRAINS * sensor.quantum:
         return False
     before = np.abs(readings[:first])
     beyond = np.flatnonzero(before > size * (1 + 1e-9))
     since = before[int(beyond[-1]) + 1 :] if len(beyond) else before
-    return size > 0 and int((since >= size * (1 - 1e-9)).sum()) >= CLIPPED_ROWS
+    at_end = (since >= size * (1 - 1e-9)).astype(int)
+    stood = np.convolve(np.append(at_end, 0), np.ones(CLIPPED_ROWS, dtype=int))
+    return size > 0 and int(stood.max()) == CLIPPED_ROWS
 
 
 def held_command(run: FilterRun, motors: Authority, end: float, seconds: float) -> tuple[float, float] | None:

@@ -19,6 +19,10 @@ VISIBLE_SLIP = 3.0  # standard deviations of a reading, from which a slip shows
 MOST_PUSHES = 3  # that may come beside a fault
 PUSH_GAP = 0.1  # [s] between two pushes: several at once, up and down, would follow whatever is wrong with the model
 SUDDEN = {"step": 0.12, "ramp": 0.4}  # [s] after its onset in which an offset shows, before the filter loses the robot
+LATEST = 0.05  # [s] by which a reading may be later than what it shows
+FIRST_PART, FIRST_SHOWS = 0.6, 20.0
+"""Of the squared innovations after its onset, and so many times the usual ones, that the first offset explains: what
+comes later is larger, where the robot falls by it."""
 SEARCHED = ("weak", "delay", "motor")  # faults that are not small: the filter itself searches for them
 NEAR_BEST = 60.0  # nats behind the likeliest, up to which a fault of the commands beside pushes is examined
 TRIED = 3  # signatures of each kind, by their squares alone, that are tried with pushes beside them
@@ -74,7 +78,7 @@ def fits(bank: Bank) -> list[FaultFit]:
         some = [one for one in bank.faults if (one.fault, one.way) == kind]
         some.sort(key=lambda one: least_squares(bank.y, one)[1])
         best.append(max((with_pushes(bank, one) for one in some[:TRIED]), key=lambda f: f.score))
-    best += [_sudden(bank, way) for way in SUDDEN if any(one.way == way for one in bank.faults)]
+    best += [fit for way in SUDDEN if any(one.way == way for one in bank.faults) for fit in _sudden(bank, way)]
     return sorted(best, key=lambda f: -f.score)
 
 
@@ -103,15 +107,22 @@ def as_fit(bank: Bank, i: int, size: float) -> FaultFit:
     return replace(fit, way="") if one.way == PART else fit
 
 
-def _sudden(bank: Bank, way: str) -> FaultFit:
-    """The gyro's offset that explains most of what follows within `SUDDEN` of its onset, before the filter is lost."""
+def _sudden(bank: Bank, way: str) -> list[FaultFit]:
+    """The gyro's offset that explains most of what follows within `SUDDEN` of its onset, before the filter is lost; of
+    sudden ones also that of what shows first."""
     offsets = [one for one in bank.faults if (one.fault, one.way) == ("bias", way)]
     onsets = np.array([one.onset for one in offsets])
-    inside = (bank.then[:, None] >= onsets) & (bank.then[:, None] < onsets + SUDDEN[way])
+    inside = (bank.then[:, None] >= onsets - LATEST) & (bank.then[:, None] < onsets + SUDDEN[way])
     A = np.column_stack([one.values[: len(inside)] for one in offsets]) * inside
-    dots, squares = A.T @ bank.y[: len(inside)], np.maximum((A**2).sum(axis=0), 1e-12)
-    i = int(np.argmax(dots**2 / squares))
-    return with_pushes(bank, offsets[i], amplitude=-float(dots[i] / squares[i]))
+    y = bank.y[: len(inside)]
+    dots, squares = A.T @ y, np.maximum((A**2).sum(axis=0), 1e-12)
+    explains, there = dots**2 / squares, (y**2) @ inside
+    places = {int(np.argmax(explains))}
+    shows = np.flatnonzero((explains > FIRST_PART * there) & (explains > FIRST_SHOWS * bank.scale))
+    if way == "step" and len(shows):
+        first = onsets[shows[0]]
+        places.add(int(np.argmax(np.where((onsets >= first) & (onsets < first + SUDDEN[way]), explains, 0.0))))
+    return [with_pushes(bank, offsets[i], amplitude=-float(dots[i] / squares[i])) for i in places]
 
 
 def least_squares(y: Array, signature: Signature) -> tuple[float, float]:

@@ -52,7 +52,8 @@ _SPREAD_STEP = 0.01  # of its spread, by which a parameter is moved for a finite
 @dataclass(frozen=True, eq=False, kw_only=True)
 class FilterRun(FilteredLog):
     """The filter of a `robot` in its `kit` along a log, whose controller `asked` for commands (samples, 2), by the
-    `follower` that gave it. The log has each event at the time of its `clock` [s], which differs from its own where
+    `follower` that gave it, which read the sensors in the rows of the times `kept` [s] alone (None: in all). The log
+    has each event at the time of its `clock` [s], which differs from its own where
     readings came late."""
 
     robot: Robot
@@ -61,6 +62,7 @@ class FilterRun(FilteredLog):
     asked: Array
     follower: Follower
     clock: Array
+    kept: Array | None
 
     def driven(self, charge: float | Array = 1.0, *, pwm: bool = True) -> Array:
         """What the kit's driver makes of the commands (samples, 2) with the fraction `charge` of the battery."""
@@ -114,7 +116,16 @@ class FilterRun(FilteredLog):
             more = len(own.commands) - len(commands)
             commands = np.vstack([commands, np.repeat(commands[-1:], more, axis=0)])
         values = own.value if log is None else _read(self.follower, log, self.kit)
-        return _run(self.follower, self.kit, log or self.log, self.asked, commands, values, delayed)
+        return _run(
+            self.follower,
+            self.kit,
+            log or self.log,
+            self.asked,
+            commands,
+            values=values,
+            delayed=delayed,
+            kept=self.kept,
+        )
 
     @cached_property
     def tangent(self) -> Tangent:
@@ -139,17 +150,18 @@ def driven(asked: Array, kit: Kit, unit: str, charge: float | Array = 1.0, *, pw
     return np.stack(electronics.driven([scale * u for u in asked.T], motor, battery, Arrays, volts=unit == "V"), axis=1)
 
 
-def follow(log: Log, robot: Robot, kit: Kit) -> FilterRun:
-    """The nominal robot's filter along the whole of `log`, with what the kit makes of its commands; raises `InvalidLog`
-    where it cannot follow."""
+def follow(log: Log, robot: Robot, kit: Kit, kept: Array | None = None) -> FilterRun:
+    """The nominal robot's filter along the whole of `log`, with what the kit makes of its commands, and the readings of
+    all rows or of those at the times `kept` [s]; raises `InvalidLog` where it cannot follow."""
     names = asked_of(log)
     asked = np.column_stack([log[n] for n in names])
     others = {n: v for n, v in log.channels.items() if not n.startswith(("applied/", "truth/", "command/"))}
     sent = dict(zip(names, driven(asked, kit, robot.command_unit).T, strict=True))
-    channels = {n: _inside(v, kit, n) for n, v in others.items()} | sent
+    use = True if kept is None else np.isin(log.t, kept)
+    channels = {n: np.where(use, _inside(v, kit, n), np.nan) for n, v in others.items()} | sent
     long = _long_enough(Log(log.t, channels, {n: log.unit(n) for n in channels}), names)
     follower = Follower(known(long, robot, kit, _dead_time(names[0], kit)), PROCESS_NOISE, DRY_FRICTION_NOISE)
-    return _run(follower, kit, log, asked)
+    return _run(follower, kit, log, asked, kept=kept)
 
 
 def _read(follower: Follower, log: Log, kit: Kit) -> Array:
@@ -165,8 +177,8 @@ def _read(follower: Follower, log: Log, kit: Kit) -> Array:
 
 
 def _run(
-    follower: Follower, kit: Kit, log: Log, asked: Array, commands: Array | None = None,
-    values: Array | None = None, delayed: tuple[float, float, float] = IN_TIME,
+    follower: Follower, kit: Kit, log: Log, asked: Array, commands: Array | None = None, *,
+    values: Array | None = None, delayed: tuple[float, float, float] = IN_TIME, kept: Array | None = None,
 ) -> FilterRun:  # fmt: skip
     recording, (since, commanded, readings), when = follower.recording, delayed, None
     if commanded or readings:
@@ -183,6 +195,7 @@ def _run(
         asked=asked,
         follower=follower,
         clock=path.t + readings * on,
+        kept=kept,
     )
     return run.only(run.sample < len(log)) if len(log) < FEWEST else run
 

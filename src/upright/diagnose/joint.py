@@ -23,10 +23,10 @@ from upright.diagnose.remedy import (
     FADE,
     LONGEST,
     READING_FAULTS,
-    SHORT,
     STRONGEST,
     WEAKEST,
     Window,
+    followed,
     lately,
     remedied,
 )
@@ -148,8 +148,8 @@ def jointly(
         return usual
     x = least_squares(joint, x, joint.changes(x), DAMPINGS, STRIDES)
     search, faults = joint.search(x), joint.faults(x)
-    freed = remedied(run, *faults)
-    if search is None or freed is None or not freed.reaches(window.end - SHORT):
+    freed = followed(run, window.end, *faults)
+    if search is None or freed is None:
         return usual
     start = replace(search.placed(x[joint.count :]), run=freed, score=-math.inf)
     moved = refined(run, start, window, bank)
@@ -172,8 +172,8 @@ def _one(run: FilterRun, fit: FaultFit, window: Window, bank: Bank) -> FaultFit:
     """A fault by all of its numbers; of a battery, which has a narrow valley, from several starts."""
     best, price = fit, score_of(bank, fit.rest, fit.spent) - fit.score
     for start in _starts(fit):
-        freed = fit.run if start is fit else remedied(run, start)
-        if freed is None or not freed.reaches(window.end - SHORT):
+        freed = fit.run if start is fit else followed(run, window.end, start)
+        if freed is None:
             continue
         (fault,), moved = jointly(run, [start], replace(fit, run=freed, score=-math.inf), window, bank)
         moved = replace(moved, score=moved.score - price, **{name: getattr(fault, name) for name in _names(fit)})

@@ -32,10 +32,10 @@ from upright.diagnose.remedy import (
     FADE_PRICE,
     RARE,
     READING_FAULTS,
-    SHORT,
     Window,
     exact,
     faded,
+    followed,
     lately,
     moved,
     remedied,
@@ -282,13 +282,11 @@ def together(run: FilterRun, first: FaultFit, second: FaultFit, window: Window, 
     several, other = _movable(first, second)
     if several and other is not None:
         return _beside_signature(run, several, other, window, bank)[0]
-    if several:
-        freed = remedied(run, *several)
-        if freed is not None and freed.reaches(window.end - SHORT):
-            here, last = window.bank(freed), several[1]
-            again = with_pushes(here, against=bank, beside=here.y)
-            again = replace(again, fault=last.fault, way=last.way, onset=last.onset, size=last.size, rise=last.rise)
-            return Pair(first=first, second=replace(_priced(again, several, bank), run=freed))
+    if several and (freed := followed(run, window.end, *several)) is not None:
+        here, last = window.bank(freed), several[1]
+        again = with_pushes(here, against=bank, beside=here.y)
+        again = replace(again, fault=last.fault, way=last.way, onset=last.onset, size=last.size, rise=last.rise)
+        return Pair(first=first, second=replace(_priced(again, several, bank), run=freed))
     if not len(first.values) == len(second.values) == len(bank.y):  # made on a run of fewer readings
         return Pair(first=first, second=second)
     again = with_pushes(bank, against=bank, beside=bank.y + first.values + second.values)
@@ -306,8 +304,8 @@ def _beside_signature(
 ) -> tuple[Pair, Array]:
     """A fault that the log is freed of, and the signature of the `other` that explains most of the rest, with those
     near it (readings, signatures)."""
-    freed, lost = remedied(run, *several), Pair(first=several[0], second=other)
-    if freed is None or not freed.reaches(window.end - SHORT):
+    freed, lost = followed(run, window.end, *several), Pair(first=several[0], second=other)
+    if freed is None:
         return lost, np.zeros((0, 0))
     here = window.bank(freed, beside_it=other.fault)
     some = sorted(range(len(here.faults)), key=lambda i: least_squares(here.y, here.faults[i])[1])[:TRIED]

@@ -282,7 +282,7 @@ def kit_of(log: Log, robot: Robot) -> Kit:
     named = re.search(r" with (\S+) electronics$", kind)
     if isinstance(robot.kit, Kit):
         return robot.kit
-    return Kit.preset(named[1] if named and named[1] in kit_names() else robot.kit)
+    return find_kit(named[1] if named and named[1] in kit_names() else robot.kit)
 
 
 def _plain(data: dict[str, Any]) -> dict[str, Any]:

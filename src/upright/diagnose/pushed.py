@@ -17,14 +17,13 @@ from upright.diagnose.innovations import FilterRun
 from upright.diagnose.remedy import (
     BATTERY_OR_DELAY,
     ONSET_STEP,
-    SHORT,
     Window,
     beside_pushes,
     descended,
     exact,
+    followed,
     lately,
     least_of,
-    remedied,
 )
 from upright.diagnose.signatures import YOUNGEST, Bank, beside
 
@@ -72,10 +71,8 @@ def _promise(recent: FilterRun, window: Window, bank: Bank, fit: FaultFit) -> fl
 
 def _squares(recent: FilterRun, window: Window, bank: Bank, *fits: FaultFit) -> float:
     """What faults, and the pushes that explain most beside them, leave (sum of squares)."""
-    freed = remedied(recent, *fits)
-    if freed is None or not freed.reaches(recent.t[-1] - SHORT):
-        return math.inf
-    return left(window.of(freed).whitened, bank)
+    freed = followed(recent, float(recent.t[-1]), *fits)
+    return math.inf if freed is None else left(window.of(freed).whitened, bank)
 
 
 def _jumps(recent: FilterRun, window: Window, bank: Bank, fit: FaultFit) -> list[FaultFit]:

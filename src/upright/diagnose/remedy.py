@@ -62,7 +62,7 @@ def remedied(run: FilterRun, *fits: FaultFit) -> FilterRun | None:
     log = Log(run.log.t, channels, run.log.units, run.log.origin) if changed else None
     if log and min(fit.onset for fit in changed) < run.log.t[0] + SETTLED:  # what the filter begins with
         try:
-            run, log = follow(log, run.robot, run.kit), None
+            run, log = follow(log, run.robot, run.kit, run.kept), None
         except InvalidLog:  # of a sensor beyond its range in all rows nothing is left
             return None
     sent = None
@@ -70,6 +70,12 @@ def remedied(run: FilterRun, *fits: FaultFit) -> FilterRun | None:
         if fit.fault in COMMAND_FAULTS:
             sent, delayed = _sent(run if log is None else replace(run, log=log), fit, sent), _in_time(run, fits)
     return run if log is None and sent is None else run.again(sent, log, delayed)
+
+
+def followed(run: FilterRun, end: float, *fits: FaultFit) -> FilterRun | None:
+    """The run of the log without these faults; None also where its filter loses the robot before `end` [s]."""
+    freed = remedied(run, *fits)
+    return freed if freed is not None and freed.reaches(end - SHORT) else None
 
 
 def _in_time(run: FilterRun, fits: Sequence[FaultFit]) -> tuple[float, float, float]:
@@ -172,7 +178,7 @@ BATTERY_OR_DELAY = (
 
 def lately(run: FilterRun, window: Window) -> FilterRun:
     """The filter along the window and the seconds in which it warms up."""
-    return follow(run.log.between(window.end - window.seconds - WARM_UP, math.inf), run.robot, run.kit)
+    return follow(run.log.between(window.end - window.seconds - WARM_UP, math.inf), run.robot, run.kit, run.kept)
 
 
 def searched(run: FilterRun, window: Window) -> list[FaultFit]:
@@ -187,10 +193,8 @@ def _searched(recent: FilterRun, window: Window, fault: FaultFit, sizes: tuple[f
     """By a grid in size and onset, then by steps that are halved."""
 
     def squares(tried: FaultFit) -> float:
-        freed = remedied(recent, tried)
-        if freed is None or not freed.reaches(recent.t[-1] - SHORT):
-            return math.inf
-        return float((window.of(freed).whitened ** 2).sum())
+        freed = followed(recent, float(recent.t[-1]), tried)
+        return math.inf if freed is None else float((window.of(freed).whitened ** 2).sum())
 
     onsets = np.arange(window.end - window.seconds, window.end - YOUNGEST, ONSET_STEP).tolist()
     least, best = least_of(squares, [replace(fault, onset=t, size=x) for t in onsets for x in sizes])
@@ -222,8 +226,8 @@ def moved(
     bases = [np.linalg.qr(one)[0] for one in others]
 
     def squares(tried: Sequence[FaultFit]) -> float:
-        freed = remedied(recent, *tried)
-        if freed is None or not freed.reaches(recent.t[-1] - SHORT):
+        freed = followed(recent, float(recent.t[-1]), *tried)
+        if freed is None:
             return math.inf
         y = window.of(freed).whitened
         if basis is not None:
@@ -288,8 +292,8 @@ def exact(run: FilterRun, fit: FaultFit, window: Window, against: Bank) -> Fault
     """The fit's score where its fault is taken out of the log; the size of a gyro's offset is estimated again."""
     best = fit
     for _ in range(BIAS_ROUNDS if fit.fault in READING_FAULTS else 1):
-        freed = remedied(run, fit)
-        if freed is None or not freed.reaches(window.end - SHORT):
+        freed = followed(run, window.end, fit)
+        if freed is None:
             return best
         again = with_pushes(window.bank(freed), against=against)
         now = replace(again, fault=fit.fault, way=fit.way, onset=fit.onset, size=fit.size, rise=fit.rise, run=freed)
@@ -325,7 +329,7 @@ def priced(fit: FaultFit, against: Bank) -> FaultFit:
 
 def dropped(run: FilterRun, frozen: NDArray[np.bool_], window: Window, against: Bank) -> FaultFit:
     """The fit of a robot whose sensors gave no reading in the `frozen` rows."""
-    freed = follow(without(run.log, frozen), run.robot, run.kit)
+    freed = follow(without(run.log, frozen), run.robot, run.kit, run.kept)
     again = with_pushes(window.bank(freed), against=against)
     first = int(np.argmax(frozen & (run.log.t > window.end - window.seconds)))
     return replace(
@@ -341,7 +345,8 @@ def dropped(run: FilterRun, frozen: NDArray[np.bool_], window: Window, against: 
 def sharpened(run: FilterRun, fits: Sequence[FaultFit], window: Window, against: Bank) -> list[FaultFit]:
     """All fits, the likeliest of each fault that a log can be freed of by their exact score, the likeliest first."""
     plain = max((fit.score for fit in fits if fit.fault not in ("scale", "motor", "payload", "ramp")), default=0.0)
-    exact_ones = [fit for fit in fits if fit.fault == "bias" and fit.score > plain - BEHIND][:MOST_BIASES]
+    offsets = [fit for fit in fits if fit.fault == "bias" and fit.score > plain - BEHIND][:MOST_BIASES]
+    exact_ones = [*offsets, *(moved(run, [[fit]], window)[0] for fit in offsets if fit.way == "step")]
     exact_ones += [fit for fit in fits if fit.fault == "scale" and fit.score > fits[0].score - BEHIND][:MOST_SCALES]
     exact_ones += [fit for fit in fits if fit.fault in ("weak", "delay")]
     alone = sorted((fit for fit in fits if fit.fault == "motor" and not len(fit.rest)), key=lambda fit: fit.nis)

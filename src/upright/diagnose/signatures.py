@@ -124,7 +124,7 @@ def bank(run: FilterRun, scale: float, *, pushes_only: bool = False, beside_it: 
     faults, free = list[Signature](), dict[str, Array]()
     if not pushes_only:
         faults = [
-            *biases(run, np.arange(start, last, run.log.period)), *_loads(run, onsets), *_slips(run, onsets),
+            *biases(run, _rows(run, start, last)), *_loads(run, onsets), *_slips(run, onsets),
             *scales(run, onsets), *motors(run, onsets), *payloads(run, onsets), *commands(run, onsets),
             *frictions(run, onsets), *radii(run, onsets),
         ]  # fmt: skip
@@ -144,6 +144,12 @@ def bank(run: FilterRun, scale: float, *, pushes_only: bool = False, beside_it: 
         y=y, then=run.t[use], scale=scale, faults=faults, pushes=pushes, forces=(forces,), free=free, steps=onsets,
         basis=basis,
     )  # fmt: skip
+
+
+def _rows(run: FilterRun, start: float, last: float) -> Array:
+    """The times from `start` to the `last` [s] at which the filter read its sensors."""
+    rows = run.log.t if run.kept is None else run.kept
+    return rows[(rows >= start) & (rows < last)]
 
 
 def channels(run: FilterRun, scale: float) -> Bank:
@@ -269,9 +275,9 @@ def _loads(run: FilterRun, onsets: Array) -> list[Signature]:
 def biases(run: FilterRun, onsets: Array) -> list[Signature]:
     """An offset of the gyro, as a step or as a ramp, from each onset on."""
     gyro = (run.row == run.rows.index("sensor/gyro"))[:, None]
-    elapsed = np.maximum(run.t[:, None] - onsets, 0.0)
+    elapsed = run.log.t[run.sample][:, None] - onsets  # by a reading's own time, as in `remedied`
     offsets: list[Signature] = []
-    for way, shift in (("step", (elapsed > 0) * 1.0), ("ramp", elapsed)):
+    for way, shift in (("step", (elapsed >= 0) * 1.0), ("ramp", np.maximum(elapsed, 0.0))):
         response = propagated(run, None, shift * gyro)[run.readings].T
         offsets += [
             Signature(fault="bias", way=way, onset=float(t), values=one)

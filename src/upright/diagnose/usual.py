@@ -10,6 +10,8 @@ from upright.diagnose.remedy import Window
 from upright.logs.recording import FEWEST
 
 SECONDS = 4.0  # [s] before the fall that are judged: a fault that shows earlier has not made it fall
+LONGEST = 8.0  # [s] of them, where the trouble in which a robot fell began before: a tall one may swing for long
+BLOCK, LOUD = 0.5, 4.0  # [s] of innovations, and their NIS over the calm one, that show such trouble
 ORDINARY_END = 1.0  # [s] before the fall up to which innovations count as ordinary
 CALMER = 0.3  # of the seconds before the fall, that are calmer than what counts as calm
 MEDIAN = 0.455  # of χ² with one degree of freedom, by which the median of squares becomes their scale
@@ -27,7 +29,24 @@ def window_of(run: FilterRun, end: float) -> Window:
     usual = max(1.0, float(np.median(run.innovation[part] ** 2 / run.variance[part])) / MEDIAN)
     window = Window(end, SECONDS, usual)
     calm = calm_of(run, window)
-    return window if usual < FOREIGN or calm > FITTED else Window(end, SECONDS, calm)
+    if usual >= FOREIGN and calm > FITTED:
+        return window
+    return Window(end, _since(run, end, calm), calm if usual >= FOREIGN else usual)
+
+
+def _since(run: FilterRun, end: float, calm: float) -> float:
+    """How many seconds before the `end` [s] the trouble lasted in which the usual window begins; `SECONDS` where it
+    begins calmly, or where no beginning shows."""
+    t, squares = run.t[run.readings], run.whitened**2
+
+    def loud(start: float) -> bool:
+        block = squares[(t >= start) & (t < start + BLOCK)]
+        return len(block) > 0 and float(block.mean()) > LOUD * calm
+
+    start = end - SECONDS
+    while loud(start) and start > max(end - LONGEST, float(run.t[0])):
+        start -= BLOCK
+    return end - start if not loud(start) and start > run.t[0] else SECONDS
 
 
 def calm_of(run: FilterRun, window: Window) -> float:

@@ -208,7 +208,8 @@ def _two_faults(evidence: Evidence, pair: Pair, pushed: Sequence[Answer]) -> Ans
     best = best_of(evidence)
     names = [name_of(fit) for fit in (pair.first, pair.second)]
     sudden = [fit for fit in (pair.first, pair.second) if fit.fault in ("bias", "scale", "motor")]
-    if any(fit.onset < evidence.fell_at - SECONDS + STOOD for fit in sudden):  # the robot stood with it
+    first = min(evidence.fell_at - SECONDS, float(evidence.then[0]))
+    if any(fit.onset < first + STOOD for fit in sudden):  # the robot stood with it
         return None
     if names[0] == names[1] or not all(possible(fit, evidence.fell_at) for fit in (pair.first, pair.second)):
         return None
@@ -221,8 +222,8 @@ def _two_faults(evidence: Evidence, pair: Pair, pushed: Sequence[Answer]) -> Ans
         chance *= step(pair.score - evidence.left.score, TWO_WIDTH)
     chance *= step(FITS_TWO - pair.second.nis / evidence.calm, FITS_WIDTH)
     text = f"{of_fault(evidence, pair.first)}; with it, {of_fault(evidence, pair.second)}"
-    first = min(pair.first.onset, pair.second.onset)
-    return Answer((1 - HELPED) * FACT * chance, " and ".join(names), first, text)
+    began_at = min(pair.first.onset, pair.second.onset)
+    return Answer((1 - HELPED) * FACT * chance, " and ".join(names), began_at, text)
 
 
 def _fault_and_push(evidence: Evidence) -> list[Answer]:
