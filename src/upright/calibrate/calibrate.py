@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from upright.calibrate.annealing import ANNEALING_NOISE, annealed, lost
 from upright.calibrate.calibration import Calibration
 from upright.calibrate.coefficients import EQUATIONS
+from upright.calibrate.contradicted import Explained, explained, guessed
 from upright.calibrate.effects import effects_of
 from upright.calibrate.electronics import electronics_of
 from upright.calibrate.filter_log import one_step_noise
@@ -79,9 +80,11 @@ def calibrate(
     reason, straight = too_quiet(stated), drives_straight(stated)
     held = (*(INERTIAL if reason else ()), *(TURNING if straight else ()))
 
-    def searched(logs: Sequence[Log], start: float = 0.7, stop: float = 0.77) -> Fitted:
+    def searched(logs: Sequence[Log], start: float = 0.7, stop: float = 0.77, guesses: Sequence[str] = ()) -> Fitted:
         problem, limits = prepared(logs, nominal, parts, known, held_out)
-        problem = replace(problem, held=frozenset(p.name for p in problem.parameters if p.name in held))
+        parameters = guessed(nominal, problem.parameters, guesses)
+        left = frozenset(p.name for p in parameters if p.name in held)
+        problem = replace(problem, parameters=parameters, held=left)
         return _searched(problem, limits, lambda fraction: show(start + fraction * (stop - start)))
 
     show(0.01)  # these shares are of the time that logs of half a minute took
@@ -89,10 +92,11 @@ def calibrate(
     show(0.7)
     if not reason:
         fit, several, meant = as_meant(fit, several, parts, searched)
-    problem, z, *_ = fit
+    found = Explained(fit, [], 0.0) if reason else explained(fit, lambda names: searched(several, guesses=names))
+    problem, z, *_ = found.fit
     show(0.77)
     wrong = [text for log in several for text in contradictions(log, nominal)]
-    result = summarised(fit, several, reason, began, stated=stated, wrong=wrong)
+    result = summarised(found, several, reason, began, stated=stated, wrong=wrong)
     hidden = parts.delay + parts.jitter / 2 - _dead_time(parts, several)
     notes = [*meant, *filter(None, left), *knocked, *([STRAIGHT] if straight else [])]
     notes += [str(pace) + "." for pace in map(pace_of, several) if pace and not pace.kept]

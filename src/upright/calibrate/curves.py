@@ -112,8 +112,8 @@ def _product(A: Any, B: Any) -> Any:
 
 
 @njit
-def _value(y: Any, curves: Any, bowls: Any) -> Any:
-    """The objective at y (parameters,)."""
+def bowl_value(y: Any, curves: Any, bowls: Any) -> Any:
+    """The objective that the `bowls` make at y (parameters,)."""
     total = 0.0
     for k in range(len(y)):
         total += 0.5 * y[k] * y[k]
@@ -128,9 +128,9 @@ def _value(y: Any, curves: Any, bowls: Any) -> Any:
 
 
 @njit
-def _derivatives(y: Any, curves: Any, bowls: Any) -> Any:
-    """Gradient (parameters,) and Hessian (parameters, parameters) of the objective at y (parameters,), without what the
-    curves bend."""
+def bowl_derivatives(y: Any, curves: Any, bowls: Any) -> Any:
+    """Gradient (parameters,) and Hessian (parameters, parameters) of that objective at y (parameters,), without what
+    the curves bend."""
     gradient, hessian = y.copy(), np.eye(len(y))
     for run in range(len(bowls.at)):
         q, C = by_parameter(y, run, curves)
@@ -165,9 +165,9 @@ def downhill(z: Any, curves: Any, bowls: Any, damping: Any, limits: Any) -> Any:
         for i in range(bowls.at.shape[1]):
             bowls.hessian[run, i, i] *= 1 + damping
     least, most, active = np.maximum(limits[0], z - REACH), z + REACH, limits[1]
-    y, now, brake, more = z, _value(z, curves, bowls), FIRST_BRAKE, MORE_BRAKE
+    y, now, brake, more = z, bowl_value(z, curves, bowls), FIRST_BRAKE, MORE_BRAKE
     for _ in range(INNER):
-        gradient, hessian = _derivatives(y, curves, bowls)
+        gradient, hessian = bowl_derivatives(y, curves, bowls)
         free = np.flatnonzero(active & ~((y <= least + 1e-9) & (gradient > 0)))
         new, gained, expected = y, 0.0, 0.0
         while brake < MOST_BRAKE:
@@ -177,7 +177,7 @@ def downhill(z: Any, curves: Any, bowls: Any, damping: Any, limits: Any) -> Any:
             expected = -(gradient * moved).sum() - 0.5 * (moved * (hessian * moved).sum(axis=1)).sum()
             if expected < INNER_GAIN and (new == y + step).all():
                 return y
-            gained = now - _value(new, curves, bowls)
+            gained = now - bowl_value(new, curves, bowls)
             if gained > 0:
                 break
             brake, more = max(more * brake, LEAST_BRAKE), 2 * more

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import SimpleNamespace
 from typing import Any, Literal
 
@@ -112,7 +112,7 @@ def parameters_of(
     if not (foreign or robot.rolling_friction or ROLLING in robot.provenance):
         never.add(ROLLING)
     names = [n for n in PARAMETERS if n not in never]
-    physical = [_physical(robot, name) for name in names]
+    physical = [_physical(robot, name, stated(robot, name)) for name in names]
     delay_parameters = [
         Parameter(f"delay/{name}", "s", d, DELAY_SPREAD, "linear", -DELAY_SPREAD) for name, d in delays.items()
     ]
@@ -128,9 +128,15 @@ def _asks_torque(robot: Robot) -> bool:
     return robot.drive == "torque" and GEAR in robot.provenance and stated(robot, GEAR) != 0
 
 
-def _physical(robot: Robot, name: str) -> Parameter:
+def as_guess(robot: Robot, parameter: Parameter) -> Parameter:
+    """The same parameter as if nobody had measured it."""
+    if parameter.name in PARAMETERS:
+        return _physical(robot, parameter.name, None)
+    return replace(parameter, spread=GUESS * abs(parameter.prior), guess=True)
+
+
+def _physical(robot: Robot, name: str, spread: float | None) -> Parameter:
     value, unit = getattr(robot, name), PARAMETERS[name][0]
-    spread = stated(robot, name)
     guess = spread is None
     if name in MAY_BE_ZERO:
         return Parameter(name, unit, value, _scale(robot, name) if spread is None else spread, "linear", 0.0, guess)
@@ -165,7 +171,7 @@ def _scale(robot: Robot, name: str) -> float:
 
 def most_friction(robot: Robot) -> float:
     """Dry friction of a wheel [N m] as large as it may well be: its prior, or the prior's spread."""
-    p = _physical(robot, "coulomb_friction")
+    p = _physical(robot, "coulomb_friction", stated(robot, "coulomb_friction"))
     return max(p.prior, p.spread)
 
 

@@ -14,10 +14,11 @@ from numpy.typing import NDArray
 from upright.calibrate import dropping, resonance
 from upright.calibrate.calibration import Calibration, Segments
 from upright.calibrate.coefficients import around, slopes_of
+from upright.calibrate.contradicted import Explained, Freed, which
 from upright.calibrate.effects import FRACTIONS, of_robot
 from upright.calibrate.electronics import MEANING
 from upright.calibrate.estimate import BOUND, HELD, NORMAL, PRIOR, QUIET, REFUSED, SURPRISE, VISIBLE, Estimate
-from upright.calibrate.fitting import Normal, Path, Problem
+from upright.calibrate.fitting import Problem
 from upright.calibrate.informativity import information, posterior, unseen_directions
 from upright.calibrate.judge import poorly, proposed, reasons
 from upright.calibrate.parameters import GEAR, ROLL_FRACTION, Parameter, columns, with_values
@@ -51,7 +52,7 @@ COMBINATIONS: dict[str, tuple[str, Callable[[Any], Any]]] = {
 
 
 def summarised(
-    fit: tuple[Problem, Array, Normal, Sequence[Path]],
+    found: Explained,
     logs: Sequence[Log],
     reason: str,
     began: float,
@@ -59,15 +60,15 @@ def summarised(
     stated: Problem,
     wrong: Sequence[str] = (),
 ) -> Calibration:
-    """The calibration that a fit (its problem, parameters, derivatives and filters) amounts to; `stated` is the problem
+    """The calibration that a fit, with its doubtful numbers, amounts to; `stated` is the problem
     as the files state it, and `wrong` what the doctor finds wrong in the logs."""
-    problem, z, normal, paths = fit
+    (problem, z, normal, paths), freed, doubtful = found
     free = tuple(segments(problem, recording, z) for recording in problem.recordings)
     fits, scores = _checks(problem, z, free)
     fitted, runs = z, len(problem.recordings)
     white = np.linalg.inv(np.eye(len(z)) + information(problem, normal))
     _, right = of_robot(problem.parameters, z, white + _floor(problem), runs)
-    z, C = of_robot(problem.parameters, z, posterior(problem, z, normal, paths) + _floor(problem), runs)
+    z, C = of_robot(problem.parameters, z, posterior(problem, z, normal, paths) + _floor(problem) + doubtful, runs)
     spread = np.sqrt(np.diag(C))
     every = [_estimate(p, float(z[i]), float(spread[i]), p.name in problem.held) for i, p in enumerate(problem.asked)]
     combinations = combined_numbers(problem, z)
@@ -102,7 +103,10 @@ def summarised(
         samples=int(sum((r.fitted & (r.kind < 0)).sum() for r in problem.recordings)),
         seconds=time.perf_counter() - began,
         sources=tuple(map(named, logs)),
-        notes=(*(() if refused else map(sentence, wrong)), *_notes(problem, every, scores, reason, other, widening)),
+        notes=(
+            *(() if refused else map(sentence, wrong)),
+            *_notes(problem, every, scores, reason, other, widening, freed),
+        ),
         widening=widening,
         supported=int(supported),
         quiet=reason,
@@ -280,7 +284,13 @@ def _mean(each: Sequence[Mapping[str, float]]) -> dict[str, float]:
 
 
 def _notes(
-    problem: Problem, every: Sequence[Estimate], free: Mapping[str, float], reason: str, other: str, widening: float
+    problem: Problem,
+    every: Sequence[Estimate],
+    free: Mapping[str, float],
+    reason: str,
+    other: str,
+    widening: float,
+    freed: Sequence[Freed],
 ) -> list[str]:
     notes = [*([reason] if reason else []), *dropping.in_words(every, problem.drop)]
     notes += resonance.in_words(every, problem.resonance)
@@ -290,6 +300,7 @@ def _notes(
             f"The effective sample size is {problem.temper:.0%} of the readings, and the intervals are on average "
             f"{widening:.2g} times as wide as those of a right model."
         )
+    notes += which(freed)
     surprised = [f"{e.name} by {abs(e.shift):.1f}" for e in every if e.surprising]
     if surprised:
         notes.append(

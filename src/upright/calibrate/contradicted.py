@@ -1,0 +1,168 @@
+"""Which stated number is wrong, where a log contradicts what the robot's file states.
+
+A log fixes products and quotients of the numbers of a robot. Where a stated one is wrong, the fit bends those that
+their spreads hold least, and these may be right. So each is freed alone, as if it were a guess, in the bowls that the
+readings make about the coefficients of the fit. The marginal likelihood (Laplace) says which of them explain the log,
+each for itself, and whether one is clearly likelier than the others.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from upright.arrays import Array
+from upright.calibrate.coefficients import Bowls
+from upright.calibrate.electronics import BATTERY
+from upright.calibrate.estimate import FOREIGN, SURPRISE
+from upright.calibrate.fitting import Fitted, Problem
+from upright.calibrate.gauss_newton import gauss_newton
+from upright.calibrate.parameters import Parameter, as_guess
+from upright.calibrate.refined import WHITE
+from upright.errors import DesignFailed
+from upright.robots import PARAMETERS, Robot
+
+ITERATIONS = 15  # of Gauss–Newton with what is freed
+TURNS = 10  # of the way down in the bowls, each of which moves a parameter by three deviations at most
+LEVEL = 1e-3  # [nats] gain of a turn that ends it
+LIKELIER = math.log(20)  # [nats] odds of twenty to one by which a number must be likelier wrong than none
+CREDIBLE = 0.99  # [1] probability of the numbers of which one is said to be wrong
+NATURE = ("gravity",)  # which no file gets wrong by more than its spread
+
+
+class Freed(NamedTuple):
+    """What the log makes of a number (the file: `stated`) where it alone is taken for a guess: `value` [unit]. The
+    logarithm of its marginal likelihood is `nats`, up to a constant; z (parameters,) is that fit in the bowls."""
+
+    name: str
+    unit: str
+    stated: float
+    value: float
+    nats: float
+    z: Array
+
+    def __str__(self) -> str:
+        return f"{self.name} were {self.value:.3g} {self.unit} (the file: {self.stated:.3g})"
+
+
+class Explained(NamedTuple):
+    """A fit; the stated numbers of which one is wrong, the likeliest first; and what that adds to the covariance of the
+    fit's parameters (parameters, parameters)."""
+
+    fit: Fitted
+    freed: list[Freed]
+    covariance: Array | float
+
+
+def explained(fit: Fitted, search: Callable[[Sequence[str]], Fitted]) -> Explained:
+    """The fit in which those numbers are guesses of which one, by the log, is wrong. Which one is open, so that each of
+    their fits counts alike for the covariance. `search` fits anew with numbers as guesses.
+
+    The `fit` stays as it is where no single number explains the log clearly better; where innovations are not white
+    even so, since what the model leaves out bends numbers, too; and where a stated number is contradicted by more than
+    `FOREIGN`, for then the log may be of another robot.
+    """
+    stays, stated = Explained(fit, [], 0.0), {p.name: p for p in fit.problem.parameters}
+    if _most(fit.problem, fit.z) > FOREIGN or not (first := _credible(fit, stated)):
+        return stays
+    try:
+        other = search([one.name for one in first])
+    except DesignFailed:
+        return stays
+    freed = _credible(other, stated)
+    if not freed or _coloured(other):
+        return stays
+    names = [one.name for one in freed]
+    problem, z = _freed(other.problem, stated, other.z, names)
+    result = gauss_newton(problem, _down(problem, z, other.normal.bowls), iterations=ITERATIONS)
+    other = Fitted(problem, result.z, result.normal, result.paths)
+    if not np.isfinite(result.normal.objective) or _coloured(other):
+        return stays
+    alone = [_freed(_freed(problem, stated, z, [one.name])[0], stated, one.z, names)[1] for one in freed]
+    away = np.array(alone) - result.z
+    return Explained(other, freed, away.T @ away / len(freed))
+
+
+def which(freed: Sequence[Freed]) -> list[str]:
+    """The numbers of which one is wrong, in words; nothing without any."""
+    if not freed:
+        return []
+    again = "Measure these again: the intervals allow for each." if len(freed) > 1 else "Measure it again."
+    return [f"The log and the robot's file would agree if {', or if '.join(map(str, freed))}. {again}"]
+
+
+def _credible(fit: Fitted, stated: Mapping[str, Parameter]) -> list[Freed]:
+    """The fewest numbers of which one is wrong with the probability `CREDIBLE`, the likeliest first; none where the
+    `stated` priors of all may be right."""
+    bowls = fit.normal.bowls
+    problem, z = _freed(fit.problem, stated, fit.z, ())
+    z = _down(problem, z, bowls)
+    least = _nats(problem, z, bowls) + LIKELIER
+    names = [p.name for p in problem.asked if not p.guess and (p.name in PARAMETERS or p.name == BATTERY)]
+    tries = [_alone(problem, stated, z, bowls, name) for name in names if name not in {*problem.held, *NATURE}]
+    ordered = sorted((one for one in tries if one and one.nats > least), key=lambda one: -one.nats)
+    weights = np.exp([one.nats - ordered[0].nats for one in ordered])
+    before = np.cumsum(weights) - weights
+    return [one for one, likelier in zip(ordered, before, strict=True) if likelier < CREDIBLE * weights.sum()]
+
+
+def _coloured(fit: Fitted) -> bool:
+    """Whether innovations are not white."""
+    from upright.calibrate.validate import worst_correlation
+
+    return worst_correlation(*fit) >= WHITE
+
+
+def _most(problem: Problem, z: Array) -> float:
+    """The most prior deviations by which a stated number is contradicted at z (parameters,)."""
+    return max((abs(x) for p, x in zip(problem.asked, z, strict=False) if not p.guess), default=0.0)
+
+
+def _alone(problem: Problem, stated: Mapping[str, Parameter], z: Array, bowls: Bowls, name: str) -> Freed | None:
+    """The fit in the bowls with this number as a guess; None where another stated number is contradicted there."""
+    problem, z = _freed(problem, stated, z, [name])
+    z = _down(problem, z, bowls)
+    p, at = next((p, x) for p, x in zip(problem.asked, z, strict=False) if p.name == name)
+    one = Freed(name, p.unit, stated[name].prior, float(p.value(at)), _nats(problem, z, bowls), z)
+    return one if _most(problem, z) <= SURPRISE else None
+
+
+def _nats(problem: Problem, z: Array, bowls: Bowls) -> float:
+    """The logarithm of the marginal likelihood in the bowls, up to a constant, about z (parameters,)."""
+    from upright.calibrate.curves import bowl_derivatives, bowl_value
+
+    hessian = bowl_derivatives(z, problem.curves, bowls)[1]
+    return -float(bowl_value(z, problem.curves, bowls)) - 0.5 * float(np.linalg.slogdet(hessian)[1])
+
+
+def _down(problem: Problem, z: Array, bowls: Bowls) -> Array:
+    """The least of the bowls from z (parameters,)."""
+    from upright.calibrate.curves import bowl_value, downhill
+
+    limits = np.array([p.least for p in problem.parameters]), problem.active
+    value = bowl_value(z, problem.curves, bowls)
+    for _ in range(TURNS):
+        z = downhill(np.array(z), problem.curves, bowls, 0.0, limits)
+        before, value = value, bowl_value(z, problem.curves, bowls)
+        if before - value < LEVEL:
+            break
+    return z
+
+
+def guessed(robot: Robot, parameters: Sequence[Parameter], names: Sequence[str]) -> tuple[Parameter, ...]:
+    """The parameters, those with these names as guesses."""
+    return tuple(as_guess(robot, p) if p.name in names else p for p in parameters)
+
+
+def _freed(problem: Problem, stated: Mapping[str, Parameter], z: Array, names: Sequence[str]) -> tuple[Problem, Array]:
+    """The problem with the `stated` parameters, those with these names as guesses, and z (parameters,) there."""
+    parameters = guessed(problem.robot, [stated.get(p.name, p) for p in problem.parameters], names)
+    new = [
+        x if p == q else max(q.coordinate(float(p.value(x))), q.least)
+        for p, q, x in zip(problem.parameters, parameters, z, strict=True)
+    ]
+    return replace(problem, parameters=parameters), np.array(new)
