@@ -92,14 +92,14 @@ def calibrate(
     show(0.7)
     if not reason:
         fit, several, meant = as_meant(fit, several, parts, searched)
-    found = Explained(fit, [], 0.0) if reason else explained(fit, lambda names: searched(several, guesses=names))
-    problem, z, *_ = found.fit
+    best = Explained(fit, [], 0.0) if reason else explained(fit, lambda names: searched(several, guesses=names))
+    problem, z, *_ = best.fit
     show(0.77)
     wrong = [text for log in several for text in contradictions(log, nominal)]
-    result = summarised(found, several, reason, began, stated=stated, wrong=wrong)
+    result = summarised(best, several, reason, began, stated=stated, wrong=wrong)
     hidden = parts.delay + parts.jitter / 2 - _dead_time(parts, several)
     notes = [*meant, *filter(None, left), *knocked, *([STRAIGHT] if straight else [])]
-    notes += [str(pace) + "." for pace in map(pace_of, several) if pace and not pace.kept]
+    notes += [f"{pace}." for pace in map(pace_of, several) if pace and not pace.kept]
     result = replace(result, kit=learnt_kit(result, parts, problem.delays, hidden), notes=(*result.notes, *notes))
     if problem.temper < 1 and not result.withheld():  # else the noise of the kit is that of the filter
         own = result.kit or parts

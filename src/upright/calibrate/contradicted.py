@@ -28,9 +28,10 @@ from upright.robots import PARAMETERS, Robot
 
 ITERATIONS = 15  # of Gauss–Newton with what is freed
 TURNS = 10  # of the way down in the bowls, each of which moves a parameter by three deviations at most
-LEVEL = 1e-3  # [nats] gain of a turn that ends it
+GAIN = 1e-3  # [nats] gain of a turn that ends it
 LIKELIER = math.log(20)  # [nats] odds of twenty to one by which a number must be likelier wrong than none
 CREDIBLE = 0.99  # [1] probability of the numbers of which one is said to be wrong
+NEARLY = 2  # times the autocorrelation of a right model: beyond it, no number is all that is wrong
 NATURE = ("gravity",)  # which no file gets wrong by more than its spread
 
 
@@ -67,7 +68,7 @@ def explained(fit: Fitted, search: Callable[[Sequence[str]], Fitted]) -> Explain
     `FOREIGN`, for then the log may be of another robot.
     """
     stays, stated = Explained(fit, [], 0.0), {p.name: p for p in fit.problem.parameters}
-    if _most(fit.problem, fit.z) > FOREIGN or not (first := _credible(fit, stated)):
+    if _coloured(fit, NEARLY * WHITE) or _most(fit.problem, fit.z) > FOREIGN or not (first := _credible(fit, stated)):
         return stays
     try:
         other = search([one.name for one in first])
@@ -110,11 +111,11 @@ def _credible(fit: Fitted, stated: Mapping[str, Parameter]) -> list[Freed]:
     return [one for one, likelier in zip(ordered, before, strict=True) if likelier < CREDIBLE * weights.sum()]
 
 
-def _coloured(fit: Fitted) -> bool:
-    """Whether innovations are not white."""
+def _coloured(fit: Fitted, limit: float = WHITE) -> bool:
+    """Whether innovations are not white, by the `limit` of their autocorrelation."""
     from upright.calibrate.validate import worst_correlation
 
-    return worst_correlation(*fit) >= WHITE
+    return worst_correlation(*fit) >= limit
 
 
 def _most(problem: Problem, z: Array) -> float:
@@ -148,7 +149,7 @@ def _down(problem: Problem, z: Array, bowls: Bowls) -> Array:
     for _ in range(TURNS):
         z = downhill(np.array(z), problem.curves, bowls, 0.0, limits)
         before, value = value, bowl_value(z, problem.curves, bowls)
-        if before - value < LEVEL:
+        if before - value < GAIN:
             break
     return z
 

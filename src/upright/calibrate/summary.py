@@ -52,17 +52,11 @@ COMBINATIONS: dict[str, tuple[str, Callable[[Any], Any]]] = {
 
 
 def summarised(
-    found: Explained,
-    logs: Sequence[Log],
-    reason: str,
-    began: float,
-    *,
-    stated: Problem,
-    wrong: Sequence[str] = (),
+    best: Explained, logs: Sequence[Log], reason: str, began: float, *, stated: Problem, wrong: Sequence[str] = ()
 ) -> Calibration:
     """The calibration that a fit, with its doubtful numbers, amounts to; `stated` is the problem
     as the files state it, and `wrong` what the doctor finds wrong in the logs."""
-    (problem, z, normal, paths), freed, doubtful = found
+    (problem, z, normal, paths), freed, doubtful = best
     free = tuple(segments(problem, recording, z) for recording in problem.recordings)
     fits, scores = _checks(problem, z, free)
     fitted, runs = z, len(problem.recordings)
