@@ -31,7 +31,7 @@ TURNS = 10  # of the way down in the bowls, each of which moves a parameter by t
 GAIN = 1e-3  # [nats] gain of a turn that ends it
 LIKELIER = math.log(20)  # [nats] odds of twenty to one by which a number must be likelier wrong than none
 CREDIBLE = 0.99  # [1] probability of the numbers of which one is said to be wrong
-NEARLY = 2  # times the autocorrelation of a right model: beyond it, no number is all that is wrong
+MISSED = 0.01  # [1] of the readings of half seconds: a fit that bends right numbers predicts them all the same
 NATURE = ("gravity",)  # which no file gets wrong by more than its spread
 
 
@@ -68,7 +68,7 @@ def explained(fit: Fitted, search: Callable[[Sequence[str]], Fitted]) -> Explain
     `FOREIGN`, for then the log may be of another robot.
     """
     stays, stated = Explained(fit, [], 0.0), {p.name: p for p in fit.problem.parameters}
-    if _coloured(fit, NEARLY * WHITE) or _most(fit.problem, fit.z) > FOREIGN or not (first := _credible(fit, stated)):
+    if _most(fit.problem, fit.z) > FOREIGN or _misses(fit) or not (first := _credible(fit, stated)):
         return stays
     try:
         other = search([one.name for one in first])
@@ -111,11 +111,18 @@ def _credible(fit: Fitted, stated: Mapping[str, Parameter]) -> list[Freed]:
     return [one for one, likelier in zip(ordered, before, strict=True) if likelier < CREDIBLE * weights.sum()]
 
 
-def _coloured(fit: Fitted, limit: float = WHITE) -> bool:
-    """Whether innovations are not white, by the `limit` of their autocorrelation."""
+def _misses(fit: Fitted) -> bool:
+    """Whether half seconds, simulated freely, leave more of the readings than a wrong number makes them."""
+    from upright.calibrate.validate import score
+
+    return score(fit.problem, fit.z) < 1 - MISSED
+
+
+def _coloured(fit: Fitted) -> bool:
+    """Whether innovations are not white."""
     from upright.calibrate.validate import worst_correlation
 
-    return worst_correlation(*fit) >= limit
+    return worst_correlation(*fit) >= WHITE
 
 
 def _most(problem: Problem, z: Array) -> float:
