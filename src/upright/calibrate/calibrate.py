@@ -83,8 +83,8 @@ def calibrate(
     def searched(logs: Sequence[Log], start: float = 0.7, stop: float = 0.77, guesses: Sequence[str] = ()) -> Fitted:
         problem, limits = prepared(logs, nominal, parts, known, held_out)
         parameters = guessed(nominal, problem.parameters, guesses)
-        left = frozenset(p.name for p in parameters if p.name in held)
-        problem = replace(problem, parameters=parameters, held=left)
+        own = frozenset(p.name for p in parameters if p.name in held)
+        problem = replace(problem, parameters=parameters, held=own)
         return _searched(problem, limits, lambda fraction: show(start + fraction * (stop - start)))
 
     show(0.01)  # these shares are of the time that logs of half a minute took
