@@ -22,7 +22,8 @@ from upright.calibrate.estimate import FOREIGN, SURPRISE
 from upright.calibrate.fitting import Fitted, Problem
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.parameters import Parameter, as_guess
-from upright.calibrate.refined import WHITE
+from upright.calibrate.refined import simulated, white
+from upright.calibrate.sought import laplace
 from upright.errors import DesignFailed
 from upright.robots import PARAMETERS, Robot
 
@@ -37,13 +38,15 @@ NATURE = ("gravity",)  # which no file gets wrong by more than its spread
 
 class Freed(NamedTuple):
     """What the log makes of a number (the file: `stated`) where it alone is taken for a guess: `value` [unit]. The
-    logarithm of its marginal likelihood is `nats`, up to a constant; z (parameters,) is that fit in the bowls."""
+    logarithm of its marginal likelihood is `nats`, up to a constant; z (parameters,) is that fit in the bowls of its
+    `problem`."""
 
     name: str
     unit: str
     stated: float
     value: float
     nats: float
+    problem: Problem
     z: Array
 
     def __str__(self) -> str:
@@ -68,22 +71,22 @@ def explained(fit: Fitted, search: Callable[[Sequence[str]], Fitted]) -> Explain
     `FOREIGN`, for then the log may be of another robot.
     """
     stays, stated = Explained(fit, [], 0.0), {p.name: p for p in fit.problem.parameters}
-    if _most(fit.problem, fit.z) > FOREIGN or _misses(fit) or not (first := _credible(fit, stated)):
+    if _most(fit.problem, fit.z) > FOREIGN or simulated(fit) < 1 - MISSED or not (first := _credible(fit, stated)):
         return stays
     try:
         other = search([one.name for one in first])
     except DesignFailed:
         return stays
     freed = _credible(other, stated)
-    if not freed or _coloured(other):
+    if not freed or not white(other):
         return stays
     names = [one.name for one in freed]
     problem, z = _freed(other.problem, stated, other.z, names)
     result = gauss_newton(problem, _down(problem, z, other.normal.bowls), iterations=ITERATIONS)
     other = Fitted(problem, result.z, result.normal, result.paths)
-    if not np.isfinite(result.normal.objective) or _coloured(other):
+    if not white(other):
         return stays
-    alone = [_freed(_freed(problem, stated, z, [one.name])[0], stated, one.z, names)[1] for one in freed]
+    alone = [_freed(one.problem, stated, one.z, names)[1] for one in freed]
     away = np.array(alone) - result.z
     return Explained(other, freed, away.T @ away / len(freed))
 
@@ -111,20 +114,6 @@ def _credible(fit: Fitted, stated: Mapping[str, Parameter]) -> list[Freed]:
     return [one for one, likelier in zip(ordered, before, strict=True) if likelier < CREDIBLE * weights.sum()]
 
 
-def _misses(fit: Fitted) -> bool:
-    """Whether half seconds, simulated freely, leave more of the readings than a wrong number makes them."""
-    from upright.calibrate.validate import score
-
-    return score(fit.problem, fit.z) < 1 - MISSED
-
-
-def _coloured(fit: Fitted) -> bool:
-    """Whether innovations are not white."""
-    from upright.calibrate.validate import worst_correlation
-
-    return worst_correlation(*fit) >= WHITE
-
-
 def _most(problem: Problem, z: Array) -> float:
     """The most prior deviations by which a stated number is contradicted at z (parameters,)."""
     return max((abs(x) for p, x in zip(problem.asked, z, strict=False) if not p.guess), default=0.0)
@@ -135,7 +124,7 @@ def _alone(problem: Problem, stated: Mapping[str, Parameter], z: Array, bowls: B
     problem, z = _freed(problem, stated, z, [name])
     z = _down(problem, z, bowls)
     p, at = next((p, x) for p, x in zip(problem.asked, z, strict=False) if p.name == name)
-    one = Freed(name, p.unit, stated[name].prior, float(p.value(at)), _nats(problem, z, bowls), z)
+    one = Freed(name, p.unit, stated[name].prior, float(p.value(at)), _nats(problem, z, bowls), problem, z)
     return one if _most(problem, z) <= SURPRISE else None
 
 
@@ -144,7 +133,7 @@ def _nats(problem: Problem, z: Array, bowls: Bowls) -> float:
     from upright.calibrate.curves import bowl_derivatives, bowl_value
 
     hessian = bowl_derivatives(z, problem.curves, bowls)[1]
-    return -float(bowl_value(z, problem.curves, bowls)) - 0.5 * float(np.linalg.slogdet(hessian)[1])
+    return laplace(float(bowl_value(z, problem.curves, bowls)), hessian)
 
 
 def _down(problem: Problem, z: Array, bowls: Bowls) -> Array:

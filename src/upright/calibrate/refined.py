@@ -67,32 +67,32 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float], show: Progr
     rough = _likeliest_noise(problem, z, bounds)
     best = _polished(rough, bounds)
     show(0.2)  # these shares are of the time of logs whose innovations are never white
-    if not _white(best) and (start := from_likeliest_delays(problem, z, limits)):
+    if not white(best) and (start := from_likeliest_delays(problem, z, limits)):
         other = _likeliest_noise(*start, bounds)
         polished = _polished(other, bounds)
         if polished.normal.objective < best.normal.objective:
             rough, best = other, polished
     show(0.3)
-    if not _white(best) and (other := _with_drop(rough, bounds)):
+    if not white(best) and (other := _with_drop(rough, bounds)):
         rough, best = other, _polished(other, bounds)
         problem, z = dropping.with_that_of(problem, z, rough.problem, rough.z)
-    if not _white(best) and (other := _with_resonance(rough, bounds)):
+    if not white(best) and (other := _with_resonance(rough, bounds)):
         rough, best = other, _polished(other, {**bounds, **_swings(problem)})
         problem, z = resonating.with_that_of(problem, z, rough.problem, rough.z)
-    if _white(best):
+    if white(best):
         return _tempered(*_between_runs(best))
     show(0.6)
     prior = at_prior(problem, rough.z)
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         fits = [rough, *segmented(problem, limits, [prior, z, rough.z, *_without_rolling(problem, limits, prior)])]
         show(0.85)
-        best, level = _best_simulated(fits, [*pool.map(_simulated, fits)], LEVEL)
+        best, level = _best_simulated(fits, [*pool.map(simulated, fits)], LEVEL)
         moved = pool.map(partial(_with_gyro_delay, best.problem, best.z), GYRO_DELAY_TRIALS)
         tries = [fit for fit in moved if fit.normal.objective < best.normal.objective]
-        best, _ = _best_simulated([best, *tries], [level, *pool.map(_simulated, tries)])
+        best, _ = _best_simulated([best, *tries], [level, *pool.map(simulated, tries)])
         several = [best, *fits] if len(problem.recordings) > 1 else [best]  # weighted, each may go elsewhere
         last = [_tempered(*fit) for fit in pool.map(_between_runs, several)]
-        return _best_simulated(last, [*pool.map(_simulated, last)], LEVEL)[0] if len(last) > 1 else last[0]
+        return _best_simulated(last, [*pool.map(simulated, last)], LEVEL)[0] if len(last) > 1 else last[0]
 
 
 def _with_drop(fit: Fitted, bounds: Bounds) -> Fitted | None:
@@ -104,7 +104,7 @@ def _with_drop(fit: Fitted, bounds: Bounds) -> Fitted | None:
 def _explains(other: Fitted, fit: Fitted) -> bool:
     """Whether a fit that is likelier leaves clearly less of half seconds too, or makes the innovations white: else what
     it has more stands in for another error of the model."""
-    return _white(other) or 1 - _simulated(other) <= (1 - LEVEL) * (1 - _simulated(fit))
+    return white(other) or 1 - simulated(other) <= (1 - LEVEL) * (1 - simulated(fit))
 
 
 def _with_resonance(fit: Fitted, bounds: Bounds) -> Fitted | None:
@@ -120,7 +120,7 @@ def _with_resonance(fit: Fitted, bounds: Bounds) -> Fitted | None:
     return _settled(replace(other.problem, noise=noise), other.z, {**bounds, **own})
 
 
-def _white(fit: Fitted) -> bool:
+def white(fit: Fitted) -> bool:
     """Whether the innovations of a fit are those of a right model, as far as their correlations tell."""
     from upright.calibrate.validate import worst_correlation
 
@@ -134,7 +134,7 @@ def _likeliest_noise(problem: Problem, z: Array, bounds: Bounds) -> Fitted:
     if not np.isfinite(objective(calm, z)[0]):
         return _settled(problem, z, bounds)
     fit = _settled(calm, z, bounds)
-    return fit if _white(fit) else min(fit, _settled(problem, z, bounds), key=lambda one: one.normal.objective)
+    return fit if white(fit) else min(fit, _settled(problem, z, bounds), key=lambda one: one.normal.objective)
 
 
 def _between_runs(fit: Fitted) -> Fitted:
@@ -203,7 +203,7 @@ def _fitted(problem: Problem, z: Array, *, iterations: int) -> Fitted:
     return Fitted(problem, result.z, result.normal, result.paths)
 
 
-def _simulated(fit: Fitted) -> float:
+def simulated(fit: Fitted) -> float:
     """How well the robot of a fit follows the log when it is simulated freely."""
     from upright.calibrate.validate import score
 

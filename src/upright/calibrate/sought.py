@@ -68,7 +68,13 @@ def evidence(fit: Fitted, weight: float) -> float:
     """The logarithm of the marginal likelihood, up to a constant, where readings have this `weight`: the posterior at
     its peak, times the volume of the peak over that of the prior (Laplace's approximation)."""
     least = gauss_newton(replace(fit.problem, temper=weight), fit.z, iterations=ITERATIONS).normal
-    return -least.objective - 0.5 * float(np.linalg.slogdet(least.hessian)[1])
+    return laplace(least.objective, least.hessian)
+
+
+def laplace(least: float, hessian: Array) -> float:
+    """The logarithm of the volume under a peak, up to a constant: of the `least` objective and its Hessian (n, n)
+    there, by coordinates of which the prior takes each for standard normal."""
+    return -least - 0.5 * float(np.linalg.slogdet(hessian)[1])
 
 
 def with_parameters(problem: Problem, z: Array, added: Mapping[Parameter, float]) -> tuple[Problem, Array]:
