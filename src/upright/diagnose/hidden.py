@@ -37,7 +37,8 @@ def sooner(run: FilterRun, several: Sequence[FaultFit], window: Window) -> float
     """When the robot fell [s] by a gyro whose offset explains all until then, and which shows the fall too late: what
     is after the fall, the floor for instance, is explained by nothing."""
     calm, least = calm_of(run, window), FALLS / falling(run.robot).pole
-    for fit in (one for one in several if (one.fault, one.way) == ("bias", "step")):
+    offsets = [one for one in several if (one.fault, one.way) == ("bias", "step")]
+    for fit in (one for one in offsets if one.onset + least < window.end - EARLIER):
         end = min(window.end, fit.onset + AFTER)
         part = replace(window, end=end, seconds=window.seconds - (window.end - end), banks={})
         freed = remedied(run, moved(run, [[fit]], part)[0])
