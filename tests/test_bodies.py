@@ -1,6 +1,7 @@
 """One conformance suite over every registered body, bare and behind every kit's electronics."""
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,7 +15,7 @@ from upright.physics.dynamics import CALM, MODELS, Disturbance, accelerations, d
 from upright.physics.integrate import rk4_step
 from upright.physics.linear import linearise
 from upright.physics.sensing import readings
-from upright.robots import Battery, Kit, Motor, Robot, Sensor, kit_names, preset_names
+from upright.robots import Battery, Kit, Motor, Robot, Sensor, find_kit, kit_names, preset_names
 
 NXT = Robot.preset("nxtway-gs")
 LEAN = (0.05, 0.0, 0.1, 0.0, 0.2, 0.0)
@@ -193,6 +194,17 @@ def test_a_driver_keeps_its_drop_of_what_saturation_and_quantum_leave():
     bare = Kit(name="k", motor=Motor(drop=1.5))
     for u, left in ((1.4, 0.0), (-1.5, 0.0), (1.75, 0.25), (-4.0, -2.5)):
         assert drive((u, 0.0), bare)[0] == (left, 0.0)  # all exact in binary
+
+
+def test_a_file_whose_driver_keeps_all_that_the_motors_get_is_refused(tmp_path: Path):
+    """A drop of 1.5 V in millivolts: a calibration took it, and blamed the wheels."""
+    path = tmp_path / "k.toml"
+    head = 'name = "k"\n[battery.voltage]\nvalue = 12.0\nunit = "V"\n'
+    path.write_text(head + '[motor.drop]\nvalue = 1500\nunit = "V"\n')
+    with pytest.raises(InvalidRobot, match=r"drop is 1500 V; expected less than the 12 V .*millivolts"):
+        find_kit(path)
+    path.write_text(head + '[motor.drop]\nvalue = 1.5\nunit = "V"\n')
+    assert find_kit(path).motor.drop == 1.5
 
 
 def test_a_torque_drive_has_no_drop():

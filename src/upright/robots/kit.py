@@ -199,7 +199,12 @@ def kit_of(table: toml.Table, where: str) -> Kit:
     sensors = {f"sensor/{name}": Sensor(**_sensor(listed, name, where)) for name in _SENSOR_UNITS if name in listed}
     name = toml.word(table, "name", where)
     drive = toml.word(table, "drive", where) if "drive" in table else ""
-    return Kit(name=name, drive=drive, sensors=sensors, motor=Motor(**motor), battery=Battery(**battery), **timing)
+    kit = Kit(name=name, drive=drive, sensors=sensors, motor=Motor(**motor), battery=Battery(**battery), **timing)
+    drop, most = kit.motor.drop, kit.most("V")
+    if drop and drop >= most:
+        raise InvalidRobot(f"{where}: motor.drop is {drop:g} V", expected=f"less than the {most:g} V of the motors",
+                           likely="millivolts")  # fmt: skip
+    return kit
 
 
 def _sensor(listed: toml.Table, name: str, where: str) -> dict[str, float]:
