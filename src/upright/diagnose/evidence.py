@@ -30,7 +30,7 @@ from upright.diagnose.fall import (
     stuck_sensor,
 )
 from upright.diagnose.fault_fits import FaultFit, PushEstimate, fits, gainable, spared, with_commands
-from upright.diagnose.forces import forced
+from upright.diagnose.forces import forced, refined
 from upright.diagnose.hidden import hidden_fall, sooner
 from upright.diagnose.innovations import FilterRun, follow
 from upright.diagnose.joint import pairs_settled, settled
@@ -56,7 +56,7 @@ EXCURSION = 1.2  # [s] before the fall in which a push or a demand must lie to b
 EXPLAINED = 1.1  # NIS over the calm one, up to which nothing is left to explain
 LOST = 20.0  # times the ordinary NIS at which the filter has lost the robot, over the log's last `LOST_SECONDS`
 LOST_SECONDS = 0.4  # [s]
-UNEXPLAINED, BETTER = 1.5, 5.0  # NIS over the ordinary one, or nats, that pushes leave to other faults to explain
+UNEXPLAINED, BETTER = 1.5, 5.0  # NIS over the quiet one, or nats, that pushes leave to other faults to explain
 REPEATING = 1.5  # [s] before the fall in which two repeated readings make dropped samples a hypothesis
 LAST_SECONDS = (0.2, 0.3, 0.5)  # [s] before the fall over which commands are compared with the file's
 SAME = 0.9999  # fraction of the commands' difference that a gain explains where it was wrong from the start
@@ -123,7 +123,8 @@ class Evidence:
 
     `fits` are the hypotheses, the likeliest first, `pairs` two faults at once, and `left` is what the likeliest leaves,
     where it leaves something. `ordinary` is the scale of the innovations before the fall, `calm` that of its calmer
-    seconds, `nis` their mean square in the window, whose readings are at the times `then` [s]. A `stuck` sensor has the
+    seconds, `quiet` their mean square in a usual one, `nis` in the window, whose readings are at the times `then` [s].
+    A `stuck` sensor has the
     scores of a jammed wheel and of a dumb encoder, and the NIS that the better one leaves, in `jam`. `match` compares
     the recorded commands with the file's, whose loop is `stable`. `lost` is the fraction of periods without a row since
     a time [s] in the last second, before it, and that time; `battery` the voltage [V] before and at the fall. A blow
@@ -134,6 +135,7 @@ class Evidence:
     fell_at: float
     ordinary: float
     calm: float
+    quiet: float
     nis: float
     then: Array
     fits: tuple[FaultFit, ...]
@@ -190,14 +192,16 @@ def gather(
         bank = window.bank(run, pushes_only=False)
         several = fits(bank)
     show(0.4)
-    if not foreign and _unexplained(several, bank):
+    if not foreign:  # pushes of a linear model leave what other faults would explain
+        several = [refined(run, fit, window, bank) if fit.fault == "none" else fit for fit in several]
+    if not foreign and _unexplained(several, quiet_of(run, window)):
         several += [*searched(run, window), *with_commands(bank, several)]
     if fell_at is None:
         fell_at = hidden_fall(run, several)
         if fell_at is None:
             return whole, None
     several = sharpened(run, several, window, bank)
-    if not foreign and _unexplained(several, bank):
+    if not foreign and _unexplained(several, quiet_of(run, window)):
         several = forced(run, several, window, bank)
         if several[0].nis > LEAVES * calm_of(run, window):
             several += with_sudden_pushes(run, window, bank, several[0].score)
@@ -221,10 +225,10 @@ def _lost(run: FilterRun, window: Window) -> bool:
     return bool(len(last)) and float(np.mean(last**2)) > LOST * window.usual
 
 
-def _unexplained(several: Sequence[FaultFit], bank: Bank) -> bool:
-    """Whether anything is left to explain that pushes do not."""
+def _unexplained(several: Sequence[FaultFit], quiet: float) -> bool:
+    """Whether anything is left to explain that pushes do not, beyond the NIS of a quiet second."""
     none = _pushes_only(several)
-    return none.nis > UNEXPLAINED * bank.scale or max(f.score for f in several) > none.score + BETTER
+    return none.nis > UNEXPLAINED * quiet or max(f.score for f in several) > none.score + BETTER
 
 
 def _evidence(
@@ -244,10 +248,10 @@ def _evidence(
         stuck = replace(stuck, beyond=far_from_zero(stuck, run.kit) and goes_beyond(run, stuck, end))
     jam = jam_or_stuck(run, stuck, window, bank) if stuck and "encoder" in stuck.channel else None
     met = [fit for fit in several if possible(fit, end)]
-    calm = calm_of(run, window)
+    calm, quiet = calm_of(run, window), quiet_of(run, window)
     known, best = not stuck and window.usual <= FOREIGN, met[0]
     more = best.nis > EXPLAINED * calm or (best.fault != "none" and best.pushes)  # that a fault leaves
-    gain = gainable(bank, best.nis, quiet_of(run, window)) + spared(bank, best.spent)
+    gain = gainable(bank, best.nis, quiet) + spared(bank, best.spent)
     pairs: list[Pair] = []
     if known and gain > CONTRIBUTES:  # else no pair explains more
         pairs = pairs_settled(run, paired(run, met, window, bank), best.score, window, bank)
@@ -259,7 +263,7 @@ def _evidence(
     left = leftover(met, window, bank) if known and (more or pairs) else None
     per_impulse, per_height, *_ = (mode.w @ model.E).tolist()
     return Evidence(
-        run=run, fell_at=end, ordinary=window.usual, calm=calm,
+        run=run, fell_at=end, ordinary=window.usual, calm=calm, quiet=quiet,
         nis=float(np.mean(bank.y**2)), then=bank.then, fits=tuple(several),
         stuck=stuck, jam=jam, pairs=tuple(pairs), left=left,
         toppling=Toppling(per_impulse, per_height, abs(mode.b) * most / mode.pole, mode.pole),

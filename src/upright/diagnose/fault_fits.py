@@ -16,7 +16,7 @@ from upright.diagnose.signatures import Bank, beside, biases, unknown_parameters
 Array = NDArray[np.float64]
 
 VISIBLE_SLIP = 3.0  # standard deviations of a reading, from which a slip shows
-MOST_PUSHES = 3  # that may come beside a fault
+MOST_PUSHES = 5  # that may come beside a fault
 PUSH_GAP = 0.1  # [s] between two pushes: several at once, up and down, would follow whatever is wrong with the model
 SUDDEN = {"step": 0.12, "ramp": 0.4}  # [s] after its onset in which an offset shows, before the filter loses the robot
 LATEST = 0.05  # [s] by which a reading may be later than what it shows
@@ -191,6 +191,20 @@ def score_of(bank: Bank, rest: Array, spent: float) -> float:
     n, floor = size / CORRELATED, size * bank.scale
     squares = (rest @ rest) * size / len(rest)
     return n / 2 * math.log((bank.y @ bank.y + floor) / (squares + floor)) - spent * math.log(n)
+
+
+def exceeding(two: FaultFit, one: FaultFit, scale: float, quiet: float) -> float:
+    """How many nats more `two` has than `one` by the noise that it leaves, or that of `quiet` seconds if these have
+    more, of the readings' noise `scale` in their scores.
+
+    Quiet seconds show the noise as well as so many readings more (inverse gamma prior, Student's t), and a filter that
+    expects more noise than there is hides in it what a second fault does.
+    """
+    n = len(two.rest)
+    left, lesser = (float(fit.rest @ fit.rest) / max(len(fit.rest), 1) for fit in (one, two))
+    noise = max(quiet, lesser)
+    sharp = math.log((left + noise) / (lesser + noise))
+    return two.score - one.score + n / CORRELATED * (sharp - math.log((left + scale) / (lesser + scale)) / 2)
 
 
 def gainable(bank: Bank, nis: float, quiet: float) -> float:

@@ -50,7 +50,7 @@ BEHIND = 100.0  # nats behind the likeliest, up to which a hypothesis is searche
 MOST = 6  # hypotheses that are searched
 LEAVES = 1.2  # of the usual NIS, up to which the likeliest leaves nothing for a slip to explain
 LITTLE = 0.5  # of the squares, that the floor by itself leaves where there may be a slip
-STARTS = 3  # times from which the floor is slippery, or loads, from which a search starts
+STARTS = 3  # times from which the floor is slippery, from which a search starts
 LOADS = ((-0.7, 0.8), (-0.4, 0.8), (0.5, 1.5), (1.5, 1.5))  # mass and height over those of the body
 AGAIN = 2  # most times that pushes are looked for beside a slip
 LOST = 1e6  # standard deviations that stand for an innovation of a robot that fell over
@@ -286,7 +286,7 @@ def loaded(run: FilterRun, fit: FaultFit, window: Window, bank: Bank) -> FaultFi
     search = ForceSearch(Observer(part), start, beside(basis, part.whitened), basis)
     pushes = replace(search, fit=fit).first()
     beside_it = beside(basis, pushing(part, [(p.start, p.stop, h) for p in fit.pushes for h in (0.0, com)]))
-    tried: list[tuple[float, Array]] = []
+    least = [(math.inf, np.zeros(0))] * len(LOADS)  # of each kind: near one best lie many of its own basin
     for i in range(0, len(bank.steps), 2):
         lanes = [np.array([bank.steps[i], mass, height, 0.0, *pushes]) for mass, height in LOADS]
         known = np.column_stack([bank.free["moment"][:, i], beside_it])
@@ -295,9 +295,8 @@ def loaded(run: FilterRun, fit: FaultFit, window: Window, bank: Bank) -> FaultFi
         squares = ((y + known @ change) ** 2).sum(axis=0)
         for k, x in enumerate(lanes):
             x[3] = change[0, k]
-            tried.append((float(squares[k]), x))
-    tried.sort(key=lambda one: one[0])
-    best = [refined(run, search.placed(x), window, bank) for _, x in tried[:STARTS]]
+            least[k] = min(least[k], (float(squares[k]), x), key=lambda one: one[0])
+    best = [refined(run, search.placed(x), window, bank) for _, x in least if len(x)]
     return max(best, key=lambda one: one.score, default=start)
 
 

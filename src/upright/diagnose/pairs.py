@@ -20,6 +20,7 @@ from upright.diagnose.fault_fits import (
     FaultFit,
     as_fit,
     dearer,
+    exceeding,
     gainable,
     least_squares,
     numbers_of,
@@ -63,17 +64,22 @@ MOST_CHANGES = 3.0  # of these changes, by which a first fault is moved before t
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Pair:
-    """Two faults that explain the innovations together, by the `score` of both; either of them, as it is here, has at
-    most the score `alone`."""
+    """Two faults that explain the innovations together, by the `score` of both, and by `beyond` [nats] more than either
+    of them as it is here."""
 
     first: FaultFit
     second: FaultFit
-    alone: float = -math.inf
+    beyond: float = math.inf
 
     @property
     def score(self) -> float:
         """Log likelihood ratio [nats] of both, less the penalty."""
         return self.second.score - RARE * _rare(self.first, self.second)
+
+    @property
+    def both(self) -> FaultFit:
+        """What both leave, with the score of both."""
+        return replace(self.second, score=self.score)
 
 
 def _rare(*fits: FaultFit) -> int:
@@ -103,8 +109,9 @@ def paired(run: FilterRun, fits: Sequence[FaultFit], window: Window, bank: Bank)
         if fit.fault not in ("none", "dropped"):
             best.setdefault(fit.fault, fit)
     several = list(best.values())
-    likely = [fit for fit in several[1:] if fit.run is not None and fit.score > several[0].score - UNLIKELY]
-    firsts = several[:1] + likely[:MORE]
+    likely = [fit for fit in several[1:] if fit.score > several[0].score - UNLIKELY]
+    forces = [fit for fit in likely if fit.fault in BESIDE and fit.run is None]
+    firsts = several[:1] + forces + [fit for fit in likely if fit.run is not None][:MORE]
     starts: dict[frozenset[str], _Start] = {}
     for one in firsts:
         for start in _starts(run, one, window, bank):
@@ -129,20 +136,22 @@ def contributing(run: FilterRun, pairs: Sequence[Pair], single: float, window: W
         kinds = frozenset((pair.first.fault, pair.second.fault))
         least = max([single, *(one.score for one in kept.values())]) - RIVALS
         if kinds not in kept and pair.score > least:
-            judged = replace(pair, alone=_alone(run, pair, window, bank))
-            if judged.score > judged.alone + CONTRIBUTES:
+            judged = replace(pair, beyond=_beyond(run, pair, window, bank))
+            if judged.beyond > CONTRIBUTES:
                 kept[kinds] = judged
     return list(kept.values())
 
 
-def _alone(run: FilterRun, pair: Pair, window: Window, bank: Bank) -> float:
-    """The larger score of one of both faults, with the size and onset that it has in the pair."""
-    scores = [-math.inf]
+def _beyond(run: FilterRun, pair: Pair, window: Window, bank: Bank) -> float:
+    """How many nats more both have than either fault with the size and onset that it has in the pair."""
+    more, quiet = [math.inf], quiet_of(run, window)
     for fit in (pair.first, pair.second):
         if fit.fault in READING_FAULTS + COMMAND_FAULTS:
             one = exact(run, replace(fit, score=-math.inf, run=None), window, bank)
-            scores.append(one.score - RARE * _rare(fit))
-    return max(scores)
+            if len(one.rest):  # else the filter loses the robot
+                one = replace(one, score=one.score - RARE * _rare(fit))
+                more.append(exceeding(pair.both, one, bank.scale, quiet))
+    return min(more)
 
 
 def _starts(run: FilterRun, first: FaultFit, window: Window, bank: Bank) -> list[_Start]:

@@ -18,6 +18,9 @@ LIGHTEST, LARGEST_PAYLOAD = -1.1, 4.0  # over the body's mass: what it can lose,
 LEAST_RADIUS, MOST_RADIUS = 0.05, 0.8  # of its radius, that a wheel loses with its tyre
 WEAK = 0.9  # of its voltage, that a weak battery has left at most: motors differ by as much
 STEEPEST = 0.6  # sine of a slope that robots meet
+SLIGHT = {"ramp": 0.017, "payload": 0.05, "delay": 0.1}
+"""Of two causes: the sine of a floor that is out of level by a degree, a mass over the body's, to which that is known,
+and a part of a period. No robot falls by less, and errors of its model look like it."""
 
 
 def possible(fit: FaultFit, fell_at: float) -> bool:
@@ -36,6 +39,11 @@ def possible(fit: FaultFit, fell_at: float) -> bool:
         "bias": abs(fit.size) < LARGEST_OFFSET.get(fit.way, math.inf),
     }
     return meets.get(fit.fault, True)
+
+
+def slight(fit: FaultFit) -> bool:
+    """Whether a fault is too small to take part in a fall."""
+    return abs(fit.size) < SLIGHT.get(fit.fault, 0.0)
 
 
 def turned(fit: FaultFit) -> bool:

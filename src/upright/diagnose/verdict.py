@@ -35,6 +35,7 @@ from upright.diagnose.chances import (
     FITS_WIDTH,
     LIMIT_WIDTH,
     PUSH_SCORE_WIDTH,
+    SURE,
     TOPPLES,
     TOPPLES_OF_LARGEST,
     best_of,
@@ -49,9 +50,9 @@ from upright.diagnose.chances import (
 )
 from upright.diagnose.evidence import FOREIGN, Evidence
 from upright.diagnose.facts import FACT, TEMPER, Answer, changed_gain, lost_rows, stuck, stuck_sensor
-from upright.diagnose.fault_fits import FaultFit
+from upright.diagnose.fault_fits import FaultFit, exceeding
 from upright.diagnose.pairs import Pair
-from upright.diagnose.sizes import possible
+from upright.diagnose.sizes import possible, slight
 from upright.diagnose.usual import SECONDS
 from upright.diagnose.words import (
     at_limit,
@@ -69,9 +70,9 @@ from upright.diagnose.words import (
     sound,
 )
 
-TWO, TWO_WIDTH, TWO_LEAVE = 25.0, 5.0, 0.75
-"""Nats by which two faults must explain more than one, the width of that step, and the most NIS beyond the calm one
-that they may leave over what one leaves."""
+TWO, TWO_WIDTH, TWO_LEAVE = SURE, 5.0, 0.75
+"""Nats by which two faults must explain more than one, as one more than none, the width of that step, and the most NIS
+beyond the calm one that they may leave over what one leaves."""
 
 UNKNOWN, UNKNOWN_LEAVES = (-5.0, 29.0), (0.65, 0.8)
 UNKNOWN_WIDTH, UNKNOWN_LEAVES_WIDTH = 3.0, 0.03
@@ -192,7 +193,7 @@ def _two(evidence: Evidence) -> list[Answer]:
     """Whether two faults at once explain the innovations, and neither alone; a push that goes far to topple is one."""
     pushed = _fault_and_push(evidence)
     several = [
-        (answer, math.exp((pair.score - evidence.pairs[0].score) / TEMPER))
+        (answer, math.exp(min(_more(evidence, pair.both, evidence.pairs[0].both) / TEMPER, 50.0)))
         for pair in evidence.pairs
         if (answer := _two_faults(evidence, pair, pushed)) is not None
     ]
@@ -213,8 +214,10 @@ def _two_faults(evidence: Evidence, pair: Pair, pushed: Sequence[Answer]) -> Ans
         return None
     if names[0] == names[1] or not all(possible(fit, evidence.fell_at) for fit in (pair.first, pair.second)):
         return None
+    if any(slight(fit) for fit in (pair.first, pair.second)):
+        return None
     more = TWO * (1 - max((answer.probability for answer in pushed), default=0.0))
-    chance = step(pair.score - best.score - more, TWO_WIDTH) * step(pair.score - pair.alone - TWO, TWO_WIDTH)
+    chance = step(_more(evidence, pair.both, best) - more, TWO_WIDTH) * step(pair.beyond - TWO, TWO_WIDTH)
     leaves, one_leaves = (_beyond_noise(evidence, nis) for nis in (pair.second.nis, best.nis))
     if one_leaves > LITTLE * evidence.calm:  # else the likelihood alone decides
         chance *= step(TWO_LEAVE - leaves / one_leaves, EXPLAINED_WIDTH)
@@ -224,6 +227,11 @@ def _two_faults(evidence: Evidence, pair: Pair, pushed: Sequence[Answer]) -> Ans
     text = f"{of_fault(evidence, pair.first)}; with it, {of_fault(evidence, pair.second)}"
     began_at = min(pair.first.onset, pair.second.onset)
     return Answer((1 - HELPED) * FACT * chance, " and ".join(names), began_at, text)
+
+
+def _more(evidence: Evidence, two: FaultFit, one: FaultFit) -> float:
+    """How many nats more one hypothesis has than another, by the noise of this log."""
+    return exceeding(two, one, evidence.ordinary, evidence.quiet)
 
 
 def _fault_and_push(evidence: Evidence) -> list[Answer]:
