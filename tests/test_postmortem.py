@@ -43,7 +43,7 @@ from upright.diagnose.causes import (
 )
 from upright.diagnose.evidence import gather
 from upright.diagnose.fall import lost_lately, stuck_sensor
-from upright.diagnose.fault_fits import FaultFit, fits
+from upright.diagnose.fault_fits import FaultFit, exceeding, fits
 from upright.diagnose.forces import loaded, sliding
 from upright.diagnose.innovations import FilterRun, driven, follow
 from upright.diagnose.joint import jointly
@@ -266,6 +266,26 @@ def test_two_faults_of_runs_of_different_length_stay_as_they_were_found() -> Non
     known = window.bank(run)
     one, other = (FaultFit(fault="load", values=known.y[rows:]) for rows in (0, 3))
     assert together(run, one, other, window, known).second is other
+
+
+def test_nats_by_the_noise_of_quiet_seconds_are_those_of_known_noise() -> None:
+    # of noise of known variance v the log likelihood ratio is (S₁ − S₂)/2v, of readings three of which count as one; to
+    # first order in what is explained, here 2 %, so within 2 % of it
+    n, scale, quiet = 1200, 1.0, 0.4  # a filter that expects more noise than there is
+    squares = {"one": 1.02 * quiet, "two": quiet}
+    fits = {
+        name: FaultFit(fault="weak", score=-n / 3 / 2 * math.log(v + scale), rest=np.full(n, math.sqrt(v)))
+        for name, v in squares.items()
+    }
+    assert exceeding(fits["two"], fits["one"], scale, quiet) == pytest.approx(n / 3 * 0.02 / 2, rel=0.02)
+
+
+def test_a_window_ends_where_the_filter_lost_the_robot() -> None:
+    """A log that is freed of a fault has more readings than the filter had: none was compared, and the fault not found."""
+    whole = follow(weakened(), NXT, KIT)
+    lost = whole.only(whole.t < whole.t[-1] - 0.3)
+    window = window_of(lost, float(whole.t[-1]))
+    assert np.array_equal(window.of(whole).t, window.of(lost).t)
 
 
 def test_a_window_shorter_than_a_push_has_no_pushes() -> None:

@@ -194,17 +194,17 @@ def score_of(bank: Bank, rest: Array, spent: float) -> float:
 
 
 def exceeding(two: FaultFit, one: FaultFit, scale: float, quiet: float) -> float:
-    """How many nats more `two` has than `one` by the noise that it leaves, or that of `quiet` seconds if these have
-    more, of the readings' noise `scale` in their scores.
+    """How many nats more `two` has than `one` by the noise that it leaves, or by that of `quiet` seconds, which no fault
+    explains, where their scores have noise of a `scale` or more.
 
     Quiet seconds show the noise as well as so many readings more (inverse gamma prior, Student's t), and a filter that
     expects more noise than there is hides in it what a second fault does.
     """
-    n = len(two.rest)
-    left, lesser = (float(fit.rest @ fit.rest) / max(len(fit.rest), 1) for fit in (one, two))
+    left, lesser = (float(fit.rest @ fit.rest) / len(fit.rest) for fit in (one, two))
     noise = max(quiet, lesser)
-    sharp = math.log((left + noise) / (lesser + noise))
-    return two.score - one.score + n / CORRELATED * (sharp - math.log((left + scale) / (lesser + scale)) / 2)
+    sharp = math.log((max(left, noise) + noise) / (2 * noise))
+    plain = math.log((left + scale) / (lesser + scale)) / 2
+    return two.score - one.score + len(two.rest) / CORRELATED * (sharp - plain)
 
 
 def gainable(bank: Bank, nis: float, quiet: float) -> float:

@@ -118,8 +118,11 @@ def paired(run: FilterRun, fits: Sequence[FaultFit], window: Window, bank: Bank)
             kinds = frozenset((one.fault, start.second.fault))
             if kinds not in starts or start.promise > starts[kinds].promise:
                 starts[kinds] = start
-    pairs, quiet = list[Pair](), quiet_of(run, window)
-    for start in sorted(starts.values(), key=lambda start: -start.promise)[:MOST_PAIRS]:
+    pairs, quiet, order = list[Pair](), quiet_of(run, window), sorted(starts.values(), key=lambda one: -one.promise)
+    moving = [start for start in order if _movable(start.first, start.second)[0]][:MOST_PAIRS]
+    for start in (start for start in order[:MOST_PAIRS] if start not in moving):
+        pairs += _searched(run, start, window, bank)
+    for start in moving:
         top = max(pairs, key=lambda pair: pair.score, default=None)
         more = 0.0 if top is None else gainable(bank, top.second.nis, quiet)
         if top is None or start.promise > top.score - min(BEHIND + more, FAR_BEHIND):

@@ -58,10 +58,10 @@ def calm_of(run: FilterRun, window: Window) -> float:
 
 
 def quiet_of(run: FilterRun, window: Window) -> float:
-    """The NIS of a usual second before the fall, at most that of calmer ones as the filter expects it: it is below 1
+    """The NIS of a calmer second before the fall, at most that of such ones as the filter expects it: it is below 1
     where the robot is better known than that."""
     blocks = [float(np.mean(squares)) for squares in _seconds(run, window)]
-    return min([calm_of(run, window), *([float(np.median(blocks))] if blocks else [])])
+    return min([calm_of(run, window), *([float(np.quantile(blocks, CALMER))] if blocks else [])])
 
 
 def _seconds(run: FilterRun, window: Window) -> list[Array]:

@@ -193,7 +193,7 @@ def _two(evidence: Evidence) -> list[Answer]:
     """Whether two faults at once explain the innovations, and neither alone; a push that goes far to topple is one."""
     pushed = _fault_and_push(evidence)
     several = [
-        (answer, math.exp(min(_more(evidence, pair.both, evidence.pairs[0].both) / TEMPER, 50.0)))
+        (answer, math.exp((pair.score - evidence.pairs[0].score) / TEMPER))
         for pair in evidence.pairs
         if (answer := _two_faults(evidence, pair, pushed)) is not None
     ]
@@ -217,7 +217,7 @@ def _two_faults(evidence: Evidence, pair: Pair, pushed: Sequence[Answer]) -> Ans
     if any(slight(fit) for fit in (pair.first, pair.second)):
         return None
     more = TWO * (1 - max((answer.probability for answer in pushed), default=0.0))
-    chance = step(_more(evidence, pair.both, best) - more, TWO_WIDTH) * step(pair.beyond - TWO, TWO_WIDTH)
+    chance = step(min(_more(evidence, pair.both, best) - more, pair.beyond - TWO), TWO_WIDTH)
     leaves, one_leaves = (_beyond_noise(evidence, nis) for nis in (pair.second.nis, best.nis))
     if one_leaves > LITTLE * evidence.calm:  # else the likelihood alone decides
         chance *= step(TWO_LEAVE - leaves / one_leaves, EXPLAINED_WIDTH)
