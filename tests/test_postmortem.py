@@ -281,7 +281,7 @@ def test_nats_by_the_noise_of_quiet_seconds_are_those_of_known_noise() -> None:
 
 
 def test_a_window_ends_where_the_filter_lost_the_robot() -> None:
-    """A log that is freed of a fault has more readings than the filter had: none was compared, and the fault not found."""
+    """A log freed of a fault has more readings than the filter had: neither was compared, and the fault not found."""
     whole = follow(weakened(), NXT, KIT)
     lost = whole.only(whole.t < whole.t[-1] - 0.3)
     window = window_of(lost, float(whole.t[-1]))

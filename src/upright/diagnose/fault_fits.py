@@ -194,8 +194,8 @@ def score_of(bank: Bank, rest: Array, spent: float) -> float:
 
 
 def exceeding(two: FaultFit, one: FaultFit, scale: float, quiet: float) -> float:
-    """How many nats more `two` has than `one` by the noise that it leaves, or by that of `quiet` seconds, which no fault
-    explains, where their scores have noise of a `scale` or more.
+    """How many nats more `two` has than `one` by the noise that it leaves, or by that of `quiet` seconds (NIS), which
+    no fault explains; their scores have noise of a `scale` or more.
 
     Quiet seconds show the noise as well as so many readings more (inverse gamma prior, Student's t), and a filter that
     expects more noise than there is hides in it what a second fault does.

@@ -20,8 +20,8 @@ FITTED = 3.0  # NIS of calmer seconds, up to which the robot is the given one: i
 
 
 def window_of(run: FilterRun, end: float) -> Window:
-    """The part of a run that is judged for a fall at `end` [s], with the usual scale of its innovations: up to where the
-    filter loses the robot, since what each hypothesis leaves is of the same readings."""
+    """The part of a run that is judged for a fall at `end` [s], with the usual scale of its innovations: up to where
+    the filter loses the robot, since what each hypothesis leaves is of the same readings."""
     end = min(end, float(run.clock[-1]))
     readings = run.readings
     early = readings & (run.t < end - ORDINARY_END)
