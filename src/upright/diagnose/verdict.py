@@ -208,9 +208,8 @@ def _two_faults(evidence: Evidence, pair: Pair, pushed: Sequence[Answer]) -> Ans
     causes as well, as `pushed` has it, the likelihood alone decides."""
     best = best_of(evidence)
     names = [name_of(fit) for fit in (pair.first, pair.second)]
-    sudden = [fit for fit in (pair.first, pair.second) if fit.fault in ("bias", "scale", "motor")]
     first = min(evidence.fell_at - SECONDS, float(evidence.then[0]))
-    if any(fit.onset < first + STOOD for fit in sudden):  # the robot stood with it
+    if min(pair.first.onset, pair.second.onset) < first + STOOD:  # the robot stood with it
         return None
     if names[0] == names[1] or not all(possible(fit, evidence.fell_at) for fit in (pair.first, pair.second)):
         return None
