@@ -11,7 +11,7 @@ import numpy as np
 
 from upright.bodies import Electronics, make_body
 from upright.control import find_controller
-from upright.diagnose.evidence import EXCURSION, gather
+from upright.diagnose.evidence import gather
 from upright.experiment import Impulse, run
 from upright.logs.raw import raw_log
 from upright.progress import unwatched
@@ -40,7 +40,11 @@ def main() -> None:
         blow = Impulse(impulse=impulse, start=start, duration=length)
         log = run(body, controller, [blow], seconds=6.0, seed=int(random.integers(10**6)))
         _, evidence = gather(raw_log(log), robot, kit, None, unwatched)
-        pushes = [p for p in evidence.pushes_only.pushes if p.start > evidence.fell_at - EXCURSION] if evidence else []
+        pushes = (
+            [p for p in evidence.pushes_only.pushes if p.start > evidence.fell_at - evidence.excursion]
+            if evidence
+            else []
+        )
         if evidence is None or not pushes:
             print(
                 f"{impulse:+.3f} N s for {1e3 * length:g} ms: {'no push seen' if evidence else 'it stood'}", flush=True

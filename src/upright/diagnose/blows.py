@@ -65,7 +65,7 @@ def thrown_over(evidence: Evidence) -> list[Answer]:
     """Whether a blow threw the robot over, by its readings alone: no filter follows wheels that slide and lift off. A
     gyro that fails at the end of its range looks like it where the wheels show nothing."""
     throw = evidence.throw
-    if throw is None:
+    if throw is None or throw.start > evidence.slid:  # wheels that slide throw a body over as well
         return []
     by_model, _, _ = toppled(evidence)
     if by_model > TOPPLED and evidence.pushes_only.nis < FITS_BADLY * evidence.calm:

@@ -8,8 +8,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from upright.diagnose.causes import DEAD, NAMES, PUSH, REVERSED
-from upright.diagnose.evidence import EXCURSION, Evidence
-from upright.diagnose.fall import authority
+from upright.diagnose.evidence import Evidence
+from upright.diagnose.fall import LEANING, authority, pace
 from upright.diagnose.fault_fits import CORRELATED, FaultFit, PushEstimate
 from upright.diagnose.sizes import possible, turned
 from upright.diagnose.usual import CALMER
@@ -39,7 +39,8 @@ TOPPLES = 0.3  # [rad] lean that a push must be worth to topple, or
 TOPPLES_OF_LARGEST = 0.4  # of the largest lean that the motors bring back
 LIMIT_WIDTH = 0.1  # of these limits: the width of their steps
 NO_RETURN = 1.3  # times the largest lean that the motors bring back, from which nothing saves a robot
-RESTED = 0.4  # [s] in which a robot is at rest, by the lean that it has over the largest that its motors bring back:
+FELLS = 0.8  # of the lean that no motors bring back, from which a push fells a robot however long that takes
+RESTED = 0.4  # [s] of a quick robot at rest, by its lean over the largest that its motors bring back:
 AT_REST, RESTLESS = 0.03, 4.0  # below this, or below so many times what it has in calmer times
 PUSH_SCORE, PUSH_SCORE_WIDTH = 8.0, 2.0  # nats that a push must add to be one
 
@@ -88,8 +89,14 @@ def name_of(fit: FaultFit) -> str:
 
 
 def toppled(evidence: Evidence) -> tuple[float, float, PushEstimate | None]:
-    """How likely pushes topple in the last excursion, the lean [rad] that they are worth, and the largest."""
-    lean, largest = worth(evidence, evidence.pushes_only.pushes)
+    """How likely pushes topple, in the last excursion or by far before, the lean [rad] that they are worth, and the
+    largest."""
+    none, fells = evidence.pushes_only, FELLS * min(evidence.toppling.largest, LEANING)
+    first = min((push.start for push in none.pushes if abs(evidence.toppling.lean(push)) > fells), default=math.inf)
+    since = evidence.fell_at - evidence.excursion
+    if first <= since and first > unsettled(evidence, none):
+        since = math.nextafter(first, -math.inf)
+    lean, largest = worth(evidence, none.pushes, since)
     if largest is None:
         return 0.0, 0.0, None
     limit = min(TOPPLES, TOPPLES_OF_LARGEST * evidence.toppling.largest)
@@ -133,21 +140,21 @@ def explains_the_start(evidence: Evidence) -> bool:
 def unsettled(evidence: Evidence, fit: FaultFit) -> float:
     """Since when [s] a robot with a fault has not come to rest: a loop that swings carries on what a push began."""
     motors = authority(fit.run or evidence.run)
-    since = evidence.fell_at - EXCURSION
-    stops = np.arange(since, float(motors.t[0]) + RESTED, -RESTED)
+    since, rested = evidence.fell_at - evidence.excursion, RESTED * pace(evidence.run.robot)
+    stops = np.arange(since, float(motors.t[0]) + rested, -rested)
     if not len(stops):
         return since
-    blocks = [motors.reserve[(motors.t > stop - RESTED) & (motors.t <= stop)] for stop in stops]
+    blocks = [motors.reserve[(motors.t > stop - rested) & (motors.t <= stop)] for stop in stops]
     largest = np.array([block.max() if len(block) else 0.0 for block in blocks])
     rests = largest < max(AT_REST, RESTLESS * float(np.quantile(largest, CALMER)))
-    return since - RESTED * (int(np.argmax(rests)) if rests.any() else len(rests))
+    return since - rested * (int(np.argmax(rests)) if rests.any() else len(rests))
 
 
 def worth(
     evidence: Evidence, several: Sequence[PushEstimate], since: float | None = None
 ) -> tuple[float, PushEstimate | None]:
     """The lean [rad] that pushes in the last excursion, or `since` a time [s], are worth, and the largest of them."""
-    toppling, start = evidence.toppling, evidence.fell_at - EXCURSION if since is None else since
+    toppling, start = evidence.toppling, evidence.fell_at - evidence.excursion if since is None else since
     pushes = [push for push in several if push.start > start]
     if not pushes:
         return 0.0, None

@@ -26,6 +26,7 @@ from upright.diagnose.fall import (
     last_fall,
     limit,
     lost_lately,
+    pace,
     stale_rows,
     stuck_sensor,
 )
@@ -40,6 +41,7 @@ from upright.diagnose.pushed import LEAVES, with_sudden_pushes
 from upright.diagnose.remedy import Window, dropped, searched, sharpened
 from upright.diagnose.signatures import Bank
 from upright.diagnose.sizes import possible
+from upright.diagnose.slip import slid_at
 from upright.diagnose.thrown import Throw, thrown
 from upright.diagnose.usual import FOREIGN, calm_of, quiet_of, window_of
 from upright.doctor.wheels import on_its_wheels
@@ -52,7 +54,7 @@ from upright.signals import Log
 
 Array = NDArray[np.float64]
 
-EXCURSION = 1.2  # [s] before the fall in which a push or a demand must lie to be its cause
+EXCURSION = 1.2  # [s] of a quick robot before the fall, in which a push or a demand must lie to be its cause
 EXPLAINED = 1.1  # NIS over the calm one, up to which nothing is left to explain
 LOST = 20.0  # times the ordinary NIS at which the filter has lost the robot, over the log's last `LOST_SECONDS`
 LOST_SECONDS = 0.4  # [s]
@@ -110,11 +112,13 @@ class MotorUse:
 
 @dataclass(frozen=True)
 class Demand:
-    """The largest sudden change of the reference speed, `jump` [m/s] `at` a time [s], and the motors' `top_speed`."""
+    """The largest sudden change of the reference speed, `jump` [m/s] `at` a time [s], the motors' `top_speed`, and the
+    `fastest` reference in twice the last excursion."""
 
     jump: float
     at: float
     top_speed: float
+    fastest: float
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -124,11 +128,12 @@ class Evidence:
     `fits` are the hypotheses, the likeliest first, `pairs` two faults at once, and `left` is what the likeliest leaves,
     where it leaves something. `ordinary` is the scale of the innovations before the fall, `calm` that of its calmer
     seconds, `quiet` their mean square in a usual one, `nis` in the window, whose readings are at the times `then` [s].
-    A `stuck` sensor has the
-    scores of a jammed wheel and of a dumb encoder, and the NIS that the better one leaves, in `jam`. `match` compares
+    A `stuck` sensor has the scores of a jammed wheel and of a dumb encoder, and the NIS that the better one leaves, in
+    `jam`. All was sound until the commands made the wheels slide at `slid` [s] (NaN: not so), and nothing later is
+    judged. `match` compares
     the recorded commands with the file's, whose loop is `stable`. `lost` is the fraction of periods without a row since
     a time [s] in the last second, before it, and that time; `battery` the voltage [V] before and at the fall. A blow
-    that shows in the readings alone is a `throw`. `demand` is None where the references never change.
+    that shows in the readings alone is a `throw`. `demand` is None where no references were logged.
     """
 
     run: FilterRun
@@ -152,6 +157,12 @@ class Evidence:
     battery: tuple[float, float]
     throw: Throw | None
     notes: tuple[str, ...]
+    slid: float = math.nan
+
+    @property
+    def excursion(self) -> float:
+        """How long [s] before the fall a push or a demand may be its cause."""
+        return EXCURSION * pace(self.run.robot)
 
     @cached_property
     def pushes_only(self) -> FaultFit:
@@ -211,8 +222,27 @@ def gather(
     if not foreign and frozen[(t > fell_at - REPEATING) & (t <= fell_at)].sum() >= 2:
         stale = stale_rows(whole.log) & (t >= t[np.flatnonzero(frozen)[0]] - 0.1)
         several = sorted([*several, dropped(run, stale, window, bank)], key=lambda f: -f.score)
+    slid = None if foreign else _sound_until(run, window, several)
+    window, bank, several = slid or (window, bank, several)
     show(0.9)
-    return whole, _evidence(whole, run, fell_at, window, bank, several, controller)
+    evidence = _evidence(whole, run, fell_at, window, bank, several, controller)
+    return whole, replace(evidence, slid=window.end) if slid else evidence
+
+
+def _sound_until(
+    run: FilterRun, window: Window, several: Sequence[FaultFit]
+) -> tuple[Window, Bank, list[FaultFit]] | None:
+    """The part of the log before the commands made the wheels slide, its bank and fits, where pushes alone explain it,
+    while a blow came then, or what nothing explains; None where it is not so."""
+    at, throw = slid_at(run, window.end - window.seconds, window.end), thrown(run.log, run.robot, run.kit, window.end)
+    best = next(fit for fit in several if possible(fit, window.end))
+    explained = best.nis < LEAVES * calm_of(run, window)
+    if at is None or (explained and (throw is None or throw.start < at)):
+        return None
+    part = window_of(run, at)
+    before = part.bank(run, pushes_only=False)
+    sound = fits(before)
+    return (part, before, sound) if not _unexplained(sound, before) else None
 
 
 def _blind(still: StuckSensor | None) -> bool:
@@ -304,16 +334,17 @@ def _stable(controller: Controller, robot: Robot, kit: Kit) -> bool | None:
 
 def _demand(log: Log, robot: Robot, most: float, end: float) -> Demand | None:
     """The largest sudden change of the reference speed before the fall."""
-    targets = references(log)
-    if not np.ptp(targets):
+    if not any(name.startswith("reference/") for name in log.channels):
         return None
+    speeds, excursion = references(log)[:, 3] * robot.wheel_radius, EXCURSION * pace(robot)
     top = _top_rate(robot, most) * robot.wheel_radius
-    rows = np.flatnonzero((log.t > end - 1.3 * EXCURSION) & (log.t <= end))
+    fastest = float(np.abs(speeds[(log.t > end - 2 * excursion) & (log.t <= end)]).max(initial=0.0))
+    rows = np.flatnonzero((log.t > end - 1.3 * excursion) & (log.t <= end))
     if len(rows) < 2:
-        return Demand(0.0, math.nan, top)
-    jumps = np.abs(np.diff(targets[rows, 3] * robot.wheel_radius))
+        return Demand(0.0, math.nan, top, fastest)
+    jumps = np.abs(np.diff(speeds[rows]))
     i = int(np.argmax(jumps))
-    return Demand(float(jumps[i]), float(log.t[rows[i + 1]]), top)
+    return Demand(float(jumps[i]), float(log.t[rows[i + 1]]), top, fastest)
 
 
 def _motor_use(run: FilterRun, w: Array, end: float) -> MotorUse:
@@ -327,21 +358,22 @@ def _motor_use(run: FilterRun, w: Array, end: float) -> MotorUse:
     rows = np.arange(start, len(xi))
     rows = rows[np.abs(xi[rows]) > SMALL_EXCURSION * np.abs(xi[rows]).max()]
     full = np.abs(motors.command[rows]) > AT_LIMIT
-    free = rows[~full]
+    free, excursion = rows[~full], EXCURSION * pace(run.robot)
     helped = motors.help[free] / np.maximum(motors.reserve[free], 1e-6)
-    recent = motors.command[inside & (motors.t > end - EXCURSION)]
+    recent = motors.command[inside & (motors.t > end - excursion)]
     second = motors.command[inside & (motors.t > end - 1.0)]
-    held = held_command(run, motors, end, EXCURSION)
-    if held is not None and abs(float(np.interp(held[0], motors.t, motors.command))) > LIMIT:
-        held = None
+    held = held_command(run, motors, end, excursion)
+    if held is not None:  # both at their limits, maybe opposite ones, are no stopped loop
+        at = np.abs(run.asked[int(np.searchsorted(log.t, held[0]))])
+        held = None if (at > LIMIT * limit(run.robot, run.kit, run.asked)).all() else held
     return MotorUse(
         held=held,
         saturated=float(full.mean()) if len(rows) else math.nan,
         pegged=float((np.abs(second) > LIMIT).mean()),
-        stuck=not np.ptp(run.asked[(log.t > end - EXCURSION) & (log.t <= end)], axis=0).any(),
-        swings=float((np.diff(np.sign(recent)) != 0).sum()) / EXCURSION,
+        stuck=not np.ptp(run.asked[(log.t > end - excursion) & (log.t <= end)], axis=0).any(),
+        swings=float((np.diff(np.sign(recent)) != 0).sum()) / excursion,
         help=float(np.median(helped)) if len(free) >= FEWEST_FREE else math.nan,
-        speed=_speed(run, motors.states[inside & (motors.t > end - 2 * EXCURSION)]),
+        speed=_speed(run, motors.states[inside & (motors.t > end - 2 * excursion)]),
     )
 
 

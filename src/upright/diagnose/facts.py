@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from upright.diagnose.causes import DEAD, DROPPED, HIGH, JAMMED, LOW, NONE, SATURATION, STUCK, Blow
 from upright.diagnose.chances import step, unexplained
-from upright.diagnose.evidence import EXCURSION, Evidence
+from upright.diagnose.evidence import Evidence
 from upright.diagnose.words import began, most, percent
 from upright.tables import short
 
@@ -50,7 +50,7 @@ def stuck(evidence: Evidence) -> list[Answer]:
         return []
     pegged = evidence.motors.pegged > PEGGED
     name, why = (SATURATION, "the motors were at their limit") if pegged else (DROPPED, "the loop did not run")
-    text = f"no command changed in the last {EXCURSION:g} s, while the robot fell: {why}"
+    text = f"no command changed in the last {evidence.excursion:.2g} s, while the robot fell: {why}"
     return [Answer(FACT, name, began(evidence), text)]
 
 

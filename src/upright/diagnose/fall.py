@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,6 +33,9 @@ DRIVING = 0.08  # [m/s] from which a robot can drive into something
 RUN_UP, CONTACT, HELD = 0.2, 0.03, 0.1  # [s] before a contact, of its beginning, and after it, that are looked at
 GIVES, THROWN = 0.6, 0.6  # of the way that the robot would have gone on: how far it may go, and be thrown back
 USUALLY_HELD = 3.0  # times the longest that a command was held before: a loop may do so near rest
+ANSWERED = 0.1  # of the largest command, by which what stops the fall changes: any law that balances answers that
+SAME_DUTY = 1e-9  # [1] between two duties that are the same
+QUICK = 4.75  # [1/s] of falling, from which the times of this package in seconds hold; a slower robot has more
 CLIPPED_GRAINS = 5  # steps of a reading from zero, below which rows repeat each other by chance
 CLIPPED_ROWS = 3  # one after the other, in which a reading was at the end of its range before
 STILL_GRAINS = 2  # encoder steps that wheels must turn before a repeated reading cannot be true
@@ -123,16 +127,26 @@ def falling(robot: Robot) -> Falling:
     return Falling(float(np.real(values)[index]), w, float((w @ model.B).sum()))
 
 
+def pace(robot: Robot) -> float:
+    """How many times more slowly than a quick robot this one falls; 1 for all quick ones."""
+    return max(1.0, QUICK / falling(robot).pole)
+
+
 @dataclass(frozen=True, eq=False)
 class Authority:
-    """The motors' authority by sample: time [s], mean command over its limit, the falling mode over what the motors can
-    still bring back (`reserve`; 1 is lost), how they `help` (1: all they can, −1: the wrong way), and the states."""
+    """The motors' authority by sample: time [s], mean command over its limit, the command that stops the fall over it
+    (`needed`; beyond 1 is lost), how they `help` (1: all they can, −1: the wrong way), and the states."""
 
     t: Array
     command: Array
-    reserve: Array
+    needed: Array
     help: Array
     states: Array
+
+    @property
+    def reserve(self) -> Array:
+        """The size of what is needed."""
+        return np.abs(self.needed)
 
 
 def authority(run: FilterRun) -> Authority:
@@ -143,9 +157,9 @@ def authority(run: FilterRun) -> Authority:
     mode, most = falling(run.robot), _most(run)[sample]
     command = run.asked[sample].mean(axis=1) / most
     xi = states @ mode.w
-    reserve = np.abs(xi) * mode.pole / (abs(mode.b) * most)
+    needed = -xi * mode.pole / (mode.b * most)
     help_ = -np.sign(xi) * np.sign(mode.b) * np.clip(command, -1, 1)
-    return Authority(run.t[commands], command, reserve, help_, states)
+    return Authority(run.t[commands], command, needed, help_, states)
 
 
 def _most(run: FilterRun) -> Array:
@@ -254,21 +268,36 @@ def _at_its_end(readings: Array, first: int, sensor: Sensor | None) -> bool:
 
 def held_command(run: FilterRun, motors: Authority, end: float, seconds: float) -> tuple[float, float] | None:
     """From when to when [s] both commands stood still for longest in the last `seconds` before `end`, while the motors
-    could still save the robot; None where that took no longer than a lean needs to grow e-fold, or is usual."""
-    log, asked = run.log, run.asked
+    could still save the robot; None where that took no longer than a lean needs to grow e-fold, or is usual, or where
+    no law had to answer anything meanwhile, as of a robot at rest."""
+    log = run.log
     rows = log.t <= end
-    moved = np.flatnonzero((np.diff(asked[rows], axis=0) != 0).any(axis=1)) + 1
+    moved = np.flatnonzero(~_repeated(run)[rows][1:]) + 1
     edges = np.concatenate([[0], moved, [int(rows.sum()) - 1]])
     starts, stops = log.t[edges[:-1]], log.t[edges[1:]]
     lengths, recent = stops - starts, stops > end - seconds
     if not recent.any():
         return None
     i = int(np.argmax(np.where(recent, lengths, 0.0)))
-    before = lengths[stops <= starts[i]]
-    reserve = float(np.interp(starts[i], motors.t, motors.reserve))
-    usual = USUALLY_HELD * float(before.max()) if len(before) else math.inf
-    least = max(1 / falling(run.robot).pole, usual)
-    return (float(starts[i]), float(stops[i])) if lengths[i] > least and reserve < 1 else None
+    needed = np.interp(log.t, motors.t, motors.needed)
+    changes = np.array([np.ptp(needed[first : last + 1]) for first, last in pairwise(edges.tolist())])
+    earlier = stops <= starts[i]
+    if not earlier.any():
+        return None
+    least = max(1 / falling(run.robot).pole, USUALLY_HELD * float(lengths[earlier].max()))
+    answered = max(ANSWERED, USUALLY_HELD * float(np.median(changes[earlier])))
+    stood = lengths[i] > least and changes[i] > answered and abs(needed[edges[i]]) < 1
+    return (float(starts[i]), float(stops[i])) if stood else None
+
+
+def _repeated(run: FilterRun) -> Mask:
+    """Rows whose commands are those before; of volts by a measured battery, whose duties are."""
+    same = (np.diff(run.asked, axis=0) == 0).all(axis=1)
+    if "sensor/battery" in run.log and run.robot.command_unit == "V":
+        with np.errstate(divide="ignore", invalid="ignore"):
+            duties = run.asked / run.log["sensor/battery"][:, None]
+        same |= (np.abs(np.diff(duties, axis=0)) < SAME_DUTY).all(axis=1)
+    return np.concatenate([[False], same])
 
 
 @dataclass(frozen=True)

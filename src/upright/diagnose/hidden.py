@@ -7,14 +7,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from upright.diagnose.fall import fall_time, falling
+from upright.diagnose.fall import fall_time, falling, pace
 from upright.diagnose.fault_fits import FaultFit
 from upright.diagnose.innovations import FilterRun
 from upright.diagnose.remedy import Window, moved, remedied
 from upright.diagnose.usual import calm_of
 
 TIPPING = 0.35  # [rad] lean at the log's end that is a fall where the filter has lost the robot as well
-AFTER = 0.4  # [s] after its onset, by which the size of a gyro's offset is found
+AFTER = 0.4  # [s] of a quick robot after its onset, by which the size of a gyro's offset is found
 EARLIER = 0.03  # [s] by which a fall is earlier than the gyro shows, to be looked at again
 FALLS = 1.5  # times in which it falls e-fold, that a robot stands by a wrong gyro at least
 EXPLAINS, ONLY_NOISE = 0.1, 2.0
@@ -39,7 +39,7 @@ def sooner(run: FilterRun, several: Sequence[FaultFit], window: Window) -> float
     calm, least = calm_of(run, window), FALLS / falling(run.robot).pole
     offsets = [one for one in several if (one.fault, one.way) == ("bias", "step")]
     for fit in (one for one in offsets if one.onset + least < window.end - EARLIER):
-        end = min(window.end, fit.onset + AFTER)
+        end = min(window.end, fit.onset + AFTER * pace(run.robot))
         part = replace(window, end=end, seconds=window.seconds - (window.end - end), banks={})
         freed = remedied(run, moved(run, [[fit]], part)[0])
         true = fall_time(freed) if freed is not None else None

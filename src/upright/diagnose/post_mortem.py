@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from upright.atomic import finite
 from upright.control import Controller, controller_hash, read_controller
 from upright.diagnose.causes import CANNOT_TELL, NO_FALL, NONE, Blow, Cause, as_typed
-from upright.diagnose.evidence import EXCURSION, FOREIGN, Evidence, gather
+from upright.diagnose.evidence import FOREIGN, Evidence, gather
 from upright.diagnose.fall import against, last_fall
 from upright.diagnose.saved import with_saved
 from upright.diagnose.series import Series, series_of
@@ -254,7 +254,7 @@ def _helpful(evidence: Evidence) -> tuple[str, ...]:
     if evidence.ordinary > FOREIGN:
         return ("the robot's own numbers: `upright calibrate LOG --robot ROBOT -o robot.toml`",)
     seconds = evidence.fell_at - float(evidence.run.log.t[0])
-    if seconds < EXCURSION:
+    if seconds < evidence.excursion:
         return (f"the seconds before: the fall began {seconds:.2g} s after the first row",)
     files = ["the controller's file"] if evidence.match is None else []
     return (*files, *(["the references, if it was driven"] if evidence.demand is None else []))

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.diagnose.changes import commands, free_steps, frictions, motors, payloads, placed, radii, scales
+from upright.diagnose.fall import pace
 from upright.diagnose.innovations import FilterRun, Signature, answer, misfits, propagated
 from upright.diagnose.slip import slipping
 from upright.robots import Robot
@@ -22,8 +23,8 @@ from upright.robots.uncertainty import deviations
 
 Array = NDArray[np.float64]
 
-ONSET_STEP = 0.06  # [s] between the onsets of the grid
-PUSH_STEP = 0.03  # [s] between the edges of pushes
+ONSET_STEP = 0.06  # [s] of a quick robot between the onsets of the grid
+PUSH_STEP = 0.03  # [s] of a quick robot between the edges of pushes
 PUSH_LENGTHS = (1, 2, 3, 5, 7, 10)  # of pushes, in steps of `PUSH_STEP`
 YOUNGEST = 0.12  # [s] before the lean passes `LEANING`: what comes later is too late to be a cause
 GRIPS = (0.003, 0.006, 0.01, 0.015, 0.02, 0.025, 0.03, 0.04, 0.05, 0.06, 0.08, 0.1, 0.15, 0.2)  # friction coefficients
@@ -120,7 +121,8 @@ def bank(run: FilterRun, scale: float, *, pushes_only: bool = False, beside_it: 
     of the fault `beside_it`."""
     basis, use = unknown_parameters(run), run.readings
     start, last = float(run.t[0]), float(run.t[-1]) - YOUNGEST
-    onsets = np.arange(start, last, ONSET_STEP)
+    slow = pace(run.robot)
+    onsets = np.arange(start, last, ONSET_STEP * slow)
     faults, free = list[Signature](), dict[str, Array]()
     if not pushes_only:
         faults = [
@@ -134,7 +136,7 @@ def bank(run: FilterRun, scale: float, *, pushes_only: bool = False, beside_it: 
         free = {"moment": beside(basis, free_steps(run, onsets)["moment"])} if beside_it == "payload" else {}
     left = beside(basis, np.array([one.values for one in faults]).reshape(len(faults), int(use.sum())).T).T
     faults = [replace(one, values=values) for one, values in zip(faults, left, strict=True)]
-    pushes, forces = _pushes(run, np.arange(start, float(run.t[-1]), PUSH_STEP), last)
+    pushes, forces = _pushes(run, np.arange(start, float(run.t[-1]), PUSH_STEP * slow), last)
     forces = replace(forces, steps=beside(basis, forces.steps))
     y = beside(basis, run.whitened)
     if faults and free:
@@ -155,7 +157,7 @@ def _rows(run: FilterRun, start: float, last: float) -> Array:
 def channels(run: FilterRun, scale: float) -> Bank:
     """A bank of disturbances of any shape alone, by the channels that they enter by."""
     basis = unknown_parameters(run)
-    steps = np.arange(float(run.t[0]), float(run.t[-1]) - YOUNGEST, ONSET_STEP)
+    steps = np.arange(float(run.t[0]), float(run.t[-1]) - YOUNGEST, ONSET_STEP * pace(run.robot))
     free = {channel: beside(basis, values) for channel, values in free_steps(run, steps).items()}
     return Bank(
         y=beside(basis, run.whitened), then=run.t[run.readings], scale=scale, faults=[], pushes=np.zeros((0, 3)),

@@ -12,6 +12,8 @@ from upright.physics.dynamics import motor_damping, motor_torque, rolling_fricti
 
 Array = NDArray[np.float64]
 
+HELD_BY_ANY = 0.8  # of the weight, that a good floor holds: beyond, wheels slide by the commands alone
+
 
 def slipping(run: FilterRun, onset: Array, grip: Array) -> tuple[Array, NDArray[np.bool_]]:
     """What slipping adds to the innovations (events, hypotheses), and whether a hypothesis slips at all.
@@ -43,6 +45,16 @@ def slipping(run: FilterRun, onset: Array, grip: Array) -> tuple[Array, NDArray[
             error[:6] = run.tangent.phi[i] @ error[:6] + entered[:, None] * s
         response[i] = run.corrected(i, error)
     return response, slipped
+
+
+def slid_at(run: FilterRun, start: float, end: float) -> float | None:
+    """The first time [s] between two at which a robot that rolls would need more of the floor than a good one holds;
+    None where it never does."""
+    free, per_force, _ = _slip_acceleration(run)
+    weight = (run.robot.body_mass + 2 * run.robot.wheel_mass) * run.robot.gravity
+    inside = (run.t > start) & (run.t < end) & (run.spans > 1e-9)
+    sliding = np.flatnonzero(inside & (np.abs(free / per_force) > HELD_BY_ANY * weight))
+    return float(run.t[sliding[0]]) if len(sliding) else None
 
 
 def _slip_acceleration(run: FilterRun) -> tuple[Array, Array, Array]:

@@ -14,7 +14,7 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.control.mpc import largest_command
-from upright.diagnose.fall import LEANING, falling, gyro, limit
+from upright.diagnose.fall import LEANING, falling, gyro, limit, pace
 from upright.diagnose.innovations import FULL_RANGE, asked_of
 from upright.diagnose.sizes import LARGEST_OFFSET
 from upright.logs.raw import RATES
@@ -23,7 +23,7 @@ from upright.robots import Kit, Robot
 from upright.signals import Log
 
 ROWS = 3  # in which a blow has done what it does, or a good part of it
-RECENT = 0.3  # [s] before the end of what is judged, in which a blow throws a robot over
+RECENT = 0.3  # [s] of a quick robot before the end of what is judged, in which a blow throws a robot over
 CALM_SECONDS, LOUDER = 1.0, 3.0  # [s] before a blow, and how many times larger than any jump there it is
 SUDDEN = 0.6  # of the lean from which nothing comes back, that a blow's jump of the rate is worth at least
 LOST = 1.5  # of that lean, that it is worth where no motor brings the robot back
@@ -56,7 +56,7 @@ def thrown(log: Log, robot: Robot, kit: Kit, end: float) -> Throw | None:
     model, mode = linearise(robot), falling(robot)
     topples = min(abs(mode.b) * limit(robot, kit, asked) / mode.pole, LEANING) * mode.pole
     gravity, driven = STANDING_LEAN * abs(float(model.A[1, 0])), asked @ model.B[1]
-    recent = np.flatnonzero((log.t > end - RECENT) & (log.t <= end + 1e-9)).tolist()
+    recent = np.flatnonzero((log.t > end - RECENT * pace(robot)) & (log.t <= end + 1e-9)).tolist()
     for count in range(1, ROWS + 1):
         for k in recent[:-count]:
             stop, jump = k + count, float(rate[k + count] - rate[k])

@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from upright.arrays import Array
+from upright.diagnose.fall import pace
 from upright.diagnose.innovations import FilterRun
 from upright.diagnose.remedy import Window
 from upright.logs.recording import FEWEST
 
-SECONDS = 4.0  # [s] before the fall that are judged: a fault that shows earlier has not made it fall
+SECONDS = 4.0  # [s] of a quick robot before the fall that are judged: a fault that shows earlier has not made it fall
 LONGEST = 8.0  # [s] of them, where the trouble in which a robot fell began before: a tall one may swing for long
 BLOCK, LOUD = 0.5, 4.0  # [s] of innovations, and their NIS over the calm one, that show such trouble
 ORDINARY_END = 1.0  # [s] before the fall up to which innovations count as ordinary
@@ -24,12 +25,13 @@ def window_of(run: FilterRun, end: float) -> Window:
     the filter loses the robot, since what each hypothesis leaves is of the same readings."""
     end = min(end, float(run.clock[-1]))
     readings = run.readings
-    early = readings & (run.t < end - ORDINARY_END)
+    seconds = SECONDS * pace(run.robot)
+    early = readings & (run.t < end - _ordinary_end(run))
     part = early if early.sum() > 100 else readings
     if len(run.log) < FEWEST:  # all of it may be trouble: the noise is what the kit says
-        return Window(end, SECONDS, 1.0)
+        return Window(end, seconds, 1.0)
     usual = max(1.0, float(np.median(run.innovation[part] ** 2 / run.variance[part])) / MEDIAN)
-    window = Window(end, SECONDS, usual)
+    window = Window(end, seconds, usual)
     calm = calm_of(run, window)
     if usual >= FOREIGN and calm > FITTED:
         return window
@@ -39,16 +41,20 @@ def window_of(run: FilterRun, end: float) -> Window:
 def _since(run: FilterRun, end: float, calm: float) -> float:
     """How many seconds before the `end` [s] the trouble lasted in which the usual window begins; `SECONDS` where it
     begins calmly, or where no beginning shows."""
-    t, squares = run.t[run.readings], run.whitened**2
+    t, squares, slow = run.t[run.readings], run.whitened**2, pace(run.robot)
 
     def loud(start: float) -> bool:
         block = squares[(t >= start) & (t < start + BLOCK)]
         return len(block) > 0 and float(block.mean()) > LOUD * calm
 
-    start = end - SECONDS
-    while loud(start) and start > max(end - LONGEST, float(run.t[0])):
+    start = end - SECONDS * slow
+    while loud(start) and start > max(end - LONGEST * slow, float(run.t[0])):
         start -= BLOCK
-    return end - start if not loud(start) and start > run.t[0] else SECONDS
+    return end - start if not loud(start) and start > run.t[0] else SECONDS * slow
+
+
+def _ordinary_end(run: FilterRun) -> float:
+    return ORDINARY_END * pace(run.robot)
 
 
 def calm_of(run: FilterRun, window: Window) -> float:
@@ -66,7 +72,7 @@ def quiet_of(run: FilterRun, window: Window) -> float:
 
 def _seconds(run: FilterRun, window: Window) -> list[Array]:
     """The squares of the whitened innovations in each second up to a while before the fall."""
-    use = run.readings & (run.t < window.end - ORDINARY_END)
+    use = run.readings & (run.t < window.end - _ordinary_end(run))
     t, squares = run.t[use], run.innovation[use] ** 2 / run.variance[use]
     seconds = np.floor(t - run.t[0])
     return [squares[seconds == k] for k in np.unique(seconds) if (seconds == k).sum() > FEWEST / 2]

@@ -317,9 +317,11 @@ def _demanded(evidence: Evidence) -> list[Answer]:
 
 def _out_of_speed(evidence: Evidence) -> list[Answer]:
     """Whether the wheels turned, while the robot was upright, as fast as its motors can: no gain gives torque there.
-    Not in a log that begins while it falls, since a push may have been before."""
-    speed, since = evidence.motors.speed, began(evidence)
-    if since < evidence.run.log.t[0]:
+    Not in a log that begins while it falls, since a push may have been before, nor where the references ask for less:
+    motors that give too little run after the fall until they are as fast."""
+    speed, since, demand = evidence.motors.speed, began(evidence), evidence.demand
+    slow = demand is not None and demand.fastest < JUMP_OF_TOP * demand.top_speed
+    if since < evidence.run.log.t[0] or slow:
         return []
     text = (
         f"{sound(evidence)}, and a wheel reached {percent(min(speed, 1.0))} of the speed at which full commands give "
@@ -349,7 +351,8 @@ def _weak_or_wild(evidence: Evidence) -> list[Answer]:
     if match is not None and match.known and abs(match.gain - 1) < SAME_GAIN and evidence.stable is not False:
         text = f"{sound(evidence)}, the commands are the file's, and {at_limit(evidence)}"
         return [Answer(AT_LIMIT, SATURATION, since, text)] if motors.saturated > SATURATED else []
-    low = CLEAR if motors.swings < SWINGS and 0.0 < motors.help < 1.0 else 1 - CLEAR
+    large = motors.saturated > 0 and not 0.0 < motors.help < 1.0  # as the commands of a gain that is too high are
+    low = 1 - CLEAR if large or motors.swings >= SWINGS or math.isfinite(evidence.slid) else CLEAR
     gain = GAIN_WITHOUT_FILE if match is None else GAIN_WITH_FILE
     if since < evidence.run.log.t[0]:  # the log begins while it falls: neither swings nor what came before show
         gain *= IN_PART

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from upright.diagnose.beyond import Leftover
 from upright.diagnose.causes import Blow
 from upright.diagnose.changes import PART, channels_of
-from upright.diagnose.evidence import EXCURSION, FOREIGN, Demand, Evidence
+from upright.diagnose.evidence import FOREIGN, Demand, Evidence
 from upright.diagnose.fall import LEANING
 from upright.diagnose.fault_fits import FaultFit, PushEstimate
 from upright.diagnose.sizes import turned
@@ -35,7 +35,7 @@ def gained(evidence: Evidence, fit: FaultFit) -> float:
 
 
 def began(evidence: Evidence) -> float:
-    return evidence.fell_at - EXCURSION
+    return evidence.fell_at - evidence.excursion
 
 
 def of_fault(evidence: Evidence, fit: FaultFit) -> str:
@@ -172,6 +172,9 @@ def of_low(evidence: Evidence) -> str:
 
 
 def of_high(evidence: Evidence) -> str:
+    if math.isfinite(evidence.slid):
+        until = f"{sound(evidence)} until t = {evidence.slid:.2f} s"
+        return f"{until}; then the commands ask more of the floor than it holds, and the wheels slide"
     if evidence.motors.swings < 1:
         return f"{sound(evidence)}; a high gain also makes large commands, but mostly after swings: this log shows none"
     return (

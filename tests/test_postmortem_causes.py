@@ -1,0 +1,138 @@
+"""Rules of the post-mortem by numbers that follow from the equations, without a filter along a log."""
+
+from __future__ import annotations
+
+import math
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from upright.arrays import Array
+from upright.diagnose import chances, verdict
+from upright.diagnose.causes import HIGH, LOW
+from upright.diagnose.evidence import EXCURSION, Demand, Toppling
+from upright.diagnose.fall import Authority, falling, held_command, pace
+from upright.diagnose.fault_fits import PushEstimate
+from upright.diagnose.slip import slid_at
+from upright.physics.dynamics import motor_gain
+from upright.robots import Robot, preset_names
+from upright.signals import Log
+
+NXT = Robot.preset("nxtway-gs")
+E_FOLD = 1 / falling(NXT).pole  # 0.134 s
+PERIOD = 0.02  # [s] of a slow loop, whose commands repeat where the robot rests
+
+
+def held(needed: Array, asked: Array, battery: Array | None = None) -> tuple[float, float] | None:
+    """What counts as held among commands (rows,) of both motors, of which so much is `needed` (rows,)."""
+    t: Array = PERIOD * np.arange(len(asked), dtype=np.float64)
+    log = Log(t, {"sensor/battery": battery} if battery is not None else {"sensor/gyro": 0.0 * t})
+    run: Any = SimpleNamespace(log=log, asked=np.column_stack([asked, asked]), robot=NXT)
+    motors = Authority(t, asked, needed, np.zeros(len(t)), np.zeros((len(t), 6)))
+    return held_command(run, motors, float(t[-1]), EXCURSION)
+
+
+def stopped(rows: int) -> tuple[Array, Array]:
+    """What is needed, and commands that answer it in every row, but for the last `rows`, over which the need grows as a
+    lean does."""
+    needed = 0.02 * np.sin(np.arange(200.0))
+    needed[-rows:] = 0.1 * np.exp(PERIOD / E_FOLD * np.arange(rows))
+    asked = np.where(np.arange(200) < 200 - rows, needed, needed[-rows])
+    return needed, asked
+
+
+def test_a_robot_at_rest_whose_commands_repeat_is_no_stopped_program() -> None:
+    needed, asked = stopped(15)  # 0.3 s, or 2.2 times in which it falls e-fold
+    found = held(needed, asked)
+    assert found is not None
+    assert found[0] == pytest.approx(PERIOD * 185)
+    needed[-15:] = 0.005  # the same repeated command where nothing has to be answered
+    assert held(needed, asked) is None
+
+
+def test_duties_that_stand_still_are_commands_that_do_though_the_battery_s_reading_scatters() -> None:
+    needed, duties = stopped(15)
+    volts = 8.0 + 0.02 * np.random.default_rng(1).standard_normal(len(duties))
+    assert held(needed, duties * volts, volts) is not None
+    assert held(needed, duties * volts) is None  # without the battery's channel these are volts that change
+
+
+def test_only_robots_that_fall_slowly_get_more_time() -> None:
+    assert {name: pace(Robot.preset(name)) for name in preset_names()} == dict.fromkeys(preset_names(), 1.0)
+    # a body of 50 times the inertia about its axle under the same weight: its e-fold is √50 times longer on wheels that
+    # stand, and nearly so on wheels that roll
+    whole = 50 * (NXT.pitch_inertia + NXT.body_mass * NXT.com_height**2)
+    slow = NXT.replace(pitch_inertia=whole, roll_inertia=whole, yaw_inertia=whole)
+    assert pace(slow) == pytest.approx(4.75 / falling(slow).pole)
+    assert pace(slow) > 2.0
+
+
+def test_wheels_slide_by_commands_that_ask_more_of_the_floor_than_it_holds() -> None:
+    mass = NXT.body_mass + 2 * NXT.wheel_mass
+    # at rest the whole torque of two motors pushes on the floor at the radius, but for what turns the body and wheels
+    whole = mass * NXT.gravity * NXT.wheel_radius / (2 * motor_gain(NXT))
+    for part, slides in ((0.1, False), (20.0, True)):
+        u = np.where(np.arange(100)[:, None] < 50, 0.0, part * whole) * np.ones((100, 2))
+        t = 0.01 * np.arange(100)
+        run: Any = SimpleNamespace(robot=NXT, before=np.zeros((100, 6)), command=u, t=t, spans=np.full(100, 0.01))
+        at = slid_at(run, 0.0, 1.0)
+        assert (at == pytest.approx(0.5)) if slides else (at is None)
+
+
+@pytest.fixture
+def _last_questions(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Only what is asked of a robot whose innovations are noise: references, speed, battery and gain."""
+    monkeypatch.setattr(verdict, "QUESTIONS", verdict.QUESTIONS[-4:])
+
+
+def left_over(**motors: Any) -> dict[str, float]:
+    """The likelihoods of a sound robot whose motors were used so."""
+    use = {"saturated": 0.0, "pegged": 0.0, "stuck": False, "held": None, "swings": 0.8, "help": math.nan, "speed": 0.3}
+    demand = motors.pop("demand", None)
+    none: Any = SimpleNamespace(fault="none", pushes=(), score=0.0, nis=0.7, rest=np.zeros(0), explained=0.0)
+    log = Log(np.arange(0.0, 6.0, 0.01), {"sensor/gyro": np.zeros(600)})
+    evidence: Any = SimpleNamespace(
+        run=SimpleNamespace(log=log, robot=NXT), fell_at=5.0, excursion=EXCURSION, ordinary=1.0, calm=1.0, nis=1.0,
+        fits=(none,), pairs=(), pushes_only=none, left=None, stuck=None, jam=None, match=None, stable=None,
+        slid=math.nan, lost=(0.0, 0.0, 4.0), demand=demand, battery=(math.nan, math.nan), throw=None, then=log.t,
+        notes=(), motors=SimpleNamespace(**use | motors), toppling=Toppling(1.0, 0.0, 0.5, 1 / E_FOLD),
+    )  # fmt: skip
+    return {cause.name: cause.likelihood for cause in verdict.ranked(evidence)}
+
+
+@pytest.mark.usefixtures("_last_questions")
+def test_commands_that_stay_small_are_no_gain_that_is_too_high() -> None:
+    # commands near nothing, a little the wrong way, while the robot leans on: a high gain gives large ones
+    assert left_over(help=-0.06)[LOW] > 0.5 > left_over(help=-0.06)[HIGH]
+    assert left_over(saturated=0.8)[HIGH] > 0.5
+    assert left_over(swings=12.0, help=0.5)[HIGH] > 0.5
+
+
+@pytest.mark.usefixtures("_last_questions")
+def test_references_that_ask_for_little_speed_exclude_motors_that_were_asked_for_more() -> None:
+    fast = {"speed": 0.98, "help": 0.8, "saturated": 0.8}
+    top = 0.3  # [m/s]
+    assert left_over(**fast)["saturation"] > 0.5  # nothing is known of what was asked
+    slow = left_over(**fast, demand=Demand(jump=0.0, at=3.0, top_speed=top, fastest=top / 10))
+    assert slow[LOW] > 0.5
+    assert left_over(**fast, demand=Demand(jump=0.0, at=3.0, top_speed=top, fastest=top))["saturation"] > 0.5
+
+
+@pytest.mark.parametrize(("lean", "topples"), [(0.45, True), (0.1, False)])
+def test_a_push_beyond_what_motors_bring_back_fells_however_long_the_robot_swings(
+    lean: float, topples: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+
+    def restless(*_: Any) -> float:
+        return 1.0  # [s]: it never came to rest after the push
+
+    monkeypatch.setattr(chances, "unsettled", restless)
+    push = PushEstimate(start=2.0, stop=2.1, impulse=lean, height=0.0, score=100.0)
+    evidence: Any = SimpleNamespace(
+        pushes_only=SimpleNamespace(pushes=(push,)), toppling=Toppling(1.0, 0.0, 0.5, 1 / E_FOLD), fell_at=5.0,
+        excursion=EXCURSION,
+    )  # fmt: skip
+    chance, _, largest = chances.toppled(evidence)
+    assert (chance > 0.9, largest is not None) == (topples, topples)
