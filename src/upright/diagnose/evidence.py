@@ -129,11 +129,10 @@ class Evidence:
     where it leaves something. `ordinary` is the scale of the innovations before the fall, `calm` that of its calmer
     seconds, `quiet` their mean square in a usual one, `nis` in the window, whose readings are at the times `then` [s].
     A `stuck` sensor has the scores of a jammed wheel and of a dumb encoder, and the NIS that the better one leaves, in
-    `jam`. All was sound until the commands made the wheels slide at `slid` [s] (NaN: not so), and nothing later is
-    judged. `match` compares
-    the recorded commands with the file's, whose loop is `stable`. `lost` is the fraction of periods without a row since
-    a time [s] in the last second, before it, and that time; `battery` the voltage [V] before and at the fall. A blow
-    that shows in the readings alone is a `throw`. `demand` is None where no references were logged.
+    `jam`. All was sound until the commands made the wheels slide at `slid` [s] (NaN: not so): nothing later is judged.
+    `match` compares the recorded commands with the file's, whose loop is `stable`. `lost` is the fraction of periods
+    without a row since a time [s] in the last second, before it, and that time; `battery` the voltage [V] before and
+    at the fall. A blow that shows in the readings alone is a `throw`. `demand` is None where no references were logged.
     """
 
     run: FilterRun
@@ -242,7 +241,7 @@ def _sound_until(
     part = window_of(run, at)
     before = part.bank(run, pushes_only=False)
     sound = fits(before)
-    return (part, before, sound) if not _unexplained(sound, before) else None
+    return (part, before, sound) if not _unexplained(sound, part.usual) else None
 
 
 def _blind(still: StuckSensor | None) -> bool:
