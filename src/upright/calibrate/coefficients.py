@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.calibrate.electronics import ASYMMETRY, BATTERY, CONSTANT, DEAD_ZONE, DROP
+from upright.calibrate.electronics import ASYMMETRY, BATTERY, CONSTANT, DEAD_ZONE, DROP, MISALIGNED
 from upright.calibrate.parameters import ROLL_FRACTION, Parameter, roll_fraction
 from upright.calibrate.resonance import DAMPING, FREQUENCY, resonates
 from upright.compiled.generated import Constants
@@ -23,8 +23,9 @@ Array = NDArray[np.float64]
 NUDGE = 1e-4  # of the prior's deviation: central differences are right to 1e-8, and rounding stays below
 AT = Constants(*range(len(Constants._fields)))
 """Where each named constant of the equations stands among the coefficients."""
-DRIVEN, DELAYS = len(AT), len(AT) + 5
-"""Where among the coefficients begins what drives the robot, and where the delays."""
+DRIVEN, TURN_READ, DELAYS = len(AT), len(AT) + 5, len(AT) + 6
+"""Where among the coefficients begins what drives the robot, where what the gyro reads of the yaw rate is, and where
+the delays begin."""
 ZONE, LOST = DRIVEN + 2, DRIVEN + 4
 NOT_NEGATIVE = [AT.coulomb_torque, AT.rolling_torque, AT.yaw_rolling_torque, ZONE, LOST]
 LEVEL = (
@@ -86,7 +87,7 @@ def priors_of(
     sensors, of which some are `asked`."""
     given = {**robot.numbers(), "roll_inertia": roll_fraction(robot)}
     given = {name: given[name] for name in PARAMETERS}
-    given |= {ASYMMETRY: 0.0, BATTERY: 1.0, DEAD_ZONE: 0.0, CONSTANT: 0.0, DROP: 0.0, **exact}
+    given |= {ASYMMETRY: 0.0, BATTERY: 1.0, DEAD_ZONE: 0.0, CONSTANT: 0.0, DROP: 0.0, MISALIGNED: 0.0, **exact}
     given |= {f"delay/{name}": delay for name, delay in delays.items()}
     given |= dict.fromkeys([FREQUENCY, DAMPING] if resonates(asked) else [], np.nan)
     place = {name: i for i, name in enumerate(given)}

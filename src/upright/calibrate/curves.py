@@ -9,7 +9,19 @@ from typing import Any
 import numpy as np
 
 from upright.calibrate import parameters
-from upright.calibrate.coefficients import AT, DELAYS, DRIVEN, EXACT, LEVEL, LOST, TURNED, Bowls, around, slopes_of
+from upright.calibrate.coefficients import (
+    AT,
+    DELAYS,
+    DRIVEN,
+    EXACT,
+    LEVEL,
+    LOST,
+    TURN_READ,
+    TURNED,
+    Bowls,
+    around,
+    slopes_of,
+)
 from upright.calibrate.descent import damped_step
 from upright.calibrate.kept import njit
 from upright.compiled import generated
@@ -53,8 +65,8 @@ def numbers_at(z: Any, priors: Any) -> Any:
 def coefficients(z: Any, priors: Any) -> Any:
     """The coefficients (coefficients, lanes) at z (asked and more, lanes): the constants of the equations of motion,
     each with the error that z has for it after what is asked; factor of the left and of the right motor, dead zone,
-    constant command, and the drop in volts of the logged command; the dead time of each sensor; ω [rad/s] and ζ of a
-    resonance."""
+    constant command, and the drop in volts of the logged command; what the gyro reads of the yaw rate; the dead time of
+    each sensor; ω [rad/s] and ζ of a resonance."""
     numbers, asked = numbers_at(z, priors), len(priors.place)
     tail = len(numbers) - DEAD_TIMES
     q = np.empty((DELAYS + tail, z.shape[1]))
@@ -70,7 +82,7 @@ def coefficients(z: Any, priors: Any) -> Any:
         half, supply = numbers[PLAIN, lane] / 2, numbers[PLAIN + 1, lane]
         q[DRIVEN, lane], q[DRIVEN + 1, lane] = supply * (1 - half), supply * (1 + half)
         q[DRIVEN + 2, lane], q[DRIVEN + 3, lane] = numbers[PLAIN + 2, lane], numbers[PLAIN + 3, lane]
-        q[LOST, lane] = numbers[PLAIN + 4, lane] / supply
+        q[LOST, lane], q[TURN_READ, lane] = numbers[PLAIN + 4, lane] / supply, numbers[PLAIN + 5, lane]
         for k in range(tail):
             q[DELAYS + k, lane] = numbers[DEAD_TIMES + k, lane]
         if priors.swings:

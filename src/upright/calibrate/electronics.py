@@ -22,11 +22,13 @@ Array = NDArray[np.float64]
 
 ASYMMETRY, BATTERY, DEAD_ZONE, CONSTANT = "asymmetry", "battery", "dead_zone", "constant_command"
 DROP = "drop"
+MISALIGNED = "gyro_misalignment"
 MEANING = {
     ASYMMETRY: "strength of the right motor less that of the left, over their mean",
     BATTERY: "fraction of the logged command that reaches the motors",
     DEAD_ZONE: "commands up to this size do not move the motors",
     DROP: "volts that the driver keeps of each command, as the motors get them",
+    MISALIGNED: "part of the yaw rate that the gyro reads beside the pitch rate",
     CONSTANT: "what a sloping floor, or an offset of the motors, adds to both commands",
     **RESONANCE,
 }
@@ -36,6 +38,7 @@ SLOPE = math.radians(0.5)
 """Spread of the slope of a floor. A robot on a slope leans, so that its weight holds it; what is left of the slope, as
 far as sensors without a vertical can tell, is a constant torque of each wheel (to first order)."""
 UNMEASURED = 0.1  # [1] spread of a supply that was not logged: a full and an empty battery differ by a quarter
+TILTED = 0.15  # [1] spread of the sine of a gyro's tilt: boards are set by eye, some askew by 15°
 MEASURED = 0.02  # [1] spread where it was: drop in driver and wires
 
 
@@ -56,4 +59,7 @@ def electronics_of(robot: Robot, kit: Kit, logs: Sequence[Log]) -> tuple[Paramet
         parameters.append(Parameter(DEAD_ZONE, robot.command_unit, zone, zone / 2, "linear", 0.0, True))
     if drop := 0.0 if own else strength * kit.motor.drop:
         parameters.append(Parameter(DROP, robot.command_unit, drop, drop / 2, "linear", 0.0, True))
+    gyro = kit.sensors.get("sensor/gyro")
+    if gyro and gyro.misalignment and not own:
+        parameters.append(Parameter(MISALIGNED, "1", gyro.misalignment, TILTED, "linear", guess=True))
     return tuple(parameters)

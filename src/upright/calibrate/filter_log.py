@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.calibrate.electronics import ASYMMETRY, BATTERY, DROP, electronics_of
+from upright.calibrate.electronics import ASYMMETRY, BATTERY, DROP, MISALIGNED, electronics_of
 from upright.calibrate.fitting import STICKING, Problem, objective
 from upright.calibrate.noise import learn_noise
 from upright.calibrate.parameters import Parameter
 from upright.calibrate.process_noise import NOISE_TIME, process
-from upright.logs.recording import SENSOR, Recording, first_noise, reading_matrix, record
-from upright.physics.dynamics import motor_gain, turn_ratio
+from upright.logs.recording import SENSOR, Recording, first_noise, record
+from upright.physics.dynamics import motor_gain
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -117,8 +117,7 @@ class Follower:
 
         recording, problem = self.recording, self.problem
         lanes = problem.lanes(recording, np.repeat(self._none[:, None], WIDE, axis=1))
-        turn = np.array([turn_ratio(problem.robot)])
-        return lanes, reading_matrix(recording.rows, len(recording.first), turn, recording.parts)[:, :, 0]
+        return lanes, lanes.reads[:, :, 0]
 
     @cached_property
     def _usual(self) -> _Order:
@@ -216,7 +215,7 @@ def known(log: Log, robot: Robot, kit: Kit, delay: float) -> Problem:
     }
     noise = {s: math.log(variance) for s, variance in first_noise(recording).items()}
     return Problem(
-        recordings=(recording,), robot=robot, parameters=_motors(robot, kit, log), delays=after_command, noise=noise
+        recordings=(recording,), robot=robot, parameters=_of_kit(robot, kit, log), delays=after_command, noise=noise
     )
 
 
@@ -240,11 +239,10 @@ def one_step_noise(log: Log, robot: Robot, kit: Kit, *, delay: float) -> dict[st
     return {name: math.exp(0.5 * learnt[name]) for name in bounds}
 
 
-def _motors(robot: Robot, kit: Kit, log: Log) -> tuple[Parameter, ...]:
-    """The strengths of two motors, where the kit has some of its own."""
-    if kit.motor.left == kit.motor.right == 1:
-        return ()
-    return tuple(p for p in electronics_of(robot, kit, [log]) if p.name in (ASYMMETRY, BATTERY))
+def _of_kit(robot: Robot, kit: Kit, log: Log) -> tuple[Parameter, ...]:
+    """The strengths of two motors, where the kit has some of its own, and the tilt of its gyro."""
+    names = {MISALIGNED} if kit.motor.left == kit.motor.right == 1 else {MISALIGNED, ASYMMETRY, BATTERY}
+    return tuple(p for p in electronics_of(robot, kit, [log]) if p.name in names)
 
 
 def _lost(row: Whole, e: Array, after: Array) -> int:

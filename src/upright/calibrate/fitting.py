@@ -24,6 +24,7 @@ from upright.calibrate.coefficients import (
     NOT_NEGATIVE,
     NUDGE,
     ROLLING_DRY,
+    TURN_READ,
     Bowls,
     Curves,
     priors_of,
@@ -82,8 +83,9 @@ class Problem:
     of each run from the robot. `held` names some that stay at their prior.
     `temper` weighs the readings against the prior: below one where innovations are not white, so that they hold less
     information than their number says (Lyddon et al. 2019). After every `restart` [s] the filter forgets the state.
-    A `resonance` of the gyro that was found, or a `drop` of the driver, makes the logs likelier by so many nats. Logs
-    that are `foreign` are not of a body of ours. Some numbers of the electronics are `exact`, by name.
+    A `resonance` of the gyro that was found, its `misalignment`, or a `drop` of the driver, makes the logs likelier by
+    so many nats. Logs that are `foreign` are not of a body of ours. Of the electronics some numbers are `exact`, by
+    name.
     """
 
     recordings: tuple[Recording, ...]
@@ -97,6 +99,7 @@ class Problem:
     restart: float = math.inf
     resonance: float = 0.0
     drop: float = 0.0
+    misalignment: float = 0.0
     foreign: bool = False
     exact: Mapping[str, float] = field(default_factory=dict[str, float])
     longest: float = field(init=False)
@@ -157,8 +160,8 @@ class Problem:
 
         delay = dict(zip(self.delays, q[DELAYS:], strict=False))
         delays = np.array([delay[SENSOR[row]] for row in recording.rows])
-        robots, swing = (np.ascontiguousarray(part) for part in (q[:DELAYS], q[DELAYS + len(self.delays) :]))
-        return RobotLanes(recording.reads(q[AT.half_track]), delays, robots, swing)
+        robots, swing = (np.ascontiguousarray(part) for part in (q[:TURN_READ], q[DELAYS + len(self.delays) :]))
+        return RobotLanes(recording.reads(q[AT.half_track], q[TURN_READ]), delays, robots, swing)
 
     def lanes(self, recording: Recording, z: Array) -> RobotLanes:
         """The same for z (parameters, lanes)."""

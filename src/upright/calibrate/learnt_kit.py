@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from upright.calibrate.calibration import Calibration
-from upright.calibrate.electronics import ASYMMETRY, BATTERY, DEAD_ZONE, DROP
+from upright.calibrate.electronics import ASYMMETRY, BATTERY, DEAD_ZONE, DROP, MISALIGNED
 from upright.calibrate.resonance import DAMPING, FREQUENCY
 from upright.logs.recording import SENSOR
 from upright.robots import Kit
@@ -35,6 +35,8 @@ def learnt_kit(result: Calibration, kit: Kit, delays: Mapping[str, float], hidde
     if FREQUENCY in factors and "sensor/gyro" in sensors:
         gyro = replace(sensors["sensor/gyro"], resonance=factors[FREQUENCY], damping=factors[DAMPING])
         sensors |= {"sensor/gyro": gyro}
+    if MISALIGNED in factors and "sensor/gyro" in sensors:
+        sensors |= {"sensor/gyro": replace(sensors["sensor/gyro"], misalignment=factors[MISALIGNED])}
     sides = {"left": strength * (1 - half), "right": strength * (1 + half)}
     motor = replace(kit.motor, **sides, dead_zone=zone, drop=drop)
     return replace(

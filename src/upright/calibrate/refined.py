@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from functools import partial
@@ -14,6 +14,7 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.calibrate import dropping
+from upright.calibrate import misaligned as tilting
 from upright.calibrate import resonant as resonating
 from upright.calibrate.annealing import from_likeliest_delays
 from upright.calibrate.dropping import dropped
@@ -21,6 +22,7 @@ from upright.calibrate.effects import respread
 from upright.calibrate.fitting import STICKING, Fitted, Normal, Path, Problem, normal_equations, objective
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.informativity import effective_fraction
+from upright.calibrate.misaligned import misaligned
 from upright.calibrate.noise import GAIN, Bounds, learn_noise, sensor_bounds
 from upright.calibrate.parameters import ROLLING, most_friction
 from upright.calibrate.process_noise import NOISE_TIME, process, with_process
@@ -57,6 +59,9 @@ WEIGHT_TOLERANCE = 0.02  # [1] relative change of the readings' weight that asks
 NOISE_TOLERANCE = 0.05  # [1] change of a variance's logarithm that asks for no other fit: a noise known to 2.5 %
 WHITE = 0.15  # [1] autocorrelation of innovations below which the model is taken for right: 3 deviations of 400 samples
 
+Cause = Callable[[Fitted, Callable[[Problem, Array], Fitted]], Fitted | None]
+"""The likelier fit with a cause, from one without and what settles a start."""
+
 NOISE_RANGE = 1e-6  # [1] least process noise that is learnt, over the most
 
 
@@ -73,9 +78,10 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float], show: Progr
         if polished.normal.objective < best.normal.objective:
             rough, best = other, polished
     show(0.3)
-    if not white(best) and (other := _with_drop(rough, bounds)):
-        rough, best = other, _polished(other, bounds)
-        problem, z = dropping.with_that_of(problem, z, rough.problem, rough.z)
+    for cause, with_that_of in ((misaligned, tilting.with_that_of), (dropped, dropping.with_that_of)):
+        if not white(best) and (other := _with_cause(cause, rough, bounds)):
+            rough, best = other, _polished(other, bounds)
+            problem, z = with_that_of(problem, z, rough.problem, rough.z)
     if not white(best) and (other := _with_resonance(rough, bounds)):
         rough, best = other, _polished(other, {**bounds, **_swings(problem)})
         problem, z = resonating.with_that_of(problem, z, rough.problem, rough.z)
@@ -95,9 +101,9 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float], show: Progr
         return _best_simulated(last, [*pool.map(simulated, last)], LEVEL)[0] if len(last) > 1 else last[0]
 
 
-def _with_drop(fit: Fitted, bounds: Bounds) -> Fitted | None:
-    """The fit with a drop of the driver, where that explains the log."""
-    other = dropped(fit, partial(_settled, bounds=bounds))
+def _with_cause(cause: Cause, fit: Fitted, bounds: Bounds) -> Fitted | None:
+    """The fit with a `cause`, where that explains the log."""
+    other = cause(fit, partial(_settled, bounds=bounds))
     return other if other and _explains(other, fit) else None
 
 

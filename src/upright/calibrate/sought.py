@@ -15,7 +15,7 @@ from functools import partial
 import numpy as np
 
 from upright.arrays import Array
-from upright.calibrate.electronics import DROP
+from upright.calibrate.electronics import DROP, MISALIGNED
 from upright.calibrate.fitting import Fitted, Problem
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.informativity import MARGIN, score_covariance
@@ -24,7 +24,7 @@ from upright.calibrate.resonance import TYPICAL
 from upright.calibrate.threads import CORES
 
 ITERATIONS = 5  # of Gauss–Newton from each start, before the noise is learnt again at the best
-SOUGHT = frozenset({*TYPICAL, DROP})
+SOUGHT = frozenset({*TYPICAL, DROP, MISALIGNED})
 """The parameters of such causes."""
 
 
@@ -40,7 +40,7 @@ def likelier(
     with ThreadPoolExecutor(CORES) as pool:
         tries = [*pool.map(_nearby, starts)]
         value, problem, z = min(tries, key=lambda one: one[0], default=(math.inf, *fit[:2]))
-        if not math.isfinite(value):
+        if not fit.normal.objective - value >= MARGIN:  # priors and dimensions cost the evidence still more
             return None
         other = settled(problem, z)
         more, less = pool.map(partial(evidence, weight=weight_of(other, names)), (other, fit))

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.calibrate import dropping, resonance
+from upright.calibrate import dropping, misaligned, resonance
 from upright.calibrate.calibration import Calibration, Segments
 from upright.calibrate.coefficients import around, slopes_of
 from upright.calibrate.contradicted import Explained, Freed, which
@@ -287,6 +287,7 @@ def _notes(
     freed: Sequence[Freed],
 ) -> list[str]:
     notes = [*([reason] if reason else []), *dropping.in_words(every, problem.drop)]
+    notes += misaligned.in_words(every, problem.misalignment)
     notes += resonance.in_words(every, problem.resonance)
     if problem.temper < 1:
         notes.append(

@@ -77,9 +77,13 @@ class Recording:
         P0[1, size] = P0[size, 1] = self.P0[1, 1]
         return replace(self, first=np.append(self.first, [self.first[1], 0.0]), P0=P0, swings=True)
 
-    def reads(self, turn: Array) -> Array:
-        """The sensor matrix C (rows, states, lanes) for W/(2R) = `turn` (lanes,)."""
-        return reading_matrix(self.rows, len(self.first), turn, self.parts, swings=self.swings)
+    def reads(self, turn: Array, misaligned: Array) -> Array:
+        """The sensor matrix C (rows, states, lanes) for W/(2R) = `turn` (lanes,) and a gyro that reads the part
+        `misaligned` (lanes,) of the yaw rate."""
+        C = reading_matrix(self.rows, len(self.first), turn, self.parts, swings=self.swings)
+        gyro = [SENSOR[row] == "gyro" for row in self.rows]
+        C[gyro, STATE_NAMES.index("yaw_rate")] += misaligned
+        return C
 
 
 def jumps(t: Array) -> Whole:

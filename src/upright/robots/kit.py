@@ -59,10 +59,15 @@ class Sensor:
     resonance: float = 0.0  # [Hz] where it swings against the frame, or its filter ends; 0 for neither
     damping: float = 0.7  # [1] of that resonance: little of what swings, 0.7 of a filter
     gain: float = 1.0  # reading over what is measured; 1 but for a scale error
+    misalignment: float = 0.0  # [1] part of the yaw rate that a gyro reads beside the pitch rate: it is tilted
 
     def __post_init__(self) -> None:
         for f in fields(self):
-            _check_size(f"sensor {f.name}", getattr(self, f.name))
+            size = getattr(self, f.name)
+            _check_size(f"sensor {f.name}", abs(size) if f.name == "misalignment" else size)
+        if abs(self.misalignment) > 1:
+            raise InvalidRobot(f"sensor misalignment is {self.misalignment:g}", expected="-1 to 1",
+                               likely="degrees instead of their sine")  # fmt: skip
         if self.resonance and not self.damping:
             raise InvalidRobot("sensor damping is 0", expected="more than zero, as of every resonance")
 
@@ -217,7 +222,7 @@ def _sensor_units(name: str) -> dict[str, tuple[str, ...]]:
     return (
         units
         | {"bias_walk": (f"{unit}/√s",), "delay": ("s",), "period": ("s",), "gain": ("1",)}
-        | ({"resonance": ("Hz",), "damping": ("1",)} if name == "gyro" else {})
+        | ({"resonance": ("Hz",), "damping": ("1",), "misalignment": ("1",)} if name == "gyro" else {})
     )
 
 
