@@ -36,11 +36,11 @@ def likelier(
 ) -> tuple[Fitted, float] | None:
     """The fit with the parameters of these `names`, from the best of the `starts`, and by how many nats it is likelier
     than the `fit` without them; None where that is less than `MARGIN`. `settled` learns parameters and noise from a
-    start."""
+    start, where the same noise already gains as much."""
     with ThreadPoolExecutor(CORES) as pool:
         tries = [*pool.map(_nearby, starts)]
         value, problem, z = min(tries, key=lambda one: one[0], default=(math.inf, *fit[:2]))
-        if not fit.normal.objective - value >= MARGIN:  # priors and dimensions cost the evidence still more
+        if not fit.normal.objective - value >= MARGIN:
             return None
         other = settled(problem, z)
         more, less = pool.map(partial(evidence, weight=weight_of(other, names)), (other, fit))
