@@ -21,17 +21,19 @@ from upright.calibrate.electronics import BATTERY
 from upright.calibrate.estimate import FOREIGN, SURPRISE
 from upright.calibrate.fitting import Fitted, Problem
 from upright.calibrate.gauss_newton import gauss_newton
-from upright.calibrate.parameters import Parameter, as_guess
+from upright.calibrate.parameters import LOSSES, Parameter, as_guess
 from upright.calibrate.refined import simulated, white
 from upright.calibrate.sought import laplace
 from upright.errors import DesignFailed
 from upright.robots import PARAMETERS, Robot
+from upright.tables import sentence
 
 ITERATIONS = 15  # of Gauss–Newton with what is freed
 TURNS = 10  # of the way down in the bowls, each of which moves a parameter by three deviations at most
 GAIN = 1e-3  # [nats] gain of a turn that ends it
 LIKELIER = math.log(20)  # [nats] odds of twenty to one by which a number must be likelier wrong than none
 CREDIBLE = 0.99  # [1] probability of the numbers of which one is said to be wrong
+FAR = math.log(10)  # [1] deviation of the logarithm of a number that may be in another unit, or before a gear
 MISSED = 0.01  # [1] of the readings of half seconds: a fit that bends right numbers predicts them all the same
 NATURE = ("gravity",)  # which no file gets wrong by more than its spread
 
@@ -68,10 +70,12 @@ def explained(fit: Fitted, search: Callable[[Sequence[str]], Fitted]) -> Explain
 
     The `fit` stays as it is where no single number explains the log clearly better; where innovations are not white
     even so, since what the model leaves out bends numbers, too; and where a stated number is contradicted by more than
-    `FOREIGN`, for then the log may be of another robot.
+    `FOREIGN`, for then the log may be of another robot: what alone would explain it is named all the same.
     """
     stays, stated = Explained(fit, [], 0.0), {p.name: p for p in fit.problem.parameters}
-    if _most(fit.problem, fit.z) > FOREIGN or simulated(fit) < 1 - MISSED or not (first := _credible(fit, stated)):
+    if _most(fit.problem, fit.z) > FOREIGN or _rubs(fit.problem, fit.z):
+        return Explained(fit, _single(fit, search), 0.0)
+    if simulated(fit) < 1 - MISSED or not (first := _credible(fit, stated)):
         return stays
     try:
         other = search([one.name for one in first])
@@ -91,12 +95,50 @@ def explained(fit: Fitted, search: Callable[[Sequence[str]], Fitted]) -> Explain
     return Explained(other, freed, away.T @ away / len(freed))
 
 
+def _single(fit: Fitted, search: Callable[[Sequence[str]], Fitted]) -> list[Freed]:
+    """The stated numbers each of which alone explains a log that contradicts the file by more than `FOREIGN`, if it may
+    be off by any factor, the likeliest first; none where the fit does not describe the log.
+
+    A fit that bends numbers so far may have bent the coefficients too. So where none explains it, the likeliest one is
+    tried in a fit of its own.
+    """
+    problem, z, normal, *_ = fit
+    if simulated(fit) < 1 - MISSED:
+        return []
+    stated = {p.name: p for p in problem.parameters}
+    tries: list[Freed] = []
+    for p in problem.asked:
+        if not p.guess and p.name in PARAMETERS and p.prior > 0 and p.name not in {*problem.held, *NATURE}:
+            far = replace(p, spread=FAR * p.prior, scale="logarithm", guess=True)
+            tries.append(_alone(problem, {**stated, p.name: far}, z, normal.bowls, p.name, ()))
+    tries.sort(key=lambda one: -one.nats)
+    if agree := [one for one in tries if _agrees(one.problem, one.z) and one.nats > tries[0].nats - LIKELIER]:
+        return agree
+    first = tries[0]
+    if first.nats < _nats(problem, z, normal.bowls) + LIKELIER:
+        return []
+    try:
+        other = search([first.name])
+    except DesignFailed:
+        return []
+    if not _agrees(other.problem, other.z) or simulated(other) < 1 - MISSED:
+        return []
+    value = next(p.value(x) for p, x in zip(other.problem.asked, other.z, strict=False) if p.name == first.name)
+    return [first._replace(value=float(value))]
+
+
+def in_words(numbers: Sequence[Freed]) -> str:
+    """With which of these numbers, each alone, the log and the file would agree."""
+    agree = ", or if ".join(map(str, numbers))
+    return f"the log and the robot's file would agree if {agree}" if agree else ""
+
+
 def which(freed: Sequence[Freed]) -> list[str]:
     """The numbers of which one is wrong, in words; nothing without any."""
     if not freed:
         return []
     again = "Measure these again: the intervals allow for each." if len(freed) > 1 else "Measure it again."
-    return [f"The log and the robot's file would agree if {', or if '.join(map(str, freed))}. {again}"]
+    return [f"{sentence(in_words(freed))} {again}"]
 
 
 def _credible(fit: Fitted, stated: Mapping[str, Parameter]) -> list[Freed]:
@@ -108,7 +150,8 @@ def _credible(fit: Fitted, stated: Mapping[str, Parameter]) -> list[Freed]:
     least = _nats(problem, z, bowls) + LIKELIER
     names = [p.name for p in problem.asked if not p.guess and (p.name in PARAMETERS or p.name == BATTERY)]
     tries = [_alone(problem, stated, z, bowls, name) for name in names if name not in {*problem.held, *NATURE}]
-    ordered = sorted((one for one in tries if one and one.nats > least), key=lambda one: -one.nats)
+    agree = [one for one in tries if one.nats > least and _agrees(one.problem, one.z)]
+    ordered = sorted(agree, key=lambda one: -one.nats)
     weights = np.exp([one.nats - ordered[0].nats for one in ordered])
     before = np.cumsum(weights) - weights
     return [one for one, likelier in zip(ordered, before, strict=True) if likelier < CREDIBLE * weights.sum()]
@@ -119,13 +162,25 @@ def _most(problem: Problem, z: Array) -> float:
     return max((abs(x) for p, x in zip(problem.asked, z, strict=False) if not p.guess), default=0.0)
 
 
-def _alone(problem: Problem, stated: Mapping[str, Parameter], z: Array, bowls: Bowls, name: str) -> Freed | None:
-    """The fit in the bowls with this number as a guess; None where another stated number is contradicted there."""
-    problem, z = _freed(problem, stated, z, [name])
+def _agrees(problem: Problem, z: Array) -> bool:
+    """Whether no stated number is contradicted at z (parameters,), and no friction stands in for one."""
+    return _most(problem, z) <= SURPRISE and not _rubs(problem, z)
+
+
+def _rubs(problem: Problem, z: Array) -> bool:
+    """Whether a friction that is a guess is `FOREIGN` at z (parameters,)."""
+    return any(x > FOREIGN for p, x in zip(problem.asked, z, strict=False) if p.guess and p.name in LOSSES)
+
+
+def _alone(
+    problem: Problem, stated: Mapping[str, Parameter], z: Array, bowls: Bowls, name: str,
+    guesses: Sequence[str] | None = None,
+) -> Freed:  # fmt: skip
+    """The fit in the bowls with this number, or with these, as guesses."""
+    problem, z = _freed(problem, stated, z, [name] if guesses is None else guesses)
     z = _down(problem, z, bowls)
     p, at = next((p, x) for p, x in zip(problem.asked, z, strict=False) if p.name == name)
-    one = Freed(name, p.unit, stated[name].prior, float(p.value(at)), _nats(problem, z, bowls), problem, z)
-    return one if _most(problem, z) <= SURPRISE else None
+    return Freed(name, p.unit, stated[name].prior, float(p.value(at)), _nats(problem, z, bowls), problem, z)
 
 
 def _nats(problem: Problem, z: Array, bowls: Bowls) -> float:

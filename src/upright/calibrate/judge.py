@@ -17,7 +17,7 @@ from upright.calibrate.calibration import GOOD, PREDICTED, Segments
 from upright.calibrate.electronics import MEANING
 from upright.calibrate.estimate import FOREIGN, Estimate
 from upright.calibrate.fitting import Problem
-from upright.calibrate.parameters import columns
+from upright.calibrate.parameters import LOSSES, columns
 from upright.calibrate.validate import score
 from upright.logs.recording import SENSOR, Recording, first_noise
 from upright.physics.dynamics import turn_ratio
@@ -31,8 +31,6 @@ WORSE = 0.02  # [1] R² of half seconds by which the prior's own numbers may pre
 NEARER = 2 / 3  # [1] of what the file's numbers leave of half seconds: another preset that leaves less is proposed
 LEVEL = 1.1  # [1] of what the best leaves: presets that leave no more are proposed beside it, those of the kit first
 MOST_LAGS = 8  # readings by which a prediction is shifted to see whether it is a delay
-LOSSES = ("motor_friction", "wheel_friction", "coulomb_friction")
-"""Guesses that stand in for what a wrong motor of the file does not brake: on real logs they move by 1.1 deviations."""
 HALF = 0.5  # [1] of the readings' deviation: what a sign, a unit or a delay must explain of them to be named
 NOISY = 4.0  # times the variance that a sensor's noise and steps give: what is left beyond is of the motion
 LEAST = 8  # readings of a half second from which a turn is estimated
@@ -41,12 +39,13 @@ TURNED = 1.5  # a factor between prediction and reading that no tolerance of a m
 
 def reasons(
     problem: Problem, z: Array, free: Sequence[Segments], estimates: Sequence[Estimate], other: str = "",
-    wrong: Sequence[str] = (),
+    wrong: Sequence[str] = (), agree: str = "",
 ) -> tuple[str, ...]:  # fmt: skip
     """Why the fit at z (parameters,) is refused as a description of the robot, in words; nothing where it stands.
 
     `free` are the half seconds of each recording, simulated freely; `other` is what `proposed` proposes. `wrong` is
     what the doctor finds wrong in signs, sides and units: a fit that predicts wheels and gyro well stands all the same.
+    `agree` says with which single number the log and the file would agree; then no other is accused.
     """
     faults = [reason for parts in free for reason in unpredicted(parts)]
     own = score(problem, np.zeros_like(z))
@@ -56,7 +55,10 @@ def reasons(
             "the log has too little in it, or something that no robot of this kind does"
         )
     foreign = sorted((e for e in estimates if not e.guess and abs(e.shift) > FOREIGN), key=lambda e: -abs(e.shift))
-    if foreign:
+    losses = [e for e in estimates if e.name in LOSSES and e.guess and e.shift > FOREIGN]
+    if agree and (foreign or losses):
+        faults.append(f"{agree}: measure {'these' if ', or if ' in agree else 'it'} again")
+    elif foreign:
         stated = "; ".join(
             f"{e.name} {e.prior:.3g} ± {e.prior_spread:.2g} {e.unit}, the log {e.value:.3g}" for e in foreign
         )
@@ -67,8 +69,8 @@ def reasons(
     faults += [
         f"{e.name} of {e.value:.3g} {e.unit}, {e.shift:.0f} deviations more than a robot like the file's may lose: its "
         "back_emf, which counts at the wheel, behind the gear, its torque_constant or its gear_ratio is likely wrong"
-        for e in estimates
-        if e.name in LOSSES and e.guess and e.shift > FOREIGN
+        for e in losses
+        if not agree
     ]
     well = min((p.r_squared(name) for p in free for name in p.rows if name in PREDICTED), default=-1.0) >= GOOD
     return (*(() if well and not faults else wrong), *faults)

@@ -33,6 +33,9 @@ GEAR = "gear_ratio"
 """Asked only of a torque drive whose file says how uncertain it is: there it is the torque at the wheel over the
 commanded torque. Masses that were weighed tell it; without them a log gives every mass and torque up to one factor."""
 
+LOSSES = ("motor_friction", "wheel_friction", "coulomb_friction")
+"""Guesses that stand in for what a wrong motor of the file does not brake: on real logs they move by 1.1 deviations."""
+
 ROLLING = "rolling_friction"
 """Asked of every log that no body of ours made, since real wheels resist, and where the robot's file names it. A log of
 a body has what the file says."""

@@ -169,7 +169,8 @@ def _as_words(text: str) -> str:
 _DELAYS = (
     "The delay from a command to each sensor, then the motors. Asymmetry: right motor less left, over their mean. "
     "Battery: the fraction of the logged command that reaches the motors. Drop: volts that the driver keeps of each "
-    "command. Gyro resonance: where the gyro swings against the frame, or its filter ends."
+    "command. Gyro resonance: where the gyro swings against the frame, or its filter ends. Gyro misalignment: the part "
+    "of the yaw rate that a tilted gyro reads."
 )
 _COMBINED = (
     "The coefficients of the equations of motion, and the unstable pole. A log often determines these much better than "
