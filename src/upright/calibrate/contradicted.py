@@ -35,6 +35,7 @@ LIKELIER = math.log(20)  # [nats] odds of twenty to one by which a number must b
 CREDIBLE = 0.99  # [1] probability of the numbers of which one is said to be wrong
 FAR = math.log(10)  # [1] deviation of the logarithm of a number that may be in another unit, or before a gear
 MISSED = 0.01  # [1] of the readings of half seconds: a fit that bends right numbers predicts them all the same
+LEAST = 1e-3  # [1] of a stated number that is above zero: where one that may be zero is tried with an open size
 NATURE = ("gravity",)  # which no file gets wrong by more than its spread
 
 
@@ -96,7 +97,7 @@ def explained(fit: Fitted, search: Callable[[Sequence[str]], Fitted]) -> Explain
 
 
 def _single(fit: Fitted, search: Callable[[Sequence[str]], Fitted]) -> list[Freed]:
-    """The stated numbers each of which alone explains a log that contradicts the file by more than `FOREIGN`, if it may
+    """The numbers of the file each of which alone explains a log that contradicts the file by more than `FOREIGN`, if it may
     be off by any factor, the likeliest first; none where the fit does not describe the log.
 
     A fit that bends numbers so far may have bent the coefficients too. So where none explains it, the likeliest one is
@@ -108,7 +109,7 @@ def _single(fit: Fitted, search: Callable[[Sequence[str]], Fitted]) -> list[Free
     stated = {p.name: p for p in problem.parameters}
     tries: list[Freed] = []
     for p in problem.asked:
-        if not p.guess and p.name in PARAMETERS and p.prior > 0 and p.name not in {*problem.held, *NATURE}:
+        if p.name in PARAMETERS and p.prior > 0 and p.name not in {*problem.held, *NATURE, *LOSSES}:
             far = replace(p, spread=FAR * p.prior, scale="logarithm", guess=True)
             tries.append(_alone(problem, {**stated, p.name: far}, z, normal.bowls, p.name, ()))
     tries.sort(key=lambda one: -one.nats)
@@ -214,7 +215,7 @@ def _freed(problem: Problem, stated: Mapping[str, Parameter], z: Array, names: S
     """The problem with the `stated` parameters, those with these names as guesses, and z (parameters,) there."""
     parameters = guessed(problem.robot, [stated.get(p.name, p) for p in problem.parameters], names)
     new = [
-        x if p == q else max(q.coordinate(float(p.value(x))), q.least)
+        x if p == q else max(q.coordinate(max(float(p.value(x)), LEAST * q.prior)), q.least)
         for p, q, x in zip(problem.parameters, parameters, z, strict=True)
-    ]
+    ]  # of what is freed none may be below zero
     return replace(problem, parameters=parameters), np.array(new)

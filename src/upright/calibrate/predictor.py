@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from upright.calibrate.motion import INSTANT, STATES, STUCK, TOPPLED, block_of, driven, njit
+from upright.calibrate.motion import FRICTION, INSTANT, STATES, STUCK, TOPPLED, block_of, driven, njit
 from upright.calibrate.ringing import moved, undriven
 from upright.compiled.generated import PITCH, PITCH_RATE, WHEEL_RATE, YAW_RATE
 from upright.compiled.generated_motion import accelerations_free, constants_free
@@ -288,6 +288,8 @@ def kalman_along(events: Events, lanes: RobotLanes, first: Any, noise: Noise, lo
     x, P, u = first.copy(), np.zeros((size, PADDED)), events.commands[0].copy()
     P[:, :size] = noise.start
     w = block_of(lanes.robots)
+    for i in range(1 + len(MOVING), WIDE):
+        put(w, FRICTION, i, 0.0)  # no wheel of a lane that nobody reads is stopped
     swings = len(lanes.swing)
     room = _Flow(
         w, np.zeros((2, WIDE)), np.zeros((STATES, STATES)), np.zeros((size, PADDED)), np.zeros((size, PADDED)),
