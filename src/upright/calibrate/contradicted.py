@@ -97,8 +97,8 @@ def explained(fit: Fitted, search: Callable[[Sequence[str]], Fitted]) -> Explain
 
 
 def _single(fit: Fitted, search: Callable[[Sequence[str]], Fitted]) -> list[Freed]:
-    """The numbers of the file each of which alone explains a log that contradicts the file by more than `FOREIGN`, if it may
-    be off by any factor, the likeliest first; none where the fit does not describe the log.
+    """The numbers each of which alone explains a log that contradicts the file by more than `FOREIGN`, if it may be off
+    by any factor, the likeliest first; none where the fit does not describe the log.
 
     A fit that bends numbers so far may have bent the coefficients too. So where none explains it, the likeliest one is
     tried in a fit of its own.
