@@ -368,7 +368,7 @@ def _motor_use(run: FilterRun, w: Array, end: float) -> MotorUse:
     return MotorUse(
         held=held,
         saturated=float(full.mean()) if len(rows) else math.nan,
-        pegged=float((np.abs(second) > LIMIT).mean()),
+        pegged=float((np.abs(second) > LIMIT).mean()) if len(second) else 0.0,
         stuck=not np.ptp(run.asked[(log.t > end - excursion) & (log.t <= end)], axis=0).any(),
         swings=float((np.diff(np.sign(recent)) != 0).sum()) / excursion,
         help=float(np.median(helped)) if len(free) >= FEWEST_FREE else math.nan,
