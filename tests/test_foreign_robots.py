@@ -25,6 +25,7 @@ from upright.doctor.units import _penalty, _Suspect, expected
 from upright.doctor.wheels import on_its_wheels
 from upright.logs.mapping import apply, propose
 from upright.logs.readers import RawTable
+from upright.report import report
 from upright.robots import Kit, Robot
 from upright.robots.robot import Provenance
 from upright.signals import Log
@@ -238,6 +239,8 @@ def test_a_number_of_another_unit_or_place_is_named_alone(tmp_path: Path, name: 
     assert told
     assert math.isclose(float(told[1]), true, rel_tol=0.2)  # the sizes of the file share one factor, known to 10 %
     assert not [note for note in found.notes if "contradicts" in note]
+    report(found, tmp_path / "page.html")
+    assert "file, and calibrate once more" in (tmp_path / "page.html").read_text()  # the log has no fault
 
 
 def test_a_battery_in_per_cent_or_counts_is_no_voltage() -> None:

@@ -18,7 +18,7 @@ import numpy as np
 from upright.arrays import Array
 from upright.calibrate.coefficients import Bowls
 from upright.calibrate.electronics import BATTERY
-from upright.calibrate.estimate import FOREIGN, SURPRISE
+from upright.calibrate.estimate import AGREE, FOREIGN, SURPRISE
 from upright.calibrate.fitting import Fitted, Problem
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.parameters import LOSSES, Parameter, as_guess
@@ -131,7 +131,7 @@ def _single(fit: Fitted, search: Callable[[Sequence[str]], Fitted]) -> list[Free
 def in_words(numbers: Sequence[Freed]) -> str:
     """With which of these numbers, each alone, the log and the file would agree."""
     agree = ", or if ".join(map(str, numbers))
-    return f"the log and the robot's file would agree if {agree}" if agree else ""
+    return f"{AGREE} {agree}" if agree else ""
 
 
 def which(freed: Sequence[Freed]) -> list[str]:

@@ -28,6 +28,8 @@ SURPRISE = 3.0
 """Prior deviations beyond which the log contradicts a stated value."""
 WIDER = 1.05
 """Of a prior's deviation: from here up, by more than rounding, a fit leaves a number less certain than its file."""
+AGREE = "the log and the robot's file would agree if"
+"""How the sentence begins that names the numbers of which one is wrong."""
 FOREIGN = 6.0
 """Prior deviations of a stated value beyond which the log is of another robot."""
 

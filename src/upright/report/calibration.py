@@ -8,7 +8,18 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from upright.calibrate.calibration import GOOD, PREDICTED, Calibration
-from upright.calibrate.estimate import BOUNDED, CLOSE, MEASURED, MOVED, NOT_VISIBLE, PRIOR, VERDICTS, VISIBLE, Estimate
+from upright.calibrate.estimate import (
+    AGREE,
+    BOUNDED,
+    CLOSE,
+    MEASURED,
+    MOVED,
+    NOT_VISIBLE,
+    PRIOR,
+    VERDICTS,
+    VISIBLE,
+    Estimate,
+)
 from upright.plotting import number
 from upright.report import sensors
 from upright.report.doubts import FACTOR, again_with, doubts, off, repeated, reservations
@@ -231,6 +242,8 @@ def _per_cent(e: Estimate) -> str:
 def _next(c: Calibration) -> str:
     """What to run next: with the robot that was written, where one was."""
     logs = " ".join(Path(source).name for source in c.sources) or "LOG"
+    if any(reason.startswith(AGREE) for reason in c.refused):
+        return "measure again, correct the robot's file, and calibrate once more."
     if c.refused:
         return f"`upright doctor {logs.split()[0]}` looks for what is wrong with the log."
     if c.quiet:
