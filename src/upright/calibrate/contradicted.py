@@ -111,7 +111,7 @@ def _single(fit: Fitted, search: Callable[[Sequence[str]], Fitted]) -> list[Free
     for p in problem.asked:
         if p.name in PARAMETERS and p.prior > 0 and p.name not in {*problem.held, *NATURE, *LOSSES}:
             far = replace(p, spread=FAR * p.prior, scale="logarithm", guess=True)
-            tries.append(_alone(problem, {**stated, p.name: far}, z, normal.bowls, p.name, ()))
+            tries.append(_alone(problem, {**stated, p.name: far}, z, normal.bowls, p.name))
     tries.sort(key=lambda one: -one.nats)
     if agree := [one for one in tries if _agrees(one.problem, one.z) and one.nats > tries[0].nats - LIKELIER]:
         return agree
@@ -130,8 +130,7 @@ def _single(fit: Fitted, search: Callable[[Sequence[str]], Fitted]) -> list[Free
 
 def in_words(numbers: Sequence[Freed]) -> str:
     """With which of these numbers, each alone, the log and the file would agree."""
-    agree = ", or if ".join(map(str, numbers))
-    return f"{AGREE} {agree}" if agree else ""
+    return f"{AGREE} {', or if '.join(map(str, numbers))}"
 
 
 def which(freed: Sequence[Freed]) -> list[str]:
@@ -150,7 +149,8 @@ def _credible(fit: Fitted, stated: Mapping[str, Parameter]) -> list[Freed]:
     z = _down(problem, z, bowls)
     least = _nats(problem, z, bowls) + LIKELIER
     names = [p.name for p in problem.asked if not p.guess and (p.name in PARAMETERS or p.name == BATTERY)]
-    tries = [_alone(problem, stated, z, bowls, name) for name in names if name not in {*problem.held, *NATURE}]
+    guesses = {n: as_guess(problem.robot, stated[n]) for n in names if n not in {*problem.held, *NATURE}}
+    tries = [_alone(problem, {**stated, n: guess}, z, bowls, n) for n, guess in guesses.items()]
     agree = [one for one in tries if one.nats > least and _agrees(one.problem, one.z)]
     ordered = sorted(agree, key=lambda one: -one.nats)
     weights = np.exp([one.nats - ordered[0].nats for one in ordered])
@@ -173,15 +173,12 @@ def _rubs(problem: Problem, z: Array) -> bool:
     return any(x > FOREIGN for p, x in zip(problem.asked, z, strict=False) if p.guess and p.name in LOSSES)
 
 
-def _alone(
-    problem: Problem, stated: Mapping[str, Parameter], z: Array, bowls: Bowls, name: str,
-    guesses: Sequence[str] | None = None,
-) -> Freed:  # fmt: skip
-    """The fit in the bowls with this number, or with these, as guesses."""
-    problem, z = _freed(problem, stated, z, [name] if guesses is None else guesses)
+def _alone(problem: Problem, parameters: Mapping[str, Parameter], z: Array, bowls: Bowls, name: str) -> Freed:
+    """The fit in the bowls with these parameters, of which the one with this name is a guess."""
+    problem, z = _freed(problem, parameters, z, ())
     z = _down(problem, z, bowls)
     p, at = next((p, x) for p, x in zip(problem.asked, z, strict=False) if p.name == name)
-    return Freed(name, p.unit, stated[name].prior, float(p.value(at)), _nats(problem, z, bowls), problem, z)
+    return Freed(name, p.unit, p.prior, float(p.value(at)), _nats(problem, z, bowls), problem, z)
 
 
 def _nats(problem: Problem, z: Array, bowls: Bowls) -> float:

@@ -14,7 +14,7 @@ from upright.calibrate.electronics import DROP
 from upright.calibrate.estimate import VISIBLE, Estimate
 from upright.calibrate.fitting import Fitted, Problem
 from upright.calibrate.parameters import Parameter
-from upright.calibrate.sought import likelier, values_of, with_parameters
+from upright.calibrate.sought import likelier, with_parameters
 
 LEAST, MOST = 0.3, 4.0
 """[V] 95 % of the prior lie between: what two saturated transistors of a bridge keep, 0.3 V of small ones at little
@@ -42,12 +42,6 @@ def dropped(fit: Fitted, settled: Callable[[Problem, Array], Fitted]) -> Fitted 
         return None
     other, nats = with_drop
     return other._replace(problem=replace(other.problem, drop=nats))
-
-
-def with_that_of(problem: Problem, z: Array, other: Problem, at: Array) -> tuple[Problem, Array]:
-    """The problem without a drop, and its z (parameters,), with the drop that the `other` has `at`."""
-    new, z = with_parameters(problem, z, values_of(other, at, (DROP,)))
-    return replace(new, drop=other.drop), z
 
 
 def in_words(estimates: Sequence[Estimate], nats: float = 0.0) -> list[str]:

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.calibrate.calibration import GOOD, PREDICTED, Segments
+from upright.calibrate.contradicted import Freed, in_words
 from upright.calibrate.electronics import MEANING
 from upright.calibrate.estimate import FOREIGN, Estimate
 from upright.calibrate.fitting import Problem
@@ -39,13 +40,13 @@ TURNED = 1.5  # a factor between prediction and reading that no tolerance of a m
 
 def reasons(
     problem: Problem, z: Array, free: Sequence[Segments], estimates: Sequence[Estimate], other: str = "",
-    wrong: Sequence[str] = (), agree: str = "",
+    wrong: Sequence[str] = (), freed: Sequence[Freed] = (),
 ) -> tuple[str, ...]:  # fmt: skip
     """Why the fit at z (parameters,) is refused as a description of the robot, in words; nothing where it stands.
 
     `free` are the half seconds of each recording, simulated freely; `other` is what `proposed` proposes. `wrong` is
     what the doctor finds wrong in signs, sides and units: a fit that predicts wheels and gyro well stands all the same.
-    `agree` says with which single number the log and the file would agree; then no other is accused.
+    Of the numbers that are `freed` each alone explains the log; then no other is accused.
     """
     faults = [reason for parts in free for reason in unpredicted(parts)]
     own = score(problem, np.zeros_like(z))
@@ -56,8 +57,8 @@ def reasons(
         )
     foreign = sorted((e for e in estimates if not e.guess and abs(e.shift) > FOREIGN), key=lambda e: -abs(e.shift))
     losses = [e for e in estimates if e.name in LOSSES and e.guess and e.shift > FOREIGN]
-    if agree and (foreign or losses):
-        faults.append(f"{agree}: measure {'these' if ', or if ' in agree else 'it'} again")
+    if freed and (foreign or losses):
+        faults.append(f"{in_words(freed)}: measure {'these' if len(freed) > 1 else 'it'} again")
     elif foreign:
         stated = "; ".join(
             f"{e.name} {e.prior:.3g} ± {e.prior_spread:.2g} {e.unit}, the log {e.value:.3g}" for e in foreign
@@ -70,7 +71,7 @@ def reasons(
         f"{e.name} of {e.value:.3g} {e.unit}, {e.shift:.0f} deviations more than a robot like the file's may lose: its "
         "back_emf, which counts at the wheel, behind the gear, its torque_constant or its gear_ratio is likely wrong"
         for e in losses
-        if not agree
+        if not freed
     ]
     well = min((p.r_squared(name) for p in free for name in p.rows if name in PREDICTED), default=-1.0) >= GOOD
     return (*(() if well and not faults else wrong), *faults)

@@ -13,7 +13,7 @@ from upright.calibrate.estimate import VISIBLE, Estimate
 from upright.calibrate.fitting import Fitted, Problem
 from upright.calibrate.informativity import TURNING
 from upright.calibrate.parameters import Parameter
-from upright.calibrate.sought import likelier, values_of, with_parameters
+from upright.calibrate.sought import likelier, with_parameters
 from upright.logs.recording import SENSOR
 
 
@@ -39,12 +39,6 @@ def _turns(problem: Problem) -> bool:
     """Whether a log has a gyro beside two encoders, and the robot turns in it."""
     kinds = [[SENSOR[row] for row in r.rows] for r in problem.recordings]
     return not problem.held & {*TURNING} and any("gyro" in k and k.count("encoder") == 2 for k in kinds)
-
-
-def with_that_of(problem: Problem, z: Array, other: Problem, at: Array) -> tuple[Problem, Array]:
-    """The problem with a level gyro, and its z (parameters,), with the tilt that the `other` has `at`."""
-    new, z = with_parameters(problem, z, values_of(other, at, (MISALIGNED,)))
-    return replace(new, misalignment=other.misalignment), z
 
 
 def in_words(estimates: Sequence[Estimate], nats: float = 0.0) -> list[str]:

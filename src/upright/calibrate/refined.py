@@ -13,8 +13,6 @@ from functools import partial
 import numpy as np
 
 from upright.arrays import Array
-from upright.calibrate import dropping
-from upright.calibrate import misaligned as tilting
 from upright.calibrate import resonant as resonating
 from upright.calibrate.annealing import from_likeliest_delays
 from upright.calibrate.dropping import dropped
@@ -28,7 +26,7 @@ from upright.calibrate.parameters import ROLLING, most_friction
 from upright.calibrate.process_noise import NOISE_TIME, process, with_process
 from upright.calibrate.resonance import FIRST, LEAST, MOST, SWING, resonates, swing_noise
 from upright.calibrate.resonant import resonant
-from upright.calibrate.sought import at_prior
+from upright.calibrate.sought import at_prior, with_those_of
 from upright.logs.recording import SENSOR
 from upright.physics.dynamics import motor_gain
 from upright.progress import Progress, unwatched
@@ -78,10 +76,10 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float], show: Progr
         if polished.normal.objective < best.normal.objective:
             rough, best = other, polished
     show(0.3)
-    for cause, with_that_of in ((misaligned, tilting.with_that_of), (dropped, dropping.with_that_of)):
+    for cause in (misaligned, dropped):
         if not white(best) and (other := _with_cause(cause, rough, bounds)):
             rough, best = other, _polished(other, bounds)
-            problem, z = with_that_of(problem, z, rough.problem, rough.z)
+            problem, z = with_those_of(problem, z, rough.problem, rough.z)
     if not white(best) and (other := _with_resonance(rough, bounds)):
         rough, best = other, _polished(other, {**bounds, **_swings(problem)})
         problem, z = resonating.with_that_of(problem, z, rough.problem, rough.z)

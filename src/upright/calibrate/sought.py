@@ -89,6 +89,13 @@ def values_of(problem: Problem, z: Array, names: Collection[str]) -> dict[Parame
     return {p: float(p.value(x)) for p, x in zip(problem.asked, z, strict=False) if p.name in names}
 
 
+def with_those_of(problem: Problem, z: Array, other: Problem, at: Array) -> tuple[Problem, Array]:
+    """The problem with a drop and a tilt of the gyro that the `other` has `at` its z (parameters,), and its own z."""
+    names = {p.name for p in other.asked} - {p.name for p in problem.asked}
+    new, z = with_parameters(problem, z, values_of(other, at, names))
+    return replace(new, drop=other.drop, misalignment=other.misalignment), z
+
+
 def at_prior(problem: Problem, z: Array) -> Array:
     """The prior's coordinates (parameters,), with the causes that z has."""
     return np.where([p.name in SOUGHT for p in problem.parameters], z, 0.0)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from upright.calibrate import dropping, misaligned, resonance
 from upright.calibrate.calibration import Calibration, Segments
 from upright.calibrate.coefficients import around, slopes_of
-from upright.calibrate.contradicted import Explained, Freed, in_words, which
+from upright.calibrate.contradicted import Explained, Freed, which
 from upright.calibrate.effects import FRACTIONS, of_robot
 from upright.calibrate.electronics import MEANING
 from upright.calibrate.estimate import BOUND, HELD, NORMAL, PRIOR, QUIET, REFUSED, SURPRISE, VISIBLE, Estimate
@@ -71,7 +71,7 @@ def summarised(
     supported = sum(right[i, i] < HALVED**2 for i, p in enumerate(problem.asked) if p.name not in problem.held)
     supported += sum(_combined(c, right).verdict == VISIBLE for c in combinations[1:])
     other = proposed(stated, problem, fitted, every)
-    refused = () if reason else reasons(problem, fitted, free, every, other, wrong, in_words(freed))
+    refused = () if reason else reasons(problem, fitted, free, every, other, wrong, freed)
     delays = _delays(problem, z, C, every)
     if withdrawn := REFUSED if refused else QUIET if reason else "":
         every, combined, delays = (tuple(_withdrawn(e, withdrawn) for e in each) for each in (every, combined, delays))
@@ -98,7 +98,7 @@ def summarised(
         seconds=time.perf_counter() - began,
         sources=tuple(map(named, logs)),
         notes=(
-            *(() if refused else map(sentence, wrong)),
+            *(() if refused else [*map(sentence, wrong), *which(freed)]),
             *_notes(problem, every, scores, reason, other, widening, freed),
         ),
         widening=widening,
@@ -296,7 +296,6 @@ def _notes(
             f"{widening:.2g} times as wide as those of a right model."
         )
     surprised = [f"{e.name} by {abs(e.shift):.1f}" for e in every if e.surprising]
-    notes += [] if surprised else which(freed)  # else they are why the fit is refused
     if surprised and not freed:
         notes.append(
             f"The log contradicts the stated value of {', '.join(surprised)} deviations (more than {SURPRISE:g}): "

@@ -80,10 +80,7 @@ class Recording:
     def reads(self, turn: Array, misaligned: Array) -> Array:
         """The sensor matrix C (rows, states, lanes) for W/(2R) = `turn` (lanes,) and a gyro that reads the part
         `misaligned` (lanes,) of the yaw rate."""
-        C = reading_matrix(self.rows, len(self.first), turn, self.parts, swings=self.swings)
-        gyro = [SENSOR[row] == "gyro" for row in self.rows]
-        C[gyro, STATE_NAMES.index("yaw_rate")] += misaligned
-        return C
+        return reading_matrix(self.rows, len(self.first), turn, self.parts, misaligned, swings=self.swings)
 
 
 def jumps(t: Array) -> Whole:
@@ -232,15 +229,24 @@ def one_encoder(log: Log) -> bool:
 
 
 def reading_matrix(
-    rows: Sequence[str], size: int, turn: Array, sensors: Mapping[str, Sensor], *, swings: bool = False
+    rows: Sequence[str],
+    size: int,
+    turn: Array,
+    sensors: Mapping[str, Sensor],
+    misaligned: Array | float = 0.0,
+    *,
+    swings: bool = False,
 ) -> Array:
     """The sensor matrix C (rows, states, lanes) of these sensors, for W/(2R) = `turn` (lanes,). One encoder alone reads
-    the mean of both wheels, and a gyro that `swings` the last state but one."""
+    the mean of both wheels, a gyro also the part `misaligned` (lanes,) of the yaw rate, and one that `swings` the last
+    state but one instead of the pitch rate."""
     C = np.zeros((len(rows), size, len(turn)))
     C[:, :6] = sensor_matrix(rows, turn, sensors)
     if (alone := [i for i, name in enumerate(rows) if SENSOR[name] == "encoder"]) and len(alone) == 1:
         C[alone[0], STATE_NAMES.index("yaw")] = 0.0
     for i, name in enumerate(rows):
+        if SENSOR[name] == "gyro":
+            C[i, STATE_NAMES.index("yaw_rate")] += misaligned
         if SENSOR[name] != "encoder":
             C[i, 6 if SENSOR[name] == "gyro" else 7] = 1.0  # its bias
         if swings and SENSOR[name] == "gyro":
