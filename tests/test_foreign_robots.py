@@ -6,6 +6,7 @@ import math
 import re
 from dataclasses import replace
 from functools import cache
+from importlib import import_module
 from pathlib import Path
 
 import numpy as np
@@ -143,12 +144,27 @@ def test_every_real_wheel_rolls_with_friction_and_gravity_is_no_guess() -> None:
     assert asked["gravity"].spread == pytest.approx(0.02)  # from the equator to the poles, not a factor of two
 
 
-def calibrated(folder: Path, robot: Robot) -> Calibration:
+def calibrated(folder: Path, robot: Robot, gyro: float = 1.0) -> Calibration:
     path = folder / "run.csv"
     table = metric(logged(SMALL, Course(free=9.0, held=0.5, excitation=1.0), seed=7), SMALL)
+    table = replace(table, columns={n: gyro * y if "gyro" in n else y for n, y in table.columns.items()})
     rows = np.column_stack(list(table.columns.values()))
     path.write_text(",".join(table.columns) + "\n" + "\n".join(",".join(f"{x:.6g}" for x in r) for r in rows) + "\n")
     return calibrate(path, robot)
+
+
+def test_a_log_whose_gyro_is_turned_is_refused_before_any_cause_is_looked_for(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The search of 40 to 70 s found nothing that the doctor does not know in one, and accused an inertia beside it."""
+
+    def never(*_: object) -> None:
+        raise AssertionError
+
+    monkeypatch.setattr(import_module("upright.calibrate.calibrate"), "refined", never)
+    found = calibrated(tmp_path, known(SMALL), gyro=-1.0)
+    assert "its sign is opposite" in found.refused[0]
+    assert not [text for text in (*found.refused, *found.notes) if "the file" in text or "stated value" in text]
 
 
 @pytest.mark.slow

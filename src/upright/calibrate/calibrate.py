@@ -11,14 +11,14 @@ from __future__ import annotations
 import math
 import os
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.calibrate.annealing import ANNEALING_NOISE, annealed, lost
-from upright.calibrate.calibration import Calibration
+from upright.calibrate.calibration import GOOD, Calibration
 from upright.calibrate.coefficients import EQUATIONS
 from upright.calibrate.contradicted import Explained, explained, guessed
 from upright.calibrate.effects import effects_of
@@ -30,7 +30,7 @@ from upright.calibrate.knocks import without_knocks
 from upright.calibrate.learnt_kit import learnt_kit
 from upright.calibrate.parameters import parameters_of
 from upright.calibrate.process_noise import arrival, process
-from upright.calibrate.refined import refined
+from upright.calibrate.refined import refined, settled, simulated
 from upright.calibrate.resonance import FIRST, SWING, resonance_of, resonates, swing_noise
 from upright.calibrate.stated_gain import as_meant
 from upright.doctor.doctor import contradictions
@@ -80,22 +80,21 @@ def calibrate(
     reason, straight = too_quiet(stated), drives_straight(stated)
     held = (*(INERTIAL if reason else ()), *(TURNING if straight else ()))
 
-    def searched(logs: Sequence[Log], start: float = 0.7, stop: float = 0.77, guesses: Sequence[str] = ()) -> Fitted:
+    wrong = [text for log in several for text in contradictions(log, nominal)]
+
+    def searched(
+        logs: Sequence[Log], start: float = 0.7, stop: float = 0.77, guesses: Sequence[str] = (), *, brief: bool = False
+    ) -> Fitted:
         problem, limits = prepared(logs, nominal, parts, known, held_out)
         parameters = guessed(nominal, problem.parameters, guesses)
         own = frozenset(p.name for p in parameters if p.name in held)
         problem = replace(problem, parameters=parameters, held=own)
-        return _searched(problem, limits, lambda fraction: show(start + fraction * (stop - start)))
+        return _searched(problem, limits, lambda fraction: show(start + fraction * (stop - start)), brief=brief)
 
     show(0.01)  # these shares are of the time that logs of half a minute took
-    fit, meant = searched(several, 0.01, 0.7), list[str]()
-    show(0.7)
-    if not reason:
-        fit, several, meant = as_meant(fit, several, parts, searched)
-    best = Explained(fit, [], 0.0) if reason else explained(fit, lambda names: searched(several, guesses=names))
+    best, several, meant = _described(searched, several, parts, quiet=bool(reason), wrong=bool(wrong))
     problem, z, *_ = best.fit
     show(0.77)
-    wrong = [text for log in several for text in contradictions(log, nominal)]
     result = summarised(best, several, reason, began, stated=stated, wrong=wrong)
     hidden = parts.delay + parts.jitter / 2 - _dead_time(parts, several)
     notes = [*meant, *filter(None, left), *knocked, *([STRAIGHT] if straight else [])]
@@ -106,6 +105,23 @@ def calibrate(
         noise = one_step_noise(max(several, key=len), result.robot, own, delay=_dead_time(own, several))
         result = replace(result, robot=result.robot.replace(noise=noise))
     return result if reason else replace(result, apart=apart(problem, z, result.sources))
+
+
+def _described(
+    searched: Callable[..., Fitted], logs: Sequence[Log], kit: Kit, *, quiet: bool, wrong: bool
+) -> tuple[Explained, Sequence[Log], list[str]]:
+    """The fit that `searched` finds, with its doubtful numbers; the logs as they are meant; and what their files state,
+    in words. Where something is `wrong` in the logs, and half seconds are not predicted all the same, no cause is
+    looked for: they are of no robot."""
+    fit, meant = searched(logs, 0.01, 0.7, brief=wrong), list[str]()
+    if wrong and simulated(fit) < GOOD:
+        return Explained(fit, [], 0.0), logs, meant
+    if wrong:
+        fit = searched(logs, 0.01, 0.7)
+    if quiet:
+        return Explained(fit, [], 0.0), logs, meant
+    fit, logs, meant = as_meant(fit, logs, kit, searched)
+    return explained(fit, lambda names: searched(logs, guesses=names)), logs, meant
 
 
 def prepared(
@@ -158,11 +174,14 @@ def _delay(kit: Kit, sensor: str) -> float:
     return max((s.delay for name, s in kit.sensors.items() if SENSOR.get(name) == sensor), default=0.0)
 
 
-def _searched(problem: Problem, limits: Mapping[str, float], show: Progress) -> Fitted:
-    """The fit of a problem from its prior; raises `DesignFailed` where the filter loses the robot."""
+def _searched(problem: Problem, limits: Mapping[str, float], show: Progress, *, brief: bool) -> Fitted:
+    """The fit of a problem from its prior, or a `brief` one of a log that no fit may describe; raises `DesignFailed`
+    where the filter loses the robot."""
     start = annealed(problem, limits)
     show(0.1)
-    fit = refined(*start, limits, show)
+    fit = settled(*start, limits) if brief else None
+    if fit is None or not np.isfinite(fit.normal.objective):
+        fit = refined(*start, limits, show)
     if not np.isfinite(fit.normal.objective):
         raise lost()
     return fit

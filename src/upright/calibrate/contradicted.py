@@ -34,6 +34,7 @@ GAIN = 1e-3  # [nats] gain of a turn that ends it
 LIKELIER = math.log(20)  # [nats] odds of twenty to one by which a number must be likelier wrong than none
 CREDIBLE = 0.99  # [1] probability of the numbers of which one is said to be wrong
 FAR = math.log(10)  # [1] deviation of the logarithm of a number that may be in another unit, or before a gear
+CLEARER = 0.05  # [1] of what a fit leaves of half seconds, by which it leaves less with the right number
 MISSED = 0.01  # [1] of the readings of half seconds: a fit that bends right numbers predicts them all the same
 LEAST = 1e-3  # [1] of a stated number that is above zero: where one that may be zero is tried with an open size
 NATURE = ("gravity",)  # which no file gets wrong by more than its spread
@@ -69,9 +70,10 @@ def explained(fit: Fitted, search: Callable[[Sequence[str]], Fitted]) -> Explain
     """The fit in which those numbers are guesses of which one, by the log, is wrong. Which one is open, so that each of
     their fits counts alike for the covariance. `search` fits anew with numbers as guesses.
 
-    The `fit` stays as it is where no single number explains the log clearly better; where innovations are not white
-    even so, since what the model leaves out bends numbers, too; and where a stated number is contradicted by more than
-    `FOREIGN`, for then the log may be of another robot: what alone would explain it is named all the same.
+    The `fit` stays as it is where no single number explains the log clearly better, or half seconds are not predicted
+    better with it; where innovations are not white even so, since what the model leaves out bends numbers, too; and
+    where a stated number is contradicted by more than `FOREIGN`, for then the log may be of another robot: what alone
+    would explain it is named all the same.
     """
     stays, stated = Explained(fit, [], 0.0), {p.name: p for p in fit.problem.parameters}
     if _most(fit.problem, fit.z) > FOREIGN or _rubs(fit.problem, fit.z):
@@ -89,7 +91,7 @@ def explained(fit: Fitted, search: Callable[[Sequence[str]], Fitted]) -> Explain
     problem, z = _freed(other.problem, stated, other.z, names)
     result = gauss_newton(problem, _down(problem, z, other.normal.bowls), iterations=ITERATIONS)
     other = Fitted(problem, result.z, result.normal, result.paths)
-    if not white(other):
+    if not white(other) or 1 - simulated(other) > (1 - CLEARER) * (1 - simulated(fit)):
         return stays
     alone = [_freed(one.problem, stated, one.z, names)[1] for one in freed]
     away = np.array(alone) - result.z

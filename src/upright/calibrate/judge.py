@@ -49,6 +49,9 @@ def reasons(
     Of the numbers that are `freed` each alone explains the log; then no other is accused.
     """
     faults = [reason for parts in free for reason in unpredicted(parts)]
+    well = min((p.r_squared(name) for p in free for name in p.rows if name in PREDICTED), default=-1.0) >= GOOD
+    if wrong and not well:
+        return (*wrong, *faults)
     own = score(problem, np.zeros_like(z))
     if own > score(problem, z) + WORSE:
         faults.append(
@@ -73,8 +76,7 @@ def reasons(
         for e in losses
         if not freed
     ]
-    well = min((p.r_squared(name) for p in free for name in p.rows if name in PREDICTED), default=-1.0) >= GOOD
-    return (*(() if well and not faults else wrong), *faults)
+    return (*(wrong if faults else ()), *faults)
 
 
 def proposed(stated: Problem, problem: Problem, z: Array, estimates: Sequence[Estimate]) -> str:

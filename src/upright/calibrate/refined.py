@@ -63,6 +63,12 @@ Cause = Callable[[Fitted, Callable[[Problem, Array], Fitted]], Fitted | None]
 NOISE_RANGE = 1e-6  # [1] least process noise that is learnt, over the most
 
 
+def settled(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
+    """Parameters and noise of greatest likelihood near z, whether the innovations show that the model is right or
+    not."""
+    return _settled(problem, z, _bounds(problem, limits, FREEDOM))
+
+
 def refined(problem: Problem, z: Array, limits: Mapping[str, float], show: Progress = unwatched) -> Fitted:
     """Parameters and noise of greatest likelihood; where the innovations show that the model is not right, those whose
     free simulation follows the log best, and readings weighted by their effective sample size."""
