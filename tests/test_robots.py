@@ -269,6 +269,15 @@ def test_a_robot_and_a_kit_are_found_by_name_or_by_path(tmp_path: Path) -> None:
     assert find_kit("nxt") == Kit.preset("nxt")
 
 
+def test_a_kit_may_lie_beside_the_robot_s_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """`-r folder/mine.toml` looked for the kit's file where the command ran only."""
+    (tmp_path / "kit.toml").write_text(Kit.preset("nxt").to_toml())
+    path = Robot.preset("nxtway-gs").replace(kit="kit.toml").save(tmp_path / "mine.toml")
+    assert find_kit(find_robot(path).kit) == Kit.preset("nxt")
+    monkeypatch.chdir(tmp_path)
+    assert find_robot("mine.toml").kit == "kit.toml"
+
+
 @pytest.mark.parametrize("find", [find_robot, find_kit, Robot.preset, Kit.preset])
 def test_an_unknown_name_lists_what_there_is(find: Any) -> None:
     with pytest.raises(UnknownName, match="is called 'nxtt'; expected one of"):

@@ -96,8 +96,13 @@ class Robot:
 
     @classmethod
     def load(cls, path: str | Path) -> Robot:
-        """A robot from a TOML file (docs/add-a-robot.md); raises `InvalidRobot` for a file without a valid robot."""
-        return _read(*toml.read("robot", path))
+        """A robot from a TOML file (docs/add-a-robot.md); raises `InvalidRobot` for a file without a valid robot. A
+        kit's file may lie where the command runs, or beside the robot's file."""
+        robot = _read(*toml.read("robot", path))
+        kit = robot.kit if isinstance(robot.kit, str) else ""
+        beside = Path(path).expanduser().parent / kit
+        there = kit.endswith(".toml") and not Path(kit).is_file() and beside.is_file()
+        return robot.replace(kit=str(beside)) if there else robot
 
     def save(self, path: str | Path) -> Path:
         """Write as TOML with units, sources and spreads; `load` gives back an equal robot with equal provenance.
