@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import functools
 import math
+import os
 import operator
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -100,7 +101,7 @@ class Robot:
         kit's file may lie where the command runs, or beside the robot's file."""
         robot = _read(*toml.read("robot", path))
         kit = robot.kit if isinstance(robot.kit, str) else ""
-        beside = Path(path).expanduser().parent / kit
+        beside = Path(os.path.expanduser(path)).parent / kit  # `~` of nobody stays as it is
         there = kit.endswith(".toml") and not Path(kit).is_file() and beside.is_file()
         return robot.replace(kit=str(beside)) if there else robot
 
