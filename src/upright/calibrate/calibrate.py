@@ -113,11 +113,11 @@ def _described(
     """The fit that `searched` finds, with its doubtful numbers; the logs as they are meant; and what their files state,
     in words. Where something is `wrong` in the logs, and half seconds are not predicted all the same, no cause is
     looked for: they are of no robot."""
-    fit, meant = searched(logs, 0.01, 0.7, brief=wrong), list[str]()
+    fit, meant = searched(logs, 0.01, 0.1 if wrong else 0.7, brief=wrong), list[str]()
     if wrong and simulated(fit) < GOOD:
         return Explained(fit, [], 0.0), logs, meant
     if wrong:
-        fit = searched(logs, 0.01, 0.7)
+        fit = searched(logs, 0.1, 0.7)
     if quiet:
         return Explained(fit, [], 0.0), logs, meant
     fit, logs, meant = as_meant(fit, logs, kit, searched)
