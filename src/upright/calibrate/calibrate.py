@@ -79,7 +79,6 @@ def calibrate(
     stated, _ = prepared(several, nominal, parts, known, held_out)
     reason, straight = too_quiet(stated), drives_straight(stated)
     held = (*(INERTIAL if reason else ()), *(TURNING if straight else ()))
-
     wrong = [text for log in several for text in contradictions(log, nominal)]
 
     def searched(

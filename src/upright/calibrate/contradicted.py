@@ -22,7 +22,7 @@ from upright.calibrate.estimate import AGREE, FOREIGN, SURPRISE
 from upright.calibrate.fitting import Fitted, Problem
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.parameters import LOSSES, Parameter, as_guess
-from upright.calibrate.refined import simulated, white
+from upright.calibrate.refined import leaves_less, simulated, white
 from upright.calibrate.sought import laplace
 from upright.errors import DesignFailed
 from upright.robots import PARAMETERS, Robot
@@ -91,7 +91,7 @@ def explained(fit: Fitted, search: Callable[[Sequence[str]], Fitted]) -> Explain
     problem, z = _freed(other.problem, stated, other.z, names)
     result = gauss_newton(problem, _down(problem, z, other.normal.bowls), iterations=ITERATIONS)
     other = Fitted(problem, result.z, result.normal, result.paths)
-    if not white(other) or 1 - simulated(other) > (1 - CLEARER) * (1 - simulated(fit)):
+    if not white(other) or not leaves_less(other, fit, CLEARER):
         return stays
     alone = [_freed(one.problem, stated, one.z, names)[1] for one in freed]
     away = np.array(alone) - result.z

@@ -114,7 +114,7 @@ def _with_cause(cause: Cause, fit: Fitted, bounds: Bounds) -> Fitted | None:
 def _explains(other: Fitted, fit: Fitted) -> bool:
     """Whether a fit that is likelier leaves clearly less of half seconds too, or makes the innovations white: else what
     it has more stands in for another error of the model."""
-    return white(other) or 1 - simulated(other) <= (1 - LEVEL) * (1 - simulated(fit))
+    return white(other) or leaves_less(other, fit, LEVEL)
 
 
 def _with_resonance(fit: Fitted, bounds: Bounds) -> Fitted | None:
@@ -218,6 +218,11 @@ def simulated(fit: Fitted) -> float:
     from upright.calibrate.validate import score
 
     return score(fit.problem, fit.z) if np.isfinite(fit.normal.objective) else -np.inf
+
+
+def leaves_less(other: Fitted, fit: Fitted, part: float) -> bool:
+    """Whether free simulations of the `other` leave less of the log than those of a fit, by this `part` [1] of it."""
+    return 1 - simulated(other) <= (1 - part) * (1 - simulated(fit))
 
 
 def _best_simulated(fits: Sequence[Fitted], scores: Sequence[float], level: float = 0.0) -> tuple[Fitted, float]:
