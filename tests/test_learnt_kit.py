@@ -4,11 +4,16 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
+from typing import cast
 
 import numpy as np
 import pytest
 
 import upright as up
+from upright.calibrate.calibration import Calibration
+from upright.calibrate.electronics import ASYMMETRY
+from upright.calibrate.learnt_kit import learnt_kit
 from upright.cli.main import main
 from upright.control import lqg
 from upright.control.excited import Excited, random_binary
@@ -42,6 +47,14 @@ def test_a_robot_keeps_its_own_electronics_in_its_file(tmp_path: Path) -> None:
     assert again.kit_name == "nxt"
     # a certificate of a kit that says nothing of its motors stays one of this kit
     assert kit_facts(faulty()).keys() - kit_facts(KIT).keys() == {"motor/left", "motor/right"}
+
+
+def test_a_motor_that_a_refused_fit_turns_backwards_has_no_strength() -> None:
+    """A right encoder of the other sign made an asymmetry of −2.4, and the page of the refused fit became "motor right
+    is -0.187671; expected zero or more", of which nobody learns what is wrong."""
+    result = SimpleNamespace(delays=(), electronics=(SimpleNamespace(name=ASYMMETRY, value=-2.4),))
+    motor = learnt_kit(cast("Calibration", result), KIT, {"gyro": 0.0}, 0.0).motor
+    assert (motor.left, motor.right) == (pytest.approx(2.2), 0.0)  # 1 ± half of it, and none below zero
 
 
 def test_a_robots_file_with_a_broken_kit_is_refused_in_a_line(tmp_path: Path) -> None:

@@ -19,7 +19,7 @@ def learnt_kit(result: Calibration, kit: Kit, delays: Mapping[str, float], hidde
 
     `delays` [s] are those of the sensors before the calibration, `hidden` [s] the dead time that a log of applied
     commands does not show. The time that all sensors are behind the command counts as the command's, the rest as each
-    sensor's.
+    sensor's. A motor that a refused fit turns backwards has no strength.
     """
     learnt = {e.name.removeprefix("delay/"): e.value for e in result.delays}
     delays = {name: learnt.get(name, delay) for name, delay in delays.items()}
@@ -37,7 +37,7 @@ def learnt_kit(result: Calibration, kit: Kit, delays: Mapping[str, float], hidde
         sensors |= {"sensor/gyro": gyro}
     if MISALIGNED in factors and "sensor/gyro" in sensors:
         sensors |= {"sensor/gyro": replace(sensors["sensor/gyro"], misalignment=factors[MISALIGNED])}
-    sides = {"left": strength * (1 - half), "right": strength * (1 + half)}
+    sides = {"left": max(strength * (1 - half), 0.0), "right": max(strength * (1 + half), 0.0)}
     motor = replace(kit.motor, **sides, dead_zone=zone, drop=drop)
     return replace(
         kit, name=OWN if kit.name == "ideal" else kit.name, sensors=sensors, motor=motor,
