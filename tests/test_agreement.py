@@ -17,11 +17,12 @@ from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.body import Sample
 from upright.calibrate.calibration import Calibration
 from upright.calibrate.estimate import HELD
+from upright.certify import checks
 from upright.certify.actual import as_logged
 from upright.certify.agreement import AMBER, RED, Agreement, agreement
 from upright.certify.calibrated import learnt
 from upright.certify.certificate import Certificate, certify, read_certificate
-from upright.certify.checks import KernelController, PushTrial, TrialSetup, kernel_controller, trials
+from upright.certify.checks import KernelController, PushTrial, TrialSetup, kernel_controller, trials, tried
 from upright.certify.pushes import standard_pushes
 from upright.certify.verdict import GREEN, LinearMargins, judge
 from upright.cli.main import main
@@ -35,6 +36,7 @@ from upright.experiment.examples import example
 from upright.kernel.batch import silent
 from upright.physics.dynamics import CALM
 from upright.robots import Kit, Robot
+from upright.robots.conditions import Conditions
 from upright.robots.uncertainty import Uncertainty, draw
 from upright.signals import Log
 
@@ -76,6 +78,19 @@ def test_a_controller_that_is_called_falls_where_its_matrices_fall() -> None:
     assert np.array_equal(fell, dropped)
     # products are summed in another order: rounding, which quantised sensors now and then make a step of
     assert [t.peak for t in first] == pytest.approx([t.peak for t in second], abs=2e-3)
+
+
+def test_pushes_that_share_a_batch_give_the_bytes_of_one_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Five robots, so that one block of the kernel holds several pushes, at both batteries and on two slopes."""
+    robot = ROBOT.replace(conditions=Conditions(slope=(0.0, 0.05)))
+    setup = TrialSetup(kernel_controller(designed("lqg"), robot, KIT), robot, draw(robot, 5, 3), KIT)
+    together = [(one.counted, one.run) for one in tried(setup)]
+    monkeypatch.setattr(checks, "TOGETHER", 1)
+    alone = [(one.counted, one.run) for one in tried(setup)]
+    assert len(alone) == 12
+    for (first, run_together), (second, run_alone) in zip(together, alone, strict=True):
+        assert first == second
+        assert np.array_equal(run_together.trace, run_alone.trace, equal_nan=True)
 
 
 def test_a_predictive_controller_holds_in_the_compiled_loop_as_in_run() -> None:

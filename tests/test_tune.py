@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import threading
+import time
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -27,6 +29,7 @@ from upright.robots import Robot, find_kit
 from upright.robots.uncertainty import draw
 from upright.tune import tune as room
 from upright.tune.figures import WATCHED, Figures, knock, slack
+from upright.tune.parallel import working
 from upright.tune.score import NONE, CandidateScore, Scorer, modulus_and_delay, row_of, score_from
 from upright.tune.search import SearchRecord, search
 from upright.tune.tune import CHOSEN, JUDGED, SEARCHED, tune
@@ -117,6 +120,33 @@ def test_a_resumed_search_asks_for_what_is_missing_and_ends_alike(tmp_path: Path
 
     assert search(names, counted, 60, 7, SearchRecord("this", file).resumed()) == whole
     assert asked == [one.weights for one in whole[known:]]
+
+
+def test_threads_change_nothing_of_a_search() -> None:
+    """Though the scores of a generation come in another order: the first weights take the longest."""
+
+    def slow(weights: Mapping[str, float]) -> CandidateScore:
+        time.sleep(0.01 * min(1.0, weights["a"]))
+        return bowl(weights)
+
+    names = dict.fromkeys(OPTIMUM, 1.0)
+    alone, together = SearchRecord("this"), SearchRecord("this")
+    assert search(names, bowl, 40, 7, alone) == search(names, slow, 40, 7, together, threads=4)
+    assert alone.scores == together.scores
+
+
+def test_what_has_not_begun_when_a_search_is_stopped_is_given_up() -> None:
+    begun, free = list[int](), threading.Event()
+
+    def work(number: int) -> None:
+        begun.append(number)
+        free.wait(60)
+
+    with pytest.raises(KeyboardInterrupt), working(work, 2) as results:  # noqa: PT012 (the work is asked for inside)
+        results(range(9))
+        raise KeyboardInterrupt  # which has to come through while both threads are at work
+    free.set()
+    assert len(begun) <= 2
 
 
 def test_a_search_leaves_numpys_own_random_numbers_alone() -> None:
@@ -245,7 +275,7 @@ def test_an_interrupted_tuning_goes_on_to_the_same_bytes(tmp_path: Path) -> None
     assert state.exists()
     with pytest.raises(UprightError, match="another search"):
         tune("lqg", NXT, **given | {"seed": 6}, state=state, resume=True)
-    resumed = tune("lqg", NXT, **given, state=state, resume=True)
+    resumed = tune("lqg", NXT, **given | {"threads": 3}, state=state, resume=True)
     assert resumed.to_json() == whole.to_json()
     assert not state.exists()
     assert whole.check() == ()

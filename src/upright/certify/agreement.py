@@ -80,9 +80,9 @@ def agreement(log: Log, setup: TrialSetup) -> tuple[Agreement, ...]:
         raise SpecMismatch(f"the controller reads {', '.join(reads)}", expected="both encoders and the gyro")
     for row, standard in enumerate(setup.pushes().values()):
         some = replace(setup, robots=setup.robots[:DRAWN], progress=None)
-        for result in watched(some, standard.push, row, (*RAW, *APPLIED)):
-            readings, moved = np.split(result.trace[~result.fell], [3], axis=2)
-            agreements.append(innovation_size(estimator, readings, moved * sides))
+        result = watched(some, standard.push, row, (*RAW, *APPLIED))
+        readings, moved = np.split(result.trace[~result.fell], [3], axis=2)
+        agreements.append(innovation_size(estimator, readings, moved * sides))
     standing = np.concatenate(agreements)
     largest = standing.max(axis=0) if len(standing) else np.ones(3)
     return tuple(

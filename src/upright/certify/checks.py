@@ -6,8 +6,9 @@ All of it is the nonlinear model in the batch kernel, with the kit's quanta, noi
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import KW_ONLY, dataclass, replace
+from functools import cached_property
 from itertools import product
 from typing import Any, NamedTuple
 
@@ -23,7 +24,7 @@ from upright.control.mpc import Splitting
 from upright.errors import InvalidController, SpecMismatch
 from upright.fleet.binomial import upper_bound
 from upright.fleet.ensemble import SETTLED, tables
-from upright.kernel.batch import NAMES, FleetBatch, FleetResult, parameters_of, silent
+from upright.kernel.batch import NAMES, FleetBatch, FleetResult, joined, parameters_of, silent
 from upright.kernel.pack import RESIDUAL
 from upright.kernel.simulate import simulate
 from upright.robots import Kit, Robot
@@ -47,6 +48,7 @@ SWEPT = 100  # drawn robots in the sweeps
 
 CALLED = 128
 """Robots in one batch where the controller is called for each of them: about a second of work."""
+TOGETHER = 512  # runs of several pushes in one batch: the kernel moves 64 robots at a time, and more gain little
 
 PITCH = ("truth/pitch",)
 BANDS = (SETTLED, math.inf, math.inf)
@@ -136,7 +138,7 @@ class RunCounter:
 
 @dataclass(frozen=True, eq=False)
 class TrialSetup:
-    """A controller, the robots it drives, their kit, the seed of their noise, and the floor's slope (·) [rad].
+    """A controller, the robots it drives, their kit, and the seed of their noise.
 
     Pushes are sized for the robot and the kit that were `stated` (None: `robot` and `kit`), whatever a calibration made
     of them. What a log shows instead is `logged`, and is tried. Its filter expects `disturbed` times the usual noise of
@@ -151,7 +153,6 @@ class TrialSetup:
     threads: int | None = None
     progress: RunCounter | None = None
     _: KW_ONLY
-    slope: float | Array = 0.0
     logged: Logged | None = None
     disturbed: float = 1.0
     dry_friction: bool = False
@@ -175,6 +176,12 @@ class TrialSetup:
     def actual(self, robot: Robot) -> Robot:
         """A robot with the load that the log shows."""
         return loaded(robot, self.logged.load) if self.logged else robot
+
+    @cached_property
+    def parameters(self) -> Array:
+        """Those of all robots (n, 21), with the loads that the log shows."""
+        parameters = parameters_of(self.robots)
+        return self.logged.weighed(parameters) if self.logged else parameters
 
     @property
     def runs(self) -> int:
@@ -215,19 +222,37 @@ def conditions(robot: Robot, kit: Kit, logged: Logged | None = None) -> list[Con
     ]  # fmt: skip
 
 
-class TriedPush(NamedTuple):
-    """A `trial`, the push of it, the runs of all robots, batch by batch, and which robots (n,) fell `beyond` what any
-    controller could save."""
+class PlannedPush(NamedTuple):
+    """A `push` of all robots at one battery of that `voltage` [V] (None: the kit's), each on a slope of `angles` (·,)
+    [rad]. By its `number` every robot has noise of its own under every push."""
 
-    trial: PushTrial
+    number: int
     push: Any
-    rows: Sequence[FleetResult]
-    beyond: Mask
+    angles: Any = 0.0
+    voltage: float | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class TriedPush:
+    """The `run` of all robots of `setup` under one `planned` push, and what a `trial` says of it."""
+
+    setup: TrialSetup
+    planned: PlannedPush
+    trial: PushTrial
+    run: FleetResult
+
+    @cached_property
+    def beyond(self) -> Mask:
+        """Which robots (n,) fell though no controller could save them."""
+        fell, setup, planned = self.run.fell, self.setup, self.planned
+        able, lost = means(setup.robot, setup.actual_kit, planned.voltage), np.zeros(len(fell), dtype=np.bool_)
+        lost[fell] = ~recoverable(setup.parameters[fell], able, planned.push, planned.angles[fell], setup.threads)
+        return lost
 
     @property
-    def fell(self) -> Mask:
-        """Which robots (n,) fell."""
-        return np.concatenate([row.fell for row in self.rows])
+    def counted(self) -> PushTrial:
+        """The trial with the number of those `beyond`."""
+        return replace(self.trial, beyond=int(self.beyond.sum()))
 
 
 class Trials(NamedTuple):
@@ -243,42 +268,47 @@ def trials(setup: TrialSetup) -> Trials:
     fell, beyond = (np.zeros(len(setup.robots), dtype=np.bool_) for _ in range(2))
     results = list[PushTrial]()
     for one in tried(setup):
-        results.append(one.trial)
-        fell |= one.fell
+        results.append(one.counted)
+        fell |= one.run.fell
         beyond |= one.beyond
     return Trials(tuple(results), fell, beyond)
 
 
 def tried(setup: TrialSetup) -> Iterator[TriedPush]:
     """Every standard push at every battery, and on every slope, on all robots."""
-    law, number, logged = setup.controller.law, 0, setup.logged
-    planned = law.nonlinear is not None and isinstance(law.nonlinear.part, Splitting)
-    channels = (*PITCH, RESIDUAL) if planned else PITCH
-    parameters = parameters_of(setup.robots)
-    parameters = logged.weighed(parameters) if logged else parameters
+    law = setup.controller.law
+    predictive = law.nonlinear is not None and isinstance(law.nonlinear.part, Splitting)
+    channels = (*PITCH, RESIDUAL) if predictive else PITCH
+    plan, at_once = _plan(setup), max(1, TOGETHER // len(setup.robots))
+    for first in range(0, len(plan), at_once):
+        some = plan[first : first + at_once]
+        runs = _runs(setup, [one for one, *_ in some], setup.controller, channels)
+        for (planned, standard, called, battery), run in zip(some, runs, strict=True):
+            trial = replace(
+                _trial(called, battery, run, setup.parameters, law.period), size=standard.size,
+                bound=standard.bound if math.isfinite(standard.bound) else None,
+            )  # fmt: skip
+            yield TriedPush(setup, planned, trial, run)
+
+
+def _plan(setup: TrialSetup) -> list[tuple[PlannedPush, StandardPush, str, str]]:
+    """All that are tried, each with its standard push, and the names of the push and of the battery."""
+    logged, plan = setup.logged, list[tuple[PlannedPush, StandardPush, str, str]]()
     for kind in range(PUSHES):
         for slope, battery, voltage, expected_slope, expected_voltage in conditions(setup.robot, setup.kit, logged):
             name, standard = list(setup.pushes(expected_voltage, expected_slope).items())[kind]
-            changed = {} if voltage is None else {"battery.voltage": [voltage]}
-            angles = logged.angles(slope, parameters, setup.actual_robot) if logged else np.full(len(parameters), slope)
-            sloped = replace(setup, slope=angles)
-            rows = list(_runs(sloped, setup.robots, standard.push, number, changed, setup.controller, channels))
+            same = np.full(len(setup.robots), slope)
+            angles = logged.angles(slope, setup.parameters, setup.actual_robot) if logged else same
             called = f"{name}, slope {math.degrees(slope):+.1f}°" if slope else name
-            fell, beyond = np.concatenate([row.fell for row in rows]), np.zeros(len(parameters), dtype=np.bool_)
-            able = means(setup.robot, setup.actual_kit, voltage)
-            beyond[fell] = ~recoverable(parameters[fell], able, standard.push, angles[fell], setup.threads)
-            trial = replace(
-                _trial(called, battery, rows, parameters, law.period), size=standard.size, beyond=int(beyond.sum()),
-                bound=standard.bound if math.isfinite(standard.bound) else None,
-            )  # fmt: skip
-            yield TriedPush(trial, standard.push, rows, beyond)
-            number += 1
+            plan.append((PlannedPush(len(plan), standard.push, angles, voltage), standard, called, battery))
+    return plan
 
 
 def delay_sweep(setup: TrialSetup) -> tuple[Swept, ...]:
     """Falls under every standard push with `DELAYS` periods of additional dead time, unknown to the controller."""
-    kit = setup.actual_kit
-    return tuple(_swept(_on(setup, delaying(kit, more)), more, setup.controller) for more in _extra(setup))
+    kit, known = setup.actual_kit, setup.logged or Logged.alone(setup.kit)
+    slowed = {more: replace(setup, logged=replace(known, kit=delaying(kit, more))) for more in _extra(setup)}
+    return tuple(_swept(one, more, setup.controller) for more, one in slowed.items())
 
 
 def period_sweep(setup: TrialSetup) -> tuple[Swept, ...]:
@@ -287,9 +317,9 @@ def period_sweep(setup: TrialSetup) -> tuple[Swept, ...]:
     return tuple(_swept(setup, p, KernelController(law.with_period(p), called)) for p in _periods(setup))
 
 
-def watched(setup: TrialSetup, push: Any, row: int, channels: Sequence[str]) -> Iterator[FleetResult]:
-    """One run of each robot of `setup` under `push`, with `channels` recorded; `row` is the number of the trial."""
-    return _runs(setup, setup.robots, push, row, {}, setup.controller, channels)
+def watched(setup: TrialSetup, push: Any, number: int, channels: Sequence[str]) -> FleetResult:
+    """One run of each robot of `setup` under `push`, with `channels` recorded; `number` is that of the trial."""
+    return _runs(setup, [PlannedPush(number, push)], setup.controller, channels)[0]
 
 
 def _extra(setup: TrialSetup) -> list[float]:
@@ -302,40 +332,46 @@ def _periods(setup: TrialSetup) -> list[float]:
     return [period for period in tried if period >= setup.actual_kit.jitter]
 
 
-def _on(setup: TrialSetup, kit: Kit) -> TrialSetup:
-    """The same pushes on another kit."""
-    return replace(setup, logged=replace(setup.logged or Logged.alone(kit), kit=kit))
-
-
 def _swept(setup: TrialSetup, value: float, controller: KernelController) -> Swept:
-    some = setup.robots[:SWEPT]
-    fell = runs = 0
-    for row, standard in enumerate(setup.pushes().values()):
-        for result in _runs(setup, some, standard.push, row, {}, controller):
-            fell, runs = fell + int(result.fell.sum()), runs + len(result.fell)
-    return Swept(value, runs, fell)
+    pushes = [PlannedPush(i, standard.push) for i, standard in enumerate(setup.pushes().values())]
+    runs = _runs(replace(setup, robots=setup.robots[:SWEPT]), pushes, controller)
+    return Swept(value, sum(len(run.fell) for run in runs), sum(int(run.fell.sum()) for run in runs))
 
 
 def _runs(
-    setup: TrialSetup, robots: Sequence[Robot], push: Any, row: int, changes: Mapping[str, Any],
-    controller: KernelController, channels: Sequence[str] = (),
-) -> Iterator[FleetResult]:  # fmt: skip
-    """One run of each robot, in batches; `row` is the number of the trial, so that each has its own noise."""
-    n, part, logged = len(robots), CALLED if controller.called else len(robots), setup.logged
-    angles = np.column_stack([np.broadcast_to(setup.slope, n), np.zeros(n)])
-    for first in range(0, n, part):
-        some = parameters_of(robots[first : first + part])
-        some = logged.weighed(some, first) if logged else some
-        index = np.arange(row * n + first, row * n + first + len(some), dtype=np.uint64)
-        batch = FleetBatch(
-            parameters=some, controller=controller.law, kit=setup.actual_kit, seed=setup.seed,
-            kit_changes={**(logged.part(first, len(some)) if logged else {}), **changes},
-            pushes=tables([push], (), some).pushes, index=index, period=_STEP, slope=angles[first : first + len(some)],
-        )  # fmt: skip
-        yield simulate(batch, SECONDS, record=int(bool(channels)), channels=channels, bands=BANDS,
-                       threads=setup.threads, called=controller.called)  # fmt: skip
+    setup: TrialSetup, pushes: Sequence[PlannedPush], controller: KernelController, channels: Sequence[str] = ()
+) -> list[FleetResult]:
+    """One run of each robot under each push, push by push."""
+    batch = _batch(setup, pushes, controller.law)
+    part, results = CALLED if controller.called else batch.n, list[FleetResult]()
+    for first in range(0, batch.n, part):
+        some = batch if part >= batch.n else batch.part(slice(first, first + part))
+        results.append(simulate(
+            some, SECONDS, record=int(bool(channels)), channels=channels, bands=BANDS, threads=setup.threads,
+            called=controller.called,
+        ))  # fmt: skip
         if setup.progress:
-            setup.progress.add(len(some))
+            setup.progress.add(some.n)
+    whole, n = joined(results), len(setup.robots)
+    return [whole.part(slice(first, first + n)) for first in range(0, batch.n, n)]
+
+
+def _batch(setup: TrialSetup, pushes: Sequence[PlannedPush], law: Law) -> FleetBatch:
+    """All robots under one push after another."""
+    parameters, kit, logged = setup.parameters, setup.actual_kit, setup.logged
+    n, count = len(parameters), len(pushes)
+    slope = np.zeros((count * n, 2))
+    slope[:, 0] = np.concatenate([np.broadcast_to(one.angles, n) for one in pushes])
+    given = [np.broadcast_to(tables([one.push], (), parameters).pushes, (n, 1, 4)) for one in pushes]
+    changes = {name: np.tile(values, count) for name, values in (logged.drawn(n) if logged else {}).items()}
+    if any(one.voltage is not None for one in pushes):
+        volts = [kit.battery.voltage if one.voltage is None else one.voltage for one in pushes]
+        changes["battery.voltage"] = np.repeat(volts, n)
+    return FleetBatch(
+        parameters=np.tile(parameters, (count, 1)), controller=law, kit=kit, seed=setup.seed, kit_changes=changes,
+        pushes=np.concatenate(given), slope=slope, period=_STEP,
+        index=np.concatenate([np.arange(n, dtype=np.uint64) + np.uint64(one.number * n) for one in pushes]),
+    )  # fmt: skip
 
 
 def batteries(robot: Robot, kit: Kit) -> tuple[float, float] | None:
@@ -347,18 +383,15 @@ def batteries(robot: Robot, kit: Kit) -> tuple[float, float] | None:
     return robot.conditions.battery or (low, full)
 
 
-def _trial(push: str, battery: str, rows: Sequence[FleetResult], parameters: Array, period: float) -> PushTrial:
-    fell, saturated, peak, trace = (
-        np.concatenate([getattr(row, name) for row in rows]) for name in ("fell", "saturated", "peak", "trace")
-    )
-    stood = ~fell
+def _trial(push: str, battery: str, run: FleetResult, parameters: Array, period: float) -> PushTrial:
+    stood = ~run.fell
     radius = parameters[:, NAMES.index("wheel_radius")]
-    ending = trace[stood, -max(1, round(TAIL / period)) :, 0]
+    ending = run.trace[stood, -max(1, round(TAIL / period)) :, 0]
     swings = (ending.max(axis=1) - ending.min(axis=1)) / 2
-    numbers = (saturated[stood], (peak[:, 1] * radius)[stood], peak[stood, 0], swings)
+    numbers = (run.saturated[stood], (run.peak[:, 1] * radius)[stood], run.peak[stood, 0], swings)
     most = dict(zip(("saturated", "travel", "peak", "cycle"), map(_most, numbers), strict=True))
-    residual = float(trace[stood, :, 1:].max(initial=0.0))
-    return PushTrial(push, battery, len(stood), int(fell.sum()), **most, residual=residual)
+    residual = float(run.trace[stood, :, 1:].max(initial=0.0))
+    return PushTrial(push, battery, len(stood), int(run.fell.sum()), **most, residual=residual)
 
 
 def _most(values: Array) -> float:

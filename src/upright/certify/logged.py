@@ -47,15 +47,15 @@ class Logged:
         """Another kit, and nothing else."""
         return cls(kit=kit, load=1.0, loads=np.ones(1), changes={})
 
-    def part(self, first: int, count: int) -> dict[str, Array]:
-        """The changes of `count` robots from number `first` on; more robots than were drawn for begin again."""
-        return {name: rows(values, first, count) for name, values in self.changes.items()}
+    def drawn(self, count: int) -> dict[str, Array]:
+        """The changes of `count` robots; more robots than were drawn for begin again."""
+        return {name: rows(values, count) for name, values in self.changes.items()}
 
-    def weighed(self, parameters: Array, first: int = 0) -> Array:
-        """The parameters (n, 21) of robots from number `first` on, with the drawn loads."""
+    def weighed(self, parameters: Array) -> Array:
+        """The parameters (n, 21) of robots with the drawn loads."""
         result = parameters.copy()
         columns = [NAMES.index(name) for name in LOADED]
-        result[:, columns] *= rows(self.loads, first, len(parameters))[:, None]
+        result[:, columns] *= rows(self.loads, len(parameters))[:, None]
         return result
 
     def angles(self, slope: float, parameters: Array, nominal: Robot) -> Array:
@@ -65,7 +65,7 @@ class Logged:
         if slope not in self.slopes:
             return np.full(len(parameters), slope)
         own = _steepness(SimpleNamespace(**dict(zip(NAMES, parameters.T, strict=True))))
-        return np.arcsin(np.sin(slope * rows(self.tilts, 0, len(parameters))) * own / _steepness(nominal))
+        return np.arcsin(np.sin(slope * rows(self.tilts, len(parameters))) * own / _steepness(nominal))
 
 
 def _steepness(p: Any) -> Any:
@@ -80,9 +80,9 @@ def delaying(kit: Kit, more: float) -> Kit:
     return replace(kit, sensors=sensors)
 
 
-def rows(values: Array, first: int, count: int) -> Array:
-    """`count` of the values (n,) from number `first` on, from the beginning again where they end."""
-    return values[np.arange(first, first + count) % len(values)]
+def rows(values: Array, count: int) -> Array:
+    """`count` of the values (n,), from the beginning again where they end."""
+    return np.resize(values, count)
 
 
 def loaded(robot: Robot, factor: float) -> Robot:

@@ -80,7 +80,7 @@ def narrowing(setup: TrialSetup, unknown: Uncertainty, fell: Mask) -> Narrowing:
         known = Uncertainty(spreads, unknown.correlation)
         robots, lost = draw(setup.robot, TRIED, setup.seed + 1, known), np.zeros(TRIED, dtype=np.bool_)
         for one in tried(replace(setup, robots=robots, progress=None)):
-            lost |= one.fell
+            lost |= one.run.fell
             if red(int(lost.sum()), TRIED) and not all_pushes:
                 break
         return int(lost.sum())

@@ -256,7 +256,7 @@ def _border(setup: TrialSetup, way: float) -> float | None:
     if setup.controller.called:
         return None
     one = replace(setup, robots=[setup.robot])
-    return _largest(lambda knock: not next(watched(one, knock, 0, ())).fell[0], setup.robot, way) or None
+    return _largest(lambda knock: not watched(one, knock, 0, ()).fell[0], setup.robot, way) or None
 
 
 def _largest(stands: Callable[[Impulse], bool], robot: Robot, way: float, near: float | None = None) -> float:
@@ -281,8 +281,7 @@ def _spread(setup: TrialSetup, side: str) -> float | None:
     """Fraction of drawn robots that fall, in the kernel."""
     if setup.controller.called:
         return None
-    runs = watched(setup, Hold(pitch=PUSHES[side], until=UNTIL), 0, ())
-    return float(np.concatenate([result.fell for result in runs]).mean())
+    return float(watched(setup, Hold(pitch=PUSHES[side], until=UNTIL), 0, ()).fell.mean())
 
 
 def _cell(name: str, value: Any) -> str:

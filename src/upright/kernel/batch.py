@@ -189,3 +189,17 @@ class FleetResult:
         for value in vars(self).values():
             if isinstance(value, np.ndarray):
                 value.setflags(write=False)
+
+    def part(self, rows: Selection) -> FleetResult:
+        """The robots number `rows`."""
+        return replace(self, **{name: getattr(self, name)[rows] for name in _OF_EACH})
+
+
+_OF_EACH = ("final", "fell", "lived", "peak", "settled", "rms_pitch", "effort", "saturated", "trace")
+
+
+def joined(results: Sequence[FleetResult]) -> FleetResult:
+    """The robots of all `results` of one length, one after another."""
+    if len(results) == 1:
+        return results[0]
+    return replace(results[0], **{n: np.concatenate([getattr(one, n) for one in results]) for n in _OF_EACH})

@@ -45,21 +45,22 @@ class Runs:
     effort: float
 
 
-def pushed(setup: TrialSetup) -> Runs:
-    """The standard pushes at every battery on all robots of `setup`. A robot that never settles counts to the end."""
+def pushed(setup: TrialSetup, *, blamed: bool = False) -> Runs:
+    """The standard pushes at every battery on all robots of `setup`. A robot that never settles counts to the end.
+
+    Which robots no controller could save is found out only where the controller is `blamed` for all others.
+    """
     fell, beyond = (np.zeros(len(setup.robots), dtype=np.bool_) for _ in range(2))
     trials = list[PushTrial]()
     lived, settling, effort = list[float](), list[Array](), list[Array]()
     for one in tried(setup):
-        trials.append(one.trial)
-        fell |= one.fell
-        beyond |= one.beyond
-        end = release(one.push)
-        for row in one.rows:
-            stood = ~row.fell
-            lived.append(float(np.sum(row.lived)))
-            settling.append(np.maximum(np.nan_to_num(row.settled[stood], nan=SECONDS) - end, 0.0))
-            effort.append(np.asarray(row.effort[stood], dtype=np.float64))
+        run, stood = one.run, ~one.run.fell
+        trials.append(one.counted if blamed else one.trial)
+        fell |= run.fell
+        beyond |= one.beyond if blamed else False
+        lived.append(float(np.sum(run.lived)))
+        settling.append(np.maximum(np.nan_to_num(run.settled[stood], nan=SECONDS) - release(one.planned.push), 0.0))
+        effort.append(np.asarray(run.effort[stood], dtype=np.float64))
     count = len(trials) * len(setup.robots)
     return Runs(
         tuple(trials),
@@ -73,9 +74,7 @@ def pushed(setup: TrialSetup) -> Runs:
 
 def hardest(setup: TrialSetup) -> list[int]:
     """The numbers of the robots of `setup`, first the one that leans farthest in the standard pushes, all together."""
-    lean = np.zeros(len(setup.robots))
-    for one in tried(setup):
-        lean += np.concatenate([row.peak[:, 0] for row in one.rows])
+    lean = np.sum([one.run.peak[:, 0] for one in tried(setup)], axis=0)
     return np.argsort(-lean, kind="stable").tolist()
 
 
@@ -97,21 +96,25 @@ def knock(setup: TrialSetup) -> float:
     if first in (0, COARSE):
         return float(sizes[-1]) if first else 0.0
     finer = np.geomspace(sizes[first - 1], sizes[first], FINE + 1)
-    return float(finer[_first_fall(setup, finer) - 1])
+    return float(finer[_first_fall(setup, finer[1:-1])])
 
 
 def _first_fall(setup: TrialSetup, sizes: Array) -> int:
-    """The number of the least of `sizes` [N s] that fells the robot from either side; their count where none does."""
-    pushes = np.array([[way * size / KNOCK_DURATION, np.nan, KNOCKED, KNOCK_DURATION]
-                       for _ in range(STREAMS) for way in (1, -1) for size in sizes])  # fmt: skip
-    noise = np.repeat(np.arange(2 * STREAMS, dtype=np.uint64), len(sizes))  # the same for every size
+    """The number of the least of `sizes` [N s] that fells the robot from either side; their count where none does.
+
+    Of one size all runs stand together, so that the kernel is soon done with the sizes that nothing survives."""
+    ways = np.tile([1.0, -1.0], STREAMS)
+    pushes = np.array(
+        [[way * size / KNOCK_DURATION, np.nan, KNOCKED, KNOCK_DURATION] for size in sizes for way in ways]
+    )
+    noise = np.tile(np.arange(len(ways), dtype=np.uint64), len(sizes))  # the same for every size
     law, called = setup.controller
     batch = FleetBatch(
         parameters=parameters_of(setup.robot), controller=law, kit=setup.kit, seed=setup.seed,
         pushes=pushes[:, None], index=noise,
     )  # fmt: skip
     result = simulate(batch, KNOCKED + KNOCK_DURATION + WATCHED, threads=setup.threads, called=called)
-    fell = result.fell.reshape(2 * STREAMS, len(sizes)).any(axis=0)
+    fell = result.fell.reshape(len(sizes), len(ways)).any(axis=1)
     return int(np.argmax(fell)) if fell.any() else len(sizes)
 
 
@@ -178,7 +181,7 @@ def figures(
     and the largest knock."""
     robots = draw(robot, samples, seed)
     setup = TrialSetup(kernel_controller(controller, robot, kit), robot, robots, kit, seed, threads)
-    runs = pushed(setup)
+    runs = pushed(setup, blamed=True)
     light, reasons = judge(samples, runs.fell, linear, runs.trials, controller.spec.period, beyond=runs.beyond)
     return Figures(
         samples=samples, fell=runs.fell, knock=knock(setup), settling=runs.settling, effort=runs.effort,

@@ -12,7 +12,6 @@ from upright.arrays import Array, Complex
 from upright.certify.analysis import INPUTS, LATEST, delayed_kit
 from upright.certify.checks import TrialSetup, kernel_controller
 from upright.certify.loop import Loop, commanded_plant, robot_loop
-from upright.certify.margins import ScalarResponse, broken_at
 from upright.certify.verdict import MOST_CYCLE, MOST_SATURATED, MOST_TRAVEL, LinearMargins
 from upright.control.controller import Controller
 from upright.control.delay import MOST_PERIODS, sampled
@@ -70,7 +69,7 @@ class Scorer:
     ) -> None:  # fmt: skip
         self.method, self.robot, self.kit, self.robots = method, robot, kit, robots
         self.period, self.seed, self.threads, self.floor, self.hard = period, seed, threads, floor, hard
-        self._delayed: list[tuple[LinearModel, float]] = []
+        self._delayed: list[LinearModel] = []
 
     def __call__(self, weights: Mapping[str, float]) -> CandidateScore:
         try:
@@ -127,22 +126,26 @@ class Scorer:
         assert self.floor is not None
         if not self._delayed:
             reads, more = controller.spec.reads, min(self.floor.delay * SLACK, LATEST)
-            for at in ("", *(name for name in reads if name in self.kit.sensors)):
-                kit = delayed_kit(self.kit, more, at)
-                model = sampled(self.robot, kit, self.period, reads, longest=MOST_PERIODS)
-                self._delayed.append((commanded_plant(model), more))
-        return [plant for plant, _ in self._delayed]
+            kits = [delayed_kit(self.kit, more, at) for at in ("", *(n for n in reads if n in self.kit.sensors))]
+            models = [sampled(self.robot, kit, self.period, reads, longest=MOST_PERIODS) for kit in kits]
+            self._delayed = [commanded_plant(model) for model in models]
+        return self._delayed
 
 
 def modulus_and_delay(loop: Loop) -> tuple[float, float]:
     """min |1 + l| over frequencies, and the least delay [s] that turns some |l| = 1 to −1 (infinite where |l| is never
     1), of the loop broken at both motors or at any reading (Åström and Hägglund 2006, section 4.6)."""
     grid = np.geomspace(0.1, math.pi / loop.plant.dt, GRID)
-    places = [(loop.at_input, np.array(INPUTS["both motors"]))]
-    places += [(loop.at_output, row) for row in np.eye(len(loop.plant.C))]
-    responses = [ScalarResponse(broken_at(model, v / np.linalg.norm(v)))(grid) for model, v in places]
-    delays = [_delay(grid, response) for response in responses]
-    return float(min(np.abs(1 + response).min() for response in responses)), min(delays)
+    P, K = loop.plant.response(grid), loop.controller.response(grid)
+    places = [(K @ P, np.array(INPUTS["both motors"]))] + [(P @ K, row) for row in np.eye(P.shape[1])]
+    sums = [_one_plus(gain, v / np.linalg.norm(v)) for gain, v in places]
+    return float(min(np.abs(one).min() for one in sums)), min(_delay(grid, one - 1) for one in sums)
+
+
+def _one_plus(gain: Complex, v: Array) -> Complex:
+    """1 + l (n,) where the loop u = `gain` u (n, m, m) is broken along the unit vector v (m,), and all else is closed
+    (Maciejowski 1989, section 3.12)."""
+    return 1 / (np.linalg.inv(np.eye(len(v)) - gain) @ v @ v)
 
 
 def _delay(grid: Array, response: Complex) -> float:

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +22,7 @@ from upright.control.tunable import NARROWER, WIDTH
 from upright.errors import InvalidScenario
 from upright.progress import Progress
 from upright.reading import read_json, understood
+from upright.tune.parallel import working
 from upright.tune.score import FALLS, KNOCK, CandidateScore, Emphasis, cost, row_of, score_from
 
 KIND, VERSION = "upright search", 1
@@ -81,23 +83,35 @@ class SearchRecord:
 
 def search(
     defaults: Mapping[str, float], score: Callable[[Mapping[str, float]], CandidateScore], budget: int, seed: int,
-    record: SearchRecord, *, seconds: float = math.inf, progress: Progress | None = None,
+    record: SearchRecord, *, seconds: float = math.inf, threads: int = 1, progress: Progress | None = None,
 ) -> list[Candidate]:  # fmt: skip
     """At most `budget` candidates, the default first, or as many as `seconds` allow; each new score goes into `record`.
 
-    The record's file is written after each generation.
+    The candidates of a generation are scored in `threads` threads, which changes nothing. The record's file is written
+    after each generation.
     """
-    end, done = time.monotonic() + seconds, list[Candidate]()
+    with working(score, threads) as scored:
+        return _searched(defaults, scored, budget, seed, record, end=time.monotonic() + seconds, progress=progress)
 
-    def judged(weights: dict[str, float]) -> CandidateScore:
-        if len(done) == len(record.scores):
-            record.scores.append(score(weights))
-        done.append(Candidate(weights, record.scores[len(done)]))
-        if progress:
-            progress(len(done) / budget)
-        return done[-1].score
 
-    default = judged(dict(defaults))
+def _searched(
+    defaults: Mapping[str, float], scored: Callable[[Sequence[dict[str, float]]], Iterable[CandidateScore]],
+    budget: int, seed: int, record: SearchRecord, *, end: float, progress: Progress | None,
+) -> list[Candidate]:  # fmt: skip
+    done = list[Candidate]()
+
+    def judged(several: Sequence[dict[str, float]]) -> list[CandidateScore]:
+        first = len(done)
+        known = record.scores[first : first + len(several)]
+        for weights, score in zip(several, chain(known, scored(several[len(known) :])), strict=True):
+            if len(done) == len(record.scores):
+                record.scores.append(score)
+            done.append(Candidate(weights, score))
+            if progress:
+                progress(len(done) / budget)
+        return [one.score for one in done[first:]]
+
+    (default,) = judged([dict(defaults)])
     plan: list[tuple[Emphasis, int, float]] = [
         (FALLS, max(1, round(FIRST * budget)), STEP), (KNOCK, budget, NARROWED)
     ]  # fmt: skip
@@ -106,8 +120,8 @@ def search(
         start = np.array([math.log(best[name] / defaults[name]) for name in defaults])
         strategy = _Strategy(list(defaults), start, step, (seed, number))
         while len(done) + strategy.size <= until and time.monotonic() < end:
-            costs = [cost(judged(strategy.weights(x, defaults)), default, emphasis) for x in strategy.ask()]
-            strategy.tell(costs)
+            scores = judged([strategy.weights(x, defaults) for x in strategy.ask()])
+            strategy.tell([cost(one, default, emphasis) for one in scores])
             record.keep()
     return done
 

@@ -7,6 +7,7 @@ and the figures that are shown of the default and of the chosen controller are t
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -29,6 +30,7 @@ from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import draw
 from upright.tables import Listing, Shown
 from upright.tune.figures import ALIKE, Figures, figures, hardest
+from upright.tune.parallel import working
 from upright.tune.score import CandidateScore, Scorer
 from upright.tune.search import Candidate, SearchRecord, search
 
@@ -213,19 +215,17 @@ def tune(
     if not limit > 0:
         raise InvalidScenario(f"a search of {limit:g} s", expected="more than zero")
     show = progress or unwatched
-    task = _Task(chosen, nominal, parts, seed, threads)
+    task = _Task(chosen, nominal, parts, seed, threads or os.cpu_count() or 1)
     record = SearchRecord(task.request(budget), Path(state) if state else None)
     if record.path:
         place_of(record.path)
     record = record.resumed() if resume else record
     candidates = search(
-        task.defaults, task.scorer(), budget, seed, record, seconds=limit, progress=lambda done: show(0.8 * done)
-    )
-    points = list[Point]()
-    finalists = _finalists(candidates)
-    for one in finalists:
-        points.append(Point(one.weights, task.figures(one.weights, CHOICE, CHOSEN)))
-        show(0.8 + 0.15 * len(points) / len(finalists))
+        task.defaults, task.scorer(), budget, seed, record, seconds=limit, threads=task.threads,
+        progress=lambda done: show(0.8 * done),
+    )  # fmt: skip
+    finalists = [one.weights for one in _finalists(candidates)]
+    points = task.points(finalists, CHOICE, CHOSEN, lambda done: show(0.8 + 0.15 * done))
     result = _result(task, points, len(candidates), budget, samples)
     if record.path:
         record.path.unlink(missing_ok=True)
@@ -249,7 +249,7 @@ class _Task:
     robot: Robot
     kit: Kit
     seed: int
-    threads: int | None
+    threads: int
     known: dict[str, LinearMargins | None] = field(default_factory=dict[str, "LinearMargins | None"])
 
     @cached_property
@@ -272,7 +272,7 @@ class _Task:
         hard, rest = order[: ROBOTS // 2], sorted(order[ROBOTS // 2 :])
         return Scorer(
             self.method, self.robot, self.kit, [drawn[i] for i in rest[: ROBOTS - len(hard)]],
-            hard=[drawn[i] for i in hard], period=self.kit.period, seed=seed, threads=self.threads,
+            hard=[drawn[i] for i in hard], period=self.kit.period, seed=seed, threads=1,
             floor=self.margins(default),
         )  # fmt: skip
 
@@ -283,13 +283,24 @@ class _Task:
             self.known[key] = linear_margins(controller, self.robot, self.kit)
         return self.known[key]
 
-    def figures(self, weights: Mapping[str, float], samples: int, purpose: int) -> Figures:
-        """On robots and noise of that `purpose`."""
-        controller = self.controller(weights)
-        return figures(
-            controller, self.robot, self.kit, self.margins(controller), samples=samples, seed=purpose + self.seed,
-            threads=self.threads,
-        )  # fmt: skip
+    def points(
+        self, several: Sequence[Mapping[str, float]], samples: int, purpose: int, progress: Progress = unwatched
+    ) -> list[Point]:
+        """Figures under each of `several` weights, on robots and noise of that `purpose`."""
+        each, points = max(1, self.threads // len(several)), list[Point]()
+
+        def measured(weights: Mapping[str, float]) -> Figures:
+            controller = self.controller(weights)
+            return figures(
+                controller, self.robot, self.kit, self.margins(controller), samples=samples, seed=purpose + self.seed,
+                threads=each,
+            )  # fmt: skip
+
+        with working(measured, self.threads) as all_of:
+            for weights, one in zip(several, all_of(several), strict=True):
+                points.append(Point(weights, one))
+                progress(len(points) / len(several))
+        return points
 
     def request(self, budget: int) -> str:
         """The hash of all that determines the scores of a search."""
@@ -347,8 +358,9 @@ def _result(task: _Task, points: Sequence[Point], evaluated: int, budget: int, s
     fit = [p for p in points if p is default or not p.figures.worse(default.figures)]
     picked = min(fit, key=lambda p: _order(p.figures))
     front = [default, *(p for p in points[1:] if p is picked or not any(_beats(q, p) for q in points))]
-    base = task.figures(default.weights, samples, JUDGED)
-    best = base if picked is default else task.figures(picked.weights, samples, JUDGED)
+    both = [default.weights] if picked is default else [default.weights, picked.weights]
+    judged = task.points(both, samples, JUDGED)
+    base, best = judged[0].figures, judged[-1].figures
     kept = "" if picked is not default else "no candidate was better and nowhere worse"
     if worse := best.worse(base):
         kept = f"on robots that the search never saw, the weights that it found are worse in {' and '.join(worse)}"
