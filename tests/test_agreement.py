@@ -112,7 +112,7 @@ def test_a_sliding_mode_is_certified_without_calling_it(monkeypatch: pytest.Monk
     assert found.linear is not None  # near rest it is linear
     assert found.linear.stable
     assert shares == sorted(shares)
-    assert len(shares) == 6  # one for each trial
+    assert shares == pytest.approx([5 / 6, 1.0])  # 5 of 6 pushes on 100 robots are together within 512 runs
     # 100 robots without a fall prove 1 − 0.05^(1/100) = 2.95 % and no less, and the certificate says so
     assert math.isclose(found.bound, 1 - 0.05**0.01)
 
