@@ -107,9 +107,9 @@ def test_a_log_of_another_preset_names_it(true: str, named: bool) -> None:
     log = run(NonlinearBody(robot), Excited(lqr(robot, 0.01), random_binary(150, 2.0, 1, 4)), seconds=1.5)
     raw = Log(log.t, {n: v for n, v in log.channels.items() if not n.startswith("truth/")}, log.units, log.origin)
     problem, _ = prepared([raw], Robot.preset("ev3way"), kit, (), 0.0)
-    z, coloured = np.zeros(len(problem.parameters)), replace(problem, temper=0.5)
-    assert ("--robot ev3way-large-wheels" in judge.proposed(problem, coloured, z, ())) == named
-    assert judge.proposed(problem, problem, z, ()) == ""
+    coloured = replace(problem, temper=0.5)
+    assert ("--robot ev3way-large-wheels" in judge.proposed(problem, coloured, ())) == named
+    assert judge.proposed(problem, problem, ()) == ""
 
 
 def test_numbers_that_predict_worse_than_the_file_are_refused(model_log: Log, monkeypatch: pytest.MonkeyPatch) -> None:

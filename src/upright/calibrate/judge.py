@@ -79,14 +79,13 @@ def reasons(
     return (*(wrong if faults else ()), *faults)
 
 
-def proposed(stated: Problem, problem: Problem, z: Array, estimates: Sequence[Estimate]) -> str:
+def proposed(stated: Problem, problem: Problem, estimates: Sequence[Estimate]) -> str:
     """The presets whose numbers predict half seconds of these logs far better than those of the robot's file, all as
     they stand, in words; '' where there is none, or no cause to ask: a stated number contradicted, or innovations that
-    are not white at the fit z (parameters,) of `problem`, which they must predict far better than, too."""
-    surprised = any(e.surprising for e in estimates)
-    if not surprised and problem.temper == 1:
+    are not white in the fit of `problem`. That fit may predict better than all of them and be of another robot: it has
+    bent what its file leaves open."""
+    if problem.temper == 1 and not any(e.surprising for e in estimates):
         return ""
-    fitted = -np.inf if surprised else score(problem, z)
     kept = tuple(p for p in stated.parameters if p.name.startswith("delay/") or p.name in MEANING)
 
     def predicts(robot: Robot) -> float:
@@ -96,7 +95,7 @@ def proposed(stated: Problem, problem: Problem, z: Array, estimates: Sequence[Es
     named = {name: Robot.preset(name) for name in preset_names() if name != robot.name}
     left = {name: 1 - predicts(other) for name, other in named.items() if other.drive == robot.drive}
     least, own = min(left.values(), default=1.0), min(1 - predicts(robot), 1.0)
-    if least > min(NEARER * own, 1 - fitted):
+    if least > NEARER * own:
         return ""
     level = sorted(
         (n for n in left if left[n] <= LEVEL * least), key=lambda n: (named[n].kit_name != robot.kit_name, left[n])

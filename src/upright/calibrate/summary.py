@@ -70,7 +70,7 @@ def summarised(
     widening = _widening(C, right, every, combinations)
     supported = sum(right[i, i] < HALVED**2 for i, p in enumerate(problem.asked) if p.name not in problem.held)
     supported += sum(_combined(c, right).verdict == VISIBLE for c in combinations[1:])
-    other = "" if wrong else proposed(stated, problem, fitted, every)
+    other = "" if wrong else proposed(stated, problem, every)
     refused = () if reason else reasons(problem, fitted, free, every, other, wrong, freed)
     delays = _delays(problem, z, C, every)
     if withdrawn := REFUSED if refused else QUIET if reason else "":
