@@ -274,7 +274,7 @@ def test_nats_by_the_noise_of_quiet_seconds_are_those_of_known_noise() -> None:
     n, scale, quiet = 1200, 1.0, 0.4  # a filter that expects more noise than there is
     squares = {"one": 1.02 * quiet, "two": quiet}
     fits = {
-        name: FaultFit(fault="weak", score=-n / 3 / 2 * math.log(v + scale), rest=np.full(n, math.sqrt(v)))
+        name: FaultFit(fault="weak", score=-n / 3 / 2 * math.log(v + scale), nis=v, rest=np.full(n, v**0.5))
         for name, v in squares.items()
     }
     assert exceeding(fits["two"], fits["one"], scale, quiet) == pytest.approx(n / 3 * 0.02 / 2, rel=0.02)

@@ -12,9 +12,10 @@ import pytest
 from upright.arrays import Array
 from upright.diagnose import chances, verdict
 from upright.diagnose.causes import HIGH, LOW
-from upright.diagnose.evidence import EXCURSION, Demand, Toppling
+from upright.diagnose.evidence import EXCURSION
 from upright.diagnose.fall import Authority, falling, held_command, pace
 from upright.diagnose.fault_fits import PushEstimate
+from upright.diagnose.measured import Demand, Toppling
 from upright.diagnose.slip import slid_at
 from upright.physics.dynamics import motor_gain
 from upright.robots import Robot, preset_names

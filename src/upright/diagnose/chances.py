@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from upright.diagnose.causes import DEAD, NAMES, PUSH, REVERSED
-from upright.diagnose.evidence import Evidence
+from upright.diagnose.evidence import BY_MODEL, KNOWN_TO, Evidence
 from upright.diagnose.fall import LEANING, authority, pace
 from upright.diagnose.fault_fits import CORRELATED, FaultFit, PushEstimate
 from upright.diagnose.sizes import possible, turned
@@ -25,10 +25,6 @@ width of both steps, and the NIS over the calm one that is noise, where the like
 FITS_BADLY, FITS_WIDTH, DOUBT = 1.45, 0.05, 0.75
 """NIS over the calm one beyond which a hypothesis leaves something, the width of that step, and the probability that
 something else took part then: so it was in most of such falls (docs/post-mortem.md)."""
-
-KNOWN_TO, BY_MODEL = 0.05, 0.8
-"""Of its size, to which what a robot does is known, since its parameters are; and the most of the calm NIS that this
-may leave, since small changes of them are beside every hypothesis already."""
 
 BY_TIMES = 0.03
 """Of the NIS without any fault, that late readings and repeated ones leave: delays between whole periods, and those of
@@ -57,7 +53,7 @@ def best_of(evidence: Evidence) -> FaultFit:
         for fit in evidence.fits
         if fit.fault in NAMES and possible(fit, evidence.fell_at) and holds(evidence, fit) > 0.5
     )
-    return max([evidence.pushes_only, *held], key=lambda fit: fit.score)
+    return max([evidence.pushes_only, *held], key=evidence.nats)
 
 
 def holds(evidence: Evidence, fit: FaultFit) -> float:
@@ -144,7 +140,8 @@ def unsettled(evidence: Evidence, fit: FaultFit) -> float:
     stops = np.arange(since, float(motors.t[0]) + rested, -rested)
     if not len(stops):
         return since
-    blocks = [motors.reserve[(motors.t > stop - rested) & (motors.t <= stop)] for stop in stops]
+    leans = motors.reserve * max(1.0, evidence.toppling.largest / LEANING)  # over the largest that is no fall
+    blocks = [leans[(motors.t > stop - rested) & (motors.t <= stop)] for stop in stops]
     largest = np.array([block.max() if len(block) else 0.0 for block in blocks])
     rests = largest < max(AT_REST, RESTLESS * float(np.quantile(largest, CALMER)))
     return since - rested * (int(np.argmax(rests)) if rests.any() else len(rests))

@@ -75,6 +75,13 @@ def _grown(run: FilterRun, name: str, onsets: Array) -> Array:
     return np.where(mine, np.nan_to_num(values[run.sample])[:, None] - first, 0.0)
 
 
+def dead_motors(run: FilterRun) -> tuple[str, ...]:
+    """The dead motors that a log may show: with one of two the robot turns, while encoders that always agree show that
+    it does not."""
+    alike = "encoder_left" in scaled_sensors(run) and len(channels_of(run, "encoder_left")) == 2
+    return ("both",) if alike else tuple(MOTORS)
+
+
 def lost_command(run: FilterRun, way: str) -> Array:
     """What a dead motor takes from the commands over each span (events, 2)."""
     left, right, braked = MOTORS[way]
@@ -104,8 +111,9 @@ def turning(run: FilterRun) -> Array:
 
 def motors(run: FilterRun, onsets: Array) -> list[Signature]:
     """Motors that give nothing from an onset on."""
-    lost = [lost_command(run, way) for way in MOTORS]
-    return _several("motor", dict.fromkeys(MOTORS, 1.0), onsets, _commanded(run, onsets, lost))
+    ways = dead_motors(run)
+    lost = [lost_command(run, way) for way in ways]
+    return _several("motor", dict.fromkeys(ways, 1.0), onsets, _commanded(run, onsets, lost))
 
 
 def drag(run: FilterRun, way: str) -> Array:

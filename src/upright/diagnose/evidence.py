@@ -30,12 +30,13 @@ from upright.diagnose.fall import (
     stale_rows,
     stuck_sensor,
 )
-from upright.diagnose.fault_fits import FaultFit, PushEstimate, fits, gainable, spared, with_commands
+from upright.diagnose.fault_fits import FaultFit, fits, gainable, sharper, spared, with_commands
 from upright.diagnose.forces import forced, refined
 from upright.diagnose.hidden import hidden_fall, sooner
 from upright.diagnose.innovations import FilterRun, follow
-from upright.diagnose.joint import pairs_settled, settled
+from upright.diagnose.joint import each_alone, pairs_settled, settled
 from upright.diagnose.law import CommandMatch, matched, references
+from upright.diagnose.measured import Demand, MotorUse, Toppling
 from upright.diagnose.pairs import CONTRIBUTES, Pair, contributing, paired
 from upright.diagnose.pushed import LEAVES, with_sudden_pushes
 from upright.diagnose.remedy import Window, dropped, searched, sharpened
@@ -58,67 +59,20 @@ EXCURSION = 1.2  # [s] of a quick robot before the fall, in which a push or a de
 EXPLAINED = 1.1  # NIS over the calm one, up to which nothing is left to explain
 LOST = 20.0  # times the ordinary NIS at which the filter has lost the robot, over the log's last `LOST_SECONDS`
 LOST_SECONDS = 0.4  # [s]
-UNEXPLAINED, BETTER = 1.5, 5.0  # NIS over the quiet one, or nats, that pushes leave to other faults to explain
+UNEXPLAINED, BETTER = 20.0, 5.0  # nats that pushes leave to other faults to explain, or by which these are better
+SEARCHED_AGAIN = 100.0  # nats that the likeliest leaves to a search beside sudden pushes
 REPEATING = 1.5  # [s] before the fall in which two repeated readings make dropped samples a hypothesis
 LAST_SECONDS = (0.2, 0.3, 0.5)  # [s] before the fall over which commands are compared with the file's
 SAME = 0.9999  # fraction of the commands' difference that a gain explains where it was wrong from the start
 UPRIGHT = 0.35  # [rad] up to which a lean is one that motors bring back
 LIMIT, AT_LIMIT = 0.95, 0.98  # of the largest command: at the limit for a second's count, and where it is to be sure
 SMALL_EXCURSION = 0.1  # of the last excursion's peak, below which its rows do not count
+AT_REST = 0.3  # NIS: less is that of a robot at rest, whose readings stand still at one step
+KNOWN_TO, BY_MODEL = 0.05, 0.8
+"""Of its size, to which what a robot does is known, since its parameters are; and the most of the calm NIS that this
+may leave, since small changes of them are beside every hypothesis already."""
+
 FEWEST_FREE = 4  # rows with motors below their limit, for a median of how they helped
-
-
-@dataclass(frozen=True)
-class Toppling:
-    """What fells the robot: the lean [rad] that each N s of a push is worth (`per_impulse`), and each N s m of its
-    height (`per_height`), the `largest` lean [rad] that the motors bring back, and the `pole` [1/s] of falling."""
-
-    per_impulse: float
-    per_height: float
-    largest: float
-    pole: float
-
-    def lean(self, push: PushEstimate) -> float:
-        """The lean [rad] that a push gives the robot."""
-        return (self.per_impulse + push.height * self.per_height) * push.impulse
-
-    def largest_like(self, push: PushEstimate) -> float:
-        """The impulse [N s] of the largest push at the same height that the motors bring back."""
-        return self.largest / abs(self.per_impulse + push.height * self.per_height)
-
-    def beyond(self, push: PushEstimate) -> float:
-        """The push over the largest that the motors bring back [1]. They act while it lasts, so that a force counts
-        the less the later it comes: by exp(−λt)."""
-        grown = max(self.pole * (push.stop - push.start), 1e-6)
-        return abs(self.lean(push)) / self.largest * -math.expm1(-grown) / grown
-
-
-@dataclass(frozen=True)
-class MotorUse:
-    """How the motors were used before the fall: fraction of the last excursion at the limit (`saturated`) and of the
-    last second (`pegged`), whether no command changed (`stuck`) or from when to when one was `held` short of the limit
-    [s], changes of the command's sign a second (`swings`), and the median of what they gave over what would have
-    stopped the fall, where they had more (`help`). Last the largest rate of a wheel while the robot was `UPRIGHT`, over
-    that at which full commands give no torque (`speed`)."""
-
-    saturated: float
-    pegged: float
-    stuck: bool
-    held: tuple[float, float] | None
-    swings: float
-    help: float
-    speed: float = 0.0
-
-
-@dataclass(frozen=True)
-class Demand:
-    """The largest sudden change of the reference speed, `jump` [m/s] `at` a time [s], the motors' `top_speed`, and the
-    `fastest` reference in twice the last excursion."""
-
-    jump: float
-    at: float
-    top_speed: float
-    fastest: float
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -127,7 +81,7 @@ class Evidence:
 
     `fits` are the hypotheses, the likeliest first, `pairs` two faults at once, and `left` is what the likeliest leaves,
     where it leaves something. `ordinary` is the scale of the innovations before the fall, `calm` that of its calmer
-    seconds, `quiet` their mean square in a usual one, `nis` in the window, whose readings are at the times `then` [s].
+    seconds, `nis` in the window, whose readings are at the times `then` [s].
     A `stuck` sensor has the scores of a jammed wheel and of a dumb encoder, and the NIS that the better one leaves, in
     `jam`. All was sound until the commands made the wheels slide at `slid` [s] (NaN: not so): nothing later is judged.
     `match` compares the recorded commands with the file's, whose loop is `stable`. `lost` is the fraction of periods
@@ -139,7 +93,6 @@ class Evidence:
     fell_at: float
     ordinary: float
     calm: float
-    quiet: float
     nis: float
     then: Array
     fits: tuple[FaultFit, ...]
@@ -157,6 +110,17 @@ class Evidence:
     throw: Throw | None
     notes: tuple[str, ...]
     slid: float = math.nan
+
+    @cached_property
+    def noise(self) -> float:
+        """The NIS that nothing explains: the least that any hypothesis leaves, and what errors of the model leave of a
+        fall."""
+        least = min(fit.nis for fit in (*self.fits, *(pair.second for pair in self.pairs)))
+        return max(least, AT_REST) + KNOWN_TO**2 * self.nis
+
+    def nats(self, one: FaultFit | Leftover) -> float:
+        """The score of a hypothesis by the noise of this log [nats, up to a constant of it]."""
+        return one.score + sharper(len(self.fits[0].rest), one.nis, self.ordinary, self.noise)
 
     @property
     def excursion(self) -> float:
@@ -204,16 +168,17 @@ def gather(
     show(0.4)
     if not foreign:  # pushes of a linear model leave what other faults would explain
         several = [refined(run, fit, window, bank) if fit.fault == "none" else fit for fit in several]
-    if not foreign and _unexplained(several, quiet_of(run, window)):
+    if not foreign and _unexplained(several, bank, quiet_of(run, window)):
         several += [*searched(run, window), *with_commands(bank, several)]
     if fell_at is None:
         fell_at = hidden_fall(run, several)
         if fell_at is None:
             return whole, None
     several = sharpened(run, several, window, bank)
-    if not foreign and _unexplained(several, quiet_of(run, window)):
+    if not foreign and _unexplained(several, bank, quiet_of(run, window)):
         several = forced(run, several, window, bank)
-        if several[0].nis > LEAVES * calm_of(run, window):
+        again = gainable(bank, several[0].nis, quiet_of(run, window)) > SEARCHED_AGAIN
+        if again or several[0].nis > LEAVES * calm_of(run, window):
             several += with_sudden_pushes(run, window, bank, several[0].score)
             several.sort(key=lambda fit: -fit.score)
         several = settled(run, several, window, bank)
@@ -241,7 +206,7 @@ def _sound_until(
     part = window_of(run, at)
     before = part.bank(run, pushes_only=False)
     sound = fits(before)
-    return (part, before, sound) if not _unexplained(sound, part.usual) else None
+    return (part, before, sound) if not _unexplained(sound, before, part.usual) else None
 
 
 def _blind(still: StuckSensor | None) -> bool:
@@ -254,10 +219,10 @@ def _lost(run: FilterRun, window: Window) -> bool:
     return bool(len(last)) and float(np.mean(last**2)) > LOST * window.usual
 
 
-def _unexplained(several: Sequence[FaultFit], quiet: float) -> bool:
+def _unexplained(several: Sequence[FaultFit], bank: Bank, quiet: float) -> bool:
     """Whether anything is left to explain that pushes do not, beyond the NIS of a quiet second."""
     none = _pushes_only(several)
-    return none.nis > UNEXPLAINED * quiet or max(f.score for f in several) > none.score + BETTER
+    return gainable(bank, none.nis, quiet) > UNEXPLAINED or max(f.score for f in several) > none.score + BETTER
 
 
 def _evidence(
@@ -284,7 +249,9 @@ def _evidence(
     pairs: list[Pair] = []
     if known and gain > CONTRIBUTES:  # else no pair explains more
         pairs = pairs_settled(run, paired(run, met, window, bank), best.score, window, bank)
-        pairs = contributing(run, pairs, best.score, window, bank)
+        several = sorted([*several, *each_alone(run, pairs, best.score, window, bank)], key=lambda fit: -fit.score)
+        met = [fit for fit in several if possible(fit, end)]
+        pairs = contributing(run, pairs, met[0].score, window, bank)
     if window.usual > FOREIGN:
         notes = (*notes, foreign(window.usual, robot))
     elif robot.noise:
@@ -292,7 +259,7 @@ def _evidence(
     left = leftover(met, window, bank) if known and (more or pairs) else None
     per_impulse, per_height, *_ = (mode.w @ model.E).tolist()
     return Evidence(
-        run=run, fell_at=end, ordinary=window.usual, calm=calm, quiet=quiet,
+        run=run, fell_at=end, ordinary=window.usual, calm=calm,
         nis=float(np.mean(bank.y**2)), then=bank.then, fits=tuple(several),
         stuck=stuck, jam=jam, pairs=tuple(pairs), left=left,
         toppling=Toppling(per_impulse, per_height, abs(mode.b) * most / mode.pole, mode.pole),

@@ -193,25 +193,27 @@ def score_of(bank: Bank, rest: Array, spent: float) -> float:
     return n / 2 * math.log((bank.y @ bank.y + floor) / (squares + floor)) - spent * math.log(n)
 
 
-def exceeding(two: FaultFit, one: FaultFit, scale: float, quiet: float) -> float:
-    """How many nats more `two` has than `one` by the noise that it leaves, or by that of `quiet` seconds (NIS), which
-    no fault explains; their scores have noise of a `scale` or more.
+def sharper(size: int, nis: float, scale: float, noise: float) -> float:
+    """What the score of a hypothesis that leaves `nis` of so many readings, whose noise has a `scale` or more, gains
+    [nats, up to a constant of the log] where the `noise` of the log (NIS) is known.
 
-    Quiet seconds show the noise as well as so many readings more (inverse gamma prior, Student's t), and a filter that
+    Quiet seconds show it as well as so many readings more (inverse gamma prior, Student's t), and a filter that
     expects more noise than there is hides in it what a second fault does.
     """
-    left, lesser = (float(fit.rest @ fit.rest) / len(fit.rest) for fit in (one, two))
-    noise = max(quiet, lesser)
-    sharp = math.log((max(left, noise) + noise) / (2 * noise))
-    plain = math.log((left + scale) / (lesser + scale)) / 2
-    return two.score - one.score + len(two.rest) / CORRELATED * (sharp - plain)
+    return size / CORRELATED * (math.log(nis + scale) / 2 - math.log(nis + noise))
+
+
+def exceeding(two: FaultFit, one: FaultFit, scale: float, quiet: float) -> float:
+    """How many nats more `two` has than `one` by the noise that it leaves, or by that of `quiet` seconds (NIS)."""
+    noise = max(quiet, two.nis)
+    more, lesser = (fit.score + sharper(len(two.rest), fit.nis, scale, noise) for fit in (two, one))
+    return more - lesser
 
 
 def gainable(bank: Bank, nis: float, quiet: float) -> float:
     """How many nats more than one that leaves `nis` a hypothesis has, before it pays for its numbers, that leaves no
     more than `quiet` seconds do."""
-    n = len(bank.y) / CORRELATED
-    return n / 2 * math.log((nis + bank.scale) / (min(nis, quiet) + bank.scale))
+    return len(bank.y) / CORRELATED * math.log((max(nis, quiet) + quiet) / (2 * quiet))
 
 
 def spared(bank: Bank, spent: float) -> float:

@@ -51,7 +51,9 @@ MOST = 6  # hypotheses that are searched
 LEAVES = 1.2  # of the usual NIS, up to which the likeliest leaves nothing for a slip to explain
 LITTLE = 0.5  # of the squares, that the floor by itself leaves where there may be a slip
 STARTS = 3  # times from which the floor is slippery, from which a search starts
-LOADS = ((-0.7, 0.8), (-0.4, 0.8), (0.5, 1.5), (1.5, 1.5))  # mass and height over those of the body
+LOADS, APART = 3, 0.15  # onsets from which a load beside pushes is searched, and how far apart they are [s]
+CHANGED = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.1), (0.01, 0.0, 0.0), (0.0, 0.01, 0.0))
+"""A push, and one that is higher [m], later [s] or longer [s]: what changes of it do lies between them."""
 AGAIN = 2  # most times that pushes are looked for beside a slip
 LOST = 1e6  # standard deviations that stand for an innovation of a robot that fell over
 
@@ -279,25 +281,30 @@ def forced(run: FilterRun, fits: Sequence[FaultFit], window: Window, bank: Bank)
 
 
 def loaded(run: FilterRun, fit: FaultFit, window: Window, bank: Bank) -> FaultFit:
-    """A mass that comes or goes beside the pushes of a fit: alone, they take up a part of what it does."""
-    part, com = window.of(run), run.robot.com_height
-    basis = unknown_parameters(part)
-    start = replace(fit, fault="payload", way="added", spent=fit.spent + numbers_of("payload"), score=-math.inf)
-    search = ForceSearch(Observer(part), start, beside(basis, part.whitened), basis)
-    pushes = replace(search, fit=fit).first()
-    beside_it = beside(basis, pushing(part, [(p.start, p.stop, h) for p in fit.pushes for h in (0.0, com)]))
-    least = [(math.inf, np.zeros(0))] * len(LOADS)  # of each kind: near one best lie many of its own basin
-    for i in range(0, len(bank.steps), 2):
-        lanes = [np.array([bank.steps[i], mass, height, 0.0, *pushes]) for mass, height in LOADS]
-        known = np.column_stack([bank.free["moment"][:, i], beside_it])
-        y = search.rest(*lanes)
-        change = -np.linalg.lstsq(known, y, rcond=1e-6)[0]
-        squares = ((y + known @ change) ** 2).sum(axis=0)
-        for k, x in enumerate(lanes):
-            x[3] = change[0, k]
-            least[k] = min(least[k], (float(squares[k]), x), key=lambda one: one[0])
-    best = [refined(run, search.placed(x), window, bank) for _, x in least if len(x)]
-    return max(best, key=lambda one: one.score, default=start)
+    """A mass that comes or goes beside the pushes of a fit: alone, they take up a part of what it does. Searched from
+    the signatures that explain most beside changes of these pushes, some of a mass that comes and some of one that
+    goes."""
+    start = replace(fit, fault="payload", spent=fit.spent + numbers_of("payload"), score=-math.inf)
+    loads = [one for one in bank.faults if one.fault == "payload"]
+    if not loads:
+        return start
+    part = window.of(run)
+    edges = [(p.start + a, p.stop + b, p.height + h) for p in fit.pushes for a, b, h in CHANGED]
+    Q = np.linalg.qr(beside(bank.basis, pushing(part, edges)))[0]
+    values = np.array([one.values for one in loads])
+    own = np.maximum((values**2).sum(axis=1) - ((values @ Q) ** 2).sum(axis=1), 1e-12)
+    dots = values @ (fit.rest - Q @ (Q.T @ fit.rest))
+    explained, chosen = dots**2 / own, list[int]()
+    for i in np.argsort(-explained).tolist():
+        mass = -float(dots[i] / own[i]) * loads[i].size
+        near = [k for k in chosen if abs(loads[k].onset - loads[i].onset) < APART]
+        if mass * loads[i].size > 0 and not near and len(chosen) < LOADS:
+            chosen.append(i)
+    tries = [
+        replace(start, onset=loads[i].onset, size=-float(dots[i] / own[i]) * loads[i].size, more=(1.0, 0.0))
+        for i in chosen
+    ]
+    return max((refined(run, one, window, bank) for one in tries), key=lambda one: one.score, default=start)
 
 
 def slipped(run: FilterRun, fit: FaultFit, window: Window, bank: Bank) -> FaultFit:

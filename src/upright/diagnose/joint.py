@@ -26,8 +26,10 @@ from upright.diagnose.remedy import (
     STRONGEST,
     WEAKEST,
     Window,
+    exact,
     followed,
     lately,
+    priced,
     remedied,
 )
 from upright.diagnose.signatures import YOUNGEST, Bank, beside, unknown_parameters
@@ -229,6 +231,19 @@ def pairs_settled(run: FilterRun, pairs: Sequence[Pair], single: float, window: 
         others = [(first, second) for first in firsts for second in seconds][1:]
         moved += [_again(run, first, second, top - BEHIND, window, bank) for first, second in others]
     return moved
+
+
+def each_alone(run: FilterRun, pairs: Sequence[Pair], single: float, window: Window, bank: Bank) -> list[FaultFit]:
+    """Each fault of the likeliest pair alone, from the numbers that it has there: a search that ended elsewhere made a
+    second fault necessary. Only those that have more than the best `single` one."""
+    found = list[FaultFit]()
+    best = max(pairs, key=lambda pair: pair.score, default=None)
+    for fit in (best.first, best.second) if best is not None and best.score > single else ():
+        if fit.fault in READING_FAULTS + COMMAND_FAULTS:
+            one = exact(run, replace(fit, score=-math.inf, pushes=(), run=None), window, bank)
+            if len(one.rest) and one.score > single - BEHIND:
+                found.append(priced(_one(run, one, window, bank), bank))
+    return [fit for fit in found if fit.score > single]
 
 
 def _again(run: FilterRun, first: FaultFit, second: FaultFit, least: float, window: Window, bank: Bank) -> Pair:

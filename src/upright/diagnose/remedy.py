@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.diagnose.changes import MOTORS, channels_of, drag, lost_command
+from upright.diagnose.changes import MOTORS, channels_of, dead_motors, drag, lost_command
 from upright.diagnose.fall import without
 from upright.diagnose.fault_fits import FaultFit, dearer, remaining, with_pushes
 from upright.diagnose.innovations import IN_TIME, FilterRun, follow
@@ -121,6 +121,14 @@ def _sent(run: FilterRun, fit: FaultFit, before: Array | None = None) -> Array:
     return np.where((grown > 0)[:, None], faulty, usual)
 
 
+def acts_from(run: FilterRun, fit: FaultFit) -> float:
+    """When a fault begins to act [s]: a largest command that is smaller, where one would have been larger."""
+    if fit.fault != "weak" or fit.way != "limit":
+        return fit.onset
+    changed = np.flatnonzero((_sent(run, fit) != run.driven()).any(axis=1))
+    return float(run.log.t[changed[0]]) if len(changed) else math.inf
+
+
 def _without_motor(run: FilterRun, fit: FaultFit, usual: Array) -> Array:
     """The commands that dead motors act as: none where they are braked, else the voltage that they turn at."""
     faulty = np.where(MOTORS[fit.way][:2], _by_sample(run, run.command + lost_command(run, fit.way)), usual)
@@ -184,7 +192,7 @@ def lately(run: FilterRun, window: Window) -> FilterRun:
 def searched(run: FilterRun, window: Window) -> list[FaultFit]:
     """A weak battery of either kind and a longer delay, each of the size and onset with the smallest innovations; their
     scores are not yet exact."""
-    faults = (*BATTERY_OR_DELAY, *((FaultFit(fault="motor", way=way), (1.0,)) for way in MOTORS))
+    faults = (*BATTERY_OR_DELAY, *((FaultFit(fault="motor", way=way), (1.0,)) for way in dead_motors(run)))
     recent = lately(run, window)
     return [_searched(recent, window, *fault) for fault in faults]
 

@@ -116,6 +116,11 @@ class Bank:
         raise IndexError(i)
 
 
+EARLIER = {0: 0.05, 1: 0.3, 3: 1.0, 5: 0.3}
+"""Errors of the state by its place, of pitch [rad], pitch rate, wheel rate and yaw rate [rad/s], that a knock of what
+robots meet leaves in the filter."""
+
+
 def bank(run: FilterRun, scale: float, *, pushes_only: bool = False, beside_it: str = "") -> Bank:
     """All hypotheses on a part of a run, or `pushes_only` where the fault was taken out of the log, with the signatures
     of the fault `beside_it`."""
@@ -179,15 +184,20 @@ def pushing(run: FilterRun, pushes: Sequence[tuple[float, float, float]]) -> Arr
 
 
 def unknown_parameters(run: FilterRun) -> Array:
-    """An orthonormal basis of what parameters that differ within their spreads do, below it one row for each.
+    """An orthonormal basis of what parameters that differ within their spreads do, and errors that the filter has when
+    the part begins, of a knock before it for instance; below it one row for each.
 
     A row weighs as much as the innovations are larger than they should be: beside noise of that scale no parameter is
     known worse than its spread says.
     """
     known = spreads(run.robot)
-    wrong = propagated(run, misfits(run, known))[run.readings]
+    entered = np.zeros((len(run.t), 6, len(known) + len(EARLIER)))
+    entered[:, :, : len(known)] = misfits(run, known)
+    for i, (state, error) in enumerate(EARLIER.items(), len(known)):
+        entered[0, state, i] = error
+    wrong = propagated(run, entered)[run.readings]
     scale = max(1.0, float(np.sqrt(np.mean(run.whitened**2))))
-    return np.linalg.qr(np.vstack([wrong, scale * np.eye(len(known))]))[0]
+    return np.linalg.qr(np.vstack([wrong, scale * np.eye(wrong.shape[1])]))[0]
 
 
 def spreads(robot: Robot) -> dict[str, float]:

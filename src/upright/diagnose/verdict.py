@@ -50,8 +50,9 @@ from upright.diagnose.chances import (
 )
 from upright.diagnose.evidence import FOREIGN, Evidence
 from upright.diagnose.facts import FACT, TEMPER, Answer, changed_gain, lost_rows, stuck, stuck_sensor
-from upright.diagnose.fault_fits import FaultFit, exceeding
+from upright.diagnose.fault_fits import FaultFit, PushEstimate
 from upright.diagnose.pairs import Pair
+from upright.diagnose.remedy import acts_from
 from upright.diagnose.sizes import possible, slight
 from upright.diagnose.usual import SECONDS
 from upright.diagnose.words import (
@@ -165,10 +166,10 @@ def _changed_robot(evidence: Evidence) -> list[Answer]:
     """Whether a fault of robot, sensors or floor explains the innovations better than pushes alone."""
     best: dict[str, FaultFit] = {}
     for fit in evidence.fits:
-        if fit.fault in NAMES and possible(fit, evidence.fell_at) and fit.score > best.get(fit.fault, fit).score - 1e-9:
-            best[fit.fault] = fit
-    top = max((fit.score for fit in best.values()), default=0.0)
-    weights = {name: math.exp(max((fit.score - top) / TEMPER, -50.0)) for name, fit in best.items()}
+        if fit.fault in NAMES and possible(fit, evidence.fell_at):
+            best[fit.fault] = max(best.get(fit.fault, fit), fit, key=evidence.nats)
+    top = max((evidence.nats(fit) for fit in best.values()), default=0.0)
+    weights = {name: math.exp(max((evidence.nats(fit) - top) / TEMPER, -50.0)) for name, fit in best.items()}
     total = sum(weights.values())
     answers: list[Answer] = []
     for name, fit in best.items():
@@ -192,8 +193,9 @@ def _beside(evidence: Evidence, fit: FaultFit) -> str:
 def _two(evidence: Evidence) -> list[Answer]:
     """Whether two faults at once explain the innovations, and neither alone; a push that goes far to topple is one."""
     pushed = _fault_and_push(evidence)
+    top = max((evidence.nats(pair.both) for pair in evidence.pairs), default=0.0)
     several = [
-        (answer, math.exp((pair.score - evidence.pairs[0].score) / TEMPER))
+        (answer, math.exp((evidence.nats(pair.both) - top) / TEMPER))
         for pair in evidence.pairs
         if (answer := _two_faults(evidence, pair, pushed)) is not None
     ]
@@ -209,28 +211,31 @@ def _two_faults(evidence: Evidence, pair: Pair, pushed: Sequence[Answer]) -> Ans
     best = best_of(evidence)
     names = [name_of(fit) for fit in (pair.first, pair.second)]
     first = min(evidence.fell_at - SECONDS, float(evidence.then[0]))
-    if min(pair.first.onset, pair.second.onset) < first + STOOD:  # the robot stood with it
-        return None
+    if min(acts_from(evidence.run, fit) for fit in (pair.first, pair.second)) < first + STOOD:
+        return None  # the robot stood with it
     if names[0] == names[1] or not all(possible(fit, evidence.fell_at) for fit in (pair.first, pair.second)):
         return None
     if any(slight(fit) for fit in (pair.first, pair.second)):
         return None
-    more = TWO * (1 - max((answer.probability for answer in pushed), default=0.0))
-    chance = step(min(_more(evidence, pair.both, best) - more, pair.beyond - TWO), TWO_WIDTH)
+    more = TWO
+    if not _topples(evidence, pair.second.pushes, pair.second):  # else it is a third cause
+        more *= 1 - max((answer.probability for answer in pushed), default=0.0)
+    chance = step(min(evidence.nats(pair.both) - evidence.nats(best) - more, pair.beyond - TWO), TWO_WIDTH)
     leaves, one_leaves = (_beyond_noise(evidence, nis) for nis in (pair.second.nis, best.nis))
     if one_leaves > LITTLE * evidence.calm:  # else the likelihood alone decides
         chance *= step(TWO_LEAVE - leaves / one_leaves, EXPLAINED_WIDTH)
     if evidence.left is not None:  # one unknown cause rather than two that are known
-        chance *= step(pair.score - evidence.left.score, TWO_WIDTH)
+        chance *= step(evidence.nats(pair.both) - evidence.nats(evidence.left), TWO_WIDTH)
     chance *= step(FITS_TWO - pair.second.nis / evidence.calm, FITS_WIDTH)
     text = f"{of_fault(evidence, pair.first)}; with it, {of_fault(evidence, pair.second)}"
     began_at = min(pair.first.onset, pair.second.onset)
     return Answer((1 - HELPED) * FACT * chance, " and ".join(names), began_at, text)
 
 
-def _more(evidence: Evidence, two: FaultFit, one: FaultFit) -> float:
-    """How many nats more one hypothesis has than another, by the noise of this log."""
-    return exceeding(two, one, evidence.ordinary, evidence.quiet)
+def _topples(evidence: Evidence, pushes: Sequence[PushEstimate], fit: FaultFit) -> bool:
+    """Whether pushes beside a fault go far to topple the robot."""
+    lean, push = worth(evidence, pushes, unsettled(evidence, fit))
+    return push is not None and lean > HALF * min(TOPPLES, TOPPLES_OF_LARGEST * evidence.toppling.largest)
 
 
 def _fault_and_push(evidence: Evidence) -> list[Answer]:

@@ -11,9 +11,10 @@ from numpy.typing import NDArray
 from upright.diagnose.beyond import Leftover
 from upright.diagnose.causes import Blow
 from upright.diagnose.changes import PART, channels_of
-from upright.diagnose.evidence import FOREIGN, Demand, Evidence
+from upright.diagnose.evidence import FOREIGN, Evidence
 from upright.diagnose.fall import LEANING
 from upright.diagnose.fault_fits import FaultFit, PushEstimate
+from upright.diagnose.measured import Demand
 from upright.diagnose.sizes import turned
 from upright.diagnose.thrown import Throw
 from upright.physics.dynamics import motor_gain
