@@ -236,14 +236,14 @@ def pairs_settled(run: FilterRun, pairs: Sequence[Pair], single: float, window: 
 def each_alone(run: FilterRun, pairs: Sequence[Pair], single: float, window: Window, bank: Bank) -> list[FaultFit]:
     """Each fault of the likeliest pair alone, from the numbers that it has there: a search that ended elsewhere made a
     second fault necessary. Only those that have more than the best `single` one."""
-    found = list[FaultFit]()
+    several = list[FaultFit]()
     best = max(pairs, key=lambda pair: pair.score, default=None)
     for fit in (best.first, best.second) if best is not None and best.score > single else ():
         if fit.fault in READING_FAULTS + COMMAND_FAULTS:
             one = exact(run, replace(fit, score=-math.inf, pushes=(), run=None), window, bank)
             if len(one.rest) and one.score > single - BEHIND:
-                found.append(priced(_one(run, one, window, bank), bank))
-    return [fit for fit in found if fit.score > single]
+                several.append(priced(_one(run, one, window, bank), bank))
+    return [fit for fit in several if fit.score > single]
 
 
 def _again(run: FilterRun, first: FaultFit, second: FaultFit, least: float, window: Window, bank: Bank) -> Pair:
