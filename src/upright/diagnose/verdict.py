@@ -210,8 +210,9 @@ def _two_faults(evidence: Evidence, pair: Pair, pushed: Sequence[Answer]) -> Ans
     causes as well, as `pushed` has it, the likelihood alone decides."""
     best = best_of(evidence)
     names = [name_of(fit) for fit in (pair.first, pair.second)]
-    if any(_stood(evidence, fit) for fit in (pair.first, pair.second)):
-        return None
+    first = min(evidence.fell_at - SECONDS, float(evidence.then[0]))
+    if min(acts_from(evidence.run, fit) for fit in (pair.first, pair.second)) < first + STOOD:
+        return None  # the robot stood with it
     if names[0] == names[1] or not all(possible(fit, evidence.fell_at) for fit in (pair.first, pair.second)):
         return None
     if any(slight(fit) for fit in (pair.first, pair.second)):
@@ -231,11 +232,6 @@ def _two_faults(evidence: Evidence, pair: Pair, pushed: Sequence[Answer]) -> Ans
     return Answer((1 - HELPED) * FACT * chance, " and ".join(names), began_at, text)
 
 
-def _stood(evidence: Evidence, fit: FaultFit) -> bool:
-    """Whether a fault acts from before what is judged, so that the robot stood with it."""
-    return acts_from(evidence.run, fit) < min(evidence.fell_at - SECONDS, float(evidence.then[0])) + STOOD
-
-
 def _topples(evidence: Evidence, pushes: Sequence[PushEstimate], fit: FaultFit) -> bool:
     """Whether pushes beside a fault go far to topple the robot."""
     lean, push = worth(evidence, pushes, unsettled(evidence, fit))
@@ -245,7 +241,7 @@ def _topples(evidence: Evidence, pushes: Sequence[PushEstimate], fit: FaultFit) 
 def _fault_and_push(evidence: Evidence) -> list[Answer]:
     """Whether a push beside the likeliest fault goes far to topple the robot."""
     best = best_of(evidence)
-    if best.fault not in NAMES or best.fault == "slip" or _stood(evidence, best):  # a slip and a push look alike
+    if best.fault not in NAMES or best.fault == "slip":  # a slip and a push look alike
         return []
     lean, push = worth(evidence, best.pushes, unsettled(evidence, best))
     if push is None:
