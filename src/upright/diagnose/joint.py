@@ -235,11 +235,13 @@ def pairs_settled(run: FilterRun, pairs: Sequence[Pair], single: float, window: 
 
 def each_alone(run: FilterRun, pairs: Sequence[Pair], single: float, window: Window, bank: Bank) -> list[FaultFit]:
     """Each fault of the likeliest pair alone, from the numbers that it has there: a search that ended elsewhere made a
-    second fault necessary. Only those that have more than the best `single` one."""
+    second fault necessary. Only those that have more than the best `single` one, and no wrong reading from before the
+    window: the robot stood with it."""
     several = list[FaultFit]()
     best = max(pairs, key=lambda pair: pair.score, default=None)
     for fit in (best.first, best.second) if best is not None and best.score > single else ():
-        if fit.fault in READING_FAULTS + COMMAND_FAULTS:
+        stood = fit.fault in READING_FAULTS and fit.onset < bank.then[0]
+        if fit.fault in READING_FAULTS + COMMAND_FAULTS and not stood:
             one = exact(run, replace(fit, score=-math.inf, pushes=(), run=None), window, bank)
             if len(one.rest) and one.score > single - BEHIND:
                 several.append(priced(_one(run, one, window, bank), bank))
