@@ -78,9 +78,9 @@ def agreement(log: Log, setup: TrialSetup) -> tuple[Agreement, ...]:
     reads = setup.controller.law.linear.reads
     if not set(RAW) <= set(reads):
         raise SpecMismatch(f"the controller reads {', '.join(reads)}", expected="both encoders and the gyro")
-    for row, standard in enumerate(setup.pushes().values()):
-        some = replace(setup, robots=setup.robots[:DRAWN], progress=None)
-        result = watched(some, standard.push, row, (*RAW, *APPLIED))
+    some = replace(setup, robots=setup.robots[:DRAWN], progress=None)
+    for number, standard in enumerate(some.pushes().values()):
+        result = watched(some, standard.push, number, (*RAW, *APPLIED))
         readings, moved = np.split(result.trace[~result.fell], [3], axis=2)
         agreements.append(innovation_size(estimator, readings, moved * sides))
     standing = np.concatenate(agreements)

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from upright.diagnose.causes import DEAD, NAMES, PUSH, REVERSED
-from upright.diagnose.evidence import BY_MODEL, KNOWN_TO, Evidence
+from upright.diagnose.evidence import KNOWN_TO, Evidence
 from upright.diagnose.fall import LEANING, authority, pace
 from upright.diagnose.fault_fits import CORRELATED, FaultFit, PushEstimate
 from upright.diagnose.sizes import possible, turned
@@ -25,6 +25,10 @@ width of both steps, and the NIS over the calm one that is noise, where the like
 FITS_BADLY, FITS_WIDTH, DOUBT = 1.45, 0.05, 0.75
 """NIS over the calm one beyond which a hypothesis leaves something, the width of that step, and the probability that
 something else took part then: so it was in most of such falls (docs/post-mortem.md)."""
+
+BY_MODEL = 0.8
+"""Of the calm NIS, the most that errors of the robot's parameters may leave, since small changes of them are beside
+every hypothesis already."""
 
 BY_TIMES = 0.03
 """Of the NIS without any fault, that late readings and repeated ones leave: delays between whole periods, and those of

@@ -67,11 +67,8 @@ SAME = 0.9999  # fraction of the commands' difference that a gain explains where
 UPRIGHT = 0.35  # [rad] up to which a lean is one that motors bring back
 LIMIT, AT_LIMIT = 0.95, 0.98  # of the largest command: at the limit for a second's count, and where it is to be sure
 SMALL_EXCURSION = 0.1  # of the last excursion's peak, below which its rows do not count
-AT_REST = 0.3  # NIS: less is that of a robot at rest, whose readings stand still at one step
-KNOWN_TO, BY_MODEL = 0.05, 0.8
-"""Of its size, to which what a robot does is known, since its parameters are; and the most of the calm NIS that this
-may leave, since small changes of them are beside every hypothesis already."""
-
+LEAST_NOISE = 0.3  # NIS: less is that of a robot at rest, whose readings stand still at one step
+KNOWN_TO = 0.05  # of its size, to which what a robot does is known, since its parameters are
 FEWEST_FREE = 4  # rows with motors below their limit, for a median of how they helped
 
 
@@ -116,7 +113,7 @@ class Evidence:
         """The NIS that nothing explains: the least that any hypothesis leaves, and what errors of the model leave of a
         fall."""
         least = min(fit.nis for fit in (*self.fits, *(pair.second for pair in self.pairs)))
-        return max(least, AT_REST) + KNOWN_TO**2 * self.nis
+        return max(least, LEAST_NOISE) + KNOWN_TO**2 * self.nis
 
     def nats(self, one: FaultFit | Leftover) -> float:
         """The score of a hypothesis by the noise of this log [nats, up to a constant of it]."""
