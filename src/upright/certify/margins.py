@@ -162,18 +162,19 @@ class ScalarResponse:
 
     def _solved(self, points: Complex) -> Complex:
         n = len(self._b)
-        rows = points[None, :, None] * np.eye(n)[:, None, :] - self._H[:, None, :]  # (row, point, column)
-        right = np.repeat(self._b[:, None].astype(np.complex128), len(points), axis=1)
+        both = np.column_stack([-self._H, self._b]).astype(np.complex128)  # beside the matrix its right side
+        rows = np.repeat(both[:, :, None], len(points), axis=2)  # (row, column, point): points lie side by side
+        for k in range(n):
+            rows[k, k] += points
         for k in range(n - 1):  # below the diagonal there is one number; the larger of both is the pivot
-            swap = np.abs(rows[k + 1, :, k]) > np.abs(rows[k, :, k])
-            rows[k, swap], rows[k + 1, swap] = rows[k + 1, swap], rows[k, swap]
-            right[k, swap], right[k + 1, swap] = right[k + 1, swap], right[k, swap]
-            factor = rows[k + 1, :, k] / rows[k, :, k]
-            rows[k + 1, :, k:] -= factor[:, None] * rows[k, :, k:]
-            right[k + 1] -= factor * right[k]
-        x = np.empty_like(right)
+            upper, lower = rows[k, k:], rows[k + 1, k:]
+            swap = np.abs(lower[0]) > np.abs(upper[0])
+            if swap.any():
+                upper[:], lower[:] = np.where(swap, lower, upper), np.where(swap, upper, lower)
+            lower[1:] -= lower[0] / upper[0] * upper[1:]
+        x = np.empty((n, len(points)), np.complex128)
         for k in reversed(range(n)):
-            x[k] = (right[k] - np.einsum("pj,jp->p", rows[k, :, k + 1 :], x[k + 1 :])) / rows[k, :, k]
+            x[k] = (rows[k, n] - np.einsum("jp,jp->p", rows[k, k + 1 : n], x[k + 1 :])) / rows[k, k]
         return self._c @ x + self._d
 
 
