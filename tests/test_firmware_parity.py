@@ -51,11 +51,13 @@ def passed(found: Parity) -> None:
 
 
 @pytest.mark.needs("gcc")
-@pytest.mark.parametrize(("number", "traps"), [("double", ()), ("float", ()), ("fixed", TRAPS)])
-def test_c_on_this_machine(tmp_path: Path, number, traps):
+@pytest.mark.parametrize(
+    ("number", "traps", "body"), [("double", (), "nonlinear"), ("float", (), "twin"), ("fixed", TRAPS, "nonlinear")]
+)
+def test_c_on_this_machine(tmp_path: Path, number, traps, body):
     source, made = written(tmp_path, "c", number=number)
     executor = HostExecutor(source, made.program, number, traps)
-    found = executed_parity(executor, frozen(), made, ROBOT, NXT)
+    found = executed_parity(executor, frozen(), made, ROBOT, NXT, body=body)
     executor.close()
     passed(found)
     assert 0 < found.tolerance <= ALLOWED[number]
@@ -85,7 +87,7 @@ def test_c_follows_a_reference(tmp_path: Path):
     source, made = written(tmp_path, "c", controller=designed("lqi"), number="float", reference=True)
     references = [Drive(speed=0.1, start=1.0, until=6.0), Turn(rate=0.5, start=2.0, until=4.0)]
     executor = HostExecutor(source, made.program, "float")
-    passed(executed_parity(executor, designed("lqi"), made, ROBOT, NXT, reference=references))
+    passed(executed_parity(executor, designed("lqi"), made, ROBOT, NXT, body="nonlinear", reference=references))
 
 
 @pytest.mark.parametrize("target", [pytest.param("c", marks=pytest.mark.needs("gcc")), "ev3dev"])
@@ -96,7 +98,7 @@ def test_a_program_believes_what_a_driver_with_a_drop_leaves(tmp_path: Path, tar
     source, made = written(tmp_path, target, kit)
     hosted = target == "c"
     executor = HostExecutor(source, made.program, "float") if hosted else PythonExecutor(source, made.program)
-    found = executed_parity(executor, frozen(), made, ROBOT, kit)
+    found = executed_parity(executor, frozen(), made, ROBOT, kit, body="nonlinear")
     executor.close()
     assert (found.steps > 100, found.duties) == (True, 0), str(found)
     assert found.worst < found.tolerance
@@ -113,7 +115,7 @@ def test_a_wrong_coefficient_is_found(tmp_path: Path):
     at = right.start(1) + len("0x1.abc")
     source.write_text(text[:at] + ("0" if text[at] != "0" else "1") + text[at + 1 :], "utf-8")
     executor = HostExecutor(source, made.program, "double")
-    found = executed_parity(executor, frozen(), made, ROBOT, NXT)
+    found = executed_parity(executor, frozen(), made, ROBOT, NXT, body="nonlinear")
     assert not found.passed
     assert found.worst > 1e-6
     assert all(push.stood for push in found.pushes)  # no eye would have seen it
@@ -124,7 +126,7 @@ def test_a_wrong_coefficient_is_found(tmp_path: Path):
 def test_pybricks_in_micropython(tmp_path: Path, compiled):
     source, made = written(tmp_path, "pybricks", SPIKE)
     executor = PythonExecutor(source, made.program, compiled)
-    passed(executed_parity(executor, frozen(), made, ROBOT, SPIKE))
+    passed(executed_parity(executor, frozen(), made, ROBOT, SPIKE, body="nonlinear" if compiled else "twin"))
     check_log(executor.finish(), rows=1000, telemetry=STEPS // 10)
     executor.close()
 
@@ -284,7 +286,7 @@ def test_what_is_no_log_is_one_line(lines):
 def test_c_on_an_arm7tdmi(tmp_path: Path, number):
     source, made = written(tmp_path, "c", number=number)
     executor = ArmExecutor(source, made.program, number)
-    passed(executed_parity(executor, frozen(), made, ROBOT, NXT))
+    passed(executed_parity(executor, frozen(), made, ROBOT, NXT, body="nonlinear"))
     products = made.program.operations()
     # at least an instruction a product, and less than the 480 000 cycles of 10 ms at 48 MHz
     assert products < executor.worst.instructions <= executor.worst.cycles < 480_000
