@@ -276,7 +276,7 @@ def test_a_calibrated_robots_file_says_how_its_errors_go_together() -> None:
 
 
 def test_command_calibrates_the_log_first(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    recording().save(tmp_path / "run.csv")
+    recording().between(0.0, 5.0).save(tmp_path / "run.csv")
     code = main(["certify", "pid", "--log", str(tmp_path / "run.csv"), "-n", "100", "--json"])
     said = json.loads(capsys.readouterr().out)
     assert code == (3 if said["light"] == RED else 0)

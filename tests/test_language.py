@@ -133,7 +133,7 @@ def test_a_model_and_the_margins_of_a_loop_are_shown_in_spanish() -> None:
 
 @pytest.mark.slow
 def test_no_figure_of_the_course_keeps_an_english_word() -> None:
-    log, law = up.example("excited"), up.lqg(NXT, KIT)
+    log, law = up.example("excited").between(0.0, 6.0), up.lqg(NXT, KIT)
     push = up.Impulse(impulse=0.05, start=0.5)
     runs = {"linear": up.LinearBody(up.linearise(NXT), NXT), "nonlinear": up.NonlinearBody(NXT), "twin": up.Twin(NXT)}
     compared = up.compare({name: up.run(body, up.lqr(NXT, 0.01), push, seconds=1.0) for name, body in runs.items()})
@@ -145,7 +145,7 @@ def test_no_figure_of_the_course_keeps_an_english_word() -> None:
         "nyquist": analysis.plot_nyquist(), "poles": analysis.plot_poles(), "calibration": calibration.plot(),
         "prediction": calibration.plot_prediction(), "doctor": up.doctor(up.example("fall"), NXT).plot(),
         "validation": up.validate(NXT, up.example("pushed")).plot(), "log": log.plot("sensor/gyro", "command/left"),
-        "identification": up.identify(log, NXT, method="all", runs=10).plot(),
+        "identification": up.identify(log, NXT, method="all", runs=4).plot(),
         "certificate": up.certify(law, NXT, samples=100, sweeps=False).plot(),
         "fleet": up.fleet(NXT, n=40, controller=law, vary="spread", pushes=(push,), seconds=1.0).plot(),
     }  # fmt: skip
