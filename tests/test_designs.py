@@ -50,6 +50,19 @@ NXT = Robot.preset("nxtway-gs")
 KIT = Kit.preset("nxt")
 IDEAL = Kit.preset("ideal")
 METHODS = tuple(name for name, method in CONTROLLERS.items() if method.benched)
+USUAL = "nxtway-gs"
+
+
+def each(presets):
+    """Every method on each of the presets. One that searches through hundreds of drawn robots takes 5 to 20 s on each:
+    those but one are tried in CI alone, and a benchmark (`controllers.py`) has them all."""
+    return [
+        pytest.param(name, preset, marks=pytest.mark.long if name == "robust" and preset != USUAL else ())
+        for name in METHODS
+        for preset in presets
+    ]
+
+
 LATE = Kit(name="late", sensors={name: Sensor() for name in RAW} | {"sensor/gyro": Sensor(delay=0.022)}, delay=0.034)
 
 
@@ -94,8 +107,7 @@ def test_discrete_servo_tends_to_the_continuous_one():
     assert distances[0] / distances[1] == pytest.approx(10, rel=0.2)
 
 
-@pytest.mark.parametrize("preset", [name for name in preset_names() if name != "ev3way-large-wheels"])
-@pytest.mark.parametrize("name", METHODS)
+@pytest.mark.parametrize(("name", "preset"), each(name for name in preset_names() if name != "ev3way-large-wheels"))
 def test_every_design_checks_itself(name, preset):
     # residuals of Riccati equations with up to 24 states: rounding times their condition, far below 1e-9; the gain of
     # robust is minimised and its inequalities are Clarabel's, which stops at 1e-6
@@ -490,8 +502,7 @@ def test_static_feedback_reads_back_with_its_kind(tmp_path):
     assert back.kind == "lqr"
 
 
-@pytest.mark.parametrize("name", METHODS)
-@pytest.mark.parametrize("preset", preset_names())
+@pytest.mark.parametrize(("name", "preset"), each(preset_names()))
 def test_raw_sensors_hold_every_preset_through_the_papers_push(name, preset):
     robot, kit, controller = made(name, preset)
     assert not controller.spec.reads_truth
@@ -505,8 +516,7 @@ UNFIT_TO_DRIVE = {
 """A default that holds every push and does not drive: known, and told here until it does."""
 
 
-@pytest.mark.parametrize("name", METHODS)
-@pytest.mark.parametrize("preset", preset_names())
+@pytest.mark.parametrize(("name", "preset"), each(preset_names()))
 def test_drives_turns_and_stops(request, name, preset):
     if (name, preset) in UNFIT_TO_DRIVE:
         request.applymarker(pytest.mark.xfail(strict=True, reason=UNFIT_TO_DRIVE[name, preset]))
