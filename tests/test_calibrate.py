@@ -68,6 +68,13 @@ def calibration() -> Calibration:
     return calibrate(twin_log(), PRIOR)
 
 
+@cache
+def short_calibration() -> tuple[Calibration, list[float]]:
+    """Of ten seconds, and the shares that its progress showed."""
+    shares: list[float] = []
+    return calibrate(twin_log(10.0), PRIOR, progress=shares.append), shares
+
+
 @pytest.mark.parametrize(("rolling", "close"), [(0.0, 1e-5), (0.01, 1e-4)])
 def test_the_predictor_integrates_the_equations_of_physics(rolling: float, close: float) -> None:
     """A free simulation by the predictor is that of `physics.dynamics` under SciPy's integrator of order eight. RK4 at
@@ -383,8 +390,8 @@ def test_a_run_that_differs_and_a_sensor_that_is_not_white_are_each_said_once() 
 def test_several_logs_say_more_than_one() -> None:
     """Two logs of ten seconds have √2 the precision of one in what no prior helps with, such as the dead time
     of the compass: a ratio of widths of 0.71, and 0.85 is asked, since the two are excited differently."""
-    one = calibrate(twin_log(10.0, 3), PRIOR)
-    two = calibrate([twin_log(10.0, 3), twin_log(10.0, 4)], PRIOR)
+    one = short_calibration()[0]
+    two = calibrate([twin_log(10.0), twin_log(10.0, 4)], PRIOR)
     width = [c["delay/compass"].high - c["delay/compass"].low for c in (one, two)]
     assert width[1] < 0.85 * width[0]
 
@@ -408,8 +415,7 @@ def test_a_resonance_is_learnt_together_and_no_number_of_it_is_known() -> None:
 
 def test_a_calibration_shows_how_far_it_is() -> None:
     """Of a log whose innovations are white: the search is not the one half of it of which nothing is shown."""
-    shares: list[float] = []
-    calibrate(twin_log(10.0), PRIOR, progress=shares.append)
+    _, shares = short_calibration()
     assert shares == sorted(shares)
     assert len([share for share in shares if 0.01 < share < 0.7]) >= 3
 
@@ -488,7 +494,7 @@ def test_garbage_gets_one_clear_line(spoil, says: str) -> None:
 
 def test_missing_readings_and_an_uneven_clock_are_no_harm() -> None:
     """A tenth of the readings gone and a clock that wavers by a millisecond: the pole is still found."""
-    log = twin_log()
+    log = twin_log(10.0)
     rng = np.random.default_rng(0)
     channels = {
         n: np.where(rng.random(len(log)) < 0.1, np.nan, v) if n.startswith("sensor/") else v
@@ -582,7 +588,9 @@ def test_a_file_whose_delays_are_periods_off_leads_to_the_same_delays() -> None:
         found = calibrate(let_go(seed), Robot.preset("twipr"), replace(kit, sensors=sensors))
         off = found["delay/gyro"].value - gyro, found["delay/encoder"].value - encoder
         near += abs(off[0]) < 0.001 and abs(off[1]) < 0.002
-    assert near >= 2
+        if near == 2:
+            return
+    pytest.fail(f"{near} of three")
 
 
 def test_innovations_as_large_as_expected_are_the_likeliest_noise_of_their_gains() -> None:
@@ -599,6 +607,8 @@ def test_innovations_as_large_as_expected_are_the_likeliest_noise_of_their_gains
     assert after - before < 0.1 * n / 2 * (math.log(100) + 0.01 - 1)
 
 
+@pytest.mark.slow
+@pytest.mark.long
 def test_dry_friction_of_the_twin_is_found() -> None:
     """MuJoCo's dry friction is sharp, and so is the predictor's: both friction numbers to a few hundredths, though they
     make up for one another; under smooth friction the viscous one was 5 % off and four deviations. Of four logs each
@@ -724,7 +734,7 @@ def test_a_log_with_every_second_row_is_as_good_as_its_readings() -> None:
 
 def test_a_weaker_motor_is_found() -> None:
     """A right motor with 6 % less than the left one, as applied voltages of a foreign log say it: to a hundredth."""
-    log = twin_log()
+    log = twin_log(10.0)
     weak = {**log.channels, "applied/left": log["applied/left"] / 1.03, "applied/right": log["applied/right"] / 0.97}
     found = calibrate(Log(log.t, weak, log.units), PRIOR)
     assert found["asymmetry"].value == pytest.approx(-0.06, abs=0.01)
@@ -773,6 +783,7 @@ def test_another_robots_file_is_never_taken_in_silence(shared: Path) -> None:
 
 @pytest.mark.needs("shared/data/ev3way")
 @pytest.mark.slow
+@pytest.mark.long
 def test_one_set_of_numbers_predicts_three_runs_of_the_ev3() -> None:
     """Two programs and two endings in a fall. The robot of all three runs predicts half seconds of each as well as is
     wished of one run's for another (0.75 and 0.97). One was logged before the gain that all three state: a volt turns
