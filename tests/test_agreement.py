@@ -27,7 +27,7 @@ from upright.certify.pushes import standard_pushes
 from upright.certify.verdict import GREEN, LinearMargins, judge
 from upright.cli.main import main
 from upright.comparison.bench import TOLERANCE, bench_one, largest_knock
-from upright.control import LinearController, as_linear, make_controller
+from upright.control import ControllerSpec, LinearController, as_linear, make_controller
 from upright.control.law import as_law
 from upright.control.permit import permitted
 from upright.errors import InvalidController, InvalidLog, NotPermitted, SpecMismatch
@@ -131,7 +131,9 @@ def test_where_nothing_linear_is_known_it_says_so() -> None:
 class Broken:
     """A controller whose command is no number."""
 
-    spec = designed("pid").spec
+    @property
+    def spec(self) -> ControllerSpec:
+        return designed("pid").spec
 
     def reset(self) -> None: ...
 
