@@ -608,7 +608,6 @@ def test_innovations_as_large_as_expected_are_the_likeliest_noise_of_their_gains
 
 
 @pytest.mark.slow
-@pytest.mark.long
 def test_dry_friction_of_the_twin_is_found() -> None:
     """MuJoCo's dry friction is sharp, and so is the predictor's: both friction numbers to a few hundredths, though they
     make up for one another; under smooth friction the viscous one was 5 % off and four deviations. Of four logs each

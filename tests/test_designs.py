@@ -54,8 +54,8 @@ USUAL = "nxtway-gs"
 
 
 def each(presets):
-    """Every method on each of the presets. One that searches through hundreds of drawn robots takes 5 to 20 s on each:
-    those but one are tried in CI alone, and a benchmark (`controllers.py`) has them all."""
+    """Every method on each of the presets. The one that searches through hundreds of drawn robots takes 5 to 20 s for
+    each: of all presets but one it is `long`, and a benchmark (`controllers.py`) has it too."""
     return [
         pytest.param(name, preset, marks=pytest.mark.long if name == "robust" and preset != USUAL else ())
         for name in METHODS
@@ -107,7 +107,9 @@ def test_discrete_servo_tends_to_the_continuous_one():
     assert distances[0] / distances[1] == pytest.approx(10, rel=0.2)
 
 
-@pytest.mark.parametrize(("name", "preset"), each(name for name in preset_names() if name != "ev3way-large-wheels"))
+@pytest.mark.parametrize(
+    ("name", "preset"), each([preset for preset in preset_names() if preset != "ev3way-large-wheels"])
+)
 def test_every_design_checks_itself(name, preset):
     # residuals of Riccati equations with up to 24 states: rounding times their condition, far below 1e-9; the gain of
     # robust is minimised and its inequalities are Clarabel's, which stops at 1e-6
