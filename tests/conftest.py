@@ -59,8 +59,9 @@ BROWSER = frozenset(("test_lab_page", "test_lab_exported", "test_pages"))
 """Files with a browser, and a lab beside it: two at once take more than two cores."""
 
 FIRST = (
-    "browser", "test_site", "test_postmortem", "test_designs", "test_reproduce", "test_calibrate",
-    "test_firmware_parity", "test_first_robot", "test_agreement", "test_lab_abuse", "test_identify", "test_support",
+    "browser", "test_site", "test_postmortem", "test_calibrate", "test_foreign_robots", "test_reproduce",
+    "test_firmware_parity", "test_support", "test_readme", "test_first_robot", "test_agreement", "test_stated_gain",
+    "test_lab_abuse", "test_doctor", "test_identify", "test_designs",
 )  # fmt: skip
 """Units of work that take longest: begun first, so that all processes end at about the same time."""
 
