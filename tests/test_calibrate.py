@@ -24,7 +24,7 @@ from upright.calibrate.calibration import Calibration
 from upright.calibrate.coefficients import DRIVEN, LEVEL, ROLLING_DRY
 from upright.calibrate.estimate import HELD, VISIBLE
 from upright.calibrate.fitting import events_of, normal_equations, objective
-from upright.calibrate.informativity import _within_prior, drives_straight
+from upright.calibrate.informativity import _within_prior, between_optima, drives_straight
 from upright.calibrate.judge import poorly
 from upright.calibrate.noise import scaled_noise, sensor_bounds
 from upright.calibrate.parameters import ROLL_FRACTION, Parameter, parameters_of, with_values
@@ -622,6 +622,24 @@ def test_dry_friction_of_the_twin_is_found() -> None:
         assert sum(e.low <= true <= e.high for e in found) >= 3
         assert all(abs(e.value - true) < 3 / 1.96 * (e.high - e.low) / 2 for e in found)
     assert several[0]["coulomb_friction"].low <= robot.coulomb_friction <= several[0]["coulomb_friction"].high
+
+
+def test_intervals_reach_the_other_optima_that_may_be_the_right_ones() -> None:
+    """One of two optima is right, so half of the squared distance is the mean square error about the other one: √2
+    deviations hold 95 % up to 2.8 of them. Where the posterior is wider than that, it stays."""
+    C, z = np.array([[0.04, 0.01], [0.01, 0.09]]), np.array([0.3, -0.2])
+    away = np.array([1.0, 0.0])
+    wide = between_optima(C, z, [z + away])
+    for least in (C, np.outer(away, away) / 2):
+        assert np.linalg.eigvalsh(wide - least).min() > -1e-12
+    assert np.linalg.eigvalsh(C + np.outer(away, away) / 2 - wide).min() > -1e-12  # what both know is not added up
+    assert between_optima(C, z, [z + np.array([0.1, 0.0])]) == pytest.approx(C)  # half a deviation away
+    assert between_optima(C, z, []) is C
+
+
+def test_a_rotor_that_a_log_takes_away_leaves_a_robot() -> None:
+    """1.8e-13 kg m², which no robot's file may have: a certificate refused the log as a slip of the exponent."""
+    assert with_values(PRIOR, {"rotor_inertia": 1.8e-13}).rotor_inertia == 0.0
 
 
 def test_no_direction_is_less_known_than_by_the_prior_alone() -> None:

@@ -240,6 +240,23 @@ def test_a_number_that_its_owner_measured_wrong_is_named_and_spoils_no_other(tmp
 
 
 @pytest.mark.slow
+def test_a_file_that_a_log_contradicts_is_doubted_in_every_number(tmp_path: Path) -> None:
+    """A radius 35 % too large, stated to 5 %: no single number explains this log clearly, and 8 of 14 visible intervals
+    missed. One in twenty may."""
+    robot = known(SMALL)
+    wrong = 1.35 * SMALL.radius
+    source = {**robot.provenance, "wheel_radius": Provenance("mine", 0.05 * wrong)}
+    found = calibrated(tmp_path, robot.replace(wheel_radius=wrong, provenance=source))
+    judged, missed = held_by(found)
+    assert judged >= 8
+    assert len(missed) <= 1, missed
+    assert "contradicts the stated value of wheel_radius" in " ".join(found.notes)
+    radius = found["wheel_radius"]
+    assert radius.low <= SMALL.radius <= radius.high
+    assert radius.prior_spread == pytest.approx(0.05 * wrong)  # as stated, not as doubted
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "factor"), [("wheel_radius", 2.0), ("com_height", 0.1)])
 def test_a_number_of_another_unit_or_place_is_named_alone(tmp_path: Path, name: str, factor: float) -> None:
     """A diameter for a radius, and a slipped point. The fit bends other numbers by more than six deviations and is

@@ -78,7 +78,7 @@ def apart(problem: Problem, z: Array, sources: Sequence[str]) -> tuple[str, ...]
     """
     runs = range(len(problem.recordings))
     fits = [_fitted(problem, z, [run]) for run in runs] if len(runs) > 1 else []
-    known = [posterior(*fit) for fit in fits]
+    known = [posterior(*fit[:4]) for fit in fits]
     alone = [_numbers(*fit[:2], C) for fit, C in zip(fits, known, strict=True)]
     least = [fit[2].objective + _by_chance(fit[0], C) for fit, C in zip(fits, known, strict=True)]
     gaps = [gap for one, other in combinations(runs, 2) for gap in _gaps(one, other, alone[one], alone[other])]

@@ -22,7 +22,7 @@ from upright.calibrate.estimate import AGREE, FOREIGN, SURPRISE
 from upright.calibrate.fitting import Fitted, Problem
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.parameters import LOSSES, Parameter, as_guess
-from upright.calibrate.refined import leaves_less, simulated, white
+from upright.calibrate.refined import CLEARER, MISSED, leaves_less, simulated, white
 from upright.calibrate.sought import laplace
 from upright.errors import DesignFailed
 from upright.robots import PARAMETERS, Robot
@@ -34,8 +34,6 @@ GAIN = 1e-3  # [nats] gain of a turn that ends it
 LIKELIER = math.log(20)  # [nats] odds of twenty to one by which a number must be likelier wrong than none
 CREDIBLE = 0.99  # [1] probability of the numbers of which one is said to be wrong
 FAR = math.log(10)  # [1] deviation of the logarithm of a number that may be in another unit, or before a gear
-CLEARER = 0.01  # [1] of what a fit leaves of half seconds, by which it leaves less with the right number
-MISSED = 0.01  # [1] of the readings of half seconds: a fit that bends right numbers predicts them all the same
 LEAST = 1e-3  # [1] of a stated number that is above zero: where one that may be zero is tried with an open size
 NATURE = ("gravity",)  # which no file gets wrong by more than its spread
 
@@ -58,44 +56,79 @@ class Freed(NamedTuple):
 
 
 class Explained(NamedTuple):
-    """A fit; the stated numbers of which one is wrong, the likeliest first; and what that adds to the covariance of the
-    fit's parameters (parameters, parameters)."""
+    """A fit; the stated numbers of which one is wrong, the likeliest first; what that adds to the covariance of the
+    fit's parameters (parameters, parameters); and how many times as wide as stated the deviations of stated numbers
+    are taken in that fit."""
 
     fit: Fitted
     freed: list[Freed]
     covariance: Array | float
+    doubt: float = 1.0
+
+    @property
+    def scales(self) -> Array:
+        """Deviations of each parameter (parameters,) in those that are stated."""
+        return np.array([self.doubt if _doubted(p) else 1.0 for p in self.fit.problem.parameters])
+
+    @property
+    def as_stated(self) -> Problem:
+        """The problem with the deviations that are stated."""
+        parameters = self.fit.problem.parameters
+        several = [replace(p, spread=p.spread / by) for p, by in zip(parameters, self.scales, strict=True)]
+        return replace(self.fit.problem, parameters=tuple(several))
 
 
 def explained(fit: Fitted, search: Callable[[Sequence[str]], Fitted]) -> Explained:
     """The fit in which those numbers are guesses of which one, by the log, is wrong. Which one is open, so that each of
     their fits counts alike for the covariance. `search` fits anew with numbers as guesses.
 
-    The `fit` stays as it is where no single number explains the log clearly better, or half seconds are not predicted
-    better with it; where innovations are not white even so, since what the model leaves out bends numbers, too; and
-    where a stated number is contradicted by more than `FOREIGN`, for then the log may be of another robot: what alone
-    would explain it is named all the same.
+    Where no single number explains the log clearly better, or half seconds are not predicted better with it, all stated
+    numbers are `_doubted_alike`. The `fit` stays as it is where half seconds are not predicted, since what the model
+    leaves out bends numbers, too; and where a stated number is contradicted by more than `FOREIGN`, for then the log
+    may be of another robot: what alone would explain it is named all the same.
     """
-    stays, stated = Explained(fit, [], 0.0), {p.name: p for p in fit.problem.parameters}
+    stated = {p.name: p for p in fit.problem.parameters}
     if _most(fit.problem, fit.z) > FOREIGN or _rubs(fit.problem, fit.z):
         return Explained(fit, _single(fit, search), 0.0)
     if simulated(fit) < 1 - MISSED or not (first := _credible(fit, stated)):
-        return stays
+        return _doubted_alike(fit)
     try:
         other = search([one.name for one in first])
     except DesignFailed:
-        return stays
+        return _doubted_alike(fit)
     freed = _credible(other, stated)
     if not freed or not white(other):
-        return stays
+        return _doubted_alike(fit)
     names = [one.name for one in freed]
     problem, z = _freed(other.problem, stated, other.z, names)
     result = gauss_newton(problem, _down(problem, z, other.normal.bowls), iterations=ITERATIONS)
     other = Fitted(problem, result.z, result.normal, result.paths)
     if not white(other) or not leaves_less(other, fit, CLEARER):
-        return stays
+        return _doubted_alike(fit)
     alone = [_freed(one.problem, stated, one.z, names)[1] for one in freed]
     away = np.array(alone) - result.z
     return Explained(other, freed, away.T @ away / len(freed))
+
+
+def _doubted_alike(fit: Fitted) -> Explained:
+    """The fit with the deviations of all stated numbers as many times as wide as the largest contradiction is large,
+    where there is one and half seconds are predicted all the same: then it is no error of the model.
+
+    Which number is wrong the log does not tell then, and any may be: errors that do not agree are as much larger than
+    stated as makes them agree (Birge 1932).
+    """
+    if not SURPRISE < (doubt := _most(fit.problem, fit.z)) <= FOREIGN or simulated(fit) < 1 - MISSED:
+        return Explained(fit, [], 0.0)
+    parameters = tuple(replace(p, spread=doubt * p.spread) if _doubted(p) else p for p in fit.problem.parameters)
+    problem = replace(fit.problem, parameters=parameters)
+    wide = Explained(Fitted(problem, fit.z, fit.normal, fit.paths), [], 0.0, doubt)
+    result = gauss_newton(problem, fit.z / wide.scales, iterations=ITERATIONS)
+    return wide._replace(fit=Fitted(problem, result.z, result.normal, result.paths))
+
+
+def _doubted(p: Parameter) -> bool:
+    """Whether a number is one that a file states."""
+    return not p.guess and (p.name in PARAMETERS or p.name == BATTERY) and p.name not in NATURE
 
 
 def _single(fit: Fitted, search: Callable[[Sequence[str]], Fitted]) -> list[Freed]:

@@ -276,12 +276,14 @@ class Normal:
 
 
 class Fitted(NamedTuple):
-    """A problem, its parameters of greatest posterior z (parameters,), and the derivatives and filters there."""
+    """A problem, its parameters of greatest posterior z (parameters,), and the derivatives and filters there; and where
+    it is one of several optima that predict half seconds equally well, the z of the `others` (n, parameters)."""
 
     problem: Problem
     z: Array
     normal: Normal
     paths: Sequence[Path]
+    others: Sequence[Array] = ()
 
 
 def huber_weight(whitened: Array) -> Array:

@@ -138,6 +138,18 @@ def _within_prior(C: Array, z: Array) -> Array:
     return (half * np.minimum(values, 1.0)) @ half.T
 
 
+def between_optima(C: Array, z: Array, others: Sequence[Array]) -> Array:
+    """C (n, n), the covariance about z (n,), in each direction as large as the mean square distance at least from the
+    `others` (m, n) of which any may be the right one as well."""
+    if not len(others):
+        return C
+    away, root = np.array([other - z for other in others]), np.linalg.cholesky(C)
+    apart = np.linalg.solve(root, away.T)
+    values, directions = np.linalg.eigh(apart @ apart.T / (1 + len(others)))
+    half = root @ directions
+    return (half * np.maximum(values, 1.0)) @ half.T
+
+
 def student(problem: Problem) -> float:
     """By how much wider 95 % of Student's distribution is than of the normal one, for the degrees of freedom of a
     covariance from Bartlett's window at frequency zero, 3T/2M (Jenkins and Watts 1968); 1 for white innovations."""

@@ -17,7 +17,7 @@ from upright.calibrate import resonant as resonating
 from upright.calibrate.annealing import from_likeliest_delays
 from upright.calibrate.dropping import dropped
 from upright.calibrate.effects import respread
-from upright.calibrate.fitting import STICKING, Fitted, Normal, Path, Problem, normal_equations, objective
+from upright.calibrate.fitting import STICKING, Fitted, Problem, normal_equations, objective
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.informativity import effective_fraction
 from upright.calibrate.misaligned import misaligned
@@ -50,6 +50,12 @@ TURNS = 6  # of noise and parameters, at most
 GYRO_DELAY_TRIALS = (-0.5, 0.5, 1.0)
 """[periods] added to the gyro's delay where the best fit is fitted again: delays have optima a period apart.
 A fit from there must be likelier at the same noise, and predict half seconds better: either alone may be chance."""
+
+CLEARER = 0.01
+"""[1] of what a fit leaves of half seconds, by which another one leaves less that is better than by chance: with
+numbers that are wrong it leaves up to 0.017 more."""
+
+MISSED = 0.01  # [1] of the readings of half seconds: a model that leaves more is wrong, and intervals are wider for it
 
 LEAST_WEIGHT = 0.1  # [1] weight of the readings below which the prior may outweigh them
 WORST_LOSS = 0.02  # [1] most R² of free simulation that the prior may then cost
@@ -90,7 +96,7 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float], show: Progr
         rough, best = other, _polished(other, {**bounds, **_swings(problem)})
         problem, z = resonating.with_that_of(problem, z, rough.problem, rough.z)
     if white(best):
-        return _tempered(*_between_runs(best))
+        return _tempered(_between_runs(best))
     show(0.6)
     prior = at_prior(problem, rough.z)
     with ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -99,10 +105,15 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float], show: Progr
         best, level = _best_simulated(fits, [*pool.map(simulated, fits)], LEVEL)
         moved = pool.map(partial(_with_gyro_delay, best.problem, best.z), GYRO_DELAY_TRIALS)
         tries = [fit for fit in moved if fit.normal.objective < best.normal.objective]
-        best, _ = _best_simulated([best, *tries], [level, *pool.map(simulated, tries)])
+        for other, value in zip(tries, pool.map(simulated, tries), strict=True):
+            if 1 - value <= (1 - CLEARER) * (1 - level):
+                others = [*best.others, best.z] if value > 1 - MISSED else []
+                best, level = other._replace(others=others), value
         several = [best, *fits] if len(problem.recordings) > 1 else [best]  # weighted, each may go elsewhere
-        last = [_tempered(*fit) for fit in pool.map(_between_runs, several)]
-        return _best_simulated(last, [*pool.map(simulated, last)], LEVEL)[0] if len(last) > 1 else last[0]
+        last = [*pool.map(_tempered, map(_between_runs, several))]
+        if len(last) > 1:
+            return _best_simulated(last, [*pool.map(simulated, last)], LEVEL)[0]
+        return last[0]._replace(others=best.others)
 
 
 def _with_cause(cause: Cause, fit: Fitted, bounds: Bounds) -> Fitted | None:
@@ -134,7 +145,7 @@ def white(fit: Fitted) -> bool:
     """Whether the innovations of a fit are those of a right model, as far as their correlations tell."""
     from upright.calibrate.validate import worst_correlation
 
-    return bool(np.isfinite(fit.normal.objective)) and worst_correlation(*fit) < WHITE
+    return bool(np.isfinite(fit.normal.objective)) and worst_correlation(*fit[:4]) < WHITE
 
 
 def _likeliest_noise(problem: Problem, z: Array, bounds: Bounds) -> Fitted:
@@ -238,7 +249,9 @@ def _best_simulated(fits: Sequence[Fitted], scores: Sequence[float], level: floa
     if level and np.isfinite(least) and len(good) > 1:
         sizes = [effective_fraction(fit.problem, fit.normal, fit.paths) for fit, _ in good]
         good = [one for one, size in zip(good, sizes, strict=True) if size >= ALIKE * max(sizes)]
-    return min(good, key=lambda one: float(one[0].z @ one[0].z))
+    fit, value = min(good, key=lambda one: float(one[0].z @ one[0].z))
+    others = [other.z for other, _ in good if other is not fit] if value > 1 - MISSED else []
+    return fit._replace(others=others), value
 
 
 def _with_gyro_delay(problem: Problem, z: Array, periods: float) -> Fitted:
@@ -271,7 +284,7 @@ def _settled(problem: Problem, z: Array, bounds: Bounds) -> Fitted:
     within = replace(problem, noise={**problem.noise, **inside})
     problem = within if np.isfinite(objective(within, z)[0]) else problem
     for turn in range(TURNS):
-        _, z, normal, paths = _fitted(problem, z, iterations=5)
+        _, z, normal, paths, _ = _fitted(problem, z, iterations=5)
         before, problem = problem, learn_noise(problem, z, bounds, iterations=3 if turn else 5)
         changed = {n: abs(problem.noise[n] - before.noise[n]) for n in bounds}
         if max(changed.values()) < NOISE_TOLERANCE:
@@ -289,18 +302,19 @@ def _polished(fit: Fitted, bounds: Bounds) -> Fitted:
     return polished if np.isfinite(polished.normal.objective) else fit
 
 
-def _tempered(problem: Problem, z: Array, normal: Normal, paths: Sequence[Path]) -> Fitted:
+def _tempered(fit: Fitted) -> Fitted:
     """The same fit in fine steps, with readings weighted by their effective sample size against the prior. Where the
     prior would then draw the fit away from what predicts the log, the fit stays and only its intervals widen."""
     from upright.calibrate.validate import score
 
+    problem, z, normal, paths, _ = fit
     longest, problem, first = problem.longest, replace(problem, fine=True), z
     for _ in range(2):
         fraction = effective_fraction(problem, normal, paths)
         if abs(fraction / problem.temper - 1) < WEIGHT_TOLERANCE and problem.longest == longest:
             break
         problem, longest = replace(problem, temper=fraction), problem.longest
-        _, z, normal, paths = _fitted(problem, z, iterations=10)
+        _, z, normal, paths, _ = _fitted(problem, z, iterations=10)
     if problem.temper < LEAST_WEIGHT and score(problem, z) < score(problem, first) - WORST_LOSS:
         value, paths = objective(problem, first)
         return Fitted(problem, first, normal_equations(problem, first, paths, value), paths)

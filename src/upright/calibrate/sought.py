@@ -56,7 +56,7 @@ def _nearby(start: tuple[Problem, Array]) -> tuple[float, Problem, Array]:
 def weight_of(fit: Fitted, names: Collection[str]) -> float:
     """What readings count for the parameters of these `names`, whose innovations are not white: the covariance that
     takes them for white over the one that does not (Chandler and Bate 2007), at most 1."""
-    problem, _, normal, paths = fit
+    problem, _, normal, paths, _ = fit
     own = [i for i, p in enumerate(problem.parameters) if p.name in names]
     white = np.linalg.inv(normal.hessian)
     true = white @ (problem.temper**2 * score_covariance(problem, normal, paths) + np.eye(len(white))) @ white

@@ -14,12 +14,12 @@ from numpy.typing import NDArray
 from upright.calibrate import dropping, misaligned, resonance
 from upright.calibrate.calibration import Calibration, Segments
 from upright.calibrate.coefficients import around, slopes_of
-from upright.calibrate.contradicted import Explained, Freed, which
+from upright.calibrate.contradicted import Explained, which
 from upright.calibrate.effects import FRACTIONS, of_robot
 from upright.calibrate.electronics import MEANING
 from upright.calibrate.estimate import BOUND, HELD, NORMAL, PRIOR, QUIET, REFUSED, SURPRISE, VISIBLE, Estimate
 from upright.calibrate.fitting import Problem
-from upright.calibrate.informativity import information, posterior, unseen_directions
+from upright.calibrate.informativity import between_optima, information, posterior, unseen_directions
 from upright.calibrate.judge import poorly, proposed, reasons
 from upright.calibrate.parameters import GEAR, ROLL_FRACTION, Parameter, columns, with_values
 from upright.calibrate.validate import segments, steps_ahead, whiteness
@@ -56,13 +56,16 @@ def summarised(
 ) -> Calibration:
     """The calibration that a fit, with its doubtful numbers, amounts to; `stated` is the problem
     as the files state it, and `wrong` what the doctor finds wrong in the logs."""
-    (problem, z, normal, paths), freed, doubtful = best
+    (problem, z, normal, paths, others), freed, doubtful, _ = best
     free = tuple(segments(problem, recording, z) for recording in problem.recordings)
     fits, scores = _checks(problem, z, free)
-    fitted, runs = z, len(problem.recordings)
-    white = np.linalg.inv(np.eye(len(z)) + information(problem, normal))
-    _, right = of_robot(problem.parameters, z, white + _floor(problem), runs)
-    z, C = of_robot(problem.parameters, z, posterior(problem, z, normal, paths) + _floor(problem) + doubtful, runs)
+    runs = len(problem.recordings)
+    stated_scale = np.outer(best.scales, best.scales)
+    white = stated_scale * np.linalg.inv(np.eye(len(z)) + information(problem, normal))
+    errors = stated_scale * between_optima(posterior(problem, z, normal, paths), z, others) + doubtful
+    problem, fitted = best.as_stated, best.scales * z
+    _, right = of_robot(problem.parameters, fitted, white + _floor(problem), runs)
+    z, C = of_robot(problem.parameters, fitted, errors + _floor(problem), runs)
     spread = np.sqrt(np.diag(C))
     every = [_estimate(p, float(z[i]), float(spread[i]), p.name in problem.held) for i, p in enumerate(problem.asked)]
     combinations = combined_numbers(problem, z)
@@ -99,7 +102,7 @@ def summarised(
         sources=tuple(map(named, logs)),
         notes=(
             *(() if refused else [*map(sentence, wrong), *which(freed)]),
-            *_notes(problem, () if wrong and refused else every, scores, reason, other, widening, freed),
+            *_notes(problem, () if wrong and refused else every, scores, reason, other, widening, best),
         ),
         widening=widening,
         supported=int(supported),
@@ -284,8 +287,9 @@ def _notes(
     reason: str,
     other: str,
     widening: float,
-    freed: Sequence[Freed],
+    best: Explained,
 ) -> list[str]:
+    freed = best.freed
     notes = [*([reason] if reason else []), *dropping.in_words(every, problem.drop)]
     notes += misaligned.in_words(every, problem.misalignment)
     notes += resonance.in_words(every, problem.resonance)
@@ -313,12 +317,17 @@ def _notes(
         notes.append(f"Outside of what was known before: {', '.join(times)}. Check the file, and the log.")
     runs = [e.name for e in every if e.wider and e.name in FRACTIONS and len(problem.recordings) > 1]
     rest = [e.name for e in every if e.wider and e.name not in runs]
-    for names, why in ((runs, "since the runs differ by more than that"), (rest, "because of the model's error")):
+    cause = (
+        "because of the model's error" if best.doubt == 1 else "since the log contradicts the file, and any may be off"
+    )
+    for names, why in ((runs, "since the runs differ by more than that"), (rest, cause)):
         if names:
             notes.append(
                 f"After this log {joined(names)} {'are' if len(names) > 1 else 'is'} less certain than before, {why}. "
                 "Fix what you measured with --known."
             )
+    if best.fit.others:
+        notes.append("Other fits predict half seconds equally well: the intervals allow for each of them.")
     if free["lost"] > 0.1:
         notes.append(
             f"In {free['lost']:.0%} of the half-second free simulations the model falls where the robot did not."

@@ -183,7 +183,7 @@ PARAMETERS: dict[str, tuple[str, str]] = {
 _ELECTRICAL = ("motor_resistance", "torque_constant", "back_emf")
 MAY_BE_ZERO = ("rotor_inertia", "back_emf", "motor_friction", "wheel_friction", "coulomb_friction", "rolling_friction")
 _LARGEST = 3.0  # [m] no balancing robot is larger
-_RANGE = (1e-12, 1e6)  # of every number that is not zero, in SI units: products of them neither vanish nor overflow
+LEAST, _MOST = 1e-12, 1e6  # every number that is not zero, in SI units: products of them neither vanish nor overflow
 _UNUSUAL = 30.0  # times beyond those of the shipped robots, a number is worth a look
 
 
@@ -248,7 +248,7 @@ def unusual(numbers: Mapping[str, float]) -> str:
 def _sign(name: str) -> _Rule:
     unit, zero = PARAMETERS[name][0], name in MAY_BE_ZERO
     lower = "zero or more" if zero else "more than zero"
-    least, most = _RANGE
+    least, most = LEAST, _MOST
 
     def holds(p: Any) -> Any:
         value = getattr(p, name)
@@ -311,7 +311,7 @@ def _electric(robot: Robot) -> InvalidRobot:
 
 
 def _stands(p: Any) -> Any:
-    return p.com_height >= _RANGE[0]
+    return p.com_height >= LEAST
 
 
 def _hangs(robot: Robot) -> InvalidRobot:
