@@ -347,7 +347,7 @@ def refined(run: FilterRun, fit: FaultFit, window: Window, bank: Bank) -> FaultF
     """The fit with the numbers of its forces that leave the smallest innovations, and without pushes that add less than
     their price; as it was where the search finds nothing better."""
     part = window.of(fit.run if fit.run is not None else run)
-    basis = unknown_parameters(part)
+    basis = unknown_parameters(part, fit.nis)
     left = beside(basis, part.whitened)
     if fit.run is None and fit.fault not in (*FORCED, "none"):
         if len(fit.values) != len(left):

@@ -145,7 +145,7 @@ def jointly(
     usual = list(several), fit
     if fit.run is None:
         return usual
-    joint = _Joint(lately(run, window), window, tuple(several), fit, unknown_parameters(window.of(fit.run)))
+    joint = _Joint(lately(run, window), window, tuple(several), fit, unknown_parameters(window.of(fit.run), fit.nis))
     x = joint.first()
     if joint.search(x) is None:
         return usual

@@ -212,7 +212,7 @@ def _searched(recent: FilterRun, window: Window, fault: FaultFit, sizes: tuple[f
             if tried[0] >= least:
                 break
             least, best = tried
-    return best
+    return replace(best, nis=least / int(window.of(recent).readings.sum()))
 
 
 def least_of(squares: Callable[[FaultFit], float], several: Sequence[FaultFit]) -> tuple[float, FaultFit]:
@@ -323,7 +323,7 @@ def beside_pushes(run: FilterRun, fit: FaultFit, window: Window, against: Bank) 
     if freed is None:
         return fit
     part = window.of(freed)
-    basis = unknown_parameters(part)
+    basis = unknown_parameters(part, fit.nis)
     again = moved(run, [[one] for one in faded(fit)], window, basis, [beside(basis, pushing(part, edges))])[0]
     again = priced(exact(run, replace(again, score=-math.inf), window, against), against)
     return max(fit, again, key=lambda one: one.score)

@@ -7,6 +7,7 @@ wrong proves no fault by that, and with a penalty for each free number (Schwarz 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -183,12 +184,12 @@ def pushing(run: FilterRun, pushes: Sequence[tuple[float, float, float]]) -> Arr
     return Forces(_steps(run, times), 2 * many, 2 * many + 1, np.array([push[2] for push in pushes])).values(many)
 
 
-def unknown_parameters(run: FilterRun) -> Array:
+def unknown_parameters(run: FilterRun, nis: float = math.nan) -> Array:
     """An orthonormal basis of what parameters that differ within their spreads do, and errors that the filter has when
     the part begins, of a knock before it for instance; below it one row for each.
 
-    A row weighs as much as the innovations are larger than they should be: beside noise of that scale no parameter is
-    known worse than its spread says.
+    A row weighs as much as what a hypothesis leaves is larger than it should be, by its `nis`, or as the innovations
+    are: beside noise of that scale no parameter is known worse than its spread says.
     """
     known = spreads(run.robot)
     entered = np.zeros((len(run.t), 6, len(known) + len(EARLIER)))
@@ -196,7 +197,7 @@ def unknown_parameters(run: FilterRun) -> Array:
     for i, (state, error) in enumerate(EARLIER.items(), len(known)):
         entered[0, state, i] = error
     wrong = propagated(run, entered)[run.readings]
-    scale = max(1.0, float(np.sqrt(np.mean(run.whitened**2))))
+    scale = math.sqrt(max(1.0, nis if math.isfinite(nis) else float(np.mean(run.whitened**2))))
     return np.linalg.qr(np.vstack([wrong, scale * np.eye(wrong.shape[1])]))[0]
 
 
