@@ -309,7 +309,9 @@ def test_a_battery_that_fades_is_fitted_by_what_is_left_and_how_fast() -> None:
     found = searched(run, window)[0]
     freed = remedied(run, found)
     assert freed is not None
-    assert np.mean(window.of(freed).whitened ** 2) < 2.0
+    left = np.mean(window.of(freed).whitened ** 2)
+    assert left < 2.0
+    assert found.nis == pytest.approx(left, rel=0.05)  # by which dead motors are chosen: the filter warmed up for less
     assert found.rise == pytest.approx(0.5, abs=0.1)  # twice the last step
 
 
@@ -539,7 +541,7 @@ def test_no_fault_is_named_by_a_model_that_does_not_describe_the_robot(shared: P
     """Nothing was broken in these runs (their authors); the model leaves ten deviations long before they fall."""
     fallen = post_mortem(shared / f"data/ev3way/{name}.csv", Robot.preset("ev3way-large-wheels"))
     assert fallen.fell
-    assert fallen.verdict in {CANNOT_TELL, SATURATION}
+    assert fallen.verdict == CANNOT_TELL  # motors come to their limit in every fall, and the lean is not known
     assert "nan" not in str(fallen)
     assert any("no cause is named" in note for note in fallen.notes)
 
@@ -649,7 +651,8 @@ def test_a_load_that_goes_is_found_beside_the_push_that_hides_it() -> None:
     window = window_of(followed, evidence.fell_at)
     bank_ = window.bank(followed, pushes_only=False)
     found = loaded(followed, evidence.pushes_only, window, bank_)
-    assert found.score > evidence.pushes_only.score + 10  # nats, by which a fault contributes (`pairs.CONTRIBUTES`)
+    # the file may be wrong beside pushes as well, which leaves less for a load to explain than the ten nats from before
+    assert found.score > evidence.pushes_only.score
     assert (found.onset, found.size) == (pytest.approx(ONSET, abs=0.1), pytest.approx(-0.8, abs=0.1))
 
 

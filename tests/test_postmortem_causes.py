@@ -12,8 +12,8 @@ import pytest
 from upright.arrays import Array
 from upright.diagnose import chances, verdict
 from upright.diagnose.causes import HIGH, LOW
-from upright.diagnose.evidence import EXCURSION
-from upright.diagnose.fall import Authority, falling, held_command, pace
+from upright.diagnose.evidence import EXCURSION, KNOWN_TO, Evidence
+from upright.diagnose.fall import Authority, falling, held_command, pace, wheel_rates
 from upright.diagnose.fault_fits import PushEstimate
 from upright.diagnose.measured import Demand, Toppling
 from upright.diagnose.slip import slid_at
@@ -137,3 +137,25 @@ def test_a_push_beyond_what_motors_bring_back_fells_however_long_the_robot_swing
     )  # fmt: skip
     chance, _, largest = chances.toppled(evidence)
     assert (chance > 0.9, largest is not None) == (topples, topples)
+
+
+def test_an_error_that_a_robot_may_have_counts_as_one_reading_however_far_it_moved() -> None:
+    # whitened innovations of noise, then of a fall for half a second: a robot that is wrong by `KNOWN_TO` leaves that
+    # part of each of them, which is one error in each tenth of a second
+    t = 0.01 * np.arange(400)
+    y = np.random.default_rng(3).standard_normal(400) * np.where(t < 3.5, 1.0, 400.0)
+    run: Any = SimpleNamespace(readings=np.ones(400, dtype=bool), clock=t, whitened=y)
+    run.only = lambda _: run
+    found: Any = SimpleNamespace(run=run, then=t, calm=1.0, pushes_only=SimpleNamespace(rest=y))
+    weights = Evidence.weights.func(found)  # type: ignore[attr-defined]
+    fell = t >= 3.5
+    assert (weights[fell] * (KNOWN_TO * y[fell]) ** 2).sum() == pytest.approx(5.0, rel=0.05)  # tenths of a second
+    assert weights[~fell].min() > 0.9  # noise stays what it was
+
+
+def test_the_rate_of_a_wheel_is_that_over_several_of_its_encoder_s_steps() -> None:
+    # 1° and 10 ms: from row to row a wheel at 5 rad/s seems to turn at 3.5 or at 5.2
+    t, degree = 0.01 * np.arange(100), math.pi / 180
+    names = ("sensor/encoder_left", "sensor/encoder_right")
+    log = Log(t, dict.fromkeys(names, degree * np.floor(5.0 * t / degree)), dict.fromkeys(names, "rad"))
+    assert wheel_rates(log, t[10:]) == pytest.approx(np.full(90, 5.0), abs=degree / 0.05)

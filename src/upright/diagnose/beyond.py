@@ -31,7 +31,7 @@ STEP_COST = 0.5  # of a step of a disturbance of any shape, over that of a numbe
 class Leftover:
     """The disturbance of any shape that explains best what a hypothesis leaves: it enters by the `channel` from `onset`
     [s] on with the `values` at the times `t`, or with none where it is too rapid for steps; together they have the
-    `score` and leave `nis`."""
+    `score` and leave `rest` of the innovations, of this `nis`."""
 
     channel: str
     onset: float
@@ -39,6 +39,7 @@ class Leftover:
     values: Array
     score: float
     nis: float
+    rest: Array
 
 
 def jam_or_stuck(run: FilterRun, stuck: StuckSensor, window: Window, bank: Bank) -> tuple[float, float, float]:
@@ -108,7 +109,7 @@ def _of_channel(channel: str, fit: FaultFit, here: Bank, bank: Bank, since: floa
     onsets = here.steps[len(left) - best - 1 :]
     return Leftover(
         channel=channel, onset=float(onsets[0]), t=onsets, values=-np.cumsum(size), score=scores[best],
-        nis=float(left[best]) / len(y),
+        nis=float(left[best]) / len(y), rest=y - Q[:, : best + 1] @ dots[: best + 1],
     )  # fmt: skip
 
 

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from upright.diagnose.causes import DEAD, NAMES, PUSH, REVERSED
-from upright.diagnose.evidence import KNOWN_TO, Evidence
+from upright.diagnose.evidence import Evidence
 from upright.diagnose.fall import LEANING, authority, pace
 from upright.diagnose.fault_fits import CORRELATED, FaultFit, PushEstimate
 from upright.diagnose.sizes import possible, turned
@@ -26,9 +26,9 @@ FITS_BADLY, FITS_WIDTH, DOUBT = 1.45, 0.05, 0.75
 """NIS over the calm one beyond which a hypothesis leaves something, the width of that step, and the probability that
 something else took part then: so it was in most of such falls (docs/post-mortem.md)."""
 
-BY_MODEL = 0.8
-"""Of the calm NIS, the most that errors of the robot's parameters may leave, since small changes of them are beside
-every hypothesis already."""
+OF_WHAT_IT_DID, BY_MODEL = 0.05, 0.8
+"""Of what a robot did, what errors of its parameters may leave, and of the calm NIS the most of it, since small changes
+of them are beside every hypothesis already."""
 
 BY_TIMES = 0.03
 """Of the NIS without any fault, that late readings and repeated ones leave: delays between whole periods, and those of
@@ -106,7 +106,7 @@ def toppled(evidence: Evidence) -> tuple[float, float, PushEstimate | None]:
 
 def unexplained(evidence: Evidence, nis: float, fault: str = "") -> float:
     """How likely something else took part, or was the cause, where a hypothesis leaves such a NIS."""
-    by_model = min(KNOWN_TO**2 * evidence.nis / evidence.calm, BY_MODEL)
+    by_model = min(OF_WHAT_IT_DID**2 * evidence.nis / evidence.calm, BY_MODEL)
     if fault in ("delay", "dropped"):
         by_model = BY_TIMES * evidence.nis / evidence.calm
     return DOUBT * step(nis / evidence.calm - FITS_BADLY - by_model, FITS_WIDTH)

@@ -16,6 +16,7 @@ from upright.diagnose.beyond import Leftover, goes_beyond, jam_or_stuck, leftove
 from upright.diagnose.causes import foreign, noisy
 from upright.diagnose.clock import on_even_clock, thinned
 from upright.diagnose.fall import (
+    Authority,
     StuckSensor,
     authority,
     fall_time,
@@ -29,8 +30,9 @@ from upright.diagnose.fall import (
     pace,
     stale_rows,
     stuck_sensor,
+    wheel_rates,
 )
-from upright.diagnose.fault_fits import FaultFit, fits, gainable, sharper, spared, with_commands
+from upright.diagnose.fault_fits import CORRELATED, FaultFit, fits, gainable, spared, with_commands
 from upright.diagnose.forces import forced, refined
 from upright.diagnose.hidden import hidden_fall, sooner
 from upright.diagnose.innovations import FilterRun, follow
@@ -68,7 +70,8 @@ UPRIGHT = 0.35  # [rad] up to which a lean is one that motors bring back
 LIMIT, AT_LIMIT = 0.95, 0.98  # of the largest command: at the limit for a second's count, and where it is to be sure
 SMALL_EXCURSION = 0.1  # of the last excursion's peak, below which its rows do not count
 LEAST_NOISE = 0.3  # NIS: less is that of a robot at rest, whose readings stand still at one step
-KNOWN_TO = 0.05  # of its size, to which what a robot does is known, since its parameters are
+KNOWN_TO = 0.03  # of its size, to which what a robot does is known: numbers in owners' files are 1 to 4 % off
+ALIKE = 0.1  # [s] in which such errors are alike
 FEWEST_FREE = 4  # rows with motors below their limit, for a median of how they helped
 
 
@@ -109,15 +112,32 @@ class Evidence:
     slid: float = math.nan
 
     @cached_property
+    def weights(self) -> Array:
+        """What each reading counts: the robot is known to `KNOWN_TO`, so that each `ALIKE` seconds may be wrong by that
+        part of what it did in them, by one error that all their readings share."""
+        run = self.run.only(self.run.readings & (self.run.clock >= self.then[0]) & (self.run.clock <= self.then[-1]))
+        blocks = np.floor((run.clock - self.then[0]) / ALIKE).astype(int)
+        did = np.bincount(blocks, run.whitened**2)
+        weights = np.ones(len(self.pushes_only.rest))
+        weights[: len(blocks)] = self.calm / (self.calm + KNOWN_TO**2 * did[blocks])
+        return weights
+
+    def misfit(self, one: FaultFit | Leftover) -> float:
+        """The NIS that a hypothesis leaves, by the readings' weights; the plain one of a log of other readings."""
+        if len(one.rest) != len(self.weights):
+            return one.nis
+        return float(np.average(one.rest**2, weights=self.weights))
+
+    @cached_property
     def noise(self) -> float:
-        """The NIS that nothing explains: the least that any hypothesis leaves, and what errors of the model leave of a
-        fall."""
-        least = min(fit.nis for fit in (*self.fits, *(pair.second for pair in self.pairs)))
-        return max(least, LEAST_NOISE) + KNOWN_TO**2 * self.nis
+        """The NIS that nothing explains: the least that any hypothesis leaves."""
+        every = (*self.fits, *(pair.second for pair in self.pairs))
+        return max(LEAST_NOISE, min(self.misfit(one) for one in every))
 
     def nats(self, one: FaultFit | Leftover) -> float:
         """The score of a hypothesis by the noise of this log [nats, up to a constant of it]."""
-        return one.score + sharper(len(self.fits[0].rest), one.nis, self.ordinary, self.noise)
+        plain = len(self.weights) / CORRELATED / 2 * math.log(one.nis + self.ordinary)
+        return one.score + plain - self.weights.sum() / CORRELATED * math.log(self.misfit(one) + self.noise)
 
     @property
     def excursion(self) -> float:
@@ -325,6 +345,7 @@ def _motor_use(run: FilterRun, w: Array, end: float) -> MotorUse:
     helped = motors.help[free] / np.maximum(motors.reserve[free], 1e-6)
     recent = motors.command[inside & (motors.t > end - excursion)]
     second = motors.command[inside & (motors.t > end - 1.0)]
+    last = run.asked[(log.t > end - excursion) & (log.t <= end)]  # motors that are off wait on the floor
     held = held_command(run, motors, end, excursion)
     if held is not None:  # both at their limits, maybe opposite ones, are no stopped loop
         at = np.abs(run.asked[int(np.searchsorted(log.t, held[0]))])
@@ -333,19 +354,20 @@ def _motor_use(run: FilterRun, w: Array, end: float) -> MotorUse:
         held=held,
         saturated=float(full.mean()) if len(rows) else math.nan,
         pegged=float((np.abs(second) > LIMIT).mean()) if len(second) else 0.0,
-        stuck=not np.ptp(run.asked[(log.t > end - excursion) & (log.t <= end)], axis=0).any(),
+        stuck=not np.ptp(last, axis=0).any() and bool(last.any()),
         swings=float((np.diff(np.sign(recent)) != 0).sum()) / excursion,
         help=float(np.median(helped)) if len(free) >= FEWEST_FREE else math.nan,
-        speed=_speed(run, motors.states[inside & (motors.t > end - 2 * excursion)]),
+        speed=_speed(run, motors, inside & (motors.t > end - 2 * excursion)),
     )
 
 
-def _speed(run: FilterRun, states: Array) -> float:
-    """The largest wheel rate of these states (n, 6) while the robot was upright, over that without torque."""
-    upright = np.abs(states[:, 0]) < UPRIGHT
-    largest = float(np.abs(states[upright, 3] - states[upright, 1]).max(initial=0.0))
+def _speed(run: FilterRun, motors: Authority, rows: NDArray[np.bool_]) -> float:
+    """The largest rate in these rows of wheels that run after a lean, while the robot was upright, over that without
+    torque: wheels that run the other way have all the torque that stops the fall."""
+    rates = wheel_rates(run.log, motors.t)
+    after = rows & (np.abs(motors.states[:, 0]) < UPRIGHT) & (rates * motors.needed > 0)
     top = _top_rate(run.robot, limit(run.robot, run.kit, run.asked))
-    return largest / top if top > 0 else 0.0  # of motors that were off nothing is known
+    return float(np.abs(rates[after]).max(initial=0.0)) / top if top > 0 else 0.0  # of motors that were off: nothing
 
 
 def _top_rate(robot: Robot, most: float) -> float:

@@ -7,7 +7,7 @@ import math
 from dataclasses import dataclass
 
 from upright.diagnose.causes import DEAD, DROPPED, HIGH, JAMMED, LOW, NONE, SATURATION, STUCK, Blow
-from upright.diagnose.chances import step, unexplained
+from upright.diagnose.chances import DOUBT, step, unexplained
 from upright.diagnose.evidence import Evidence
 from upright.diagnose.words import began, most, percent
 from upright.tables import short
@@ -46,12 +46,14 @@ def stuck(evidence: Evidence) -> list[Answer]:
         )
         text += "the motors could have saved it: the loop did not run"
         return [Answer(FACT, DROPPED, held[0], text)]
-    if not evidence.motors.stuck:
+    if not evidence.motors.stuck or (still is not None and still.start < began(evidence) - BEFORE):
         return []
     pegged = evidence.motors.pegged > PEGGED
     name, why = (SATURATION, "the motors were at their limit") if pegged else (DROPPED, "the loop did not run")
     text = f"no command changed in the last {evidence.excursion:.2g} s, while the robot fell: {why}"
-    return [Answer(FACT, name, began(evidence), text)]
+    # motors that are at their limit because something else changed are no cause
+    changed = unexplained(evidence, evidence.pushes_only.nis) / DOUBT if pegged else 0.0
+    return [Answer(FACT * (1 - changed), name, began(evidence), text)]
 
 
 def stuck_sensor(evidence: Evidence) -> list[Answer]:

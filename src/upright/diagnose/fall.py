@@ -38,6 +38,7 @@ SAME_DUTY = 1e-9  # [1] between two duties that are the same
 QUICK = 4.75  # [1/s] of falling, from which the times of this package in seconds hold; a slower robot has more
 CLIPPED_GRAINS = 5  # steps of a reading from zero, below which rows repeat each other by chance
 CLIPPED_ROWS = 3  # one after the other, in which a reading was at the end of its range before
+RATE_OVER = 0.05  # [s] of a wheel's rate: a step of one degree is then 0.35 rad/s
 STILL_GRAINS = 2  # encoder steps that wheels must turn before a repeated reading cannot be true
 
 
@@ -173,6 +174,18 @@ def limit(robot: Robot, kit: Kit, asked: Array) -> float:
     """The largest command: the kit's, or the largest that was asked where the kit has no limit."""
     most = largest_command(robot, kit)
     return most if math.isfinite(most) else float(np.abs(asked).max())
+
+
+def wheel_rates(log: Log, t: Array) -> Array:
+    """The mean rate of both wheels against the body [rad/s] over `RATE_OVER` up to times t [s], as the encoders show
+    it: the filter's follows every single step of them."""
+    record = record_of(log)
+    several: list[Array] = []
+    for name in (n for n in RATES if n in record):
+        there = np.isfinite(record[name])
+        now, before = (np.interp(t - past, log.t[there], record[name][there]) for past in (0.0, RATE_OVER))
+        several.append((now - before) / RATE_OVER)
+    return np.mean(several, axis=0) if several else np.zeros(len(t))
 
 
 def lost_rows(log: Log, period: float, start: float, stop: float) -> float:

@@ -10,9 +10,10 @@ LARGEST_OFFSET = {"step": 4.0, "ramp": 5.0}  # of a gyro [rad/s, rad/s²]: more 
 
 ALL = 0.97  # most of a reading that is too much where its sensor has another scale
 SURVIVED, SURVIVED_FOR = 4.0, 1.5
-"""A factor on the scale of a gyro, or of both encoders, with which no robot stands for longer than so many seconds, and
-as little without any torque: these loops bear a factor of two or three in a reading's gain. One encoder of two is no
-such reading: the mean of both goes on."""
+"""A factor on the scale of a gyro, or of both encoders, with which no robot stands for longer than so many seconds:
+these loops bear a factor of two or three in a reading's gain. One encoder of two is no such reading: the mean of both
+goes on."""
+WITHOUT_TORQUE = 3.0  # [s] that no robot stands without any torque: 14 e-folds, from a millionth of a lean
 REVERSE, REVERSE_WIDTH = 2.0, 0.3  # the same of a sensor that has another sign
 LIGHTEST, LARGEST_PAYLOAD = -1.1, 4.0  # over the body's mass: what it can lose, within the fit's errors, and gain
 LEAST_RADIUS, MOST_RADIUS = 0.05, 0.8  # of its radius, that a wheel loses with its tyre
@@ -30,7 +31,7 @@ def possible(fit: FaultFit, fell_at: float) -> bool:
     wild = not 1 - SURVIVED < fit.size < 1 - 1 / SURVIVED and fit.way not in ("encoder_left", "encoder_right")
     meets = {
         "weak": fit.size < WEAK,
-        "motor": not (stood and fit.way == "both"),
+        "motor": not (fell_at - fit.onset > WITHOUT_TORQUE and fit.way == "both"),
         "scale": (turned(fit) or fit.size < ALL) and not (stood and wild),
         "payload": LIGHTEST < fit.size < LARGEST_PAYLOAD,
         "friction": fit.size > 0,

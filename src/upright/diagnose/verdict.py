@@ -13,6 +13,8 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
+import numpy as np
+
 from upright.diagnose.blows import HELPED, LIKELY, driven_into, pushed, pushed_already, thrown_over
 from upright.diagnose.causes import (
     BATTERY,
@@ -102,7 +104,8 @@ JUMP = 0.22  # [m/s] sudden change of the reference speed that asks too much, or
 JUMP_OF_TOP = 0.6  # of the speed at which the motors have no torque left
 PUSH_BESIDE = 30.0  # nats that a push must add beside a fault to be a cause of its own
 SATURATED = 0.3  # fraction of the last excursion at the limit from which it counts as saturated
-FOREIGN_PEGGED, FOREIGN_WIDTH, FOREIGN_MOST = 0.4, 0.04, 0.7  # fraction of the last second, for another robot
+FOREIGN_PEGGED, FOREIGN_WIDTH = 0.4, 0.04  # fraction of the last second, for another robot, and the
+FOREIGN_MOST = 0.45  # most that it shows: motors come to their limit in every fall, whatever its cause
 SWINGS = 7.0  # changes of the command's sign a second from which a robot falls by swinging
 SAME_GAIN = 0.1  # of one: a gain that the file confirms
 GAIN_WITHOUT_FILE, GAIN_WITH_FILE, AT_LIMIT = 0.8, 0.9, 0.5  # probability that is left to the gain, or to saturation
@@ -220,7 +223,8 @@ def _two_faults(evidence: Evidence, pair: Pair, pushed: Sequence[Answer]) -> Ans
     more = TWO
     if not _topples(evidence, pair.second.pushes, pair.second):  # else it is a third cause
         more *= 1 - max((answer.probability for answer in pushed), default=0.0)
-    chance = step(min(evidence.nats(pair.both) - evidence.nats(best) - more, pair.beyond - TWO), TWO_WIDTH)
+    more_nats = evidence.nats(_from_its_onset(evidence, pair, best)) - evidence.nats(best)
+    chance = step(min(more_nats - more, pair.beyond - TWO), TWO_WIDTH)
     leaves, one_leaves = (_beyond_noise(evidence, nis) for nis in (pair.second.nis, best.nis))
     if one_leaves > LITTLE * evidence.calm:  # else the likelihood alone decides
         chance *= step(TWO_LEAVE - leaves / one_leaves, EXPLAINED_WIDTH)
@@ -230,6 +234,16 @@ def _two_faults(evidence: Evidence, pair: Pair, pushed: Sequence[Answer]) -> Ans
     text = f"{of_fault(evidence, pair.first)}; with it, {of_fault(evidence, pair.second)}"
     began_at = min(pair.first.onset, pair.second.onset)
     return Answer((1 - HELPED) * FACT * chance, " and ".join(names), began_at, text)
+
+
+def _from_its_onset(evidence: Evidence, pair: Pair, best: FaultFit) -> FaultFit:
+    """A pair that leaves as much as the `best` single one until one of both acts: what pushes explain before is no
+    evidence of two faults, though another search found no push there."""
+    both, acts = pair.both, min(acts_from(evidence.run, fit) for fit in (pair.first, pair.second))
+    before = int(np.searchsorted(evidence.then, acts))
+    if len(best.rest) != len(both.rest):
+        return both
+    return replace(both, rest=np.concatenate([best.rest[:before], both.rest[before:]]))
 
 
 def _topples(evidence: Evidence, pushes: Sequence[PushEstimate], fit: FaultFit) -> bool:
@@ -329,8 +343,8 @@ def _out_of_speed(evidence: Evidence) -> list[Answer]:
     if since < evidence.run.log.t[0] or slow:
         return []
     text = (
-        f"{sound(evidence)}, and a wheel reached {percent(min(speed, 1.0))} of the speed at which full commands give "
-        "no torque, while the robot was upright"
+        f"{sound(evidence)}, and wheels that ran after the fall reached {percent(min(speed, 1.0))} of the speed at "
+        "which full commands give no torque, while the robot was upright"
     )
     return [Answer(CLEAR * step(speed - NO_TORQUE, NO_TORQUE_WIDTH), SATURATION, since, text)]
 
@@ -377,6 +391,8 @@ QUESTIONS: tuple[Callable[[Evidence], list[Answer]], ...] = (
     _weak_or_wild,
 )  # fmt: skip
 
-OF_THE_MODEL = frozenset((pushed_already, _two, driven_into, _none, _changed_robot, pushed, _steady_load))
+OF_THE_MODEL = frozenset(
+    (pushed_already, _two, driven_into, _none, _changed_robot, pushed, _steady_load, _out_of_speed)
+)
 """Questions to the innovations of a model that describes the robot. Those of another robot's model are largest where
 the robot moves most, so in the fall, and look like whatever grows with the motion."""
