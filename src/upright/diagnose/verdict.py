@@ -346,7 +346,8 @@ def _out_of_speed(evidence: Evidence) -> list[Answer]:
         f"{sound(evidence)}, and wheels that ran after the fall reached {percent(min(speed, 1.0))} of the speed at "
         "which full commands give no torque, while the robot was upright"
     )
-    return [Answer(CLEAR * step(speed - NO_TORQUE, NO_TORQUE_WIDTH), SATURATION, since, text)]
+    sure = HIDDEN if evidence.run.robot.noise else CLEAR
+    return [Answer(sure * step(speed - NO_TORQUE, NO_TORQUE_WIDTH), SATURATION, since, text)]
 
 
 def _run_down(evidence: Evidence) -> list[Answer]:
