@@ -4,6 +4,7 @@
     python benchmarks/certificate_outside.py 40 --plain --each   # no posterior: the log is calibrated first
     python benchmarks/certificate_outside.py 40 --plain --weighed  # the same, and the robot stood on a scale
     python benchmarks/certificate_outside.py 40 --robots twipr ev3way --plain
+    python benchmarks/certificate_outside.py 400 --fallen --plain  # certifies those alone that fall under a push
 
 A robot differs in one way that its certificate does not know of: battery, slope, mass, delay, dead zone, motors, gyro's
 scale or noise, or in none. Its log is of `LOGGED` seconds under the same controller, driven and knocked, in the
@@ -68,7 +69,7 @@ LOGGED = 12.0  # [s]
 OUTSIDE = ("none", "battery", "slope", "mass", "delay", "dead zone", "asymmetry", "gyro scale", "gyro noise")
 HOLDING = ("hinf", "lqg", "lqr")
 WEIGHED = 0.005  # one deviation: 3 g of 0.6 kg
-REFUSED = "refused"
+REFUSED, NOT_ASKED = "refused", "not asked"
 ROBOTS = ("nxtway-gs", "nxtway-gs-measured")
 VOLTS = 8.0  # [V] of a full NXT battery: a dead zone of a motor without one is in the same proportion to its limit
 
@@ -89,9 +90,9 @@ class Stranger:
 
 
 def stranger(
-    number: int, samples: int, *, plain: bool, robots: Sequence[str] = ROBOTS, scale: bool = False
+    number: int, samples: int, *, plain: bool, robots: Sequence[str] = ROBOTS, scale: bool = False, fallen: bool = False
 ) -> Stranger:
-    """Robot `number`, one of `robots`, which stood on a `scale`."""
+    """Robot `number`, one of `robots`, which stood on a `scale`; with `fallen` it is certified only if it fell."""
     rng = np.random.Generator(np.random.Philox(3 * SEED + number))
     name, way = str(rng.choice(list(robots))), OUTSIDE[number % len(OUTSIDE)]
     robot, design = Robot.preset(name), str(rng.choice(HOLDING))
@@ -134,6 +135,8 @@ def stranger(
     fell = falls(met, robot, truth, true_kit, rng, assumed=kit, slope=pushes, known=way == "battery")
     if log is None:
         return Stranger(number, name, design, way, size, "", "no log under a holding controller", fell, False)
+    if fallen and not fell:
+        return Stranger(number, name, design, way, size, NOT_ASKED, "", fell, True)
     try:
         given = certify(
             controller, robot, kit, samples=samples, seed=number, posterior=None if plain else unknown, sweeps=False,
@@ -184,13 +187,13 @@ def _recorded(
 
 
 def strangers(
-    first: int, count: int, samples: int, *, each: bool, plain: bool, robots: Sequence[str], scale: bool
+    first: int, count: int, samples: int, *, each: bool, plain: bool, robots: Sequence[str], scale: bool, fallen: bool
 ) -> None:
     """Run and print the robots from number `first` on."""
     cases: list[Stranger] = []
     for number in range(first, first + count):
-        cases.append(stranger(number, samples, plain=plain, robots=robots, scale=scale))
-        if each:
+        cases.append(stranger(number, samples, plain=plain, robots=robots, scale=scale, fallen=fallen))
+        if each and cases[-1].light != NOT_ASKED:
             print(cases[-1], flush=True)
     headings = ("no log", "fell", "not green", "held", "green", "refused", "taken")
     print(f"{'':<12}" + "".join(f"{name:>11}" for name in headings))
@@ -214,13 +217,14 @@ def main() -> None:
     parser.add_argument("--each", action="store_true", help="print every case")
     parser.add_argument("--plain", action="store_true", help="no posterior, the log is calibrated")
     parser.add_argument("--weighed", action="store_true", help="the robot stood on a scale")
+    parser.add_argument("--fallen", action="store_true", help="certify those alone that fall under a push")
     parser.add_argument("--robots", nargs="+", default=ROBOTS, help="presets to draw from")
     asked, started = parser.parse_args(), time.perf_counter()
     if asked.weighed and not asked.plain:
         parser.error("--weighed is of a robot without a posterior: add --plain")
     strangers(
         asked.first, asked.count, asked.samples, each=asked.each, plain=asked.plain, robots=asked.robots,
-        scale=asked.weighed,
+        scale=asked.weighed, fallen=asked.fallen,
     )  # fmt: skip
     print(f"{time.perf_counter() - started:.0f} s")
 
