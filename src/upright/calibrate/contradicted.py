@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -57,13 +58,14 @@ class Freed(NamedTuple):
 
 class Explained(NamedTuple):
     """A fit; the stated numbers of which one is wrong, the likeliest first; what that adds to the covariance of the
-    fit's parameters (parameters, parameters); and how many times as wide as stated the deviations of stated numbers
-    are taken in that fit."""
+    fit's parameters (parameters, parameters); and where the file is doubted, how many times as wide as stated the
+    deviations of stated numbers are taken in that fit, and by how many of them each `contradicted` number was off."""
 
     fit: Fitted
     freed: list[Freed]
     covariance: Array | float
     doubt: float = 1.0
+    contradicted: Mapping[str, float] = MappingProxyType({})
 
     @property
     def scales(self) -> Array:
@@ -121,7 +123,8 @@ def _doubted_alike(fit: Fitted) -> Explained:
         return Explained(fit, [], 0.0)
     parameters = tuple(replace(p, spread=doubt * p.spread) if _doubted(p) else p for p in fit.problem.parameters)
     problem = replace(fit.problem, parameters=parameters)
-    wide = Explained(Fitted(problem, fit.z, fit.normal, fit.paths), [], 0.0, doubt)
+    off = {p.name: x for p, x in zip(problem.asked, fit.z, strict=False) if not p.guess and abs(x) > SURPRISE}
+    wide = Explained(Fitted(problem, fit.z, fit.normal, fit.paths), [], 0.0, doubt, off)
     result = gauss_newton(problem, fit.z / wide.scales, iterations=ITERATIONS)
     return wide._replace(fit=Fitted(problem, result.z, result.normal, result.paths))
 

@@ -35,6 +35,7 @@ from upright.tables import joined, sentence
 Array = NDArray[np.float64]
 
 HALVED = 0.5  # of the prior's deviation: a number known twice as well, or better, is called visible
+CONTRADICTED = "since the log contradicts the file, and any of its numbers may be wrong"
 FINEST_TIME = 0.01  # of a period: no dead time is claimed to be known better, since the integration takes steps
 
 COMBINATIONS: dict[str, tuple[str, Callable[[Any], Any]]] = {
@@ -56,7 +57,7 @@ def summarised(
 ) -> Calibration:
     """The calibration that a fit, with its doubtful numbers, amounts to; `stated` is the problem
     as the files state it, and `wrong` what the doctor finds wrong in the logs."""
-    (problem, z, normal, paths, others), freed, doubtful, _ = best
+    (problem, z, normal, paths, others), freed, doubtful, *_ = best
     free = tuple(segments(problem, recording, z) for recording in problem.recordings)
     fits, scores = _checks(problem, z, free)
     runs = len(problem.recordings)
@@ -74,7 +75,9 @@ def summarised(
     supported = sum(right[i, i] < HALVED**2 for i, p in enumerate(problem.asked) if p.name not in problem.held)
     supported += sum(_combined(c, right).verdict == VISIBLE for c in combinations[1:])
     other = "" if wrong else proposed(stated, problem, every)
-    refused = () if reason else reasons(problem, fitted, free, every, other, wrong, freed)
+    refused = (
+        () if reason else reasons(problem, fitted, free, [_doubted(e, best.doubt) for e in every], other, wrong, freed)
+    )
     delays = _delays(problem, z, C, every)
     if withdrawn := REFUSED if refused else QUIET if reason else "":
         every, combined, delays = (tuple(_withdrawn(e, withdrawn) for e in each) for each in (every, combined, delays))
@@ -149,6 +152,11 @@ def _estimate(p: Parameter, z: float, spread: float, held: bool) -> Estimate:
         name=p.name, unit=p.unit, value=float(p.value(z)), low=low, high=high, prior=p.prior, prior_spread=p.spread,
         verdict=verdict, shift=z, shrink=spread, guess=p.guess, scale=p.scale,
     )  # fmt: skip
+
+
+def _doubted(e: Estimate, doubt: float) -> Estimate:
+    """The estimate by the deviation that a number has in a file that is doubted."""
+    return e if e.guess else replace(e, shift=e.shift / doubt)
 
 
 def _in_units(problem: Problem, z: Array, C: Array) -> tuple[tuple[str, ...], Array]:
@@ -299,7 +307,8 @@ def _notes(
             f"The effective sample size is {problem.temper:.0%} of the readings, and the intervals are on average "
             f"{widening:.2g} times as wide as those of a right model."
         )
-    surprised = [f"{e.name} by {abs(e.shift):.1f}" for e in every if e.surprising]
+    off = best.contradicted or {e.name: e.shift for e in every if e.surprising}
+    surprised = [f"{name} by {abs(by):.1f}" for name, by in off.items()]
     if surprised and not freed:
         notes.append(
             f"The log contradicts the stated value of {', '.join(surprised)} deviations (more than {SURPRISE:g}): "
@@ -317,9 +326,7 @@ def _notes(
         notes.append(f"Outside of what was known before: {', '.join(times)}. Check the file, and the log.")
     runs = [e.name for e in every if e.wider and e.name in FRACTIONS and len(problem.recordings) > 1]
     rest = [e.name for e in every if e.wider and e.name not in runs]
-    cause = (
-        "because of the model's error" if best.doubt == 1 else "since the log contradicts the file, and any may be off"
-    )
+    cause = "because of the model's error" if best.doubt == 1 else CONTRADICTED
     for names, why in ((runs, "since the runs differ by more than that"), (rest, cause)):
         if names:
             notes.append(

@@ -43,7 +43,7 @@ def by_name(c: Calibration) -> Figure | None:
     if any(e.asked.coordinate(e.high) > FAR for e in drawn):
         note += " An arrow: the bar goes on."
     if any(e.wider for e in c.parameters):
-        note += " Wider: less certain than in the file, because of what the model leaves out."
+        note += " Wider: less certain than in the file, for the reason that the notes give."
     halved, far = len(close) + len(bounded) + len(rough), sum(e.off and e.verdict != VISIBLE for e in drawn)
     title = "The 95 % interval of each parameter after this log, and before: "
     title += f"{halved or 'none'} of {len(c.parameters)} at least halved{f', {far} moved far off' if far else ''}"
