@@ -57,16 +57,14 @@ def summarised(
 ) -> Calibration:
     """The calibration that a fit, with its doubtful numbers, amounts to; `stated` is the problem
     as the files state it, and `wrong` what the doctor finds wrong in the logs."""
-    (problem, z, normal, paths, others), freed, doubtful, *_ = best
+    problem, z, normal, paths, _ = best.fit
     free = tuple(segments(problem, recording, z) for recording in problem.recordings)
     fits, scores = _checks(problem, z, free)
-    runs = len(problem.recordings)
-    stated_scale = np.outer(best.scales, best.scales)
-    white = stated_scale * np.linalg.inv(np.eye(len(z)) + information(problem, normal))
-    errors = stated_scale * between_optima(posterior(problem, z, normal, paths), z, others) + doubtful
+    errors, white = _covariances(best)
     problem, fitted = best.as_stated, best.scales * z
-    _, right = of_robot(problem.parameters, fitted, white + _floor(problem), runs)
-    z, C = of_robot(problem.parameters, fitted, errors + _floor(problem), runs)
+    runs = len(problem.recordings)
+    _, right = of_robot(problem.parameters, fitted, white, runs)
+    z, C = of_robot(problem.parameters, fitted, errors, runs)
     spread = np.sqrt(np.diag(C))
     every = [_estimate(p, float(z[i]), float(spread[i]), p.name in problem.held) for i, p in enumerate(problem.asked)]
     combinations = combined_numbers(problem, z)
@@ -75,9 +73,8 @@ def summarised(
     supported = sum(right[i, i] < HALVED**2 for i, p in enumerate(problem.asked) if p.name not in problem.held)
     supported += sum(_combined(c, right).verdict == VISIBLE for c in combinations[1:])
     other = "" if wrong else proposed(stated, problem, every)
-    refused = (
-        () if reason else reasons(problem, fitted, free, [_doubted(e, best.doubt) for e in every], other, wrong, freed)
-    )
+    doubted = [_doubted(e, best.doubt) for e in every]
+    refused = () if reason else reasons(problem, fitted, free, doubted, other, wrong, best.freed)
     delays = _delays(problem, z, C, every)
     if withdrawn := REFUSED if refused else QUIET if reason else "":
         every, combined, delays = (tuple(_withdrawn(e, withdrawn) for e in each) for each in (every, combined, delays))
@@ -104,7 +101,7 @@ def summarised(
         seconds=time.perf_counter() - began,
         sources=tuple(map(named, logs)),
         notes=(
-            *(() if refused else [*map(sentence, wrong), *which(freed)]),
+            *(() if refused else [*map(sentence, wrong), *which(best.freed)]),
             *_notes(problem, () if wrong and refused else every, scores, reason, other, widening, best),
         ),
         widening=widening,
@@ -114,6 +111,16 @@ def summarised(
         refused=refused,
         missed=() if reason else _missed(problem, fitted, free, only_known=bool(refused)),
     )
+
+
+def _covariances(best: Explained) -> tuple[Array, Array]:
+    """Of the errors of a fit's parameters (parameters, parameters), by the deviations that are stated; and what it were
+    with white innovations."""
+    problem, z, normal, paths, others = best.fit
+    stated, floor = np.outer(best.scales, best.scales), _floor(problem)
+    errors = between_optima(posterior(problem, z, normal, paths), z, others)
+    white = np.linalg.inv(np.eye(len(z)) + information(problem, normal))
+    return stated * errors + best.covariance + floor, stated * white + floor
 
 
 def _missed(problem: Problem, z: Array, free: Sequence[Segments], *, only_known: bool) -> tuple[str, ...]:
