@@ -115,6 +115,8 @@ class Evidence:
     def weights(self) -> Array:
         """What each reading counts: the robot is known to `KNOWN_TO`, so that each `ALIKE` seconds may be wrong by that
         part of what it did in them, by one error that all their readings share."""
+        if not len(self.then):  # nothing to be read in the window of a log of a few rows
+            return np.ones(0)
         run = self.run.only(self.run.readings & (self.run.clock >= self.then[0]) & (self.run.clock <= self.then[-1]))
         blocks = np.floor((run.clock - self.then[0]) / ALIKE).astype(int)
         did = np.bincount(blocks, run.whitened**2)
@@ -124,7 +126,7 @@ class Evidence:
 
     def misfit(self, one: FaultFit | Leftover) -> float:
         """The NIS that a hypothesis leaves, by the readings' weights; the plain one of a log of other readings."""
-        if len(one.rest) != len(self.weights):
+        if len(one.rest) != len(self.weights) or not len(one.rest):
             return one.nis
         return float(np.average(one.rest**2, weights=self.weights))
 
