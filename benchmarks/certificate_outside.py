@@ -199,9 +199,9 @@ def strangers(
     print(f"{'':<12}" + "".join(f"{name:>11}" for name in headings))
     for way in (*OUTSIDE, "all"):
         own = [c for c in cases if way in (c.way, "all")]
-        with_log = [c for c in own if c.logged]
+        with_log = [c for c in own if c.logged and c.light != NOT_ASKED]
         fell, held = ([c for c in with_log if c.fell is happened] for happened in (True, False))
-        numbers = (len(own) - len(with_log), len(fell), sum(c.light != "green" for c in fell), len(held))
+        numbers = (sum(not c.logged for c in own), len(fell), sum(c.light != "green" for c in fell), len(held))
         numbers += (sum(c.light == "green" for c in held), sum(c.light == REFUSED for c in held))
         numbers += (sum("as the log shows" in c.reason for c in with_log),)
         print(f"{way:<12}" + "".join(f"{n:>11}" for n in numbers))

@@ -70,7 +70,7 @@ class Explained(NamedTuple):
     @property
     def scales(self) -> Array:
         """Deviations of each parameter (parameters,) in those that are stated."""
-        return np.array([self.doubt if _doubted(p) else 1.0 for p in self.fit.problem.parameters])
+        return np.array([self.doubt if _of_file(p) else 1.0 for p in self.fit.problem.parameters])
 
     @property
     def as_stated(self) -> Problem:
@@ -121,7 +121,7 @@ def _doubted_alike(fit: Fitted) -> Explained:
     """
     if not SURPRISE < (doubt := _most(fit.problem, fit.z)) <= FOREIGN or simulated(fit) < 1 - MISSED:
         return Explained(fit, [], 0.0)
-    parameters = tuple(replace(p, spread=doubt * p.spread) if _doubted(p) else p for p in fit.problem.parameters)
+    parameters = tuple(replace(p, spread=doubt * p.spread) if _of_file(p) else p for p in fit.problem.parameters)
     problem = replace(fit.problem, parameters=parameters)
     off = {p.name: x for p, x in zip(problem.asked, fit.z, strict=False) if not p.guess and abs(x) > SURPRISE}
     wide = Explained(Fitted(problem, fit.z, fit.normal, fit.paths), [], 0.0, doubt, off)
@@ -129,7 +129,7 @@ def _doubted_alike(fit: Fitted) -> Explained:
     return wide._replace(fit=Fitted(problem, result.z, result.normal, result.paths))
 
 
-def _doubted(p: Parameter) -> bool:
+def _of_file(p: Parameter) -> bool:
     """Whether a number is one that a file states."""
     return not p.guess and (p.name in PARAMETERS or p.name == BATTERY) and p.name not in NATURE
 
@@ -186,8 +186,8 @@ def _credible(fit: Fitted, stated: Mapping[str, Parameter]) -> list[Freed]:
     problem, z = _freed(fit.problem, stated, fit.z, ())
     z = _down(problem, z, bowls)
     least = _nats(problem, z, bowls) + LIKELIER
-    names = [p.name for p in problem.asked if not p.guess and (p.name in PARAMETERS or p.name == BATTERY)]
-    guesses = {n: as_guess(problem.robot, stated[n]) for n in names if n not in {*problem.held, *NATURE}}
+    names = [p.name for p in problem.asked if _of_file(p) and p.name not in problem.held]
+    guesses = {n: as_guess(problem.robot, stated[n]) for n in names}
     tries = [_alone(problem, {**stated, n: guess}, z, bowls, n) for n, guess in guesses.items()]
     agree = [one for one in tries if one.nats > least and _agrees(one.problem, one.z)]
     ordered = sorted(agree, key=lambda one: -one.nats)

@@ -178,14 +178,14 @@ def most_friction(robot: Robot) -> float:
     return max(p.prior, p.spread)
 
 
-def _or_none(name: str, value: float) -> float:
+def _or_zero(name: str, value: float) -> float:
     """The value, or zero where it is smaller than a loss or a rotor that a robot's file may have."""
     return 0.0 if name in MAY_BE_ZERO and value < LEAST else value
 
 
 def with_values(robot: Robot, values: Mapping[str, float]) -> Robot:
     """`robot` with new numbers, its roll inertia where `ROLL_FRACTION` says between its bounds, or where it stood."""
-    physical = {name: _or_none(name, value) for name, value in values.items() if name in PARAMETERS}
+    physical = {name: _or_zero(name, value) for name, value in values.items() if name in PARAMETERS}
     changed = SimpleNamespace(**robot.numbers() | physical)
     fraction = min(max(values.get(ROLL_FRACTION, roll_fraction(robot)), 0.02), 0.98)
     return robot.replace(**physical, roll_inertia=float(_roll_inertia(changed, fraction)))

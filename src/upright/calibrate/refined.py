@@ -107,8 +107,7 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float], show: Progr
         tries = [fit for fit in moved if fit.normal.objective < best.normal.objective]
         for other, value in zip(tries, pool.map(simulated, tries), strict=True):
             if 1 - value <= (1 - CLEARER) * (1 - level):
-                others = [*best.others, best.z] if value > 1 - MISSED else []
-                best, level = other._replace(others=others), value
+                best, level = _one_of(other, [*best.others, best.z], value), value
         several = [best, *fits] if len(problem.recordings) > 1 else [best]  # weighted, each may go elsewhere
         last = [*pool.map(_tempered, map(_between_runs, several))]
         if len(last) > 1:
@@ -250,8 +249,13 @@ def _best_simulated(fits: Sequence[Fitted], scores: Sequence[float], level: floa
         sizes = [effective_fraction(fit.problem, fit.normal, fit.paths) for fit, _ in good]
         good = [one for one, size in zip(good, sizes, strict=True) if size >= ALIKE * max(sizes)]
     fit, value = min(good, key=lambda one: float(one[0].z @ one[0].z))
-    others = [other.z for other, _ in good if other is not fit] if value > 1 - MISSED else []
-    return fit._replace(others=others), value
+    return _one_of(fit, [other.z for other, _ in good if other is not fit], value), value
+
+
+def _one_of(fit: Fitted, others: Sequence[Array], value: float) -> Fitted:
+    """The fit beside `others` that predict as well, where by its score, `value`, the model is right: else its intervals
+    are wider for what that leaves."""
+    return fit._replace(others=others if value > 1 - MISSED else ())
 
 
 def _with_gyro_delay(problem: Problem, z: Array, periods: float) -> Fitted:

@@ -106,10 +106,15 @@ def toppled(evidence: Evidence) -> tuple[float, float, PushEstimate | None]:
 
 def unexplained(evidence: Evidence, nis: float, fault: str = "") -> float:
     """How likely something else took part, or was the cause, where a hypothesis leaves such a NIS."""
+    return DOUBT * fits_badly(evidence, nis, fault)
+
+
+def fits_badly(evidence: Evidence, nis: float, fault: str = "") -> float:
+    """From 0 to 1: how clearly a hypothesis that leaves such a NIS leaves something."""
     by_model = min(OF_WHAT_IT_DID**2 * evidence.nis / evidence.calm, BY_MODEL)
     if fault in ("delay", "dropped"):
         by_model = BY_TIMES * evidence.nis / evidence.calm
-    return DOUBT * step(nis / evidence.calm - FITS_BADLY - by_model, FITS_WIDTH)
+    return step(nis / evidence.calm - FITS_BADLY - by_model, FITS_WIDTH)
 
 
 def lost_before(evidence: Evidence) -> float:

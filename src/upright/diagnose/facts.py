@@ -7,7 +7,7 @@ import math
 from dataclasses import dataclass
 
 from upright.diagnose.causes import DEAD, DROPPED, HIGH, JAMMED, LOW, NONE, SATURATION, STUCK, Blow
-from upright.diagnose.chances import DOUBT, step, unexplained
+from upright.diagnose.chances import fits_badly, step, unexplained
 from upright.diagnose.evidence import Evidence
 from upright.diagnose.words import began, most, percent
 from upright.tables import short
@@ -52,7 +52,7 @@ def stuck(evidence: Evidence) -> list[Answer]:
     name, why = (SATURATION, "the motors were at their limit") if pegged else (DROPPED, "the loop did not run")
     text = f"no command changed in the last {evidence.excursion:.2g} s, while the robot fell: {why}"
     # motors that are at their limit because something else changed are no cause
-    changed = unexplained(evidence, evidence.pushes_only.nis) / DOUBT if pegged else 0.0
+    changed = fits_badly(evidence, evidence.pushes_only.nis) if pegged else 0.0
     return [Answer(FACT * (1 - changed), name, began(evidence), text)]
 
 

@@ -343,7 +343,7 @@ def _out_of_speed(evidence: Evidence) -> list[Answer]:
     if since < evidence.run.log.t[0] or slow:
         return []
     text = (
-        f"{sound(evidence)}, and wheels that ran after the fall reached {percent(min(speed, 1.0))} of the speed at "
+        f"{sound(evidence)}, and wheels that drove the way it fell reached {percent(min(speed, 1.0))} of the speed at "
         "which full commands give no torque, while the robot was upright"
     )
     sure = HIDDEN if evidence.run.robot.noise else CLEAR
