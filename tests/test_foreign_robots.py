@@ -16,14 +16,16 @@ from foreign_robots import DEGREE, SMALL, Bot, Course, arduino, known, logged, m
 from upright.calibrate.calibrate import calibrate
 from upright.calibrate.calibration import Calibration
 from upright.calibrate.parameters import parameters_of
+from upright.diagnose import post_mortem
 from upright.doctor import units
 from upright.doctor.columns import by_physics
 from upright.doctor.doctor import Diagnosis, doctor
 from upright.doctor.duty import ALIKE, FAULT
 from upright.doctor.motion import _first_clear
 from upright.doctor.physics import _r_squared
+from upright.doctor.poses import segments
 from upright.doctor.units import _penalty, _Suspect, expected
-from upright.doctor.wheels import on_its_wheels
+from upright.doctor.wheels import on_its_wheels, record_of
 from upright.logs.mapping import apply, propose
 from upright.logs.readers import RawTable
 from upright.report import report
@@ -96,6 +98,44 @@ def test_a_gyro_that_is_off_hides_no_pose() -> None:
     kinds = [s.kind for s in found.segments]
     assert (kinds[0], kinds[-1]) == ("lying", "fallen")
     assert "falling" in kinds
+
+
+@cache
+def fallen(bot: Bot, newtons: float) -> tuple[Log, float]:
+    """A log of a robot that a knock does nothing to, and that falls by a push or since its motors go off; and when it
+    reaches the floor."""
+    pushes = ((1.5, 1.6, bot.body), (3.0, 3.1, newtons * bot.body))
+    columns = logged(bot, Course(free=5.0 if newtons else 3.5, pushes=pushes, falls=True))
+    lean = np.cumsum(columns["gyro"] - bot.offset) * bot.period
+    floor = float(columns["t"][np.argmax(np.abs(lean) > 1.25)])
+    return apply(propose(metric(columns, bot)), metric(columns, bot)), floor
+
+
+# A row before the floor, and before anybody could see that the robot lies: 0.4 s of rest.
+@pytest.mark.parametrize("after", [-0.03, 0.1, 0.3])
+@pytest.mark.parametrize(("bot", "newtons"), [(Bot(), 0.0), (Bot(), 14.0), (SMALL, 0.0), (SMALL, 14.0)])
+def test_a_log_that_ends_soon_after_the_floor_shows_its_fall(bot: Bot, newtons: float, after: float) -> None:
+    """Such logs were called balancing throughout."""
+    log, floor = fallen(bot, newtons)
+    *_, last = segments(record_of(log.between(0.0, floor + after)))
+    assert last.kind == "falling"
+    assert last.start < floor
+
+
+@pytest.mark.parametrize("bot", [Bot(), SMALL])
+def test_a_robot_that_stands_has_no_fall_wherever_its_log_ends(bot: Bot) -> None:
+    log = apply(propose(table := metric(logged(bot, Course(free=6.0, pushes=PUSHES[:2]), seed=3), bot)), table)
+    ends = np.arange(1.0, 6.0, 0.23).tolist()
+    assert not [e for e in ends if "falling" in [s.kind for s in segments(record_of(log.between(0.0, e)))]]
+
+
+@pytest.mark.slow
+@pytest.mark.filterwarnings("error")
+def test_a_log_whose_wheels_slide_from_its_first_rows_on_is_examined_without_a_warning() -> None:
+    """Nothing is before the wheels slide: the mean of no reading was taken."""
+    log, floor = fallen(SMALL, 14.0)
+    found = post_mortem(log.between(floor - 0.25, floor + 0.051), known(SMALL), "ideal")
+    assert found.fell
 
 
 def test_a_small_robot_may_turn_within_a_row() -> None:

@@ -47,6 +47,7 @@ from upright.diagnose.sizes import possible
 from upright.diagnose.slip import slid_at
 from upright.diagnose.thrown import Throw, thrown
 from upright.diagnose.usual import FOREIGN, calm_of, quiet_of, window_of
+from upright.doctor.finding import FEWEST
 from upright.doctor.wheels import on_its_wheels
 from upright.errors import SpecMismatch, UprightError
 from upright.physics.dynamics import motor_damping, motor_gain
@@ -220,7 +221,7 @@ def _sound_until(
     at, throw = slid_at(run, window.end - window.seconds, window.end), thrown(run.log, run.robot, run.kit, window.end)
     best = next(fit for fit in several if possible(fit, window.end))
     explained = best.nis < LEAVES * calm_of(run, window)
-    if at is None or (explained and (throw is None or throw.start < at)):
+    if at is None or (explained and (throw is None or throw.start < at)) or (run.log.t < at).sum() < FEWEST:
         return None
     part = window_of(run, at)
     before = part.bank(run, pushes_only=False)
