@@ -17,6 +17,8 @@ from upright.calibrate.calibrate import calibrate
 from upright.calibrate.calibration import Calibration
 from upright.calibrate.parameters import parameters_of
 from upright.diagnose import post_mortem
+from upright.diagnose.fall import fall_time
+from upright.diagnose.innovations import follow
 from upright.doctor import units
 from upright.doctor.columns import by_physics
 from upright.doctor.doctor import Diagnosis, doctor
@@ -127,6 +129,14 @@ def test_a_robot_that_stands_has_no_fall_wherever_its_log_ends(bot: Bot) -> None
     log = apply(propose(table := metric(logged(bot, Course(free=6.0, pushes=PUSHES[:2]), seed=3), bot)), table)
     ends = np.arange(1.0, 6.0, 0.23).tolist()
     assert not [e for e in ends if "falling" in [s.kind for s in segments(record_of(log.between(0.0, e)))]]
+
+
+def test_a_fall_ends_at_the_floor_by_a_gyro_that_shows_half_of_it() -> None:
+    """Its lean stays below 0.7 rad. The log's end was taken, 1 s later, where a program with its motors off waits."""
+    log, floor = fallen(Bot(), 14.0)
+    half = Log(log.t, {**log.channels, "sensor/gyro": 0.5 * log["sensor/gyro"]}, log.units).between(0.0, floor + 1.0)
+    fell_at = fall_time(follow(half, known(Bot()), Kit.preset("ideal")))
+    assert fell_at == pytest.approx(floor, abs=0.03)  # where the lean is 0.93 of its largest
 
 
 @pytest.mark.slow

@@ -27,6 +27,7 @@ from upright.cli.main import main
 from upright.compiled.generated import constants
 from upright.control import LinearController, make_controller, write_controller
 from upright.control.delay import RAW
+from upright.control.mpc import largest_command
 from upright.diagnose import PostMortem, post_mortem
 from upright.diagnose.causes import (
     CANNOT_TELL,
@@ -41,12 +42,14 @@ from upright.diagnose.causes import (
     TYRE,
     Blow,
 )
+from upright.diagnose.chances import toppled
 from upright.diagnose.evidence import gather
 from upright.diagnose.fall import lost_lately, stuck_sensor
-from upright.diagnose.fault_fits import FaultFit, exceeding, fits
+from upright.diagnose.fault_fits import FaultFit, PushEstimate, exceeding, fits
 from upright.diagnose.forces import loaded, sliding
 from upright.diagnose.innovations import FilterRun, driven, follow
 from upright.diagnose.joint import jointly
+from upright.diagnose.measured import Toppling
 from upright.diagnose.pairs import together
 from upright.diagnose.propagation import fly, slide
 from upright.diagnose.remedy import Window, remedied, searched
@@ -696,17 +699,49 @@ def test_wheels_that_lose_their_tyres_are_named_by_what_is_left_of_them() -> Non
     assert found.verdict == TYRE, str(found)
 
 
-def test_a_program_that_stands_still_is_named_though_robot_and_sensors_are_sound() -> None:
-    # planted: one command is held for 0.6 s, four times the 0.14 s in which a lean of this robot grows e-fold
+@cache
+def frozen() -> Log:
+    """One command is held for 0.6 s, four times the 0.14 s in which a lean of this robot grows e-fold."""
     fault = bench.Fault("frozen program", "command", ONSET, 0.6)
     body = Electronics(Twin(NXT), KIT)
     log = run(body, open_bench.Freezing(designed(), fault), Impulse(impulse=0.02, start=0.7), seconds=6.0, seed=2)
     assert log.origin["outcome"]["fell"]
-    names = [n for n in log.channels if n.startswith(("sensor/", "command/"))]
-    found = post_mortem(Log(log.t, {n: log[n] for n in names}), NXT, KIT)
+    return Log(log.t, {n: log[n] for n in log.channels if n.startswith(("sensor/", "command/"))})
+
+
+def test_a_program_that_stands_still_is_named_though_robot_and_sensors_are_sound() -> None:
+    found = post_mortem(frozen(), NXT, KIT)
     assert found.verdict == "dropped samples", str(found)
     assert "both commands stood still" in found.causes[0].evidence
     assert found.onset == pytest.approx(ONSET, abs=0.02)
+
+
+@pytest.mark.slow
+def test_a_law_at_its_limit_that_steers_at_another_one_has_not_stopped() -> None:
+    """One motor dead: the robot turns, so that one command is full and the other one lacks the most that steers."""
+    log = frozen()
+    held, most = (log.t >= ONSET) & (log.t < ONSET + 0.6), largest_command(NXT, KIT)
+    full = {"command/left": 0.85 * most, "command/right": most}
+    found = post_mortem(of_values(log, {n: np.where(held, u, log[n]) for n, u in full.items()}), NXT, KIT)
+    assert found.verdict != "dropped samples", str(found)
+
+
+def of_values(log: Log, changed: dict[str, np.ndarray]) -> Log:
+    return Log(log.t, {**log.channels, **changed}, log.units)
+
+
+@pytest.mark.parametrize(("pegged", "counts"), [(1.0, True), (0.5, False)])
+def test_a_push_counts_however_long_the_motors_then_are_full(
+    monkeypatch: pytest.MonkeyPatch, pegged: float, counts: bool
+) -> None:
+    """A push worth half of the largest lean, 2 s before the fall: a tall robot whose motors gave all they had since."""
+    monkeypatch.setattr("upright.diagnose.chances.unsettled", lambda *_: 4.6)
+    push = PushEstimate(start=4.86, stop=5.0, impulse=-12.0, height=1.75, score=455.0)
+    evidence: Any = SimpleNamespace(
+        pushes_only=FaultFit(fault="none", pushes=(push,)), toppling=Toppling(-0.0224, 0.02864, 0.678, 4.26),
+        motors=SimpleNamespace(stuck=True, pegged=pegged), fell_at=6.89, excursion=1.34,
+    )  # fmt: skip
+    assert (toppled(evidence)[0] > 0.5) == counts
 
 
 def test_a_reading_at_the_end_of_its_range_is_clipped_and_not_stuck() -> None:

@@ -40,6 +40,7 @@ TOPPLES_OF_LARGEST = 0.4  # of the largest lean that the motors bring back
 LIMIT_WIDTH = 0.1  # of these limits: the width of their steps
 NO_RETURN = 1.3  # times the largest lean that the motors bring back, from which nothing saves a robot
 FELLS = 0.8  # of the lean that no motors bring back, from which a push fells a robot however long that takes
+PEGGED = 0.95  # fraction of the last second at the limit, where commands that never change are full ones
 RESTED = 0.4  # [s] of a quick robot at rest, by its lean over the largest that its motors bring back:
 AT_REST, RESTLESS = 0.03, 4.0  # below this, or below so many times what it has in calmer times
 PUSH_SCORE, PUSH_SCORE_WIDTH = 8.0, 2.0  # nats that a push must add to be one
@@ -62,10 +63,12 @@ def best_of(evidence: Evidence) -> FaultFit:
 
 def holds(evidence: Evidence, fit: FaultFit) -> float:
     """How likely a fault is a cause at all: it explains much more than pushes alone, and most of what those leave, or
-    all of it; a slip, which looks like a push, has to leave less where a push would topple by itself."""
+    all of it where they leave more than noise; a slip, which looks like a push, has to leave less where a push would
+    topple by itself."""
     sure = surer(evidence, fit)
     if fit.fault != "slip":
         noise = step(ONLY_NOISE - fit.nis / evidence.calm, EXPLAINED_WIDTH)
+        noise *= step(evidence.pushes_only.nis / evidence.calm - ONLY_NOISE, EXPLAINED_WIDTH)
         return sure * max(enough(evidence, fit, EXPLAINED), noise)
     like = enough(evidence, fit, LIKE_A_PUSH)
     return sure * like * (1 - toppled(evidence)[0] * (1 - like))
@@ -92,6 +95,9 @@ def toppled(evidence: Evidence) -> tuple[float, float, PushEstimate | None]:
     """How likely pushes topple, in the last excursion or by far before, the lean [rad] that they are worth, and the
     largest."""
     none, fells = evidence.pushes_only, FELLS * min(evidence.toppling.largest, LEANING)
+    limit = min(TOPPLES, TOPPLES_OF_LARGEST * evidence.toppling.largest)
+    if evidence.motors.stuck and evidence.motors.pegged > PEGGED:  # they gave all they had since a push
+        fells = limit
     first = min((push.start for push in none.pushes if abs(evidence.toppling.lean(push)) > fells), default=math.inf)
     since = evidence.fell_at - evidence.excursion
     if first <= since and first > unsettled(evidence, none):
@@ -99,7 +105,6 @@ def toppled(evidence: Evidence) -> tuple[float, float, PushEstimate | None]:
     lean, largest = worth(evidence, none.pushes, since)
     if largest is None:
         return 0.0, 0.0, None
-    limit = min(TOPPLES, TOPPLES_OF_LARGEST * evidence.toppling.largest)
     chance = step(lean / limit - 1, LIMIT_WIDTH) * step(largest.score - PUSH_SCORE, PUSH_SCORE_WIDTH)
     return chance, lean, largest
 

@@ -350,9 +350,9 @@ def _motor_use(run: FilterRun, w: Array, end: float) -> MotorUse:
     second = motors.command[inside & (motors.t > end - 1.0)]
     last = run.asked[(log.t > end - excursion) & (log.t <= end)]  # motors that are off wait on the floor
     held = held_command(run, motors, end, excursion)
-    if held is not None:  # both at their limits, maybe opposite ones, are no stopped loop
+    if held is not None:  # a law whose command is at its limit holds it, and how it steers at a limit of its own
         at = np.abs(run.asked[int(np.searchsorted(log.t, held[0]))])
-        held = None if (at > LIMIT * limit(run.robot, run.kit, run.asked)).all() else held
+        held = None if (at > LIMIT * limit(run.robot, run.kit, run.asked)).any() else held
     return MotorUse(
         held=held,
         saturated=float(full.mean()) if len(rows) else math.nan,

@@ -7,13 +7,12 @@ import math
 from dataclasses import dataclass
 
 from upright.diagnose.causes import DEAD, DROPPED, HIGH, JAMMED, LOW, NONE, SATURATION, STUCK, Blow
-from upright.diagnose.chances import fits_badly, step, unexplained
+from upright.diagnose.chances import PEGGED, fits_badly, step, toppled, unexplained
 from upright.diagnose.evidence import Evidence
 from upright.diagnose.words import began, most, percent
 from upright.tables import short
 
 FACT = 0.98  # probability of what the commands themselves show
-PEGGED = 0.95  # fraction of the last second at the limit, where a constant command means saturation
 GAIN_STEP = 0.03  # |ln| of a gain from which it is another one
 BEFORE = 0.1  # [s] by which a sensor stands still before the commands do: after that it is the loop that stood
 EXACT = 0.9999  # fraction of the difference between commands and file that a changed gain explains
@@ -51,8 +50,8 @@ def stuck(evidence: Evidence) -> list[Answer]:
     pegged = evidence.motors.pegged > PEGGED
     name, why = (SATURATION, "the motors were at their limit") if pegged else (DROPPED, "the loop did not run")
     text = f"no command changed in the last {evidence.excursion:.2g} s, while the robot fell: {why}"
-    # motors that are at their limit because something else changed are no cause
-    changed = fits_badly(evidence, evidence.pushes_only.nis) if pegged else 0.0
+    # motors that are at their limit because something else changed, or by a push that topples, are no cause
+    changed = max(fits_badly(evidence, evidence.pushes_only.nis), toppled(evidence)[0]) if pegged else 0.0
     return [Answer(FACT * (1 - changed), name, began(evidence), text)]
 
 

@@ -25,6 +25,7 @@ Mask = NDArray[np.bool_]
 
 FELL = 0.8  # [rad] lean at the end of a log that only falling robots have, unless they swung as far before
 LEANING = 0.7  # [rad] lean that counts as the fall: up to it the seconds before are examined
+ON_FLOOR = 0.93  # of the largest lean that a gyro shows, at which a body reaches the floor: its scale may be wrong
 LOST_END = 0.2  # [s] before the log's end at which the filter has stopped where the robot toppled
 PLAUSIBLE = 0.4  # [rad] of the filter's pitch where a fall begins: beyond, the filter has lost the robot
 STUCK = 0.2  # [s] up to the fall, of one and the same reading: a moving robot repeats itself a few times at most
@@ -50,8 +51,8 @@ def fall_time(run: FilterRun) -> float | None:
     fallen = falling_lean(run)
     if fallen is not None:
         t, lean = fallen
-        out = np.flatnonzero(np.abs(lean) > LEANING)
-        return float(t[out[0]] if len(out) else t[-1])
+        out = np.abs(lean) > min(LEANING, ON_FLOOR * float(np.abs(lean).max()))
+        return float(t[np.argmax(out)])
     pitch = run.after[:, 0]
     lost = run.t[-1] < run.log.t[-1] - LOST_END
     if abs(pitch[-1]) < FELL and not lost:

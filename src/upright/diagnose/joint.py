@@ -188,7 +188,7 @@ def _starts(fit: FaultFit) -> list[FaultFit]:
     """The fault, a delay of other sizes, and beside a push a battery that breaks down within another time, about the
     same middle."""
     if fit.fault == "delay":
-        return [fit, *(replace(fit, size=size * fit.size) for size in OTHER_DELAYS)]
+        return [fit, *(replace(fit, size=min(part * fit.size, LONGEST)) for part in OTHER_DELAYS)]
     if fit.rise == 0 or not fit.pushes:
         return [fit]
     rises = [(1 + part) * fit.rise for part in (-SLOWER, SLOWER)]

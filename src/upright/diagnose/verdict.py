@@ -109,7 +109,7 @@ FOREIGN_MOST = 0.45  # most that it shows: motors come to their limit in every f
 SWINGS = 7.0  # changes of the command's sign a second from which a robot falls by swinging
 SAME_GAIN = 0.1  # of one: a gain that the file confirms
 GAIN_WITHOUT_FILE, GAIN_WITH_FILE, AT_LIMIT = 0.8, 0.9, 0.5  # probability that is left to the gain, or to saturation
-HIDDEN = 0.5  # the same for a robot whose calibration has noise of its own, in which faults hide
+HIDDEN = 0.5  # the same where another cause hides: in the noise of a calibration, or for want of references
 IN_PART = 0.3  # of it where the log begins within the last excursion
 NO_TORQUE, NO_TORQUE_WIDTH = 0.85, 0.02  # [1] of the speed without torque: what is left of it stops no fall
 BROKEN_DOWN, BROKEN_DOWN_WIDTH = 0.6, 0.03  # [1] of the voltage before: what stalled motors leave of a sound battery
@@ -346,7 +346,8 @@ def _out_of_speed(evidence: Evidence) -> list[Answer]:
         f"{sound(evidence)}, and wheels that drove the way it fell reached {percent(min(speed, 1.0))} of the speed at "
         "which full commands give no torque, while the robot was upright"
     )
-    sure = HIDDEN if evidence.run.robot.noise else CLEAR
+    lags = demand is None and 0.0 < evidence.motors.help < 1.0  # so does a low gain, and only references tell the two
+    sure = HIDDEN if evidence.run.robot.noise or lags else CLEAR
     return [Answer(sure * step(speed - NO_TORQUE, NO_TORQUE_WIDTH), SATURATION, since, text)]
 
 
