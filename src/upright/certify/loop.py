@@ -7,6 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
+from upright.arrays import Array
 from upright.control.controller import Controller
 from upright.control.delay import MOST_PERIODS, SampledRobot, sampled
 from upright.control.near_rest import near_rest
@@ -45,17 +46,24 @@ class Loop:
     def closed(self) -> LinearModel:
         """From a disturbance at the commands to the readings."""
         P, K = self.plant, self.controller
-        A = np.block([
-            [P.A + P.B @ K.D @ P.C, P.B @ K.C],
-            [K.B @ P.C, K.A + K.B @ P.D @ K.C],
-        ])  # fmt: skip
         B = np.vstack([P.B, K.B @ P.D])
-        return LinearModel(A, B, np.hstack([P.C, P.D @ K.C]), P.D, P.dt)
+        return LinearModel(self._moves, B, np.hstack([P.C, P.D @ K.C]), P.D, P.dt)
+
+    @property
+    def _moves(self) -> Array:
+        """The closed loop's A."""
+        P, K = self.plant, self.controller
+        n = len(P.A)
+        A = np.empty((n + len(K.A), n + len(K.A)))
+        A[:n, :n], A[:n, n:] = P.A + P.B @ K.D @ P.C, P.B @ K.C
+        A[n:, :n], A[n:, n:] = K.B @ P.C, K.A + K.B @ P.D @ K.C
+        return A
 
     @property
     def stable(self) -> bool:
         """Whether the closed loop is."""
-        return self.closed.stable
+        poles = np.linalg.eigvals(self._moves)
+        return bool((poles.real < 0).all() if self.plant.continuous else (np.abs(poles) < 1).all())
 
 
 def robot_loop(robot: Robot, controller: Controller, kit: Kit) -> Loop:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache, lru_cache
+from functools import cache, cached_property, lru_cache
 
 import numpy as np
 
@@ -41,7 +41,8 @@ class SampledRobot:
     way. `noise` (p, p) is the covariance of the readings.
 
     `plant` is the model of the regulator: x⁺ = A x + B u, of the six states and the commands sent before, newest first.
-    `ahead` (6, n) gives from these the six states at the moment when a command sent now reaches the motors.
+    `ahead` (6, n) gives from these the six states at the moment when a command sent now reaches the motors. Both are
+    computed where they are asked for; a margin of delay, which tries many, does not.
 
     It is not a linear model itself: it pairs both with the robot, the kit and the delay.
     """
@@ -51,8 +52,15 @@ class SampledRobot:
     delay: int
     linear: LinearModel
     noise: Array
-    plant: LinearModel
-    ahead: Array
+    between: _Between
+
+    @cached_property
+    def plant(self) -> LinearModel:
+        return _plant(self.between)
+
+    @cached_property
+    def ahead(self) -> Array:
+        return _ahead(self.between, self.plant)
 
     @property
     def dt(self) -> float:
@@ -143,8 +151,8 @@ def _assembled(
         phi, old, new, force = between(h)
         A[row, :6], A[row, push], B[row], E[row] = c @ phi, c @ force, np.concatenate([c @ new, c @ old]), c @ force
 
-    for i in range(6):
-        moves(i, np.eye(6)[i], between.dt)
+    phi, old, new, force = between(between.dt)
+    A[:6, :6], A[:6, push], B[:6], E[:6, 0] = phi, force, np.hstack([new, old]), force
     A[range(6, push + 1), range(6, push + 1)] = 1.0
     place = push + 1
     for i, ((_, c), (count, h)) in enumerate(zip(rows, lines, strict=True)):
@@ -158,14 +166,11 @@ def _assembled(
     if GYRO in reads:
         C[reads.index(GYRO), 6] = 1.0
     noise = np.diag([max(s.noise**2 + s.quantum**2 / 12, _FINEST) for s, _ in rows])
-    plant = _plant(between)
     linear = LinearModel(
         A, B, C, dt=between.dt, states=names, inputs=(*SIDES, *(f"{side}_before" for side in SIDES)), outputs=reads,
         E=E, disturbances=("push",),
     )  # fmt: skip
-    return SampledRobot(
-        robot=robot, kit=kit, delay=between.delay, linear=linear, noise=noise, plant=plant, ahead=_ahead(between, plant)
-    )
+    return SampledRobot(robot=robot, kit=kit, delay=between.delay, linear=linear, noise=noise, between=between)
 
 
 def _line(delay: float, dt: float) -> tuple[int, float]:

@@ -49,6 +49,7 @@ def _identity(n: int) -> Array:
     return read_only(np.eye(n))
 
 
+@lru_cache(maxsize=256)
 def _numbered(letter: str, count: int) -> tuple[str, ...]:
     """x[0], x[1], … as python-control names them."""
     return tuple(f"{letter}[{i}]" for i in range(count))
@@ -244,6 +245,7 @@ class LinearModel(Shown):
             raise InvalidModel(f"not a linear model: {error}", expected="JSON written by LinearModel.to_json") from None
 
 
+@lru_cache(maxsize=256)
 @lru_cache(maxsize=256)
 def delay_line(width: int, periods: int, dt: float) -> LinearModel:
     """`width` signals, `periods` periods of `dt` [s] late: what waits is its state, newest first."""
