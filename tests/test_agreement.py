@@ -277,6 +277,8 @@ def test_a_calibrated_robots_file_says_how_its_errors_go_together() -> None:
     assert dict(robot.correlation) == {("com_height", "track"): pytest.approx(np.corrcoef(root @ root.T)[3, 0])}
 
 
+@pytest.mark.slow
+@pytest.mark.long
 def test_command_calibrates_the_log_first(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     recording().between(0.0, 5.0).save(tmp_path / "run.csv")
     code = main(["certify", "pid", "--log", str(tmp_path / "run.csv"), "-n", "100", "--json"])

@@ -40,7 +40,10 @@ def struck(robot: str, design: str, body: str, impulse: float) -> Log:
     return Log(log.t, {n: log[n] for n in log.channels if n.startswith(("sensor/", "command/"))})
 
 
-@pytest.mark.parametrize(("robot", "design", "body", "impulse"), BLOWS)
+@pytest.mark.parametrize(
+    ("robot", "design", "body", "impulse"),
+    [pytest.param(*blow, marks=pytest.mark.long if blow[0] == "twipr" else ()) for blow in BLOWS],
+)
 def test_a_blow_that_throws_a_robot_over_is_a_push(robot: str, design: str, body: str, impulse: float) -> None:
     """The planted push is named, from when it hit; never surer than a cause whose log may hide another one."""
     log = struck(robot, design, body, impulse)

@@ -184,6 +184,7 @@ def test_the_truth_is_inside_its_intervals() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_no_number_of_a_right_file_is_accused() -> None:
     """MuJoCo's contacts are not those of the equations. Of a twin whose readings have no noise that is worth 4 to 8
     nats, and track was said to be 0.139 m (true 0.166), though half seconds were predicted no better with it."""
@@ -573,6 +574,8 @@ def test_a_robot_that_rolls_in_the_first_row_has_its_dead_times() -> None:
     assert found.temper > 0.5  # innovations are white, or nearly
 
 
+@pytest.mark.slow
+@pytest.mark.long
 def test_a_file_whose_delays_are_periods_off_leads_to_the_same_delays() -> None:
     """Encoders of no delay and a gyro of 30 ms on a robot with 20 ms and none: a stiff filter has optima about a period
     apart, and ended at a gyro 8 ms late with innovations weighted in full. Found to a tenth of a period, as above, and
@@ -608,6 +611,7 @@ def test_innovations_as_large_as_expected_are_the_likeliest_noise_of_their_gains
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_dry_friction_of_the_twin_is_found() -> None:
     """MuJoCo's dry friction is sharp, and so is the predictor's: both friction numbers to a few hundredths, though they
     make up for one another; under smooth friction the viscous one was 5 % off and four deviations. Of four logs each
@@ -789,6 +793,7 @@ def test_ev3way_has_a_late_gyro(shared: Path) -> None:
 
 @pytest.mark.needs("shared/data/ev3way")
 @pytest.mark.slow
+@pytest.mark.long
 def test_another_robots_file_is_never_taken_in_silence(shared: Path) -> None:
     """The preset `ev3way` has wheels half as large as the robot of this log (the README of the logs): the file for
     these wheels predicts half seconds better as it stands, and is named."""
@@ -830,6 +835,8 @@ def of_twipr(path: Path) -> Calibration:
     return calibrate(raw_log(path), Robot.preset("twipr"))
 
 
+@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.needs("shared/data/twipr")
 def test_twipr_is_predicted_for_half_a_second(shared: Path) -> None:
     """Dead times of its README: about 53 ms to the gyro and 73 ms to the wheels; R² near that of a model made for this
@@ -843,6 +850,8 @@ def test_twipr_is_predicted_for_half_a_second(shared: Path) -> None:
     assert not [p.name for p in found.parameters if p.surprising]
 
 
+@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.needs("shared/data/twipr")
 def test_the_whole_loop_of_twipr_runs_freely_for_ten_seconds(shared: Path) -> None:
     """From its first state, under the law that its commands follow exactly; a model made for it reaches 0.92 and 0.67

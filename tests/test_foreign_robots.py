@@ -218,6 +218,7 @@ def test_a_log_whose_gyro_is_turned_is_refused_before_any_cause_is_looked_for(
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_dead_zone_that_the_robot_does_not_have_is_no_gain() -> None:
     """The kit of a LEGO NXT has motors with a dead zone of 0.25 V. The gain that the file states is that of an
     amplifier, and no command reaches full duty: nothing tells a gain from another motor."""
@@ -273,7 +274,7 @@ def test_a_calibration_of_a_foreign_robot_holds_its_truth(tmp_path: Path) -> Non
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("factor", [0.75, 1.35])
+@pytest.mark.parametrize("factor", [0.75, pytest.param(1.35, marks=pytest.mark.long)])
 def test_a_number_that_its_owner_measured_wrong_is_named_and_spoils_no_other(tmp_path: Path, factor: float) -> None:
     """A height of the centre of mass that is stated to 5 % and is off by five and seven times that: the other stated
     numbers were bent, and 8 and 4 of 13 visible intervals missed. One in twenty may."""
@@ -307,7 +308,9 @@ def test_a_file_that_a_log_contradicts_is_doubted_in_every_number(tmp_path: Path
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("name", "factor"), [("wheel_radius", 2.0), ("com_height", 0.1)])
+@pytest.mark.parametrize(
+    ("name", "factor"), [pytest.param("wheel_radius", 2.0, marks=pytest.mark.long), ("com_height", 0.1)]
+)
 def test_a_number_of_another_unit_or_place_is_named_alone(tmp_path: Path, name: str, factor: float) -> None:
     """A diameter for a radius, and a slipped point. The fit bends other numbers by more than six deviations and is
     refused, and these were accused."""

@@ -482,6 +482,7 @@ def test_a_job_has_its_seconds_of_computing_on_a_busy_machine_too(monkeypatch):
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_class_with_hostile_students_in_it_goes_on(monkeypatch):
     """A short `benchmarks/abuse.py lab`, whose rates are for a quiet machine and are not tested: one of each kind of
     hostile student, whom no stage dies of and the teacher reads nothing of, while the others get pictures."""

@@ -6,6 +6,7 @@ import dataclasses
 import json
 import math
 import sys
+from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
@@ -97,6 +98,11 @@ def logged(
     return Log(log.t[keep], {n: log[n][keep] for n in names})
 
 
+def but_for(cases: Iterable[str], *usual: str) -> list[Any]:
+    """Each of the cases: all but the `usual` ones are `long`, and the benchmarks of this module have them too."""
+    return [pytest.param(case, marks=() if case in usual else pytest.mark.long) for case in cases]
+
+
 @cache
 def standing() -> Log:
     return logged(bench.NO_FALL, seconds=3.0)
@@ -134,7 +140,7 @@ PLANTED: dict[str, dict[str, Any]] = {
 }
 
 
-@pytest.mark.parametrize("cause", PLANTED)
+@pytest.mark.parametrize("cause", but_for(PLANTED, "saturation", "gyro bias", "push too large"))
 def test_planted_cause_is_named_from_the_data_alone(cause: str) -> None:
     found = post_mortem(logged(cause, **PLANTED[cause]), NXT, KIT)
     assert found.verdict == cause, str(found)
@@ -167,7 +173,7 @@ BROKEN = {
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", BROKEN)
+@pytest.mark.parametrize("name", but_for(BROKEN, "motor dead"))
 def test_a_twin_that_mujoco_breaks_is_named_or_none_of_these(name: str) -> None:
     cause, way, size = BROKEN[name]
     body = open_bench.BrokenBody(Twin(NXT), KIT, bench.Fault(cause, way, ONSET, size), 1)
@@ -550,6 +556,7 @@ def test_no_fault_is_named_by_a_model_that_does_not_describe_the_robot(shared: P
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.needs("shared/data/ev3way/tilt_000.csv")
 def test_a_planted_fault_is_found_in_the_noise_of_a_real_robot(shared: Path) -> None:
     """The robot's own noise is learnt up to 6.5 s; from 7 s on its left command is logged with the wrong sign. Without
@@ -568,7 +575,7 @@ def test_a_planted_fault_is_found_in_the_noise_of_a_real_robot(shared: Path) -> 
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("robot", ["herrera2015", "ev3way"])
+@pytest.mark.parametrize("robot", but_for(["herrera2015", "ev3way"], "ev3way"))
 def test_another_robot_is_no_sensor_of_another_scale(robot: str) -> None:
     """Planted: a push at 5 s on nxtway-gs, nothing else; no robot stands for 4 s with a gyro that counts tenfold."""
     fallen = post_mortem(example("fall"), robot)
@@ -577,6 +584,7 @@ def test_another_robot_is_no_sensor_of_another_scale(robot: str) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_robot_that_stands_for_seconds_has_motors() -> None:
     """Planted: commands logged in another unit, three times as large in every row; the robot stood for 5 s."""
     log = example("fall")
@@ -626,6 +634,7 @@ def test_a_loop_that_stands_still_twice_before_a_fall_has_lost_its_rows() -> Non
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_two_causes_are_found_where_the_first_one_alone_takes_up_a_part_of_the_second() -> None:
     # planted: a slope of 0.1 rad from `ONSET` on and, 0.3 s later, a battery that fades to 0.42 within half a second;
     # neither fells the robot alone. A battery that is fitted alone has its onset and size from both
@@ -641,6 +650,7 @@ def test_two_causes_are_found_where_the_first_one_alone_takes_up_a_part_of_the_s
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_load_that_goes_is_found_beside_the_push_that_hides_it() -> None:
     # planted: eight tenths of the body come off, 0.3 s before a push of 0.7 m/s. Of six tenths before 0.9 m/s the log
     # shows nothing: from the planted numbers on a load and a push have 301.5 nats, pushes alone 301.9
@@ -688,6 +698,7 @@ def test_numbers_with_which_the_filter_loses_the_robot_are_not_taken(monkeypatch
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_wheels_that_lose_their_tyres_are_named_by_what_is_left_of_them() -> None:
     # planted: half of the radius is left while the robot drives, so that it falls within a second
     body = open_bench.BrokenBody(Twin(NXT), KIT, bench.Fault("tyre lost", "both", ONSET, 0.5), 1)
@@ -778,7 +789,7 @@ BEYOND = {  # planted in MuJoCo: cause, way, size, a knock after it [N s], what 
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", BEYOND)
+@pytest.mark.parametrize("name", but_for(BEYOND, "a gyro is clipped"))
 def test_what_no_list_had_is_named_or_none_of_these(name: str) -> None:
     cause, way, size, knock, said, why = BEYOND[name]
     body = open_bench.BrokenBody(Twin(NXT), KIT, bench.Fault(cause, way, ONSET, size), 1)
@@ -792,6 +803,7 @@ def test_what_no_list_had_is_named_or_none_of_these(name: str) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_push_that_fells_the_robot_is_measured_in_the_whole_motion() -> None:
     # planted: 0.7 N s for each kg in 0.1 s at 1.5 times the height of the centre of mass. Lean and speed are far from
     # small, so that a linear signature on a grid of times and heights leaves many times the noise

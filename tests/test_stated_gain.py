@@ -68,6 +68,7 @@ def test_a_known_robot_tells_the_side_of_the_gain() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_run_whose_commands_have_a_factor_is_named_by_it() -> None:
     """No file states a gain. In the second log the program's commands are those before one of 1.6."""
     logs = [driven(seed, 4.0) for seed in (3, 4, 5)]

@@ -155,6 +155,8 @@ def test_a_log_of_the_robot_as_it_was_assumed_contradicts_nothing() -> None:
     assert shown["battery"].value == pytest.approx(8.0, abs=0.05)
 
 
+@pytest.mark.slow
+@pytest.mark.long
 def test_a_body_half_as_heavy_is_seen_and_falls_under_a_push_that_was_sized_for_the_heavier() -> None:
     # the knock asked for is 0.6 of the largest for the heavy body: 1.2 of that for this one, which nothing survives
     given = certified(logged(body=NonlinearBody(loaded(ROBOT, 0.5))))
@@ -333,6 +335,7 @@ def test_a_stated_number_is_contradicted_from_three_deviations_on() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(("load", "seen"), [(0.6, True), (1.0, False)])
 def test_a_calibration_that_takes_the_mass_for_a_guess_sees_a_lighter_body(load: float, *, seen: bool) -> None:
     """Its interval holds the true mass, and of a robot as its file says nothing is taken over: 95 % of the time."""
