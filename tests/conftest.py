@@ -72,9 +72,17 @@ def unit_of(path: str) -> str:
     return "browser" if stem in BROWSER else stem
 
 
+MADE_BEFORE = {("test_site", "site"): "UPRIGHT_SITE", ("test_reproduce", "done"): "UPRIGHT_REPRODUCED"}
+"""Fixtures, by their file, that take minutes unless somebody made them before and says where, as CI does."""
+
+
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Units of work with long tests come first."""
+    """What waits minutes for a fixture is `long`. Units of work with long tests come first."""
+    for item in items:
+        for (stem, fixture), where in MADE_BEFORE.items():
+            if item.path.stem == stem and fixture in getattr(item, "fixturenames", ()) and not os.environ.get(where):
+                item.add_marker(pytest.mark.long)
     slow = Counter(unit_of(item.path.name) for item in items if item.get_closest_marker("slow"))
     rank = {unit: number for number, unit in enumerate(FIRST)}
 

@@ -772,6 +772,8 @@ def test_balanc3r_is_too_quiet_for_an_inertia(shared: Path) -> None:
     assert {"pitch_inertia", "yaw_inertia", "com_height", "rotor_inertia"} <= held
 
 
+@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.needs("shared/data/ev3way")
 def test_ev3way_has_a_late_gyro(shared: Path) -> None:
     """22 ms by its README; 20 ms after the encoders, where the doctor's pendulum law fits best, a route of its own;

@@ -317,7 +317,7 @@ def test_predictive_control_in_c(tmp_path: Path, number):
 
 @pytest.mark.slow
 @pytest.mark.needs("arm-none-eabi-gcc", "module:unicorn")
-@pytest.mark.parametrize("number", ["float", "double"])
+@pytest.mark.parametrize("number", [pytest.param("float", marks=pytest.mark.long), "double"])
 def test_predictive_control_on_an_arm7(tmp_path: Path, number):
     """A few periods where limits count, against the statements themselves: 20 s would take minutes to emulate."""
     source, made = written(tmp_path, "c", controller=designed("mpc"), number=number)

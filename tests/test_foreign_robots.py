@@ -308,9 +308,8 @@ def test_a_file_that_a_log_contradicts_is_doubted_in_every_number(tmp_path: Path
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("name", "factor"), [pytest.param("wheel_radius", 2.0, marks=pytest.mark.long), ("com_height", 0.1)]
-)
+@pytest.mark.long
+@pytest.mark.parametrize(("name", "factor"), [("wheel_radius", 2.0), ("com_height", 0.1)])
 def test_a_number_of_another_unit_or_place_is_named_alone(tmp_path: Path, name: str, factor: float) -> None:
     """A diameter for a radius, and a slipped point. The fit bends other numbers by more than six deviations and is
     refused, and these were accused."""

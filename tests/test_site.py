@@ -17,12 +17,7 @@ import pytest
 
 import upright
 
-BUILT = os.environ.get("UPRIGHT_SITE")
-"""The folder where CI has built the site. Where nobody has, that takes minutes, and `pytest -m long` does it."""
-
-pytestmark = [
-    pytest.mark.needs("module:sphinx", "module:nbclient"), pytest.mark.slow, *([] if BUILT else [pytest.mark.long])
-]  # fmt: skip
+pytestmark = [pytest.mark.needs("module:sphinx", "module:nbclient"), pytest.mark.slow]
 
 ROOT = Path(__file__).parents[1]
 LINK = re.compile(r'<(a|link|script|img|iframe|source|video)\b[^>]*?\b(href|src)="([^"]*)"')
@@ -34,9 +29,9 @@ SHOWN = (
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The whole site, every notebook executed."""
-    if BUILT:
-        return Path(BUILT)
+    """The whole site, every notebook executed: in the folder `UPRIGHT_SITE`, where CI has built it; or else built."""
+    if built := os.environ.get("UPRIGHT_SITE"):
+        return Path(built)
     folder = tmp_path_factory.mktemp("site") / "site"
     command = [sys.executable, str(ROOT / "docs" / "build.py"), str(folder)]
     ran = subprocess.run(command, capture_output=True, text=True, timeout=1500, check=False)

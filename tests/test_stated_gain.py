@@ -51,6 +51,7 @@ def said(log: Log) -> str:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_commands_before_a_gain_are_found_and_those_after_it_are_left() -> None:
     """Cut at full duty in one row of twenty: what is cut tells the side, whatever the motor's own constants are."""
     log, gain = driven(1, 4.0), 1.3

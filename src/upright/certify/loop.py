@@ -84,5 +84,4 @@ def robot_loop(robot: Robot, controller: Controller, kit: Kit) -> Loop:
 
 def commanded_plant(model: SampledRobot) -> LinearModel:
     """From the commands alone to the readings."""
-    whole = plant_of(model)
-    return LinearModel(whole.A, whole.B[:, :2], whole.C, whole.D[:, :2], whole.dt)
+    return plant_of(model, pushed=False)

@@ -38,8 +38,8 @@ def discrete(system: LinearModel, dt: float) -> LinearModel:
     return LinearModel(inverse @ (identity + A), root * inverse @ system.B, root * system.C @ inverse, D, dt)
 
 
-def plant_of(model: SampledRobot) -> LinearModel:
-    """From commands (2) and a push at the centre of mass [N] to the readings.
+def plant_of(model: SampledRobot, *, pushed: bool = True) -> LinearModel:
+    """From commands (2) and, where it is `pushed`, a push at the centre of mass [N] to the readings.
 
     The states are the robot's six and the readings on their way, then the commands on theirs, newest first. Gyro bias
     and push, which no command moves, are left out.
@@ -48,15 +48,16 @@ def plant_of(model: SampledRobot) -> LinearModel:
     n, fraction = len(keep), bool(model.before.any())
     line = 2 * (model.delay + fraction)
     A, B = np.zeros((n + line, n + line)), np.zeros((n + line, 3))
-    A[:n, :n], B[:n, 2] = model.linear.A[np.ix_(keep, keep)], model.linear.E[keep, 0]
+    A[:n, :n], B[:n, 2] = model.linear.A[keep][:, keep], model.linear.E[keep, 0]
     waiting = delay_line(2, line // 2, model.dt)
     A[n:, n:], B[n:, :2] = waiting.A, waiting.B
     places = [B[:, :2], *(A[:, n + 2 * i : n + 2 * i + 2] for i in range(line // 2))]
     places[model.delay][:n] = model.now[keep]
     if fraction:
         places[model.delay + 1][:n] = model.before[keep]
-    C = np.pad(model.linear.C[:, keep], ((0, 0), (0, line)))
-    return LinearModel(A, B, C, np.zeros((len(C), 3)), model.dt)
+    C = np.zeros((len(model.linear.C), n + line))
+    C[:, :n] = model.linear.C[:, keep]
+    return LinearModel(A, B if pushed else B[:, :2], C, dt=model.dt)
 
 
 def kept(model: SampledRobot) -> list[int]:
