@@ -8,6 +8,7 @@ import stat
 import subprocess
 import sys
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +28,12 @@ def run(arguments: list[str], **options: Any) -> subprocess.CompletedProcess[byt
     return done
 
 
+@cache
+def usual() -> Any:
+    """The same model where no alphabet is asked for."""
+    return json.loads(run([*PRINTS, "--json"]).stdout)
+
+
 @pytest.mark.parametrize("alphabet", ["latin-1", "ascii", "cp1252", "utf-16"])
 def test_a_character_that_an_alphabet_lacks_is_replaced(alphabet: str) -> None:
     environment = os.environ | {"PYTHONIOENCODING": alphabet}
@@ -35,7 +42,7 @@ def test_a_character_that_an_alphabet_lacks_is_replaced(alphabet: str) -> None:
     # the framework of the command line prints UTF-8 where a stream knows nothing but ASCII
     assert len(done.stdout.decode("utf-8" if alphabet == "ascii" else alphabet).splitlines()) > 5
     data = run([*PRINTS, "--json"], env=environment)
-    assert json.loads(data.stdout.decode(alphabet)) == json.loads(run([*PRINTS, "--json"]).stdout)
+    assert json.loads(data.stdout.decode(alphabet)) == usual()
 
 
 def close(*numbers: int) -> Callable[[], None]:
