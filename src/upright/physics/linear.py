@@ -246,7 +246,6 @@ class LinearModel(Shown):
 
 
 @lru_cache(maxsize=256)
-@lru_cache(maxsize=256)
 def delay_line(width: int, periods: int, dt: float) -> LinearModel:
     """`width` signals, `periods` periods of `dt` [s] late: what waits is its state, newest first."""
     n = width * periods
