@@ -1,8 +1,9 @@
 """How an interrupted run ends: within a second, without a result, whatever computes at that moment.
 
 Python hands a signal to the main thread, between two steps of its own: never while compiled code runs there; and the
-exception it raises is lost where C called Python. So a thread waits for signals as well. It notes that the run is
-interrupted, after which no file appears (`check`), and ends the process where the exception does not.
+exception it raises is lost, and printed, where C called Python, as a finalizer. So a thread waits for signals as well.
+It notes that the run is interrupted, after which no file appears (`check`), and ends the process where the exception
+does not.
 """
 
 from __future__ import annotations
@@ -39,6 +40,7 @@ def watch() -> None:
     for number in SIGNALS:
         if signal.getsignal(number) != signal.SIG_IGN:
             signal.signal(number, _interrupt)
+    sys.unraisablehook = _lost
     reader, writer = os.pipe()
     if hasattr(os, "set_blocking"):
         os.set_blocking(writer, False)
@@ -107,6 +109,12 @@ def leave(code: int) -> NoReturn:
 def _interrupt(number: int, frame: object) -> None:  # noqa: ARG001 (as Python calls it)
     _Run.number = number
     raise KeyboardInterrupt
+
+
+def _lost(what: sys.UnraisableHookArgs) -> None:
+    """Nothing is said of an interrupt's exception that is lost: the thread that waits ends the run, and says so."""
+    if not (_Run.number and issubclass(what.exc_type, KeyboardInterrupt)):
+        sys.__unraisablehook__(what)
 
 
 def _wait(reader: int) -> None:
