@@ -15,6 +15,7 @@ from upright.bodies import Electronics, NonlinearBody
 from upright.control import lqg
 from upright.diagnose import post_mortem
 from upright.doctor.doctor import Diagnosis, doctor
+from upright.doctor.poses import _ends_falling
 from upright.doctor.wheels import on_its_wheels
 from upright.errors import InvalidLog
 from upright.experiment import Drive, Impulse, outcome_of, run
@@ -299,6 +300,12 @@ def test_a_swing_from_which_the_robot_comes_back_is_no_fall() -> None:
     assert outcome_of(swing.between(0, 2.0)).fell is None
     assert outcome_of(lying).fell is None
     assert outcome_of(Log(t, {PITCH: np.where(t < 1, 0.0, 1.5)})).fell
+
+
+@pytest.mark.parametrize("rows", [1, 37])
+def test_a_lean_that_never_changes_ends_in_no_fall(rows: int) -> None:
+    """A tilt that hangs, or a single row between two poses: nothing turned, and no row is after the last one."""
+    assert not _ends_falling(np.full(rows, 1.0), T)
 
 
 @pytest.mark.needs("shared/data/twipr/run1.csv")

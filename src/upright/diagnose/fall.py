@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from upright.control.mpc import largest_command
 from upright.diagnose.innovations import FULL_RANGE, FilterRun
 from upright.doctor.finding import FALLING, Segment
-from upright.doctor.poses import segments
+from upright.doctor.poses import NEAR_FLOOR, segments
 from upright.doctor.wheels import record_of
 from upright.logs.raw import RATES
 from upright.logs.recording import commanded
@@ -25,7 +25,6 @@ Mask = NDArray[np.bool_]
 
 FELL = 0.8  # [rad] lean at the end of a log that only falling robots have, unless they swung as far before
 LEANING = 0.7  # [rad] lean that counts as the fall: up to it the seconds before are examined
-ON_FLOOR = 0.93  # of the largest lean that a gyro shows, at which a body reaches the floor: its scale may be wrong
 LOST_END = 0.2  # [s] before the log's end at which the filter has stopped where the robot toppled
 PLAUSIBLE = 0.4  # [rad] of the filter's pitch where a fall begins: beyond, the filter has lost the robot
 STUCK = 0.2  # [s] up to the fall, of one and the same reading: a moving robot repeats itself a few times at most
@@ -51,7 +50,7 @@ def fall_time(run: FilterRun) -> float | None:
     fallen = falling_lean(run)
     if fallen is not None:
         t, lean = fallen
-        out = np.abs(lean) > min(LEANING, ON_FLOOR * float(np.abs(lean).max()))
+        out = np.abs(lean) > min(LEANING, NEAR_FLOOR * float(np.abs(lean).max()))  # of a gyro whose scale is wrong
         return float(t[np.argmax(out)])
     pitch = run.after[:, 0]
     lost = run.t[-1] < run.log.t[-1] - LOST_END

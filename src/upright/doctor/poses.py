@@ -49,7 +49,7 @@ _STILL = 0.4  # [s] shortest rest, longer than the turning points of balancing
 _REST = 0.03  # of the pitch rate that one row in five exceeds, below which the body is at rest
 _CALM = 0.3  # of that rate, which no rest exceeds where the gyro's noise is well below it
 _FLOOR = 1.45  # [rad] lean in which a body touches the floor, where no pose in the log shows it
-_NEAR_FLOOR = 0.93  # of the lean in which it lies, from which it touches the floor
+NEAR_FLOOR = 0.93  # of the lean in which it lies, from which it touches the floor
 _STOPS, _STRIKES, _STOPPED = 0.05, 0.5, 0.2
 """[s] in which a floor stops a body, the least of its fastest rate with which a body reaches it, and the most of that
 which is left. Motors take longer: the measured TWIPR, caught at 0.75 rad, is braked for 0.16 s."""
@@ -301,7 +301,7 @@ def _labelled(m: Resampled, lean: Lean, spinning: Mask) -> list[tuple[str, int, 
     lying = lean.quiet & (size > TIPPED)
     floor = _FLOOR
     if lying.any():
-        floor = min(_FLOOR, _NEAR_FLOOR * float(np.median(size[lying])))
+        floor = min(_FLOOR, NEAR_FLOOR * float(np.median(size[lying])))
     down = lying | (size > floor if lean.absolute or lying.any() else np.zeros(n, dtype=bool))
     parts: list[tuple[str, int, int]] = []
     for a, b in _stretches(down):
@@ -354,19 +354,22 @@ def _ends_falling(angle: Array, period: float) -> bool:
     if end < TIPPED:
         return False
     start = _fall_start(angle, period)
-    recent = angle[-max(2, round(0.05 / period)) :]
+    rows = max(2, round(_STOPS / period))
+    recent = angle[-rows:]
     outward = float(recent[-1] - recent[0]) * np.sign(angle[-1]) > 0
     earlier = float(size[:start].max()) if start else 0.0
-    return bool((outward or _struck(angle[start:] * np.sign(angle[-1]), period)) and end > _FURTHER * earlier)
+    return bool((outward or _struck(angle[start:] * np.sign(angle[-1]), rows)) and end > _FURTHER * earlier)
 
 
-def _struck(lean: Array, period: float) -> bool:
+def _struck(lean: Array, rows: int) -> bool:
     """Whether the floor stopped a body whose lean [rad] ends on the positive side, and holds it: it turned fast and
-    stopped at once. Motors that catch a body brake it for longer, and drive it back."""
-    rates, down = np.diff(lean), lean > _NEAR_FLOOR * lean.max()
+    stopped within so many `rows`. Motors that catch a body brake it for longer, and drive it back."""
+    if len(lean) < 2:
+        return False
+    rates, down = np.diff(lean), lean > NEAR_FLOOR * lean.max()
     first = max(int(np.argmax(down)) - 2, 0)  # of the row before: the floor may stop it within one
     fastest = first + int(np.argmax(rates[first:]))
-    after = rates[fastest + 1 :][: max(2, round(_STOPS / period))]
+    after = rates[fastest + 1 :][:rows]
     fast = rates[fastest] > _STRIKES * rates.max()
     return bool(down[-1] and fast and after.min(initial=np.inf) < _STOPPED * rates[fastest])
 
