@@ -13,7 +13,7 @@ from upright.control.delay import MOST_PERIODS, SampledRobot, sampled
 from upright.control.near_rest import near_rest
 from upright.control.state_space import controller_of, plant_of
 from upright.errors import InvalidModel, SpecMismatch
-from upright.physics.linear import LinearModel, one_period
+from upright.physics.linear import LinearModel, decays, one_period
 from upright.robots import Kit, Robot
 
 
@@ -49,7 +49,7 @@ class Loop:
         B = np.vstack([P.B, K.B @ P.D])
         return LinearModel(self._moves, B, np.hstack([P.C, P.D @ K.C]), P.D, P.dt)
 
-    @property
+    @cached_property
     def _moves(self) -> Array:
         """The closed loop's A."""
         P, K = self.plant, self.controller
@@ -62,8 +62,7 @@ class Loop:
     @property
     def stable(self) -> bool:
         """Whether the closed loop is."""
-        poles = np.linalg.eigvals(self._moves)
-        return bool((poles.real < 0).all() if self.plant.continuous else (np.abs(poles) < 1).all())
+        return decays(self._moves, continuous=self.plant.continuous)
 
 
 def robot_loop(robot: Robot, controller: Controller, kit: Kit) -> Loop:

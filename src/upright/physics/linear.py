@@ -62,6 +62,17 @@ def _matrix(name: str, rows: Sequence[str], columns: Sequence[str], values: Arra
     return Listing((name, *columns), body, columns)
 
 
+def decays(A: Array, *, continuous: bool) -> bool:
+    """Whether every pole of ẋ = A x decays, or of x⁺ = A x where that is not `continuous`."""
+    return bool(
+        (_growth(np.linalg.eigvals(A).astype(np.complex128), continuous=continuous) < (0 if continuous else 1)).all()
+    )
+
+
+def _growth(poles: Complex, *, continuous: bool) -> Array:
+    return np.real(poles) if continuous else np.abs(poles)
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class LinearModel(Shown):
     """Deviations from (x0, u0): ẋ = f0 + A (x − x0) + B (u − u0) + E w, or x⁺ − x0 = … where `dt` is a period [s].
@@ -146,15 +157,12 @@ class LinearModel(Shown):
     @property
     def stable(self) -> bool:
         """Whether every pole decays."""
-        return bool((self._decay(self.poles()[:1]) < (0 if self.continuous else 1)).all())
+        return decays(self.A, continuous=self.continuous)
 
     def poles(self) -> Complex:
         """Eigenvalues of A, the least stable first."""
         poles: Complex = np.linalg.eigvals(self.A).astype(np.complex128)
-        return poles[np.lexsort((poles.imag, -self._decay(poles)))]
-
-    def _decay(self, poles: Complex) -> Array:
-        return np.real(poles) if self.continuous else np.abs(poles)
+        return poles[np.lexsort((poles.imag, -_growth(poles, continuous=self.continuous)))]
 
     def points(self, omega: Array) -> Complex:
         """λ (len(omega),), jω or e^{jω dt}, at ω in [rad/s]."""
