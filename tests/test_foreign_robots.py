@@ -110,7 +110,7 @@ def fallen(bot: Bot, newtons: float) -> tuple[Log, float]:
     columns = logged(bot, Course(free=5.0 if newtons else 3.5, pushes=pushes, falls=True))
     lean = np.cumsum(columns["gyro"] - bot.offset) * bot.period
     floor = float(columns["t"][np.argmax(np.abs(lean) > 1.25)])
-    return apply(propose(metric(columns, bot)), metric(columns, bot)), floor
+    return apply(propose(table := metric(columns, bot)), table), floor
 
 
 # A row before the floor, and before anybody could see that the robot lies: 0.4 s of rest.

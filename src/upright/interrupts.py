@@ -1,9 +1,9 @@
 """How an interrupted run ends: within a second, without a result, whatever computes at that moment.
 
 Python hands a signal to the main thread, between two steps of its own: never while compiled code runs there; and the
-exception it raises is lost, and printed, where C called Python, as a finalizer. So a thread waits for signals as well.
-It notes that the run is interrupted, after which no file appears (`check`), and ends the process where the exception
-does not.
+exception it raises is lost, and printed, where C called Python, as it does for a finalizer. So a thread waits for
+signals as well. It notes that the run is interrupted, after which no file appears (`check`), and ends the process where
+the exception does not.
 """
 
 from __future__ import annotations
