@@ -1174,6 +1174,8 @@ def test_spanish_is_spanish_to_the_last_decimal(page):
                 mass.press("Enter")
                 until(page, "upright.store.setup.numbers.body_mass === 0.61")
             if name == "Identify":
+                t = page.evaluate("upright.store.snapshot.t")
+                until(page, f"upright.store.snapshot.t > {t} + 0.5")  # a new mass begins a new log, of no row yet
                 page.click("[data-key=doctor]")
                 until(page, "upright.store.found?.job === 'doctor'")
             text = page.evaluate(
