@@ -110,7 +110,7 @@ class Blow:
     @property
     def powered(self) -> str:
         """With which battery the motors bring back so much; empty for a torque drive."""
-        return f" with a battery of {self.battery:g} V" if math.isfinite(self.battery) else ""
+        return f" with a battery of {self.battery:.3g} V" if math.isfinite(self.battery) else ""
 
     @property
     def size(self) -> str:

@@ -45,6 +45,7 @@ from upright.diagnose.remedy import Window, dropped, searched, sharpened
 from upright.diagnose.signatures import Bank
 from upright.diagnose.sizes import possible
 from upright.diagnose.slip import slid_at
+from upright.diagnose.supply import as_shown, with_supply
 from upright.diagnose.thrown import Throw, thrown
 from upright.diagnose.usual import FOREIGN, calm_of, quiet_of, window_of
 from upright.doctor.finding import FEWEST
@@ -164,6 +165,7 @@ def gather(
 
     A fall is one of the integrated motion. Where that shows none, a filter that is lost may, if it is of this robot.
     """
+    kit = with_supply(kit, log, robot)
     throw, fallen = thrown(log, robot, kit, float(log.t[-1])), last_fall(log) is not None
     gone = throw is not None and throw.lost
     blind = _blind(stuck_sensor(log, kit, float(log.t[-1])))  # nothing balances while its gyro stands still
@@ -255,7 +257,7 @@ def _evidence(
     controller: Controller | None,
 ) -> Evidence:
     log, robot = whole.log, run.robot
-    most, mode, model = limit(robot, run.kit, run.asked), falling(robot), linearise(robot)
+    most, mode, model = limit(robot, as_shown(run.kit, log, robot), run.asked), falling(robot), linearise(robot)
     match, stable, notes = _match(whole, controller, end)
     stuck = stuck_sensor(log, run.kit, end)
     if stuck and "gyro" in stuck.channel and not stuck.clipped:

@@ -27,6 +27,7 @@ from upright.diagnose.evidence import FOREIGN, Evidence, gather
 from upright.diagnose.fall import against, last_fall
 from upright.diagnose.saved import with_saved
 from upright.diagnose.series import Series, series_of
+from upright.diagnose.supply import of_supply
 from upright.diagnose.verdict import ranked, reversed_causes
 from upright.doctor.doctor import contradictions
 from upright.doctor.finding import FEWEST as FEWEST_POSES
@@ -164,11 +165,11 @@ def post_mortem(
             verdict=NO_FALL, causes=(), fell_at=math.nan, onset=math.nan, missing=(), notes=(SIDEWAYS,),
             series=series_of(run, float(run.t[-1])), **head,
         )  # fmt: skip
-    causes = with_saved(ranked(evidence), log, nominal, parts, controller)
+    causes = with_saved(ranked(evidence), log, nominal, run.kit, controller)
     names = _typed(robot, nominal.name), _typed(source, "LOG")
     causes, verdict = _with_names(causes, *names), causes[0].name
     missing = _helpful(evidence) if verdict == CANNOT_TELL else ()
-    notes = (*evidence.notes, *_wiring(log, verdict))
+    notes = (*evidence.notes, *of_supply(parts, run.kit), *_wiring(log, verdict))
     missing, notes = (tuple(as_typed(text, *names) for text in texts) for texts in (missing, notes))
     return PostMortem(
         verdict=verdict, causes=causes, fell_at=evidence.fell_at, onset=causes[0].onset, missing=missing, notes=notes,

@@ -16,6 +16,7 @@ from upright.diagnose.fall import LEANING
 from upright.diagnose.fault_fits import FaultFit, PushEstimate
 from upright.diagnose.measured import Demand
 from upright.diagnose.sizes import turned
+from upright.diagnose.supply import as_shown
 from upright.diagnose.thrown import Throw
 from upright.physics.dynamics import motor_gain
 
@@ -126,12 +127,13 @@ _FAULT_TEXTS = {
 
 def blow(evidence: Evidence, push: PushEstimate, lean: float) -> Blow:
     """The numbers of a push that, with smaller ones the same way, counts as this `lean` [rad]."""
-    toppling = evidence.toppling
+    toppling, run = evidence.toppling, evidence.run
+    volts = as_shown(run.kit, run.log, run.robot).battery.voltage
     return Blow(
         impulse=push.impulse, start=push.start, duration=push.stop - push.start, height=push.height, counts=lean,
         largest=min(toppling.largest, LEANING), most=toppling.largest_like(push),
-        explained=evidence.pushes_only.explained, brief=push.stop - push.start < evidence.run.kit.period,
-        battery=evidence.run.kit.battery.voltage if evidence.run.robot.command_unit == "V" else math.inf,
+        explained=evidence.pushes_only.explained, brief=push.stop - push.start < run.kit.period,
+        battery=volts if run.robot.command_unit == "V" else math.inf,
     )  # fmt: skip
 
 
