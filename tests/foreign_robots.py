@@ -90,6 +90,7 @@ class Course:
     excitation: float = 0.0
     falls: bool = False
     jump: float = math.inf  # [s] when the wheel's reference jumps by 2 rad
+    stiff: tuple[float, float] = (math.inf, 0.0)  # [s, N m] from when on each motor has so much more dry friction
 
 
 State = tuple[float, float, float, float]
@@ -149,6 +150,8 @@ def logged(bot: Bot, course: Course, seed: int = 0) -> dict[str, Array]:
     for k in range(round((start + course.free + (2.0 if course.falls else 0.0)) / bot.period)):
         t = k * bot.period
         free = t - start
+        if free >= course.stiff[0]:
+            bot, course = replace(bot, dry=bot.dry + course.stiff[1]), replace(course, stiff=Course.stiff)
         gyro = past[max(-len(past), -1 - late)] + bot.offset + rng.normal(0, bot.noise)
         psi, _, wheel, _ = state
         ticks = (wheel - psi) / math.tau * bot.ticks

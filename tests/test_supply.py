@@ -9,10 +9,11 @@ import pytest
 
 from foreign_robots import Bot, Course, known, logged, metric
 from upright.diagnose.evidence import gather
-from upright.diagnose.fault_fits import with_pushes
+from upright.diagnose.fault_fits import FaultFit, with_pushes
 from upright.diagnose.forces import refined
 from upright.diagnose.innovations import follow
 from upright.diagnose.pushed import LEAVES
+from upright.diagnose.remedy import followed
 from upright.diagnose.supply import BATTERY, as_shown, of_supply, with_supply
 from upright.diagnose.usual import window_of
 from upright.robots import Kit, Robot
@@ -82,3 +83,16 @@ def test_a_push_on_a_robot_with_another_battery_needs_no_fault() -> None:
         bank = window.bank(run)
         nis.append(refined(run, with_pushes(bank), window, bank).nis)
     assert nis[0] < LEAVES < 5 * LEAVES < nis[1]
+
+
+def test_friction_holds_a_resting_wheel() -> None:
+    """Both motors grow stiff by 0.3 of what they give at most. With its true numbers the filter leaves noise, which
+    counts up to `LEAVES`; friction that is smooth about rest let wheels creep, and left a NIS of 4.0."""
+    bot = replace(HEAVY, battery=8.0, late=0.0)  # as the kit has them
+    since, torque = 1.5, 0.3 * bot.gain * bot.battery
+    log = of_bot(bot, Course(free=5.0, falls=True, stiff=(since, torque)), 3, 0.7)
+    run, end = follow(log, known(bot), KIT), float(log.t[-1])
+    freed = followed(run, end, FaultFit(fault="friction", way="both", onset=since, size=torque / bot.gain))
+    assert freed is not None
+    left, before = (float(np.mean(one.between(since, end).whitened ** 2)) for one in (freed, run))
+    assert left < LEAVES < 50 * LEAVES < before

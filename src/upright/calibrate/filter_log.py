@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 KNOWN_WELL = 0.03  # of the commands: process noise from which that of a log is learnt
 MOST = 1e6  # of a variance, over the one from which it is learnt
+NEVER_STIFF = (math.inf, 0.0)  # [s, N m]
 NO_STICKING = {STICKING: -math.inf}  # the motors' noise holds it
 
 Array = NDArray[np.float64]
@@ -113,11 +114,19 @@ class Follower:
     @cached_property
     def _robot(self) -> tuple[RobotLanes, Array]:
         """What the predictor takes of the robot, and how each sensor reads the state."""
+        lanes = self._lanes(self.problem)
+        return lanes, lanes.reads[:, :, 0]
+
+    def _lanes(self, problem: Problem) -> RobotLanes:
         from upright.calibrate.predictor import WIDE
 
-        recording, problem = self.recording, self.problem
-        lanes = problem.lanes(recording, np.repeat(self._none[:, None], WIDE, axis=1))
-        return lanes, lanes.reads[:, :, 0]
+        return problem.lanes(self.recording, np.repeat(self._none[:, None], WIDE, axis=1))
+
+    def _stiff(self, friction: float) -> RobotLanes:
+        """The robot with so much more dry friction in each motor [N m]."""
+        robot = self.problem.robot
+        stiff = robot.replace(coulomb_friction=max(0.0, robot.coulomb_friction + friction))
+        return self._lanes(replace(self.problem, robot=stiff))
 
     @cached_property
     def _usual(self) -> _Order:
@@ -160,15 +169,20 @@ class Follower:
         return path
 
     def along(
-        self, commands: Array | None = None, values: Array | None = None, when: Array | None = None
+        self,
+        commands: Array | None = None,
+        values: Array | None = None,
+        when: Array | None = None,
+        stiff: tuple[float, float] = NEVER_STIFF,
     ) -> FilteredLog:
         """The filter along the recording, or one with these `commands` (rows, 2), `values` (events,) of its readings,
-        NaN of those that say nothing, and times `when` (events,) [s] of its events."""
+        NaN of those that say nothing, and times `when` (events,) [s] of its events, of a robot that from a time [s] on
+        is `stiff` by so much more dry friction in each motor [N m]."""
         recording, (_, reads) = self.recording, self._robot
         commands = recording.commands if commands is None else np.ascontiguousarray(commands)
         order = self._usual if when is None else self._ordered(when)
         values = recording.value if values is None else values
-        path = self._again(order, commands, values, recording.when if when is None else when)
+        path = self._again(order, commands, values, recording.when if when is None else when, stiff)
         e, after = path.e[order.events], path.states[order.events]
         end = _lost(order.row, e, after)
         return FilteredLog(
@@ -179,7 +193,9 @@ class Follower:
             reads=reads,
         )  # fmt: skip
 
-    def _again(self, order: _Order, commands: Array, values: Array, when: Array) -> Followed:
+    def _again(
+        self, order: _Order, commands: Array, values: Array, when: Array, stiff: tuple[float, float]
+    ) -> Followed:
         """What the filter leaves of events of other commands, readings and times: it begins where these first differ
         from the recording's."""
         from upright.calibrate.predictor import Events, Followed, kalman_along
@@ -189,6 +205,7 @@ class Follower:
         other = (commands != recording.commands).any(axis=1)[np.where(row < 0, recording.value[events].astype(int), 0)]
         differs = (order.events != events) | ((row < 0) & other)
         differs |= (values != recording.value)[events] | (when != recording.when)[events]
+        differs |= when[events] >= stiff[0]
         first = int(differs.argmax()) if differs.any() else len(events)
         if first == len(events):
             return before
@@ -202,7 +219,8 @@ class Follower:
         for one, nothing in ((e, np.nan), (s, np.nan), (gains, 0.0), (states, 0.0)):
             one[events[start:]] = nothing
         several = Events(order.events[start:], recording.kind, when, values, commands)
-        kalman_along(several, self._robot[0], state, noise, self.problem.longest, path)
+        lanes = self._robot[0] if math.isinf(stiff[0]) else self._stiff(stiff[1])
+        kalman_along(several, lanes, state, noise, self.problem.longest, path)
         return path
 
 

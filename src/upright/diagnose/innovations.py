@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.calibrate.filter_log import FilteredLog, Follower, known
+from upright.calibrate.filter_log import NEVER_STIFF, FilteredLog, Follower, known
 from upright.calibrate.knocks import Arrays
 from upright.compiled.generated import constants
 from upright.errors import InvalidLog
@@ -106,11 +106,15 @@ class FilterRun(FilteredLog):
         return innovation / math.sqrt(self.variance[i])
 
     def again(
-        self, commands: Array | None, log: Log | None = None, delayed: tuple[float, float, float] = IN_TIME
+        self,
+        commands: Array | None,
+        log: Log | None = None,
+        delayed: tuple[float, float, float] = IN_TIME,
+        stiff: tuple[float, float] = NEVER_STIFF,
     ) -> FilterRun:
         """The run of the same log with these commands (samples, 2) at the motors (None: those of the log), or of a
         `log` with other readings in the same rows; from a time on [s], all commands, and all readings, are `delayed` by
-        more time [s] than the kit has it."""
+        more time [s] than the kit has it, and both wheels `stiff` by more dry friction [N m]."""
         own = self.follower.recording
         if commands is not None and len(own.commands) > len(commands):
             more = len(own.commands) - len(commands)
@@ -124,6 +128,7 @@ class FilterRun(FilteredLog):
             commands,
             values=values,
             delayed=delayed,
+            stiff=stiff,
             kept=self.kept,
         )
 
@@ -178,13 +183,14 @@ def _read(follower: Follower, log: Log, kit: Kit) -> Array:
 
 def _run(
     follower: Follower, kit: Kit, log: Log, asked: Array, commands: Array | None = None, *,
-    values: Array | None = None, delayed: tuple[float, float, float] = IN_TIME, kept: Array | None = None,
+    values: Array | None = None, delayed: tuple[float, float, float] = IN_TIME,
+    stiff: tuple[float, float] = NEVER_STIFF, kept: Array | None = None,
 ) -> FilterRun:  # fmt: skip
     recording, (since, commanded, readings), when = follower.recording, delayed, None
     if commanded or readings:
         shift = np.where(recording.kind < 0, commanded, -readings)
         when = recording.when + np.where(recording.when >= since - 1e-9, shift, 0.0)
-    path = follower.along(commands, values, when)
+    path = follower.along(commands, values, when, stiff)
     # a command stands in the log with the readings of its time
     on = recording.when[recording.kind < 0][path.sample] >= since - 1e-9
     run = FilterRun(

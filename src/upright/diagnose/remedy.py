@@ -10,12 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.diagnose.changes import MOTORS, channels_of, dead_motors, drag, lost_command
-from upright.diagnose.fall import without
+from upright.diagnose.fall import limit, without
 from upright.diagnose.fault_fits import FaultFit, dearer, remaining, with_pushes
-from upright.diagnose.innovations import IN_TIME, FilterRun, follow
+from upright.diagnose.innovations import IN_TIME, NEVER_STIFF, FilterRun, follow
 from upright.diagnose.signatures import YOUNGEST, Bank, bank, beside, channels, finer, pushing, unknown_parameters
 from upright.diagnose.sizes import possible
 from upright.errors import InvalidLog
+from upright.physics.dynamics import motor_gain
 from upright.signals import Log
 
 Array = NDArray[np.float64]
@@ -27,6 +28,7 @@ COMMAND_FAULTS = ("weak", "delay", "motor", "friction")
 
 CHARGES = (0.05, 0.15, 0.3, 0.5, 0.7)  # fractions of the battery's voltage that are tried first
 DELAYS = (1.0, 2.0, 3.5, 5.0, 7.0, 10.0)  # periods that are tried first
+HELD = (0.1, 0.3, 0.6)  # of the largest command, by which dry friction holds both wheels, that are tried first
 LONGEST = 20.0  # periods: a loop whose commands arrive later does not run, which lost rows show
 FADE, FADE_PRICE = 0.4, 1  # [s] in which a battery breaks down that are tried first, and its free number
 WEAKEST, STRONGEST = 0.03, 0.97  # of a battery's voltage
@@ -65,11 +67,14 @@ def remedied(run: FilterRun, *fits: FaultFit) -> FilterRun | None:
             run, log = follow(log, run.robot, run.kit, run.kept), None
         except InvalidLog:  # of a sensor beyond its range in all rows nothing is left
             return None
-    sent = None
+    sent, stiff = None, NEVER_STIFF
     for fit in fits:
-        if fit.fault in COMMAND_FAULTS:
+        if (fit.fault, fit.way) == ("friction", "both"):
+            stiff = fit.onset, fit.size * motor_gain(run.robot)
+        elif fit.fault in COMMAND_FAULTS:
             sent, delayed = _sent(run if log is None else replace(run, log=log), fit, sent), _in_time(run, fits)
-    return run if log is None and sent is None else run.again(sent, log, delayed)
+    unchanged = log is None and sent is None and stiff == NEVER_STIFF
+    return run if unchanged else run.again(sent, log, delayed, stiff)
 
 
 def followed(run: FilterRun, end: float, *fits: FaultFit) -> FilterRun | None:
@@ -190,9 +195,11 @@ def lately(run: FilterRun, window: Window) -> FilterRun:
 
 
 def searched(run: FilterRun, window: Window) -> list[FaultFit]:
-    """A weak battery of either kind and a longer delay, each of the size and onset with the smallest innovations; their
-    scores are not yet exact."""
+    """A weak battery of either kind, a longer delay, dead motors and both wheels held by dry friction, each of the size
+    and onset with the smallest innovations; their scores are not yet exact."""
+    most = limit(run.robot, run.kit, run.asked)
     faults = (*BATTERY_OR_DELAY, *((FaultFit(fault="motor", way=way), (1.0,)) for way in dead_motors(run)))
+    faults += ((FaultFit(fault="friction", way="both"), tuple(part * most for part in HELD)),)
     recent = lately(run, window)
     return [_searched(recent, window, *fault) for fault in faults]
 
@@ -357,9 +364,10 @@ def sharpened(run: FilterRun, fits: Sequence[FaultFit], window: Window, against:
     exact_ones = [*offsets, *(moved(run, [[fit]], window)[0] for fit in offsets if fit.way == "step")]
     exact_ones += [fit for fit in fits if fit.fault == "scale" and fit.score > fits[0].score - BEHIND][:MOST_SCALES]
     exact_ones += [fit for fit in fits if fit.fault in ("weak", "delay")]
+    exact_ones += [fit for fit in fits if fit.fault == "friction" and not len(fit.rest)]
     alone = sorted((fit for fit in fits if fit.fault == "motor" and not len(fit.rest)), key=lambda fit: fit.nis)
     exact_ones += alone[:MOST_MOTORS] + [fit for fit in fits if fit.fault == "motor" and len(fit.rest)][:1]
-    stiff = [fit for fit in fits if fit.fault == "friction" and fit.size > 0][:1]
+    stiff = [fit for fit in fits if fit.fault == "friction" and fit.size > 0 and len(fit.rest)][:1]
     rest = [fit for fit in fits if not any(fit is one for one in (*exact_ones, *stiff))]
     exact_ones += [moved(run, [[fit]], window)[0] for fit in stiff]
     exactly = [exact(run, fit, window, against) for fit in exact_ones]
