@@ -91,6 +91,7 @@ def _last_questions(monkeypatch: pytest.MonkeyPatch) -> None:
 def left_over(**motors: Any) -> dict[str, float]:
     """The likelihoods of a sound robot whose motors were used so."""
     use = {"saturated": 0.0, "pegged": 0.0, "stuck": False, "held": None, "swings": 0.8, "help": math.nan, "speed": 0.3}
+    use["half_swing"] = math.nan
     demand = motors.pop("demand", None)
     none: Any = SimpleNamespace(fault="none", pushes=(), score=0.0, nis=0.7, rest=np.zeros(0), explained=0.0)
     log = Log(np.arange(0.0, 6.0, 0.01), {"sensor/gyro": np.zeros(600)})
@@ -109,6 +110,9 @@ def test_commands_that_stay_small_are_no_gain_that_is_too_high() -> None:
     assert left_over(help=-0.06)[LOW] > 0.5 > left_over(help=-0.06)[HIGH]
     assert left_over(saturated=0.8)[HIGH] > 0.5
     assert left_over(swings=12.0, help=0.5)[HIGH] > 0.5
+    # full commands that swing: a gain that is too high swings faster than at twice the pole, or 1.57 e-folds each way
+    assert left_over(saturated=0.8, half_swing=0.4)[HIGH] > 0.5
+    assert left_over(saturated=0.8, half_swing=2.8)[LOW] > 0.5
 
 
 @pytest.mark.usefixtures("_last_questions")

@@ -23,6 +23,7 @@ from upright.diagnose.fall import (
     falling,
     far_from_zero,
     frozen_rows,
+    half_swing,
     held_command,
     last_fall,
     limit,
@@ -363,6 +364,7 @@ def _motor_use(run: FilterRun, w: Array, end: float) -> MotorUse:
         swings=float((np.diff(np.sign(recent)) != 0).sum()) / excursion,
         help=float(np.median(helped)) if len(free) >= FEWEST_FREE else math.nan,
         speed=_speed(run, motors, inside & (motors.t > end - 2 * excursion)),
+        half_swing=half_swing(motors, falling(run.robot).pole, end),
     )
 
 

@@ -34,6 +34,7 @@ RUN_UP, CONTACT, HELD = 0.2, 0.03, 0.1  # [s] before a contact, of its beginning
 GIVES, THROWN = 0.6, 0.6  # of the way that the robot would have gone on: how far it may go, and be thrown back
 USUALLY_HELD = 3.0  # times the longest that a command was held before: a loop may do so near rest
 ANSWERED = 0.1  # of the largest command, by which what stops the fall changes: any law that balances answers that
+LAST_SWINGS, CLEARLY = 12.0, 0.05  # e-folds before the fall whose swings count, and of the largest command, one
 SAME_DUTY = 1e-9  # [1] between two duties that are the same
 QUICK = 4.75  # [1/s] of falling, from which the times of this package in seconds hold; a slower robot has more
 CLIPPED_GRAINS = 5  # steps of a reading from zero, below which rows repeat each other by chance
@@ -301,6 +302,16 @@ def held_command(run: FilterRun, motors: Authority, end: float, seconds: float) 
     answered = max(ANSWERED, USUALLY_HELD * float(np.median(changes[earlier])))
     stood = lengths[i] > least and changes[i] > answered and abs(needed[edges[i]]) < 1
     return (float(starts[i]), float(stops[i])) if stood else None
+
+
+def half_swing(motors: Authority, pole: float, end: float) -> float:
+    """How long the commands went one way at a time in the last swings before `end` [s], over the time in which the
+    robot falls e-fold, 1/`pole` (median); NaN where they did not swing."""
+    rows = (motors.t <= end) & (np.abs(motors.command) > CLEARLY)
+    t, way = motors.t[rows], np.sign(motors.command[rows])
+    turns = t[1:][np.diff(way) != 0]
+    turns = turns[turns > end - LAST_SWINGS / pole]
+    return float(np.median(np.diff(turns))) * pole if len(turns) > 1 else math.nan
 
 
 def _repeated(run: FilterRun) -> Mask:

@@ -7,6 +7,10 @@ from dataclasses import dataclass
 
 from upright.diagnose.fault_fits import PushEstimate
 
+SLOWLY = math.pi / 2
+"""E-folds of falling that commands go one way at a time, from which a gain is not too high. A loop that holds a robot
+whose pole is λ crosses over at 2 λ or more, and one of too high a gain swings faster than that: π/(2 λ) each way."""
+
 
 @dataclass(frozen=True)
 class Toppling:
@@ -33,13 +37,14 @@ class Toppling:
         return abs(self.lean(push)) / self.largest * -math.expm1(-grown) / grown
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class MotorUse:
     """How the motors were used before the fall: fraction of the last excursion at the limit (`saturated`) and of the
     last second (`pegged`), whether no command changed (`stuck`) or from when to when one was `held` short of the limit
     [s], changes of the command's sign a second (`swings`), and the median of what they gave over what would have
     stopped the fall, where they had more (`help`). Last the largest rate of a wheel while the robot was `UPRIGHT`, over
-    that at which full commands give no torque (`speed`)."""
+    that at which full commands give no torque (`speed`), and how many e-folds of falling the commands went one way at a
+    time in the last swings (`half_swing`, NaN without swings)."""
 
     saturated: float
     pegged: float
@@ -48,6 +53,7 @@ class MotorUse:
     swings: float
     help: float
     speed: float = 0.0
+    half_swing: float = math.nan
 
 
 @dataclass(frozen=True)

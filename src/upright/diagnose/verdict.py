@@ -53,6 +53,7 @@ from upright.diagnose.chances import (
 from upright.diagnose.evidence import FOREIGN, Evidence
 from upright.diagnose.facts import FACT, TEMPER, Answer, changed_gain, lost_rows, stuck, stuck_sensor
 from upright.diagnose.fault_fits import FaultFit, PushEstimate
+from upright.diagnose.measured import SLOWLY
 from upright.diagnose.pairs import Pair
 from upright.diagnose.remedy import acts_from
 from upright.diagnose.sizes import possible, slight
@@ -373,7 +374,8 @@ def _weak_or_wild(evidence: Evidence) -> list[Answer]:
         text = f"{sound(evidence)}, the commands are the file's, and {at_limit(evidence)}"
         return [Answer(AT_LIMIT, SATURATION, since, text)] if motors.saturated > SATURATED else []
     large = motors.saturated > 0 and not 0.0 < motors.help < 1.0  # as the commands of a gain that is too high are
-    low = 1 - CLEAR if large or motors.swings >= SWINGS or math.isfinite(evidence.slid) else CLEAR
+    wild = (large or motors.swings >= SWINGS) and not motors.half_swing > SLOWLY
+    low = 1 - CLEAR if wild or math.isfinite(evidence.slid) else CLEAR
     gain = GAIN_WITHOUT_FILE if match is None else GAIN_WITH_FILE
     if since < evidence.run.log.t[0]:  # the log begins while it falls: neither swings nor what came before show
         gain *= IN_PART
@@ -389,12 +391,9 @@ def _weak_or_wild(evidence: Evidence) -> list[Answer]:
 
 QUESTIONS: tuple[Callable[[Evidence], list[Answer]], ...] = (
     stuck, stuck_sensor, changed_gain, lost_rows, thrown_over, pushed_already, _two, driven_into, _none,
-    _changed_robot, pushed, _steady_load, _demanded, _out_of_speed, _run_down,
-    _weak_or_wild,
+    _changed_robot, pushed, _steady_load, _demanded, _out_of_speed, _run_down, _weak_or_wild,
 )  # fmt: skip
 
-OF_THE_MODEL = frozenset(
-    (pushed_already, _two, driven_into, _none, _changed_robot, pushed, _steady_load, _out_of_speed)
-)
+OF_THE_MODEL = {pushed_already, _two, driven_into, _none, _changed_robot, pushed, _steady_load, _out_of_speed}
 """Questions to the innovations of a model that describes the robot. Those of another robot's model are largest where
 the robot moves most, so in the fall, and look like whatever grows with the motion."""

@@ -14,7 +14,7 @@ from upright.diagnose.changes import PART, channels_of
 from upright.diagnose.evidence import FOREIGN, Evidence
 from upright.diagnose.fall import LEANING
 from upright.diagnose.fault_fits import FaultFit, PushEstimate
-from upright.diagnose.measured import Demand
+from upright.diagnose.measured import SLOWLY, Demand
 from upright.diagnose.sizes import turned
 from upright.diagnose.supply import as_shown
 from upright.diagnose.thrown import Throw
@@ -168,6 +168,12 @@ def of_demand(evidence: Evidence, demand: Demand) -> str:
 
 
 def of_low(evidence: Evidence) -> str:
+    half, pole = evidence.motors.half_swing, evidence.toppling.pole
+    if half > SLOWLY:
+        return (
+            f"{sound(evidence)}, and the fall grew in slow swings: commands went one way for {half / pole:.2g} s, "
+            f"and the robot falls e-fold in {1 / pole:.2g} s. A gain that is too high swings faster than it falls"
+        )
     gave = "the motors had torque left"
     if math.isfinite(evidence.motors.help):
         gave = f"the motors gave {evidence.motors.help:.2g} of the torque that stops the fall, and had more"
