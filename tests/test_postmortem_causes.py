@@ -13,8 +13,9 @@ from upright.arrays import Array
 from upright.diagnose import chances, verdict
 from upright.diagnose.causes import HIGH, LOW
 from upright.diagnose.evidence import EXCURSION, KNOWN_TO, Evidence
-from upright.diagnose.fall import Authority, falling, held_command, pace, wheel_rates
-from upright.diagnose.fault_fits import PushEstimate
+from upright.diagnose.fall import Authority, falling, half_swing, held_command, pace, wheel_rates
+from upright.diagnose.fault_fits import FaultFit, PushEstimate
+from upright.diagnose.joint import _Joint
 from upright.diagnose.measured import Demand, Toppling
 from upright.diagnose.slip import slid_at
 from upright.physics.dynamics import motor_gain
@@ -174,3 +175,25 @@ def test_the_rate_of_a_wheel_is_that_over_several_of_its_encoder_s_steps() -> No
     names = ("sensor/encoder_left", "sensor/encoder_right")
     log = Log(t, dict.fromkeys(names, degree * np.floor(5.0 * t / degree)), dict.fromkeys(names, "rad"))
     assert wheel_rates(log, t[10:]) == pytest.approx(np.full(90, 5.0), abs=degree / 0.05)
+
+
+def test_dry_friction_is_never_less_than_none() -> None:
+    """A file that states too much of it had "a dry friction of −0.016 N m, which is more than robots meet" (0.11)."""
+    fit, end = FaultFit(fault="friction", way="both", onset=1.0, size=0.1), 3.0
+    recent: Any = SimpleNamespace(log=SimpleNamespace(t=np.arange(0.0, end, PERIOD)))
+    window: Any = SimpleNamespace(end=end)
+    known: Any = {(1.0, 0.0): None, (1.0, 0.3): None}  # no filter is asked
+    joint = _Joint(recent, window, (fit,), fit, np.zeros((0, 0)), known)
+    assert joint.inside(np.array([1.0, -0.5])).tolist() == [1.0, 0.0]
+    assert joint.inside(np.array([1.0, 0.3])).tolist() == [1.0, 0.3]
+
+
+def test_a_swing_goes_one_way_for_half_of_its_period() -> None:
+    """Of ω over a pole λ, π λ/ω e-folds; to a row, since a sign changes between two. The last 12 e-folds count."""
+    t: Array = np.arange(0.0, 20.0, PERIOD)
+    pole = 4.0
+    for ratio in (0.7, 3.0):
+        motors = Authority(t, np.sin(ratio * pole * t), np.zeros(len(t)), np.zeros(len(t)), np.zeros((len(t), 6)))
+        assert half_swing(motors, pole, 19.0) == pytest.approx(math.pi / ratio, abs=PERIOD * pole)
+    still = Authority(t, np.sin(pole * t) * (t < 10.0), np.zeros(len(t)), np.zeros(len(t)), np.zeros((len(t), 6)))
+    assert math.isnan(half_swing(still, pole, 19.0))

@@ -70,7 +70,7 @@ def of_bot(bot: Bot, course: Course, seed: int, floor: float) -> Log:
 
 
 def test_a_push_on_a_robot_with_another_battery_needs_no_fault() -> None:
-    """Commands of 11.7 V, cut to the kit's 8 V, left what encoders that show 1.5 times the motion would: the post-mortem
+    """Commands of 11.7 V, cut to the kit's 8 V, left what encoders of 1.5 times the motion would: the post-mortem
     said so at 0.87. A push alone has to leave no more than noise, which counts up to `LEAVES`."""
     log, robot = of_bot(HEAVY, Course(free=2.5, pushes=((1.5, 1.6, 12.6),), falls=True), 77, 0.7), known(HEAVY)
     before, fall = gather(log.between(0.0, 1.4), robot, KIT, None, lambda _: None)

@@ -117,6 +117,7 @@ class _Joint:
         x, limits = x.copy(), list[tuple[float, float]]()
         for fit in self.several:
             whole = {"weak": (WEAKEST, STRONGEST), "delay": (LEAST_DELAY, LONGEST), "scale": _scales(fit)}
+            whole |= {"friction": (0.0, math.inf)}
             known = {
                 "onset": (float(self.recent.log.t[0]), self.window.end - YOUNGEST),
                 "size": whole.get(fit.fault, (-math.inf, math.inf)), "rise": (SHORTEST_RISE, math.inf),
