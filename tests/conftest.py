@@ -171,7 +171,50 @@ def patient(browser: Any) -> Any:
         return made
 
     browser.new_context, browser.new_page = context, lambda **options: context(**options).new_page()
+    browser.left = {}
     return browser
+
+
+def listening(page: Any) -> Any:
+    """The page, which notes what it asks for, and what errors it has and logs."""
+    page.on("request", lambda request: page.asked.append(request.url))
+    page.on("pageerror", lambda error: page.wrong.append(str(error)))
+    page.on("console", lambda message: page.wrong.append(message.text) if message.type == "error" else None)
+    return page
+
+
+@pytest.fixture
+def lend(request: pytest.FixtureRequest) -> Iterator[Any]:
+    """`lend(browser, width, height, **options)`: a page as new, with nothing stored, in a context of its own. What it
+    asked for is in `asked`, its errors in `wrong`.
+
+    It is a page that another test has left, if there is one: for a new one the browser starts three processes, two
+    seconds of work. A page on which something failed is left to nobody.
+    """
+    given: list[tuple[Any, list[Any]]] = []
+    failed = request.session.testsfailed
+
+    def lend(browser: Any, width: int = 1280, height: int = 720, scheme: str = "light", **options: Any) -> Any:
+        left = browser.left.setdefault(repr(sorted(options.items())), [])
+        page = left.pop() if left else listening(browser.new_context(**options).new_page())
+        given.append((page, left))
+        page.asked, page.wrong = [], []
+        page.set_viewport_size({"width": width, "height": height})
+        page.emulate_media(color_scheme=scheme, reduced_motion="no-preference")
+        return page
+
+    yield lend
+    for page, left in given:
+        if page.is_closed():
+            continue
+        if request.session.testsfailed > failed:
+            page.context.close()
+            continue
+        page.evaluate("for (const kept of [localStorage, sessionStorage]) kept.clear()")
+        page.context.clear_cookies()
+        page.mouse.move(-9, -9)  # over nothing
+        page.goto("about:blank")
+        left.append(page)
 
 
 @pytest.fixture(scope="module")

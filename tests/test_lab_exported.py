@@ -48,21 +48,15 @@ LEANT = "upright.store.traces.t.some((t, k) => t > {} && upright.store.traces.x[
 
 
 @pytest.fixture
-def page(browser: Any, site: Path) -> Iterator[Any]:
+def page(browser: Any, site: Path, lend: Any) -> Iterator[Any]:
     """The page, opened from its folder by a browser without network; it asks for nothing but itself."""
-    context = browser.new_context(viewport={"width": 1366, "height": 768}, offline=True)
-    made = context.new_page()
-    asked: list[str] = []
-    wrong: list[str] = []
-    made.on("request", lambda request: asked.append(request.url))
-    made.on("pageerror", lambda error: wrong.append(str(error)))
+    made = lend(browser, 1366, 768, offline=True)
     made.goto(site.as_uri())
     made.wait_for_function("window.upright?.page.drawnFirst")
     made.evaluate("upright.page.open('Controller')")  # a newcomer's page begins with the tour
     yield made
-    context.close()
-    assert [url for url in asked if not url.startswith((site.as_uri(), "data:"))] == []
-    assert wrong == []
+    assert [url for url in made.asked if not url.startswith((site.as_uri(), "data:"))] == []
+    assert made.wrong == []
 
 
 def send(page: Any, **message: Any) -> None:
@@ -259,10 +253,9 @@ def test_the_tour_has_the_steps_that_need_no_python(page):
 
 
 @marked
-def test_a_phone_does_the_tour_where_it_is_read(browser, site):
+def test_a_phone_does_the_tour_where_it_is_read(browser, site, lend):
     """What a step names is in its card, and does what the real control does; a tap makes a curve large."""
-    context = browser.new_context(viewport={"width": 390, "height": 844}, has_touch=True, offline=True)
-    page = context.new_page()
+    page = lend(browser, 390, 844, has_touch=True, offline=True)
     page.goto(site.as_uri())
     page.wait_for_function("window.upright?.page.drawnFirst")
     page.click("[data-key=invitation]")
@@ -290,7 +283,6 @@ def test_a_phone_does_the_tour_where_it_is_read(browser, site):
         page.click("[data-key=tour-next]")
     page.click("[data-key=act-tilt]")
     page.wait_for_function("upright.store.last.push?.[0] === 'tilt'")
-    context.close()
 
 
 @marked
@@ -462,8 +454,8 @@ def test_what_needs_python_says_so_with_its_command(page):
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @marked
-def test_axe_core_finds_nothing_serious_in_any_tab(browser, site, axe, scheme):
-    page = browser.new_page(color_scheme=scheme)
+def test_axe_core_finds_nothing_serious_in_any_tab(browser, site, axe, lend, scheme):
+    page = lend(browser, scheme=scheme, offline=True)
     page.goto(site.as_uri())
     page.wait_for_function("window.upright?.page.drawnFirst")
     page.add_script_tag(path=str(axe))
@@ -473,7 +465,6 @@ def test_axe_core_finds_nothing_serious_in_any_tab(browser, site, axe, scheme):
         for rule in page.evaluate("axe.run().then((result) => result.violations)"):
             if rule["impact"] in ("serious", "critical"):
                 serious += [f"{tab}: {rule['id']}: {node['html'][:200]}" for node in rule["nodes"]]
-    page.close()
     assert not serious
 
 

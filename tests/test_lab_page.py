@@ -27,6 +27,7 @@ from upright.signals import Log
 pytestmark = [pytest.mark.needs("chromium", "module:playwright"), pytest.mark.slow]
 
 FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
+WINDOW = (900, 640)  # [px]
 WEB = Path(__file__).resolve().parents[1] / "src" / "upright" / "lab" / "web"
 
 
@@ -85,34 +86,27 @@ def chromium(driver: Any) -> Iterator[Any]:
 
 
 @pytest.fixture
-def seen(driver: Any, lab: Lab) -> Iterator[Any]:
+def seen(driver: Any, lab: Lab, lend: Any) -> Iterator[Any]:
     """A page in a browser that draws the room, in software."""
     browser = driver.chromium.launch(executable_path="/usr/bin/chromium", args=FLAGS)
-    yield from watched(patient(browser), lab)
+    yield from watched(lend(patient(browser), *WINDOW), lab)
     browser.close()
 
 
 @pytest.fixture
-def page(chromium: Any, lab: Lab) -> Iterator[Any]:
+def page(chromium: Any, lab: Lab, lend: Any) -> Iterator[Any]:
     """A fresh page on the lab."""
-    yield from watched(chromium, lab)
+    yield from watched(lend(chromium, *WINDOW), lab)
 
 
-def watched(browser: Any, lab: Lab) -> Iterator[Any]:
+def watched(page: Any, lab: Lab) -> Iterator[Any]:
     """A page that has heard from its session; it may ask no other host and log no error."""
-    context = browser.new_context(viewport={"width": 900, "height": 640}, accept_downloads=True)
-    made = context.new_page()
-    asked, wrong = [], []
-    made.on("request", lambda request: asked.append(request.url))
-    made.on("pageerror", lambda error: wrong.append(str(error)))
-    made.on("console", lambda message: wrong.append(message.text) if message.type == "error" else None)
-    made.goto(lab.url)
-    ready(made)
-    yield made
-    context.close()
-    assert [url for url in asked if not url.startswith((lab.url, "data:", "blob:"))] == []
+    page.goto(lab.url)
+    ready(page)
+    yield page
+    assert [url for url in page.asked if not url.startswith((lab.url, "data:", "blob:"))] == []
     harmless = ("WebSocket", "ERR_CONNECTION", "WebGL")
-    assert [text for text in wrong if not any(word in text for word in harmless)] == []
+    assert [text for text in page.wrong if not any(word in text for word in harmless)] == []
 
 
 def until(page: Any, expression: str, wanted: Callable[[Any], bool] = bool) -> Any:
@@ -396,16 +390,14 @@ def test_a_log_is_uploaded_and_a_report_downloaded(page, tmp_path):
     assert page.locator(".comparison a").count() == 2  # and it stays there
 
 
-def test_a_recording_replays_without_a_server(page, chromium, tmp_path):
+def test_a_recording_replays_without_a_server(page, chromium, lend, tmp_path):
     page.click("[data-key=impulse]")
     until(page, "upright.store.snapshot.t > 1.5")
     tab(page, "Keep")
     with page.expect_download() as fetched:
         page.click("[data-key=keep-replay]")
     fetched.value.save_as(tmp_path / "replay.html")
-    alone = chromium.new_context(viewport={"width": 700, "height": 500}, offline=True).new_page()
-    wrong: list[str] = []
-    alone.on("pageerror", lambda error: wrong.append(str(error)))
+    alone = lend(chromium, 700, 500, offline=True)
     alone.goto((tmp_path / "replay.html").as_uri())
     until(alone, "upright.store.snapshot?.t > 0.3")
     assert alone.inner_text(".status") == "Recording"
@@ -417,8 +409,7 @@ def test_a_recording_replays_without_a_server(page, chromium, tmp_path):
     until(alone, "upright.store.snapshot", lambda s: s["t"] >= whole / 2 - 0.05 and not s["paused"])
     alone.click("[data-key=pause]")
     until(alone, "upright.store.snapshot.paused")
-    assert wrong == []
-    alone.context.close()
+    assert alone.wrong == []
 
 
 def test_a_reload_and_a_restart_of_the_server_are_survived(page, lab):
@@ -438,7 +429,7 @@ def test_a_reload_and_a_restart_of_the_server_are_survived(page, lab):
     assert setup(page)["controller"] == "lqi"
 
 
-def test_a_link_restores_the_whole_setup(page, chromium, lab):
+def test_a_link_restores_the_whole_setup(page, chromium, lab, lend):
     page.evaluate("upright.store.change({controller: 'lqi', payload: 0.05, slope: 0.05, numbers: {body_mass: 0.65}})")
     until(page, "upright.store.changed.setup.controller === 'lqi'")
     tab(page, "Keep")
@@ -446,12 +437,11 @@ def test_a_link_restores_the_whole_setup(page, chromium, lab):
     page.click("[data-key=link]")
     assert "on this computer. For others, start the lab with upright lab --class" in page.inner_text(".toast")
     address = page.input_value(".address")
-    other = chromium.new_context().new_page()
+    other = lend(chromium)
     other.goto(address)
     ready(other)
     until(other, "upright.store.changed.setup", lambda restored: restored == setup(page))
     until(other, "upright.store.last.push?.join()", lambda push: push == "impulse,0.05")  # the knock is repeated
-    other.context.close()
 
 
 def test_a_link_of_an_exported_page_opens_here(page, chromium, lab):
@@ -470,9 +460,9 @@ def test_a_link_of_an_exported_page_opens_here(page, chromium, lab):
     assert "'nobody'" in page.locator(".toast.error").last.inner_text()
 
 
-def test_a_newcomer_is_shown_the_tour(chromium, lab):
+def test_a_newcomer_is_shown_the_tour(chromium, lab, lend):
     """Open beside the robot on a laptop; on a phone, where it is below, a button in the room leads there. Once."""
-    page = chromium.new_context(viewport={"width": 390, "height": 844}).new_page()
+    page = lend(chromium, 390, 844)
     page.goto(lab.url)
     until(page, "Boolean(document.querySelector('.tour'))")
     assert page.locator("[role=tab]").first.get_attribute("aria-selected") == "true"
@@ -503,7 +493,6 @@ def test_a_newcomer_is_shown_the_tour(chromium, lab):
     page.click(".fell button")  # as is what stands it up again
     until(page, "!document.querySelector('.fell').textContent")
     assert page.locator(".scene.pinned").count() == 1
-    page.context.close()
 
 
 def test_the_keyboard_alone_does_it(page):
@@ -815,14 +804,15 @@ def test_the_equations_with_their_numbers_are_those_of_the_dynamics(page):
         assert left == pytest.approx(right, rel=0.01), line
 
 
-def test_nothing_moves_for_who_asked_for_less_motion(chromium, lab):
+def test_nothing_moves_for_who_asked_for_less_motion(chromium, lab, lend):
+    page = lend(chromium)
     for wish, moves in (("reduce", False), ("no-preference", True)):
-        page = chromium.new_context(reduced_motion=wish).new_page()
+        page.emulate_media(reduced_motion=wish)
+        page.goto("about:blank")
         page.goto(lab.url)
         ready(page)
         style = page.evaluate("getComputedStyle(document.querySelector('[data-key=pause]')).transitionDuration")
         assert (style != "0s") == moves
-        page.context.close()
 
 
 @pytest.mark.parametrize("size", [(390, 844), (844, 390), (1440, 900), (1920, 1080), (2560, 1440)])
@@ -858,16 +848,14 @@ def test_from_phone_to_wall_nothing_is_cut_off(page, size):
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_a_phone_shows_all_of_it_without_scrolling_sideways(chromium, lab, scheme):
-    context = chromium.new_context(viewport={"width": 360, "height": 720}, color_scheme=scheme, has_touch=True)
-    page = context.new_page()
+def test_a_phone_shows_all_of_it_without_scrolling_sideways(chromium, lab, lend, scheme):
+    page = lend(chromium, 360, 720, scheme, has_touch=True)
     page.goto(lab.url)
     ready(page)
     assert page.evaluate("document.documentElement.dataset.theme") == scheme
     for name in ("Controller", "Robot", "See", "Identify", "Tour"):
         tab(page, name)
         until(page, "document.documentElement.scrollWidth <= 360")
-    context.close()
 
 
 def address() -> str:
@@ -933,19 +921,18 @@ def qr_parts(bits: str) -> Iterator[str]:
             yield "".join(f"{take((0, 4, 7, 10)[n]):0{n}d}" for n in groups)
 
 
-def test_a_class_in_the_browser(chromium):
+def test_a_class_in_the_browser(chromium, lend):
     lab = Lab("--class", "--host", address())
     try:
         students, teacher = re.findall(r"http://\S+", lab.said)
-        context = chromium.new_context(viewport={"width": 500, "height": 500})
-        ana = context.new_page()
+        ana = lend(chromium, 500, 500)
         ana.goto(students)
         ana.fill("#name", "=Ana")  # which a spreadsheet must not take for a formula
         ana.keyboard.press("Enter")
         ready(ana)
         assert ana.evaluate("upright.store.changed.bodies") == ["nonlinear", "linear"]
         assert "token" not in ana.url  # a link that is passed on lets nobody in
-        front = chromium.new_context(viewport={"width": 500, "height": 500}).new_page()
+        front = lend(chromium, 500, 500)
         front.goto(teacher)
         ready(front)
         tab(front, "Class")
@@ -963,8 +950,6 @@ def test_a_class_in_the_browser(chromium):
         path = front.locator(".qr path").get_attribute("d")
         dark = {(int(x), int(y)) for x, y in re.findall(r"M(\d+) (\d+)", path)}
         assert read_qr(dark) == students
-        context.close()
-        front.context.close()
     finally:
         lab.stop()
 

@@ -59,9 +59,11 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
 
 @pytest.mark.needs("npm")
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_axe_core_finds_nothing_serious(pages: dict[str, Path], browser: Any, axe: Path, scheme: str) -> None:
+def test_axe_core_finds_nothing_serious(
+    pages: dict[str, Path], browser: Any, lend: Any, axe: Path, scheme: str
+) -> None:
     """Neither on a light screen nor on a dark one, where it also measures the contrast of all letters."""
-    page = browser.new_page(color_scheme=scheme)
+    page = lend(browser, scheme=scheme)
     found: list[str] = []
     for name in KINDS:
         page.goto(pages[name].as_uri())
@@ -70,16 +72,15 @@ def test_axe_core_finds_nothing_serious(pages: dict[str, Path], browser: Any, ax
         for wrong in page.evaluate("axe.run().then((result) => result.violations)"):
             if wrong["impact"] in ("serious", "critical"):
                 found += [f"{name}: {wrong['id']}: {node['html'][:200]}" for node in wrong["nodes"]]
-    page.close()
     assert not found
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_lines_and_letters_of_a_drawing_differ_from_the_paper(
-    pages: dict[str, Path], browser: Any, scheme: str
+    pages: dict[str, Path], browser: Any, lend: Any, scheme: str
 ) -> None:
     """Letters by 4.5:1 and lines by 3:1, as WCAG 2.2 asks (1.4.3, 1.4.11), by its formula of contrast."""
-    page = browser.new_page(color_scheme=scheme)
+    page = lend(browser, scheme=scheme)
     page.goto(pages["comparison"].as_uri())
 
     def luminance(variable: str) -> float:
@@ -94,40 +95,39 @@ def test_lines_and_letters_of_a_drawing_differ_from_the_paper(
 
     least = {"soft": 4.5, "ink": 4.5, **dict.fromkeys(("axis", "c0", "c1", "c2", "c3", "c4", "c5"), 3.0)}
     weak = {name: contrast(name, "paper") for name, bar in least.items() if contrast(name, "paper") < bar}
-    page.close()
     assert not weak
 
 
 @pytest.mark.parametrize("width", WIDTHS)
 @pytest.mark.parametrize("name", KINDS)
-def test_nothing_is_wider_than_the_screen(pages: dict[str, Path], browser: Any, name: str, width: int) -> None:
-    page = browser.new_page(viewport={"width": width, "height": 900})
+def test_nothing_is_wider_than_the_screen(
+    pages: dict[str, Path], browser: Any, lend: Any, name: str, width: int
+) -> None:
+    page = lend(browser, width, 900)
     page.goto(pages[name].as_uri())
     page.evaluate("document.querySelectorAll('details').forEach((item) => { item.open = true })")
     assert page.evaluate("document.documentElement.scrollWidth") == width
     wide = "[...document.querySelectorAll('.table')].filter((t) => t.scrollWidth > t.clientWidth + 1).length"
     assert width < 1280 or page.evaluate(wide) == 0  # a phone scrolls a table by itself
-    page.close()
 
 
 @pytest.mark.parametrize("name", KINDS)
 def test_the_first_screen_has_the_picture_and_no_axis_is_a_logarithm(
-    pages: dict[str, Path], browser: Any, name: str
+    pages: dict[str, Path], browser: Any, lend: Any, name: str
 ) -> None:
-    page = browser.new_page(viewport={"width": 1280, "height": 900})
+    page = lend(browser, 1280, 900)
     page.goto(pages[name].as_uri())
     top = page.evaluate("document.querySelector('header figure svg').getBoundingClientRect().top")
     assert top < 450  # half a laptop's screen
     letters = page.evaluate("[...document.querySelectorAll('figure svg text')].map((t) => t.textContent)")
     assert not [text for text in letters if re.search(r"log|power of ten", text)]
-    page.close()
 
 
 @pytest.mark.parametrize(("width", "height"), [(1280, 900), (390, 844)])
 def test_the_first_screen_has_the_numbers_and_what_to_run_next(
-    pages: dict[str, Path], browser: Any, width: int, height: int
+    pages: dict[str, Path], browser: Any, lend: Any, width: int, height: int
 ) -> None:
-    page = browser.new_page(viewport={"width": width, "height": height})
+    page = lend(browser, width, height)
     below: dict[str, float] = {}
     for name in KINDS:
         page.goto(pages[name].as_uri())
@@ -135,12 +135,11 @@ def test_the_first_screen_has_the_numbers_and_what_to_run_next(
             box = part.bounding_box()
             if box["y"] + box["height"] > height:
                 below[name] = box["y"] + box["height"]
-    page.close()
     assert not below
 
 
-def test_a_pointer_over_a_figure_reads_its_lines(pages: dict[str, Path], browser: Any) -> None:
-    page = browser.new_page(viewport={"width": 1280, "height": 900})
+def test_a_pointer_over_a_figure_reads_its_lines(pages: dict[str, Path], browser: Any, lend: Any) -> None:
+    page = lend(browser, 1280, 900)
     page.goto(pages["comparison"].as_uri())
     box = page.evaluate("(({x, y, width, height}) => [x, y, width, height])"
                         "(document.querySelector('svg.lines').getBoundingClientRect())")  # fmt: skip
@@ -153,7 +152,6 @@ def test_a_pointer_over_a_figure_reads_its_lines(pages: dict[str, Path], browser
     time, *values = re.findall(r"-?\d+\.?\d*", text)
     assert float(time) == pytest.approx(0.5, abs=0.02)
     assert [float(value) for value in values] == pytest.approx([math.degrees(0.1)] * 3, abs=0.1)  # angles in degrees
-    page.close()
 
 
 def test_captions_are_short_sentences(pages: dict[str, Path]) -> None:

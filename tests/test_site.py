@@ -122,13 +122,8 @@ def test_the_download_is_what_pip_installs_from(site: Path) -> None:
 
 @pytest.mark.needs("chromium", "module:playwright")
 @pytest.mark.parametrize("width", [1280, 390])
-def test_in_a_browser_from_a_folder(site: Path, browser: Any, width: int) -> None:
-    page = browser.new_page(viewport={"width": width, "height": 900})
-    asked: list[str] = []
-    errors: list[str] = []
-    page.on("request", lambda request: asked.append(request.url))
-    page.on("pageerror", lambda error: errors.append(str(error)))
-    page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
+def test_in_a_browser_from_a_folder(site: Path, browser: Any, lend: Any, width: int) -> None:
+    page = lend(browser, width, 900)
     for name in SHOWN:
         page.goto((site / name).as_uri())
         assert page.evaluate("document.documentElement.scrollWidth") == width, name  # what is wide scrolls by itself
@@ -149,17 +144,16 @@ def test_in_a_browser_from_a_folder(site: Path, browser: Any, width: int) -> Non
         own = [k for k, name in enumerate(found) if ("/es/" in name or ".es." in name) == (language == "es")]
         assert own == list(range(len(own))), found
         assert "Kalman" in page.inner_text(f"#search-results li:has(a[href^='notebooks/{language}/3_lqg']) mark")
-    page.close()
-    assert not [url for url in asked if not url.startswith(("file:", "data:"))]
-    assert not errors
+    assert not [url for url in page.asked if not url.startswith(("file:", "data:"))]
+    assert not page.wrong
 
 
 @pytest.mark.needs("chromium", "module:playwright", "npm")
 @pytest.mark.parametrize(("scheme", "width"), [("light", 1280), ("dark", 390)])
 def test_axe_core_finds_nothing_serious_on_the_site(
-    site: Path, browser: Any, axe: Path, scheme: str, width: int
+    site: Path, browser: Any, lend: Any, axe: Path, scheme: str, width: int
 ) -> None:
-    page = browser.new_page(color_scheme=scheme, viewport={"width": width, "height": 900})
+    page = lend(browser, width, 900, scheme=scheme)
     found: list[str] = []
     for name in SHOWN:
         page.goto((site / name).as_uri())
@@ -167,5 +161,4 @@ def test_axe_core_finds_nothing_serious_on_the_site(
         for wrong in page.evaluate("axe.run().then((result) => result.violations)"):
             if wrong["impact"] in ("serious", "critical"):
                 found += [f"{name}: {wrong['id']}: {node['html'][:200]}" for node in wrong["nodes"][:3]]
-    page.close()
     assert not found
