@@ -11,6 +11,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the tests themselves run s
 import shutil
 import signal
 import subprocess
+import sys
 import tempfile
 import time
 from collections import Counter
@@ -25,6 +26,10 @@ import pytest
 CHECKOUT = Path(__file__).resolve().parents[1]
 SHARED = CHECKOUT.parent / "shared"
 LAB = CHECKOUT / "src" / "upright" / "lab" / "web"
+if sys.dont_write_bytecode:  # as many images set it: each process that a test starts would compile the package again
+    os.environ.setdefault("PYTHONPYCACHEPREFIX", str(CHECKOUT / ".pytest_cache" / "bytecode"))
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+    sys.dont_write_bytecode, sys.pycache_prefix = False, os.environ["PYTHONPYCACHEPREFIX"]
 REQUIRE_ALL = os.environ.get("UPRIGHT_REQUIRE_ALL", "") not in ("", "0")
 
 
