@@ -370,6 +370,21 @@ def test_at_the_desk_each_session_has_its_turn(monkeypatch, alone):
     assert len(FakeClerk.done) >= 3
 
 
+@pytest.mark.parametrize("begun", [False, True])
+def test_a_job_that_somebody_asked_for_comes_before_the_light(monkeypatch, begun):
+    """The doctor, who takes two seconds, waited 13 to 35 s for a certificate of which nobody had asked anything."""
+    monkeypatch.setattr(desk_module, "_Clerk", FakeClerk)
+    monkeypatch.setattr(desk_module, "REST", 0.0)
+    FakeClerk.done = []
+    desk = ProcessDesk()
+    desk.submit(("a", "light"), "light", (), alone=True)
+    if begun:
+        desk.poll()
+    desk.submit(("a", "doctor"), "doctor", (), alone=True)
+    said = [key for _ in range(4) for key, _, _ in desk.poll()]
+    assert said == FakeClerk.done == [("a", "doctor"), ("a", "light")]
+
+
 def test_who_asks_again_and_again_does_not_begin_a_process_each_time(monkeypatch):
     """Each takes the machine a third of a second, whatever becomes of it."""
     monkeypatch.setattr(desk_module, "_Clerk", FakeClerk)

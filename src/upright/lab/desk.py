@@ -2,7 +2,7 @@
 
 One clerk serves quick requests, of which the latest of each key wins; every other job has a process to itself. Whose
 job was done longest ago comes first, and no session has two processes: however much one asks for, the others have their
-turn.
+turn. What nobody pressed a button for gives way to what somebody did, and begins again afterwards.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ BUSY = 5.0  # times as long a job may last by the clock, on a machine where othe
 MOST_ALONE = 2  # jobs at a time, since the loop has the first claim on the machine
 REST = 2.0  # [s] between the beginnings of two such jobs of one session: each takes a process
 MODEST = 15  # of nice in a class: three jobs together leave nine tenths to the loop
-LASTING, REMEMBERED = ("light",), 64  # tasks alone in a process whose results are kept, and how many of them
+LASTING, REMEMBERED = ("light",), 64  # tasks nobody presses a button for, whose results are kept, and how many of them
 MEMORY = 4 << 30  # [bytes] of addresses for one job: a hostile file must not take the machine
 
 
@@ -80,6 +80,16 @@ class ProcessDesk:
     def submit(self, key: Key, task: str, args: tuple[Any, ...], alone: bool = False) -> None:
         self.cancel(key)
         (self._queue if alone else self._waiting)[key] = (task, args)
+        if alone and task not in LASTING:
+            self._give_way(key[0])
+
+    def _give_way(self, session: str) -> None:
+        """Let what the session has done of itself wait until the rest of its queue is done."""
+        begun = {key: clerk.job for key, clerk in self._alone.items() if key[0] == session}
+        for key, job in [*begun.items(), *self._queue.items()]:
+            if key[0] == session and job[0] in LASTING:
+                self.cancel(key)
+                self._queue[key] = job
 
     def cancel(self, key: Key) -> None:
         self._waiting.pop(key, None)
