@@ -13,9 +13,13 @@ import numpy as np
 import pytest
 
 from foreign_robots import DEGREE, SMALL, Bot, Course, arduino, known, logged, metric
-from upright.calibrate.calibrate import calibrate
+from foreign_robots import _stepped as stepped
+from upright.calibrate.annealing import annealed
+from upright.calibrate.calibrate import calibrate, prepared
 from upright.calibrate.calibration import Calibration
+from upright.calibrate.electronics import DEAD_ZONE
 from upright.calibrate.parameters import parameters_of
+from upright.calibrate.refined import settled
 from upright.diagnose import post_mortem
 from upright.diagnose.fall import fall_time
 from upright.diagnose.innovations import follow
@@ -228,6 +232,27 @@ def test_a_dead_zone_that_the_robot_does_not_have_is_no_gain() -> None:
     assert np.abs(log["command/left"]).max() < 4.0  # of 8 V
     (words,) = (note for note in calibrate(log, known(bot)).notes if "states gain" in note)
     assert "taken as logged" in words
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("planted", "seed"), [(0.0, 41), (0.0, 42), (0.6, 42)])
+def test_a_dead_zone_is_found_among_several(monkeypatch: pytest.MonkeyPatch, planted: float, seed: int) -> None:
+    """Between any two levels of a command the likelihood of a dead zone has an optimum. From 0.25 V, as the kit says,
+    the next one was taken: 0.16 V where there is none, and 0.30 V for 0.6 V, with dry friction half as large again."""
+    bot = Bot()
+    monkeypatch.setattr(
+        "foreign_robots._stepped",
+        lambda bot, x, volts, *rest: stepped(bot, x, volts if abs(volts) > planted else 0.0, *rest),
+    )
+    table = metric(logged(bot, Course(free=6.0, excitation=1.2), seed=seed), bot)
+    problem, limits = prepared([apply(propose(table), table)], known(bot), Kit.preset("nxt"), [], 0.0)
+    fit = settled(*annealed(problem, limits), limits)
+    (zone,) = (float(p.value(z)) for p, z in zip(fit.problem.asked, fit.z, strict=False) if p.name == DEAD_ZONE)
+    level = bot.battery / 255
+    if planted:
+        assert zone == pytest.approx(planted, abs=level)
+    else:
+        assert 1.1 * zone < level  # the first level passes whole: no zone has an effect
 
 
 @pytest.mark.slow

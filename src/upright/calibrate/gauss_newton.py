@@ -4,16 +4,22 @@ A log fixes products and quotients of masses, lengths and inertias far better th
 likelihood is a narrow valley with bends, in the coefficients a bowl. So each iteration linearises the innovations in
 the coefficients, and keeps these as the functions of the parameters that they are (`curves`): products and quotients,
 along whose valleys straight steps would have to be short.
+
+A dead zone is no such bowl. Commands have levels, and its likelihood has an optimum between any two of them, so that a
+descent ends at the next one. From there the likeliest of several is taken, as long as that gains.
 """
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.calibrate.electronics import DEAD_ZONE
 from upright.calibrate.fitting import Normal, Path, Problem, normal_equations, objective
+from upright.calibrate.threads import in_threads
 
 Array = NDArray[np.float64]
 
@@ -23,6 +29,13 @@ LEAST_RAISED = 1e-3  # [1] damping after a first failure: less would repeat near
 MOST_DAMPING = 1e6  # [1] beyond which a step is too short to matter, and none is tried
 SHORT = 10.0  # tolerances: a failing step is not shortened below this length
 NO_LOSS = 1e-2  # in log-likelihood: a step that loses less counts as level, as rounding and noise would have it
+
+ZONES = (0.0, 0.15, 0.3, 0.5, 0.75, 1.0, 1.5)
+"""[1] of the prior's dead zone: those that are tried, a third of a deviation to one of them apart."""
+NEAR = (0.85, 0.9, 0.95, 1.05, 1.1, 1.15)
+"""[1] of a dead zone that is likelier than none: its neighbours, since commands may have levels as close."""
+CHANGES = 3  # of a dead zone, at most
+GAIN = 1.0  # in log-likelihood, from which a dead zone is another
 
 CONVERGED, NO_DESCENT, OUT_OF_ITERATIONS = "converged", "no step lowers the objective", "iterations used up"
 
@@ -37,6 +50,41 @@ class Minimum(NamedTuple):
 
 
 def gauss_newton(problem: Problem, z: Array, *, iterations: int, tolerance: float = 0.02) -> Minimum:
+    """z of least objective: what descent finds, and where there is a likelier dead zone, from there with the zone
+    still; each in so many `iterations` at most."""
+    found = _descended(problem, z, iterations, tolerance)
+    for _ in range(CHANGES if iterations and np.isfinite(found.normal.objective) else 0):
+        other = _with_other_zone(problem, found.z, found.normal.objective)
+        if other is None:
+            break
+        still = replace(problem, held=problem.held | {DEAD_ZONE})
+        found = _descended(still, other, iterations, tolerance)
+    return found
+
+
+def _with_other_zone(problem: Problem, z: Array, value: float) -> Array | None:
+    """z (parameters,) with the likeliest of several dead zones; None where none is likelier than at the `value` of the
+    objective, or none is asked."""
+    for i, p in enumerate(problem.parameters):
+        if p.name == DEAD_ZONE and problem.active[i]:
+            tries, values = _of_zones(problem, z, i, [p.prior * part for part in ZONES])
+            now = float(p.value(z[i]))
+            if now and min(value, *values) < values[0] - GAIN:
+                more, of_more = _of_zones(problem, z, i, [now * part for part in NEAR])
+                tries, values = np.vstack([tries, more]), [*values, *of_more]
+            best = int(np.argmin(values))
+            return tries[best] if values[best] < value - GAIN else None
+    return None
+
+
+def _of_zones(problem: Problem, z: Array, place: int, zones: list[float]) -> tuple[Array, list[float]]:
+    """z (zones, parameters) with each of these dead zones at its `place`, and the objective there."""
+    p, tries = problem.parameters[place], np.repeat(z[None], len(zones), axis=0)
+    tries[:, place] = [max(p.coordinate(zone), p.least) for zone in zones]
+    return tries, in_threads(lambda one: objective(problem, one)[0], tries)
+
+
+def _descended(problem: Problem, z: Array, iterations: int, tolerance: float) -> Minimum:
     """z of least objective, with damping after Marquardt (1963) and bounds by projection; converged when a step is less
     than `tolerance` of every parameter's posterior deviation."""
     from upright.calibrate.curves import downhill
