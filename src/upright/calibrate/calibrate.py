@@ -13,6 +13,7 @@ import os
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +21,7 @@ from numpy.typing import NDArray
 from upright.calibrate.annealing import ANNEALING_NOISE, annealed, lost
 from upright.calibrate.calibration import GOOD, Calibration
 from upright.calibrate.coefficients import EQUATIONS
-from upright.calibrate.contradicted import Explained, explained, guessed
+from upright.calibrate.contradicted import Explained, doubted, explained, guessed
 from upright.calibrate.effects import effects_of
 from upright.calibrate.electronics import electronics_of
 from upright.calibrate.filter_log import one_step_noise
@@ -82,10 +83,11 @@ def calibrate(
     wrong = [text for log in several for text in contradictions(log, nominal)]
 
     def searched(
-        logs: Sequence[Log], start: float = 0.7, stop: float = 0.77, guesses: Sequence[str] = (), *, brief: bool = False
-    ) -> Fitted:
+        logs: Sequence[Log], start: float = 0.7, stop: float = 0.77, guesses: Sequence[str] = (), doubt: float = 1.0,
+        *, brief: bool = False,
+    ) -> Fitted:  # fmt: skip
         problem, limits = prepared(logs, nominal, parts, known, held_out)
-        parameters = guessed(nominal, problem.parameters, guesses)
+        parameters = guessed(nominal, doubted(problem.parameters, doubt), guesses)
         own = frozenset(p.name for p in parameters if p.name in held)
         problem = replace(problem, parameters=parameters, held=own)
         return _searched(problem, limits, lambda fraction: show(start + fraction * (stop - start)), brief=brief)
@@ -120,7 +122,7 @@ def _described(
     if quiet:
         return Explained(fit, [], 0.0), logs, meant
     fit, logs, meant = as_meant(fit, logs, kit, searched)
-    return explained(fit, lambda names: searched(logs, guesses=names)), logs, meant
+    return explained(fit, partial(searched, logs, 0.7, 0.77)), logs, meant
 
 
 def prepared(

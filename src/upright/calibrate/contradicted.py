@@ -9,10 +9,11 @@ each for itself, and whether one is clearly likelier than the others.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
@@ -20,10 +21,10 @@ from upright.arrays import Array
 from upright.calibrate.coefficients import Bowls
 from upright.calibrate.electronics import BATTERY
 from upright.calibrate.estimate import AGREE, FOREIGN, SURPRISE
-from upright.calibrate.fitting import Fitted, Problem
+from upright.calibrate.fitting import Fitted, Problem, objective
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.parameters import LOSSES, Parameter, as_guess
-from upright.calibrate.refined import CLEARER, MISSED, leaves_less, simulated, white
+from upright.calibrate.refined import CLEARER, MISSED, leaves_less, simulated
 from upright.calibrate.sought import laplace
 from upright.errors import DesignFailed
 from upright.robots import PARAMETERS, Robot
@@ -70,7 +71,7 @@ class Explained(NamedTuple):
     @property
     def scales(self) -> Array:
         """Deviations of each parameter (parameters,) in those that are stated."""
-        return np.array([self.doubt if _of_file(p) else 1.0 for p in self.fit.problem.parameters])
+        return _scales(self.fit.problem.parameters, self.doubt)
 
     @property
     def as_stated(self) -> Problem:
@@ -80,9 +81,16 @@ class Explained(NamedTuple):
         return replace(self.fit.problem, parameters=tuple(several))
 
 
-def explained(fit: Fitted, search: Callable[[Sequence[str]], Fitted]) -> Explained:
+class Search(Protocol):
+    """Fits anew, with the numbers of these names as guesses, and stated ones `doubt` times as uncertain as stated.
+    Raises `DesignFailed` where no start follows the log."""
+
+    def __call__(self, guesses: Sequence[str] = (), doubt: float = 1.0) -> Fitted: ...
+
+
+def explained(fit: Fitted, search: Search) -> Explained:
     """The fit in which those numbers are guesses of which one, by the log, is wrong. Which one is open, so that each of
-    their fits counts alike for the covariance. `search` fits anew with numbers as guesses.
+    their fits counts alike for the covariance.
 
     Where no single number explains the log clearly better, or half seconds are not predicted better with it, all stated
     numbers are `_doubted_alike`. The `fit` stays as it is where half seconds are not predicted, since what the model
@@ -93,40 +101,60 @@ def explained(fit: Fitted, search: Callable[[Sequence[str]], Fitted]) -> Explain
     if _most(fit.problem, fit.z) > FOREIGN or _rubs(fit.problem, fit.z):
         return Explained(fit, _single(fit, search), 0.0)
     if simulated(fit) < 1 - MISSED or not (first := _credible(fit, stated)):
-        return _doubted_alike(fit)
+        return _doubted_alike(fit, search)
     try:
         other = search([one.name for one in first])
     except DesignFailed:
-        return _doubted_alike(fit)
+        return _doubted_alike(fit, search)
     freed = _credible(other, stated)
-    if not freed or not white(other):
-        return _doubted_alike(fit)
+    if not freed:
+        return _doubted_alike(fit, search)
     names = [one.name for one in freed]
     problem, z = _freed(other.problem, stated, other.z, names)
     result = gauss_newton(problem, _down(problem, z, other.normal.bowls), iterations=ITERATIONS)
     other = Fitted(problem, result.z, result.normal, result.paths)
-    if not white(other) or not leaves_less(other, fit, CLEARER):
-        return _doubted_alike(fit)
+    if not leaves_less(other, fit, CLEARER):
+        return _doubted_alike(fit, search)
     alone = [_freed(one.problem, stated, one.z, names)[1] for one in freed]
     away = np.array(alone) - result.z
     return Explained(other, freed, away.T @ away / len(freed))
 
 
-def _doubted_alike(fit: Fitted) -> Explained:
+def _doubted_alike(fit: Fitted, search: Search) -> Explained:
     """The fit with the deviations of all stated numbers as many times as wide as the largest contradiction is large,
     where there is one and half seconds are predicted all the same: then it is no error of the model.
 
     Which number is wrong the log does not tell then, and any may be: errors that do not agree are as much larger than
-    stated as makes them agree (Birge 1932).
+    stated as makes them agree (Birge 1932). What was found with them as stated may be far from what is likeliest then,
+    so that the search begins again.
     """
     if not SURPRISE < (doubt := _most(fit.problem, fit.z)) <= FOREIGN or simulated(fit) < 1 - MISSED:
         return Explained(fit, [], 0.0)
-    parameters = tuple(replace(p, spread=doubt * p.spread) if _of_file(p) else p for p in fit.problem.parameters)
-    problem = replace(fit.problem, parameters=parameters)
-    off = {p.name: x for p, x in zip(problem.asked, fit.z, strict=False) if not p.guess and abs(x) > SURPRISE}
-    wide = Explained(Fitted(problem, fit.z, fit.normal, fit.paths), [], 0.0, doubt, off)
+    problem = replace(fit.problem, parameters=doubted(fit.problem.parameters, doubt))
+    wide = Explained(Fitted(problem, fit.z, fit.normal, fit.paths), [], 0.0, doubt, _off(fit, 1.0))
     result = gauss_newton(problem, fit.z / wide.scales, iterations=ITERATIONS)
-    return wide._replace(fit=Fitted(problem, result.z, result.normal, result.paths))
+    fits = [Fitted(problem, result.z, result.normal, result.paths)]
+    with suppress(DesignFailed):
+        fits.append(search(doubt=doubt))
+    best = min(fits, key=lambda one: objective(replace(one.problem, temper=1.0), one.z)[0])
+    return wide._replace(fit=best, contradicted=_off(best, doubt) or wide.contradicted)
+
+
+def doubted(parameters: Sequence[Parameter], doubt: float) -> tuple[Parameter, ...]:
+    """The parameters, those that a file states so many times as uncertain."""
+    return tuple(replace(p, spread=doubt * p.spread) if _of_file(p) else p for p in parameters)
+
+
+def _off(fit: Fitted, doubt: float) -> dict[str, float]:
+    """By how many of its deviations each number is contradicted, where the fit takes those of the file for `doubt`
+    times as large."""
+    away = zip(fit.problem.asked, fit.z * _scales(fit.problem.parameters, doubt), strict=False)
+    return {p.name: float(x) for p, x in away if not p.guess and abs(x) > SURPRISE}
+
+
+def _scales(parameters: Sequence[Parameter], doubt: float) -> Array:
+    """How many times as large as stated the deviation of each parameter (parameters,) is taken."""
+    return np.array([doubt if _of_file(p) else 1.0 for p in parameters])
 
 
 def _of_file(p: Parameter) -> bool:
@@ -134,7 +162,7 @@ def _of_file(p: Parameter) -> bool:
     return not p.guess and (p.name in PARAMETERS or p.name == BATTERY) and p.name not in NATURE
 
 
-def _single(fit: Fitted, search: Callable[[Sequence[str]], Fitted]) -> list[Freed]:
+def _single(fit: Fitted, search: Search) -> list[Freed]:
     """The numbers each of which alone explains a log that contradicts the file by more than `FOREIGN`, if it may be off
     by any factor, the likeliest first; none where the fit does not describe the log.
 

@@ -52,14 +52,14 @@ class Minimum(NamedTuple):
 def gauss_newton(problem: Problem, z: Array, *, iterations: int, tolerance: float = 0.02) -> Minimum:
     """z of least objective: what descent finds, and where there is a likelier dead zone, from there with the zone
     still; each in so many `iterations` at most."""
-    found = _descended(problem, z, iterations, tolerance)
-    for _ in range(CHANGES if iterations and np.isfinite(found.normal.objective) else 0):
-        other = _with_other_zone(problem, found.z, found.normal.objective)
+    least = _descended(problem, z, iterations, tolerance)
+    for _ in range(CHANGES if iterations and np.isfinite(least.normal.objective) else 0):
+        other = _with_other_zone(problem, least.z, least.normal.objective)
         if other is None:
             break
         still = replace(problem, held=problem.held | {DEAD_ZONE})
-        found = _descended(still, other, iterations, tolerance)
-    return found
+        least = _descended(still, other, iterations, tolerance)
+    return least
 
 
 def _with_other_zone(problem: Problem, z: Array, value: float) -> Array | None:

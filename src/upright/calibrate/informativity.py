@@ -15,6 +15,7 @@ from scipy.special import ndtri, stdtrit
 from upright.calibrate.electronics import ASYMMETRY
 from upright.calibrate.fitting import Normal, Path, Problem, fitted_readings
 from upright.calibrate.parameters import ROLL_FRACTION, rows_of
+from upright.logs.outliers import grain_of
 from upright.logs.recording import SENSOR, Recording
 
 Array = NDArray[np.float64]
@@ -23,8 +24,11 @@ INERTIAL = ("com_height", "pitch_inertia", "yaw_inertia", "rotor_inertia", "whee
 TURNING = (ASYMMETRY, "yaw_inertia", "track", ROLL_FRACTION)
 """What moves nothing but the turning of the robot."""
 STRAIGHT = (
-    "One encoder, or two that always agree, tell nothing of turning: asymmetry, track, yaw and roll inertia stay."
+    "One encoder, or two that agree to a step or two, tell nothing of turning: asymmetry, track, yaw and roll inertia "
+    "stay."
 )
+AGREE = 2
+"""[1] Steps of an encoder: two that show one motion differ by one, or two where they are read a moment apart."""
 QUIET = 4.0
 """Root mean square of the pitch rate, in steps of its gyro, below which no inertia is given: the errors of the readings
 then are no longer small beside the motion, and what the fit calls an inertia is partly their image."""
@@ -50,8 +54,18 @@ def too_quiet(problem: Problem) -> str:
 
 
 def drives_straight(problem: Problem) -> bool:
-    """Whether nothing is known of turning: in every log there is one encoder, or both always agree."""
-    return all(sum(SENSOR[row] == "encoder" for row in r.rows) < 2 for r in problem.recordings)
+    """Whether nothing is known of turning: in every log there is one encoder, or both agree to `AGREE` of their
+    steps."""
+    return all(map(_straight, problem.recordings))
+
+
+def _straight(recording: Recording) -> bool:
+    wheels = [recording.value[recording.kind == i] for i, row in enumerate(recording.rows) if SENSOR[row] == "encoder"]
+    if len(wheels) < 2:
+        return True
+    if len({len(wheel) for wheel in wheels}) > 1:  # some reading is missing of one
+        return False
+    return float(np.ptp(wheels[0] - wheels[1])) < (AGREE + 0.5) * max(map(grain_of, wheels))
 
 
 def _motion(recording: Recording, deviation: float) -> float:
