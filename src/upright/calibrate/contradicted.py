@@ -81,14 +81,14 @@ class Explained(NamedTuple):
         return replace(self.fit.problem, parameters=tuple(several))
 
 
-class Search(Protocol):
+class Searching(Protocol):
     """Fits anew, with the numbers of these names as guesses, and stated ones `doubt` times as uncertain as stated.
     Raises `DesignFailed` where no start follows the log."""
 
     def __call__(self, guesses: Sequence[str] = (), doubt: float = 1.0) -> Fitted: ...
 
 
-def explained(fit: Fitted, search: Search) -> Explained:
+def explained(fit: Fitted, search: Searching) -> Explained:
     """The fit in which those numbers are guesses of which one, by the log, is wrong. Which one is open, so that each of
     their fits counts alike for the covariance.
 
@@ -120,7 +120,7 @@ def explained(fit: Fitted, search: Search) -> Explained:
     return Explained(other, freed, away.T @ away / len(freed))
 
 
-def _doubted_alike(fit: Fitted, search: Search) -> Explained:
+def _doubted_alike(fit: Fitted, search: Searching) -> Explained:
     """The fit with the deviations of all stated numbers as many times as wide as the largest contradiction is large,
     where there is one and half seconds are predicted all the same: then it is no error of the model.
 
@@ -162,7 +162,7 @@ def _of_file(p: Parameter) -> bool:
     return not p.guess and (p.name in PARAMETERS or p.name == BATTERY) and p.name not in NATURE
 
 
-def _single(fit: Fitted, search: Search) -> list[Freed]:
+def _single(fit: Fitted, search: Searching) -> list[Freed]:
     """The numbers each of which alone explains a log that contradicts the file by more than `FOREIGN`, if it may be off
     by any factor, the likeliest first; none where the fit does not describe the log.
 
