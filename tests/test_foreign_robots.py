@@ -18,6 +18,7 @@ from upright.calibrate.annealing import annealed
 from upright.calibrate.calibrate import calibrate, prepared
 from upright.calibrate.calibration import Calibration
 from upright.calibrate.electronics import DEAD_ZONE
+from upright.calibrate.informativity import drives_straight
 from upright.calibrate.parameters import parameters_of
 from upright.calibrate.refined import settled
 from upright.diagnose import post_mortem
@@ -198,6 +199,16 @@ def test_every_real_wheel_rolls_with_friction_and_gravity_is_no_guess() -> None:
     assert asked["gravity"].spread == pytest.approx(0.02)  # from the equator to the poles, not a factor of two
 
 
+@pytest.mark.parametrize(("turn", "straight"), [(0.0, True), (0.1, False)])
+def test_encoders_that_round_one_motion_in_two_places_show_no_turn(turn: float, straight: bool) -> None:
+    """They differ by no count or one. A turn of 0.1 rad between the wheels, ten counts of 600, is one."""
+    columns = logged(SMALL, Course(free=4.0, excitation=1.0), seed=3)
+    counts = np.rint(turn / math.tau * SMALL.ticks * np.sin(2 * columns["t"]))
+    table = metric({**columns, "left": columns["left"] + counts}, SMALL)
+    problem, _ = prepared([apply(propose(table), table)], known(SMALL), Kit.preset("nxt"), [], 0.0)
+    assert drives_straight(problem) is straight
+
+
 def calibrated(folder: Path, robot: Robot, gyro: float = 1.0) -> Calibration:
     path = folder / "run.csv"
     table = metric(logged(SMALL, Course(free=9.0, held=0.5, excitation=1.0), seed=7), SMALL)
@@ -299,37 +310,42 @@ def test_a_calibration_of_a_foreign_robot_holds_its_truth(tmp_path: Path) -> Non
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("factor", [0.75, pytest.param(1.35, marks=pytest.mark.long)])
-def test_a_number_that_its_owner_measured_wrong_is_named_and_spoils_no_other(tmp_path: Path, factor: float) -> None:
-    """A height of the centre of mass that is stated to 5 % and is off by five and seven times that: the other stated
-    numbers were bent, and 8 and 4 of 13 visible intervals missed. One in twenty may."""
+@pytest.mark.parametrize(
+    ("name", "factor"),
+    [("com_height", 0.75), pytest.param("com_height", 1.35, marks=pytest.mark.long), ("wheel_radius", 1.35)],
+)
+def test_a_number_that_its_owner_measured_wrong_is_named_and_spoils_no_other(
+    tmp_path: Path, name: str, factor: float
+) -> None:
+    """A number that is stated to 5 % and is off by five and seven times that: the other stated numbers were bent, and
+    8, 4 and 8 of 13 visible intervals missed. One in twenty may."""
     robot = known(SMALL)
-    wrong = factor * SMALL.com
-    source = {**robot.provenance, "com_height": Provenance("on an edge", 0.05 * wrong)}
-    found = calibrated(tmp_path, robot.replace(com_height=wrong, provenance=source))
+    wrong = factor * getattr(robot, name)
+    source = {**robot.provenance, name: Provenance("on an edge", 0.05 * wrong)}
+    found = calibrated(tmp_path, robot.replace(**{name: wrong}, provenance=source))
     judged, missed = held_by(found)
     assert judged >= 10
     assert len(missed) <= 1, missed
     (note,) = (note for note in found.notes if "would agree" in note)
-    assert "com_height were" in note
+    assert f"{name} were" in note
     assert f"(the file: {wrong:.3g})" in note
 
 
 @pytest.mark.slow
 def test_a_file_that_a_log_contradicts_is_doubted_in_every_number(tmp_path: Path) -> None:
-    """A radius 35 % too large, stated to 5 %: no single number explains this log clearly, and 8 of 14 visible intervals
-    missed. One in twenty may."""
+    """A radius 15 % too large and a height 30 % too small, each stated to 5 %: no single number explains this log, and
+    10 of 14 visible intervals missed. One in twenty may."""
     robot = known(SMALL)
-    wrong = 1.35 * SMALL.radius
-    source = {**robot.provenance, "wheel_radius": Provenance("mine", 0.05 * wrong)}
-    found = calibrated(tmp_path, robot.replace(wheel_radius=wrong, provenance=source))
+    wrong = {"wheel_radius": 1.15 * SMALL.radius, "com_height": 0.7 * SMALL.com}
+    source = {**robot.provenance, **{name: Provenance("mine", 0.05 * value) for name, value in wrong.items()}}
+    found = calibrated(tmp_path, robot.replace(**wrong, provenance=source))
     judged, missed = held_by(found)
     assert judged >= 8
     assert len(missed) <= 1, missed
     assert "contradicts the stated value of wheel_radius" in " ".join(found.notes)
     radius = found["wheel_radius"]
     assert radius.low <= SMALL.radius <= radius.high
-    assert radius.prior_spread == pytest.approx(0.05 * wrong)  # as stated, not as doubted
+    assert radius.prior_spread == pytest.approx(0.05 * wrong["wheel_radius"])  # as stated, not as doubted
 
 
 @pytest.mark.slow
