@@ -460,6 +460,7 @@ def test_a_better_controller_is_advised_only_where_one_can_help() -> None:
         impulse=0.38, start=5.0, duration=0.01, height=0.07, counts=0.65, largest=0.63, most=0.37, explained=0.95
     )
     beyond, below = (dataclasses.replace(at_limit, impulse=impulse) for impulse in (-0.6, 0.2))
+    assert dataclasses.replace(at_limit, duration=0.1).lasted == "100 ms long"  # it was 1e+02
     assert at_limit.size == "0.38 ± 0.03 N s"
     assert dataclasses.replace(at_limit, impulse=0.396).size == "0.40 ± 0.03 N s"
     assert beyond.size == "0.60 ± 0.04 N s"

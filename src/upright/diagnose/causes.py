@@ -105,7 +105,7 @@ class Blow:
     @property
     def lasted(self) -> str:
         """How long it was, in words."""
-        return "within one sample" if self.brief else f"{1e3 * self.duration:.2g} ms long"
+        return "within one sample" if self.brief else f"{float(f'{1e3 * self.duration:.2g}'):g} ms long"
 
     @property
     def powered(self) -> str:

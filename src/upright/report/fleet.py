@@ -316,7 +316,7 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
         after = _called(data, "settling").removeprefix("settling time ")
         numbers.append((f"{half:.3g} s", f"{after} half of them stay within {_BAND}; 95 % after {longest:.3g} s"))
     elif math.isfinite(most.get("travel", math.nan)):
-        numbers.append((f"{1e3 * most['travel']:.2g} mm", f"is the furthest that {who} rolled"))
+        numbers.append((f"{1e3 * most['travel']:.3g} mm", f"is the furthest that {who} rolled"))
     outcomes = ["fell"] if explained else names[:1]
     trends = [name for name in outcomes if explained or matters or _clear(data, name)]
     causes = [figure for name in trends for figure in (over_strongest(data, name), influence(data, name)) if figure]

@@ -143,7 +143,7 @@ def push_map_page(data: Dataset) -> Page:
     at_com = _at_centre(data)
     under = f" under {kind}" if kind else ""
     top = " (the highest tried)" if height == float(data["height"].values.max()) else ""
-    lead = f"Simulated{under}. A push is worst {height:.2g} m above the axle{top}, {1e3 * duration:.2g} ms long."
+    lead = f"Simulated{under}. A push is worst {height:.2g} m above the axle{top}, {1e3 * duration:.3g} ms long."
     here = f"--robot {name}"
     lead += f" Next: `upright certify {kind or 'lqg'} {here}` counts how many similar robots fall."
     first, *rest = push_map_figures(data)
@@ -152,7 +152,7 @@ def push_map_page(data: Dataset) -> Page:
     numbers = [
         (
             f"{least(low, 2)} N s",
-            f"is the weakest push: {low / duration:.2g} N for {1e3 * duration:.2g} ms, as of a tennis ball at "
+            f"is the weakest push: {low / duration:.2g} N for {1e3 * duration:.3g} ms, as of a tennis ball at "
             f"{_ball(low)} that it catches",
         )
     ]
