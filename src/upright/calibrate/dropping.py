@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from upright.arrays import Array
 from upright.calibrate.electronics import DROP
-from upright.calibrate.estimate import VISIBLE, Estimate
+from upright.calibrate.estimate import SURPRISE, VISIBLE, Estimate
 from upright.calibrate.fitting import Fitted, Problem
 from upright.calibrate.parameters import Parameter
 from upright.calibrate.sought import likelier, with_parameters
@@ -31,8 +31,9 @@ def drop_about() -> Parameter:
 
 
 def dropped(fit: Fitted, settled: Callable[[Problem, Array], Fitted]) -> Fitted | None:
-    """The fit with a drop, from one without; None where it is not likelier by `MARGIN`, or no driver of these logs may
-    have one that is not stated. `settled` learns parameters and noise from a start."""
+    """The fit with a drop, from one without; None where it is not likelier by `MARGIN`, or contradicts what drivers
+    keep, or no driver of these logs may have one that is not stated. `settled` learns parameters and noise from a
+    start."""
     problem, z, *_ = fit
     if not problem.foreign or problem.robot.drive != "voltage" or any(p.name == DROP for p in problem.asked):
         return None
@@ -41,6 +42,9 @@ def dropped(fit: Fitted, settled: Callable[[Problem, Array], Fitted]) -> Fitted 
     if with_drop is None:
         return None
     other, nats = with_drop
+    (size,) = (abs(x) for p, x in zip(other.problem.asked, other.z, strict=False) if p.name == DROP)
+    if size > SURPRISE:  # millivolts are none, however much likelier a log of fine sensors is with them
+        return None
     return other._replace(problem=replace(other.problem, drop=nats))
 
 
