@@ -14,8 +14,9 @@ from upright.diagnose.forces import refined
 from upright.diagnose.innovations import follow
 from upright.diagnose.pushed import LEAVES
 from upright.diagnose.remedy import followed
-from upright.diagnose.supply import BATTERY, as_shown, of_supply, with_supply
+from upright.diagnose.supply import as_shown, of_supply, with_supply
 from upright.diagnose.usual import window_of
+from upright.doctor.finding import BATTERY
 from upright.robots import Kit, Robot
 from upright.signals import Log
 

@@ -122,7 +122,7 @@ def _described(
     if quiet:
         return Explained(fit, [], 0.0), logs, meant
     fit, logs, meant = as_meant(fit, logs, kit, searched)
-    return explained(fit, partial(searched, logs, 0.7, 0.77)), logs, meant
+    return explained(fit, partial(searched, logs)), logs, meant
 
 
 def prepared(

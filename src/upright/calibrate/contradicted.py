@@ -85,7 +85,7 @@ class Searching(Protocol):
     """Fits anew, with the numbers of these names as guesses, and stated ones `doubt` times as uncertain as stated.
     Raises `DesignFailed` where no start follows the log."""
 
-    def __call__(self, guesses: Sequence[str] = (), doubt: float = 1.0) -> Fitted: ...
+    def __call__(self, *, guesses: Sequence[str] = (), doubt: float = 1.0) -> Fitted: ...
 
 
 def explained(fit: Fitted, search: Searching) -> Explained:
@@ -103,7 +103,7 @@ def explained(fit: Fitted, search: Searching) -> Explained:
     if simulated(fit) < 1 - MISSED or not (first := _credible(fit, stated)):
         return _doubted_alike(fit, search)
     try:
-        other = search([one.name for one in first])
+        other = search(guesses=[one.name for one in first])
     except DesignFailed:
         return _doubted_alike(fit, search)
     freed = _credible(other, stated)
@@ -185,7 +185,7 @@ def _single(fit: Fitted, search: Searching) -> list[Freed]:
     if first.nats < _nats(problem, z, normal.bowls) + LIKELIER:
         return []
     try:
-        other = search([first.name])
+        other = search(guesses=[first.name])
     except DesignFailed:
         return []
     if not _agrees(other.problem, other.z) or simulated(other) < 1 - MISSED:

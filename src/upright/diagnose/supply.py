@@ -8,12 +8,12 @@ from dataclasses import replace
 import numpy as np
 
 from upright.arrays import Array
+from upright.calibrate.electronics import MEASURED
 from upright.diagnose.innovations import asked_of
+from upright.doctor.finding import BATTERY
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
-BATTERY = "sensor/battery"
-MEASURED = 0.02  # [1] to which a battery's own reading is known, as a calibration has it
 ENDS = 3  # rows in which commands end at one largest value, that show a program's limit
 
 
