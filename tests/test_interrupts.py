@@ -136,6 +136,24 @@ with interrupts.patience():
     assert [p.name for p in tmp_path.iterdir()] == ["stopped"]
 
 
+SLOW_REMOVAL = """
+from pathlib import Path
+unlink = Path.unlink
+def slow(path, **options):
+    time.sleep(2)
+    unlink(path, **options)
+Path.unlink = slow
+"""
+
+
+def test_a_run_that_ends_while_a_file_is_removed_leaves_nothing(tmp_path: Path) -> None:
+    """Removal takes four times the grace here, so the thread that waits ends the process in the middle of it."""
+    process = child("time.sleep(600)", tmp_path, before=SLOW_REMOVAL)
+    process.send_signal(signal.SIGTERM)
+    assert process.wait(PATIENCE) == 143
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_a_killed_run_leaves_what_the_next_one_removes(tmp_path: Path) -> None:
     killed, alive = (child("time.sleep(600)", tmp_path) for _ in range(2))
     killed.kill()

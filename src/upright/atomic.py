@@ -176,9 +176,10 @@ def discard() -> None:
     """Remove what is unfinished, and the folders made for it."""
     for path in list(_Pending.unfinished):
         _remove(path)
-    while _Pending.made:
+    for path in list(_Pending.made):
         with suppress(OSError):
-            _Pending.made.pop(0).rmdir()
+            path.rmdir()
+    _Pending.made.clear()
 
 
 class TemporaryFolder(tempfile.TemporaryDirectory[str]):
@@ -194,8 +195,8 @@ class TemporaryFolder(tempfile.TemporaryDirectory[str]):
         _Pending.temporary.add(self.path)
 
     def cleanup(self) -> None:
-        _Pending.temporary.discard(self.path)
         super().cleanup()
+        _Pending.temporary.discard(self.path)
 
 
 def write_bytes(target: str | Path, data: bytes, *, at_once: bool = False) -> Path:
@@ -291,11 +292,12 @@ def _removed_after_failure(unfinished: Path) -> Generator[None]:
 
 
 def _remove(unfinished: Path) -> None:
-    lock = _Pending.unfinished.pop(unfinished, None)
+    """Remove it and forget it, in this order: the run may end in between."""
     if unfinished.is_dir():
         shutil.rmtree(unfinished, ignore_errors=True)
     else:
         unfinished.unlink(missing_ok=True)
+    lock = _Pending.unfinished.pop(unfinished, None)
     if lock is not None:
         os.close(lock)
 
@@ -325,7 +327,7 @@ def _sweep(folder: Path, pattern: str) -> None:
 
 def _vanish() -> None:
     discard()
-    for folder in _Pending.temporary:
+    for folder in list(_Pending.temporary):
         shutil.rmtree(folder, ignore_errors=True)
 
 
