@@ -211,6 +211,16 @@ def test_start_loads_no_numerics(module: str) -> None:
     assert said.stdout.strip() == "[]"
 
 
+def test_a_log_is_read_without_pandas(tmp_path: Path) -> None:
+    """It takes longer to import than all else that a log needs; Arrow imports it for its own arrays."""
+    (tmp_path / "log.csv").write_text("time,gyro\n0,1\n0.01,\n0.02,3\n")
+    code = "import sys; from upright.logs.readers import read_table as read; read(sys.argv[1])"
+    code += "; print('pandas' in sys.modules)"
+    command = [sys.executable, "-c", code, str(tmp_path / "log.csv")]
+    said = subprocess.run(command, capture_output=True, text=True, check=True, timeout=PATIENCE)
+    assert said.stdout.strip() == "False"
+
+
 @cache
 def by_hand(path: Path) -> bool:
     """Nobody reads or edits a generated file; what writes it is held to the limits instead."""

@@ -21,6 +21,7 @@ from mcap.writer import Writer
 import upright.signals.mcap
 import upright.signals.parquet
 import upright.signals.text
+from upright.arrays import floats_of
 from upright.errors import InvalidLog
 from upright.signals import Log
 from upright.signals.files import FORMATS
@@ -205,6 +206,22 @@ def test_a_parquet_without_our_note_is_read(tmp_path: Path) -> None:
     folder.mkdir()
     pq.write_table(pa.table(columns, schema=pa.schema(fields)), folder / "run.parquet")
     assert Log.load(folder / "run.parquet") == Log([0, 1, 2], {"a": [1, math.nan, 3]}, {"a": "V"})
+
+
+@pytest.mark.parametrize(
+    "column",
+    [
+        pa.chunked_array([[1, None], [3]]),
+        pa.chunked_array([pa.array([1.0, None, 3.0, None]).slice(1, 2)]),
+        pa.chunked_array([pa.nulls(2), pa.nulls(9)]),
+        pa.chunked_array([[math.inf], []], pa.float32()),
+        pa.chunked_array([], pa.int64()),
+    ],
+    ids=["chunks", "slice", "nulls", "float32", "empty"],
+)
+def test_the_numbers_of_a_column_are_those_of_arrow(column: pa.ChunkedArray) -> None:
+    theirs = np.asarray(column.cast(pa.float64()).to_numpy(), dtype=np.float64)
+    np.testing.assert_array_equal(floats_of(column), theirs)
 
 
 def test_units_stand_in_the_metadata_of_each_parquet_field(tmp_path: Path) -> None:

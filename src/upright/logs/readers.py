@@ -15,6 +15,7 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.arrays import floats_of
 from upright.errors import InvalidLog, one_line
 from upright.logs.layout import Layout, bare, cells_of, is_number, layout, padded
 from upright.reading import expanded, parse_json, read_text
@@ -254,8 +255,7 @@ def _sorted(columns: Mapping[str, Any]) -> tuple[dict[str, Array], dict[str, str
     for name, column in columns.items():
         kind = column.type
         if kinds.is_integer(kind) or kinds.is_floating(kind) or kinds.is_null(kind) or kinds.is_boolean(kind):
-            cast_to = column.cast(pa.int8()) if kinds.is_boolean(kind) else column
-            numbers[name] = np.asarray(cast_to.cast(pa.float64(), safe=False).to_numpy(), dtype=np.float64)
+            numbers[name] = floats_of(column.cast(pa.int8()) if kinds.is_boolean(kind) else column)
         elif (t := _seconds(column.to_pylist())) is not None:
             numbers[name] = t
             clocks.append(name)

@@ -7,7 +7,7 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
-from upright.arrays import Array
+from upright.arrays import Array, floats_of
 from upright.errors import InvalidLog
 from upright.signals.header import TIME, Columns, assemble, check_names, check_size, check_twice, describe, understand
 
@@ -66,7 +66,7 @@ def _numbers(name: str, column: Any) -> Array:
 
     kind = column.type
     if pa.types.is_integer(kind) or pa.types.is_floating(kind) or pa.types.is_decimal(kind) or pa.types.is_null(kind):
-        return np.asarray(column.cast(pa.float64(), safe=False).to_numpy(), dtype=np.float64)
+        return floats_of(column)
     valid = column.is_valid().to_numpy()
     row = int(np.argmax(valid)) if len(valid) else 0
     holds = f"'{column[row]}' at row {row}" if len(valid) else "no rows"

@@ -12,6 +12,7 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
+from upright.arrays import floats_of
 from upright.errors import InvalidLog
 from upright.signals.header import TIME, Columns, assemble, check_lines, check_names, describe, understand
 
@@ -49,7 +50,7 @@ def read(path: Path) -> Columns:
         check_names(head.names)
         check_lines(path, len(head.names))
         table = _table(path, stream, head)
-    columns = {name: table.column(i).to_numpy() for i, name in enumerate(head.names)}
+    columns = {name: floats_of(table.column(i)) for i, name in enumerate(head.names)}
     units, origin = understand(head.note) if head.note else ({}, {})
     return assemble(columns, units, origin)
 
