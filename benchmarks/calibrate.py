@@ -239,7 +239,7 @@ def timing(whole: bool) -> None:
     kit, true = Kit.preset(preset.kit), drawn(preset, 0)
     robot = true.replace(**{name: getattr(preset, name) for name in EIGHT if name in PARAMETERS})
     log = twin_log("nxtway-gs", true, 0)
-    log = Log(log.t, {n: v for n, v in log.channels.items() if n != "sensor/compass"}, log.units)
+    log = Log(log.t, {n: v for n, v in log.channels.items() if n != "sensor/compass"}, log.units, log.origin)
     every, _ = prepared([log], robot, kit, (), 0.0)
     known = [p.name for p in every.asked if p.name not in EIGHT]
     problem, limits = prepared([log], robot, kit, known, 0.0)
@@ -263,7 +263,7 @@ def scipy_time(problem: Problem, limits: dict[str, float], whole: bool) -> None:
 
     from upright.calibrate.predictor import innovations
 
-    found, z, _, _ = refined(*annealed(problem, limits), limits)
+    found, z, *_ = refined(*annealed(problem, limits), limits)
     settled, z = replace(found, parameters=found.asked), z[: len(found.asked)]  # those that are told, for both alike
     same, _ = best_of(5, lambda: gauss_newton(settled, np.zeros(len(z)), iterations=20))
     print(f"its one fit at known noise from the prior, as SciPy's below: {same:.3f} s")

@@ -77,7 +77,7 @@ def _fits(problem: Problem, z: Array, limits: Mapping[str, float]) -> tuple[Prob
         if not np.isfinite(objective(less, z)[0]):
             break
         less = learn_noise(less, z, sensor_bounds(limits), iterations=2)
-        new, normal, *_ = gauss_newton(less, z, iterations=6, tolerance=0.1)
+        new, normal, *_ = gauss_newton(less, z, iterations=6, tolerance=0.1, zones=True)
         if not np.isfinite(normal.objective):
             break
         problem, z = less, new

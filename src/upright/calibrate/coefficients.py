@@ -21,6 +21,7 @@ from upright.robots import PARAMETERS, Robot
 Array = NDArray[np.float64]
 
 NUDGE = 1e-4  # of the prior's deviation: central differences are right to 1e-8, and rounding stays below
+AHEAD = 1e-6  # of the same: differences to one side, of a log's innovations, are right to 1e-5; rounding stays below
 AT = Constants(*range(len(Constants._fields)))
 """Where each named constant of the equations stands among the coefficients."""
 DRIVEN, TURN_READ, DELAYS = len(AT), len(AT) + 5, len(AT) + 6

@@ -111,7 +111,7 @@ def explained(fit: Fitted, search: Searching) -> Explained:
         return _doubted_alike(fit, search)
     names = [one.name for one in freed]
     problem, z = _freed(other.problem, stated, other.z, names)
-    result = gauss_newton(problem, _down(problem, z, other.normal.bowls), iterations=ITERATIONS)
+    result = gauss_newton(problem, _down(problem, z, other.normal.bowls), iterations=ITERATIONS, zones=True)
     other = Fitted(problem, result.z, result.normal, result.paths)
     if not leaves_less(other, fit, CLEARER):
         return _doubted_alike(fit, search)
@@ -132,7 +132,7 @@ def _doubted_alike(fit: Fitted, search: Searching) -> Explained:
         return Explained(fit, [], 0.0)
     problem = replace(fit.problem, parameters=doubted(fit.problem.parameters, doubt))
     wide = Explained(Fitted(problem, fit.z, fit.normal, fit.paths), [], 0.0, doubt, _off(fit, 1.0))
-    result = gauss_newton(problem, fit.z / wide.scales, iterations=ITERATIONS)
+    result = gauss_newton(problem, fit.z / wide.scales, iterations=ITERATIONS, zones=True)
     fits = [Fitted(problem, result.z, result.normal, result.paths)]
     with suppress(DesignFailed):
         fits.append(search(doubt=doubt))

@@ -106,6 +106,12 @@ def of_run(z: Any, run: Any, curves: Any) -> Any:
 
 
 @njit
+def coefficients_of(z: Any, run: Any, curves: Any) -> Any:
+    """The coefficients of one run (coefficients, lanes) at z (parameters, lanes)."""
+    return coefficients(of_run(z, run, curves), curves.priors)
+
+
+@njit
 def by_parameter(z: Any, run: Any, curves: Any) -> Any:
     """The coefficients (coefficients,) of a run at z (parameters,), and their slopes (coefficients, parameters)."""
     q = coefficients(_around(of_run(z.reshape(len(z), 1), run, curves)), curves.priors)

@@ -152,7 +152,7 @@ class Follower:
         noise["motor"] = math.log(math.exp(noise["motor"]) + dry**2 * NOISE_TIME)
         noise |= NO_STICKING | {name: 2 * math.log(size) for name, size in robot.noise.items() if name in noise}
         readings = np.exp([noise[SENSOR[row]] for row in self.recording.rows])
-        whole = replace(problem, noise=noise).process(self.recording)
+        whole = problem.with_noise(noise).process(self.recording)
         return Noise(self.recording.P0, whole, 0.0, readings, problem.restart)
 
     @cached_property
@@ -249,7 +249,7 @@ def one_step_noise(log: Log, robot: Robot, kit: Kit, *, delay: float) -> dict[st
     first = process(problem.recordings, robot, KNOWN_WELL)
     bounds = {name: (value / 4, value * MOST) for name, value in ((s, math.exp(v)) for s, v in problem.noise.items())}
     bounds |= {name: (math.exp(first[name]) / MOST, math.exp(first[name]) * MOST) for name in ("motor", "push")}
-    problem = replace(problem, noise={**problem.noise, **first, **NO_STICKING})
+    problem = problem.with_noise({**first, **NO_STICKING})
     z = np.zeros(len(problem.parameters))
     if not np.isfinite(objective(problem, z)[0]):
         return {}

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from copy import copy
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
@@ -16,12 +17,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.calibrate.coefficients import (
+    AHEAD,
     AT,
     DELAYS,
     DRIVEN,
     EQUATION,
     LEVEL,
-    NOT_NEGATIVE,
     NUDGE,
     ROLLING_DRY,
     TURN_READ,
@@ -127,11 +128,23 @@ class Problem:
         """Which run a recording is, among those of the problem."""
         return next((i for i, other in enumerate(self.recordings) if other is recording), 0)
 
+    def with_noise(self, noise: Mapping[str, float]) -> Problem:
+        """The same problem with these log-variances beside its others; nothing else follows from them."""
+        other = copy(self)
+        object.__setattr__(other, "noise", {**self.noise, **noise})
+        return other
+
     def of_run(self, z: Array, run: int) -> Array:
         """The numbers of one run (shared, lanes) at z (parameters, lanes): the robot's, and what this run adds."""
         from upright.calibrate.curves import of_run
 
         return of_run(np.array(z, order="C"), run, self.curves)
+
+    def coefficients(self, recording: Recording, z: Array) -> Array:
+        """The coefficients of a recording (coefficients, lanes) at z (parameters, lanes)."""
+        from upright.calibrate.curves import coefficients_of
+
+        return coefficients_of(np.array(z, order="C"), self.run_of(recording), self.curves)
 
     def values(self, z: Array) -> dict[str, Array]:
         """What is asked (lanes,), by name, at a run's numbers z (shared, lanes)."""
@@ -140,12 +153,9 @@ class Problem:
         numbers = numbers_at(np.array(z, order="C"), self.curves.priors)
         return {p.name: numbers[place] for p, place in zip(self.asked, self.curves.priors.place, strict=True)}
 
-    def _own(self, recording: Recording, z: Array) -> dict[str, float]:
-        """Dead time [s] of each sensor in this recording at z (parameters,)."""
-        from upright.calibrate.curves import DEAD_TIMES, numbers_at
-
-        numbers = numbers_at(self.of_run(z[:, None], self.run_of(recording)), self.curves.priors)
-        return dict(zip(self.delays, numbers[DEAD_TIMES:, 0].tolist(), strict=False))
+    def _own(self, q: Array) -> dict[str, float]:
+        """Dead time [s] of each sensor, of the coefficients q (coefficients,)."""
+        return dict(zip(self.delays, q[DELAYS:].tolist(), strict=False))
 
     def by_parameter(self, z: Array) -> list[tuple[Array, Array]]:
         """For each run the coefficients (coefficients,) at z (parameters,), and their slopes (coefficients,
@@ -165,18 +175,16 @@ class Problem:
 
     def lanes(self, recording: Recording, z: Array) -> RobotLanes:
         """The same for z (parameters, lanes)."""
-        from upright.calibrate.curves import coefficients
-
-        return self.lanes_of(recording, coefficients(self.of_run(z, self.run_of(recording)), self.curves.priors))
+        return self.lanes_of(recording, self.coefficients(recording, z))
 
     def own_delays(self, recording: Recording, z: Array) -> Array:
         """Dead time [s] of each event (events,): zero for commands."""
-        delays = self._own(recording, z)
+        delays = self._own(self.coefficients(recording, z[:, None])[:, 0])
         return np.array([delays[SENSOR[row]] for row in recording.rows] + [0.0])[recording.kind]
 
     def order(self, recording: Recording, z: Array) -> NDArray[np.int64]:
         """The events in the command's time at z (parameters,)."""
-        return recording.order(self._own(recording, z))
+        return recording.order(self._own(self.coefficients(recording, z[:, None])[:, 0]))
 
     def filtered(
         self, recording: Recording, z: Array, *, keep: bool = False, until: float = np.inf, fitted: bool = False
@@ -185,20 +193,21 @@ class Problem:
         last event that is `fitted`."""
         from upright.calibrate.predictor import WIDE, Noise, kalman_path
 
-        order = self.order(recording, z)
+        q = self.coefficients(recording, z[:, None])
+        order = recording.order(self._own(q[:, 0]))
         readings = np.exp([self.noise[SENSOR[row]] for row in recording.rows])
         process, jitter = self.process(recording), np.exp(self.noise.get(JITTER, -np.inf))
         noise = Noise(recording.P0, process, jitter, readings, self.restart)
         order = order[recording.when[order] <= until]
         events = events_of(recording, _through_fitted(recording, order) if fitted else order)
-        lanes = self.lanes(recording, np.repeat(z[:, None], WIDE, axis=1))
+        lanes = self.lanes_of(recording, np.repeat(q, WIDE, axis=1))
         return Path(*kalman_path(events, lanes, recording.first, noise, self.longest, keep))
 
     def process(self, recording: Recording) -> Array:
         """Covariance (2, s, s) of the process noise a second: while both wheels move, and while one sticks."""
         Q = np.zeros((2, len(recording.first), len(recording.first)))
         for name, shape in zip(PROCESS, self._shapes, strict=False):
-            Q[:, :6, :6] += np.exp(self.noise[name]) * shape
+            Q[:, :6, :6] += math.exp(self.noise[name]) * shape
         Q[1, :6, :6] += np.exp(self.noise.get(STICKING, -np.inf)) * self._shapes[0]
         Q[:, 6, 6] = np.exp(self.noise["gyro_bias"])
         if "compass" in recording.sensors:
@@ -211,25 +220,21 @@ class Problem:
         self, recording: Recording, q: Array, unit: Array, gains: Array, rows: Sequence[int], *, fitted: bool = False
     ) -> Array:  # fmt: skip
         """∂e/∂q (events, rows) of those `rows` of the coefficients q, each in its `unit`, at fixed gains: by lanes a
-        nudge either side, or two above zero for what may not be negative. NaN after the last event that is `fitted`,
-        where that is asked."""
+        nudge above, beside one of q. NaN after the last event that is `fitted`, where that is asked."""
         from upright.calibrate.predictor import innovations
 
-        order = recording.order(dict(zip(self.delays, q[DELAYS:].tolist(), strict=False)))
+        order = recording.order(self._own(q))
         events = events_of(recording, _through_fitted(recording, order) if fitted else order)
-        low = q - NUDGE * unit
-        low[NOT_NEGATIVE] = np.maximum(low[NOT_NEGATIVE], 0.0)
 
         def of(part: NDArray[np.int64]) -> Array:
             count = len(part)
-            lanes = np.repeat(q[:, None], 2 * count, axis=1)
-            lanes[part, np.arange(count)] = low[part] + 2 * NUDGE * unit[part]
-            lanes[part, count + np.arange(count)] = low[part]
-            first = np.repeat(recording.first[:, None], 2 * count, axis=1)
+            lanes = np.repeat(q[:, None], count + 1, axis=1)
+            lanes[part, np.arange(count)] += AHEAD * unit[part]
+            first = np.repeat(recording.first[:, None], count + 1, axis=1)
             e = innovations(events, self.lanes_of(recording, lanes), first, gains, self.longest)
-            return (e[:, :count] - e[:, count:]) / (2 * NUDGE)
+            return (e[:, :count] - e[:, count:]) / AHEAD
 
-        parts = min(len(rows), max(CORES, -(-2 * len(rows) // LANES)))
+        parts = min(len(rows), max(CORES, -(-(len(rows) + CORES) // LANES)))
         return np.concatenate(in_threads(of, np.array_split(np.array(rows), parts)), axis=1)
 
     def slopes(self, recording: Recording, z: Array, gains: Array) -> Array:
@@ -305,13 +310,13 @@ def objective(problem: Problem, z: Array) -> tuple[float, list[Path]]:
     the recordings, and the path of each through what is fitted."""
     total, paths = 0.5 * float(z @ z), [problem.filtered(r, z, fitted=True) for r in problem.recordings]
     for recording, path in zip(problem.recordings, paths, strict=True):
-        use = recording.fitted & (recording.kind >= 0)
-        r2 = path.e[use] ** 2 / path.s[use]
-        if not (np.isfinite(r2).all() and (path.s[use] > 0).all()):
+        e, s = path.e[recording.judged], path.s[recording.judged]
+        r2 = e**2 / s
+        if not (np.isfinite(r2).all() and (s > 0).all()):
             return np.inf, paths
         far = r2 > OUTLIER**2
         loss = np.where(far, 2 * OUTLIER * np.sqrt(r2) - OUTLIER**2, r2)
-        total += 0.5 * problem.temper * float(loss.sum() + np.log(path.s[use]).sum())
+        total += 0.5 * problem.temper * float(loss.sum() + np.log(s).sum())
     return total, paths
 
 

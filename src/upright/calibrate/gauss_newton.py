@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 
 FIRST_DAMPING = 1e-6  # [1] of the coefficients' own information: too little to shorten a good first step
 DAMPING_UP, DAMPING_DOWN = 30.0, 30.0  # factors after a step that fails and one that succeeds (Marquardt 1963 has 10)
-LEAST_RAISED = 1e-3  # [1] damping after a first failure: less would repeat nearly the same step
+LEAST_RAISED = 0.03  # [1] damping after a first failure: less would repeat nearly the same step
 MOST_DAMPING = 1e6  # [1] beyond which a step is too short to matter, and none is tried
 SHORT = 10.0  # tolerances: a failing step is not shortened below this length
 NO_LOSS = 1e-2  # in log-likelihood: a step that loses less counts as level, as rounding and noise would have it
@@ -49,11 +49,13 @@ class Minimum(NamedTuple):
     stopped: str
 
 
-def gauss_newton(problem: Problem, z: Array, *, iterations: int, tolerance: float = 0.02) -> Minimum:
-    """z of least objective: what descent finds, and where there is a likelier dead zone, from there with the zone
-    still; each in so many `iterations` at most."""
+def gauss_newton(
+    problem: Problem, z: Array, *, iterations: int, tolerance: float = 0.02, zones: bool = False
+) -> Minimum:
+    """z of least objective: what descent finds, and with `zones`, where there is a likelier dead zone, from there with
+    the zone still; each in so many `iterations` at most."""
     least = _descended(problem, z, iterations, tolerance)
-    for _ in range(CHANGES if iterations and np.isfinite(least.normal.objective) else 0):
+    for _ in range(CHANGES if zones and np.isfinite(least.normal.objective) else 0):
         other = _with_other_zone(problem, least.z, least.normal.objective)
         if other is None:
             break

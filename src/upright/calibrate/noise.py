@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -104,7 +103,7 @@ def _scaled(
 
 
 def _with_noise(problem: Problem, names: Sequence[str], eta: Array) -> Problem:
-    return replace(problem, noise={**problem.noise, **dict(zip(names, eta.tolist(), strict=True))})
+    return problem.with_noise(dict(zip(names, eta.tolist(), strict=True)))
 
 
 def _likelihood_parts(problem: Problem, z: Array) -> Parts:
@@ -113,7 +112,7 @@ def _likelihood_parts(problem: Problem, z: Array) -> Parts:
     for recording in problem.recordings:
         until = recording.when[0] + ENOUGH * recording.period / len(problem.recordings)
         path = problem.filtered(recording, z, until=until, fitted=True)
-        use = recording.fitted & (recording.kind >= 0) & (recording.when <= until)
+        use = recording.judged & (recording.when <= until)
         sensor = np.array([SENSOR[row] for row in recording.rows])
         parts.append((path.e[use], path.s[use], sensor[recording.kind[use]]))
     e, s, sensor = (np.concatenate(each) for each in zip(*parts, strict=True))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 import numpy as np
 
@@ -46,4 +45,4 @@ def process(recordings: Sequence[Recording], robot: Robot, fraction: float) -> d
 
 def with_process(problem: Problem, fraction: float) -> Problem:
     """The same problem with that `process` noise."""
-    return replace(problem, noise={**problem.noise, **process(problem.recordings, problem.robot, fraction)})
+    return problem.with_noise(process(problem.recordings, problem.robot, fraction))

@@ -136,8 +136,8 @@ def _with_resonance(fit: Fitted, bounds: Bounds) -> Fitted | None:
     if not other or not _explains(other, fit):
         return None
     own = _swings(other.problem)
-    noise = {**other.problem.noise, SWING: math.log(swing_noise(other.problem.recordings, FIRST))}
-    return _settled(replace(other.problem, noise=noise), other.z, {**bounds, **own})
+    noise = {SWING: math.log(swing_noise(other.problem.recordings, FIRST))}
+    return _settled(other.problem.with_noise(noise), other.z, {**bounds, **own})
 
 
 def white(fit: Fitted) -> bool:
@@ -172,19 +172,25 @@ def segmented(problem: Problem, limits: Mapping[str, float], starts: Sequence[Ar
     problem = with_process(replace(problem, restart=SEGMENT), SEGMENT_NOISE)
     bounds = sensor_bounds(limits)
     first = {name: math.log(min(max(_changes(problem, name), low), high)) for name, (low, high) in bounds.items()}
-    problem = replace(problem, noise={**problem.noise, **first})
+    problem = problem.with_noise(first)
 
     def turned(fit: Fitted) -> tuple[Fitted, bool]:
         new = _fitted(learn_noise(fit.problem, fit.z, bounds, iterations=5), fit.z, iterations=5)
+        if moves(fit, new):
+            return new, False
+        zoned = _fitted(new.problem, new.z, iterations=5, zones=True)
+        return zoned, not moves(new, zoned)
+
+    def moves(fit: Fitted, new: Fitted) -> bool:
         gained = fit.normal.objective - new.normal.objective
-        return new, bool(np.abs(new.z - fit.z).max() < SETTLED or abs(gained) < GAIN)
+        return bool(np.abs(new.z - fit.z).max() >= SETTLED and abs(gained) >= GAIN)
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         fits = [(fit, False) for fit in pool.map(partial(_fitted, problem, iterations=0), starts)]
         for _ in range(TURNS):
             going = pool.map(turned, [fit for fit, ended in fits if not ended])
             fits = _likeliest([*going, *(one for one in fits if one[1])])
-        last = [_fitted(fit.problem, fit.z, iterations=10) for fit, ended in fits if not ended]
+        last = [_fitted(fit.problem, fit.z, iterations=10, zones=True) for fit, ended in fits if not ended]
         return [*last, *(fit for fit, ended in fits if ended)]
 
 
@@ -217,9 +223,9 @@ def _changes(problem: Problem, sensor: str) -> float:
     return MISSING**2 * max(changes, default=0.0)
 
 
-def _fitted(problem: Problem, z: Array, *, iterations: int) -> Fitted:
-    """Gauss–Newton from z."""
-    result = gauss_newton(problem, z, iterations=iterations)
+def _fitted(problem: Problem, z: Array, *, iterations: int, zones: bool = False) -> Fitted:
+    """Gauss–Newton from z, to other dead zones too with `zones`."""
+    result = gauss_newton(problem, z, iterations=iterations, zones=zones)
     return Fitted(problem, result.z, result.normal, result.paths)
 
 
@@ -285,15 +291,15 @@ def _settled(problem: Problem, z: Array, bounds: Bounds) -> Fitted:
     """Parameters and noise in turn, until the noise of the sensors stays. Parameters first: noise that is learnt at
     wrong ones explains what they leave, and then hides from the next fit that they are wrong."""
     inside = {n: float(np.clip(problem.noise[n], np.log(low), np.log(high))) for n, (low, high) in bounds.items()}
-    within = replace(problem, noise={**problem.noise, **inside})
+    within = problem.with_noise(inside)
     problem = within if np.isfinite(objective(within, z)[0]) else problem
     for turn in range(TURNS):
-        _, z, normal, paths, _ = _fitted(problem, z, iterations=5)
+        _, z, normal, paths, _ = _fitted(problem, z, iterations=5, zones=True)
         before, problem = problem, learn_noise(problem, z, bounds, iterations=3 if turn else 5)
         changed = {n: abs(problem.noise[n] - before.noise[n]) for n in bounds}
         if max(changed.values()) < NOISE_TOLERANCE:
             return Fitted(before, z, normal, paths)
-    return _fitted(problem, z, iterations=8)
+    return _fitted(problem, z, iterations=8, zones=True)
 
 
 def _polished(fit: Fitted, bounds: Bounds) -> Fitted:

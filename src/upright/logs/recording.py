@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -63,10 +64,27 @@ class Recording:
         """The sensors of the log, among encoder, gyro and compass."""
         return tuple(dict.fromkeys(SENSOR[row] for row in self.rows))
 
+    @cached_property
+    def judged(self) -> NDArray[np.bool_]:
+        """Which events are readings that are fitted."""
+        return self.fitted & (self.kind >= 0)
+
     def order(self, delays: Mapping[str, float]) -> Whole:
-        """Indices of the events in the order of the commands' time, with the delays of the sensors removed."""
-        delay = np.array([delays[SENSOR[row]] for row in self.rows] + [0.0])
-        return np.lexsort((self.kind, self.when - delay[self.kind])).astype(np.int64)
+        """Indices of the events in the order of the commands' time, with the delays of the sensors removed; of those at
+        one time commands come first, then the rows as they stand."""
+        delay, by_kind = np.array([delays[SENSOR[row]] for row in self.rows] + [0.0]), self._by_kind
+        return by_kind[np.argsort((self.when - delay[self.kind])[by_kind], kind="stable")]
+
+    @cached_property
+    def _by_kind(self) -> Whole:
+        return np.argsort(self.kind, kind="stable").astype(np.int64)
+
+    @cached_property
+    def _reads(self) -> tuple[Array, Array, Array]:
+        """The sensor matrix is affine: its constant part, and its slopes by W/(2R) and by what is misaligned."""
+        at = np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, 1.0])
+        C = reading_matrix(self.rows, len(self.first), at[0], self.parts, at[1], swings=self.swings)
+        return C[..., :1], C[..., 1:2] - C[..., :1], C[..., 2:] - C[..., :1]
 
     def swinging(self) -> Recording:
         """The same with a gyro that swings: at first as fast as the body, give or take what a rate may be."""
@@ -80,7 +98,8 @@ class Recording:
     def reads(self, turn: Array, misaligned: Array) -> Array:
         """The sensor matrix C (rows, states, lanes) for W/(2R) = `turn` (lanes,) and a gyro that reads the part
         `misaligned` (lanes,) of the yaw rate."""
-        return reading_matrix(self.rows, len(self.first), turn, self.parts, misaligned, swings=self.swings)
+        constant, by_turn, by_misaligned = self._reads
+        return constant + by_turn * turn + by_misaligned * misaligned
 
 
 def jumps(t: Array) -> Whole:
