@@ -11,7 +11,7 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.calibrate.fitting import Problem, objective
-from upright.calibrate.gauss_newton import gauss_newton
+from upright.calibrate.gauss_newton import gauss_newton, with_other_zone
 from upright.calibrate.noise import learn_noise, scaled_noise, sensor_bounds
 from upright.calibrate.process_noise import with_process
 from upright.calibrate.threads import in_threads
@@ -72,11 +72,23 @@ def _less_noise(problem: Problem, z: Array, limits: Mapping[str, float]) -> tupl
 
 
 def _fits(problem: Problem, z: Array, limits: Mapping[str, float]) -> tuple[Problem, Array]:
+    """From z, and from there with a dead zone that is likelier at the first noise: the likelier of both ends."""
+    first = _at(problem, z, limits, ANNEALING_NOISE[0])
+    other = with_other_zone(first, z, objective(first, z)[0])
+    ends = [_descended(problem, start, limits) for start in (z, other) if start is not None]
+    return min(ends, key=lambda end: objective(*end)[0])
+
+
+def _at(problem: Problem, z: Array, limits: Mapping[str, float], fraction: float) -> Problem:
+    """The problem with so much process noise, and where the filter keeps the robot with the sensors' noise of that."""
+    less = with_process(problem, fraction)
+    kept = np.isfinite(objective(less, z)[0])
+    return learn_noise(less, z, sensor_bounds(limits), iterations=2) if kept else less
+
+
+def _descended(problem: Problem, z: Array, limits: Mapping[str, float]) -> tuple[Problem, Array]:
     for fraction in ANNEALING_NOISE:
-        less = with_process(problem, fraction)
-        if not np.isfinite(objective(less, z)[0]):
-            break
-        less = learn_noise(less, z, sensor_bounds(limits), iterations=2)
+        less = _at(problem, z, limits, fraction)
         new, normal, *_ = gauss_newton(less, z, iterations=6, tolerance=0.1, zones=True)
         if not np.isfinite(normal.objective):
             break

@@ -30,7 +30,7 @@ MOST_DAMPING = 1e6  # [1] beyond which a step is too short to matter, and none i
 SHORT = 10.0  # tolerances: a failing step is not shortened below this length
 NO_LOSS = 1e-2  # in log-likelihood: a step that loses less counts as level, as rounding and noise would have it
 
-ZONES = (0.0, 0.15, 0.3, 0.5, 0.75, 1.0, 1.5)
+ZONES = (0.0, 0.15, 0.3, 0.5, 0.75, 1.0, 1.5, 2.2, 3.2, 4.5, 6.5, 9.0)
 """[1] of the prior's dead zone: those that are tried, a third of a deviation to one of them apart."""
 NEAR = (0.85, 0.9, 0.95, 1.05, 1.1, 1.15)
 """[1] of a dead zone that is likelier than none: its neighbours, since commands may have levels as close."""
@@ -56,7 +56,7 @@ def gauss_newton(
     the zone still; each in so many `iterations` at most."""
     least = _descended(problem, z, iterations, tolerance)
     for _ in range(CHANGES if zones and np.isfinite(least.normal.objective) else 0):
-        other = _with_other_zone(problem, least.z, least.normal.objective)
+        other = with_other_zone(problem, least.z, least.normal.objective)
         if other is None:
             break
         still = replace(problem, held=problem.held | {DEAD_ZONE})
@@ -64,7 +64,7 @@ def gauss_newton(
     return least
 
 
-def _with_other_zone(problem: Problem, z: Array, value: float) -> Array | None:
+def with_other_zone(problem: Problem, z: Array, value: float) -> Array | None:
     """z (parameters,) with the likeliest of several dead zones; None where none is likelier than at the `value` of the
     objective, or none is asked."""
     for i, p in enumerate(problem.parameters):
