@@ -91,6 +91,7 @@ class Page {
   private telling = 0;
   private waits = 0;
   private busy = false; // whether a controller was being designed
+  private prepared = false; // whether that controller drives now, and nobody has pushed the robot since
   private begun = false; // whether there is a session
   private timing = false; // whether it has yet to hear how fast the time of this page goes
   drawnFirst = false; // whether a robot has been seen
@@ -398,8 +399,8 @@ class Page {
         this.champion();
         this.identify.changed();
         const ready = this.busy && !message.busy;
+        this.prepared = ready && this.tour.designed();
         if (message.busy !== this.busy) this.rest();
-        if (ready && this.tour.designed()) this.tell(said(() => t("designed")));
         break;
       }
       case "Analysed": case "Light": this.lamp(); this.update(); break;
@@ -435,6 +436,7 @@ class Page {
     const key = this.driven();
     const before = this.best[key] ?? 0;
     const best = Math.max(before, single && !fell ? impulse : 0);
+    this.prepared = false;
     if (best) this.best[key] = best;
     this.champion();
     const values = () => ({ impulse: digits(impulse), best: digits(best) });
@@ -480,7 +482,8 @@ class Page {
   private rest(): void {
     this.busy = store.changed?.busy ?? false;
     if (this.down) return;
-    this.tell(this.busy && said(() => [t("designing"), store.setup.controller === "robust" ? t("robustTakes") : ""].join(" ").trim()));
+    const designing = () => [t("designing"), store.setup.controller === "robust" ? t("robustTakes") : ""].join(" ").trim();
+    this.tell((this.busy || this.prepared) && said(() => (this.busy ? designing() : t("designed"))));
   }
 
   /** It lies: in whose words, and with the button that helps. */
