@@ -20,7 +20,7 @@ import psutil
 
 MOMENTS = 5
 BAR = 1.0  # [s]
-FIRST = 0.5  # [s] before it, Python's own start answers a signal
+FIRST = 0.5  # [s] before it, Python's own start answers a signal, where the system does not say who does
 
 CAMPAIGN = """
 n = 200000
@@ -53,7 +53,7 @@ COMMANDS = {
 
 LENGTH = {"identify": 6.0, "post-mortem": 6.0, "design hinf": 4.0, "doctor": 4.0, "parity": 5.0, "calibrate": 10.0}
 LONGEST = 12.0
-"""From the start to the last moment [s]; most commands run longer."""
+"""From then on to the last moment [s]; most commands run longer."""
 
 
 class End(NamedTuple):
@@ -77,7 +77,7 @@ def measure(seed: int, minutes: float | None) -> Iterator[tuple[str, str, str, b
             for number in (signal.SIGINT, signal.SIGTERM):
                 ends: list[End] = []
                 while len(ends) < MOMENTS and time.monotonic() < until:
-                    moment = draw.uniform(FIRST, LENGTH.get(name, LONGEST))
+                    moment = draw.uniform(0.0, LENGTH.get(name, LONGEST))
                     ends.append(interrupted(call.format(**given).split(), number, moment))
                 yield from _rows(name, number, [end for end in ends if not end.early])
 
@@ -118,12 +118,14 @@ def inputs(folder: Path) -> dict[str, str]:
 
 
 def interrupted(call: list[str], number: int, moment: float) -> End:
-    """One run, sent the signal at that moment [s] after its start."""
+    """One run, sent the signal at that moment [s] after it has begun to answer signals itself."""
     with tempfile.TemporaryDirectory() as place, tempfile.TemporaryDirectory() as temporary:
         process = subprocess.Popen(
             [sys.executable, "-m", "upright", *call], cwd=place, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
             start_new_session=True, env=os.environ | {"TMPDIR": temporary}, text=True,
         )  # fmt: skip
+        while process.poll() is None and not _answers(process.pid):
+            time.sleep(0.005)
         try:
             process.communicate(timeout=moment)
         except subprocess.TimeoutExpired:
@@ -148,6 +150,16 @@ def interrupted(call: list[str], number: int, moment: float) -> End:
             p.kill()
         code = process.returncode if process.returncode >= 0 else 128 - process.returncode  # as a shell says it
         return End(code, seconds, left, False, error)
+
+
+def _answers(pid: int) -> bool:
+    """Whether the process handles SIGTERM itself, as Python alone does not, however long it takes to start."""
+    try:
+        caught = Path(f"/proc/{pid}/status").read_text("utf-8").partition("SigCgt:")[2].split()[0]
+    except (OSError, IndexError):
+        time.sleep(FIRST)
+        return True
+    return bool(int(caught, 16) & 1 << (signal.SIGTERM - 1))
 
 
 def _campaigns(path: Path) -> bool:
