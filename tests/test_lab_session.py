@@ -644,11 +644,11 @@ def test_a_job_in_a_process_reports_and_can_be_killed(tmp_path):
     try:
         desk.submit(("s", "design"), "design", (replace(MODEL, controller="lqr-state", kit="ideal"), True))
         desk.submit(("s", "robust"), "design", (replace(MODEL, controller="robust"), True), alone=True)
-        words = []
-        while not any(key == ("s", "design") and status == "done" for key, status, _ in words):
-            words += desk.poll()
+        done = {}
+        while ("s", "design") not in done:
+            done |= {key: result for key, status, result in desk.poll() if status == "done"}
             time.sleep(0.02)
-        controller, found = words[-1][2] if words[-1][1] == "done" else next(w[2] for w in words if w[1] == "done")
+        controller, found = done["s", "design"]
         assert found.stable
         assert controller.spec.kind == "lqr"
         desk.cancel(("s", "robust"))
