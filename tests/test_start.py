@@ -2,27 +2,44 @@
 
 from __future__ import annotations
 
+import contextlib
+import io
 import json
 import shlex
 import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pytest
 
 from conftest import PATIENCE
+from upright.cli import guide
 from upright.cli.guide import STATE
 from upright.cli.main import main
 
-START = (sys.executable, "-m", "upright", "start", "--samples", "100")  # the fewest that bound a fall to a few per cent
+START = (sys.executable, "-m", "upright", "start")
 
 
-def started(folder: Path, answers: str, *options: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [*START, *options], cwd=folder, input=answers, capture_output=True, text=True, timeout=4 * PATIENCE, check=False
-    )
+@pytest.fixture
+def started(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Callable[..., str]:
+    """`started(answers, folder)`: what `upright start` prints in that folder, with its steps in this process, which has
+    imported all, and not in processes of their own."""
+
+    def here(command: Sequence[str], folder: Path) -> int:
+        with contextlib.chdir(folder):
+            return main(command)
+
+    def started(answers: str, folder: str = ".") -> str:
+        monkeypatch.setattr("sys.stdin", io.StringIO(answers))
+        guide.start(Path(folder), samples=100)  # the fewest that bound a fall to a few per cent
+        return capsys.readouterr().out
+
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(guide, "_executed", here)
+    return started
 
 
 def printed_commands(text: str) -> list[list[str]]:
@@ -30,44 +47,43 @@ def printed_commands(text: str) -> list[list[str]]:
 
 
 @pytest.mark.slow
-def test_a_simulated_robot_comes_to_a_verdict_and_goes_on_where_it_stopped(tmp_path):
+def test_a_simulated_robot_comes_to_a_verdict_and_goes_on_where_it_stopped(started, tmp_path):
     """Enter takes what is usual. The answers end at the simulation; the second call asks for the rest alone."""
-    first = started(tmp_path, "\n\nnonsense\nlqg\n")
-    assert first.returncode == 0, first.stderr
-    assert "no controller is called 'nonsense'" in first.stdout
-    assert "`upright start` goes on from here" in first.stdout
-    assert [line[1] for line in printed_commands(first.stdout)] == ["design"]
-    second = started(tmp_path, "nonlinear\n")
-    assert second.returncode == 0, second.stderr
-    commands = printed_commands(second.stdout)
+    first = started("\n\nnonsense\nlqg\n")
+    assert "no controller is called 'nonsense'" in first
+    assert "`upright start` goes on from here" in first
+    assert [line[1] for line in printed_commands(first)] == ["design"]
+    second = started("nonlinear\n")
+    commands = printed_commands(second)
     assert [line[1] for line in commands] == ["design", "simulate", "certify"]
-    assert second.stdout.count("(done before)") == 1
+    assert second.count("(done before)") == 1
     assert json.loads((tmp_path / "certificate.json").read_text())["light"] == "green"
-    assert "Verdict: green" in second.stdout
+    assert "Verdict: green" in second
     assert (tmp_path / "run.html").exists()
-    third = started(tmp_path, "")  # all is answered and done
-    assert third.stdout.count("(done before)") == 3
-    assert "Verdict: green" in third.stdout
+    third = started("")  # all is answered and done
+    assert third.count("(done before)") == 3
+    assert "Verdict: green" in third
 
 
 @pytest.mark.slow
-def test_a_log_is_examined_calibrated_and_certified(tmp_path):
-    run = started(tmp_path, "nxtway-gs\nlog\nno-such.csv\nexample\nnone\nlqr\n", "study")
-    assert run.returncode == 0, run.stderr
-    assert "there is no file no-such.csv" in run.stdout
-    assert [line[1] for line in printed_commands(run.stdout)] == ["example", "doctor", "calibrate", "design", "certify"]
-    assert "Verdict: " in run.stdout
+def test_a_log_is_examined_calibrated_and_certified(started, tmp_path):
+    run = started("nxtway-gs\nlog\nno-such.csv\nexample\nnone\nlqr\n", "study")
+    assert "there is no file no-such.csv" in run
+    assert [line[1] for line in printed_commands(run)] == ["example", "doctor", "calibrate", "design", "certify"]
+    assert "Verdict: " in run
     assert (tmp_path / "study" / "mine.toml").exists()
 
 
 @pytest.mark.slow
-def test_a_step_that_fails_asks_its_question_again(tmp_path):
+def test_a_step_that_fails_asks_its_question_again(tmp_path, monkeypatch, capfd):
     """A file that is no log ends the doctor with exit code 2; the answer is forgotten, and the rest kept."""
     (tmp_path / "bad.csv").write_bytes(b"\x00\x01")
-    run = started(tmp_path, "\nlog\nbad.csv\n")
-    assert run.returncode == 2
-    assert "asks again for log" in run.stderr
-    assert "Traceback" not in run.stderr
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("sys.stdin", io.StringIO("\nlog\nbad.csv\n"))
+    assert main(["start"]) == 2
+    complaints = capfd.readouterr().err
+    assert "asks again for log" in complaints
+    assert "Traceback" not in complaints
     assert set(json.loads((tmp_path / STATE).read_text())["answers"]) == {"robot", "where"}
 
 
