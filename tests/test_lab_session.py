@@ -186,7 +186,7 @@ def test_the_controller_can_be_changed_while_it_stands(tmp_path, family):
 
 
 def test_a_slow_design_is_made_beside_the_loop(tmp_path):
-    session, desk = a_session(tmp_path)
+    session, desk = a_session(tmp_path, certified=False)
     session.handle(Change(replace(MODEL, controller="pid")))
     assert session.lanes[0].controller.spec.kind == "lqg"
     assert only(Changed, session.events())[-1].busy
@@ -198,12 +198,12 @@ def test_a_slow_design_is_made_beside_the_loop(tmp_path):
 
 def test_weights_and_gains_reach_the_controller(tmp_path):
     stricter = replace(MODEL, controller="lqr", largest=(0.05, 1.5, 4.0, 15.0, 0.5, 3.0, 4.0))
-    session, desk = a_session(tmp_path, stricter)
-    plain, other = a_session(tmp_path, replace(MODEL, controller="lqr"))
+    session, desk = a_session(tmp_path, stricter, certified=False)
+    plain, other = a_session(tmp_path, replace(MODEL, controller="lqr"), certified=False)
     strict, usual = (only(Analysed, attended(*pair))[0].gain[0][0] for pair in ((session, desk), (plain, other)))
     assert strict < usual < 0  # less lean is accepted, so more voltage answers it
     by_hand = replace(MODEL, controller="gains", gains=(-27.0, -2.4, -0.46, -1.07, -4.7, -0.2))
-    hand, desk = a_session(tmp_path, by_hand)
+    hand, desk = a_session(tmp_path, by_hand, certified=False)
     analysed = only(Analysed, attended(hand, desk))[0]
     assert analysed.gain[0] == by_hand.gains
     assert f" {analysed.delay * 1e3:.0f} ms more delay" in analysed.words  # the table's number and the sentence's
@@ -469,7 +469,7 @@ def test_what_cannot_be_is_reported_and_changes_nothing(tmp_path, setup):
 
 
 def test_files_of_the_run_can_be_read_again(tmp_path):
-    session, desk = a_session(tmp_path, Setup(bodies=("nonlinear", "linear")))
+    session, desk = a_session(tmp_path, Setup(bodies=("nonlinear", "linear")), certified=False)
     with pytest.raises(AssertionError):
         assert session.logs()
     session.handle(Strike("impulse", 0.05))
@@ -485,7 +485,7 @@ def test_files_of_the_run_can_be_read_again(tmp_path):
 
 
 def test_the_doctor_examines_the_run_and_an_uploaded_file(tmp_path):
-    session, desk = a_session(tmp_path)
+    session, desk = a_session(tmp_path, certified=False)
     session.handle(Steer(0.2, 0.3))
     for _ in range(5):
         session.advance(1.0)
@@ -504,7 +504,7 @@ def test_the_doctor_examines_the_run_and_an_uploaded_file(tmp_path):
 
 
 def test_an_uploaded_robot_stands_there_with_its_numbers(tmp_path):
-    session, desk = a_session(tmp_path)
+    session, desk = a_session(tmp_path, certified=False)
     mine = ROBOT.replace(name="mine", body_mass=0.7)
     mine.save(tmp_path / "in-mine.toml")
     session.handle(Uploaded("robot", str(tmp_path / "in-mine.toml"), "in-mine.toml"))
@@ -725,7 +725,7 @@ def test_the_history_is_sent_again_from_a_moment_on(tmp_path):
 @pytest.mark.parametrize("raw", [False, True])
 def test_an_opened_log_is_compared_with_the_run(tmp_path, raw):
     """With its states, or with sensors alone as a brick writes them."""
-    session, desk = a_session(tmp_path)
+    session, desk = a_session(tmp_path, certified=False)
     session.handle(Strike("front", 0.1))
     for _ in range(6):
         session.advance(1.0)
