@@ -9,7 +9,6 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-import xarray as xr
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from scipy.stats import binomtest
 
@@ -152,13 +151,19 @@ def results():
     return labelled(ensemble.run(range(100)), range(100), ensemble)
 
 
+def assert_identical(one, other):
+    from xarray.testing import assert_identical  # takes a second, of every process that collects tests
+
+    assert_identical(one, other)
+
+
 @pytest.mark.parametrize("suffix", ["parquet", "zarr"])
 def test_results_come_back_as_they_were(results, tmp_path, suffix):
     if suffix == "zarr":
         pytest.importorskip("zarr")
     path = save(results, tmp_path / f"fleet.{suffix}")
     save(results, path)  # a second time, over the first
-    xr.testing.assert_identical(load(path), results)
+    assert_identical(load(path), results)
     assert [p.name for p in tmp_path.iterdir()] == [path.name]  # nothing half-written beside it
     assert load(path)["travel"].attrs["unit"] == "m"
     origin = origin_of(load(path))
@@ -363,7 +368,7 @@ def test_pages_of_maps_are_well_formed(small_map, tmp_path):
     assert len(figures) == 4  # the same for each direction
     for figure in figures:
         ElementTree.fromstring(figure.svg())
-    xr.testing.assert_identical(load(save(data, tmp_path / "map.parquet")), data)  # texts, numbers and truths
+    assert_identical(load(save(data, tmp_path / "map.parquet")), data)  # texts, numbers and truths
     assert "still stands 3 s later" in page_of(data).html().replace("\u00a0", " ")  # `watch`, and the default tolerance
     cut = basin(bare(seconds=1.0), Axis("pitch", -1.0, 1.0, 5), Axis("wheel", -1, 1, 3))
     ElementTree.fromstring(basin_figure(cut).svg())

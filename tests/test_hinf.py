@@ -13,7 +13,7 @@ from upright.experiment import Drive, Hold, run
 from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot, preset_names
 
-pytest.importorskip("slycot")
+pytestmark = pytest.mark.needs("module:slycot")
 
 
 @pytest.fixture(scope="module")

@@ -1354,7 +1354,8 @@ def test_a_prepared_run_begins_when_its_controller_is_designed(page):
             if (message.kind === 'StandUp') stood.push(store.changed.busy);
             send(message);
         };
-        store.listen(({ kind, busy }) => kind === 'Changed' && told.push([busy, document.querySelector('.fell').innerText]));
+        const text = () => document.querySelector('.fell').innerText;
+        store.listen(({ kind, busy }) => kind === 'Changed' && told.push([busy, text()]));
     }""")
     page.click("[data-key=tour-set]")
     until(page, "stood.length === 2")
@@ -1381,7 +1382,8 @@ def test_a_prepared_run_begins_with_its_words_though_the_robot_fell_meanwhile(pa
             store.hear(message);
             told.push(document.querySelector('.fell').innerText);
         };
-        const seen = (lies) => hear({ ...store.snapshot, x: store.snapshot.x.map((row) => [...row.slice(0, 8), lies]) });
+        const rows = (lies) => store.snapshot.x.map((row) => [...row.slice(0, 8), lies]);
+        const seen = (lies) => hear({ ...store.snapshot, x: rows(lies) });
         const changed = (busy) => hear({ ...store.changed, setup: store.setup, busy });
         store.send = () => undefined;
         document.querySelector('[data-key=tour-set]').click();

@@ -13,7 +13,6 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from xarray import Dataset
 
 from upright.certify.design import design
 from upright.comparison import compare
@@ -238,6 +237,8 @@ def test_a_title_replaces_the_pages_own_and_a_result_without_a_page_says_so(comp
 
 @pytest.mark.parametrize("name", PAGES)
 def test_every_class_of_the_list_exists_and_its_file_takes_it(name):
+    from xarray import Dataset  # takes a second, of every process that collects tests
+
     takes = get_type_hints(import_module(f"upright.report.{PAGES[name]}").page_of, localns={"Dataset": Dataset})
     given = takes[next(iter(takes))]
     assert name in {kind.__name__ for kind in (get_args(given) or (given,))}

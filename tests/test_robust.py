@@ -21,7 +21,7 @@ from upright.robots import Kit, Robot
 from upright.robots.uncertainty import Uncertainty, draw
 from upright.signals import STATE_NAMES
 
-pytest.importorskip("cvxpy")
+pytestmark = pytest.mark.needs("module:cvxpy")
 
 NXT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
 W, PRICE = bryson(LARGEST_STATE)[:4, :4], 2 / 4.0**2
