@@ -18,10 +18,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
 
-import foreign_robots as simulator
-from foreign_robots import SMALL, Bot, Course, known, logged, metric
+from foreign_robots import SMALL, Bot, Course, known, logged, metric, missed, replace
 from upright.calibrate.calibrate import calibrate
-from upright.calibrate.calibration import Calibration
 from upright.logs.mapping import apply, propose
 
 MIDDLE = Bot(
@@ -36,33 +34,6 @@ ROBOTS = {  # and seconds of balance, amplitude of the excitation [V]
 }
 
 
-def truth_of(bot: Bot) -> dict[str, float]:
-    """The numbers of a robot, by the names of a calibration; its dry friction is all in the motor."""
-    a11, a12, a22 = bot.masses
-    weight = bot.body * simulator.GRAVITY * bot.com
-    return {
-        "body_mass": bot.body, "wheel_radius": bot.radius, "com_height": bot.com, "pitch_inertia": bot.inertia,
-        "rolling_friction": bot.rolling, "a11": a11, "a12": a12, "a22": a22, "a22/a11": a22 / a11,
-        "weight_moment": weight, "weight_moment/a22": weight / a22, "motor_gain": bot.gain,
-        "motor_damping": bot.damping, "coulomb_friction": bot.dry, "wheel_friction": 0.0, "unstable_pole": bot.pole,
-        "delay/gyro−encoder": bot.late, "rotor_inertia": bot.rotor / 2,
-    }  # fmt: skip
-
-
-def missed(found: Calibration, bot: Bot) -> tuple[int, list[str]]:
-    """How many numbers with a known truth are visible, and those whose interval misses it."""
-    every = (*found.parameters, *found.combinations, *found.delays)
-    seen = {e.name: e for e in every if e.verdict == "visible"}
-    names = {name: value for name, value in truth_of(bot).items() if name in seen}
-    return len(names), [name for name, value in names.items() if not seen[name].low <= value <= seen[name].high]
-
-
-def with_dead_zone(zone: float) -> None:
-    """Let the simulator's motors take no voltage below `zone` [V]."""
-    step = simulator._stepped
-    simulator._stepped = lambda bot, x, volts, *rest: step(bot, x, volts if abs(volts) > zone else 0.0, *rest)
-
-
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--robot", choices=[*ROBOTS], action="append", help="all, unless named")
@@ -70,11 +41,11 @@ def main() -> None:
     parser.add_argument("--logs", type=int, default=3)
     parser.add_argument("--dead-zone", type=float, default=0.0, metavar="VOLTS")
     given = parser.parse_args()
-    with_dead_zone(given.dead_zone)
     print(f"{platform.processor() or platform.machine()}, Python {platform.python_version()}, NumPy {version('numpy')}")
     all_visible = all_held = 0
     for name in given.robot or ROBOTS:
         bot, free, excitation = ROBOTS[name]
+        bot = replace(bot, dead_zone=given.dead_zone)
         for seed in range(given.first_seed, given.first_seed + given.logs):
             table = metric(logged(bot, Course(free=free, held=0.5, excitation=excitation), seed=seed), bot)
             started, used = time.perf_counter(), time.process_time()

@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.calibrate.calibration import Calibration
 from upright.logs.readers import RawTable
 from upright.robots import Robot
 from upright.robots.robot import Provenance
@@ -48,6 +49,7 @@ class Bot:
     battery: float = 11.7
     gains: tuple[float, float, float, float] = (0.7, 30.0, 0.7, 2.4)  # wheel, pitch, wheel rate, pitch rate
     period: float = 0.005
+    dead_zone: float = 0.0  # [V] what is not above it moves no motor
 
     @property
     def masses(self) -> tuple[float, float, float]:
@@ -169,8 +171,10 @@ def logged(bot: Bot, course: Course, seed: int = 0) -> dict[str, Array]:
         force = sum(f for a, b, f in course.pushes if a <= free < b)
         hand = free < 0
         goal = _held(course, t) if hand else 0.0
+        volts = duty * bot.battery
+        volts = volts if abs(volts) > bot.dead_zone else 0.0
         for _ in range(per_row):
-            state = _stepped(bot, state, duty * bot.battery, force, goal if hand else None, on_floor)
+            state = _stepped(bot, state, volts, force, goal if hand else None, on_floor)
             on_floor |= not hand and abs(state[0]) > 1.3
             past.append(state[1])
     names = ("t", "left", "right", "gyro", "tilt", "duty")
@@ -211,5 +215,29 @@ def known(bot: Bot) -> Robot:
     return replace(Robot.preset("nxtway-gs"), name="mine", **numbers, provenance=sources)
 
 
+def truth_of(bot: Bot) -> dict[str, float]:
+    """The numbers of a robot, by the names of a calibration; its dry friction is all in the motor."""
+    a11, a12, a22 = bot.masses
+    weight = bot.body * GRAVITY * bot.com
+    return {
+        "body_mass": bot.body, "wheel_radius": bot.radius, "com_height": bot.com, "pitch_inertia": bot.inertia,
+        "rolling_friction": bot.rolling, "a11": a11, "a12": a12, "a22": a22, "a22/a11": a22 / a11,
+        "weight_moment": weight, "weight_moment/a22": weight / a22, "motor_gain": bot.gain,
+        "motor_damping": bot.damping, "coulomb_friction": bot.dry, "wheel_friction": 0.0, "unstable_pole": bot.pole,
+        "delay/gyro−encoder": bot.late, "rotor_inertia": bot.rotor / 2,
+    }  # fmt: skip
+
+
+def missed(found: Calibration, bot: Bot) -> tuple[int, list[str]]:
+    """How many numbers with a known truth are visible, and those whose interval misses it."""
+    every = (*found.parameters, *found.combinations, *found.delays)
+    seen = {e.name: e for e in every if e.verdict == "visible"}
+    names = {name: value for name, value in truth_of(bot).items() if name in seen}
+    return len(names), [name for name, value in names.items() if not seen[name].low <= value <= seen[name].high]
+
+
 Change = Callable[[dict[str, Array]], dict[str, Array]]
-__all__ = ["DEGREE", "SMALL", "Bot", "Change", "Course", "arduino", "known", "logged", "metric", "replace"]
+__all__ = [
+    "DEGREE", "SMALL", "Bot", "Change", "Course", "arduino", "known", "logged", "metric", "missed", "replace",
+    "truth_of",
+]  # fmt: skip
