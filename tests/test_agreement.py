@@ -6,6 +6,7 @@ import dataclasses
 import json
 import math
 from functools import cache
+from importlib import import_module
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -20,7 +21,7 @@ from upright.calibrate.estimate import HELD
 from upright.certify import checks
 from upright.certify.actual import as_logged
 from upright.certify.agreement import AMBER, RED, Agreement, agreement
-from upright.certify.calibrated import learnt
+from upright.certify.calibrated import Learnt, learnt
 from upright.certify.certificate import Certificate, certify, read_certificate
 from upright.certify.checks import KernelController, PushTrial, TrialSetup, kernel_controller, trials, tried
 from upright.certify.pushes import standard_pushes
@@ -275,6 +276,31 @@ def test_a_calibrated_robots_file_says_how_its_errors_go_together() -> None:
     )
     robot = Calibration.known_robot(calibration)
     assert dict(robot.correlation) == {("com_height", "track"): pytest.approx(np.corrcoef(root @ root.T)[3, 0])}
+
+
+@pytest.mark.slow
+def test_command_draws_its_robots_from_what_a_calibration_makes_of_the_log(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Here it makes a robot of a name that nothing else has; what it makes of planted numbers is in `test_support`."""
+    asked: list[tuple[Log, Robot]] = []
+
+    def calibrated(log: Log, setup: TrialSetup, progress: object = None) -> tuple[Learnt, tuple[()]]:
+        asked.append((log, setup.robot))
+        return Learnt(ROBOT.replace(name="found", body_mass=1.01 * ROBOT.body_mass), KIT, CALIBRATED), ()
+
+    monkeypatch.setattr(import_module(certify.__module__), "calibrated", calibrated)
+    whole = recording()
+    whole.save(tmp_path / "run.csv")
+    assert main(["certify", "pid", "--log", str(tmp_path / "run.csv"), "-n", "100", "--json"]) == 0
+    said = json.loads(capsys.readouterr().out)
+    ((log, robot),) = asked
+    assert robot == ROBOT
+    assert np.allclose(log["sensor/gyro"], whole["sensor/gyro"])
+    assert (said["robot"], said["light"]) == ("found", GREEN)
+    # a log of this very robot: nothing in it surprises more than the drawn robots do
+    assert all(a["measured"] < 2 * a["expected"] for a in said["agreement"])
+    assert len(said["agreement"]) == 3
 
 
 @pytest.mark.slow

@@ -585,7 +585,6 @@ def test_another_robot_is_no_sensor_of_another_scale(robot: str) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.long
 def test_a_robot_that_stands_for_seconds_has_motors() -> None:
     """Planted: commands logged in another unit, three times as large in every row; the robot stood for 5 s."""
     log = example("fall")
