@@ -42,7 +42,7 @@ def of_supply(kit: Kit, used: Kit) -> tuple[str, ...]:
     volts, usual = used.battery.voltage, kit.battery.voltage
     if volts == usual:
         return ()
-    return (f"by the log the battery has {volts:.3g} V, not the {usual:.3g} V of the kit: commands up to it count",)
+    return (f"the log's battery, {volts:.3g} V, is used here instead of the kit's, {usual:.3g} V",)
 
 
 def _with(kit: Kit, volts: float, sag: float) -> Kit:
