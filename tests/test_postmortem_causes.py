@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from upright.arrays import Array
-from upright.diagnose import chances, verdict
-from upright.diagnose.causes import HIGH, LOW
+from upright.diagnose import chances, facts, verdict
+from upright.diagnose.causes import DROPPED, HIGH, LOW
 from upright.diagnose.evidence import EXCURSION, KNOWN_TO, Evidence
 from upright.diagnose.fall import Authority, falling, half_swing, held_command, pace, wheel_rates
 from upright.diagnose.fault_fits import FaultFit, PushEstimate
@@ -135,6 +135,22 @@ def test_no_fault_is_needed_where_pushes_leave_only_noise(pushes_leave: float, h
     evidence: Any = SimpleNamespace(pushes_only=none, calm=1.0)
     delay: Any = SimpleNamespace(fault="delay", nis=0.9 * pushes_leave if not held else 0.9, score=124.0)
     assert (chances.holds(evidence, delay) > 0.5) == held
+
+
+@pytest.mark.parametrize(("wrong", "stood"), [(0.0, True), (8.0, False)])
+def test_a_program_that_stopped_is_the_cause_of_a_sound_robot_only(wrong: float, stood: bool) -> None:
+    """A gyro of another scale made a tall robot fall, whose program then stopped: by that gyro it leaned so little that
+    the motors could have saved it. Innovations are noise, and until the stop what the gyro has `wrong` beside it."""
+    t = 0.01 * np.arange(400)
+    noise = np.random.default_rng(5).standard_normal(400)
+    rest = noise + wrong * (t > 2.0)
+    none: Any = SimpleNamespace(fault="none", rest=rest)
+    evidence: Any = SimpleNamespace(
+        motors=SimpleNamespace(held=(3.0, 4.0), pegged=0.0, stuck=False), stuck=None, then=t, calm=1.0,
+        weights=np.ones(400), pushes_only=none, fits=(none, SimpleNamespace(fault="scale", rest=noise)),
+    )  # fmt: skip
+    (answer,) = facts.stuck(evidence)
+    assert (answer.name, answer.probability > 0.9, answer.probability < 0.1) == (DROPPED, stood, not stood)
 
 
 @pytest.mark.parametrize(("lean", "topples"), [(0.45, True), (0.1, False)])

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from upright.arrays import Array
 from upright.diagnose.causes import DEAD, NAMES, PUSH, REVERSED
 from upright.diagnose.evidence import Evidence
 from upright.diagnose.fall import LEANING, authority, pace
@@ -136,15 +137,33 @@ def explains_the_start(evidence: Evidence) -> bool:
     none, lost = evidence.pushes_only, lost_before(evidence)
     pushes = [push for push in none.pushes if push.stop < lost]
     lean, largest = worth(evidence, pushes)
-    if largest is None or lean < evidence.toppling.largest or len(none.rest) < len(evidence.then):
+    if largest is None or lean < evidence.toppling.largest:
         return False
-    rows = np.flatnonzero(evidence.then < lost)
-    squares = {id(fit): float((fit.rest[rows] ** 2).sum()) for fit in evidence.fits if len(fit.rest) == len(none.rest)}
-    mine, floor = squares[id(none)], evidence.calm * len(rows)
-    if not len(rows) or mine > FITS_BADLY * floor:
-        return False
-    nats = len(rows) / 2 / CORRELATED * math.log((mine + floor) / (min(squares.values()) + floor))
-    return nats < SURE
+    nis, nats = left_until(evidence, lost)
+    return nis <= FITS_BADLY * evidence.calm and nats < SURE
+
+
+def left_until(evidence: Evidence, end: float, weights: Array | None = None) -> tuple[float, float]:
+    """The NIS that pushes alone leave up to a time [s], and the nats by which some hypothesis explains more until then,
+    by the `weights` of the readings (none: all count alike); NaN where nothing is read before."""
+    none, rows = evidence.pushes_only, np.flatnonzero(evidence.then < end)
+    if not len(rows) or len(none.rest) < len(evidence.then):
+        return math.nan, math.nan
+    counts = np.ones(len(rows)) if weights is None else weights[rows]
+    several = [float(counts @ fit.rest[rows] ** 2) for fit in evidence.fits if len(fit.rest) == len(none.rest)]
+    mine, floor = float(counts @ none.rest[rows] ** 2), evidence.calm * float(counts.sum())
+    return mine / float(counts.sum()), len(rows) / 2 / CORRELATED * math.log((mine + floor) / (min(several) + floor))
+
+
+def sound_until(evidence: Evidence, end: float) -> float:
+    """From 0 to 1: how likely robot and sensors were as they should be up to a time [s]. Pushes then leave no more than
+    what the robot is known to, and no fault explains much more, unless they leave noise; nothing speaks against it
+    where nothing was read."""
+    nis, nats = left_until(evidence, end, evidence.weights)
+    if math.isnan(nis):
+        return 1.0
+    changed = step(nats - SURE, SURE_WIDTH) * step(nis / evidence.calm - ONLY_NOISE, EXPLAINED_WIDTH)
+    return step(FITS_BADLY - nis / evidence.calm, FITS_WIDTH) * (1 - changed)
 
 
 def unsettled(evidence: Evidence, fit: FaultFit) -> float:

@@ -7,7 +7,7 @@ import math
 from dataclasses import dataclass
 
 from upright.diagnose.causes import DEAD, DROPPED, HIGH, JAMMED, LOW, NONE, SATURATION, STUCK, Blow
-from upright.diagnose.chances import PEGGED, fits_badly, step, toppled, unexplained
+from upright.diagnose.chances import PEGGED, fits_badly, sound_until, step, toppled, unexplained
 from upright.diagnose.evidence import Evidence
 from upright.diagnose.words import began, most, percent
 from upright.tables import short
@@ -35,7 +35,9 @@ class Answer:
 
 
 def stuck(evidence: Evidence) -> list[Answer]:
-    """Whether the motors got one and the same command all through the fall."""
+    """Whether the motors got one and the same command all through the fall. That commands stood still is plain; that
+    they did before the fall, and could have stopped it, follows from a lean that the filter has only of a sound robot:
+    a program may stand still because its robot fell."""
     held, still = evidence.motors.held, evidence.stuck
     if held is not None and still is not None and still.start < held[0] - BEFORE:  # commands follow what it shows
         held = None
@@ -44,14 +46,16 @@ def stuck(evidence: Evidence) -> list[Answer]:
             f"both commands stood still from t = {held[0]:.2f} to {held[1]:.2f} s, while the robot leaned further and "
         )
         text += "the motors could have saved it: the loop did not run"
-        return [Answer(FACT, DROPPED, held[0], text)]
+        return [Answer(FACT * sound_until(evidence, held[0]), DROPPED, held[0], text)]
     if not evidence.motors.stuck or (still is not None and still.start < began(evidence) - BEFORE):
         return []
     pegged = evidence.motors.pegged > PEGGED
     name, why = (SATURATION, "the motors were at their limit") if pegged else (DROPPED, "the loop did not run")
     text = f"no command changed in the last {evidence.excursion:.2g} s, while the robot fell: {why}"
+    if not pegged:
+        return [Answer(FACT * sound_until(evidence, began(evidence)), name, began(evidence), text)]
     # motors that are at their limit because something else changed, or by a push that topples, are no cause
-    changed = max(fits_badly(evidence, evidence.pushes_only.nis), toppled(evidence)[0]) if pegged else 0.0
+    changed = max(fits_badly(evidence, evidence.pushes_only.nis), toppled(evidence)[0])
     return [Answer(FACT * (1 - changed), name, began(evidence), text)]
 
 
