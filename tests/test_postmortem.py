@@ -44,15 +44,17 @@ from upright.diagnose.causes import (
     Blow,
 )
 from upright.diagnose.chances import toppled
+from upright.diagnose.changes import frictions
 from upright.diagnose.evidence import gather
 from upright.diagnose.fall import lost_lately, stuck_sensor
-from upright.diagnose.fault_fits import FaultFit, PushEstimate, exceeding, fits
+from upright.diagnose.fault_fits import FaultFit, PushEstimate, exceeding, fits, least_squares
 from upright.diagnose.forces import loaded, sliding
 from upright.diagnose.innovations import FilterRun, driven, follow
 from upright.diagnose.joint import jointly
 from upright.diagnose.measured import Toppling
 from upright.diagnose.pairs import together
 from upright.diagnose.propagation import fly, slide
+from upright.diagnose.pushed import LEAVES
 from upright.diagnose.remedy import Window, remedied, searched
 from upright.diagnose.series import Series
 from upright.diagnose.signatures import bank
@@ -695,6 +697,26 @@ def test_numbers_with_which_the_filter_loses_the_robot_are_not_taken(monkeypatch
     faults, found = jointly(followed, [weak], start, window, window.bank(followed, pushes_only=False))
     assert faults == [weak]
     assert found is start
+
+
+@pytest.mark.slow
+def test_friction_of_one_wheel_holds_it_where_it_rests() -> None:
+    """MuJoCo holds the left wheel by 0.3 of the motor's largest torque. With this number the filter leaves noise, which
+    counts up to `LEAVES`, and of the bank's hypotheses that wheel's leaves a tenth at most. Friction that is smooth
+    about rest takes nothing from a wheel that does not turn: it left all 35.7, and all of the squares."""
+    body = open_bench.BrokenBody(Twin(NXT), KIT, bench.Fault("stiction", "left", ONSET, 0.3), 1)
+    log = run(body, designed(), Impulse(impulse=0.02, start=0.7), seconds=4.0, seed=2)
+    log = Log(log.t, {n: log[n] for n in log.channels if n.startswith(("sensor/", "command/"))})
+    usual, end = follow(log, NXT, KIT), ONSET + 1.0
+    held = FaultFit(fault="friction", way="left", onset=ONSET, size=0.3 * largest_command(NXT, KIT))
+    freed = remedied(usual, held)
+    assert freed is not None
+    left, before = (float(np.mean(one.between(ONSET, end).whitened ** 2)) for one in (freed, usual))
+    assert left < LEAVES < 20 * LEAVES < before
+    part = usual.between(ONSET - 1.0, end)
+    y, signatures = part.whitened, frictions(part, np.array([ONSET]))
+    leaves = {way: min(least_squares(y, one)[1] for one in signatures if one.way == way) for way in ("left", "right")}
+    assert leaves["left"] < 0.1 * float(y @ y) < leaves["right"]
 
 
 @pytest.mark.slow

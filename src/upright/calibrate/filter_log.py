@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 KNOWN_WELL = 0.03  # of the commands: process noise from which that of a log is learnt
 MOST = 1e6  # of a variance, over the one from which it is learnt
-NEVER_STIFF = (math.inf, 0.0)  # [s, N m]
+NEVER_STIFF = (math.inf, 0.0, 0.0)  # [s], and of the left and the right motor [command unit]
 NO_STICKING = {STICKING: -math.inf}  # the motors' noise holds it
 
 Array = NDArray[np.float64]
@@ -114,19 +114,10 @@ class Follower:
     @cached_property
     def _robot(self) -> tuple[RobotLanes, Array]:
         """What the predictor takes of the robot, and how each sensor reads the state."""
-        lanes = self._lanes(self.problem)
-        return lanes, lanes.reads[:, :, 0]
-
-    def _lanes(self, problem: Problem) -> RobotLanes:
         from upright.calibrate.predictor import WIDE
 
-        return problem.lanes(self.recording, np.repeat(self._none[:, None], WIDE, axis=1))
-
-    def _stiff(self, friction: float) -> RobotLanes:
-        """The robot with so much more dry friction in each motor [N m]."""
-        robot = self.problem.robot
-        stiff = robot.replace(coulomb_friction=max(0.0, robot.coulomb_friction + friction))
-        return self._lanes(replace(self.problem, robot=stiff))
+        lanes = self.problem.lanes(self.recording, np.repeat(self._none[:, None], WIDE, axis=1))
+        return lanes, lanes.reads[:, :, 0]
 
     @cached_property
     def _usual(self) -> _Order:
@@ -173,11 +164,11 @@ class Follower:
         commands: Array | None = None,
         values: Array | None = None,
         when: Array | None = None,
-        stiff: tuple[float, float] = NEVER_STIFF,
+        stiff: tuple[float, float, float] = NEVER_STIFF,
     ) -> FilteredLog:
         """The filter along the recording, or one with these `commands` (rows, 2), `values` (events,) of its readings,
         NaN of those that say nothing, and times `when` (events,) [s] of its events, of a robot that from a time [s] on
-        is `stiff` by so much more dry friction in each motor [N m]."""
+        is `stiff` by so much more dry friction in its left and its right motor [command unit]."""
         recording, (_, reads) = self.recording, self._robot
         commands = recording.commands if commands is None else np.ascontiguousarray(commands)
         order = self._usual if when is None else self._ordered(when)
@@ -194,7 +185,7 @@ class Follower:
         )  # fmt: skip
 
     def _again(
-        self, order: _Order, commands: Array, values: Array, when: Array, stiff: tuple[float, float]
+        self, order: _Order, commands: Array, values: Array, when: Array, stiff: tuple[float, float, float]
     ) -> Followed:
         """What the filter leaves of events of other commands, readings and times: it begins where these first differ
         from the recording's."""
@@ -219,7 +210,7 @@ class Follower:
         for one, nothing in ((e, np.nan), (s, np.nan), (gains, 0.0), (states, 0.0)):
             one[events[start:]] = nothing
         several = Events(order.events[start:], recording.kind, when, values, commands)
-        lanes = self._robot[0] if math.isinf(stiff[0]) else self._stiff(stiff[1])
+        lanes = self._robot[0]._replace(stiff=np.array(stiff))
         kalman_along(several, lanes, state, noise, self.problem.longest, path)
         return path
 

@@ -45,12 +45,12 @@ STATES = 6
 DRIVE_LEFT, DRIVE_RIGHT, DEAD_ZONE, CONSTANT, DROP = range(WORK, WORK + 5)
 DRIVES = 5
 """How many numbers of what drives a robot stand behind its constants."""
-SPAN, FRICTION, REVERSAL, STUCK, ROLL_LEFT, ROLL_RIGHT, START = range(WORK + 5, WORK + 12)
+SPAN, DRY_LEFT, DRY_RIGHT, REVERSAL, STUCK, ROLL_LEFT, ROLL_RIGHT, START = range(WORK + 5, WORK + 13)
 ROWS = START + STATES
 """Rows of a block after those of the kernel's, one number for each lane: factors of both motors, their dead zone, what
-is added to both commands, and their drop; the time to move [s]; dry friction as a command; negative where a wheel
-turned back; whether one has since the row was cleared; the smoothed signs of rolling friction; the state before the
-step."""
+is added to both commands, and their drop; the time to move [s]; each wheel's dry friction as a command; negative where
+a wheel turned back; whether one has since the row was cleared; the smoothed signs of rolling friction; the state before
+the step."""
 
 SWEEPS = 20  # of Gauss and Seidel over both wheels, at most, from where both would stand still
 PASSES = 3  # in which the response to friction, known to a few hundredths, is corrected, at most
@@ -109,13 +109,13 @@ def _roll(w: Any, count: Any, steps: Any) -> None:
     The rates there are foreseen with smooth friction in the motors: that of a wheel that sticks may have either sign.
     """
     for i in range(count):
-        x, dry, smooth = _state(w, PITCH, i), get(w, FRICTION, i), get(w, STICTION_RATE_SQUARED, i)
+        x, smooth = _state(w, PITCH, i), get(w, STICTION_RATE_SQUARED, i)
         turn = get(w, HALF_TRACK, i)
         slip_left, slip_right = _signs(*_wheel_rates(x, turn), smooth)
         roll_left, roll_right = _signs(x[3] - turn * x[5], x[3] + turn * x[5], smooth)
         _, wheel_acc, yaw_acc = accelerations_free(
-            x[0], x[1], x[3], x[5], get(w, LEFT, i) - dry * slip_left, get(w, RIGHT, i) - dry * slip_right,
-            roll_left, roll_right, *constants_free(w, i),
+            x[0], x[1], x[3], x[5], get(w, LEFT, i) - get(w, DRY_LEFT, i) * slip_left,
+            get(w, RIGHT, i) - get(w, DRY_RIGHT, i) * slip_right, roll_left, roll_right, *constants_free(w, i),
         )  # fmt: skip
         half = get(w, SPAN, i) / steps / 2
         mean, turning = x[3] + half * wheel_acc, turn * (x[5] + half * yaw_acc)
@@ -129,11 +129,12 @@ def _advance(w: Any, count: Any, steps: Any) -> None:
     """One step of span/steps [s] for the first `count` lanes of the block `w`: each wheel's dry friction against its
     motion, and where that would turn it back within the step, what it really gives."""
     for i in range(count):
-        d, half, dry = get(w, SPAN, i) / steps, get(w, HALF_TRACK, i), get(w, FRICTION, i)
+        d, half = get(w, SPAN, i) / steps, get(w, HALF_TRACK, i)
         x = _state(w, PITCH, i)
         before_left, before_right = _wheel_rates(x, half)
-        left = dry if before_left >= 0 else -dry
-        right = dry if before_right >= 0 else -dry
+        left, right = get(w, DRY_LEFT, i), get(w, DRY_RIGHT, i)
+        left = left if before_left >= 0 else -left
+        right = right if before_right >= 0 else -right
         new = _stepped(w, i, x, d, left, right)
         after_left, after_right = _wheel_rates(new, half)
         put(w, REVERSAL, i, min(left * after_left, right * after_right))
@@ -179,31 +180,31 @@ def _mean_friction(first: Any, free: Any, own: Any, dry: Any) -> Any:
 
 
 @inlined
-def _both_held(free_left: Any, free_right: Any, own: Any, other: Any, dry: Any) -> Any:
+def _both_held(free_left: Any, free_right: Any, own: Any, other: Any, dry_left: Any, dry_right: Any) -> Any:
     """The friction that brings both wheels to rest at the end of a step, or as much of it as there is."""
-    left, right = own * free_left - other * free_right, own * free_right - other * free_left
-    most = dry * (own * own - other * other)
-    return dry * max(-1.0, min(1.0, left / most)), dry * max(-1.0, min(1.0, right / most))
+    whole = own * own - other * other
+    left, right = (own * free_left - other * free_right) / whole, (own * free_right - other * free_left) / whole
+    return max(-dry_left, min(dry_left, left)), max(-dry_right, min(dry_right, right))
 
 
 @njit
 def _stop(w: Any, i: Any, d: Any) -> None:
     """The step of lane i again, in which a wheel stops: friction is such that it sticks or turns back."""
-    half, dry = get(w, HALF_TRACK, i), get(w, FRICTION, i)
+    half, dry_left, dry_right = get(w, HALF_TRACK, i), get(w, DRY_LEFT, i), get(w, DRY_RIGHT, i)
     start = _state(w, START, i)
     first_left, first_right = _wheel_rates(start, half)
-    left, right = dry if first_left >= 0 else -dry, dry if first_right >= 0 else -dry
+    left, right = dry_left if first_left >= 0 else -dry_left, dry_right if first_right >= 0 else -dry_right
     own, other = _responses(w, i, d)
     for _ in range(PASSES):
         last_left, last_right = _wheel_rates(_state(w, PITCH, i), half)
         free_left = last_left + own * left + other * right
         free_right = last_right + own * right + other * left
         before_left, before_right = left, right
-        left, right = _both_held(free_left, free_right, own, other, dry)
+        left, right = _both_held(free_left, free_right, own, other, dry_left, dry_right)
         for _ in range(SWEEPS):
             before = left, right
-            left = _mean_friction(first_left, free_left - other * right, own, dry)
-            right = _mean_friction(first_right, free_right - other * left, own, dry)
+            left = _mean_friction(first_left, free_left - other * right, own, dry_left)
+            right = _mean_friction(first_right, free_right - other * left, own, dry_right)
             if (abs(left - before[0]) + abs(right - before[1])) * own < SETTLED:
                 break
         if (abs(left - before_left) + abs(right - before_right)) * own < SETTLED:
@@ -279,5 +280,7 @@ def block_of(robots: Any) -> Any:
             put(w, _FIRST + j, i, robots[j, i])
         for j in range(DRIVES):
             put(w, DRIVE_LEFT + j, i, robots[_CONSTANTS + j, i])
-        put(w, FRICTION, i, max(0.0, get(w, COULOMB_TORQUE, i) / get(w, MOTOR_TORQUE, i)))
+        dry = max(0.0, get(w, COULOMB_TORQUE, i) / get(w, MOTOR_TORQUE, i))
+        put(w, DRY_LEFT, i, dry)
+        put(w, DRY_RIGHT, i, dry)
     return w

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from upright.calibrate.motion import FRICTION, INSTANT, STATES, STUCK, TOPPLED, block_of, driven, njit
+from upright.calibrate.motion import DRY_LEFT, DRY_RIGHT, INSTANT, STATES, STUCK, TOPPLED, block_of, driven, njit
 from upright.calibrate.ringing import moved, undriven
 from upright.compiled.generated import PITCH, PITCH_RATE, WHEEL_RATE, YAW_RATE
 from upright.compiled.generated_motion import accelerations_free, constants_free
@@ -49,12 +49,14 @@ class RobotLanes(NamedTuple):
     """Robots that go through the same events: how each sensor row `reads` the state (rows, states, lanes), the `delays`
     of the rows (rows, lanes) [s], and the `robots` (constants and 5, lanes): the named constants of the equations, the
     factors of both motors, the dead zone, the constant command and the drop. `swing` (2, lanes) is ω [rad/s] and ζ of a
-    resonance before the gyro, whose two states are then the last; without lanes there is none."""
+    resonance before the gyro, whose two states are then the last; without lanes there is none. `stiff` (3,) is the time
+    [s] from which on the left and the right motor of a filter's robot have so much more dry friction, as commands."""
 
     reads: Any
     delays: Any
     robots: Any
     swing: Any = np.zeros((0, 1))
+    stiff: Any = np.array([np.inf, 0.0, 0.0])
 
 
 class Noise(NamedTuple):
@@ -288,15 +290,16 @@ def kalman_along(events: Events, lanes: RobotLanes, first: Any, noise: Noise, lo
     x, P, u = first.copy(), np.zeros((size, PADDED)), events.commands[0].copy()
     P[:, :size] = noise.start
     w = block_of(lanes.robots)
-    for i in range(1 + len(MOVING), WIDE):
-        put(w, FRICTION, i, 0.0)  # no wheel of a lane that nobody reads is stopped
+    for i in range(1 + len(MOVING), WIDE):  # no wheel of a lane that nobody reads is stopped
+        put(w, DRY_LEFT, i, 0.0)
+        put(w, DRY_RIGHT, i, 0.0)
     swings = len(lanes.swing)
     room = _Flow(
         w, np.zeros((2, WIDE)), np.zeros((STATES, STATES)), np.zeros((size, PADDED)), np.zeros((size, PADDED)),
         lanes.swing, np.zeros((swings, WIDE)), np.eye(size),
     )  # fmt: skip
     e, s, gains = followed.e, followed.s, followed.gains
-    now, forget = -np.inf, np.inf
+    now, forget, since = -np.inf, np.inf, lanes.stiff[0]
     for event in events.order:
         row = events.kind[event]
         then = events.when[event] - (lanes.delays[row, 0] if row >= 0 else 0.0)
@@ -305,11 +308,11 @@ def kalman_along(events: Events, lanes: RobotLanes, first: Any, noise: Noise, lo
         if then >= forget:
             _forget(P, noise.start, size - swings)
             forget += noise.restart
-        if then - now > INSTANT:
-            _flow(room, x, u, now, then, longest)
-            phi, mode = room.whole if swings else room.phi, int(get(w, STUCK, 0))
-            _predict(P, phi, noise.process, mode, then - now, room.product, room.turned)
-            now = then
+        if then >= since:  # in the middle of a span: a wheel that is held stops within less
+            now = _predicted(room, x, P, u, (now, max(since, now)), longest, noise.process)
+            _stiffen(w, lanes.stiff)
+            since = np.inf
+        now = _predicted(room, x, P, u, (now, then), longest, noise.process)
         if not abs(x[0]) < TOPPLED:
             break
         if row < 0:
@@ -326,6 +329,26 @@ def kalman_along(events: Events, lanes: RobotLanes, first: Any, noise: Noise, lo
             else:
                 e[event], s[event] = _correct(x, P, lanes.reads, row, (value, variance), gains, event)
         _keep(followed, event, x, P)
+
+
+@njit
+def _predicted(room: _Flow, x: Any, P: Any, u: Any, span: Any, longest: Any, process: Any) -> Any:
+    """State and covariance over a span, from one time to another [s]; the time at which they are then."""
+    now, then = span
+    if not then - now > INSTANT:
+        return now
+    _flow(room, x, u, now, then, longest)
+    phi, mode = room.whole if len(room.swing) else room.phi, int(get(room.block, STUCK, 0))
+    _predict(P, phi, process, mode, then - now, room.product, room.turned)
+    return then
+
+
+@njit
+def _stiffen(w: Any, stiff: Any) -> None:
+    """More dry friction in the motors of the lanes that are read."""
+    for i in range(1 + len(MOVING)):
+        put(w, DRY_LEFT, i, max(0.0, get(w, DRY_LEFT, i) + stiff[1]))
+        put(w, DRY_RIGHT, i, max(0.0, get(w, DRY_RIGHT, i) + stiff[2]))
 
 
 @njit

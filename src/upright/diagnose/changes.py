@@ -22,7 +22,8 @@ PAYLOADS = (0.3, 1.0, 2.0, -0.3, -0.7)  # over the body's mass, that come or go 
 LEAST_PART = 0.2  # of a signature's payload, from which a torque beside it is its weight
 PAYLOAD_HEIGHTS = (0.8, 1.5)  # above the axle, over that of the centre of mass
 LOST_RADII = (0.2, 0.35, 0.5)  # of the wheels' radius, that go in a signature
-SLOW = 1.0  # [rad/s] of a wheel, below which its dry friction need not be all of it
+SLOW = 1.0  # [rad/s] against the body, below which a wheel rests: a step of 1° within 2 `RATE_TIME` is 0.4 rad/s
+HELD = (0.1, 0.3, 0.6)  # of the largest command, by which dry friction holds a wheel, or both
 DRAGGED = {"left": (True, False), "right": (False, True), "both": (True, True)}
 PART = "part"  # the way of what is only looked for beside another fault: alone, the filter itself searches for it
 LIMITS = (0.05, 0.15, 0.3, 0.5)  # of the largest command, that a weak battery still gives
@@ -116,17 +117,24 @@ def motors(run: FilterRun, onsets: Array) -> list[Signature]:
     return _several("motor", dict.fromkeys(ways, 1.0), onsets, _commanded(run, onsets, lost))
 
 
-def drag(run: FilterRun, way: str) -> Array:
-    """What dry friction of one unit of command takes from the commands at each event (events, 2): it opposes the
-    turning of its wheels, and of a wheel that hardly turns it takes less."""
-    return -np.tanh(turning(run) / SLOW) * np.array(DRAGGED[way])
+def drag(run: FilterRun, way: str, size: float) -> Array:
+    """What dry friction of a `size` takes from the commands at each event (events, 2): it opposes the turning of its
+    wheels, and holds one that rests against its command."""
+    turn = turning(run)
+    held = np.clip(run.command, -size, size)
+    return -np.where(np.abs(turn) < SLOW, held, size * np.sign(turn)) * np.array(DRAGGED[way])
 
 
 def frictions(run: FilterRun, onsets: Array) -> list[Signature]:
-    """Wheels that grow stiff against the body, by dry friction in the unit of commands."""
-    return _several(
-        "friction", dict.fromkeys(DRAGGED), onsets, _commanded(run, onsets, [drag(run, w) for w in DRAGGED])
-    )
+    """Wheels that grow stiff against the body, by dry friction of a free part of each of `HELD`."""
+    most, n = limit(run.robot, run.kit, run.asked), len(onsets)
+    kinds = [(way, part * most) for way in DRAGGED for part in HELD]
+    response = _commanded(run, onsets, [drag(run, way, size) for way, size in kinds])
+    return [
+        replace(one, size=size)
+        for i, (way, size) in enumerate(kinds)
+        for one in _several("friction", {way: None}, onsets, response[:, i * n : (i + 1) * n])
+    ]
 
 
 def radii(run: FilterRun, onsets: Array) -> list[Signature]:

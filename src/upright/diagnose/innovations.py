@@ -110,11 +110,12 @@ class FilterRun(FilteredLog):
         commands: Array | None,
         log: Log | None = None,
         delayed: tuple[float, float, float] = IN_TIME,
-        stiff: tuple[float, float] = NEVER_STIFF,
+        stiff: tuple[float, float, float] = NEVER_STIFF,
     ) -> FilterRun:
         """The run of the same log with these commands (samples, 2) at the motors (None: those of the log), or of a
         `log` with other readings in the same rows; from a time on [s], all commands, and all readings, are `delayed` by
-        more time [s] than the kit has it, and both wheels `stiff` by more dry friction [N m]."""
+        more time [s] than the kit has it, and the left and the right motor `stiff` by more dry friction
+        [command unit]."""
         own = self.follower.recording
         if commands is not None and len(own.commands) > len(commands):
             more = len(own.commands) - len(commands)
@@ -184,7 +185,7 @@ def _read(follower: Follower, log: Log, kit: Kit) -> Array:
 def _run(
     follower: Follower, kit: Kit, log: Log, asked: Array, commands: Array | None = None, *,
     values: Array | None = None, delayed: tuple[float, float, float] = IN_TIME,
-    stiff: tuple[float, float] = NEVER_STIFF, kept: Array | None = None,
+    stiff: tuple[float, float, float] = NEVER_STIFF, kept: Array | None = None,
 ) -> FilterRun:  # fmt: skip
     recording, (since, commanded, readings), when = follower.recording, delayed, None
     if commanded or readings:

@@ -9,14 +9,13 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.diagnose.changes import MOTORS, channels_of, dead_motors, drag, lost_command
+from upright.diagnose.changes import DRAGGED, HELD, MOTORS, channels_of, dead_motors, lost_command
 from upright.diagnose.fall import limit, without
 from upright.diagnose.fault_fits import FaultFit, dearer, remaining, with_pushes
 from upright.diagnose.innovations import IN_TIME, NEVER_STIFF, FilterRun, follow
 from upright.diagnose.signatures import YOUNGEST, Bank, bank, beside, channels, finer, pushing, unknown_parameters
 from upright.diagnose.sizes import possible
 from upright.errors import InvalidLog
-from upright.physics.dynamics import motor_gain
 from upright.signals import Log
 
 Array = NDArray[np.float64]
@@ -28,7 +27,6 @@ COMMAND_FAULTS = ("weak", "delay", "motor", "friction")
 
 CHARGES = (0.05, 0.15, 0.3, 0.5, 0.7)  # fractions of the battery's voltage that are tried first
 DELAYS = (1.0, 2.0, 3.5, 5.0, 7.0, 10.0)  # periods that are tried first
-HELD = (0.1, 0.3, 0.6)  # of the largest command, by which dry friction holds both wheels, that are tried first
 LONGEST = 20.0  # periods: a loop whose commands arrive later does not run, which lost rows show
 FADE, FADE_PRICE = 0.4, 1  # [s] in which a battery breaks down that are tried first, and its free number
 WEAKEST, STRONGEST = 0.03, 0.97  # of a battery's voltage
@@ -69,8 +67,9 @@ def remedied(run: FilterRun, *fits: FaultFit) -> FilterRun | None:
             return None
     sent, stiff = None, NEVER_STIFF
     for fit in fits:
-        if (fit.fault, fit.way) == ("friction", "both"):
-            stiff = fit.onset, fit.size * motor_gain(run.robot)
+        if fit.fault == "friction":
+            left, right = DRAGGED[fit.way]
+            stiff = fit.onset, fit.size * left, fit.size * right
         elif fit.fault in COMMAND_FAULTS:
             sent, delayed = _sent(run if log is None else replace(run, log=log), fit, sent), _in_time(run, fits)
     unchanged = log is None and sent is None and stiff == NEVER_STIFF
@@ -113,10 +112,6 @@ def _sent(run: FilterRun, fit: FaultFit, before: Array | None = None) -> Array:
     usual = run.driven() if before is None else before
     if fit.fault == "motor":
         return _without_motor(run, fit, usual)
-    if fit.fault == "friction":
-        return np.where(
-            (run.log.t >= fit.onset)[:, None], usual + fit.size * _by_sample(run, drag(run, fit.way)), usual
-        )
     if fit.fault == "delay":
         whole = 0 if fit.way == "readings" else math.floor(fit.size)
         before = np.vstack([np.repeat(usual[:1], whole, axis=0), usual[: len(usual) - whole]])
@@ -195,11 +190,12 @@ def lately(run: FilterRun, window: Window) -> FilterRun:
 
 
 def searched(run: FilterRun, window: Window) -> list[FaultFit]:
-    """A weak battery of either kind, a longer delay, dead motors and both wheels held by dry friction, each of the size
-    and onset with the smallest innovations; their scores are not yet exact."""
-    most = limit(run.robot, run.kit, run.asked)
-    faults = (*BATTERY_OR_DELAY, *((FaultFit(fault="motor", way=way), (1.0,)) for way in dead_motors(run)))
-    faults += ((FaultFit(fault="friction", way="both"), tuple(part * most for part in HELD)),)
+    """A weak battery of either kind, a longer delay, dead motors and wheels held by dry friction, each of the size and
+    onset with the smallest innovations; their scores are not yet exact."""
+    most, ways = limit(run.robot, run.kit, run.asked), dead_motors(run)
+    held = tuple(part * most for part in HELD)
+    faults = (*BATTERY_OR_DELAY, *((FaultFit(fault="motor", way=way), (1.0,)) for way in ways))
+    faults += tuple((FaultFit(fault="friction", way=way), held) for way in DRAGGED if way in ways)
     recent = lately(run, window)
     return [_searched(recent, window, *fault) for fault in faults]
 
