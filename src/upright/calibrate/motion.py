@@ -132,9 +132,9 @@ def _advance(w: Any, count: Any, steps: Any) -> None:
         d, half = get(w, SPAN, i) / steps, get(w, HALF_TRACK, i)
         x = _state(w, PITCH, i)
         before_left, before_right = _wheel_rates(x, half)
-        left, right = get(w, DRY_LEFT, i), get(w, DRY_RIGHT, i)
-        left = left if before_left >= 0 else -left
-        right = right if before_right >= 0 else -right
+        dry_left, dry_right = get(w, DRY_LEFT, i), get(w, DRY_RIGHT, i)
+        left = dry_left if before_left >= 0 else -dry_left
+        right = dry_right if before_right >= 0 else -dry_right
         new = _stepped(w, i, x, d, left, right)
         after_left, after_right = _wheel_rates(new, half)
         put(w, REVERSAL, i, min(left * after_left, right * after_right))
