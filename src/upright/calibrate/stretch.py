@@ -157,7 +157,7 @@ def _alike(robot: RobotLanes, count: int) -> RobotLanes:
     """One robot in each of so many lanes."""
     from upright.calibrate.predictor import RobotLanes
 
-    return RobotLanes(*(np.repeat(of_one, count, axis=-1) for of_one in robot))
+    return RobotLanes(*(np.repeat(of_one, count, axis=-1) for of_one in robot[:4]), stiff=robot.stiff)
 
 
 def _events(recording: Recording, order: Whole, before: Whole) -> Events:
