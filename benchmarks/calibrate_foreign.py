@@ -13,12 +13,13 @@ import argparse
 import platform
 import sys
 import time
+from dataclasses import replace
 from importlib.metadata import version
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
 
-from foreign_robots import SMALL, Bot, Course, known, logged, metric, missed, replace
+from foreign_robots import SMALL, Bot, Course, known, logged, metric, missed
 from upright.calibrate.calibrate import calibrate
 from upright.logs.mapping import apply, propose
 

@@ -74,9 +74,11 @@ def _less_noise(problem: Problem, z: Array, limits: Mapping[str, float]) -> tupl
 def _fits(problem: Problem, z: Array, limits: Mapping[str, float]) -> tuple[Problem, Array]:
     """From z, and from there with a dead zone that is likelier at the first noise: the likelier of both ends."""
     first = _at(problem, z, limits, ANNEALING_NOISE[0])
-    other = with_other_zone(first, z, objective(first, z)[0])
-    ends = [_descended(problem, start, limits) for start in (z, other) if start is not None]
-    return min(ends, key=lambda end: objective(*end)[0])
+    end, other = _descended(problem, z, limits, first), with_other_zone(first, z, objective(first, z)[0])
+    if other is None:
+        return end
+    there = _descended(problem, other, limits, _at(problem, other, limits, ANNEALING_NOISE[0]))
+    return min(end, there, key=lambda one: objective(*one)[0])
 
 
 def _at(problem: Problem, z: Array, limits: Mapping[str, float], fraction: float) -> Problem:
@@ -86,9 +88,11 @@ def _at(problem: Problem, z: Array, limits: Mapping[str, float], fraction: float
     return learn_noise(less, z, sensor_bounds(limits), iterations=2) if kept else less
 
 
-def _descended(problem: Problem, z: Array, limits: Mapping[str, float]) -> tuple[Problem, Array]:
+def _descended(problem: Problem, z: Array, limits: Mapping[str, float], less: Problem) -> tuple[Problem, Array]:
+    """From z down, at the noise of the problem `less` first, as long as the filter keeps the robot."""
     for fraction in ANNEALING_NOISE:
-        less = _at(problem, z, limits, fraction)
+        if fraction != ANNEALING_NOISE[0]:
+            less = _at(problem, z, limits, fraction)
         new, normal, *_ = gauss_newton(less, z, iterations=6, tolerance=0.1, zones=True)
         if not np.isfinite(normal.objective):
             break

@@ -27,8 +27,7 @@ AT = Constants(*range(len(Constants._fields)))
 DRIVEN, TURN_READ, DELAYS = len(AT), len(AT) + 5, len(AT) + 6
 """Where among the coefficients begins what drives the robot, where what the gyro reads of the yaw rate is, and where
 the delays begin."""
-ZONE, LOST = DRIVEN + 2, DRIVEN + 4
-NOT_NEGATIVE = [AT.coulomb_torque, AT.rolling_torque, AT.yaw_rolling_torque, ZONE, LOST]
+LOST = DRIVEN + 4
 LEVEL = (
     AT.half_track, AT.motor_damping, AT.centrifugal, AT.weight, AT.coulomb_torque, AT.motor_torque, AT.lever,
     AT.rolling_damping, AT.turning_lever, AT.yaw_coriolis, AT.yaw_lever, AT.yaw_damping, AT.yaw_motor_torque,

@@ -31,7 +31,8 @@ SHORT = 10.0  # tolerances: a failing step is not shortened below this length
 NO_LOSS = 1e-2  # in log-likelihood: a step that loses less counts as level, as rounding and noise would have it
 
 ZONES = (0.0, 0.15, 0.3, 0.5, 0.75, 1.0, 1.5, 2.2, 3.2, 4.5, 6.5, 9.0)
-"""[1] of the prior's dead zone: those that are tried, a third of a deviation to one of them apart."""
+"""[1] of the prior's dead zone: those that are tried. Up to the prior's they are a third of a deviation to one of them
+apart, and above it each is about 1.4 times the one before."""
 NEAR = (0.85, 0.9, 0.95, 1.05, 1.1, 1.15)
 """[1] of a dead zone that is likelier than none: its neighbours, since commands may have levels as close."""
 CHANGES = 3  # of a dead zone, at most
