@@ -862,7 +862,7 @@ def test_the_whole_loop_of_twipr_runs_freely_for_ten_seconds(shared: Path) -> No
 
     path = shared / "data/twipr/run1.csv"
     scores = real_logs.loops(real_logs.Run("run1", 0.0, raw_log(path)), of_twipr(path))
-    for words, least in (("the true pitch", (0.9, 0.8)), ("one as wrong as its own", (0.95, 0.93))):
+    for words, least in (("the true pitch", (0.9, 0.75)), ("one as wrong as its own", (0.95, 0.93))):
         pitch, rate, fell = scores[words]
         assert fell is None, words
         assert pitch > least[0], words

@@ -150,7 +150,7 @@ def _likeliest(
     objectives of all runs, each fitted by itself, less what that gains by chance."""
     if not runs:
         return ()
-    none = gauss_newton(problem, z, iterations=ITERATIONS)
+    none = gauss_newton(problem, z, iterations=ITERATIONS, zones=True)
     acts = [factor for run in runs if (factor := _acts(problem, z, run, none, least[run]))]
     return (_named(max(acts), sources),) if acts else ()
 
@@ -168,7 +168,9 @@ def _acts(problem: Problem, z: Array, run: int, none: Minimum, own: float) -> _F
         problem, parameters=tuple(replace(q, spread=GUESS / unit) if q is p else q for q in problem.parameters)
     )
     starts = [np.where(np.arange(len(z)) == i, size / GUESS, none.z) for size in FACTORS]
-    best = min((gauss_newton(free, at, iterations=ITERATIONS) for at in starts), key=lambda m: m.normal.objective)
+    best = min(
+        (gauss_newton(free, at, iterations=ITERATIONS, zones=True) for at in starts), key=lambda m: m.normal.objective
+    )
     joint = none.normal.objective
     gained = joint - best.normal.objective - math.log(GUESS / unit / p.spread)
     others = [other for other in range(len(problem.recordings)) if other != run]
@@ -222,7 +224,7 @@ def _fitted(problem: Problem, z: Array, runs: Sequence[int]) -> tuple[Problem, A
                     parameters.append(replace(p, name=f"{RUN}{new}/{p.name.partition('/')[2]}"))
                     first = np.append(first, at)
     part = replace(problem, recordings=tuple(problem.recordings[run] for run in runs), parameters=tuple(parameters))
-    least = gauss_newton(part, first, iterations=ITERATIONS)
+    least = gauss_newton(part, first, iterations=ITERATIONS, zones=True)
     return part, least.z, least.normal, least.paths
 
 
