@@ -22,12 +22,15 @@ Array = NDArray[np.float64]
 
 NUDGE = 1e-4  # of the prior's deviation: central differences are right to 1e-8, and rounding stays below
 AHEAD = 1e-6  # of the same: differences to one side, of a log's innovations, are right to 1e-5; rounding stays below
+ZONE_AHEAD = 0.2
+"""[1] of the same, and half of it of a dead zone: commands have levels, and between two of them it changes nothing. So
+its slope is a secant over several levels, without which the readings would seem to tell nothing of it."""
 AT = Constants(*range(len(Constants._fields)))
 """Where each named constant of the equations stands among the coefficients."""
 DRIVEN, TURN_READ, DELAYS = len(AT), len(AT) + 5, len(AT) + 6
 """Where among the coefficients begins what drives the robot, where what the gyro reads of the yaw rate is, and where
 the delays begin."""
-LOST = DRIVEN + 4
+LOST, ZONE = DRIVEN + 4, DRIVEN + 2
 LEVEL = (
     AT.half_track, AT.motor_damping, AT.centrifugal, AT.weight, AT.coulomb_torque, AT.motor_torque, AT.lever,
     AT.rolling_damping, AT.turning_lever, AT.yaw_coriolis, AT.yaw_lever, AT.yaw_damping, AT.yaw_motor_torque,

@@ -26,6 +26,8 @@ from upright.calibrate.coefficients import (
     NUDGE,
     ROLLING_DRY,
     TURN_READ,
+    ZONE,
+    ZONE_AHEAD,
     Bowls,
     Curves,
     priors_of,
@@ -219,20 +221,22 @@ class Problem:
     def coefficient_slopes(
         self, recording: Recording, q: Array, unit: Array, gains: Array, rows: Sequence[int], *, fitted: bool = False
     ) -> Array:  # fmt: skip
-        """∂e/∂q (events, rows) of those `rows` of the coefficients q, each in its `unit`, at fixed gains: by lanes a
-        nudge above, beside one of q. NaN after the last event that is `fitted`, where that is asked."""
+        """∂e/∂q (events, rows) of those `rows` of the coefficients q, each in its `unit`, at fixed gains: by lanes
+        `ahead` of q, beside one of q. NaN after the last event that is `fitted`, where that is asked."""
         from upright.calibrate.predictor import innovations
 
         order = recording.order(self._own(q))
         events = events_of(recording, _through_fitted(recording, order) if fitted else order)
+        ahead = AHEAD * unit
+        ahead[ZONE] = ZONE_AHEAD * max(unit[ZONE], 0.5 * q[ZONE])
 
         def of(part: NDArray[np.int64]) -> Array:
             count = len(part)
             lanes = np.repeat(q[:, None], count + 1, axis=1)
-            lanes[part, np.arange(count)] += AHEAD * unit[part]
+            lanes[part, np.arange(count)] += ahead[part]
             first = np.repeat(recording.first[:, None], count + 1, axis=1)
             e = innovations(events, self.lanes_of(recording, lanes), first, gains, self.longest)
-            return (e[:, :count] - e[:, count:]) / AHEAD
+            return (e[:, :count] - e[:, count:]) * (unit[part] / ahead[part])
 
         parts = min(len(rows), max(CORES, -(-(len(rows) + CORES) // LANES)))
         return np.concatenate(in_threads(of, np.array_split(np.array(rows), parts)), axis=1)

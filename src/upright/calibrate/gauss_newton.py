@@ -33,8 +33,9 @@ NO_LOSS = 1e-2  # in log-likelihood: a step that loses less counts as level, as 
 ZONES = (0.0, 0.15, 0.3, 0.5, 0.75, 1.0, 1.5, 2.2, 3.2, 4.5, 6.5, 9.0)
 """[1] of the prior's dead zone: those that are tried. Up to the prior's they are a third of a deviation to one of them
 apart, and above it each is about 1.4 times the one before."""
-NEAR = (0.85, 0.9, 0.95, 1.05, 1.1, 1.15)
-"""[1] of a dead zone that is likelier than none: its neighbours, since commands may have levels as close."""
+NEAR = ((0.85, 0.9, 0.95, 1.05, 1.1, 1.15), (0.98, 0.99, 0.995, 1.005, 1.01, 1.02))
+"""[1] of the likeliest dead zone, where that is likelier than none: its neighbours, and those of the likeliest of them,
+since commands may have levels as close."""
 CHANGES = 3  # of a dead zone, at most
 GAIN = 1.0  # in log-likelihood, from which a dead zone is another
 
@@ -72,8 +73,9 @@ def with_other_zone(problem: Problem, z: Array, value: float) -> Array | None:
         if p.name == DEAD_ZONE and problem.active[i]:
             tries, values = _of_zones(problem, z, i, [p.prior * part for part in ZONES])
             now = float(p.value(z[i]))
-            if now and min(value, *values) < values[0] - GAIN:
-                more, of_more = _of_zones(problem, z, i, [now * part for part in NEAR])
+            for near in NEAR if now and min(value, *values) < values[0] - GAIN else ():
+                likeliest = now if value <= min(values) else float(p.value(tries[int(np.argmin(values)), i]))
+                more, of_more = _of_zones(problem, z, i, [likeliest * part for part in near])
                 tries, values = np.vstack([tries, more]), [*values, *of_more]
             best = int(np.argmin(values))
             return tries[best] if values[best] < value - GAIN else None

@@ -214,9 +214,8 @@ def _stop(w: Any, i: Any, d: Any) -> None:
 
 @inlined
 def _beyond(command: Any, zone: Any) -> Any:
-    """What a dead zone leaves of a command: nothing inside, all of it outside, and between 0.9 and 1.1 of the zone a
-    straight line from one to the other, so that its size can be estimated."""
-    return command * min(1.0, max(0.0, 5 * abs(command) / max(zone, 1e-9) - 4.5))
+    """What a dead zone leaves of a command: nothing up to it, and all of what is above it."""
+    return command if abs(command) > zone else 0.0
 
 
 @inlined
