@@ -54,10 +54,15 @@ class Minimum(NamedTuple):
 def gauss_newton(
     problem: Problem, z: Array, *, iterations: int, tolerance: float = 0.02, zones: bool = False
 ) -> Minimum:
-    """z of least objective: what descent finds, and with `zones`, where there is a likelier dead zone, from there with
-    the zone still; each in so many `iterations` at most."""
+    """z of least objective: what descent finds, and with `zones` from there with likelier dead zones; each in so many
+    `iterations` at most."""
     least = _descended(problem, z, iterations, tolerance)
-    for _ in range(CHANGES if zones and np.isfinite(least.normal.objective) else 0):
+    return rezoned(problem, least, iterations, tolerance) if zones else least
+
+
+def rezoned(problem: Problem, least: Minimum, iterations: int, tolerance: float = 0.02) -> Minimum:
+    """From where a search ended down from a likelier dead zone, which stays there, as long as there is one."""
+    for _ in range(CHANGES if np.isfinite(least.normal.objective) else 0):
         other = with_other_zone(problem, least.z, least.normal.objective)
         if other is None:
             break

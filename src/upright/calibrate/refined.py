@@ -18,7 +18,7 @@ from upright.calibrate.annealing import from_likeliest_delays
 from upright.calibrate.dropping import dropped
 from upright.calibrate.effects import respread
 from upright.calibrate.fitting import STICKING, Fitted, Problem, normal_equations, objective
-from upright.calibrate.gauss_newton import gauss_newton
+from upright.calibrate.gauss_newton import CONVERGED, Minimum, gauss_newton, rezoned
 from upright.calibrate.informativity import effective_fraction
 from upright.calibrate.misaligned import misaligned
 from upright.calibrate.noise import GAIN, Bounds, learn_noise, sensor_bounds
@@ -178,7 +178,8 @@ def segmented(problem: Problem, limits: Mapping[str, float], starts: Sequence[Ar
         new = _fitted(learn_noise(fit.problem, fit.z, bounds, iterations=5), fit.z, iterations=5)
         if moves(fit, new):
             return new, False
-        zoned = _fitted(new.problem, new.z, iterations=5, zones=True)
+        least = Minimum(new.z, new.normal, list(new.paths), CONVERGED)
+        zoned = Fitted(new.problem, *rezoned(new.problem, least, iterations=5)[:3])
         return zoned, not moves(new, zoned)
 
     def moves(fit: Fitted, new: Fitted) -> bool:
