@@ -224,7 +224,7 @@ def _fitted(problem: Problem, z: Array, runs: Sequence[int]) -> tuple[Problem, A
                     parameters.append(replace(p, name=f"{RUN}{new}/{p.name.partition('/')[2]}"))
                     first = np.append(first, at)
     part = replace(problem, recordings=tuple(problem.recordings[run] for run in runs), parameters=tuple(parameters))
-    least = gauss_newton(part, first, iterations=ITERATIONS, zones=True)
+    least = gauss_newton(part, first, iterations=ITERATIONS)
     return part, least.z, least.normal, least.paths
 
 

@@ -25,7 +25,7 @@ from upright.calibrate.fitting import Fitted, Problem, objective
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.parameters import LOSSES, Parameter, as_guess
 from upright.calibrate.refined import CLEARER, MISSED, leaves_less, simulated
-from upright.calibrate.sought import evidence, laplace
+from upright.calibrate.sought import laplace
 from upright.errors import DesignFailed
 from upright.robots import PARAMETERS, Robot
 from upright.tables import sentence
@@ -93,10 +93,10 @@ def explained(fit: Fitted, search: Searching) -> Explained:
     """The fit in which those numbers are guesses of which one, by the log, is wrong. Which one is open, so that each of
     their fits counts alike for the covariance.
 
-    Where no single number explains the log clearly better, all stated numbers are `_doubted_alike`. The `fit` stays as
-    it is where half seconds are not predicted, since what the model leaves out bends numbers, too; and where a stated
-    number is contradicted by more than `FOREIGN`, for then the log may be of another robot: what alone would explain it
-    is named all the same.
+    Where no single number explains the log clearly better, or its fit leaves more of half seconds than noise does and
+    no less than before, all stated numbers are `_doubted_alike`. The `fit` stays as it is where half seconds are not
+    predicted, since what the model leaves out bends numbers, too; and where a stated number is contradicted by more
+    than `FOREIGN`, for then the log may be of another robot: what alone would explain it is named all the same.
     """
     stated = {p.name: p for p in fit.problem.parameters}
     if _most(fit.problem, fit.z) > FOREIGN or _rubs(fit.problem, fit.z):
@@ -114,19 +114,11 @@ def explained(fit: Fitted, search: Searching) -> Explained:
     problem, z = _freed(other.problem, stated, other.z, names)
     result = gauss_newton(problem, _down(problem, z, other.normal.bowls), iterations=ITERATIONS, zones=True)
     other = Fitted(problem, result.z, result.normal, result.paths)
-    if not _explains(other, fit):
+    if simulated(other) < 1 - NOISE and not leaves_less(other, fit, CLEARER):
         return _doubted_alike(fit, search)
     alone = [_freed(one.problem, stated, one.z, names)[1] for one in freed]
     away = np.array(alone) - result.z
     return Explained(other, freed, away.T @ away / len(freed))
-
-
-def _explains(other: Fitted, fit: Fitted) -> bool:
-    """Whether the `other` fit, with guesses, is clearly likelier; and where the model leaves more of half seconds than
-    noise does, leaves less of them too: else what is freed may stand in for an error of the model."""
-    weight = min(other.problem.temper, fit.problem.temper)
-    likelier = evidence(other, weight) >= evidence(fit, weight) + LIKELIER
-    return likelier and (simulated(other) > 1 - NOISE or leaves_less(other, fit, CLEARER))
 
 
 def _doubted_alike(fit: Fitted, search: Searching) -> Explained:
