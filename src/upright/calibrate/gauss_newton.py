@@ -96,10 +96,12 @@ def _of_zones(problem: Problem, z: Array, place: int, zones: list[float]) -> tup
 
 def _descended(problem: Problem, z: Array, iterations: int, tolerance: float) -> Minimum:
     """z of least objective, with damping after Marquardt (1963) and bounds by projection; converged when a step is less
-    than `tolerance` of every parameter's posterior deviation."""
+    than `tolerance` of every parameter's posterior deviation. A step that fails is tried with the dead zone still."""
     from upright.calibrate.curves import downhill
 
     least = np.array([p.least for p in problem.parameters])
+    still = problem.active & np.array([p.name != DEAD_ZONE for p in problem.parameters])
+    moving = (problem.active,) if (still == problem.active).all() else (problem.active, still)
     value, paths = objective(problem, z)
     normal = normal_equations(problem, z, paths, value)
     damping = FIRST_DAMPING
@@ -107,10 +109,13 @@ def _descended(problem: Problem, z: Array, iterations: int, tolerance: float) ->
         spread = np.sqrt(np.diag(np.linalg.inv(normal.hessian)))
         lower, length, new, now, candidate = False, np.inf, z, value, paths
         while not lower and length > SHORT * tolerance and damping < MOST_DAMPING:
-            new = downhill(np.array(z), problem.curves, normal.bowls, damping, (least, problem.active))
-            length = np.abs((new - z) / spread).max()
-            now, candidate = objective(problem, new)
-            lower = now < value + NO_LOSS or (not np.isfinite(value) and np.isfinite(now))
+            for free in moving:
+                new = downhill(np.array(z), problem.curves, normal.bowls, damping, (least, free))
+                length = np.abs((new - z) / spread).max()
+                now, candidate = objective(problem, new)
+                lower = now < value + NO_LOSS or (not np.isfinite(value) and np.isfinite(now))
+                if lower:
+                    break
             damping = damping / DAMPING_DOWN if lower else max(DAMPING_UP * damping, LEAST_RAISED)
         if not lower:
             return Minimum(z, normal, paths, NO_DESCENT)
