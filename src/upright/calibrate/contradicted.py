@@ -24,7 +24,7 @@ from upright.calibrate.estimate import AGREE, FOREIGN, SURPRISE
 from upright.calibrate.fitting import Fitted, Problem, objective
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.parameters import LOSSES, Parameter, as_guess
-from upright.calibrate.refined import CLEARER, MISSED, leaves_less, simulated
+from upright.calibrate.refined import CLEARER, MISSED, leaves_less, only_noise, simulated
 from upright.calibrate.sought import laplace
 from upright.errors import DesignFailed
 from upright.robots import PARAMETERS, Robot
@@ -37,7 +37,6 @@ LIKELIER = math.log(20)  # [nats] odds of twenty to one by which a number must b
 CREDIBLE = 0.99  # [1] probability of the numbers of which one is said to be wrong
 FAR = math.log(10)  # [1] deviation of the logarithm of a number that may be in another unit, or before a gear
 LEAST = 1e-3  # [1] of a stated number that is above zero: where one that may be zero is tried with an open size
-NOISE = 1e-3  # [1] of half seconds that sensors' noise may leave: of simulated robots 4e-5, and TWIPR's model 7e-3
 TOGETHER = 1.0
 """Deviations to which the other numbers fit where one alone is wrong: right ones were off by 0.6 at most, and with a
 second wrong one by 1.4 and 1.9. Where they do not, all are doubted."""
@@ -117,7 +116,7 @@ def explained(fit: Fitted, search: Searching) -> Explained:
     problem, z = _freed(other.problem, stated, other.z, names)
     result = gauss_newton(problem, _down(problem, z, other.normal.bowls), iterations=ITERATIONS, zones=True)
     other = Fitted(problem, result.z, result.normal, result.paths)
-    if simulated(other) < 1 - NOISE and not leaves_less(other, fit, CLEARER):
+    if not only_noise(other) and not leaves_less(other, fit, CLEARER):
         return _doubted_alike(fit, search)
     alone = [_freed(one.problem, stated, one.z, names)[1] for one in freed]
     away = np.array(alone) - result.z

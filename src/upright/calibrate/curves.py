@@ -16,6 +16,7 @@ from upright.calibrate.coefficients import (
     EXACT,
     LEVEL,
     LOST,
+    SMOOTH,
     TURN_READ,
     TURNED,
     Bowls,
@@ -78,7 +79,10 @@ def coefficients(z: Any, priors: Any) -> Any:
         coupling = TURNED / EXACT * math.sqrt(q[AT.pitch_inertia, lane]) if priors.rubs else q[AT.rotor_coupling, lane]
         for k in range(len(z) - asked):
             size = coupling if LEVEL[k] == AT.rotor_coupling else q[LEVEL[k], lane]
-            q[LEVEL[k], lane] += EXACT * size * z[asked + k, lane]
+            if LEVEL[k] == AT.stiction_rate_squared:
+                q[LEVEL[k], lane] *= math.exp(SMOOTH * z[asked + k, lane])
+            else:
+                q[LEVEL[k], lane] += EXACT * size * z[asked + k, lane]
         half, supply = numbers[PLAIN, lane] / 2, numbers[PLAIN + 1, lane]
         q[DRIVEN, lane], q[DRIVEN + 1, lane] = supply * (1 - half), supply * (1 + half)
         q[DRIVEN + 2, lane], q[DRIVEN + 3, lane] = numbers[PLAIN + 2, lane], numbers[PLAIN + 3, lane]

@@ -57,6 +57,10 @@ numbers that are wrong it leaves up to 0.017 more."""
 
 MISSED = 0.01  # [1] of the readings of half seconds: a model that leaves more is wrong, and intervals are wider for it
 
+NOISE = 5e-4
+"""[1] of the readings of half seconds that the sensors' noise may leave: 4e-5 to 3e-4 of robots that others simulated,
+where TWIPR's model leaves 1.5e-3. Which of two such fits is right half seconds do not tell, and the likelihood does."""
+
 LEAST_WEIGHT = 0.1  # [1] weight of the readings below which the prior may outweigh them
 WORST_LOSS = 0.02  # [1] most R² of free simulation that the prior may then cost
 WEIGHT_TOLERANCE = 0.02  # [1] relative change of the readings' weight that asks for no other fit
@@ -95,7 +99,7 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float], show: Progr
     if not white(best) and (other := _with_resonance(rough, bounds)):
         rough, best = other, _polished(other, {**bounds, **_swings(problem)})
         problem, z = resonating.with_that_of(problem, z, rough.problem, rough.z)
-    if white(best):
+    if white(best) or only_noise(best):
         return _tempered(_between_runs(best))
     show(0.6)
     prior = at_prior(problem, rough.z)
@@ -235,6 +239,11 @@ def simulated(fit: Fitted) -> float:
     from upright.calibrate.validate import score
 
     return score(fit.problem, fit.z) if np.isfinite(fit.normal.objective) else -np.inf
+
+
+def only_noise(fit: Fitted) -> bool:
+    """Whether free simulations leave no more of half seconds than noise does."""
+    return simulated(fit) > 1 - NOISE
 
 
 def leaves_less(other: Fitted, fit: Fitted, part: float) -> bool:
