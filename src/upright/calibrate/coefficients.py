@@ -47,8 +47,8 @@ TURNED = 1.5e-3
 """How right the coupling is where there is dry friction, of the geometric mean of both inertias: wheels that turn back,
 which MuJoCo does at the end of a time step, differ by what a rotor of 0.1 % of all that rolls would do."""
 SMOOTH = 2 * math.log(10) / 1.96
-"""Spread of the logarithm of ω_c², below which rolling friction is smooth: 95 % of ω_c lie between a tenth and ten times
-what the file says. Nobody measures it; with 0.2 rad/s for 0.02 of a simulated robot its pitch inertia was off by 13 %."""
+"""Spread of the logarithm of ω_c², below which rolling friction is smooth: 95 % of ω_c lie between a tenth
+and ten times the file's. Nobody measures it; with 0.2 rad/s for the 0.02 of a simulated robot pitch inertia was off by 13 %."""
 EQUATION = "equation/"
 EQUATIONS = tuple(Parameter(f"{EQUATION}{i}", "1", 0.0, EXACT, "linear") for i in LEVEL)
 """By what share each constant of the equations is off, and by what factor ω_c² is: estimated beside the parameters, and
