@@ -85,7 +85,7 @@ class Observer:
         reads, error = part.reads[part.row], np.nan_to_num(part.innovation)
         reading = error + (reads * (part.after - part.gains * error[:, None])).sum(axis=1)
         deviation = np.where(part.readings, np.sqrt(part.variance), np.nan)
-        arrays = (part.before[0], part.t, part.command, part.spans, reads, part.gains, reading, deviation)
+        arrays = (part.before[0], part.t, part.command, part.spans, reads, part.gains, reading, deviation, part.dry)
         contiguous = tuple(np.ascontiguousarray(one, dtype=np.float64) for one in arrays)
         return max(steps, math.ceil(longest / SUBSTEP)) if self.slip else steps, contiguous
 

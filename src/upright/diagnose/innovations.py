@@ -54,7 +54,8 @@ class FilterRun(FilteredLog):
     """The filter of a `robot` in its `kit` along a log, whose controller `asked` for commands (samples, 2), by the
     `follower` that gave it, which read the sensors in the rows of the times `kept` [s] alone (None: in all). The log
     has each event at the time of its `clock` [s], which differs from its own where
-    readings came late."""
+    readings came late. From a time on [s] the left and the right motor are `stiff` by more dry friction [command
+    unit]."""
 
     robot: Robot
     kit: Kit
@@ -63,6 +64,7 @@ class FilterRun(FilteredLog):
     follower: Follower
     clock: Array
     kept: Array | None
+    stiff: tuple[float, float, float] = NEVER_STIFF
 
     def driven(self, charge: float | Array = 1.0, *, pwm: bool = True) -> Array:
         """What the kit's driver makes of the commands (samples, 2) with the fraction `charge` of the battery."""
@@ -72,6 +74,12 @@ class FilterRun(FilteredLog):
     def spans(self) -> Array:
         """Time [s] that ends with each event."""
         return np.diff(self.t, prepend=self.t[0])
+
+    @property
+    def dry(self) -> Array:
+        """The dry friction beyond the robot's over each span (events, 2) [command unit]."""
+        since, *sides = self.stiff
+        return np.where((self.t > since)[:, None], sides, 0.0)
 
     @property
     def readings(self) -> NDArray[np.bool_]:
@@ -203,6 +211,7 @@ def _run(
         follower=follower,
         clock=path.t + readings * on,
         kept=kept,
+        stiff=stiff,
     )
     return run.only(run.sample < len(log)) if len(log) < FEWEST else run
 
@@ -267,7 +276,7 @@ def tangent(run: FilterRun) -> Tangent:
     for i in range(2):
         u[1 + count + i, :, i] += _STEP
         w[3 + count + i, :, i] += _STEP
-    end = _flown(run.robot, run.robot, x, u, w, run.spans)
+    end = _flown(run, run.robot, x, u, w)
     slopes = (end[1:] - end[0]) / _STEP
     phi = np.zeros((n, 6, 6))
     phi[:, 2, 2] = phi[:, 4, 4] = 1.0
@@ -284,25 +293,27 @@ def misfits(run: FilterRun, spreads: Mapping[str, float]) -> Array:
 def entering(run: FilterRun, changes: Sequence[Mapping[str, float]]) -> Array:
     """What enters the state over each span (events, 6, changes) where parameters are larger by these amounts."""
     x, u, w = run.before[None, :, :6], run.command[None], np.zeros((1, len(run.t), 2))
-    usual = _flown(run.robot, run.robot, x, u, w, run.spans)[0]
+    usual = _flown(run, run.robot, x, u, w)[0]
     numbers: dict[str, Any] = run.robot.numbers()
     for name in {name for change in changes for name in change}:  # all changes at once
         numbers[name] = np.array([[numbers[name] + change.get(name, 0.0)] for change in changes])
     x, u, w = (np.broadcast_to(one, (len(changes), *one.shape[1:])) for one in (x, u, w))
-    return np.moveaxis(_flown(run.robot, SimpleNamespace(**numbers), x, u, w, run.spans) - usual, 0, 2)
+    return np.moveaxis(_flown(run, SimpleNamespace(**numbers), x, u, w) - usual, 0, 2)
 
 
-def _flown(robot: Robot, p: Any, x: Array, u: Array, w: Array, spans: Array) -> Array:
-    """States (lanes, n, 6) of parameters `p` after `spans` [s] under commands u (lanes, n, 2), forces and moments w
-    (lanes, n, 2), in steps that are short enough for `robot`."""
+def _flown(run: FilterRun, p: Any, x: Array, u: Array, w: Array) -> Array:
+    """States (lanes, n, 6) of parameters `p` after the spans of a run under commands u (lanes, n, 2), forces and
+    moments w (lanes, n, 2), in steps that are short enough for its robot."""
     from upright.diagnose.propagation import fly
 
+    robot, spans = run.robot, run.spans
     fastest = float(np.abs(linearise(robot).poles()).max())
     steps = substeps(float(spans.max()), fastest, PREDICTED, numbers=robot.numbers())
     lanes = np.ones(len(x))
     coefficients = [np.ravel(one) * lanes for one in constants([getattr(p, name) for name in PARAMETERS], 1.0)]
     arrays = (np.array(coefficients), x, u, w, spans)
-    return fly(*(np.ascontiguousarray(array, dtype=np.float64) for array in arrays), steps)
+    dry = np.ascontiguousarray(run.dry, dtype=np.float64)
+    return fly(*(np.ascontiguousarray(array, dtype=np.float64) for array in arrays), steps, dry)
 
 
 def answer(run: FilterRun, entered: Array, shifted: Array | None = None) -> Array:

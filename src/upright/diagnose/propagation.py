@@ -12,13 +12,37 @@ from upright.calibrate.motion import DRIVES, block_of
 from upright.compiled.generated_motion import constants_rolling, rk4_rolling
 
 BLOCK = 32  # faults that are gone through together
+SWEEPS = 20  # of Gauss and Seidel over both wheels, which hardly act on each other: as in `calibrate.motion`
 
 
 @njit
-def fly(constants: Any, x: Any, u: Any, w: Any, spans: Any, steps: int) -> Any:
+def _moved(state: Any, h: Any, left: Any, right: Any, acting: Any, known: Any) -> Any:
+    """The state h [s] later under both commands, and a force and a moment that are `acting`."""
+    return rk4_rolling(*state, h, left, right, *acting, *known)
+
+
+@njit
+def held(state: Any, h: Any, drive: Any, acting: Any, dry: Any, known: Any) -> Any:
+    """The same of motors with so much more `dry` friction each [command unit]: it stops a wheel against the body by the
+    end of the step, or is all there is against its turning (implicit, as of Moreau 1988)."""
+    unit, half = max(dry[0], dry[1]), known[0]
+    rates = np.zeros((3, 2))  # of both wheels at the end, without this friction, and with some of it in either
+    for k in range(3):
+        end = _moved(state, h, drive[0] - unit * (k == 1), drive[1] - unit * (k == 2), acting, known)
+        rates[k, 0], rates[k, 1] = end[3] - end[1] - half * end[5], end[3] - end[1] + half * end[5]
+    by_left, by_right = (rates[0] - rates[1]) / unit, (rates[0] - rates[2]) / unit
+    left, right = 0.0, 0.0
+    for _ in range(SWEEPS):
+        left = max(-dry[0], min(dry[0], (rates[0, 0] - by_right[0] * right) / by_left[0]))
+        right = max(-dry[1], min(dry[1], (rates[0, 1] - by_left[1] * left) / by_right[1]))
+    return _moved(state, h, drive[0] - left, drive[1] - right, acting, known)
+
+
+@njit
+def fly(constants: Any, x: Any, u: Any, w: Any, spans: Any, steps: int, dry: Any) -> Any:
     """States (lanes, n, 6) of robots with these `constants` (constants, lanes), from the states x (lanes, n, 6), after
     the `spans` (n,) [s], each in so many `steps`, under the commands u (lanes, n, 2), forces [N] and moments [N m] w
-    (lanes, n, 2)."""
+    (lanes, n, 2), and `dry` friction (n, 2) [command unit] beyond the robot's."""
     whole = np.zeros((len(constants) + DRIVES, x.shape[0]))
     whole[: len(constants)] = constants
     block, end = block_of(whole), x.copy()
@@ -30,8 +54,13 @@ def fly(constants: Any, x: Any, u: Any, w: Any, spans: Any, steps: int) -> Any:
                 continue
             a, b, c, d, e, f = x[lane, i]
             left, right, force, moment = u[lane, i, 0], u[lane, i, 1], w[lane, i, 0], w[lane, i, 1]
+            stiff = max(dry[i, 0], dry[i, 1]) > 0
             for _ in range(steps):
-                a, b, c, d, e, f = rk4_rolling(a, b, c, d, e, f, h, left, right, force, moment, *known)
+                if stiff:
+                    state, acting = (a, b, c, d, e, f), (force, moment)
+                    a, b, c, d, e, f = held(state, h, (left, right), acting, (dry[i, 0], dry[i, 1]), known)
+                else:
+                    a, b, c, d, e, f = rk4_rolling(a, b, c, d, e, f, h, left, right, force, moment, *known)
             end[lane, i] = np.array([a, b, c, d, e, f])
     return end
 
@@ -140,11 +169,11 @@ def observe(steps: int, followed: Any, floor: Any, robots: Any, onsets: Any, for
     `floors` (lanes, 2) that from a time [s] on hold no more than a fraction of the weight (0: any).
 
     The filter `followed` a log: its first state, times [s], commands u (events, 2), spans [s], reads and gains (events,
-    states), readings and deviations (events,). It corrects the state by what the readings show beyond it. The constants
+    states), readings and deviations (events,), and dry friction (events, 2) as in `fly`. It corrects the state by what the readings show beyond it. The constants
     of the `robots` (lanes + 1, constants) are those of a lane from its onset (lanes,) [s] on, and the last ones before.
     `floor` are the numbers of the sums of forces on wheels that slip (`slide`).
     """
-    first, t, u, spans, reads, gains, readings, deviation = followed
+    first, t, u, spans, reads, gains, readings, deviation, dry = followed
     n, size, lanes = len(spans), gains.shape[1], len(forces)
     result = np.zeros((lanes, n))
     whole = np.zeros((robots.shape[1] + DRIVES, 1))
@@ -160,6 +189,7 @@ def observe(steps: int, followed: Any, floor: Any, robots: Any, onsets: Any, for
                 a, b, c, d, e, f = x[0], x[1], x[2], x[3], x[4], x[5]
                 left, right, force, moment = u[i, 0], u[i, 1], forces[lane, i, 0], forces[lane, i, 1]
                 known = changed if t[i] >= onsets[lane] else usual
+                stiff = max(dry[i, 0], dry[i, 1]) > 0
                 for _ in range(steps):
                     axle, body = force, moment
                     if floors[lane, 1] > 0 and t[i] >= floors[lane, 0]:
@@ -168,7 +198,11 @@ def observe(steps: int, followed: Any, floor: Any, robots: Any, onsets: Any, for
                         )
                         axle += floor[0] * sliding
                         body += floor[1] * math.cos(a) * sliding
-                    a, b, c, d, e, f = rk4_rolling(a, b, c, d, e, f, h, left, right, axle, body, *known)
+                    if stiff:
+                        state, acting = (a, b, c, d, e, f), (axle, body)
+                        a, b, c, d, e, f = held(state, h, (left, right), acting, (dry[i, 0], dry[i, 1]), known)
+                    else:
+                        a, b, c, d, e, f = rk4_rolling(a, b, c, d, e, f, h, left, right, axle, body, *known)
                 x[0], x[1], x[2], x[3], x[4], x[5] = a, b, c, d, e, f
             if math.isnan(deviation[i]):
                 continue
