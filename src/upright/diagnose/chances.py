@@ -117,7 +117,9 @@ def unexplained(evidence: Evidence, nis: float, fault: str = "") -> float:
 
 def fits_badly(evidence: Evidence, nis: float, fault: str = "") -> float:
     """From 0 to 1: how clearly a hypothesis that leaves such a NIS leaves something."""
-    by_model = min(OF_WHAT_IT_DID**2 * evidence.nis / evidence.calm, BY_MODEL)
+    by_model = OF_WHAT_IT_DID**2 * evidence.nis / evidence.calm
+    if fault != "friction":  # which varies along a wheel's turn, and no small change of the robot is like that
+        by_model = min(by_model, BY_MODEL)
     if fault in ("delay", "dropped"):
         by_model = BY_TIMES * evidence.nis / evidence.calm
     return step(nis / evidence.calm - FITS_BADLY - by_model, FITS_WIDTH)

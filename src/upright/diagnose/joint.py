@@ -22,6 +22,7 @@ from upright.diagnose.remedy import (
     COMMAND_FAULTS,
     FADE,
     LONGEST,
+    ONSET_STEP,
     READING_FAULTS,
     STRONGEST,
     WEAKEST,
@@ -42,6 +43,7 @@ CHANGES = {"bias": 0.01, "scale": 0.01, "weak": 0.04, "delay": 0.02, "friction":
 FADING_CHANGE = 0.04  # [s] of a battery's onset and of the time in which it breaks down
 SLOWER = 0.6  # of the time in which a battery breaks down, by which other starts differ
 OTHER_DELAYS = (0.5, 2.0)  # of a delay, by which other starts differ
+OTHER_ONSETS = (-0.5, -0.25, 0.25, 0.5)  # of the step between the first onsets: the same of a stiff wheel
 SHORTEST_RISE = 0.02  # [s] in which a battery breaks down
 LEAST_DELAY = 0.05  # periods
 DAMPINGS = (1e-6, 1e-3, 1e-1)  # of a step, over its curvature
@@ -186,8 +188,10 @@ def _one(run: FilterRun, fit: FaultFit, window: Window, bank: Bank) -> FaultFit:
 
 
 def _starts(fit: FaultFit) -> list[FaultFit]:
-    """The fault, a delay of other sizes, and beside a push a battery that breaks down within another time, about the
-    same middle."""
+    """The fault, a delay of other sizes, a stiff wheel since other times, and beside a push a battery that breaks down
+    within another time, about the same middle."""
+    if fit.fault == "friction":
+        return [fit, *(replace(fit, onset=fit.onset + part * ONSET_STEP) for part in OTHER_ONSETS)]
     if fit.fault == "delay":
         return [fit, *(replace(fit, size=min(part * fit.size, LONGEST)) for part in OTHER_DELAYS)]
     if fit.rise == 0 or not fit.pushes:

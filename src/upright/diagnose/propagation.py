@@ -12,6 +12,7 @@ from upright.calibrate.motion import DRIVES, block_of
 from upright.compiled.generated_motion import constants_rolling, rk4_rolling
 
 BLOCK = 32  # faults that are gone through together
+SOME = 1e-3  # of the dry friction, to which the motion within a step answers in proportion
 SWEEPS = 20  # of Gauss and Seidel over both wheels, which hardly act on each other: as in `calibrate.motion`
 
 
@@ -25,7 +26,7 @@ def _moved(state: Any, h: Any, left: Any, right: Any, acting: Any, known: Any) -
 def held(state: Any, h: Any, drive: Any, acting: Any, dry: Any, known: Any) -> Any:
     """The same of motors with so much more `dry` friction each [command unit]: it stops a wheel against the body by the
     end of the step, or is all there is against its turning (implicit, as of Moreau 1988)."""
-    unit, half = max(dry[0], dry[1]), known[0]
+    unit, half = SOME * max(dry[0], dry[1]), known[0]
     rates = np.zeros((3, 2))  # of both wheels at the end, without this friction, and with some of it in either
     for k in range(3):
         end = _moved(state, h, drive[0] - unit * (k == 1), drive[1] - unit * (k == 2), acting, known)
@@ -169,9 +170,10 @@ def observe(steps: int, followed: Any, floor: Any, robots: Any, onsets: Any, for
     `floors` (lanes, 2) that from a time [s] on hold no more than a fraction of the weight (0: any).
 
     The filter `followed` a log: its first state, times [s], commands u (events, 2), spans [s], reads and gains (events,
-    states), readings and deviations (events,), and dry friction (events, 2) as in `fly`. It corrects the state by what the readings show beyond it. The constants
-    of the `robots` (lanes + 1, constants) are those of a lane from its onset (lanes,) [s] on, and the last ones before.
-    `floor` are the numbers of the sums of forces on wheels that slip (`slide`).
+    states), readings and deviations (events,), and dry friction (events, 2) as in `fly`. It corrects the state by what
+    the readings show beyond it. The constants of the `robots` (lanes + 1, constants) are those of a lane from its onset
+    (lanes,) [s] on, and the last ones before. `floor` are the numbers of the sums of forces on wheels that slip
+    (`slide`).
     """
     first, t, u, spans, reads, gains, readings, deviation, dry = followed
     n, size, lanes = len(spans), gains.shape[1], len(forces)
