@@ -9,8 +9,10 @@ from upright.diagnose.chances import (
     FITS_BADLY,
     PUSH_SCORE,
     PUSH_SCORE_WIDTH,
+    best_of,
     explains_the_start,
     holds,
+    sound_until,
     step,
     toppled,
     worth,
@@ -70,6 +72,9 @@ def thrown_over(evidence: Evidence) -> list[Answer]:
     by_model, _, _ = toppled(evidence)
     if by_model > TOPPLED and evidence.pushes_only.nis < FITS_BADLY * evidence.calm:
         return []  # the push is known better by what it did
+    best, before = best_of(evidence), sound_until(evidence, throw.start)
+    if best.fault in NAMES and before < 0.5 and best.nis < FITS_BADLY * evidence.calm:
+        return []  # so are a fault that showed before, and the push beside it
     wall, text = sum(answer.probability for answer in driven_into(evidence)), of_throw(throw)
     failed = 0.0 if throw.wheels or not throw.clipped else FAILED
     sure = (1 - wall) * (1 - HELPED) * (BRIEFLY if throw.rows < FEW else PUSHED)
