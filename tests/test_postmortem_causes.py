@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from upright.arrays import Array
-from upright.diagnose import chances, facts, verdict
+from upright.diagnose import blows, chances, facts, verdict
 from upright.diagnose.causes import DROPPED, HIGH, LOW
 from upright.diagnose.evidence import EXCURSION, KNOWN_TO, Evidence
 from upright.diagnose.fall import Authority, falling, half_swing, held_command, pace, wheel_rates
@@ -18,6 +18,7 @@ from upright.diagnose.fault_fits import FaultFit, PushEstimate
 from upright.diagnose.joint import _Joint
 from upright.diagnose.measured import Demand, Toppling
 from upright.diagnose.slip import slid_at
+from upright.diagnose.thrown import Throw
 from upright.physics.dynamics import motor_gain
 from upright.robots import Robot, preset_names
 from upright.signals import Log
@@ -135,6 +136,23 @@ def test_no_fault_is_needed_where_pushes_leave_only_noise(pushes_leave: float, h
     evidence: Any = SimpleNamespace(pushes_only=none, calm=1.0)
     delay: Any = SimpleNamespace(fault="delay", nis=0.9 * pushes_leave if not held else 0.9, score=124.0)
     assert (chances.holds(evidence, delay) > 0.5) == held
+
+
+@pytest.mark.parametrize(("sound", "leaves", "blow"), [(0.0, 1.1, False), (1.0, 1.1, True), (0.0, 8.0, True)])
+def test_a_blow_is_the_cause_unless_a_fault_showed_before_it(
+    sound: float, leaves: float, blow: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Twipr under readings that came late was pushed by less than it stands: its body turned like one that is thrown.
+    The delay and the push left noise. What fits after a blow only, or leaves eight times the noise, explains none."""
+    throw = Throw(
+        start=3.5, after=-15.0, seconds=0.03, clipped=False, wheels=True, lost=True, left=0.5, rows=50, times=4.4
+    )  # fmt: skip
+    evidence: Any = SimpleNamespace(throw=throw, slid=math.nan, calm=1.0, pushes_only=SimpleNamespace(nis=129.0))
+    delay = FaultFit(fault="delay", onset=3.1, size=1.3, nis=leaves)
+    known: dict[str, Any] = {"toppled": (1.0, 1.0, None), "driven_into": [], "best_of": delay, "sound_until": sound}
+    for name, answer in known.items():
+        monkeypatch.setattr(blows, name, lambda *_, answer=answer: answer)
+    assert bool(blows.thrown_over(evidence)) == blow
 
 
 @pytest.mark.parametrize(("wrong", "stood"), [(0.0, True), (8.0, False)])
