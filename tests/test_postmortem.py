@@ -280,11 +280,8 @@ def test_the_compiled_flow_is_that_of_the_equations() -> None:
 def test_wheels_that_are_held_roll_with_the_body_as_one() -> None:
     """No rolling friction, motors short-circuited and held: the body on its wheels loses no energy as it falls."""
     p = dataclasses.replace(NXT, rolling_friction=0.0, wheel_friction=0.0)
-    x, nothing, whole = (
-        np.array([[[0.2, 0.7, 0.0, 0.7, 0.0, 0.0]]]),
-        np.zeros((1, 1, 2)),
-        10 * largest_command(NXT, KIT),
-    )
+    x, nothing = np.array([[[0.2, 0.7, 0.0, 0.7, 0.0, 0.0]]]), np.zeros((1, 1, 2))
+    whole = np.full((1, 2), 10 * largest_command(NXT, KIT))  # all that holding needs
     numbers = np.array(constants([np.array([getattr(p, name)]) for name in PARAMETERS], 1.0))
     inertia = (p.body_mass + 2 * p.wheel_mass) * p.wheel_radius**2 + 2 * p.wheel_inertia + p.pitch_inertia
     inertia, lever = inertia + p.body_mass * p.com_height**2, p.body_mass * p.com_height
@@ -298,8 +295,8 @@ def test_wheels_that_are_held_roll_with_the_body_as_one() -> None:
         (end,) = fly(numbers, x, nothing, nothing, np.array([0.1]), steps, whole)[0]
         assert end[3] == pytest.approx(end[1], rel=1e-4)  # within 2 ms friction acts in proportion but for so much
         errors.append(abs(energy(*end[:2]) / energy(0.2, 0.7) - 1))
-    assert errors[0] < 1e-3  # of what the friction of a step does in the middle of it and at its end
-    assert errors[1] < 0.6 * errors[0]  # of first order at least
+    assert errors[0] < 1e-5  # a body that falls freely by 0.13 rad turns 4 % of this energy round
+    assert errors[1] < 0.3 * errors[0]  # of second order
 
 
 def test_two_faults_of_runs_of_different_length_stay_as_they_were_found() -> None:

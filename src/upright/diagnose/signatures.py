@@ -35,7 +35,7 @@ FINE_HEIGHTS = (0.0, 0.5, 1.0, 1.5, 2.0)
 RISES = (0.1, 0.3, 1.0)  # [s] in which a steady load grows to its size
 VISIBLE = (
     "wheel_mass", "wheel_radius", "wheel_inertia", "body_mass", "com_height", "pitch_inertia", "rotor_inertia",
-    "motor_resistance", "back_emf", "motor_friction", "coulomb_friction", "track", "yaw_inertia", "roll_inertia",
+    "motor_resistance", "back_emf", "motor_friction", "coulomb_friction",
 )  # fmt: skip
 """Parameters that a filter in pitch may have wrong."""
 
