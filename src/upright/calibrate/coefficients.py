@@ -46,13 +46,19 @@ differ by 0.04 % in pitch and 0.07 % in the wheel rate (docs/twin.md), and no re
 TURNED = 1.5e-3
 """How right the coupling is where there is dry friction, of the geometric mean of both inertias: wheels that turn back,
 which MuJoCo does at the end of a time step, differ by what a rotor of 0.1 % of all that rolls would do."""
-SMOOTH = 2 * math.log(10) / 1.96
-"""Spread of the logarithm of ω_c², below which rolling friction is smooth: 95 % of ω_c lie between a tenth
-and ten times the file's. Nobody measures it; with 0.2 rad/s for the 0.02 of a simulated robot pitch inertia was off by 13 %."""
+SHARPER = (
+    10.0  # [1] by which factor, at most, rolling friction is sharper than the file says, with a probability of 95 %
+)
+SMOOTH = 2 * math.log(SHARPER) / 1.96
+"""Spread of the logarithm of ω_c², below which rolling friction is smooth. Nobody measures it: a file has what keeps
+simulations quick. With 0.2 rad/s for the 0.02 of a simulated robot its pitch inertia was off by 13 %."""
 EQUATION = "equation/"
-EQUATIONS = tuple(Parameter(f"{EQUATION}{i}", "1", 0.0, EXACT, "linear") for i in LEVEL)
-"""By what share each constant of the equations is off, and by what factor ω_c² is: estimated beside the parameters, and
-never reported."""
+EQUATIONS = tuple(
+    Parameter(f"{EQUATION}{i}", "1", 0.0, EXACT, "linear", 0.0 if i == AT.stiction_rate_squared else -math.inf)
+    for i in LEVEL
+)
+"""By what share each constant of the equations is off, and by which power of a factor ω_c² is: estimated beside the
+parameters, and never reported."""
 
 
 class Priors(NamedTuple):

@@ -80,7 +80,7 @@ def coefficients(z: Any, priors: Any) -> Any:
         for k in range(len(z) - asked):
             size = coupling if LEVEL[k] == AT.rotor_coupling else q[LEVEL[k], lane]
             if LEVEL[k] == AT.stiction_rate_squared:
-                q[LEVEL[k], lane] *= math.exp(SMOOTH * z[asked + k, lane])
+                q[LEVEL[k], lane] *= math.exp(-SMOOTH * z[asked + k, lane])
             else:
                 q[LEVEL[k], lane] += EXACT * size * z[asked + k, lane]
         half, supply = numbers[PLAIN, lane] / 2, numbers[PLAIN + 1, lane]

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from upright.calibrate import dropping, misaligned, resonance
 from upright.calibrate.calibration import Calibration, Segments
-from upright.calibrate.coefficients import around, slopes_of
+from upright.calibrate.coefficients import AT, SHARPER, around, slopes_of
 from upright.calibrate.contradicted import Explained, which
 from upright.calibrate.effects import FRACTIONS, of_robot
 from upright.calibrate.electronics import MEANING
@@ -192,7 +192,9 @@ def _calibrated(problem: Problem, z: Array, every: Sequence[Estimate], logs: Seq
     sources_of = {
         n.name: Provenance(f"calibrated from {origin}; {n.verdict}", n.spread) for n in every if n.verdict != HELD
     }
-    robot = _robot_at(problem, z)
+    q = problem.coefficients(problem.recordings[0], z[:, None])[AT.stiction_rate_squared, 0]
+    sharp = max(math.sqrt(q), problem.robot.stiction_rate / SHARPER)  # sharper ones make simulations slow
+    robot = _robot_at(problem, z).replace(stiction_rate=sharp)
     fitted = tuple(map(_fitted_part, logs, problem.recordings))
     return robot.replace(provenance={**problem.robot.provenance, **sources_of}, name=problem.robot.name, fitted=fitted)
 
