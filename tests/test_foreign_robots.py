@@ -20,6 +20,7 @@ from upright.calibrate.electronics import DEAD_ZONE
 from upright.calibrate.informativity import drives_straight
 from upright.calibrate.parameters import parameters_of
 from upright.calibrate.refined import settled
+from upright.calibrate.summary import _floor
 from upright.diagnose import post_mortem
 from upright.diagnose.fall import fall_time
 from upright.diagnose.innovations import follow
@@ -259,6 +260,17 @@ def test_a_dead_zone_is_found_among_several(planted: float, seed: int) -> None:
         assert zone == pytest.approx(planted, abs=level)
     else:
         assert 1.1 * zone < level  # the first level passes whole: no zone has an effect
+
+
+def test_a_dead_zone_is_known_no_better_than_to_a_step_of_the_command() -> None:
+    """Of 1.3 V between levels of 1.285 and 1.331 V the interval was 1.284 to 1.286 V."""
+    bot = Bot()
+    table = metric(logged(bot, Course(free=2.0, excitation=1.2), seed=67), bot)
+    problem, _ = prepared([apply(propose(table), table)], known(bot), Kit.preset("nxt"), [], 0.0)
+    place = [p.name for p in problem.parameters].index(DEAD_ZONE)
+    z = np.zeros(len(problem.parameters))
+    deviation = math.sqrt(_floor(problem, z)[place, place]) * problem.parameters[place].spread
+    assert 1.96 * deviation > 0.99 * bot.battery / 255  # the PWM has 255 steps
 
 
 @pytest.mark.slow

@@ -16,7 +16,7 @@ from upright.calibrate.calibration import Calibration, Segments
 from upright.calibrate.coefficients import AT, SHARPER, around, slopes_of
 from upright.calibrate.contradicted import Explained, which
 from upright.calibrate.effects import FRACTIONS, of_robot
-from upright.calibrate.electronics import MEANING
+from upright.calibrate.electronics import DEAD_ZONE, MEANING
 from upright.calibrate.estimate import BOUND, HELD, NORMAL, PRIOR, QUIET, REFUSED, SURPRISE, VISIBLE, Estimate
 from upright.calibrate.fitting import Problem
 from upright.calibrate.informativity import between_optima, information, posterior, unseen_directions
@@ -117,7 +117,7 @@ def _covariances(best: Explained) -> tuple[Array, Array]:
     """Of the errors of a fit's parameters (parameters, parameters), by the deviations that are stated; and what it were
     with white innovations."""
     problem, z, normal, paths, others = best.fit
-    stated, floor = np.outer(best.scales, best.scales), _floor(problem)
+    stated, floor = np.outer(best.scales, best.scales), _floor(problem, z)
     errors = between_optima(posterior(problem, z, normal, paths), z, others)
     white = np.linalg.inv(np.eye(len(z)) + information(problem, normal))
     return stated * errors + best.covariance + floor, stated * white + floor
@@ -145,10 +145,22 @@ def _withdrawn(e: Estimate, verdict: str) -> Estimate:
     return replace(e, verdict=verdict) if e.verdict == VISIBLE or (verdict == REFUSED and e.verdict != HELD) else e
 
 
-def _floor(problem: Problem) -> Array:
-    """Variance of each coordinate (n, n) that no log takes away: of dead times."""
+def _floor(problem: Problem, z: Array) -> Array:
+    """Variance of each coordinate (n, n) that no log takes away at z (n,): of dead times, and of a dead zone, which
+    changes nothing between two levels of the command."""
     finest = FINEST_TIME * problem.recordings[0].period
-    return np.diag([(finest / p.spread) ** 2 if p.name.startswith("delay/") else 0.0 for p in problem.parameters])
+    unknown = [
+        finest if p.name.startswith("delay/") else _step(problem, float(p.value(x))) / NORMAL if p.name == DEAD_ZONE
+        else 0.0 for p, x in zip(problem.parameters, z, strict=True)
+    ]  # fmt: skip
+    return np.diag([(size / p.spread) ** 2 for size, p in zip(unknown, problem.parameters, strict=True)])
+
+
+def _step(problem: Problem, zone: float) -> float:
+    """From the largest command within a dead zone to the smallest one above it."""
+    levels = np.unique(np.concatenate([[0.0], *(np.abs(r.commands).ravel() for r in problem.recordings)]))
+    above = int(np.searchsorted(levels, zone, side="right"))
+    return float(levels[min(above, len(levels) - 1)] - levels[max(above - 1, 0)])
 
 
 def _estimate(p: Parameter, z: float, spread: float, held: bool) -> Estimate:
