@@ -118,11 +118,8 @@ def test_what_is_estimated_is_what_a_level_floor_shows() -> None:
     """The constants with an error of their own are those that the generated step takes, the track that tells the wheels
     apart, the dry friction that the predictor makes sharp, and the rate below which rolling friction is smooth."""
     taken = set(inspect.signature(rk4_free.py_func).parameters) & set(Constants._fields)
-    assert {Constants._fields[i] for i in (*LEVEL, *ROLLING_DRY)} == taken | {
-        "half_track",
-        "coulomb_torque",
-        "stiction_rate_squared",
-    }
+    beside = {"half_track", "coulomb_torque", "stiction_rate_squared"}
+    assert {Constants._fields[i] for i in (*LEVEL, *ROLLING_DRY)} == taken | beside
 
 
 def test_the_flow_of_wheels_that_stick_is_smooth() -> None:

@@ -31,7 +31,7 @@ AT = Constants(*range(len(Constants._fields)))
 DRIVEN, TURN_READ, DELAYS = len(AT), len(AT) + 5, len(AT) + 6
 """Where among the coefficients begins what drives the robot, where what the gyro reads of the yaw rate is, and where
 the delays begin."""
-LOST, ZONE = DRIVEN + 4, DRIVEN + 2
+ZONE, LOST = DRIVEN + 2, DRIVEN + 4
 LEVEL = (
     AT.half_track, AT.motor_damping, AT.centrifugal, AT.weight, AT.coulomb_torque, AT.motor_torque, AT.lever,
     AT.rolling_damping, AT.turning_lever, AT.yaw_coriolis, AT.yaw_lever, AT.yaw_damping, AT.yaw_motor_torque,
@@ -46,9 +46,7 @@ differ by 0.04 % in pitch and 0.07 % in the wheel rate (docs/twin.md), and no re
 TURNED = 1.5e-3
 """How right the coupling is where there is dry friction, of the geometric mean of both inertias: wheels that turn back,
 which MuJoCo does at the end of a time step, differ by what a rotor of 0.1 % of all that rolls would do."""
-SHARPER = (
-    10.0  # [1] by which factor, at most, rolling friction is sharper than the file says, with a probability of 95 %
-)
+SHARPER = 10.0  # [1] times that rolling friction may be sharper than the file says, with a probability of 95 %
 SMOOTH = 2 * math.log(SHARPER) / 1.96
 """Spread of the logarithm of ω_c², below which rolling friction is smooth. Nobody measures it: a file has what keeps
 simulations quick. With 0.2 rad/s for the 0.02 of a simulated robot its pitch inertia was off by 13 %."""

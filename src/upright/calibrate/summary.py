@@ -148,12 +148,15 @@ def _withdrawn(e: Estimate, verdict: str) -> Estimate:
 def _floor(problem: Problem, z: Array) -> Array:
     """Variance of each coordinate (n, n) that no log takes away at z (n,): of dead times, and of a dead zone, which
     changes nothing between two levels of the command."""
-    finest = FINEST_TIME * problem.recordings[0].period
-    unknown = [
-        finest if p.name.startswith("delay/") else _step(problem, float(p.value(x))) / NORMAL if p.name == DEAD_ZONE
-        else 0.0 for p, x in zip(problem.parameters, z, strict=True)
-    ]  # fmt: skip
+    unknown = [_unknown(problem, p, float(p.value(x))) for p, x in zip(problem.parameters, z, strict=True)]
     return np.diag([(size / p.spread) ** 2 for size, p in zip(unknown, problem.parameters, strict=True)])
+
+
+def _unknown(problem: Problem, p: Parameter, value: float) -> float:
+    """The deviation of a parameter at a value that no log takes away, in its unit."""
+    if p.name.startswith("delay/"):
+        return FINEST_TIME * problem.recordings[0].period
+    return _step(problem, value) / NORMAL if p.name == DEAD_ZONE else 0.0
 
 
 def _step(problem: Problem, zone: float) -> float:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from upright.calibrate.kept import njit
-from upright.calibrate.motion import DRIVES, block_of
+from upright.calibrate.motion import DRIVES, block_of, inlined
 from upright.compiled.generated_motion import constants_rolling, rk4_rolling
 
 BLOCK = 32  # faults that are gone through together
@@ -39,6 +39,14 @@ def held(state: Any, h: Any, drive: Any, acting: Any, dry: Any, known: Any) -> A
     return _moved(state, h, drive[0] - left, drive[1] - right, acting, known)
 
 
+@inlined
+def _next(state: Any, h: Any, drive: Any, acting: Any, dry: Any, known: Any) -> Any:
+    """The same of motors with so much more dry friction, or with none more."""
+    if max(dry[0], dry[1]) > 0:
+        return held(state, h, drive, acting, dry, known)
+    return _moved(state, h, drive[0], drive[1], acting, known)
+
+
 @njit
 def fly(constants: Any, x: Any, u: Any, w: Any, spans: Any, steps: int, dry: Any) -> Any:
     """States (lanes, n, 6) of robots with these `constants` (constants, lanes), from the states x (lanes, n, 6), after
@@ -55,13 +63,10 @@ def fly(constants: Any, x: Any, u: Any, w: Any, spans: Any, steps: int, dry: Any
                 continue
             a, b, c, d, e, f = x[lane, i]
             left, right, force, moment = u[lane, i, 0], u[lane, i, 1], w[lane, i, 0], w[lane, i, 1]
-            stiff = max(dry[i, 0], dry[i, 1]) > 0
             for _ in range(steps):
-                if stiff:
-                    state, acting = (a, b, c, d, e, f), (force, moment)
-                    a, b, c, d, e, f = held(state, h, (left, right), acting, (dry[i, 0], dry[i, 1]), known)
-                else:
-                    a, b, c, d, e, f = rk4_rolling(a, b, c, d, e, f, h, left, right, force, moment, *known)
+                a, b, c, d, e, f = _next(
+                    (a, b, c, d, e, f), h, (left, right), (force, moment), (dry[i, 0], dry[i, 1]), known
+                )
             end[lane, i] = np.array([a, b, c, d, e, f])
     return end
 
@@ -191,7 +196,6 @@ def observe(steps: int, followed: Any, floor: Any, robots: Any, onsets: Any, for
                 a, b, c, d, e, f = x[0], x[1], x[2], x[3], x[4], x[5]
                 left, right, force, moment = u[i, 0], u[i, 1], forces[lane, i, 0], forces[lane, i, 1]
                 known = changed if t[i] >= onsets[lane] else usual
-                stiff = max(dry[i, 0], dry[i, 1]) > 0
                 for _ in range(steps):
                     axle, body = force, moment
                     if floors[lane, 1] > 0 and t[i] >= floors[lane, 0]:
@@ -200,11 +204,9 @@ def observe(steps: int, followed: Any, floor: Any, robots: Any, onsets: Any, for
                         )
                         axle += floor[0] * sliding
                         body += floor[1] * math.cos(a) * sliding
-                    if stiff:
-                        state, acting = (a, b, c, d, e, f), (axle, body)
-                        a, b, c, d, e, f = held(state, h, (left, right), acting, (dry[i, 0], dry[i, 1]), known)
-                    else:
-                        a, b, c, d, e, f = rk4_rolling(a, b, c, d, e, f, h, left, right, axle, body, *known)
+                    a, b, c, d, e, f = _next(
+                        (a, b, c, d, e, f), h, (left, right), (axle, body), (dry[i, 0], dry[i, 1]), known
+                    )
                 x[0], x[1], x[2], x[3], x[4], x[5] = a, b, c, d, e, f
             if math.isnan(deviation[i]):
                 continue
