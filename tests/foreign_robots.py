@@ -92,6 +92,7 @@ class Course:
     excitation: float = 0.0
     falls: bool = False
     jump: float = math.inf  # [s] when the wheel's reference jumps by 2 rad
+    scale: tuple[float, float] = (math.inf, 1.0)  # [s, –] from when on the gyro shows so many times the motion
     stiff: tuple[float, float] = (math.inf, 0.0)  # [s, N m] from when on each motor has so much more dry friction
 
 
@@ -154,7 +155,8 @@ def logged(bot: Bot, course: Course, seed: int = 0) -> dict[str, Array]:
         free = t - start
         if free >= course.stiff[0]:
             bot, course = replace(bot, dry=bot.dry + course.stiff[1]), replace(course, stiff=Course.stiff)
-        gyro = past[max(-len(past), -1 - late)] + bot.offset + rng.normal(0, bot.noise)
+        shown = course.scale[1] if free >= course.scale[0] else 1.0
+        gyro = shown * past[max(-len(past), -1 - late)] + bot.offset + rng.normal(0, bot.noise)
         psi, _, wheel, _ = state
         ticks = (wheel - psi) / math.tau * bot.ticks
         tilt = 0.99 * (tilt + (gyro - bot.offset) * bot.period) + 0.01 * (psi + rng.normal(0, 0.02))

@@ -48,9 +48,10 @@ class FaultFit:
     """A fault (or "none") that explains the innovations by `score`, the log likelihood ratio [nats] less the penalty.
 
     `size` is in the fault's own unit from `onset` [s] on, which a battery reaches after the `rise` [s]; `more` are a
-    load's height over that of the body and the torque of its weight [N m]. `pushes` stand beside it. `explained` is the
-    fraction of the squares that it explains, `nis` the mean square that it leaves, `rest` the innovations themselves
-    that it leaves. `values` is what it took from them, `run` the log's run without it, where there is one.
+    load's height over that of the body and the torque of its weight [N m], or what a gyro of another scale shows at
+    rest [rad/s]. `pushes` stand beside it. `explained` is the fraction of the squares that it explains, `nis` the mean
+    square that it leaves, `rest` the innovations themselves that it leaves. `values` is what it took from them, `run`
+    the log's run without it, where there is one.
     """
 
     fault: str

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -10,7 +11,7 @@ import numpy as np
 from upright.diagnose.fall import fall_time, falling, pace
 from upright.diagnose.fault_fits import FaultFit
 from upright.diagnose.innovations import FilterRun
-from upright.diagnose.remedy import Window, moved, remedied
+from upright.diagnose.remedy import GYRO, Window, anywhere, lately, moved, remedied
 from upright.diagnose.usual import calm_of
 
 TIPPING = 0.35  # [rad] lean at the log's end that is a fall where the filter has lost the robot as well
@@ -20,6 +21,46 @@ FALLS = 1.5  # times in which it falls e-fold, that a robot stands by a wrong gy
 EXPLAINS, ONLY_NOISE = 0.1, 2.0
 """Most NIS up to the earlier fall that the gyro without its offset may leave, over that with it, and over the calm
 one."""
+
+SHOWS = (0.1, 0.2, 0.35, 0.6, 2.0, 5.0)  # times the motion, that a gyro shows and that are tried first
+LOUD, LOUD_FOR = 20.0, 0.4  # NIS over the usual one, and for how long [s], of a fall that the gyro does not show
+OFFSET = 6  # the place of the gyro's offset in the filter's state
+
+
+def mis_scaled(run: FilterRun, window: Window) -> FaultFit | None:
+    """A gyro of another scale that explains most of a log, of any size: a signature is of the robot that stands, and a
+    gyro that shows a seventh of the motion goes far from it. It explains until the robot falls by it, and what the
+    floor does then nothing explains, as it does without it. Its offset is scaled with the motion, or stays as it was.
+    None where the robot falls by none of them."""
+    recent = lately(run, window)
+    usual = window.of(recent)
+    then, costs = usual.clock[usual.readings], np.log1p(usual.whitened**2)
+
+    def cost(tried: FaultFit) -> float:
+        freed = remedied(recent, tried)
+        fell_at = fall_time(freed) if freed is not None else None
+        if freed is None or fell_at is None or not len(freed.clock):
+            return math.inf
+        part, end = window.of(freed), min(fell_at, float(freed.clock[-1]))
+        until = part.clock[part.readings] < end
+        return float(np.log1p(part.whitened[until] ** 2).sum() + costs[then >= end].sum())
+
+    gyro = FaultFit(fault="scale", way=GYRO.removeprefix("sensor/"))
+    before = usual.after[usual.clock < window.end - window.seconds / 2, OFFSET]  # of more seconds than of trouble
+    shown = [(), (float(np.median(before)),)] if len(before) else [()]
+    sizes = [1 - 1 / shows for shows in SHOWS]
+    least, best = min((anywhere(cost, replace(gyro, more=one), sizes, window) for one in shown), key=lambda one: one[0])
+    return best if least < float(costs.sum()) else None
+
+
+def unseen(run: FilterRun, window: Window) -> float | None:
+    """When a robot fell [s] whose gyro shows so little of it that neither its angle nor the filter's falls; None where
+    nothing is loud in the log, or where no such gyro explains it."""
+    part = window.of(run)
+    blocks = np.floor((part.clock[part.readings] - part.clock[0]) / LOUD_FOR).astype(int)
+    squares = np.bincount(blocks, part.whitened**2) / np.maximum(np.bincount(blocks), 1)
+    scaled = mis_scaled(run, window) if squares.max(initial=0.0) > LOUD * window.usual else None
+    return None if scaled is None else sooner(run, [scaled], window)
 
 
 def hidden_fall(run: FilterRun, several: Sequence[FaultFit]) -> float | None:
@@ -34,18 +75,21 @@ def hidden_fall(run: FilterRun, several: Sequence[FaultFit]) -> float | None:
 
 
 def sooner(run: FilterRun, several: Sequence[FaultFit], window: Window) -> float | None:
-    """When the robot fell [s] by a gyro whose offset explains all until then, and which shows the fall too late: what
-    is after the fall, the floor for instance, is explained by nothing."""
+    """When the robot fell [s] by a gyro whose offset, or scale, explains all until then, and which shows the fall too
+    late: what is after the fall, the floor for instance, is explained by nothing."""
     calm, least = calm_of(run, window), FALLS / falling(run.robot).pole
-    offsets = [one for one in several if (one.fault, one.way) == ("bias", "step")]
-    for fit in (one for one in offsets if one.onset + least < window.end - EARLIER):
-        end = min(window.end, fit.onset + AFTER * pace(run.robot))
-        part = replace(window, end=end, seconds=window.seconds - (window.end - end), banks={})
-        freed = remedied(run, moved(run, [[fit]], part)[0])
+    wrong = [one for one in several if (one.fault, one.way) in (("bias", "step"), ("scale", "gyro"))]
+    for fit in (one for one in wrong if one.onset + least < window.end - EARLIER):
+        if fit.fault == "bias":
+            end = min(window.end, fit.onset + AFTER * pace(run.robot))
+            part = replace(window, end=end, seconds=window.seconds - (window.end - end), banks={})
+            freed = remedied(run, moved(run, [[fit]], part)[0])
+        else:
+            freed = remedied(lately(run, window), fit)
         true = fall_time(freed) if freed is not None else None
         if freed is None or true is None or not fit.onset + least < true < window.end - EARLIER:
             continue
         left, before = (float(np.mean(one.between(fit.onset, true).whitened ** 2)) for one in (freed, run))
-        if left < min(EXPLAINS * before, ONLY_NOISE * calm):
+        if left < min(EXPLAINS * before, ONLY_NOISE * calm if fit.fault == "bias" else math.inf):
             return true
     return None

@@ -297,7 +297,9 @@ def together(run: FilterRun, first: FaultFit, second: FaultFit, window: Window, 
     if several and (freed := followed(run, window.end, *several)) is not None:
         here, last = window.bank(freed), several[1]
         again = with_pushes(here, against=bank, beside=here.y)
-        again = replace(again, fault=last.fault, way=last.way, onset=last.onset, size=last.size, rise=last.rise)
+        again = replace(
+            again, fault=last.fault, way=last.way, onset=last.onset, size=last.size, rise=last.rise, more=last.more
+        )
         return Pair(first=first, second=replace(_priced(again, several, bank), run=freed))
     if not len(first.values) == len(second.values) == len(bank.y):  # made on a run of fewer readings
         return Pair(first=first, second=second)

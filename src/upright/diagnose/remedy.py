@@ -33,6 +33,7 @@ WEAKEST, STRONGEST = 0.03, 0.97  # of a battery's voltage
 NO_TIME = 1e-9  # [s]
 ONSET_STEP = 0.4  # [s] between onsets that are tried first
 WARM_UP = 2.0  # [s] that the filter has to find the robot before the part of the log that is judged
+SCALE_STEP = 0.2  # of a reading, or of the motion that it stands for where that is more
 HALVINGS = 4  # of the steps in size and onset, round the best
 MOST_MOVES = 8  # by steps of one length
 BIAS_ROUNDS = 2  # most times that a gyro's offset is estimated again on the log freed of it
@@ -92,9 +93,13 @@ def _in_time(run: FilterRun, fits: Sequence[FaultFit]) -> tuple[float, float, fl
 
 
 def _rescaled(t: Array, name: str, values: Array, fit: FaultFit) -> Array:
-    """A sensor's readings without the fraction `fit.size` of them since the onset; of an angle, of what it grew by."""
-    on = t >= fit.onset
-    first = 0.0 if "encoder" not in name or "rate" in name else _angle_at(fit.onset, t, values, max(1 - fit.size, 0.0))
+    """A sensor's readings without the fraction `fit.size` of them since the onset; of an angle, of what it grew by, and
+    of a gyro of what lies beyond the reading at rest that the fit names."""
+    on, first = t >= fit.onset, 0.0
+    if name == GYRO:
+        first = fit.more[0] if fit.more else 0.0
+    elif "rate" not in name:
+        first = _angle_at(fit.onset, t, values, max(1 - fit.size, 0.0))
     return np.where(on, first + (1 - fit.size) * (values - first), values)
 
 
@@ -201,21 +206,30 @@ def searched(run: FilterRun, window: Window) -> list[FaultFit]:
 
 
 def _searched(recent: FilterRun, window: Window, fault: FaultFit, sizes: tuple[float, ...]) -> FaultFit:
-    """By a grid in size and onset, then by steps that are halved."""
+    """The fault of the smallest innovations."""
 
     def squares(tried: FaultFit) -> float:
         freed = followed(recent, float(recent.t[-1]), tried)
         return math.inf if freed is None else float((window.of(freed).whitened ** 2).sum())
 
+    least, best = anywhere(squares, fault, sizes, window)
+    return replace(best, nis=least / int(window.of(recent).readings.sum()))
+
+
+def anywhere(
+    cost: Callable[[FaultFit], float], fault: FaultFit, sizes: Sequence[float], window: Window
+) -> tuple[float, FaultFit]:
+    """The least cost of a fault of any size and onset in a window, and that fault: by a grid that has these sizes,
+    then by steps that are halved."""
     onsets = np.arange(window.end - window.seconds, window.end - YOUNGEST, ONSET_STEP).tolist()
-    least, best = least_of(squares, [replace(fault, onset=t, size=x) for t in onsets for x in sizes])
+    least, best = least_of(cost, [replace(fault, onset=t, size=x) for t in onsets for x in sizes])
     for halving in range(HALVINGS):
         for _ in range(MOST_MOVES):
-            tried = least_of(squares, _near(best, 0.5**halving, window.end - YOUNGEST))
+            tried = least_of(cost, _near(best, 0.5**halving, window.end - YOUNGEST))
             if tried[0] >= least:
                 break
             least, best = tried
-    return replace(best, nis=least / int(window.of(recent).readings.sum()))
+    return least, best
 
 
 def least_of(squares: Callable[[FaultFit], float], several: Sequence[FaultFit]) -> tuple[float, FaultFit]:
@@ -284,7 +298,8 @@ def _near(fit: FaultFit, step: float, latest: float) -> list[FaultFit]:
     if fit.fault == "motor":
         return near
     if fit.fault == "scale":
-        return near + [replace(fit, size=fit.size + change * step) for change in (-0.2, 0.2)]
+        part = SCALE_STEP * max(1.0, abs(1 - fit.size))  # of what one reading counts
+        return near + [replace(fit, size=fit.size + change * step) for change in (-part, part)]
     sizes = [fit.size * 1.6**change for change in (-step, step)]
     if fit.fault == "delay":
         sizes = [min(size, LONGEST) for size in sizes]
@@ -307,7 +322,9 @@ def exact(run: FilterRun, fit: FaultFit, window: Window, against: Bank) -> Fault
         if freed is None:
             return best
         again = with_pushes(window.bank(freed), against=against)
-        now = replace(again, fault=fit.fault, way=fit.way, onset=fit.onset, size=fit.size, rise=fit.rise, run=freed)
+        now = replace(
+            again, fault=fit.fault, way=fit.way, onset=fit.onset, size=fit.size, rise=fit.rise, more=fit.more, run=freed
+        )
         if fit.rise > 0:
             now = dearer(now, FADE_PRICE, against)
         if now.score <= best.score and best is not fit:
@@ -359,6 +376,7 @@ def sharpened(run: FilterRun, fits: Sequence[FaultFit], window: Window, against:
     offsets = [fit for fit in fits if fit.fault == "bias" and fit.score > plain - BEHIND][:MOST_BIASES]
     exact_ones = [*offsets, *(moved(run, [[fit]], window)[0] for fit in offsets if fit.way == "step")]
     exact_ones += [fit for fit in fits if fit.fault == "scale" and fit.score > fits[0].score - BEHIND][:MOST_SCALES]
+    exact_ones += [fit for fit in fits if fit.fault == "scale" and not len(fit.rest)]
     exact_ones += [fit for fit in fits if fit.fault in ("weak", "delay")]
     exact_ones += [fit for fit in fits if fit.fault == "friction" and not len(fit.rest)]
     alone = sorted((fit for fit in fits if fit.fault == "motor" and not len(fit.rest)), key=lambda fit: fit.nis)

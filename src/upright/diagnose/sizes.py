@@ -16,6 +16,9 @@ goes on."""
 WITHOUT_TORQUE = 3.0  # [s] that no robot stands without any torque: 14 e-folds, from a millionth of a lean
 REVERSE, REVERSE_WIDTH = 2.0, 0.3  # the same of a sensor that has another sign
 LIGHTEST, LARGEST_PAYLOAD = -1.1, 4.0  # over the body's mass: what it can lose, within the fit's errors, and gain
+MOST_LOST = 0.9
+"""Of the body's mass, that goes at most where the equations of motion show it: such a search ends at 0.95, where
+something else is wanted than a load."""
 LEAST_RADIUS, MOST_RADIUS = 0.05, 0.8  # of its radius, that a wheel loses with its tyre
 WEAK = 0.9  # of its voltage, that a weak battery has left at most: motors differ by as much
 STEEPEST = 0.6  # sine of a slope that robots meet
@@ -33,7 +36,7 @@ def possible(fit: FaultFit, fell_at: float) -> bool:
         "weak": fit.size < WEAK,
         "motor": not (fell_at - fit.onset > WITHOUT_TORQUE and fit.way == "both"),
         "scale": (turned(fit) or fit.size < ALL) and not (stood and wild),
-        "payload": LIGHTEST < fit.size < LARGEST_PAYLOAD,
+        "payload": (-MOST_LOST if fit.more else LIGHTEST) < fit.size < LARGEST_PAYLOAD,
         "friction": fit.size > 0,
         "radius": LEAST_RADIUS < fit.size < MOST_RADIUS,
         "ramp": abs(fit.size) < STEEPEST,
