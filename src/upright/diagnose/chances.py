@@ -68,11 +68,21 @@ def holds(evidence: Evidence, fit: FaultFit) -> float:
     topple by itself."""
     sure = surer(evidence, fit)
     if fit.fault != "slip":
-        noise = step(ONLY_NOISE - fit.nis / evidence.calm, EXPLAINED_WIDTH)
-        noise *= step(evidence.pushes_only.nis / evidence.calm - ONLY_NOISE, EXPLAINED_WIDTH)
-        return sure * max(enough(evidence, fit, EXPLAINED), noise)
+        return sure * max(enough(evidence, fit, EXPLAINED), all_of_it(evidence, fit))
     like = enough(evidence, fit, LIKE_A_PUSH)
     return sure * like * (1 - toppled(evidence)[0] * (1 - like))
+
+
+def all_of_it(evidence: Evidence, fit: FaultFit) -> float:
+    """Whether it leaves only noise where pushes alone leave more: noise of the kit, or of this log, whose sensors may
+    have less."""
+    several = [(fit.nis, evidence.pushes_only.nis, evidence.calm)]
+    if evidence.noise < evidence.calm:
+        several.append((evidence.misfit(fit), evidence.misfit(evidence.pushes_only), evidence.noise))
+    return max(
+        step(ONLY_NOISE - left / noise, EXPLAINED_WIDTH) * step(pushed / noise - ONLY_NOISE, EXPLAINED_WIDTH)
+        for left, pushed, noise in several
+    )
 
 
 def surer(evidence: Evidence, fit: FaultFit) -> float:
