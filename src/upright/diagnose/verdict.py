@@ -56,6 +56,7 @@ from upright.diagnose.fault_fits import FaultFit, PushEstimate
 from upright.diagnose.measured import SLOWLY
 from upright.diagnose.pairs import Pair
 from upright.diagnose.remedy import acts_from
+from upright.diagnose.resting import held_wheel, of_held_wheel, weighed
 from upright.diagnose.sizes import possible, slight
 from upright.diagnose.usual import SECONDS
 from upright.diagnose.words import (
@@ -172,12 +173,10 @@ def _changed_robot(evidence: Evidence) -> list[Answer]:
     for fit in evidence.fits:
         if fit.fault in NAMES and possible(fit, evidence.fell_at):
             best[fit.fault] = max(best.get(fit.fault, fit), fit, key=evidence.nats)
-    top = max((evidence.nats(fit) for fit in best.values()), default=0.0)
-    weights = {name: math.exp(max((evidence.nats(fit) - top) / TEMPER, -50.0)) for name, fit in best.items()}
-    total = sum(weights.values())
+    weights, side = weighed(evidence, best), held_wheel(evidence, best)
     answers: list[Answer] = []
     for name, fit in best.items():
-        chance, text = FACT * weights[name] / total * holds(evidence, fit), of_fault(evidence, fit)
+        chance, text = FACT * weights[name] * holds(evidence, fit), of_fault(evidence, fit) + of_held_wheel(side, fit)
         answers.append(Answer((1 - HELPED) * chance, name_of(fit), fit.onset, text))
         helped = f"{text}; a second cause beside it need not show in the log"
         answers.append(Answer(HELPED * chance, _beside(evidence, fit), fit.onset, helped))
