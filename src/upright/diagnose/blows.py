@@ -14,6 +14,7 @@ from upright.diagnose.chances import (
     holds,
     sound_until,
     step,
+    surer,
     toppled,
     worth,
 )
@@ -52,7 +53,8 @@ def driven_into(evidence: Evidence) -> list[Answer]:
         if wall is not None and low and abs(push.impulse) > WALL_HOLDS * mass * abs(wall.speed):
             sure = step(push.score - PUSH_SCORE, PUSH_SCORE_WIDTH)
             others = [fit for fit in evidence.fits if fit.fault in NAMES and possible(fit, evidence.fell_at)]
-            free = 1 - max((holds(evidence, fit) for fit in others), default=0.0)
+            # a fault that explains much more than all pushes is no wall, though it need not be the whole cause
+            free = 1 - max((max(holds(evidence, fit), surer(evidence, fit)) for fit in others), default=0.0)
             slip = max((fit.score for fit in others if fit.fault == "slip"), default=-math.inf)
             free *= step(evidence.pushes_only.score - slip, TEMPER)  # wheels that slip go no further either
             text = (
