@@ -104,14 +104,15 @@ class _Start:
 
 def paired(run: FilterRun, fits: Sequence[FaultFit], window: Window, bank: Bank) -> list[Pair]:
     """Two faults at once, the likeliest first."""
-    best: dict[str, FaultFit] = {}
+    best: dict[tuple[str, str], FaultFit] = {}
     for fit in fits:
-        if fit.fault not in ("none", "dropped"):
-            best.setdefault(fit.fault, fit)
+        if fit.fault not in ("none", "dropped"):  # a battery that limits the commands leaves small ones as they are
+            best.setdefault((fit.fault, fit.way if fit.fault == "weak" else ""), fit)
     several = list(best.values())
     likely = [fit for fit in several[1:] if fit.score > several[0].score - UNLIKELY]
     forces = [fit for fit in likely if fit.fault in BESIDE and fit.run is None]
     firsts = several[:1] + forces + [fit for fit in likely if fit.run is not None][:MORE]
+    firsts += [fit for fit in likely if fit.fault == "weak" and not any(fit is one for one in firsts)]
     starts: dict[frozenset[str], _Start] = {}
     for one in firsts:
         for start in _starts(run, one, window, bank):
