@@ -27,7 +27,7 @@ from upright.diagnose.fault_fits import (
     score_of,
     with_pushes,
 )
-from upright.diagnose.innovations import FilterRun
+from upright.diagnose.innovations import FilterRun, Signature
 from upright.diagnose.remedy import (
     COMMAND_FAULTS,
     FADE_PRICE,
@@ -116,7 +116,7 @@ def paired(run: FilterRun, fits: Sequence[FaultFit], window: Window, bank: Bank)
     starts: dict[frozenset[str], _Start] = {}
     for one in firsts:
         for start in _starts(run, one, window, bank):
-            kinds = frozenset((one.fault, start.second.fault))
+            kinds = frozenset((_kind(one), _kind(start.second)))
             if kinds not in starts or start.promise > starts[kinds].promise:
                 starts[kinds] = start
     pairs, quiet, order = list[Pair](), quiet_of(run, window), sorted(starts.values(), key=lambda one: -one.promise)
@@ -129,6 +129,11 @@ def paired(run: FilterRun, fits: Sequence[FaultFit], window: Window, bank: Bank)
         if top is None or start.promise > top.score - min(BEHIND + more, FAR_BEHIND):
             pairs += _searched(run, start, window, bank)
     return sorted(pairs, key=lambda pair: -pair.score)
+
+
+def _kind(fault: FaultFit | Signature) -> str:
+    """What is searched as one: a gyro's offset that grows and one that stays are none, nor are a battery's two ways."""
+    return f"{fault.fault} {fault.way}" if fault.fault in ("bias", "weak") else fault.fault
 
 
 def contributing(run: FilterRun, pairs: Sequence[Pair], single: float, window: Window, bank: Bank) -> list[Pair]:
@@ -201,7 +206,7 @@ def _explained(
     free = np.array([here.faults[i].free for i in others])
     size = np.where(free, -dots / own, 1.0)
     explained = -(2 * size * dots + size**2 * own)
-    kinds = np.array([here.faults[i].fault for i in others])
+    kinds = np.array([_kind(here.faults[i]) for i in others])
     chosen: list[tuple[int, float, Array, Array]] = []
     for kind in dict.fromkeys(kinds.tolist()):
         k = int(np.argmax(np.where(kinds == kind, explained, -np.inf)))
