@@ -9,7 +9,9 @@
 A robot differs in one way that its certificate does not know of: battery, slope, mass, delay, dead zone, motors, gyro's
 scale or noise, or in none. Its log is of `LOGGED` seconds under the same controller, driven and knocked, in the
 nonlinear model; the certificate has this log and the spreads of an older calibration, or with `--plain` this log alone.
-It falls where it does under any of the standard pushes of the robot of the file, in runs of `SECONDS`.
+It falls where it does under any of the standard pushes of the robot of the file, in runs of `SECONDS`. One that holds
+may pass a limit of an amber light itself in these runs: a motor at its end, travel, sway at rest. It is counted too,
+since an amber light is right of it.
 """
 
 from __future__ import annotations
@@ -28,8 +30,9 @@ import numpy as np
 from certificate import SECONDS, SEED
 
 from upright.certify.certificate import certify
-from upright.certify.checks import batteries, kernel_controller
+from upright.certify.checks import TAIL, batteries, kernel_controller
 from upright.certify.pushes import standard_pushes
+from upright.certify.verdict import MOST_CYCLE, MOST_SATURATED, MOST_TRAVEL
 from upright.control import LinearController, as_linear, make_controller
 from upright.errors import UprightError
 from upright.experiment import Drive, Impulse, Slope
@@ -41,19 +44,19 @@ from upright.robots.uncertainty import Uncertainty, draw
 from upright.signals import Log
 
 
-def falls(
+def tried(
     controller: LinearController, robot: Robot, truth: Robot, kit: Kit, rng: np.random.Generator, *,
     assumed: Kit, slope: Sequence[Any] = (), known: bool = False,
-) -> bool:  # fmt: skip
+) -> tuple[bool, str]:  # fmt: skip
     """Whether the true robot falls in any of the standard pushes of the robot of the file and the kit it assumes,
-    whatever its certificate made of the log. Each is a run of `SECONDS` at three batteries, or at the true kit's where
-    that is `known`; on a `slope`."""
+    whatever its certificate made of the log, and which limit of an amber light it passes, "" for none. Each is a run of
+    `SECONDS` at three batteries, or at the true kit's where that is `known`; on a `slope`."""
     low, full = batteries(robot, assumed) or (None, None)
-    tried: list[tuple[float | None, float | None]] = [(low, low), (full, full)]  # of the push, and of the run
+    runs: list[tuple[float | None, float | None]] = [(low, low), (full, full)]  # of the push, and of the run
     if low is not None and full is not None:
-        tried = [(low, kit.battery.voltage)] if known else [*tried, (low, float(rng.uniform(low, full)))]
-    parameters, fell = parameters_of([truth]), False
-    for sized, volts in tried:
+        runs = [(low, kit.battery.voltage)] if known else [*runs, (low, float(rng.uniform(low, full)))]
+    parameters, fell, most = parameters_of([truth]), False, np.zeros(3)
+    for sized, volts in runs:
         for one in standard_pushes(robot, assumed, sized).values():
             programme = tables([one.push, *slope], (), parameters)
             batch = FleetBatch(
@@ -61,8 +64,15 @@ def falls(
                 seed=int(rng.integers(2**31)), kit_changes={} if volts is None else {"battery.voltage": [volts]},
                 pushes=programme.pushes, slope=programme.slope,
             )  # fmt: skip
-            fell |= bool(simulate(batch, SECONDS, threads=1).fell.any())
-    return fell
+            result = simulate(batch, SECONDS, record=1, channels=("truth/pitch",), threads=1)
+            fell |= bool(result.fell.any())
+            ending = result.trace[0, -round(TAIL / controller.period) :, 0]
+            travel = float(result.peak[0, 1]) * truth.wheel_radius
+            most = np.maximum(most, [float(result.saturated[0]), travel, float(np.ptp(ending)) / 2])
+    named = ("at its limit for {:.0%} of the time", "rolls {:.2f} m away", "sways by {:.2f} rad at rest")
+    passed = most > (MOST_SATURATED, MOST_TRAVEL, MOST_CYCLE)
+    texts = [text.format(value) for text, value, past in zip(named, most.tolist(), passed, strict=True) if past]
+    return fell, "" if fell else ", ".join(texts)
 
 
 LOGGED = 12.0  # [s]
@@ -76,7 +86,8 @@ VOLTS = 8.0  # [V] of a full NXT battery: a dead zone of a motor without one is 
 
 @dataclass(frozen=True)
 class Stranger:
-    """A robot that differs from what its certificate assumes by `size` in one way, and what came of it."""
+    """A robot that differs from what its certificate assumes by `size` in one way, and what came of it; one that holds
+    `passes` a limit of an amber light, or none ("")."""
 
     number: int
     robot: str
@@ -87,6 +98,7 @@ class Stranger:
     reason: str
     fell: bool
     logged: bool
+    passes: str = ""
 
 
 def stranger(
@@ -132,19 +144,19 @@ def stranger(
         true_kit = kits(kit, sensors={**kit.sensors, "sensor/gyro": gyro})
     met = _as_met(controller, gain)
     log = _recorded(met, truth, true_kit, robot, pushes, gain, number)
-    fell = falls(met, robot, truth, true_kit, rng, assumed=kit, slope=pushes, known=way == "battery")
+    fell, passes = tried(met, robot, truth, true_kit, rng, assumed=kit, slope=pushes, known=way == "battery")
     if log is None:
-        return Stranger(number, name, design, way, size, "", "no log under a holding controller", fell, False)
+        return Stranger(number, name, design, way, size, "", "no log under a holding controller", fell, False, passes)
     if fallen and not fell:
-        return Stranger(number, name, design, way, size, NOT_ASKED, "", fell, True)
+        return Stranger(number, name, design, way, size, NOT_ASKED, "", fell, True, passes)
     try:
         given = certify(
             controller, robot, kit, samples=samples, seed=number, posterior=None if plain else unknown, sweeps=False,
             log=log, threads=1, weighed=_weight(truth, number) if scale else None,
         )  # fmt: skip
     except UprightError as error:
-        return Stranger(number, name, design, way, size, REFUSED, str(error), fell, True)
-    return Stranger(number, name, design, way, size, given.light, "; ".join(given.reasons), fell, True)
+        return Stranger(number, name, design, way, size, REFUSED, str(error), fell, True, passes)
+    return Stranger(number, name, design, way, size, given.light, "; ".join(given.reasons), fell, True, passes)
 
 
 def _weight(robot: Robot, number: int) -> float:
@@ -195,14 +207,15 @@ def strangers(
         cases.append(stranger(number, samples, plain=plain, robots=robots, scale=scale, fallen=fallen))
         if each and cases[-1].light != NOT_ASKED:
             print(cases[-1], flush=True)
-    headings = ("no log", "fell", "not green", "held", "green", "refused", "taken")
+    headings = ("no log", "fell", "not green", "held", "green", "passes", "refused", "taken")
     print(f"{'':<12}" + "".join(f"{name:>11}" for name in headings))
     for way in (*OUTSIDE, "all"):
         own = [c for c in cases if way in (c.way, "all")]
         with_log = [c for c in own if c.logged and c.light != NOT_ASKED]
         fell, held = ([c for c in with_log if c.fell is happened] for happened in (True, False))
         numbers = (sum(not c.logged for c in own), len(fell), sum(c.light != "green" for c in fell), len(held))
-        numbers += (sum(c.light == "green" for c in held), sum(c.light == REFUSED for c in held))
+        passes = sum(bool(c.passes) and c.light not in ("green", REFUSED) for c in held)  # held, amber or red, rightly
+        numbers += (sum(c.light == "green" for c in held), passes, sum(c.light == REFUSED for c in held))
         numbers += (sum("as the log shows" in c.reason for c in with_log),)
         print(f"{way:<12}" + "".join(f"{n:>11}" for n in numbers))
 
