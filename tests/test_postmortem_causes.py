@@ -133,8 +133,8 @@ def test_references_that_ask_for_little_speed_exclude_motors_that_were_asked_for
 def test_no_fault_is_needed_where_pushes_leave_only_noise(pushes_leave: float, held: bool) -> None:
     """A low gain of a stranger's robot, whose knock has no exact shape: a delay explained a tenth of the noise."""
     none: Any = SimpleNamespace(fault="none", nis=pushes_leave, score=100.0)
-    evidence: Any = SimpleNamespace(pushes_only=none, calm=1.0)
     delay: Any = SimpleNamespace(fault="delay", nis=0.9 * pushes_leave if not held else 0.9, score=124.0)
+    evidence: Any = SimpleNamespace(pushes_only=none, calm=1.0, noise=delay.nis, misfit=lambda fit: fit.nis)
     assert (chances.holds(evidence, delay) > 0.5) == held
 
 

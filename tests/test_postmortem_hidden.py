@@ -17,7 +17,8 @@ from upright.diagnose.facts import IDLE
 from upright.diagnose.fall import Blocked, fall_time
 from upright.diagnose.fault_fits import FaultFit, PushEstimate
 from upright.diagnose.hidden import mis_scaled
-from upright.diagnose.innovations import follow
+from upright.diagnose.innovations import Signature, follow
+from upright.diagnose.pairs import _explained
 from upright.diagnose.remedy import remedied
 from upright.diagnose.resting import RESTS, held_wheel, of_held_wheel, weighed
 from upright.diagnose.sizes import possible
@@ -135,3 +136,16 @@ def test_a_load_as_heavy_as_the_body_does_not_go() -> None:
     lost = FaultFit(fault="payload", onset=4.0, size=-0.95)
     assert possible(lost, 5.0)
     assert not possible(FaultFit(fault="payload", onset=4.0, size=-0.95, more=(0.3, 0.0)), 5.0)
+
+
+def test_an_offset_and_a_drift_are_second_causes_of_their_own() -> None:
+    """A drift explained more at first beside a battery at 4 % than the offset that was there, which the search by the
+    filter then never saw (7677)."""
+    rng = np.random.default_rng(1)
+    values = rng.normal(size=(3, 60))
+    ways = (("bias", "step"), ("bias", "ramp"), ("motor", "both"))
+    several = [Signature(fault=f, way=w, onset=1.0, values=v) for (f, w), v in zip(ways, values, strict=True)]
+    bank: Any = SimpleNamespace(faults=several)
+    y = -1.0 * values[1] - 0.8 * values[0]
+    chosen = _explained(bank, y, values, range(3), np.ones((60, 1)))
+    assert [several[i].way for i, *_ in chosen] == ["step", "ramp", "both"]

@@ -75,14 +75,14 @@ def holds(evidence: Evidence, fit: FaultFit) -> float:
 
 def all_of_it(evidence: Evidence, fit: FaultFit) -> float:
     """Whether it leaves only noise where pushes alone leave more: noise of the kit, or of this log, whose sensors may
-    have less."""
-    several = [(fit.nis, evidence.pushes_only.nis, evidence.calm)]
-    if evidence.noise < evidence.calm:
-        several.append((evidence.misfit(fit), evidence.misfit(evidence.pushes_only), evidence.noise))
-    return max(
-        step(ONLY_NOISE - left / noise, EXPLAINED_WIDTH) * step(pushed / noise - ONLY_NOISE, EXPLAINED_WIDTH)
-        for left, pushed, noise in several
-    )
+    have less. That is the least that any of all hypotheses leaves, so that pushes have to leave clearly more."""
+    none = evidence.pushes_only
+    whole = step(ONLY_NOISE - fit.nis / evidence.calm, EXPLAINED_WIDTH)
+    whole *= step(none.nis / evidence.calm - ONLY_NOISE, EXPLAINED_WIDTH)
+    if evidence.noise >= evidence.calm:
+        return whole
+    own = step(ONLY_NOISE - evidence.misfit(fit) / evidence.noise, EXPLAINED_WIDTH)
+    return max(whole, own * step(evidence.misfit(none) / evidence.noise - FITS_BADLY, FITS_WIDTH))
 
 
 def surer(evidence: Evidence, fit: FaultFit) -> float:
