@@ -134,7 +134,8 @@ def test_no_fault_is_needed_where_pushes_leave_only_noise(pushes_leave: float, h
     """A low gain of a stranger's robot, whose knock has no exact shape: a delay explained a tenth of the noise."""
     none: Any = SimpleNamespace(fault="none", nis=pushes_leave, score=100.0)
     delay: Any = SimpleNamespace(fault="delay", nis=0.9 * pushes_leave if not held else 0.9, score=124.0)
-    evidence: Any = SimpleNamespace(pushes_only=none, calm=1.0, noise=delay.nis, misfit=lambda fit: fit.nis)
+    evidence: Any = SimpleNamespace(pushes_only=none, calm=1.0, noise=delay.nis)
+    evidence.misfit, evidence.nats = lambda fit: fit.nis, lambda fit: fit.score
     assert (chances.holds(evidence, delay) > 0.5) == held
 
 

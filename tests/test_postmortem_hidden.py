@@ -71,13 +71,15 @@ def test_a_gyro_of_another_scale_may_keep_its_offset() -> None:
 def judged(*, noise: float, calm: float = 1.0) -> Any:
     """Pushes that leave a NIS of 0.88, in a log of such noise."""
     pushes = FaultFit(fault="none", score=149.0, nis=0.88)
-    return SimpleNamespace(calm=calm, noise=noise, pushes_only=pushes, misfit=lambda fit: fit.nis)
+    return SimpleNamespace(
+        calm=calm, noise=noise, pushes_only=pushes, misfit=lambda fit: fit.nis, nats=lambda fit: fit.score
+    )
 
 
 def test_a_load_beside_a_push_is_judged_by_the_log_s_own_noise() -> None:
     """7674's pair: pushes leave less than the noise that the kit states, and half again as much as this log has."""
     load = FaultFit(fault="payload", size=-0.47, score=176.0, nis=0.58)
-    assert holds(judged(noise=0.57), load) > 0.9
+    assert holds(judged(noise=0.57), load) > 0.75
     assert holds(judged(noise=0.88), load) < 0.1  # pushes leave nothing either
     weaker = FaultFit(fault="payload", size=-0.47, score=150.0, nis=0.58)
     assert holds(judged(noise=0.57), weaker) < 0.1  # no more nats than pushes

@@ -68,21 +68,22 @@ def holds(evidence: Evidence, fit: FaultFit) -> float:
     topple by itself."""
     sure = surer(evidence, fit)
     if fit.fault != "slip":
-        return sure * max(enough(evidence, fit, EXPLAINED), all_of_it(evidence, fit))
+        noise = step(ONLY_NOISE - fit.nis / evidence.calm, EXPLAINED_WIDTH)
+        noise *= step(evidence.pushes_only.nis / evidence.calm - ONLY_NOISE, EXPLAINED_WIDTH)
+        return max(sure * max(enough(evidence, fit, EXPLAINED), noise), _by_own_noise(evidence, fit))
     like = enough(evidence, fit, LIKE_A_PUSH)
     return sure * like * (1 - toppled(evidence)[0] * (1 - like))
 
 
-def all_of_it(evidence: Evidence, fit: FaultFit) -> float:
-    """Whether it leaves only noise where pushes alone leave more: noise of the kit, or of this log, whose sensors may
-    have less. That is the least that any of all hypotheses leaves, so that pushes have to leave clearly more."""
-    none = evidence.pushes_only
-    whole = step(ONLY_NOISE - fit.nis / evidence.calm, EXPLAINED_WIDTH)
-    whole *= step(none.nis / evidence.calm - ONLY_NOISE, EXPLAINED_WIDTH)
-    if evidence.noise >= evidence.calm:
-        return whole
-    own = step(ONLY_NOISE - evidence.misfit(fit) / evidence.noise, EXPLAINED_WIDTH)
-    return max(whole, own * step(evidence.misfit(none) / evidence.noise - FITS_BADLY, FITS_WIDTH))
+def _by_own_noise(evidence: Evidence, fit: FaultFit) -> float:
+    """The same by the noise of this log, whose sensors may have less than the kit says: it leaves only that, and pushes
+    alone clearly more, since that noise is the least that any of all hypotheses leaves."""
+    none, noise = evidence.pushes_only, evidence.noise
+    if noise >= evidence.calm:
+        return 0.0
+    sure = step(evidence.nats(fit) - evidence.nats(none) - SURE, SURE_WIDTH)
+    left = step(ONLY_NOISE - evidence.misfit(fit) / noise, EXPLAINED_WIDTH)
+    return sure * left * step(evidence.misfit(none) / noise - FITS_BADLY, FITS_WIDTH)
 
 
 def surer(evidence: Evidence, fit: FaultFit) -> float:
