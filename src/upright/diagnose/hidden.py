@@ -13,14 +13,15 @@ from upright.diagnose.fault_fits import FaultFit
 from upright.diagnose.innovations import FilterRun
 from upright.diagnose.remedy import GYRO, Window, anywhere, lately, moved, remedied
 from upright.diagnose.usual import calm_of
+from upright.errors import InvalidLog
 
 TIPPING = 0.35  # [rad] lean at the log's end that is a fall where the filter has lost the robot as well
 AFTER = 0.4  # [s] of a quick robot after its onset, by which the size of a gyro's offset is found
 EARLIER = 0.03  # [s] by which a fall is earlier than the gyro shows, to be looked at again
 FALLS = 1.5  # times in which it falls e-fold, that a robot stands by a wrong gyro at least
 EXPLAINS, ONLY_NOISE = 0.1, 2.0
-"""Most NIS up to the earlier fall that the gyro without its offset may leave, over that with it, and over the calm
-one."""
+"""Most NIS up to the earlier fall that the gyro without its fault may leave, over that with it, and over the calm one;
+of a scale not the latter, since it multiplies noise and what is wrong with the robot's file."""
 
 SHOWS = (0.1, 0.2, 0.35, 0.6, 2.0, 5.0)  # times the motion, that a gyro shows and that are tried first
 LOUD, LOUD_FOR = 20.0, 0.4  # NIS over the usual one, and for how long [s], of a fall that the gyro does not show
@@ -32,7 +33,10 @@ def mis_scaled(run: FilterRun, window: Window) -> FaultFit | None:
     gyro that shows a seventh of the motion goes far from it. It explains until the robot falls by it, and what the
     floor does then nothing explains, as it does without it. Its offset is scaled with the motion, or stays as it was.
     None where the robot falls by none of them."""
-    recent = lately(run, window)
+    try:
+        recent = lately(run, window)
+    except InvalidLog:  # sensors that stand still for so long
+        return None
     usual = window.of(recent)
     then, costs = usual.clock[usual.readings], np.log1p(usual.whitened**2)
 
@@ -57,9 +61,11 @@ def unseen(run: FilterRun, window: Window) -> float | None:
     """When a robot fell [s] whose gyro shows so little of it that neither its angle nor the filter's falls; None where
     nothing is loud in the log, or where no such gyro explains it."""
     part = window.of(run)
+    if not part.readings.any():
+        return None
     blocks = np.floor((part.clock[part.readings] - part.clock[0]) / LOUD_FOR).astype(int)
     squares = np.bincount(blocks, part.whitened**2) / np.maximum(np.bincount(blocks), 1)
-    scaled = mis_scaled(run, window) if squares.max(initial=0.0) > LOUD * window.usual else None
+    scaled = mis_scaled(run, window) if squares.max() > LOUD * window.usual else None
     return None if scaled is None else sooner(run, [scaled], window)
 
 
