@@ -35,7 +35,7 @@ from upright.diagnose.fall import (
 )
 from upright.diagnose.fault_fits import CORRELATED, FaultFit, fits, gainable, spared, with_commands
 from upright.diagnose.forces import forced, refined
-from upright.diagnose.hidden import hidden_fall, mis_scaled, sooner, unseen
+from upright.diagnose.hidden import hidden_fall, mis_scaled, mis_scaled_angles, sooner, unseen
 from upright.diagnose.innovations import FilterRun, follow
 from upright.diagnose.joint import each_alone, pairs_settled, settled
 from upright.diagnose.law import CommandMatch, matched, references
@@ -187,8 +187,8 @@ def gather(
     foreign = _blind(still) or (window.usual > FOREIGN and still is None)  # no cause will rest on the fits
     bank = window.bank(run, pushes_only=foreign)
     several = fits(bank)
-    scaled = None if foreign else mis_scaled(run, window)
-    if not foreign and (true := sooner(run, [*several, *([scaled] if scaled else [])], window)) is not None:
+    scaled = [] if foreign else mis_scaled(run, window)
+    if not foreign and (true := sooner(run, [*several, *scaled], window)) is not None:
         fell_at, window = true, window_of(run, true)
         bank = window.bank(run, pushes_only=False)
         several = fits(bank)
@@ -196,7 +196,7 @@ def gather(
     if not foreign:  # pushes of a linear model leave what other faults would explain
         several = [refined(run, fit, window, bank) if fit.fault == "none" else fit for fit in several]
     if not foreign and _unexplained(several, bank, quiet_of(run, window)):
-        several += [*searched(run, window), *with_commands(bank, several), *([scaled] if scaled else [])]
+        several += [*searched(run, window), *with_commands(bank, several), *scaled, *mis_scaled_angles(run, window)]
     if fell_at is None:
         fell_at = hidden_fall(run, several)
         if fell_at is None:

@@ -8,10 +8,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from upright.diagnose.changes import scaled_sensors
 from upright.diagnose.fall import fall_time, falling, pace
 from upright.diagnose.fault_fits import FaultFit
 from upright.diagnose.innovations import FilterRun
-from upright.diagnose.remedy import GYRO, Window, anywhere, lately, moved, remedied
+from upright.diagnose.remedy import GYRO, Window, anywhere, followed, lately, moved, remedied
 from upright.diagnose.usual import calm_of
 from upright.errors import InvalidLog
 
@@ -24,19 +25,20 @@ EXPLAINS, ONLY_NOISE = 0.1, 2.0
 of a scale not the latter, since it multiplies noise and what is wrong with the robot's file."""
 
 SHOWS = (0.1, 0.2, 0.35, 0.6, 2.0, 5.0)  # times the motion, that a gyro shows and that are tried first
+ANGLES = (0.35, 0.6, 1.5, 2.5)  # times its angle, that an encoder shows and that are tried first
 LOUD, LOUD_FOR = 20.0, 0.4  # NIS over the usual one, and for how long [s], of a fall that the gyro does not show
 OFFSET = 6  # the place of the gyro's offset in the filter's state
 
 
-def mis_scaled(run: FilterRun, window: Window) -> FaultFit | None:
+def mis_scaled(run: FilterRun, window: Window) -> list[FaultFit]:
     """A gyro of another scale that explains most of a log, of any size: a signature is of the robot that stands, and a
     gyro that shows a seventh of the motion goes far from it. It explains until the robot falls by it, and what the
     floor does then nothing explains, as it does without it. Its offset is scaled with the motion, or stays as it was.
-    None where the robot falls by none of them."""
+    Nothing where the robot falls by none of them."""
     try:
         recent = lately(run, window)
     except InvalidLog:  # sensors that stand still for so long
-        return None
+        return []
     usual = window.of(recent)
     then, costs = usual.clock[usual.readings], np.log1p(usual.whitened**2)
 
@@ -54,7 +56,21 @@ def mis_scaled(run: FilterRun, window: Window) -> FaultFit | None:
     shown = [(), (float(np.median(before)),)] if len(before) else [()]
     sizes = [1 - 1 / shows for shows in SHOWS]
     least, best = min((anywhere(cost, replace(gyro, more=one), sizes, window) for one in shown), key=lambda one: one[0])
-    return best if least < float(costs.sum()) else None
+    return [best] if least < float(costs.sum()) else []
+
+
+def mis_scaled_angles(run: FilterRun, window: Window) -> list[FaultFit]:
+    """An encoder, or both, of another scale that explains most of a log beside pushes of any shape: by the same loss,
+    for which what a push does counts little, and a fit of squares with pushes beside it ends at another fault."""
+    recent = lately(run, window)
+
+    def cost(tried: FaultFit) -> float:
+        freed = followed(recent, float(recent.t[-1]), tried)
+        return math.inf if freed is None else float(np.log1p(window.of(freed).whitened ** 2).sum())
+
+    sizes = [1 - 1 / shows for shows in ANGLES]
+    angles = [way for way in scaled_sensors(run) if f"sensor/{way}" != GYRO]
+    return [anywhere(cost, FaultFit(fault="scale", way=way), sizes, window)[1] for way in angles]
 
 
 def unseen(run: FilterRun, window: Window) -> float | None:
@@ -65,8 +81,7 @@ def unseen(run: FilterRun, window: Window) -> float | None:
         return None
     blocks = np.floor((part.clock[part.readings] - part.clock[0]) / LOUD_FOR).astype(int)
     squares = np.bincount(blocks, part.whitened**2) / np.maximum(np.bincount(blocks), 1)
-    scaled = mis_scaled(run, window) if squares.max() > LOUD * window.usual else None
-    return None if scaled is None else sooner(run, [scaled], window)
+    return sooner(run, mis_scaled(run, window), window) if squares.max() > LOUD * window.usual else None
 
 
 def hidden_fall(run: FilterRun, several: Sequence[FaultFit]) -> float | None:
