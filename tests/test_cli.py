@@ -167,6 +167,23 @@ def test_a_mistake_in_a_real_process_shows_no_traceback(call: str, files: Path) 
     assert said.stderr.count("\n") == 1
 
 
+@pytest.mark.parametrize(
+    "call",
+    [
+        "robots show mine.toml -o ./mine.toml", "tune lqr --robot=mine.toml -o mine.toml",
+        "linearise --robot mine.toml -o new.json --report new.json",
+    ],
+)  # fmt: skip
+def test_no_file_that_is_read_or_written_is_written_over(
+    call: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    mine = Robot.preset("nxtway-gs").save("mine.toml").read_text(encoding="utf-8")
+    assert main(shlex.split(call)) == USER_ERROR
+    assert re.search(r"named twice; expected .*; try: (mine-new\.toml|new-new\.json)", capsys.readouterr().err)
+    assert Path("mine.toml").read_text(encoding="utf-8") == mine
+
+
 def test_debug_shows_the_traceback(files: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(InvalidLog, match="increasing"):
         main(["--debug", "compare", "backwards.csv"])

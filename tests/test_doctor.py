@@ -418,7 +418,7 @@ def test_the_command_library_never_writes_over_the_log(tmp_path: Path) -> None:
     from upright.errors import UprightError
 
     path = made("nxt").save(tmp_path / "run.parquet")
-    with pytest.raises(UprightError, match="never overwritten"):
+    with pytest.raises(UprightError, match="is a log itself"):
         command.doctor(path, fix=path)
     command.doctor(path, fix=tmp_path / "fixed.parquet")
     assert Log.load(tmp_path / "fixed.parquet").origin["repaired"] == []

@@ -18,7 +18,7 @@ from upright.calibrate.calibrate import calibrate, prepared
 from upright.calibrate.calibration import Calibration
 from upright.calibrate.electronics import DEAD_ZONE
 from upright.calibrate.informativity import drives_straight
-from upright.calibrate.parameters import parameters_of
+from upright.calibrate.parameters import parameters_of, smooth
 from upright.calibrate.refined import settled
 from upright.calibrate.summary import _floor
 from upright.diagnose import post_mortem
@@ -273,6 +273,13 @@ def test_a_dead_zone_is_known_no_better_than_to_a_step_of_the_command() -> None:
     assert 1.96 * deviation > 0.99 * bot.battery / 255  # the PWM has 255 steps
 
 
+@pytest.mark.parametrize(("stated", "begins"), [(0.03, 0.2), (0.5, 0.5)])
+def test_how_sharp_friction_is_begins_anew_in_each_calibration(stated: float, begins: float) -> None:
+    """It is learnt from the start downwards. A start where the last calibration ended could only fall; 0.2 rad/s is
+    that of a robot whose file says nothing, and a file may be smoother."""
+    assert smooth(known(Bot()).replace(stiction_rate=stated)).stiction_rate == begins
+
+
 @pytest.mark.slow
 def test_rolling_friction_that_is_sharper_than_in_the_file_bends_no_inertia() -> None:
     """That of this simulator changes sign within 0.02 rad/s, files have 0.2: pitch inertia was 11 % too large, and the
@@ -281,6 +288,7 @@ def test_rolling_friction_that_is_sharper_than_in_the_file_bends_no_inertia() ->
     table = metric(logged(bot, Course(free=12.0, held=0.5, excitation=1.2), seed=67), bot)
     found = calibrate(apply(propose(table), table), known(bot))
     assert found.robot.stiction_rate < 0.06
+    assert "calibrated from" in found.robot.provenance["stiction_rate"].source
     assert found["pitch_inertia"].value == pytest.approx(bot.inertia, rel=0.05)
     (pole,) = (e for e in found.combinations if e.name == "unstable_pole")
     assert pole.low < bot.pole < pole.high

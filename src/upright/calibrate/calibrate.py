@@ -29,7 +29,7 @@ from upright.calibrate.fitting import Fitted, Problem
 from upright.calibrate.informativity import INERTIAL, STRAIGHT, TURNING, drives_straight, too_quiet
 from upright.calibrate.knocks import without_knocks
 from upright.calibrate.learnt_kit import learnt_kit
-from upright.calibrate.parameters import parameters_of
+from upright.calibrate.parameters import parameters_of, smooth
 from upright.calibrate.process_noise import arrival, process
 from upright.calibrate.refined import refined, settled, simulated
 from upright.calibrate.resonance import FIRST, SWING, resonance_of, resonates, swing_noise
@@ -75,6 +75,7 @@ def calibrate(
     given = [raw_log(log, mapping) for log in ([logs] if isinstance(logs, Log | str | os.PathLike) else logs)]
     several, left = zip(*map(on_its_wheels, given), strict=True) if given else ((), ())
     nominal = find_robot(robot)
+    nominal = smooth(nominal) if _foreign(several) else nominal
     parts = find_kit(kit or nominal.kit)
     several, knocked = without_knocks(several, nominal, parts, cut=between_knocks)
     stated, _ = prepared(several, nominal, parts, known, held_out)
@@ -142,7 +143,7 @@ def prepared(
     limits = {s: max(v[s] for v in variances if s in v) for s in delays}
     noise = {s: float(np.log(v)) for s, v in limits.items()}
     noise |= arrival(kit, logs)
-    foreign = not all("body" in log.origin for log in logs)
+    foreign = _foreign(logs)
     electronics = electronics_of(robot, kit, logs)
     parameters = parameters_of(robot, delays, known, electronics, foreign=foreign)
     parameters += resonance_of(kit) if foreign else ()  # which is learnt together, and no `known` number
@@ -156,6 +157,11 @@ def prepared(
         exact={p.name: p.prior for p in electronics if p.name in known},
     )  # fmt: skip
     return problem, limits
+
+
+def _foreign(logs: Sequence[Log]) -> bool:
+    """Whether a log is of no body of ours."""
+    return not all("body" in log.origin for log in logs)
 
 
 def _idle(log: Log) -> bool:

@@ -45,13 +45,14 @@ def reasons(
     """Why the fit at z (parameters,) is refused as a description of the robot, in words; nothing where it stands.
 
     `free` are the half seconds of each recording, simulated freely; `other` is what `proposed` proposes. `wrong` is
-    what the doctor finds wrong in signs, sides and units: a fit that predicts wheels and gyro well stands all the same.
+    what the doctor finds wrong in signs, sides and units: it is then the cause, and no other is guessed. A fit that
+    predicts wheels and gyro well stands all the same.
     Of the numbers that are `freed` each alone explains the log; then no other is accused.
     """
     faults = [reason for parts in free for reason in unpredicted(parts)]
     well = min((p.r_squared(name) for p in free for name in p.rows if name in PREDICTED), default=-1.0) >= GOOD
     if wrong and not well:
-        return (*wrong, *faults)
+        return tuple(wrong)
     own = score(problem, np.zeros_like(z))
     if own > score(problem, z) + WORSE:
         faults.append(

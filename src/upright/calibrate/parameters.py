@@ -131,6 +131,12 @@ def _asks_torque(robot: Robot) -> bool:
     return robot.drive == "torque" and GEAR in robot.provenance and stated(robot, GEAR) != 0
 
 
+def smooth(robot: Robot) -> Robot:
+    """`robot` with friction at least as smooth as that of a file which says nothing: there the search for how sharp it
+    is begins. One that began where an earlier calibration ended could never come back."""
+    return robot.replace(stiction_rate=max(robot.stiction_rate, Robot.stiction_rate))
+
+
 def as_guess(robot: Robot, parameter: Parameter) -> Parameter:
     """The same parameter as if nobody had measured it."""
     if parameter.name in PARAMETERS:

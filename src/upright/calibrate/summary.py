@@ -210,6 +210,8 @@ def _calibrated(problem: Problem, z: Array, every: Sequence[Estimate], logs: Seq
     q = problem.coefficients(problem.recordings[0], z[:, None])[AT.stiction_rate_squared, 0]
     sharp = max(math.sqrt(q), problem.robot.stiction_rate / SHARPER)  # sharper ones make simulations slow
     robot = _robot_at(problem, z).replace(stiction_rate=sharp)
+    if sharp != problem.robot.stiction_rate:
+        sources_of["stiction_rate"] = Provenance(f"calibrated from {origin}; the likeliest, without an interval")
     fitted = tuple(map(_fitted_part, logs, problem.recordings))
     return robot.replace(provenance={**problem.robot.provenance, **sources_of}, name=problem.robot.name, fitted=fitted)
 

@@ -105,11 +105,23 @@ def check_folder(path: Path) -> None:
 
 
 def check_targets(*targets: Path | None, logs: Iterable[Path] = ()) -> None:
-    """Refuse, before the work, a place where no file can be written, and a file that would replace a log."""
-    for target in filter(None, targets):
+    """Refuse, before the work, a place where no file can be written, and a file that would replace a log or another
+    file of the command: a robot, a kit, or a second output."""
+    named = [Path(word.partition("=")[2] if word.startswith("--") else word) for word in TYPED.get()]
+    outputs = [target for target in targets if target]
+    for target in outputs:
         check_folder(target)
+        other = str(target.with_name(f"{target.stem}-new{target.suffix}"))
         if any(target.exists() and log.exists() and target.samefile(log) for log in logs):
-            raise UprightError(f"{target} is a log itself", expected="another file", hint="a log is never overwritten")
+            raise UprightError(f"{target} is a log itself", expected="another file, since a log is kept", hint=other)
+        read = target.exists() and _often(target, named)
+        if read or _often(target, outputs):
+            raise UprightError(f"{target} is named twice", expected="a file for each thing to write", hint=other)
+
+
+def _often(path: Path, among: Sequence[Path]) -> bool:
+    """Whether a file is named more than once."""
+    return sum(os.path.realpath(path) == os.path.realpath(other) for other in among) > 1
 
 
 @contextmanager
