@@ -21,7 +21,8 @@ from upright.doctor.fixes import repaired
 from upright.errors import InvalidLog
 from upright.experiment.examples import example
 from upright.logs.mapping import Mapping, channels_of, propose
-from upright.logs.readers import RawTable
+from upright.logs.outliers import single
+from upright.logs.readers import RawTable, read_table
 from upright.logs.recording import check_unit
 from upright.signals import Log
 
@@ -152,6 +153,8 @@ STRANGERS = (
     "t=t gyro=g enc1=l enc2=r m1=ul m2=ur left_motor_current=noise target_left_pos=row",
     "t=t gyro=g encoder1=l encoder2=r motor1=ul motor2=ur left_speed_cmd=noise",
     "t=t gyro=g enc_left=l enc_right=r motor_left_pwm=ul% pwm_motor_right=ur%",
+    "ts=t imu.gyro.0=noise imu.gyro.1=g imu.gyro.2=row wheels.l=l wheels.r=r cmd.l=ul cmd.r=ur",
+    "/imu/header/stamp=t /imu/angular_velocity/y=g /left_wheel/angle=l /right_wheel/angle=r /u/left=ul /u/right=ur",
 )
 """Headers of Arduino, EV3, NXT and ESP32 programs: the name of each column, what it holds, and its unit: ° degrees, ‰
 thousandths, µ millionths, % counts of a duty of 255."""
@@ -253,6 +256,67 @@ def test_ticks_of_an_encoder_are_no_degrees(turn: float) -> None:
     raw = told(sensors(**ticks, gyro=np.rint(held()["g"] / DEGREE * 131)))  # an MPU-6050 at its finest range
     assert {("units/counts", name) for name in (LEFT, RIGHT, GYRO)} <= raw.keys()
     assert not [code for code, _ in raw if code == "units/scale"]
+
+
+@pytest.mark.parametrize(("unit", "factor"), [("mm", 1e-3), ("cm", 0.01), ("m", 1.0)])
+def test_a_distance_is_no_angle_of_a_wheel(unit: str, factor: float) -> None:
+    """Odometry: the wheel's angle times its radius of 40 mm, that of the robot's file. Without a robot nothing is
+    divided, and nothing rests on the encoders."""
+    columns = sensors(enc_left=None, enc_right=None)
+    columns |= {f"{side} distance ({unit})": held()[side[0]] * 0.04 / factor for side in ("left", "right")}
+    table = RawTable({name: x for name, x in columns.items() if not name.startswith("enc")})
+    robot = up.Robot.preset("nxtway-gs").replace(wheel_radius=0.04)
+    found = next(f for f in up.doctor(table, robot).findings if f.channel == LEFT)
+    assert found.fixes[0].numbers == pytest.approx((25.0,))
+    assert not [f for f in up.doctor(table, robot).findings if f.code == "units/scale" and f.channel == GYRO]
+    unknown = [f for f in up.doctor(table).findings if f.severity == "error" and f.channel in (LEFT, RIGHT)]
+    assert [f.code for f in unknown] == ["units/counts"] * 2
+    assert f"by its unit of {unit}" in unknown[0].evidence
+
+
+def test_speeds_of_no_stated_unit_may_be_turns_a_minute() -> None:
+    """Who prints rpm prints degrees of the body: both are found, in the gyro and in an angle, and nothing else."""
+    speeds = {f"speed_{side}": np.gradient(held()[side[0]], held()["t"]) * 60 / math.tau for side in ("left", "right")}
+    columns = {n: x for n, x in sensors(gyro=held()["g"] / DEGREE).items() if not n.startswith("enc")}
+    found = told(columns | speeds | {"angle": held()["p"] / DEGREE})
+    assert {c for code, c in found if code == "units/scale"} == {GYRO, LEFT, "estimate/pitch"}
+    assert "rpm (wheels)" in found["units/scale", LEFT]
+    assert "estimate/zero" not in {code for code, _ in found}
+
+
+def test_a_fraction_of_full_duty_is_no_volt_where_the_robot_is_known() -> None:
+    """No name says its unit: with a robot the back-EMF does, without one the doctor asks."""
+    columns = {n: x for n, x in sensors().items() if not n.startswith("pwm")}
+    columns |= {f"cmd_{side}": held()[u] / 8.0 for side, u in (("l", "ul"), ("r", "ur"))}
+    assert "a fraction of full duty" in told(columns)[COMMAND]
+    volts = told(columns | {f"cmd_{side}": held()[u] for side, u in (("l", "ul"), ("r", "ur"))})
+    assert COMMAND not in volts
+    (question,) = (f for f in up.doctor(RawTable(columns)).findings if f.code == COMMAND[0])
+    assert question.severity == "note"
+
+
+def test_the_stamps_of_ros_and_a_clock_in_brackets_are_times(tmp_path: Path) -> None:
+    """As ROS prints them, in seconds and nanoseconds, and as dmesg does, before values with their names."""
+    t, rows = held()["t"], range(400)
+    seconds, path = np.floor(t).astype(int), tmp_path / "run.csv"
+    path.write_text(
+        "stamp_sec,stamp_nanosec,gyro\n"
+        + "".join(f"{1764000000 + seconds[k]},{(t[k] - seconds[k]) * 1e9:.0f},{held()['g'][k]}\n" for k in rows)
+    )
+    assert read_table(path).columns["stamp"] == pytest.approx(t[:400] - seconds[0], abs=1e-6)
+    for line in ("[{:9.4f}] gy={} el=3", "[{:.4f}] {},3"):
+        path.write_text("booting\n" + "".join(line.format(t[k], held()["g"][k]) + "\n" for k in rows))
+        first = next(iter(read_table(path).columns.values()))
+        assert first == pytest.approx(t[:400], abs=1e-4)
+
+
+def test_readings_beside_missing_rows_are_no_single_ones() -> None:
+    """After four missing rows a swing of 2 Hz looks like a step away and back."""
+    t = 0.01 * np.arange(400)
+    swing = np.where(np.abs(t - 2.0) < 0.006, 1.0, 0.0) + 0.001 * np.sin(40 * t)
+    assert single(t, swing).sum() == 1
+    late = np.where(t > 2.0, t + 0.04, t)
+    assert not single(late, swing).any()
 
 
 def test_text_between_the_rows_and_times_of_day_are_read(tmp_path: Path) -> None:

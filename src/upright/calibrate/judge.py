@@ -77,7 +77,7 @@ def reasons(
         for e in losses
         if not freed
     ]
-    return (*(wrong if faults else ()), *faults)
+    return tuple(wrong or faults) if faults else ()
 
 
 def proposed(stated: Problem, problem: Problem, estimates: Sequence[Estimate]) -> str:

@@ -92,7 +92,7 @@ def _reading(log: Log, name: str) -> Array:
     logged as a rate."""
     rate = RATES.get(name, "")
     values = np.cumsum(log[rate]) * log.period if name not in log and rate in log else log[name]
-    return bridged(log.t, values, single(values))
+    return bridged(log.t, values, single(log.t, values))
 
 
 def first_state(model: SampledRobot, readings: Array) -> Array:

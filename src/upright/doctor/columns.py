@@ -170,9 +170,8 @@ def _sources(table: RawTable, best: _Choice) -> dict[str, Source]:
     def off(angle: str, rate: str) -> float:
         return abs(math.log(q * UNITS[angle][0] / UNITS[rate][0] / COUPLING))
 
-    angles = (
-        [named] if UNITS[named][1] == "rad" else ["deg"] if counts else ["rad", "deg"] if rate in GYROS else ["rad"]
-    )
+    either = ["rad", "deg"] if rate in GYROS else ["rad"]
+    angles = [named] if UNITS[named][1] in ("rad", "m") else ["deg"] if counts else either
     largest = float(np.nanmax(np.abs(table.columns[best.gyro])))
     rates = [rate] if rate in GYROS else [r for r in GYROS if largest * UNITS[r][0] < FASTEST] or GYROS
     angle, rate = min(((a, r) for a in angles for r in rates), key=lambda units: off(*units))

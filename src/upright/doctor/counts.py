@@ -7,9 +7,12 @@ import math
 import numpy as np
 
 from upright.doctor.duty import counted
-from upright.doctor.finding import GYRO, LEFT, RIGHT, Finding, Record, error
+from upright.doctor.finding import GYRO, LEFT, RIGHT, Finding, Fix, Record, error
+from upright.logs.units import UNITS
+from upright.robots import Robot
 
 DEGREE = math.pi / 180
+LENGTHS = [unit for unit, (_, si) in UNITS.items() if si in ("m", "m/s")]
 
 
 def whole_numbers(record: Record, why: str) -> list[Finding]:
@@ -18,6 +21,19 @@ def whole_numbers(record: Record, why: str) -> list[Finding]:
     names = [name for name in whole if np.nanmax(record[name]) - np.nanmin(record[name]) > 2 * math.tau]
     evidence, repair = f"whole numbers, so degrees or counts: {why}", "state unit and scale in a mapping"
     return [error("units/counts", name, evidence, repair) for name in names]
+
+
+def distances(record: Record, robot: Robot | None = None) -> list[Finding]:
+    """Encoders that were read in metres, as odometry has them, and not over the radius of a wheel: the robot has it."""
+    sides = tuple(n for n in (LEFT, RIGHT) if n in record and record.read.get(n) in LENGTHS)
+    if not sides:
+        return []
+    evidence = f"a distance, by its unit of {record.read[sides[0]]}, and no angle of a wheel"
+    if robot is None:
+        repair = "state in a mapping: scale 1 over the wheel's radius in metres; or name the robot with --robot"
+        return [error("units/counts", name, evidence, repair) for name in sides]
+    by = Fix("scale", sides, (1 / robot.wheel_radius,))
+    return [error("units/scale", sides[0], evidence, f"divide by the robot's radius, {robot.wheel_radius:.4g} m", by)]
 
 
 def raw_counts(record: Record, q: float, usual: tuple[float, float]) -> list[Finding]:

@@ -29,6 +29,7 @@ from upright.doctor import (
     time,
     units,
 )
+from upright.doctor.counts import distances
 from upright.doctor.finding import (
     BALANCING,
     FEWEST,
@@ -38,6 +39,7 @@ from upright.doctor.finding import (
     PITCH,
     RIGHT,
     SEVERITIES,
+    SPEED,
     STANDING,
     Finding,
     Record,
@@ -265,7 +267,7 @@ def _record(table: RawTable, mapping: Mapping) -> Record:
     measured = {name: values for name, values in channels.items() if not name.startswith("truth/")}
     record = Record(
         t, measured, units | {name: unit for name, unit in table.units.items() if name in measured},
-        read={name: source.unit for name, source in mapping.channels.items()},
+        read={n: s.unit or SPEED * s.integrate for n, s in mapping.channels.items() if s.scale == 1},
     )  # fmt: skip
     if len(t) < FEWEST:
         raise InvalidLog(
@@ -302,12 +304,13 @@ def _stages(robot: Robot | None) -> list[list[Check]]:
         [sensors.stuck, plausible.constants],
         [motion.kinds, sensors.unsigned],
         [motion.signs],
-        [motion.sides, sensors.unequal],
+        [motion.sides, sensors.unequal, partial(distances, robot=robot)],
         [partial(units.scales, robot=robot)],
         [plausible.speeds],
         [partial(units.commands, robot=robot)],
+        [estimates.estimates],
         [segments.zero],
-        [estimates.estimates, sensors.bias, sensors.saturation, sensors.grain, sensors.quiet],
+        [sensors.bias, sensors.saturation, sensors.grain, sensors.quiet],
         [delays.delays],
         [
             sensors.contaminated,
@@ -329,9 +332,8 @@ _STAGE_OF = {
     "time/jump": 3, "time/gap": 3,
     "encoder/wrapped": 4, "encoder/jump": 4, "samples/repeated": 5, "channel/holes": 5, "channel/outliers": 5,
     "motion/integrated": 8, "motion/differentiated": 8, "motion/flipped": 9, "motion/swapped": 10, "units/scale": 11,
-    "units/command": 12, "delay/sensor": 13, "delay/command": 13, "gyro/bias": 13, "time/dropped": 20,
-    "time/jitter": 20,
-    "segment/cut": 21,
+    "units/command": 12, "delay/sensor": 13, "delay/command": 13, "gyro/bias": 13, "estimate/zero": 13,
+    "time/dropped": 20, "time/jitter": 20, "segment/cut": 21,
 }  # fmt: skip
 """Order of the repairs. Those that change the rows come last, so that the times in the others stay valid."""
 
@@ -342,12 +344,15 @@ CONTRADICTORY = ("motion/", "units/", "channel/stuck", "command/unsigned")
 
 def contradictions(log: Log, robot: Robot | None = None, codes: tuple[str, ...] = CONTRADICTORY) -> list[str]:
     """What is wrong in a log of ours that a fit reads as it stands, in words, of the findings with these `codes`. A
-    unit that is doubtful for robots in general, and not for `robot`, is none."""
+    unit that is doubtful for robots in general, and not for `robot`, is none; only with a robot can commands be judged
+    of which no name says the unit."""
     record = record_of(log)
     findings = [f for f in _examine(record, None, unwatched)[0] if f.severity == "error"]
-    if robot is not None and any(f.code.startswith("units/") for f in findings):
-        own = {(f.code, f.channel) for f in _examine(record, robot, unwatched)[0]}
+    unnamed = record.commands is not None and not record.units.get(record.commands[0], "V")
+    if robot is not None and (unnamed or any(f.code.startswith("units/") for f in findings)):
+        own = {(f.code, f.channel): f for f in _examine(record, robot, unwatched)[0] if f.severity == "error"}
         findings = [f for f in findings if not f.code.startswith("units/") or (f.code, f.channel) in own]
+        findings += [f for (code, _), f in own.items() if unnamed and code == "units/command" and f not in findings]
     return [f"the log contradicts itself, {f.channel}: {f.evidence}" for f in findings if f.code.startswith(codes)]
 
 

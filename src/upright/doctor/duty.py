@@ -11,6 +11,7 @@ import numpy as np
 from upright.doctor.finding import BATTERY, Array, Record
 from upright.doctor.physics import Resampled, motor
 from upright.logs.mapping import FULL_DUTIES, full_duty
+from upright.robots import Robot
 
 ALIKE = math.log(20)
 """Of two explanations of which neither is likelier by odds of twenty to one, the log does not tell which."""
@@ -22,6 +23,7 @@ UNCLIPPED = 4.0
 """Negative log odds that commands are larger than the battery: one program in fifty logs what its law asked for, before
 the limit."""
 
+FRACTION = "a fraction of full duty"
 LARGER_DUTY = 2.0  # negative log odds that a full duty is a larger number than the smallest usual one
 USUAL_BATTERY = 7.5  # [V] of a robot whose log and file tell no battery
 
@@ -52,6 +54,8 @@ def command_units(record: Record) -> list[CommandUnit]:
         larger = [f for f in FULL_DUTIES if f > full > 1]
         return [duty, *(CommandUnit(_counts(f), duty.factor * f / full, LARGER_DUTY) for f in larger)]
     others = [(name, duty.factor), ("millivolts", 1e3)]
+    if largest <= 1 and not record.units.get(names[0], "V"):  # nobody says that it is volts
+        others.append((FRACTION, 1 / (battery or USUAL_BATTERY)))
     if largest > 100 and not counted(record[names[0]]):  # a law's output, not yet rounded to a timer's counts
         most = full_duty(np.array(largest))
         others.append((_counts(most), most / (battery or USUAL_BATTERY)))
@@ -81,7 +85,7 @@ def _duty(record: Record, names: tuple[str, str], largest: float) -> tuple[str, 
     """What the commands are if they are a duty, and the number that is full: per cent, counts of a timer, which are
     whole numbers, or a fraction."""
     if record.units.get(names[0]) == "1" and largest <= 1:
-        return "a fraction of full duty", 1.0
+        return FRACTION, 1.0
     whole = counted(record[names[0]]) or (record.units.get(names[0]) == "1" and largest > 100)
     full = full_duty(np.concatenate([record[name] for name in names])) if whole else 100.0
     return ("per cent", 100.0) if full <= 100 else (_counts(full), full)
@@ -97,10 +101,12 @@ def counted(values: Array) -> bool:
     return bool(len(fine) and (fine == np.rint(fine)).mean() > 0.8)
 
 
-def back_emf(record: Record, m: Resampled) -> float:
+def back_emf(record: Record, m: Resampled, robot: Robot | None = None) -> float:
     """Volts for each rad/s of a steady wheel, by the motor equation; 0 where that does not fit, or the commands are
-    torques or in an unknown unit."""
-    if m.commands is None or record.commands is None or record.units.get(record.commands[0], "V") in ("N m", ""):
+    torques, or in an unknown unit and not those of a `robot` that is driven by volts."""
+    unit = record.units.get(record.commands[0], "V") if record.commands else ""
+    driven = robot is not None and robot.drive == "voltage"
+    if m.commands is None or record.commands is None or unit == "N m" or (not unit and not driven):
         return 0.0
     fit = motor(m, (m.commands[0] + m.commands[1]) / 2, m.left, m.right, None)
     return fit.values[1] if fit.r2 > 0.8 and len(fit.values) > 1 else 0.0

@@ -60,13 +60,16 @@ class Segment:
         return {"kind": self.kind, "from": self.start, "until": self.stop, "lean": self.lean}
 
 
+SPEED = "a speed"
+
+
 @dataclass(frozen=True, eq=False)
 class Record:
     """A log before validation: time [s] may repeat or run backwards, channels may hold anything.
 
     It never contains `truth/…`: the doctor reads only what a real robot measures. `segments` are the poses, where they
     are known: the equations of motion hold only on the wheels. `read` are the units in which the columns of the
-    channels were taken to be.
+    channels were taken to be: `SPEED` where a rate was summed of which nothing says the unit.
     """
 
     t: Array

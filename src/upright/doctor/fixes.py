@@ -130,7 +130,7 @@ def _bridge(record: Record, fix: Fix) -> Record:
 
 def _single(record: Record, fix: Fix) -> Record:
     """Replace single readings far from their neighbours by linear interpolation."""
-    return _each(record, fix, lambda x: bridged(record.t, x, single(x)))
+    return _each(record, fix, lambda x: bridged(record.t, x, single(record.t, x)))
 
 
 def _unwrap(record: Record, fix: Fix) -> Record:

@@ -22,7 +22,8 @@ def columns_line(mapping: Mapping, ignored: Sequence[str]) -> str:
 
 def _source(source: Source) -> str:
     done = "integrated" if source.integrate else "differentiated" if source.differentiate else ""
-    notes = ", ".join(note for note in (source.unit, done) if note)
+    signed = f"sign of {source.direction}" if source.direction else ""
+    notes = ", ".join(note for note in (source.unit, done, signed) if note)
     return f"{'-' if source.sign < 0 else ''}{source.column}" + (f" ({notes})" if notes else "")
 
 

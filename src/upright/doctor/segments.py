@@ -41,6 +41,7 @@ _BEFORE = 0.1  # [s] before a fall begins, up to which the rows are used
 _LINEAR = 0.4  # [rad] lean beyond which sin ψ differs from ψ by more than slips do
 _IDLE = 0.01  # of the largest command, up to which a robot at rest gets none
 FAR = 8.0  # standard deviations of the pendulum equation's residual
+_OFF = 0.35  # [rad] most that a robot leans as it balances, since its centre of mass is not above the axle
 _LEAST = 20  # rows of a cut, below which a log is left whole
 
 
@@ -59,6 +60,9 @@ def zero(record: Record) -> list[Finding]:
         return []
     quarter = math.pi / 2 * round(about / (math.pi / 2))
     evidence = f"the robot swings about {about:.3g} rad of it, and nothing balances so: it counts from another zero"
+    if abs(about - quarter) > _OFF:
+        repair = "state its unit, and what it reads upright, in a mapping: --write-mapping MINE.toml"
+        return [warning("estimate/zero", PITCH, f"{evidence}, or in degrees", repair)]
     fix = Fix("offset", (PITCH,), (-quarter,))
     return [Finding("estimate/zero", "warning", PITCH, evidence, f"subtract {quarter:.4g} rad", (fix,))]
 

@@ -156,7 +156,7 @@ def outliers(record: Record) -> list[Finding]:
     """Single readings far from those before and after, where no robot is so fast: a bad cable or a lost message."""
     findings: list[Finding] = []
     for name in (name for name in (LEFT, RIGHT, GYRO) if name in record):
-        alone = single(record[name])
+        alone = single(record.t, record[name])
         if alone.any():
             row, unit = int(np.argmax(alone)), record.units.get(name, "").replace("1", "")
             evidence = (

@@ -29,12 +29,14 @@ from upright.doctor.finding import (
     LEFT,
     PITCH,
     RIGHT,
+    SPEED,
     UP,
     Array,
     Finding,
     Fix,
     Record,
     error,
+    note,
     warning,
 )  # fmt: skip
 from upright.doctor.motion import TRUSTED
@@ -80,6 +82,13 @@ _OF_RPM = tuple(
     for unit, factor in (("rad/s", 1.0), ("deg/s", DEGREE), ("turns per second", math.tau), ("m/s", 25.0))
 )
 """Instead of those of an angle, for wheels whose speed was read in rpm."""
+
+_OF_SPEED = tuple(
+    _Suspect(f"{unit} (wheels) instead of radians per second{both}", gyro=gyro, encoder=1 / factor)
+    for unit, factor in (("rpm", UNITS["rpm"][0]), ("degrees per second", DEGREE), ("turns per second", math.tau))
+    for gyro, both in ((1.0, ""), (1 / DEGREE, ", and degrees per second in the gyro"))
+)
+"""The same for wheels whose speed was read, where nothing says in what."""
 
 STATE = "state the true unit and scale in a mapping: --write-mapping MINE.toml"
 
@@ -167,8 +176,8 @@ def _scaled(record: Record, robot: Robot | None, m: Resampled, values: tuple[flo
 
 def _suspects(record: Record) -> Sequence[_Suspect]:
     """What may be wrong with the units of a log, as they were read."""
-    rpm = record.read.get(LEFT) == "rpm"
-    return (*(s for s in _SUSPECTS if s.encoder == 1), *_OF_RPM) if rpm else _SUSPECTS
+    of_wheels = {"rpm": _OF_RPM, SPEED: _OF_SPEED}.get(record.read.get(LEFT, ""), ())
+    return (*(s for s in _SUSPECTS if s.encoder == 1), *of_wheels) if of_wheels else _SUSPECTS
 
 
 def _of_kit(record: Record, robot: Robot | None) -> Sequence[_Suspect]:
@@ -281,7 +290,8 @@ def _penalty(
     if gravity:
         total += (math.log(abs(gravity) / gyro) / 0.3) ** 2 / 2
     if pitch:
-        total += min((math.log(pitch / gyro) / 0.3) ** 2 / 2, FAULT)
+        alike = [pitch] if gyro == 1 / DEGREE else []  # who prints degrees prints them everywhere
+        total += min(FAULT, *((math.log(ratio) / 0.3) ** 2 / 2 for ratio in (pitch / gyro, *alike)))
     return total
 
 
@@ -341,7 +351,7 @@ def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
     largest, battery = largest_command(record, names), battery_of(record)
     if not largest:
         return []  # motors that are off, in any unit
-    emf = back_emf(record, m) if m is not None else 0.0
+    emf = back_emf(record, m, robot) if m is not None else 0.0
     centre, spread = expected(robot)["back_emf"]
 
     def penalty(unit: CommandUnit) -> float:
@@ -350,7 +360,9 @@ def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
     units = command_units(record)
     unit = min(units, key=penalty)
     if unit.name == "volts":
-        return []
+        unsaid = largest <= 1 and not record.units.get(names[0], "V") and not emf
+        evidence = f"no name says their unit, and they reach {largest:.3g}: N m, a fraction of full duty, or V"
+        return [note("units/command", names[0], evidence, "state it in a mapping: V, N m or %, and its scale")] * unsaid
     duty = record.units.get(names[0]) == "1"  # by its name
     if not emf and not duty and not counted(record[names[0]]) and (others := as_likely(units, unit)):
         which = " or ".join(one.name.rstrip(",") for one in (unit, *others))

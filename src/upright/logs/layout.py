@@ -18,6 +18,7 @@ _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _CLOCK = r"(?:\d{1,2}:\d\d:\d\d(?:[.,]\d+)?\s*->\s*)?"
 _TAGGED = re.compile(rf"^\s*({_CLOCK}(?:\[\w+\]\s*|[IWEDV] \(\d+\)\s*)(?:[A-Za-z_]\w*:\s+)?)")
 _LABELLED = re.compile(rf"^\s*((?:\d{{1,2}}:\d\d:\d\d(?:[.,]\d+)?\s*->\s*|[A-Za-z_]\w*:\s+))(?={_NUMBER}\s*[,;\t ])")
+_STAMPED = re.compile(rf"^\s*\[\s*({_NUMBER})\s*\]\s*")
 _UNIT = r"(?:°|%|[A-Za-zµ]{1,4})(?:/s(?:ec)?)?"
 _PAIR = re.compile(rf"([A-Za-z_][\w./]*)\s*[:=]\s*({_NUMBER}|nan|inf)({_UNIT})?(?=[\s,;]|$)")
 
@@ -37,10 +38,11 @@ class Layout:
 def bare(lines: Sequence[str]) -> list[str] | None:
     """The rows without what a program prints before or between their numbers; None where the lines are plain.
 
-    A tag as in `[INF] MODEL: 1, 2` or the clock of a serial monitor goes, with the lines of other tags; `a: 1  b: 2`
-    becomes a row of a table, and the units of `a: 1°` a row of units.
+    A tag as in `[INF] MODEL: 1, 2` or the clock of a serial monitor goes, with the lines of other tags; that of a
+    logger in brackets stays; `a: 1  b: 2` becomes a row of a table, and the units of `a: 1°` a row of units.
     """
-    rows, sample = list(lines), [line for line in lines[:SAMPLE] if line.strip()]
+    rows = _unbracketed(lines)
+    sample = [line for line in rows[:SAMPLE] if line.strip()]
     for pattern in (_TAGGED, *(() if sum(len(_PAIR.findall(line)) > 1 for line in sample) else (_LABELLED,))):
         tags = Counter(re.sub(r"[\d:.,()]+", "", m[1]) for line in sample if (m := pattern.match(line)))
         if sum(tags.values()) > len(sample) / 2:
@@ -55,6 +57,17 @@ def bare(lines: Sequence[str]) -> list[str] | None:
         units = [",".join(unit for *_, unit in pairs[-1])] if any(unit_of(unit) for *_, unit in pairs[-1]) else []
         rows = [",".join(keys), *units] + [",".join(value for _, value, _ in p) for p in pairs]
     return rows if rows != list(lines) else None
+
+
+def _unbracketed(lines: Sequence[str]) -> list[str]:
+    """The lines with the clock of a logger, the number in brackets at the beginning of most, as a value like others:
+    `[0.005] a=1` is `t=0.005 a=1`, and `[0.005] 1, 2` is `0.005, 1, 2`."""
+    sample = [line for line in lines[:SAMPLE] if line.strip()]
+    if sum(bool(_STAMPED.match(line)) for line in sample) <= len(sample) / 2:
+        return list(lines)
+    paired = sum(bool(_PAIR.search(line)) for line in sample) > len(sample) / 2
+    mark = next((m for m in (";", "\t", ",") if sum(m in line for line in sample) > len(sample) / 2), " ")
+    return [_STAMPED.sub(r"t=\1 " if paired else rf"\g<1>{mark}", line) for line in lines]
 
 
 def layout(lines: Sequence[str]) -> Layout:

@@ -16,12 +16,14 @@ BOTH, RATE = "both of ", "rate of "
 """Before the beginning of two channels, or a channel: what one column says of both sides, or the rate of."""
 
 _ENCODER = (
-    r"(?:(?:enc|encoder|cnt|counts?|ticks?|steps?|tacho|pos|angle|wheel|rueda|motor|theta|phi|alpha) ?"
+    r"(?:(?:enc|encoder|cnt|counts?|ticks?|steps?|tacho|pos|angle|wheels?|rueda|motor|theta|phi|alpha|dist(?:ance)?"
+    r"|travel|odom) ?"
     r"|(?:enc|count|tick|tacho|pos|rot|motor)\w* )"
 )
 _WHEEL = (
     r"(?:(?:actual|measured|raw|total) )?"
-    r"(?:enc\w*|cnt|count\w*|tick\w*|steps?|tacho\w*|pos\w*|rot\w*|angle|wheel|rueda|motor\w*|theta|phi|alpha)"
+    r"(?:enc\w*|cnt|count\w*|tick\w*|steps?|tacho\w*|pos\w*|rot\w*|angle|wheel|rueda|motor\w*|theta|phi|alpha"
+    r"|dist\w*|travel\w*|odom\w*)"
 )
 _SPEED = r"speed|spd|vel\w*|omega|rpm"
 _RATE = rf"(?:{_SPEED}|w)"
@@ -82,12 +84,13 @@ _SUFFIXES: Sequence[tuple[str, str]] = (
     (r"\bdeg(?:rees?)?\b", "deg"), (r"\brad(?:ians?)?\b", "rad"), (r"mv\b|\bm v\b", "mV"),
     (r"\b(?:ms|millis)\b", "ms"), (r"\b(?:us|micros)\b", "us"), (r"\bns\b", "ns"), (r"\bm ?nm\b", "mN m"),
     (r"\bn?nm\b", "N m"), (r"pwm\b|\b(?:pwm|duty|percent|power)", "%"), (r"\brpm\b", "rpm"),
-    (r"\b(?:turns?|revs?|revolutions?)\b", "turn"), (r"\b(?:torque|tau)\b", "N m"), (r"\bvolt", "V"),
+    (r"\b(?:turns?|revs?|revolutions?)\b", "turn"), (r"\bmm ?(?:p|per)? ?s(?:ec)?\b", "mm/s"), (r"\bmm\b", "mm"),
+    (r"\bcm ?(?:p|per)? ?s(?:ec)?\b", "cm/s"), (r"\bcm\b", "cm"), (r"\b(?:torque|tau)\b", "N m"), (r"\bvolt", "V"),
 )  # fmt: skip
 
 _BY_UNIT = {
-    "sensor/encoder_": ("deg", "rad", "turn", "mdeg", "mrad"),
-    f"{RATE}sensor/encoder_": ("deg/s", "rad/s", "rpm", "mdeg/s"),
+    "sensor/encoder_": ("deg", "rad", "turn", "mdeg", "mrad", "m", "cm", "mm"),
+    f"{RATE}sensor/encoder_": ("deg/s", "rad/s", "rpm", "mdeg/s", "m/s", "cm/s", "mm/s"),
     "command/": ("V", "mV", "%", "N m", "mN m"),
 }
 """What a column of one side holds by its unit alone."""
@@ -111,7 +114,7 @@ def is_motor(column: str) -> bool:
 
 def recognised(columns: Sequence[str]) -> dict[str, str]:
     """The channel of each column whose name says one, in the order of the columns."""
-    channels = {column: _channel(plain(column)) for column in columns}
+    channels = {column: _channel(words) for column, words in _with_axes(columns).items()}
     silent = [column for column in columns if not channels[column] or channels[column].startswith(BOTH)]
     for left, right in pairs(silent):
         for column, side, words in zip((left, right), SIDES, _sided(plain(left), plain(right)) or (), strict=True):
@@ -120,6 +123,18 @@ def recognised(columns: Sequence[str]) -> dict[str, str]:
             by_unit = "" if channels[column] else next((g + side for g, units in _BY_UNIT.items() if unit in units), "")
             channels[column] = by_unit or by_words or channels[column]
     return {column: name for column, name in channels.items() if name}
+
+
+def _with_axes(columns: Sequence[str]) -> dict[str, str]:
+    """The words of each column, those of a vector, numbered 0, 1 and 2, with its axes: `gyro 1` is `gyro y`."""
+    words = {column: plain(column) for column in columns}
+    vectors = {
+        stem
+        for stem, _, last in (name.rpartition(" ") for name in words.values())
+        if last == "2" and {f"{stem} 0", f"{stem} 1"} <= {*words.values()} and f"{stem} 3" not in words.values()
+    }
+    axes = {f"{stem} {i}": f"{stem} {axis}" for stem in vectors for i, axis in enumerate("xyz")}
+    return {column: axes.get(name, name) for column, name in words.items()}
 
 
 def _channel(words: str) -> str:
@@ -192,6 +207,8 @@ def unit_by_name(column: str) -> str:
     """The unit that a name ends in or says, '' where it says none."""
     if re.search(r"(?:[_\s(\[]|^)V\)?\]?$", column):
         return "V"
+    if metres := re.search(r"[(\[]m(?:et(?:er|re)s?)?(/s)?[)\]]$", column):
+        return f"m{metres[1] or ''}"
     words = plain(column)
     return next((unit for pattern, unit in _SUFFIXES if re.search(pattern, words)), "")
 

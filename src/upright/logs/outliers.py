@@ -23,6 +23,7 @@ FAR = 4.0  # times the usual difference, and steps of the resolution
 STEEP = 4.0  # times the upper quartile of the steps beside it: no robot turns round so fast
 NEAR = 5  # readings on each side that it is compared with
 AWAY, SAME = 0.75, 0.02  # of its height: what both steps beside it have, and how alike two in a row are
+GAP = 1.5  # of a usual step of the time, above which rows are missing
 CALM = 0.5  # of its height: how far its neighbours may be from the median of those beyond, and these from each other
 BACK = 0.25  # of its height to which it comes back
 MOST = 0.05  # of the readings: more are a way of the sensor, and no single ones
@@ -42,9 +43,10 @@ def at_range(values: Array, levels: float = LEVELS) -> Mask:
     return at if piled else np.zeros(len(values), dtype=bool)
 
 
-def single(values: Array) -> Mask:
-    """Which readings (n,) stand alone for a row or two: far from what was before and comes after, where no robot is so
-    fast; the first or the last only beside others. None where there are many."""
+def single(t: Array, values: Array) -> Mask:
+    """Which readings (n,) at the times `t` stand alone for a row or two: far from what was before and comes after,
+    where no robot is so fast; the first or the last only beside others. None beside rows that are missing, and none
+    where there are many."""
     alone = np.zeros(len(values), dtype=bool)
     fine = np.flatnonzero(np.isfinite(values))
     if len(fine) < 20:
@@ -53,6 +55,9 @@ def single(values: Array) -> Mask:
     around = np.lib.stride_tricks.sliding_window_view(np.pad(x, 2, mode="reflect"), 5)
     apart = np.abs(x - np.median(around, axis=1))
     limit = FAR * max(float(np.quantile(apart, USUAL)), grain_of(values))
+    steps = np.diff(t[fine])
+    missing = np.pad(steps > GAP * np.median(steps), 1)
+    apart[missing[1:] | missing[:-1]] = 0.0
     for k in np.flatnonzero(apart > limit).tolist():
         alone[fine[k]] = _stands_alone(x, k, float(apart[k]))
     between = int(alone[fine[1:-1]].sum())  # the first reading alone may be of a sensor that has only begun
@@ -74,13 +79,13 @@ def _stands_alone(x: Array, k: int, height: float) -> bool:
 
 def left_out(log: Log, name: str) -> Mask:
     """Which rows of a sensor a fit is not to read; read-only."""
-    return _left_out(np.asarray(log[name], dtype=np.float64).tobytes(), name)
+    return _left_out(log.t.tobytes(), np.asarray(log[name], dtype=np.float64).tobytes(), name)
 
 
 @lru_cache(maxsize=8)  # a post-mortem reads the same sensors some hundred times, with other commands
-def _left_out(readings: bytes, name: str) -> Mask:
+def _left_out(times: bytes, readings: bytes, name: str) -> Mask:
     values = np.frombuffer(readings)
-    alone = single(values) if name in SENSORS else np.zeros(len(values), dtype=bool)
+    alone = single(np.frombuffer(times), values) if name in SENSORS else np.zeros(len(values), dtype=bool)
     left = alone | at_range(np.where(alone, np.nan, values)) if name == "sensor/gyro" else alone
     left.setflags(write=False)
     return left

@@ -105,7 +105,7 @@ def read_table(path: str | PathLike[str]) -> RawTable:
         raise InvalidLog(f"{source.name}: {error}") from None
     except OSError as error:
         raise InvalidLog(f"{source} cannot be read: {error.strerror or error}") from None
-    return replace(table, source=source.name)
+    return replace(_stamped(table), source=source.name)
 
 
 def table_of(log: Log) -> RawTable:
@@ -294,7 +294,7 @@ def _json(path: Path) -> RawTable:
     if not isinstance(content, dict):
         raise InvalidLog("the JSON holds no columns", expected=_JSON)
     lists = {name: value for name, value in _flat(content, "", lists=False).items() if isinstance(value, list)}
-    return _stamped(_equal({name: _listed(cast("list[Any]", value)) for name, value in lists.items()}))
+    return _equal({name: _listed(cast("list[Any]", value)) for name, value in lists.items()})
 
 
 def _row(line: str) -> Any:
@@ -329,15 +329,20 @@ def _flat(row: Mapping[str, Any], before: str, *, lists: bool = True) -> dict[st
     return flat
 
 
+_SECONDS_OF = re.compile(r"((.*?)[./_ ]?)(?:secs?|seconds)", re.IGNORECASE)
+_NANOSECONDS = ("nsecs", "nsec", "nanosec", "nanosecs", "nanoseconds")
+
+
 def _stamped(table: RawTable) -> RawTable:
-    """Seconds and nanoseconds in two columns as one column of seconds from the first on."""
+    """Seconds and nanoseconds in two columns, as ROS has them, as one column of seconds from the first on."""
     for name in table.columns:
-        stem, _, last = name.rpartition(".")
-        twin = next((f"{stem}.{n}" for n in ("nsecs", "nsec", "nanosec") if f"{stem}.{n}" in table.columns), "")
-        if stem and last in ("secs", "sec") and twin:
+        whole = _SECONDS_OF.fullmatch(name)
+        twin = next((n for end in _NANOSECONDS if whole and (n := whole[1] + end) in table.columns), "")
+        if whole and twin:
             seconds = table.columns[name] - table.columns[name][0] + 1e-9 * table.columns[twin]
             kept = {n: x for n, x in table.columns.items() if n not in (name, twin)}
-            return RawTable({stem: seconds, **kept}, {**table.units, stem: "s"}, table.text)
+            stem = whole[2] or "stamp"
+            return replace(table, columns={stem: seconds, **kept}, units={**table.units, stem: "s"})
     return table
 
 

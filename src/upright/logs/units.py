@@ -10,7 +10,8 @@ UNITS: dict[str, tuple[float, str]] = {
     "mdeg": (math.pi / 180e3, "rad"), "turn": (math.tau, "rad"), "mrad": (1e-3, "rad"), "rad/s": (1.0, "rad/s"),
     "deg/s": (math.pi / 180, "rad/s"), "mdeg/s": (math.pi / 180e3, "rad/s"), "mrad/s": (1e-3, "rad/s"),
     "rpm": (math.tau / 60, "rad/s"), "V": (1.0, "V"), "mV": (1e-3, "V"), "N m": (1.0, "N m"), "mN m": (1e-3, "N m"),
-    "m/s²": (1.0, "m/s²"), "g": (9.80665, "m/s²"), "m": (1.0, "m"), "mm": (1e-3, "m"), "m/s": (1.0, "m/s"),
+    "m/s²": (1.0, "m/s²"), "g": (9.80665, "m/s²"), "m": (1.0, "m"), "mm": (1e-3, "m"), "cm": (1e-2, "m"),
+    "m/s": (1.0, "m/s"), "mm/s": (1e-3, "m/s"), "cm/s": (1e-2, "m/s"),
 }  # fmt: skip
 """Unit of a column → (factor, SI unit)."""
 
