@@ -388,6 +388,7 @@ def test_a_run_that_differs_and_a_sensor_that_is_not_white_are_each_said_once() 
     assert words in str(page.html())
 
 
+@pytest.mark.long
 def test_several_logs_say_more_than_one() -> None:
     """Two logs of ten seconds have √2 the precision of one in what no prior helps with, such as the dead time
     of the compass: a ratio of widths of 0.71, and 0.85 is asked, since the two are excited differently."""
@@ -728,6 +729,7 @@ def test_commands_that_nobody_logged_are_a_walk_between_two_that_somebody_did(n:
     assert arrival(still, [Log(t, {})]) == {}
 
 
+@pytest.mark.long
 @pytest.mark.slow
 def test_a_log_with_every_second_row_is_as_good_as_its_readings() -> None:
     """A program of 5 ms, whose file says that it logged every second row: where that is known innovations are white,
@@ -762,6 +764,7 @@ def test_a_weaker_motor_is_found() -> None:
     assert {"battery", "dead_zone"} <= {e.name for e in found.electronics}
 
 
+@pytest.mark.long
 @pytest.mark.needs("shared/data/ev3-balanc3r")
 def test_balanc3r_is_too_quiet_for_an_inertia(shared: Path) -> None:
     """Its README says so: standing still, the pitch rate moves by three degrees a second of a gyro of one."""

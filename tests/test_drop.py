@@ -90,6 +90,7 @@ def test_a_known_drop_counts_and_is_not_asked() -> None:
     assert left[0] < left[1] / 4  # without it, the model's motors are driven by 1.2 V too much
 
 
+@pytest.mark.long
 @pytest.mark.slow
 def test_a_drop_that_no_file_states_is_found_with_the_robot() -> None:
     found = calibration(KEPT)

@@ -281,6 +281,7 @@ def test_what_is_no_log_is_one_line(lines):
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.long
 @pytest.mark.needs("arm-none-eabi-gcc", "module:unicorn", "module:elftools")
 @pytest.mark.parametrize("number", ["float", "fixed"])
 def test_c_on_an_arm7tdmi(tmp_path: Path, number):
@@ -380,6 +381,7 @@ def test_cycles_are_those_of_the_manual(word, expected):
     assert cycles(word) == expected  # ARM7TDMI manual (DDI 0029), table of instruction cycle times
 
 
+@pytest.mark.long
 @pytest.mark.needs("avr-gcc", "simavr", "module:elftools", str(CORE))
 def test_the_sketch_on_an_atmega328p(tmp_path: Path):
     source, made = written(tmp_path, "arduino")
@@ -413,6 +415,7 @@ def compass(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Firmware, C
     return *written(tmp_path_factory.mktemp("compass"), "nxc", controller=controller), controller
 
 
+@pytest.mark.long
 @pytest.mark.slow
 @pytest.mark.needs("nbc")
 def test_nxc_in_the_brick_s_machine_with_its_compass(compass):

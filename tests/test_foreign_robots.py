@@ -280,6 +280,7 @@ def test_how_sharp_friction_is_begins_anew_in_each_calibration(stated: float, be
     assert smooth(known(Bot()).replace(stiction_rate=stated)).stiction_rate == begins
 
 
+@pytest.mark.long
 @pytest.mark.slow
 def test_rolling_friction_that_is_sharper_than_in_the_file_bends_no_inertia() -> None:
     """That of this simulator changes sign within 0.02 rad/s, files have 0.2: pitch inertia was 11 % too large, and the
@@ -294,6 +295,7 @@ def test_rolling_friction_that_is_sharper_than_in_the_file_bends_no_inertia() ->
     assert pole.low < bot.pole < pole.high
 
 
+@pytest.mark.long
 @pytest.mark.slow
 def test_a_back_emf_of_the_motor_before_its_gear_is_named(tmp_path: Path) -> None:
     """A fiftieth of what brakes the wheel: friction stood for the rest, 28 deviations of its guess, and the page

@@ -57,6 +57,7 @@ def calibration(part: float) -> Calibration:
     return calibrate(logged(part), ROBOT.replace(com_height=1.1 * ROBOT.com_height))
 
 
+@pytest.mark.long
 @pytest.mark.slow
 def test_a_tilt_that_no_file_states_is_found_with_the_robot() -> None:
     found = calibration(TILT)

@@ -599,6 +599,7 @@ def test_a_planted_fault_is_found_in_the_noise_of_a_real_robot(shared: Path) -> 
     assert any("a smaller fault is hidden" in note for note in as_it_was.notes)
 
 
+@pytest.mark.long
 @pytest.mark.slow
 @pytest.mark.parametrize("robot", but_for(["herrera2015", "ev3way"], "ev3way"))
 def test_another_robot_is_no_sensor_of_another_scale(robot: str) -> None:
@@ -608,6 +609,7 @@ def test_another_robot_is_no_sensor_of_another_scale(robot: str) -> None:
     assert fallen.onset == pytest.approx(5.0, abs=0.2)
 
 
+@pytest.mark.long
 @pytest.mark.slow
 def test_a_robot_that_stands_for_seconds_has_motors() -> None:
     """Planted: commands logged in another unit, three times as large in every row; the robot stood for 5 s."""
@@ -693,6 +695,7 @@ def test_a_load_that_goes_is_found_beside_the_push_that_hides_it() -> None:
     assert (found.onset, found.size) == (pytest.approx(ONSET, abs=0.1), pytest.approx(-0.8, abs=0.1))
 
 
+@pytest.mark.long
 def test_a_log_of_which_only_a_part_is_filtered_is_judged_by_that_part(monkeypatch: pytest.MonkeyPatch) -> None:
     """Rows after the wheels left the floor are cut: the rows of both were confused, in an IndexError."""
     log = weakened()
@@ -831,6 +834,7 @@ def test_a_reading_at_the_end_of_its_range_is_clipped_and_not_stuck() -> None:
         assert found.clipped == at_its_end
 
 
+@pytest.mark.long
 def test_a_log_whose_gyro_has_the_other_sign_sends_its_reader_to_the_doctor() -> None:
     # planted: the sign of one channel, in a log of seven knocks and the push that fells the robot
     knocks = [Impulse(impulse=0.06 * MASS * (-1) ** k, start=k + 0.5, duration=0.02) for k in range(7)]
