@@ -11,7 +11,7 @@ import pytest
 
 from upright.arrays import Array
 from upright.diagnose import blows, chances, facts, verdict
-from upright.diagnose.causes import DROPPED, HIGH, LOW
+from upright.diagnose.causes import DROPPED, HIGH, LOW, OFF
 from upright.diagnose.evidence import EXCURSION, KNOWN_TO, Evidence
 from upright.diagnose.fall import Authority, falling, half_swing, held_command, pace, wheel_rates
 from upright.diagnose.fault_fits import FaultFit, PushEstimate
@@ -240,3 +240,26 @@ def test_a_swing_goes_one_way_for_half_of_its_period() -> None:
         assert half_swing(motors, pole, 19.0) == pytest.approx(math.pi / ratio, abs=PERIOD * pole)
     still = Authority(t, np.sin(pole * t) * (t < 10.0), np.zeros(len(t)), np.zeros(len(t)), np.zeros((len(t), 6)))
     assert math.isnan(half_swing(still, pole, 19.0))
+
+
+@pytest.mark.parametrize(("given_up", "named"), [(0.0, True), (4 * E_FOLD, False)])
+def test_a_program_that_stops_is_a_cause_and_one_that_gives_up_a_fall_is_none(given_up: float, named: bool) -> None:
+    """A body that sways at 0.1 rad/s falls from 3 s on, by its pole. Commands end as it begins, or four e-folds later:
+    it turns 55 times as fast then as when it began."""
+    t: Array = 0.01 * np.arange(420)
+    fall = 0.1 * np.exp(np.minimum(np.maximum(t - 3.0, 0.0), 6 * E_FOLD) / E_FOLD)
+    log = Log(t, {"sensor/gyro": np.where(t < 3.0, 0.1 * np.sin(5 * t), fall)})
+    asked = np.where(t < 3.0 + given_up, 1.0 + np.sin(5 * t), 0.0)
+    run: Any = SimpleNamespace(log=log, asked=np.column_stack([asked, asked]))
+    answers = facts.switched_off(SimpleNamespace(run=run, fell_at=3.0 + 6 * E_FOLD))  # type: ignore[arg-type]
+    assert [answer.name for answer in answers] == [OFF] * named
+    assert all(answer.onset == pytest.approx(3.0, abs=0.011) for answer in answers)
+
+
+def test_motors_that_are_off_at_first_are_not_held_as_usual() -> None:
+    """A robot that is held for half a second before its motors are switched on; later no command stands so long."""
+    needed, asked = stopped(20)
+    before = round(0.5 / PERIOD)
+    late = held(np.concatenate([np.zeros(before), needed]), np.concatenate([np.zeros(before), asked]))
+    assert late is not None
+    assert late == pytest.approx(tuple(0.5 + x for x in held(needed, asked) or ()))

@@ -14,10 +14,10 @@ SATURATION, BIAS, DROPPED, SLIP, BATTERY = "saturation", "gyro bias", "dropped s
 PUSH, DELAY, LOW, HIGH = "push too large", "delay grown", "gain too low", "gain too high"
 STUCK, REVERSED = "sensor stuck", "motor or sensor reversed"
 SCALED, DEAD, JAMMED, WALL = "sensor mis-scaled", "motor dead", "wheel jammed", "wall"
-RAMP, LOAD, TYRE, NONE = "ramp", "load changed", "tyre lost", "none of these"
+RAMP, LOAD, TYRE, OFF, NONE = "ramp", "load changed", "tyre lost", "motors off", "none of these"
 CAUSES = (
     SATURATION, BIAS, DROPPED, SLIP, BATTERY, PUSH, DELAY, LOW, HIGH, STUCK, REVERSED, SCALED, DEAD, JAMMED, WALL, RAMP,
-    LOAD, TYRE,
+    LOAD, TYRE, OFF,
 )  # fmt: skip
 
 NAMES = {
@@ -43,6 +43,7 @@ REPAIRS = {
     RAMP: "drive slower on slopes, or design for them (`upright design lqi --robot ROBOT`)",
     LOAD: "fix the load, or calibrate again with it and design anew",
     TYRE: "put the tyre back on its wheel, and glue it; look at both wheels",
+    OFF: "if somebody stopped the program, this fall is no fault; else look for why it stopped, or who cut its motors",
     NONE: "look at the robot where the evidence points; `upright doctor LOG` tests it for signs, units and plugs",
     REVERSED: "turn the motor or the sensor round, or its sign in the program's first constants",
     CANNOT_TELL: "",

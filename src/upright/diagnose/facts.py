@@ -6,7 +6,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from upright.diagnose.causes import DEAD, DROPPED, HIGH, JAMMED, LOW, NONE, SATURATION, STUCK, Blow
+import numpy as np
+
+from upright.diagnose.causes import DEAD, DROPPED, HIGH, JAMMED, LOW, NONE, OFF, SATURATION, STUCK, Blow
 from upright.diagnose.chances import PEGGED, fits_badly, sound_until, step, toppled, unexplained
 from upright.diagnose.evidence import Evidence
 from upright.diagnose.words import began, most, percent
@@ -23,6 +25,11 @@ IDLE = 0.3  # of the probability of a wheel that stands still, for a motor witho
 TEMPER = 6.0  # nats that count as one between two faults: neighbouring rows share what is wrong with the model
 
 
+LAST, USUAL = 0.05, 0.98  # [s] before commands end, and the quantile of the pitch rates that are usual till then
+FEWEST_BALANCING = 100  # rows with commands, of which the pitch rate is taken for usual
+TURNED = 0.3  # [rad] least turn of the body, after commands ended, that is its fall
+
+
 @dataclass(frozen=True)
 class Answer:
     """What one question gives for a cause before it is weighed against the others."""
@@ -32,6 +39,26 @@ class Answer:
     onset: float
     evidence: str
     push: Blow | None = None
+
+
+def switched_off(evidence: Evidence) -> list[Answer]:
+    """Whether both commands are 0 from a time before the fall to the last row. A program that gives up a robot which
+    falls already does so as the body turns faster than it does while it balances."""
+    log, asked = evidence.run.log, evidence.run.asked
+    working = np.flatnonzero(asked.any(axis=1))
+    if not len(working) or working[-1] + 1 >= len(log) or "sensor/gyro" not in log:
+        return []
+    since, began_at = float(log.t[working[-1] + 1]), float(log.t[working[0]])
+    rate = np.abs(log["sensor/gyro"])
+    balancing, last = (log.t >= began_at) & (log.t < since), (log.t >= since - LAST) & (log.t <= since)
+    falling = (log.t >= since) & (log.t <= evidence.fell_at)
+    if balancing.sum() < FEWEST_BALANCING or not falling.any():
+        return []
+    turned = abs(float(np.nansum(log["sensor/gyro"][falling]))) * log.period
+    if np.nanmedian(rate[last]) > np.nanquantile(rate[balancing], USUAL) or turned < TURNED:
+        return []
+    text = f"both commands are 0 from t = {since:.2f} s to the last row, and until then it turned no faster than usual"
+    return [Answer(FACT, OFF, since, text)]
 
 
 def stuck(evidence: Evidence) -> list[Answer]:

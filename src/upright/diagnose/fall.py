@@ -282,8 +282,8 @@ def _at_its_end(readings: Array, first: int, sensor: Sensor | None) -> bool:
 
 def held_command(run: FilterRun, motors: Authority, end: float, seconds: float) -> tuple[float, float] | None:
     """From when to when [s] both commands stood still for longest in the last `seconds` before `end`, while the motors
-    could still save the robot; None where that took no longer than a lean needs to grow e-fold, or is usual, or where
-    no law had to answer anything meanwhile, as of a robot at rest."""
+    could still save the robot; None where that took no longer than a lean needs to grow e-fold, or is usual since the
+    motors were first switched on, or where no law had to answer anything meanwhile, as of a robot at rest."""
     log = run.log
     rows = log.t <= end
     moved = np.flatnonzero(~_repeated(run)[rows][1:]) + 1
@@ -295,7 +295,8 @@ def held_command(run: FilterRun, motors: Authority, end: float, seconds: float) 
     i = int(np.argmax(np.where(recent, lengths, 0.0)))
     needed = np.interp(log.t, motors.t, motors.needed)
     changes = np.array([np.ptp(needed[first : last + 1]) for first, last in pairwise(edges.tolist())])
-    earlier = stops <= starts[i]
+    working = np.flatnonzero(run.asked.any(axis=1))
+    earlier = (stops <= starts[i]) & (stops > (log.t[working[0]] if len(working) else math.inf))
     if not earlier.any():
         return None
     least = max(1 / falling(run.robot).pole, USUALLY_HELD * float(lengths[earlier].max()))

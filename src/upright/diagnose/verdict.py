@@ -51,7 +51,7 @@ from upright.diagnose.chances import (
     worth,
 )
 from upright.diagnose.evidence import FOREIGN, Evidence
-from upright.diagnose.facts import FACT, TEMPER, Answer, changed_gain, lost_rows, stuck, stuck_sensor
+from upright.diagnose.facts import FACT, TEMPER, Answer, changed_gain, lost_rows, stuck, stuck_sensor, switched_off
 from upright.diagnose.fault_fits import FaultFit, PushEstimate
 from upright.diagnose.measured import SLOWLY
 from upright.diagnose.pairs import Pair
@@ -389,7 +389,7 @@ def _weak_or_wild(evidence: Evidence) -> list[Answer]:
 
 
 QUESTIONS: tuple[Callable[[Evidence], list[Answer]], ...] = (
-    stuck, stuck_sensor, changed_gain, lost_rows, thrown_over, pushed_already, _two, driven_into, _none,
+    switched_off, stuck, stuck_sensor, changed_gain, lost_rows, thrown_over, pushed_already, _two, driven_into, _none,
     _changed_robot, pushed, _steady_load, _demanded, _out_of_speed, _run_down, _weak_or_wild,
 )  # fmt: skip
 
