@@ -108,6 +108,12 @@ def _beside(ax: Axes, poles: Sequence[Pole]) -> None:
 COLUMN = 1.2  # [inches] for the numbers of an interval
 
 
+OF_NOISE = (
+    "The interval holds the scatter of noise. Dry friction and dead zones are in no linear model, and may move the "
+    "pole further: `upright calibrate` knows them."
+)
+
+
 def identify(
     log: LogSource, robot: Robot | str, kit: Kit | str | None = None, *, method: str = "subspace",
     mapping: Columns | str | None = None, source: str = "sensors", delay: float | None = None,
@@ -131,12 +137,13 @@ def identify_one(study: Study, method: str) -> Identified:
     fit = find_identifier(method)(study)
     model, dA, dB = assembled(fit.halves, fit.deviations)
     stable = ("This model is stable; a two-wheeled robot falls, so it is wrong.",)
+    of_noise = (OF_NOISE,) if data.source == "sensors" and method != "calibrate" and np.isfinite(fit.pole.low) else ()
     return Identified(
         method=method, model=model, a_deviation=dA, b_deviation=dB, pole=fit.pole, halves=fit.halves,
         delays={name: n for part in data.parts for name, n in zip(part.outputs, part.delays, strict=True)},
         orders=study.orders if method == "subspace" else {}, source=data.source, samples=data.fitted,
         fits=prediction_fits(data, fit.halves),
-        notes=(*data.notes, *fit.notes, *(stable if fit.pole.value <= 0 else ())),
+        notes=(*data.notes, *fit.notes, *(stable if fit.pole.value <= 0 else of_noise)),
     )  # fmt: skip
 
 
