@@ -12,6 +12,7 @@ from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -26,6 +27,7 @@ from upright.calibrate.estimate import HELD, VISIBLE
 from upright.calibrate.fitting import events_of, normal_equations, objective
 from upright.calibrate.informativity import _within_prior, between_optima, drives_straight
 from upright.calibrate.judge import poorly
+from upright.calibrate.learnt_kit import learnt_kit
 from upright.calibrate.noise import scaled_noise, sensor_bounds
 from upright.calibrate.parameters import ROLL_FRACTION, Parameter, parameters_of, with_values
 from upright.calibrate.process_noise import arrival
@@ -890,3 +892,16 @@ def test_a_parameter_at_its_bound_is_the_bound() -> None:
     rotor = Parameter("rotor_inertia", "kg m²", 1e-5, 3e-6, "linear", lower=0.0)
     assert rotor.value(rotor.least) == 0.0
     assert rotor.value(np.array([rotor.least, 0.0])).tolist() == [0.0, 1e-5]
+
+
+@pytest.mark.parametrize("prompt", [0.0, 1e-4, 2e-3])
+def test_the_file_s_dead_times_are_those_of_the_log(prompt: float) -> None:
+    """A kit's jitter of 0.5 ms is 0.25 ms of dead time on average, which no log with less of it shows."""
+    delays = {"encoder": prompt, "gyro": prompt + 0.004}
+    estimates = [SimpleNamespace(name=f"delay/{name}", value=value) for name, value in delays.items()]
+    result: Any = SimpleNamespace(delays=estimates, electronics=())
+    kit = learnt_kit(result, NXT, dict.fromkeys(delays, 0.0), hidden=0.0)
+    behind = kit.delay + kit.jitter / 2
+    assert behind + kit.sensors["sensor/encoder_left"].delay == pytest.approx(prompt, abs=1e-9)
+    assert behind + kit.sensors["sensor/gyro"].delay == pytest.approx(prompt + 0.004, abs=1e-9)
+    assert kit.jitter == min(NXT.jitter, 2 * prompt)

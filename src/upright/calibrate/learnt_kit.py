@@ -18,8 +18,8 @@ def learnt_kit(result: Calibration, kit: Kit, delays: Mapping[str, float], hidde
     """`kit` with what the log shows of its electronics.
 
     `delays` [s] are those of the sensors before the calibration, `hidden` [s] the dead time that a log of applied
-    commands does not show. The time that all sensors are behind the command counts as the command's, the rest as each
-    sensor's. A motor that a refused fit turns backwards has no strength.
+    commands does not show. The time that all sensors are behind the command counts as the command's, with no more
+    jitter than that allows, the rest as each sensor's. A motor that a refused fit turns backwards has no strength.
     """
     learnt = {e.name.removeprefix("delay/"): e.value for e in result.delays}
     delays = {name: learnt.get(name, delay) for name, delay in delays.items()}
@@ -39,7 +39,7 @@ def learnt_kit(result: Calibration, kit: Kit, delays: Mapping[str, float], hidde
         sensors |= {"sensor/gyro": replace(sensors["sensor/gyro"], misalignment=factors[MISALIGNED])}
     sides = {"left": max(strength * (1 - half), 0.0), "right": max(strength * (1 + half), 0.0)}
     motor = replace(kit.motor, **sides, dead_zone=zone, drop=drop)
-    return replace(
-        kit, name=OWN if kit.name == "ideal" else kit.name, sensors=sensors, motor=motor,
-        delay=max(hidden + common - kit.jitter / 2, 0.0),
-    )  # fmt: skip
+    behind = max(hidden + common, 0.0)
+    jitter = min(kit.jitter, 2 * behind)  # of which half is in every dead time
+    name = OWN if kit.name == "ideal" else kit.name
+    return replace(kit, name=name, sensors=sensors, motor=motor, delay=behind - jitter / 2, jitter=jitter)

@@ -131,9 +131,10 @@ class LogJudged:
         lines += [f"  Closed loop, from the first state, {self.law}" + (":" if self.loop else "")]
         lines += [f"    {line}" for line in textwrap.wrap(self.caution, 116)] + [_line(c) for c in self.loop]
         for shift in self.shifts[:SHOWN]:
+            off = round(shift.deviations, 1) or 0.0  # and no −0.0
             lines.append(
                 f"  Would have to move: {shift.name} from {shift.value:.4g} to {shift.proposed:.4g} {shift.unit} "
-                f"({shift.deviations:+.1f} deviations), which removes {shift.explains:.0%} of what half seconds leave"
+                f"({off:+.1f} deviations), which removes {shift.explains:.0%} of what half seconds leave"
             )
         return [*lines, *(f"  {note}" for note in self.notes)]
 
