@@ -12,7 +12,8 @@ from upright.diagnose.changes import scaled_sensors
 from upright.diagnose.fall import fall_time, falling, pace
 from upright.diagnose.fault_fits import FaultFit
 from upright.diagnose.innovations import FilterRun
-from upright.diagnose.remedy import GYRO, Window, anywhere, followed, lately, moved, remedied
+from upright.diagnose.remedy import GYRO, ONSET_STEP, Window, anywhere, followed, lately, moved, remedied
+from upright.diagnose.sizes import SURVIVED_FOR
 from upright.diagnose.usual import calm_of
 from upright.errors import InvalidLog
 
@@ -56,7 +57,13 @@ def mis_scaled(run: FilterRun, window: Window) -> list[FaultFit]:
     shown = [(), (float(np.median(before)),)] if len(before) else [()]
     sizes = [1 - 1 / shows for shows in SHOWS]
     least, best = min((anywhere(cost, replace(gyro, more=one), sizes, window) for one in shown), key=lambda one: one[0])
-    return [best] if least < float(costs.sum()) else []
+    return [best] if least < float(costs.sum()) and not _of_another_robot(best, window) else []
+
+
+def _of_another_robot(fit: FaultFit, window: Window) -> bool:
+    """Whether a sensor has its scale from the beginning of what is examined on, and the robot stands by it: so does any
+    sensor under the file of another robot."""
+    return fit.onset < window.end - window.seconds + ONSET_STEP / 2 and window.end - fit.onset > SURVIVED_FOR
 
 
 def mis_scaled_angles(run: FilterRun, window: Window) -> list[FaultFit]:
@@ -70,7 +77,8 @@ def mis_scaled_angles(run: FilterRun, window: Window) -> list[FaultFit]:
 
     sizes = [1 - 1 / shows for shows in ANGLES]
     angles = [way for way in scaled_sensors(run) if f"sensor/{way}" != GYRO]
-    return [anywhere(cost, FaultFit(fault="scale", way=way), sizes, window)[1] for way in angles]
+    several = [anywhere(cost, FaultFit(fault="scale", way=way), sizes, window)[1] for way in angles]
+    return [fit for fit in several if not _of_another_robot(fit, window)]
 
 
 def unseen(run: FilterRun, window: Window) -> float | None:
