@@ -97,13 +97,13 @@ def test_of_a_wheel_that_rests_a_jam_and_a_dead_motor_are_both_said() -> None:
     """Two jammed wheels of another simulator crept by 0.05 and 0.07 rad, and were dead motors by 7 and 11 nats."""
     evidence, best = resting(0.07)
     assert held_wheel(evidence, best) == "left"
-    weights = weighed(evidence, best)
+    weights = weighed(evidence, best, held=True)
     assert weights == pytest.approx({"motor": IDLE, "friction": 1 - IDLE})
     assert "motor without torque" in of_held_wheel("left", best["friction"])
     assert "jam" in of_held_wheel("left", best["motor"])
     evidence, best = resting(3 * RESTS)  # let go before the robot lies, as by a motor without torque
     assert held_wheel(evidence, best) == ""
-    assert weighed(evidence, best)["motor"] == pytest.approx(1 / (1 + np.exp(-12 / 6)))
+    assert weighed(evidence, best, held=False)["motor"] == pytest.approx(1 / (1 + np.exp(-12 / 6)))
 
 
 def test_what_a_fault_explains_much_better_than_pushes_is_no_wall(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -132,7 +132,7 @@ def test_what_a_fault_explains_much_better_than_pushes_is_no_wall(monkeypatch: p
 
 
 def test_a_load_as_heavy_as_the_body_does_not_go() -> None:
-    """A search by the equations of motion ends at 0.95 of the body's mass: something else is wanted there. A signature
+    """A search by the equations of motion ends at 0.95 of the body's mass: something else is needed there. A signature
     is linear, and may say a tenth more than all."""
     lost = FaultFit(fault="payload", onset=4.0, size=-0.95)
     assert possible(lost, 5.0)

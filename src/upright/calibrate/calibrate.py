@@ -40,7 +40,7 @@ from upright.errors import InvalidLog
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.pace import pace_of
 from upright.logs.raw import LogSource, raw_log
-from upright.logs.recording import SENSOR, check_complete, commanded, first_noise, record
+from upright.logs.recording import SENSOR, check_complete, commanded, first_noise, foreign, record
 from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
@@ -75,7 +75,7 @@ def calibrate(
     given = [raw_log(log, mapping) for log in ([logs] if isinstance(logs, Log | str | os.PathLike) else logs)]
     several, left = zip(*map(on_its_wheels, given), strict=True) if given else ((), ())
     nominal = find_robot(robot)
-    nominal = smooth(nominal) if _foreign(several) else nominal
+    nominal = smooth(nominal) if foreign(several) else nominal
     parts = find_kit(kit or nominal.kit)
     several, knocked = without_knocks(several, nominal, parts, cut=between_knocks)
     stated, _ = prepared(several, nominal, parts, known, held_out)
@@ -143,25 +143,19 @@ def prepared(
     limits = {s: max(v[s] for v in variances if s in v) for s in delays}
     noise = {s: float(np.log(v)) for s, v in limits.items()}
     noise |= arrival(kit, logs)
-    foreign = _foreign(logs)
-    electronics = electronics_of(robot, kit, logs)
-    parameters = parameters_of(robot, delays, known, electronics, foreign=foreign)
-    parameters += resonance_of(kit) if foreign else ()  # which is learnt together, and no `known` number
+    other, electronics = foreign(logs), electronics_of(robot, kit, logs)
+    parameters = parameters_of(robot, delays, known, electronics, foreign=other)
+    parameters += resonance_of(kit) if other else ()  # which is learnt together, and no `known` number
     if resonates(parameters):
         recordings = tuple(recording.swinging() for recording in recordings)
         noise |= {SWING: math.log(swing_noise(recordings, FIRST))}
     every = (*parameters, *EQUATIONS, *effects_of(parameters, len(recordings)))
     problem = Problem(
         recordings=recordings, robot=robot, parameters=every, delays=delays,
-        noise=noise | process(recordings, robot, ANNEALING_NOISE[0]), foreign=foreign,
+        noise=noise | process(recordings, robot, ANNEALING_NOISE[0]), foreign=other,
         exact={p.name: p.prior for p in electronics if p.name in known},
     )  # fmt: skip
     return problem, limits
-
-
-def _foreign(logs: Sequence[Log]) -> bool:
-    """Whether a log is of no body of ours."""
-    return not all("body" in log.origin for log in logs)
 
 
 def _idle(log: Log) -> bool:

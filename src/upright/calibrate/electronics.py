@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from upright.calibrate.parameters import Parameter
 from upright.calibrate.resonance import MEANING as RESONANCE
+from upright.logs.recording import foreign
 from upright.physics.dynamics import motor_gain
 from upright.robots import Kit, Robot
 from upright.signals import Log
@@ -50,7 +51,7 @@ def electronics_of(robot: Robot, kit: Kit, logs: Sequence[Log]) -> tuple[Paramet
         Parameter(ASYMMETRY, "1", (kit.motor.right - kit.motor.left) / strength, UNEQUAL, "linear"),
         Parameter(CONSTANT, robot.command_unit, 0.0, slope / motor_gain(robot), "linear", guess=True),
     ]
-    own = all("body" in log.origin for log in logs)
+    own = not foreign(logs)
     if robot.drive == "voltage" and (not own or strength != 1):
         measured = own or all("sensor/battery" in log for log in logs)
         parameters.append(Parameter(BATTERY, "1", strength, MEASURED if measured else UNMEASURED, "logarithm"))

@@ -295,8 +295,7 @@ def held_command(run: FilterRun, motors: Authority, end: float, seconds: float) 
     i = int(np.argmax(np.where(recent, lengths, 0.0)))
     needed = np.interp(log.t, motors.t, motors.needed)
     changes = np.array([np.ptp(needed[first : last + 1]) for first, last in pairwise(edges.tolist())])
-    working = np.flatnonzero(run.asked.any(axis=1))
-    earlier = (stops <= starts[i]) & (stops > (log.t[working[0]] if len(working) else math.inf))
+    earlier = (stops <= starts[i]) & (stops > log.t[int(np.argmax(run.asked.any(axis=1)))])
     if not earlier.any():
         return None
     least = max(1 / falling(run.robot).pole, USUALLY_HELD * float(lengths[earlier].max()))

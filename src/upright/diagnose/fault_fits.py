@@ -179,6 +179,13 @@ def with_pushes(
     return replace(fit, fault=signature.fault, way=signature.way, onset=onset, size=size)
 
 
+def freed_of(fit: FaultFit, fault: FaultFit) -> FaultFit:
+    """`fit` as that of a log freed of `fault`, whose numbers it has."""
+    return replace(
+        fit, fault=fault.fault, way=fault.way, onset=fault.onset, size=fault.size, rise=fault.rise, more=fault.more
+    )
+
+
 def _first_slip(bank: Bank, slip: Signature) -> float:
     """When a slip first shows in a reading by more than its noise: a floor may be slippery long before."""
     shows = np.flatnonzero(np.abs(slip.values[: len(bank.then)]) > VISIBLE_SLIP)

@@ -21,6 +21,7 @@ from upright.diagnose.fault_fits import (
     as_fit,
     dearer,
     exceeding,
+    freed_of,
     gainable,
     least_squares,
     numbers_of,
@@ -302,10 +303,7 @@ def together(run: FilterRun, first: FaultFit, second: FaultFit, window: Window, 
         return _beside_signature(run, several, other, window, bank)[0]
     if several and (freed := followed(run, window.end, *several)) is not None:
         here, last = window.bank(freed), several[1]
-        again = with_pushes(here, against=bank, beside=here.y)
-        again = replace(
-            again, fault=last.fault, way=last.way, onset=last.onset, size=last.size, rise=last.rise, more=last.more
-        )
+        again = freed_of(with_pushes(here, against=bank, beside=here.y), last)
         return Pair(first=first, second=replace(_priced(again, several, bank), run=freed))
     if not len(first.values) == len(second.values) == len(bank.y):  # made on a run of fewer readings
         return Pair(first=first, second=second)

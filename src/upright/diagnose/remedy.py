@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from upright.diagnose.changes import DRAGGED, HELD, MOTORS, channels_of, dead_motors, lost_command
 from upright.diagnose.fall import limit, without
-from upright.diagnose.fault_fits import FaultFit, dearer, remaining, with_pushes
+from upright.diagnose.fault_fits import FaultFit, dearer, freed_of, remaining, with_pushes
 from upright.diagnose.innovations import IN_TIME, NEVER_STIFF, FilterRun, follow
 from upright.diagnose.signatures import YOUNGEST, Bank, bank, beside, channels, finer, pushing, unknown_parameters
 from upright.diagnose.sizes import possible
@@ -321,10 +321,7 @@ def exact(run: FilterRun, fit: FaultFit, window: Window, against: Bank) -> Fault
         freed = followed(run, window.end, fit)
         if freed is None:
             return best
-        again = with_pushes(window.bank(freed), against=against)
-        now = replace(
-            again, fault=fit.fault, way=fit.way, onset=fit.onset, size=fit.size, rise=fit.rise, more=fit.more, run=freed
-        )
+        now = replace(freed_of(with_pushes(window.bank(freed), against=against), fit), run=freed)
         if fit.rise > 0:
             now = dearer(now, FADE_PRICE, against)
         if now.score <= best.score and best is not fit:

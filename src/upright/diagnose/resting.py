@@ -17,15 +17,15 @@ RESTS = 0.1
 without torque lets it go, it turns by more before the body lies."""
 
 
-def weighed(evidence: Evidence, best: Mapping[str, FaultFit]) -> dict[str, float]:
+def weighed(evidence: Evidence, best: Mapping[str, FaultFit], *, held: bool) -> dict[str, float]:
     """The part of the probability of each fault, of those that are the `best` of their kind, by their likelihoods. A
-    wheel that rests is jammed, or the friction of a motor without torque holds it: which of both explains a little more
-    follows from how little it creeps, and no model of friction knows that."""
+    wheel that is `held` is jammed, or the friction of a motor without torque holds it: which of both explains a little
+    more follows from how little it creeps, and no model of friction knows that."""
     top = max((evidence.nats(fit) for fit in best.values()), default=0.0)
     weights = {name: math.exp(max((evidence.nats(fit) - top) / TEMPER, -50.0)) for name, fit in best.items()}
     total = sum(weights.values())
     weights = {name: weight / total for name, weight in weights.items()}
-    if held_wheel(evidence, best):
+    if held:
         both = weights["motor"] + weights["friction"]
         weights |= {"motor": IDLE * both, "friction": (1 - IDLE) * both}
     return weights

@@ -18,7 +18,7 @@ REVERSE, REVERSE_WIDTH = 2.0, 0.3  # the same of a sensor that has another sign
 LIGHTEST, LARGEST_PAYLOAD = -1.1, 4.0  # over the body's mass: what it can lose, within the fit's errors, and gain
 MOST_LOST = 0.9
 """Of the body's mass, that goes at most where the equations of motion show it: such a search ends at 0.95, where
-something else is wanted than a load."""
+something else than a load is needed."""
 LEAST_RADIUS, MOST_RADIUS = 0.05, 0.8  # of its radius, that a wheel loses with its tyre
 WEAK = 0.9  # of its voltage, that a weak battery has left at most: motors differ by as much
 STEEPEST = 0.6  # sine of a slope that robots meet

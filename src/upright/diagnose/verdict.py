@@ -173,7 +173,8 @@ def _changed_robot(evidence: Evidence) -> list[Answer]:
     for fit in evidence.fits:
         if fit.fault in NAMES and possible(fit, evidence.fell_at):
             best[fit.fault] = max(best.get(fit.fault, fit), fit, key=evidence.nats)
-    weights, side = weighed(evidence, best), held_wheel(evidence, best)
+    side = held_wheel(evidence, best)
+    weights = weighed(evidence, best, held=bool(side))
     answers: list[Answer] = []
     for name, fit in best.items():
         chance, text = FACT * weights[name] * holds(evidence, fit), of_fault(evidence, fit) + of_held_wheel(side, fit)

@@ -347,12 +347,13 @@ def contradictions(log: Log, robot: Robot | None = None, codes: tuple[str, ...] 
     unit that is doubtful for robots in general, and not for `robot`, is none; only with a robot can commands be judged
     of which no name says the unit."""
     record = record_of(log)
-    findings = [f for f in _examine(record, None, unwatched)[0] if f.severity == "error"]
-    unnamed = record.commands is not None and not record.units.get(record.commands[0], "V")
-    if robot is not None and (unnamed or any(f.code.startswith("units/") for f in findings)):
-        own = {(f.code, f.channel): f for f in _examine(record, robot, unwatched)[0] if f.severity == "error"}
+    every, last = _examine(record, None, unwatched)
+    findings = [f for f in every if f.severity == "error"]
+    if robot is not None and any(f.code.startswith("units/") for f in findings):
+        own = {(f.code, f.channel) for f in _examine(record, robot, unwatched)[0]}
         findings = [f for f in findings if not f.code.startswith("units/") or (f.code, f.channel) in own]
-        findings += [f for (code, _), f in own.items() if unnamed and code == "units/command" and f not in findings]
+    if robot is not None and last.unnamed:
+        findings += [f for f in units.commands(last, robot) if f.severity == "error"]
     return [f"the log contradicts itself, {f.channel}: {f.evidence}" for f in findings if f.code.startswith(codes)]
 
 

@@ -54,7 +54,7 @@ def command_units(record: Record) -> list[CommandUnit]:
         larger = [f for f in FULL_DUTIES if f > full > 1]
         return [duty, *(CommandUnit(_counts(f), duty.factor * f / full, LARGER_DUTY) for f in larger)]
     others = [(name, duty.factor), ("millivolts", 1e3)]
-    if largest <= 1 and not record.units.get(names[0], "V"):  # nobody says that it is volts
+    if largest <= 1 and record.unnamed:
         others.append((FRACTION, 1 / (battery or USUAL_BATTERY)))
     if largest > 100 and not counted(record[names[0]]):  # a law's output, not yet rounded to a timer's counts
         most = full_duty(np.array(largest))
@@ -104,9 +104,8 @@ def counted(values: Array) -> bool:
 def back_emf(record: Record, m: Resampled, robot: Robot | None = None) -> float:
     """Volts for each rad/s of a steady wheel, by the motor equation; 0 where that does not fit, or the commands are
     torques, or in an unknown unit and not those of a `robot` that is driven by volts."""
-    unit = record.units.get(record.commands[0], "V") if record.commands else ""
-    driven = robot is not None and robot.drive == "voltage"
-    if m.commands is None or record.commands is None or unit == "N m" or (not unit and not driven):
+    in_volts = robot is not None and robot.drive == "voltage"
+    if m.commands is None or record.torque_driven or (record.unnamed and not in_volts):
         return 0.0
     fit = motor(m, (m.commands[0] + m.commands[1]) / 2, m.left, m.right, None)
     return fit.values[1] if fit.r2 > 0.8 and len(fit.values) > 1 else 0.0

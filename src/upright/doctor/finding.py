@@ -110,6 +110,11 @@ class Record:
         """Whether the commands are torques."""
         return self.commands is not None and self.units.get(self.commands[0]) == "N m"
 
+    @property
+    def unnamed(self) -> bool:
+        """Whether nothing says in what unit the commands are."""
+        return self.commands is not None and not self.units.get(self.commands[0], "V")
+
     def changed(self, changes: Mapping[str, Array]) -> Record:
         """The same record with some channels replaced."""
         return replace(self, channels={**self.channels, **changes})

@@ -360,9 +360,9 @@ def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
     units = command_units(record)
     unit = min(units, key=penalty)
     if unit.name == "volts":
-        unsaid = largest <= 1 and not record.units.get(names[0], "V") and not emf
         evidence = f"no name says their unit, and they reach {largest:.3g}: N m, a fraction of full duty, or V"
-        return [note("units/command", names[0], evidence, "state it in a mapping: V, N m or %, and its scale")] * unsaid
+        which = note("units/command", names[0], evidence, "state it in a mapping: V, N m or %, and its scale")
+        return [which] if record.unnamed and largest <= 1 and not emf else []
     duty = record.units.get(names[0]) == "1"  # by its name
     if not emf and not duty and not counted(record[names[0]]) and (others := as_likely(units, unit)):
         which = " or ".join(one.name.rstrip(",") for one in (unit, *others))

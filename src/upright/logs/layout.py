@@ -66,8 +66,7 @@ def _unbracketed(lines: Sequence[str]) -> list[str]:
     if sum(bool(_STAMPED.match(line)) for line in sample) <= len(sample) / 2:
         return list(lines)
     paired = sum(bool(_PAIR.search(line)) for line in sample) > len(sample) / 2
-    mark = next((m for m in (";", "\t", ",") if sum(m in line for line in sample) > len(sample) / 2), " ")
-    return [_STAMPED.sub(r"t=\1 " if paired else rf"\g<1>{mark}", line) for line in lines]
+    return [_STAMPED.sub(r"t=\1 " if paired else rf"\g<1>{_separator(sample)}", line) for line in lines]
 
 
 def layout(lines: Sequence[str]) -> Layout:

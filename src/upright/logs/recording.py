@@ -323,6 +323,11 @@ def _first(reading: Array) -> float:
     return float(reading[np.isfinite(reading)][0])
 
 
+def foreign(logs: Sequence[Log]) -> bool:
+    """Whether a log is of no body of ours."""
+    return not all("body" in log.origin for log in logs)
+
+
 def first_noise(recording: Recording) -> dict[str, float]:
     """Variance of each sensor, by its kit and the resolution of its readings."""
     variances: dict[str, float] = {}
