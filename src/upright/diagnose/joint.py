@@ -45,6 +45,7 @@ SLOWER = 0.6  # of the time in which a battery breaks down, by which other start
 OTHER_DELAYS = (0.5, 2.0)  # of a delay, by which other starts differ
 OTHER_ONSETS = (-0.5, -0.25, 0.25, 0.5)  # of the step between the first onsets: the same of a stiff wheel
 SHORTEST_RISE = 0.02  # [s] in which a battery breaks down
+TAKE_TORQUE = ("weak", "friction", "motor")  # faults that act alike
 LEAST_DELAY = 0.05  # periods
 DAMPINGS = (1e-6, 1e-3, 1e-1)  # of a step, over its curvature
 STRIDES = (2.0, 4.0)  # of a step: a narrow valley is long
@@ -165,23 +166,35 @@ def jointly(
 def settled(run: FilterRun, fits: Sequence[FaultFit], window: Window, bank: Bank) -> list[FaultFit]:
     """All fits, the likeliest of those that a log can be freed of with all of their numbers moved together; the
     likeliest first."""
-    several, moved, top = list(fits), set[str](), max(fit.score for fit in fits)
+    several, moved, top = list(fits), dict[str, int](), max(fit.score for fit in fits)
     for i, fit in enumerate(fits):
         free = fit.run is not None and fit.fault in READING_FAULTS + COMMAND_FAULTS
         if free and fit.fault not in moved and len(moved) < MOST and fit.score > top - BEHIND:
-            moved.add(fit.fault)
-            several[i] = _one(run, fit, window, bank)
+            moved[fit.fault] = i
+            several[i] = _one(run, fit, _starts(fit), window, bank)
+    for i in moved.values():
+        several[i] = _one(run, several[i], _as_another(several[i], several), window, bank)
     return sorted(several, key=lambda fit: -fit.score)
 
 
-def _one(run: FilterRun, fit: FaultFit, window: Window, bank: Bank) -> FaultFit:
-    """A fault by all of its numbers; of a battery, which has a narrow valley, from several starts."""
+def _as_another(fit: FaultFit, fits: Sequence[FaultFit]) -> list[FaultFit]:
+    """The fault from where the likeliest other one that takes torque away was found, beside its pushes: a search that
+    ended in another valley says that the lesser cause explains more."""
+    if fit.fault not in TAKE_TORQUE:
+        return []
+    others = [one for one in fits if one.fault in TAKE_TORQUE and one.fault != fit.fault and one.run is not None]
+    best = max(others, key=lambda one: one.score, default=fit)
+    return [replace(fit, onset=best.onset, pushes=best.pushes)]
+
+
+def _one(run: FilterRun, fit: FaultFit, starts: Sequence[FaultFit], window: Window, bank: Bank) -> FaultFit:
+    """A fault by all of its numbers, from several starts."""
     best, price = fit, score_of(bank, fit.rest, fit.spent) - fit.score
-    for start in _starts(fit):
+    for start in starts:
         freed = fit.run if start is fit else followed(run, window.end, start)
         if freed is None:
             continue
-        (fault,), moved = jointly(run, [start], replace(fit, run=freed, score=-math.inf), window, bank)
+        (fault,), moved = jointly(run, [start], replace(start, run=freed, score=-math.inf), window, bank)
         moved = replace(moved, score=moved.score - price, **{name: getattr(fault, name) for name in _names(fit)})
         best = max(best, moved, key=lambda one: one.score)
     return best
@@ -189,7 +202,7 @@ def _one(run: FilterRun, fit: FaultFit, window: Window, bank: Bank) -> FaultFit:
 
 def _starts(fit: FaultFit) -> list[FaultFit]:
     """The fault, a delay of other sizes, a stiff wheel since other times, and beside a push a battery that breaks down
-    within another time, about the same middle."""
+    within another time, about the same middle: it has a narrow valley."""
     if fit.fault == "friction":
         return [fit, *(replace(fit, onset=fit.onset + part * ONSET_STEP) for part in OTHER_ONSETS)]
     if fit.fault == "delay":
@@ -249,7 +262,7 @@ def each_alone(run: FilterRun, pairs: Sequence[Pair], single: float, window: Win
         if fit.fault in READING_FAULTS + COMMAND_FAULTS and not stood:
             one = exact(run, replace(fit, score=-math.inf, pushes=(), run=None), window, bank)
             if len(one.rest) and one.score > single - BEHIND:
-                several.append(priced(_one(run, one, window, bank), bank))
+                several.append(priced(_one(run, one, _starts(one), window, bank), bank))
     return [fit for fit in several if fit.score > single]
 
 
