@@ -41,6 +41,9 @@ TOPPLES_OF_LARGEST = 0.4  # of the largest lean that the motors bring back
 LIMIT_WIDTH = 0.1  # of these limits: the width of their steps
 NO_RETURN = 1.3  # times the largest lean that the motors bring back, from which nothing saves a robot
 FELLS = 0.8  # of the lean that no motors bring back, from which a push fells a robot however long that takes
+EARLIER = 0.6
+"""Of a push's probability, where it came before the last excursion and the robot never came to rest since: a gain that
+is too low answers it in the same way, and without the controller's file the log does not show which."""
 PEGGED = 0.95  # fraction of the last second at the limit, where commands that never change are full ones
 RESTED = 0.4  # [s] of a quick robot at rest, by its lean over the largest that its motors bring back:
 AT_REST, RESTLESS = 0.03, 4.0  # below this, or below so many times what it has in calmer times
@@ -105,20 +108,29 @@ def name_of(fit: FaultFit) -> str:
 
 def toppled(evidence: Evidence) -> tuple[float, float, PushEstimate | None]:
     """How likely pushes topple, in the last excursion or by far before, the lean [rad] that they are worth, and the
-    largest."""
+    largest. Earlier ones, since which the robot has not come to rest, may have: a slow fall takes longer than that."""
     none, fells = evidence.pushes_only, FELLS * min(evidence.toppling.largest, LEANING)
-    limit = min(TOPPLES, TOPPLES_OF_LARGEST * evidence.toppling.largest)
     if evidence.motors.stuck and evidence.motors.pegged > PEGGED:  # they gave all they had since a push
-        fells = limit
-    first = min((push.start for push in none.pushes if abs(evidence.toppling.lean(push)) > fells), default=math.inf)
-    since = evidence.fell_at - evidence.excursion
-    if first <= since and first > unsettled(evidence, none):
-        since = math.nextafter(first, -math.inf)
-    lean, largest = worth(evidence, none.pushes, since)
+        fells = toppling_lean(evidence)
+    restless = unsettled(evidence, none)
+    far = [one.start for one in none.pushes if one.stop > restless and abs(evidence.toppling.lean(one)) > fells]
+    since = min([evidence.fell_at - evidence.excursion, *far])
+    recent, earlier = (_toppled_since(evidence, start) for start in (since, restless))
+    return recent if recent[0] >= EARLIER * earlier[0] else (EARLIER * earlier[0], *earlier[1:])
+
+
+def toppling_lean(evidence: Evidence) -> float:
+    """The lean [rad] that pushes must be worth to topple."""
+    return min(TOPPLES, TOPPLES_OF_LARGEST * evidence.toppling.largest)
+
+
+def _toppled_since(evidence: Evidence, since: float) -> tuple[float, float, PushEstimate | None]:
+    """The same of pushes `since` a time [s]."""
+    lean, largest = worth(evidence, evidence.pushes_only.pushes, since)
     if largest is None:
         return 0.0, 0.0, None
-    chance = step(lean / limit - 1, LIMIT_WIDTH) * step(largest.score - PUSH_SCORE, PUSH_SCORE_WIDTH)
-    return chance, lean, largest
+    chance = step(lean / toppling_lean(evidence) - 1, LIMIT_WIDTH)
+    return chance * step(largest.score - PUSH_SCORE, PUSH_SCORE_WIDTH), lean, largest
 
 
 def unexplained(evidence: Evidence, nis: float, fault: str = "") -> float:
@@ -196,9 +208,10 @@ def unsettled(evidence: Evidence, fit: FaultFit) -> float:
 def worth(
     evidence: Evidence, several: Sequence[PushEstimate], since: float | None = None
 ) -> tuple[float, PushEstimate | None]:
-    """The lean [rad] that pushes in the last excursion, or `since` a time [s], are worth, and the largest of them."""
+    """The lean [rad] that pushes in the last excursion, or `since` a time [s], are worth, and the largest of them; one
+    that still acts then is one of them."""
     toppling, start = evidence.toppling, evidence.fell_at - evidence.excursion if since is None else since
-    pushes = [push for push in several if push.start > start]
+    pushes = [push for push in several if push.stop > start]
     if not pushes:
         return 0.0, None
     largest = max(pushes, key=lambda push: abs(toppling.lean(push)))

@@ -38,14 +38,13 @@ from upright.diagnose.chances import (
     LIMIT_WIDTH,
     PUSH_SCORE_WIDTH,
     SURE,
-    TOPPLES,
-    TOPPLES_OF_LARGEST,
     best_of,
     enough,
     holds,
     name_of,
     step,
     surer,
+    toppling_lean,
     unexplained,
     unsettled,
     worth,
@@ -250,7 +249,7 @@ def _from_its_onset(evidence: Evidence, pair: Pair, best: FaultFit) -> FaultFit:
 def _topples(evidence: Evidence, pushes: Sequence[PushEstimate], fit: FaultFit) -> bool:
     """Whether pushes beside a fault go far to topple the robot."""
     lean, push = worth(evidence, pushes, unsettled(evidence, fit))
-    return push is not None and lean > HALF * min(TOPPLES, TOPPLES_OF_LARGEST * evidence.toppling.largest)
+    return push is not None and lean > HALF * toppling_lean(evidence)
 
 
 def _fault_and_push(evidence: Evidence) -> list[Answer]:
@@ -261,7 +260,7 @@ def _fault_and_push(evidence: Evidence) -> list[Answer]:
     lean, push = worth(evidence, best.pushes, unsettled(evidence, best))
     if push is None:
         return []
-    limit = min(TOPPLES, TOPPLES_OF_LARGEST * evidence.toppling.largest)
+    limit = toppling_lean(evidence)
     beyond = lean / limit
     if best.fault == "weak":  # these motors bring back less
         weak = max(limit * best.size, min(KNOCK, limit))
