@@ -80,11 +80,12 @@ def holds(evidence: Evidence, fit: FaultFit) -> float:
 
 def _by_own_noise(evidence: Evidence, fit: FaultFit) -> float:
     """The same by the noise of this log, whose sensors may have less than the kit says: it leaves only that, and pushes
-    alone clearly more, since that noise is the least that any of all hypotheses leaves."""
+    alone clearly more, since that noise is the least that any of all hypotheses leaves. By the kit's noise it has to
+    explain as much more: what a file that is a little wrong leaves of a violent push is above the log's noise too."""
     none, noise = evidence.pushes_only, evidence.noise
     if noise >= evidence.calm:
         return 0.0
-    sure = step(evidence.nats(fit) - evidence.nats(none) - SURE, SURE_WIDTH)
+    sure = step(min(evidence.nats(fit) - evidence.nats(none), gained(evidence, fit)) - SURE, SURE_WIDTH)
     left = step(ONLY_NOISE - evidence.misfit(fit) / noise, EXPLAINED_WIDTH)
     return sure * left * step(evidence.misfit(none) / noise - FITS_BADLY, FITS_WIDTH)
 
