@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from upright.diagnose.causes import CANNOT_TELL, NAMES, PUSH, STUCK, WALL
+from upright.diagnose.causes import CANNOT_TELL, LOAD, NAMES, PUSH, STUCK, WALL
 from upright.diagnose.chances import (
     FITS_BADLY,
     PUSH_SCORE,
@@ -21,9 +21,10 @@ from upright.diagnose.chances import (
 from upright.diagnose.evidence import Evidence
 from upright.diagnose.facts import TEMPER, Answer
 from upright.diagnose.fall import blocked
-from upright.diagnose.sizes import possible
+from upright.diagnose.fault_fits import PushEstimate
+from upright.diagnose.sizes import possible, slight
 from upright.diagnose.thrown import FEW
-from upright.diagnose.words import blow, of_push, of_throw
+from upright.diagnose.words import blow, of_fault, of_push, of_throw
 
 LIKELY = 0.95  # most probability of a demand or a steady load, PUSHED of a push: a fault may look like either
 PUSHED = 0.97
@@ -39,6 +40,10 @@ motors go on driving."""
 
 FAILED, BRIEFLY = 0.25, 0.8
 """Of a blow's probability, that its gyro failed where nothing else shows it, and what is left of it at a log's end."""
+
+MOST_SHARED, SHOWN = 0.45, 0.1
+"""Of a push's probability, that a load beside it gets at most where both explain as much as the push alone, since one
+cause is likelier than two; and from which share on the evidence says so."""
 
 TOPPLED = 0.9  # probability that a push topples, from which its model is trusted
 
@@ -100,8 +105,27 @@ def pushed_already(evidence: Evidence) -> list[Answer]:
     lean, push = worth(evidence, evidence.pushes_only.pushes)
     if push is None:
         return []
+    return _with_load(evidence, PUSHED * (1 - HELPED), push, lean)
+
+
+def _with_load(evidence: Evidence, chance: float, push: PushEstimate, lean: float) -> list[Answer]:
+    """A push that felled the robot, which shares its probability with a load that came or went beside it, as far as
+    that explains as much: a load hardly shows beside a push."""
     numbers = blow(evidence, push, lean)
-    return [Answer(PUSHED * (1 - HELPED), PUSH, push.start, of_push(evidence, push, numbers), numbers)]
+    text, none = of_push(evidence, push, numbers), evidence.pushes_only
+    loads = [fit for fit in evidence.fits if fit.fault == "payload" and fit.pushes and not slight(fit)]
+    loads = [fit for fit in loads if possible(fit, evidence.fell_at)]
+    if not loads:
+        return [Answer(chance, PUSH, push.start, text, numbers)]
+    load = max(loads, key=evidence.nats)
+    share = min(step(evidence.nats(load) - evidence.nats(none), TEMPER), MOST_SHARED)
+    if share > SHOWN:
+        text += ". A load that came or went beside it explains about as much: the log does not show whether one did"
+    other = f"{of_fault(evidence, load)}, beside a push; the push alone explains about as much"
+    return [
+        Answer((1 - share) * chance, PUSH, push.start, text, numbers),
+        Answer(share * chance, f"{LOAD} and {PUSH}", min(load.onset, push.start), other),
+    ]
 
 
 def pushed(evidence: Evidence) -> list[Answer]:
@@ -110,5 +134,4 @@ def pushed(evidence: Evidence) -> list[Answer]:
     chance, lean, push = toppled(evidence)
     if push is None or thrown_over(evidence) or explains_the_start(evidence):
         return []
-    numbers = blow(evidence, push, lean)
-    return [Answer(PUSHED * (1 - HELPED) * chance, PUSH, push.start, of_push(evidence, push, numbers), numbers)]
+    return _with_load(evidence, PUSHED * (1 - HELPED) * chance, push, lean)
