@@ -185,16 +185,12 @@ def gather(
         return whole, None
     still = stuck_sensor(log, kit, window.end)
     foreign = _blind(still) or (window.usual > FOREIGN and still is None)  # no cause will rest on the fits
-    bank = window.bank(run, pushes_only=foreign)
-    several = fits(bank)
-    scaled = [] if foreign else mis_scaled(run, window)
+    bank, several = _beside_pushes(run, window, foreign)
+    scaled = mis_scaled(run, window) if not foreign and _unexplained(several, bank, quiet_of(run, window)) else []
     if not foreign and (true := sooner(run, [*several, *scaled], window)) is not None:
         fell_at, window = true, window_of(run, true)
-        bank = window.bank(run, pushes_only=False)
-        several = fits(bank)
+        bank, several = _beside_pushes(run, window, foreign)
     show(0.4)
-    if not foreign:  # pushes of a linear model leave what other faults would explain
-        several = [refined(run, fit, window, bank) if fit.fault == "none" else fit for fit in several]
     if not foreign and _unexplained(several, bank, quiet_of(run, window)):
         several += [*searched(run, window), *with_commands(bank, several), *scaled, *mis_scaled_angles(run, window)]
     if fell_at is None:
@@ -218,6 +214,13 @@ def gather(
     show(0.9)
     evidence = _evidence(whole, run, fell_at, window, bank, several, controller)
     return whole, replace(evidence, slid=window.end) if slid else evidence
+
+
+def _beside_pushes(run: FilterRun, window: Window, foreign: bool) -> tuple[Bank, list[FaultFit]]:
+    """A window's bank and fits: pushes alone by the equations of motion, since linear ones leave more."""
+    several = fits(bank := window.bank(run, pushes_only=foreign))
+    usual = [one for one in several if foreign or one.fault != "none"]
+    return bank, usual if foreign else [*usual, refined(run, _pushes_only(several), window, bank)]
 
 
 def _sound_until(
