@@ -9,7 +9,21 @@ import numpy as np
 
 from upright.diagnose import PostMortem
 from upright.diagnose.blows import HELPED, PUSHED
-from upright.diagnose.causes import KNOWN, NO_FALL, Blow, Cause
+from upright.diagnose.causes import (
+    DROPPED,
+    HIGH,
+    KNOWN,
+    LOW,
+    NO_FALL,
+    OFF,
+    PUSH,
+    REVERSED,
+    SATURATION,
+    STUCK,
+    WALL,
+    Blow,
+    Cause,
+)
 from upright.diagnose.fall import LEANING
 from upright.diagnose.series import Series
 from upright.plotting import INK, line, number, numbered, panels, span
@@ -98,11 +112,10 @@ def _numbers(result: PostMortem) -> list[tuple[str, str]]:
         best = f"the largest such push that {by} controller survives{push.powered}"
         numbers = [(push.size, where), (f"{most:.2g} N s", best)]
     elif known:
-        sign = "from the first sign, where the sensors differ from the model,"
-        numbers = [(f"{result.fell_at - result.onset:.2g} s", f"{sign} to the fall")]
-        if lost is not None:
-            until = "from the first sign until the motors could no longer save it"
-            numbers.append((f"{lost - result.onset:.2g} s", until))
+        since = _SINCE.get(result.verdict, "from the first sign, where the sensors differ from the model,")
+        numbers = [(f"{result.fell_at - result.onset:.2g} s", f"{since} to the fall")]
+        if lost is not None and result.verdict != OFF:  # motors that are off save nothing
+            numbers.append((f"{lost - result.onset:.2g} s", "from then until the motors could no longer save it"))
     likely = [c for k, c in enumerate(result.causes[:3]) if c.likelihood >= (WORTH if k else SHOWN)]
     if not likely:
         return numbers
@@ -111,6 +124,15 @@ def _numbers(result: PostMortem) -> list[tuple[str, str]]:
     next_to_it = f"; second: {', '.join(others)}" if others else ""
     this = "that the push felled it" if push else "of this cause"
     return [*numbers, (f"{100 * first:.0f} %", f"probability {this}{next_to_it}")]
+
+
+_LAST = "examined for the controller, up"
+_SINCE = {
+    OFF: "from when the motors went off", DROPPED: "from when the program stood still or readings were lost",
+    STUCK: "from when the sensor stood still", PUSH: "from the blow", WALL: "from when the wheels were held",
+    REVERSED: "from the beginning of the fall", LOW: _LAST, HIGH: _LAST, SATURATION: _LAST,
+}  # fmt: skip
+"""Since when a cause shows that no reading shows which differs from the model."""
 
 
 def _lost(result: PostMortem) -> float | None:
