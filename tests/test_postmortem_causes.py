@@ -172,13 +172,15 @@ def test_a_program_that_stopped_is_the_cause_of_a_sound_robot_only(wrong: float,
     assert (answer.name, answer.probability > 0.9, answer.probability < 0.1) == (DROPPED, stood, not stood)
 
 
-@pytest.mark.parametrize(("lean", "topples"), [(0.45, True), (0.1, False)])
-def test_a_push_beyond_what_motors_bring_back_fells_however_long_the_robot_swings(
-    lean: float, topples: bool, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize(("lean", "topples"), [(0.45, 1.0), (0.1, 0.0), (0.3, chances.EARLIER)])
+def test_a_push_since_which_a_robot_swings_may_have_felled_it_and_one_that_motors_do_not_stop_has(
+    lean: float, topples: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """A robot of 16 kg fell 1.4 s after a push of 0.6 of what its motors bring back: a gain too low, 0.72. Nothing
+    shows whether a better gain had saved it, so that both share the probability."""
 
     def restless(*_: Any) -> float:
-        return 1.0  # [s]: it never came to rest after the push
+        return 2.05  # [s]: it never came to rest after the push, which began in the last block in which it rested
 
     monkeypatch.setattr(chances, "unsettled", restless)
     push = PushEstimate(start=2.0, stop=2.1, impulse=lean, height=0.0, score=100.0)
@@ -186,8 +188,8 @@ def test_a_push_beyond_what_motors_bring_back_fells_however_long_the_robot_swing
         pushes_only=SimpleNamespace(pushes=(push,)), toppling=Toppling(1.0, 0.0, 0.5, 1 / E_FOLD), fell_at=5.0,
         excursion=EXCURSION, motors=SimpleNamespace(stuck=False, pegged=0.0),
     )  # fmt: skip
-    chance, _, largest = chances.toppled(evidence)
-    assert (chance > 0.9, largest is not None) == (topples, topples)
+    chance, _, _ = chances.toppled(evidence)
+    assert chance == pytest.approx(topples, abs=0.02)  # the step is a tenth of the lean wide
 
 
 def test_an_error_that_a_robot_may_have_counts_as_one_reading_however_far_it_moved() -> None:
