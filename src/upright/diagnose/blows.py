@@ -43,7 +43,7 @@ FAILED, BRIEFLY = 0.25, 0.8
 
 MOST_SHARED, SHOWN = 0.45, 0.1
 """Of a push's probability, that a load beside it gets at most where both explain as much as the push alone, since one
-cause is likelier than two; and from which share on the evidence says so."""
+cause is likelier than two; and from which part on the evidence says so."""
 
 TOPPLED = 0.9  # probability that a push topples, from which its model is trusted
 
@@ -118,13 +118,13 @@ def _with_load(evidence: Evidence, chance: float, push: PushEstimate, lean: floa
     if not loads:
         return [Answer(chance, PUSH, push.start, text, numbers)]
     load = max(loads, key=evidence.nats)
-    share = min(step(evidence.nats(load) - evidence.nats(none), TEMPER), MOST_SHARED)
-    if share > SHOWN:
+    part = min(step(evidence.nats(load) - evidence.nats(none), TEMPER), MOST_SHARED)
+    if part > SHOWN:
         text += ". A load that came or went beside it explains about as much: the log does not show whether one did"
     other = f"{of_fault(evidence, load)}, beside a push; the push alone explains about as much"
     return [
-        Answer((1 - share) * chance, PUSH, push.start, text, numbers),
-        Answer(share * chance, f"{LOAD} and {PUSH}", min(load.onset, push.start), other),
+        Answer((1 - part) * chance, PUSH, push.start, text, numbers),
+        Answer(part * chance, f"{LOAD} and {PUSH}", min(load.onset, push.start), other),
     ]
 
 
