@@ -223,6 +223,12 @@ def test_a_load_as_heavy_as_the_body_does_not_go() -> None:
     assert not possible(FaultFit(fault="payload", onset=4.0, size=-0.95, more=(0.3, 0.0)), 5.0)
 
 
+def test_a_scale_that_is_nearly_right_fells_no_robot() -> None:
+    """A gyro that showed 0.96 times the motion stood beside a push at 0.89, where a load had gone (7681)."""
+    for shows, fells in ((0.96, False), (1.05, False), (0.7, True), (1.3, True)):
+        assert possible(FaultFit(fault="scale", way="gyro", onset=4.0, size=1 - 1 / shows), 5.0) == fells
+
+
 def test_an_offset_and_a_drift_are_second_causes_of_their_own() -> None:
     """A drift explained more at first beside a battery at 4 % than the offset that was there, which the search by the
     filter then never saw (7677)."""

@@ -22,9 +22,10 @@ something else than a load is needed."""
 LEAST_RADIUS, MOST_RADIUS = 0.05, 0.8  # of its radius, that a wheel loses with its tyre
 WEAK = 0.9  # of its voltage, that a weak battery has left at most: motors differ by as much
 STEEPEST = 0.6  # sine of a slope that robots meet
-SLIGHT = {"ramp": 0.017, "payload": 0.05, "delay": 0.1}
+SLIGHT = {"ramp": 0.017, "payload": 0.05, "delay": 0.1, "scale": 0.1}
 """Of two causes: the sine of a floor that is out of level by a degree, a mass over the body's, to which that is known,
-and a part of a period. No robot falls by less, and errors of its model look like it."""
+a part of a period, and of a reading, also where a scale is the only cause. No robot falls by less, and errors of its
+model look like it."""
 
 
 def possible(fit: FaultFit, fell_at: float) -> bool:
@@ -35,7 +36,7 @@ def possible(fit: FaultFit, fell_at: float) -> bool:
     meets = {
         "weak": fit.size < WEAK,
         "motor": not (fell_at - fit.onset > WITHOUT_TORQUE and fit.way == "both"),
-        "scale": (turned(fit) or fit.size < ALL) and not (stood and wild),
+        "scale": not slight(fit) and (turned(fit) or fit.size < ALL) and not (stood and wild),
         "payload": (-MOST_LOST if fit.more else LIGHTEST) < fit.size < LARGEST_PAYLOAD,
         "friction": fit.size > 0,
         "radius": LEAST_RADIUS < fit.size < MOST_RADIUS,

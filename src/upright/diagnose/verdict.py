@@ -301,7 +301,8 @@ def _none(evidence: Evidence) -> list[Answer]:
     wild = step(math.log(max(best.nis, 1e-9) / (UNSOUND * evidence.calm)), UNSOUND_WIDTH)
     wild *= step(best.nis / evidence.nis - UNSOUND_LEAVES, EXPLAINED_WIDTH)
     answers = [Answer(FACT * max(shaped, wild, badly), NONE, left.onset, of_leftover(evidence, left))]
-    odd = max((fit for fit in evidence.fits if fit.fault in NAMES), key=lambda fit: fit.score, default=best)
+    several = [fit for fit in evidence.fits if fit.fault in NAMES and not slight(fit)]
+    odd = max(several, key=lambda fit: fit.score, default=best)
     if odd is not best and not possible(odd, evidence.fell_at):
         chance = step(odd.score - best.score - ODD, TEMPER) * (1 - unexplained(evidence, odd.nis, odd.fault) / DOUBT)
         text = f"{of_fault(evidence, odd)}, which is more than robots meet: something that acts like it"
