@@ -115,14 +115,14 @@ def runs_of(name: str, true: Robot, seed: int) -> list[Log]:
     return logs
 
 
-def families(name: str, seeds: int) -> None:
+def families(name: str, seeds: Sequence[int], *, plain: bool = False) -> None:
     """How often the robot's own number lies in the interval of what is called visible, of its three runs together and
     of the first alone, where friction, winding and floor differ from run to run; and how often a run is said to differ
-    from the others, where none does and where one has another body."""
+    from the others, where none does and where one has another body. With `plain`, of the three runs together alone."""
     robot = Robot.preset(name)
-    held: dict[str, dict[str, list[bool]]] = {"three runs": {}, "one of them": {}}
+    held: dict[str, dict[str, list[bool]]] = {"three runs": {}} | ({} if plain else {"one of them": {}})
     left_out, apart = 0, {"alike": [], "one is heavier": []}
-    for seed in range(seeds):
+    for seed in seeds:
         true = drawn(robot, seed)
         if ROLLING in robot.provenance:
             true = true.replace(rolling_friction=FLOOR)
@@ -130,26 +130,34 @@ def families(name: str, seeds: int) -> None:
         if any(log.origin["outcome"]["fell"] for log in logs):
             left_out += 1
             continue
-        heavier = runs_of(name, true.replace(body_mass=HEAVIER * true.body_mass), seed)[seed % RUNS]
-        mixed = [heavier if run == seed % RUNS else log for run, log in enumerate(logs)]
-        if not heavier.origin["outcome"]["fell"]:
-            said = calibrate(mixed, robot).apart
-            apart["one is heavier"].append(bool(said) and said[0].startswith(f"Log {seed % RUNS + 1},"))
+        if not plain:
+            heavier = runs_of(name, true.replace(body_mass=HEAVIER * true.body_mass), seed)[seed % RUNS]
+            mixed = [heavier if run == seed % RUNS else log for run, log in enumerate(logs)]
+            if not heavier.origin["outcome"]["fell"]:
+                said = calibrate(mixed, robot).apart
+                apart["one is heavier"].append(bool(said) and said[0].startswith(f"Log {seed % RUNS + 1},"))
         right = truth(name, true) | {"unstable_pole": rolling_pole(true)}
-        for which, several in (("three runs", logs), ("one of them", logs[:1])):
-            found = calibrate(several, robot)
-            if several is logs:
+        for which, inside in held.items():
+            started = time.perf_counter()
+            found = calibrate(logs if which == "three runs" else logs[:1], robot)
+            if which == "three runs":
                 apart["alike"].append(bool(found.apart))
-            for e in (*found.parameters, *found.delays, found["asymmetry"], found["unstable_pole"]):
-                if e.verdict == VISIBLE:
-                    held[which].setdefault(e.name, []).append(e.low <= right[e.name] <= e.high)
+            told = [e for e in (*found.parameters, *found.delays, found["asymmetry"], found["unstable_pole"])
+                    if e.verdict == VISIBLE]  # fmt: skip
+            for e in told:
+                inside.setdefault(e.name, []).append(e.low <= right[e.name] <= e.high)
+            missed = [f"{e.name} {(e.value - right[e.name]) / e.spread:+.1f} deviations"
+                      for e in told if not inside[e.name][-1]]  # fmt: skip
+            print(f"    seed {seed}, {which}: {len(told) - len(missed)} of {len(told)}"
+                  + (f" ({', '.join(missed)})" if missed else "")
+                  + f"; {time.perf_counter() - started:.0f} s", flush=True)  # fmt: skip
     for which, inside in held.items():
         every = [one for several in inside.values() for one in several]
         rate = np.mean(every) if every else math.nan
-        print(f"\n{name}, {which}, {seeds - left_out} robots ({left_out} with a fall left out): truth inside "
+        print(f"\n{name}, {which}, {len(seeds) - left_out} robots ({left_out} with a fall left out): truth inside "
               f"{sum(every)} of {len(every)} intervals, {rate:.1%}")  # fmt: skip
-        missed = {n: f"{len(v) - sum(v)} of {len(v)}" for n, v in inside.items() if not all(v)}
-        print("  missed:", ", ".join(f"{n} {count}" for n, count in missed.items()) or "none", flush=True)
+        missing = {n: f"{len(v) - sum(v)} of {len(v)}" for n, v in inside.items() if not all(v)}
+        print("  missed:", ", ".join(f"{n} {count}" for n, count in missing.items()) or "none", flush=True)
     alike, heavier = (f"{sum(several)} of {len(several)}" for several in apart.values())
     print(f"  a run is said to differ from the others: {alike} where all are alike; the right one in {heavier} where "
           f"its body weighs {HEAVIER:g} times as much", flush=True)  # fmt: skip
@@ -332,6 +340,7 @@ def main() -> None:
     parser.add_argument("--seeds", type=int, default=0, help="logs of each kit for coverage (default: time only)")
     parser.add_argument("--quiet", type=int, default=0, help="the same on logs that nobody excited")
     parser.add_argument("--families", type=int, default=0, help="robots of each kit with three runs that differ")
+    parser.add_argument("--plain", action="store_true", help="of a family, its three runs together and no more")
     parser.add_argument("--first", type=int, default=0, help="the first seed of coverage (default 0)")
     parser.add_argument("--whole", action="store_true", help="run SciPy's fit to its end too (several minutes)")
     parser.add_argument("--untimed", action="store_true", help="leave the timing out")
@@ -347,7 +356,7 @@ def main() -> None:
     for name in asked.robots if asked.quiet else ():
         coverage(name, range(asked.first, asked.first + asked.quiet), quiet=True)
     for name in asked.robots if asked.families else ():
-        families(name, asked.families)
+        families(name, range(asked.first, asked.first + asked.families), plain=asked.plain)
 
 
 if __name__ == "__main__":
