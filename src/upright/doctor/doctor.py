@@ -26,6 +26,7 @@ from upright.doctor import (
     segments,
     sensors,
     speeds,
+    swings,
     time,
     units,
 )
@@ -310,7 +311,7 @@ def _stages(robot: Robot | None) -> list[list[Check]]:
         [partial(units.commands, robot=robot)],
         [estimates.estimates],
         [segments.zero],
-        [sensors.bias, sensors.saturation, sensors.grain, sensors.quiet],
+        [swings.bias, sensors.saturation, sensors.grain, swings.quiet],
         [delays.delays],
         [
             sensors.contaminated,

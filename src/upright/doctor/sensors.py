@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from upright.doctor.finding import (
     BATTERY,
     FORWARD,
-    GAP,
     GYRO,
     LEFT,
     PITCH,
@@ -29,13 +28,7 @@ from upright.doctor.finding import (
 )
 from upright.doctor.fixes import COARSE, levels, stale, switched
 from upright.doctor.physics import motion, smooth, widths
-from upright.doctor.poses import LARGEST_OFFSET, bodily, lean_of
-from upright.doctor.segments import on_wheels
 from upright.logs.outliers import LEVELS, at_range, grain_of, runs, single
-
-QUIET = 0.012
-"""Amplitude of the pitch [rad] below which inertias are hardly identifiable: gravity then gives less torque than
-Coulomb friction in the robots whose friction is known (0.010 N m a motor against MgL of 0.4 to 0.8 N m)."""
 
 COARSE_ENCODER = 0.06  # [rad] a hundred steps a turn, coarser than any motor that balances
 
@@ -266,58 +259,6 @@ def _of_battery(record: Record, name: str) -> Array:
     return record[name] / record[BATTERY]
 
 
-def bias(record: Record) -> list[Finding]:
-    """A gyro whose mean over the longest time on the wheels exceeds what a net change of pitch explains.
-
-    Without poses nobody knows whether the robot was upright, nor in which unit the gyro is.
-    """
-    drifted = drift(record)
-    if drifted is None or abs(drifted[0]) <= drifted[1]:
-        return []
-    mean, limit, span = drifted
-    evidence = f"mean {mean:+.3g} rad/s over {span:.3g} s: a drift of {mean * span:+.3g} rad; plausible: at most "
-    evidence += f"{limit:.2g} rad/s"
-    return [warning("gyro/bias", GYRO, evidence, f"subtract {mean:.4g} rad/s", Fix("offset", (GYRO,), (-mean,)))]
-
-
-def drift(record: Record) -> tuple[float, float, float] | None:
-    """The gyro's mean [rad/s] over the longest time on the wheels, without a known change of lean; the most that is no
-    bias [rad/s]; and how long that time is [s]. None where the robot is nowhere known to be upright."""
-    spans = on_wheels(record)
-    if GYRO not in record or not spans:
-        return None
-    start, stop = max(spans, key=lambda span: span[1] - span[0])
-    whole, record = record, record.rows((record.t >= start) & (record.t < stop))
-    if len(record.t) < 50:
-        return None
-    gyro, span = record[GYRO], float(record.t[-1] - record.t[0])
-    fine = np.isfinite(gyro)
-    step = np.diff(record.t)
-    known = step < GAP * record.period  # the motion within a gap is unknown
-    turned = np.where(fine, gyro, 0.0)[1:] * step - np.diff(_turned(whole, record))
-    mean = float(turned[known].sum() / step[known].sum())
-    lean = min(0.6, 0.1 + 4 * float(_swing(record).std()))
-    unknown = LEFT not in record and abs(mean) > LARGEST_OFFSET  # no rad/s, and nothing tells what
-    return None if unknown else (mean, max(0.02, lean / span), span)
-
-
-def _turned(whole: Record, part: Record) -> Array:
-    """The lean [rad] in the rows of a part of a log, where it is known by another sensor; else zeros."""
-    m = bodily(whole)
-    lean = lean_of(whole, m) if m is not None and m.gyro is not None else None
-    if m is None or lean is None or not lean.absolute:
-        return np.zeros(len(part.t))
-    return np.interp(part.t, m.t, lean.angle)
-
-
-def _swing(record: Record) -> Array:
-    """The pitch [rad] without its slow part, from the gyro."""
-    period = record.period
-    rate = np.where(np.isfinite(record[GYRO]), record[GYRO], 0.0)
-    angle = np.cumsum(rate - rate.mean()) * period
-    return angle - smooth(angle, period, 0.5)
-
-
 def grain(record: Record) -> list[Finding]:
     """The resolution of the encoders, compared with the motion."""
     m = motion(record)
@@ -336,26 +277,6 @@ def grain(record: Record) -> list[Finding]:
         elif noise > 0.3 * rate and name == LEFT:
             findings.append(note("encoder/grain", name, evidence, "take rates over several rows"))
     return findings
-
-
-def quiet(record: Record) -> list[Finding]:
-    """Too little motion to identify an inertia."""
-    swing = amplitude(record)
-    if not 0 < swing < QUIET:
-        return []
-    evidence = f"the pitch amplitude is only {swing:.2g} rad: resolution and friction are as large as the dynamics"
-    name = GYRO if GYRO in record else PITCH
-    return [note("motion/quiet", name, evidence, "add a signal that makes it swing (upright excite), for a model")]
-
-
-def amplitude(record: Record) -> float:
-    """Amplitude of the pitch [rad] on the wheels, without its slow part; 0 where no motion can be read."""
-    m = motion(record)
-    if m is None or m.gyro is None:
-        return 0.0
-    on = record.on_wheels(record.t)
-    swing = _swing(record.changed({GYRO: np.interp(record.t, m.t, m.gyro)}).rows(on))
-    return float(np.sqrt(2)) * float(swing.std())
 
 
 def contaminated(record: Record) -> list[Finding]:

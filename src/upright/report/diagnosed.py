@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from upright.doctor import delays, motion, segments, sensors, time, units
+from upright.doctor import delays, motion, segments, sensors, swings, time, units
 from upright.doctor.doctor import Diagnosis
 from upright.doctor.finding import BALANCING, GYRO, LEFT, RIGHT, STANDING, Finding, Record, moment
 from upright.doctor.physics import LEAST_ROWS
@@ -258,7 +258,7 @@ def _limits(result: Diagnosis) -> dict[str, str]:
         "readings": f"one value for {sensors.STUCK:g} s while others move; a hole; a single odd one",
         "encoder's resolution": f"steps of {sensors.COARSE_ENCODER:g} rad, or as coarse as the motion",
         "limits of motors and gyro": f"{100 * outliers.PILED:g} % of the rows at the largest",
-        "motion": f"an amplitude of the pitch below {sensors.QUIET:g} rad",
+        "motion": f"an amplitude of the pitch below {swings.QUIET:g} rad",
         "falls and slips": f"a fall; {segments.FAR:g} standard deviations off the pendulum equation",
     }  # fmt: skip
 
@@ -271,7 +271,7 @@ def _sound(result: Diagnosis) -> Record | None:
 
 def _drift(result: Diagnosis) -> tuple[float, float, float] | None:
     record = _sound(result)
-    return sensors.drift(record) if record is not None else None
+    return swings.drift(record) if record is not None else None
 
 
 AGREED = {
@@ -300,7 +300,7 @@ def _values(result: Diagnosis) -> dict[str, str]:
             mean = bias[0] if bias else float(gyro.mean())
             values["gyro's bias"] = f"mean {cell_text(mean, 2)} {unit}"
             values["motion"] = f"gyro {cell_text(float(gyro.std()), 2)} {unit} rms"
-    if (sound := _sound(result)) is not None and (swing := sensors.amplitude(sound)):
+    if (sound := _sound(result)) is not None and (swing := swings.amplitude(sound)):
         values["motion"] = f"amplitude of the pitch {cell_text(swing, 2)} rad"
     moved = np.abs(np.diff(record[LEFT])) if LEFT in record else np.zeros(0)
     if (moved > 0).any():
@@ -353,7 +353,7 @@ def _events(result: Diagnosis) -> str:
     before = min((at - result.kept[1] for at in fell if at >= result.kept[1]), default=0.0)
     ahead = f", {cell_text(before, 2)} s before the fall" if before else ""
     text = f"{sentence(what)} No fault lies between {start} and {stop} s{ahead}"
-    swing = sensors.amplitude(sound) if _quiet(result) and (sound := _sound(result)) else 0.0
+    swing = swings.amplitude(sound) if _quiet(result) and (sound := _sound(result)) else 0.0
     return (
         f"{text}; there it swings by only {cell_text(math.degrees(swing), 2)}°, {_TOO_QUIET}." if swing else f"{text}."
     )
