@@ -269,6 +269,7 @@ def _record(table: RawTable, mapping: Mapping) -> Record:
     record = Record(
         t, measured, units | {name: unit for name, unit in table.units.items() if name in measured},
         read={n: s.unit or SPEED * s.integrate for n, s in mapping.channels.items() if s.scale == 1},
+        summed=frozenset(n for n, s in mapping.channels.items() if s.integrate),
     )  # fmt: skip
     if len(t) < FEWEST:
         raise InvalidLog(
@@ -287,10 +288,9 @@ def _record(table: RawTable, mapping: Mapping) -> Record:
     if not any(np.isfinite(x).any() for n, x in measured.items() if n.startswith("sensor/") or n == PITCH):
         read = ", ".join(dict.fromkeys(mapping.channels[n].column for n in measured if n in mapping.channels))
         raise InvalidLog(
-            f"no sensor holds a number, in what is read: {read}",
-            expected="wheel angles, a pitch rate or a tilt",
+            f"no sensor holds a number, in what is read: {read}", expected="wheel angles, a pitch rate or a tilt",
             hint="--write-mapping MINE.toml, and name their columns",
-        )
+        )  # fmt: skip
     return record
 
 

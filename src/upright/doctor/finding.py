@@ -69,7 +69,8 @@ class Record:
 
     It never contains `truth/…`: the doctor reads only what a real robot measures. `segments` are the poses, where they
     are known: the equations of motion hold only on the wheels. `read` are the units in which the columns of the
-    channels were taken to be: `SPEED` where a rate was summed of which nothing says the unit.
+    channels were taken to be: `SPEED` where a rate was summed of which nothing says the unit. The columns of those that
+    are `summed` are rates.
     """
 
     t: Array
@@ -77,6 +78,7 @@ class Record:
     units: Mapping[str, str] = field(default_factory=dict[str, str])
     segments: tuple[Segment, ...] = ()
     read: Mapping[str, str] = field(default_factory=dict[str, str])
+    summed: frozenset[str] = frozenset()
 
     def __contains__(self, name: str) -> bool:
         return name in self.channels

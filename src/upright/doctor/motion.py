@@ -18,6 +18,7 @@ from upright.doctor.physics import (
     smooth,
     widths,
 )
+from upright.doctor.swings import rests
 
 TRUSTED = 0.6
 """R² above which an equation is taken to hold; on measured logs the correct hypothesis reaches 0.75 to 0.99."""
@@ -30,7 +31,7 @@ LASTING = 0.25  # of it, in the next row
 def kinds(record: Record) -> list[Finding]:
     """An angle logged instead of a rate, or a rate instead of an angle."""
     m = motion(record)
-    if m is None or m.gyro is None or m.gyro_name != GYRO or not _moves(m):
+    if m is None or m.gyro is None or m.gyro_name != GYRO or not _moves(m) or rests(record):
         return []
     plain = m.law
     other = pendulum(m, m.wheel, gyro_order=1)
@@ -67,7 +68,7 @@ def signs(record: Record) -> list[Finding]:
     together is the same robot with its front and back exchanged, and no fault.
     """
     m = motion(record)
-    if m is None or not _moves(m):
+    if m is None or not _moves(m) or rests(record):
         return []
     wheels = _against_gyro(m)
     drive = _against_command(m, wheels)

@@ -159,7 +159,7 @@ def _moving(values: Array) -> float:
     return float(squares.sum() ** 2 / (squares @ squares)) if most > 0 else 0.0
 
 
-def _regress(y: Array, X: Array, positive: bool) -> tuple[Array, float, NDArray[Any]]:
+def trimmed(y: Array, X: Array, positive: bool = False) -> tuple[Array, float, NDArray[Any]]:
     """Trimmed least squares with an intercept, R² on the rows kept, and these rows."""
     keep = np.ones(len(y), dtype=bool)
     values, r2 = np.zeros(X.shape[1]), 0.0
@@ -202,12 +202,12 @@ def lagged(
         return _r_squared(target[kept], np.stack(columns, axis=2), positive)
 
     best = int(shifts[int(np.argmax(quick(rows)))])
-    keep = _regress(target[rows], design(best), positive)[2]
+    keep = trimmed(target[rows], design(best), positive)[2]
     r2s = quick(rows[keep])
     i = int(np.argmax(r2s))
     part = _vertex(r2s, i)
     X = design(int(shifts[i]))
-    values, r2, _ = _regress(target[rows], X, positive)
+    values, r2, _ = trimmed(target[rows], X, positive)
     if _moving((X - X.mean(axis=0)) @ values) * m.period < _LEAST_KERNELS * width:
         return LaggedFit((), 0.0)
     left_over = 1 - r2s[[j for j in (i - 2, i, i + 2) if 0 <= j < len(r2s)]]

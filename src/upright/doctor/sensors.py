@@ -93,7 +93,8 @@ def joined(record: Record) -> list[Finding]:
     steps = np.abs(np.diff(np.column_stack([record[LEFT], record[RIGHT]]), axis=0))
     if not np.isfinite(steps).all():
         return []
-    usual = np.maximum(np.quantile(steps, 0.995, axis=0), [grain_of(record[name]) for name in (LEFT, RIGHT)])
+    grains = [max(grain_of(record[name]), COARSE_ENCODER / _JUMP) for name in (LEFT, RIGHT)]
+    usual = np.maximum(np.quantile(steps, 0.995, axis=0), grains)
     rows = np.flatnonzero((steps > _JUMP * usual).all(axis=1) & (np.diff(record.t) < 5 * record.period)) + 1
     if not 0 < len(rows) <= _JUMPS:
         return []
@@ -260,12 +261,12 @@ def _of_battery(record: Record, name: str) -> Array:
 
 
 def grain(record: Record) -> list[Finding]:
-    """The resolution of the encoders, compared with the motion."""
+    """The resolution of the encoders, compared with the motion; a rate that was summed shows none."""
     m = motion(record)
     findings: list[Finding] = []
     for name, values in ((LEFT, m.left), (RIGHT, m.right)) if m is not None else ():
         step = grain_of(record[name])
-        if m is None or step <= 0:
+        if m is None or step <= 0 or name in record.summed:
             continue
         alike = ", both encoders" if abs(grain_of(record[RIGHT]) - grain_of(record[LEFT])) < 0.01 * step else ""
         rate = float(smooth(values, m.period, widths(m.period)[0], 1).std())

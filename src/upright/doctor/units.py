@@ -42,6 +42,7 @@ from upright.doctor.finding import (
 from upright.doctor.motion import TRUSTED
 from upright.doctor.physics import Resampled, lagged, motion, smooth, widths
 from upright.doctor.poses import LARGEST_OFFSET
+from upright.doctor.swings import rests
 from upright.logs.outliers import grain_of
 from upright.logs.units import UNITS
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
@@ -132,7 +133,7 @@ def scales(record: Record, robot: Robot | None = None) -> list[Finding]:
     if m is None or m.gyro is None or m.gyro_name != GYRO:
         return whole_numbers(record, "this motion does not tell which" if GYRO in record else "no gyro tells which")
     fit = m.law
-    if fit.r2 < TRUSTED or min(fit.values, default=0.0) <= 0:
+    if fit.r2 < TRUSTED or min(fit.values, default=0.0) <= 0 or rests(record):
         return _of_no_unit(record, m.good, m.gyro)
     return _scaled(record, robot, m, fit.values)
 
@@ -204,6 +205,7 @@ def _usual(
     return all(abs(math.log(x) - usual[name][0]) < spreads * usual[name][1] for name, x in values.items())
 
 
+_TURNED = 1.5  # [rad] from lean to lean, of a robot that swings as widely as TWIPR does in a log of a second or two
 _FASTEST = 35.0  # [rad/s] 2000 degrees per second, the largest range of the chips that people use
 
 
@@ -212,8 +214,9 @@ def _of_no_unit(record: Record, on: Mask, gyro: Array) -> list[Finding]:
     mean or largest reading no gyro in rad/s has."""
     findings = whole_numbers(record, "this motion does not tell which")
     mean, most = float(gyro[on].mean()), float(np.abs(gyro).max())
-    if abs(mean) > LARGEST_OFFSET or most > _FASTEST:
-        shown = f"its mean is {mean:.3g}" if abs(mean) > LARGEST_OFFSET else f"it reaches {most:.3g}"
+    offset = LARGEST_OFFSET + _TURNED / (float(on.mean() * (record.t[-1] - record.t[0])) or math.inf)
+    if abs(mean) > offset or most > _FASTEST:
+        shown = f"its mean is {mean:.3g}" if abs(mean) > offset else f"it reaches {most:.3g}"
         evidence = f"{shown}, as no gyro in rad/s: another unit, and this motion does not tell which"
         findings.append(error("units/counts", GYRO, evidence, "state unit and scale in a mapping: deg/s, …"))
     return findings
