@@ -6,6 +6,7 @@ import importlib.util
 import math
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 
@@ -269,6 +270,19 @@ def test_ev3way(shared: Path) -> None:
     assert fall is not None
     assert 7.2 < fall[0] < 8.2  # its authors use t < 7.4 s, the log ends at 8.24 s
     assert all(f.severity != "error" for f in diagnosis.findings)
+
+
+@pytest.mark.needs("shared/data/twipr/run1.csv")
+@pytest.mark.parametrize("log", ["twipr/run1.csv", "ev3way/nn_v17_005.csv", "ev3way/nn_v7_000.csv", MEASURED["regbot"]])
+@pytest.mark.parametrize("rows", [140, 400])
+def test_a_real_log_that_is_cut_anywhere_has_no_wrong_sign_unit_or_offset(shared: Path, log: str, rows: int) -> None:
+    """Whole, none of these logs has one: their authors balanced with these readings. 140 rows are 1.4 to 2.1 s."""
+    table = read_table(shared / "data" / log)
+    for first in range(0, len(table) - rows, rows // 2):
+        cut = replace(table, columns={name: x[first : first + rows] for name, x in table.columns.items()})
+        codes = doctor(cut, robot="ev3way-large-wheels" if "ev3" in log else None).codes()
+        false = [code for code in codes if code.startswith(("gyro/bias", "motion/f", "motion/d", "units/", "encoder/"))]
+        assert not false, (first, false)
 
 
 @pytest.mark.needs("shared/data/ev3way/tilt_000.csv")

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from upright.doctor.delays import CLEAR
 from upright.doctor.finding import COMPASS, GYRO, LEFT, RIGHT, Array, Finding, Fix, Record, error
 from upright.doctor.physics import (
     LaggedFit,
@@ -25,6 +26,7 @@ TRUSTED = 0.6
 
 MARGIN = 0.2  # margin in R² by which another hypothesis must exceed that of the log as it stands
 SURE = 8.0  # t-value of a clear response
+_AS_WELL = 2.0  # times what the better fit leaves: of 1.4 s of a real log one with q < 0 may leave a little less
 LASTING = 0.25  # of it, in the next row
 
 
@@ -94,7 +96,8 @@ def _against_gyro(m: Resampled) -> _Wheels:
         return _Wheels(0, 0, 0.0, 0.0)
     if best is pair[1]:
         both = _direction(best)
-        return _Wheels(both, both, best.r2, best.values[0])
+        alike = both < 0 and 1 - pendulum(m, m.wheel, positive=True).r2 < _AS_WELL * (1 - best.r2)
+        return _Wheels(0, 0, 0.0, 0.0) if alike else _Wheels(both, both, best.r2, best.values[0])
     if pair[-1].r2 < pair[1].r2 + MARGIN:
         return _Wheels(0, 0, 0.0, 0.0)
     left = _direction(best)
@@ -138,7 +141,8 @@ def _against_command(m: Resampled, wheels: _Wheels) -> _Drive:
         return _Drive(0, 0, "") if against else answer
     best = max(fits, key=lambda side: fits[side].r2)
     plain = fits[1, 1].r2
-    if fits[best].r2 < TRUSTED or (best != (1, 1) and fits[best].r2 < plain + MARGIN):
+    least = TRUSTED if best[0] == best[1] else CLEAR  # what turns alone is little, and its equation leaves out the gyro
+    if fits[best].r2 < least or (best != (1, 1) and fits[best].r2 < plain + MARGIN):
         return _Drive(0, 0, "")
     return _Drive(
         *best, f"the motor equation fits with R² {fits[best].r2:.2f} with the sign changed, {plain:.2f} as logged"

@@ -251,10 +251,10 @@ def _vertex(r2s: Array, i: int) -> float:
     return 0.5 * (a - c) / (a - 2 * b + c) if a - 2 * b + c < 0 else 0.0
 
 
-def pendulum(m: Resampled, wheel: Array, *, gyro_order: int = 0) -> LaggedFit:
+def pendulum(m: Resampled, wheel: Array, *, gyro_order: int = 0, positive: bool = False) -> LaggedFit:
     """q and p of δ⃛ = −q ψ⃛ + p ψ̇, and the delay of the gyro behind the wheel [s].
 
-    `gyro_order=1` reads the gyro's channel as an angle.
+    `gyro_order=1` reads the gyro's channel as an angle; `positive` gives the best fit of a robot, q and p ≥ 0.
     """
     fits: list[LaggedFit] = []
     assert m.gyro is not None
@@ -262,7 +262,7 @@ def pendulum(m: Resampled, wheel: Array, *, gyro_order: int = 0) -> LaggedFit:
         target = smooth(wheel, m.period, width, 3)
         change = -smooth(m.gyro, m.period, width, 2 + gyro_order)
         level = smooth(m.gyro, m.period, width, gyro_order)
-        fits.append(lagged(m, width, target, [change, level], []))
+        fits.append(lagged(m, width, target, [change, level], [], positive=positive))
     return max(fits, key=lambda fit: fit.r2)
 
 

@@ -108,6 +108,8 @@ _USUAL = {
     "grain": (math.log(math.tau / 700), 1.3),
 }
 
+_SHORTER = {"q": 1.2, "p": 1.2, "back_emf": 2.4}
+"""[s] over the length of a log: the deviation of the logarithms of what is estimated from a short part of real logs."""
 _SAME_STEP = 0.02  # of a degree: a step that is one
 _FINEST = math.tau / 20000  # [rad] a step of an encoder; smaller ones are of numbers that were computed from it
 
@@ -142,8 +144,10 @@ def _scaled(record: Record, robot: Robot | None, m: Resampled, values: tuple[flo
     """The likeliest mistake where the pendulum equation holds with these values, or counts of which nobody knows what
     one is."""
     assert m.gyro is not None
-    usual = expected(robot)
+    doubt = 1 / (float(m.good.sum()) * m.period)
+    usual = {n: (at, math.hypot(s, _SHORTER.get(n, 0.0) * doubt)) for n, (at, s) in expected(robot).items()}
     estimated, units = _estimated(record, m, values), command_units(record)
+    estimated["most q"] = estimated["q"] * math.exp(_SHORTER["q"] * doubt)
     by_gravity = _gyro_by_gravity(record, m)
     by_pitch = _gyro_by_pitch(record, m)
 
@@ -287,8 +291,7 @@ def _penalty(
         centre, spread = usual["back_emf"]
         volts = [(u.prior, math.log(estimated["back_emf"] * wheel / u.factor)) for u in units]
         total += min(prior + ((value - centre) / spread) ** 2 / 2 for prior, value in volts)
-    if estimated["q"] / divide["q"] < 1.0:
-        total += 20 * (1 - estimated["q"] / divide["q"])  # masses are positive: q > 1
+    total += 20 * max(1 - estimated["most q"] / divide["q"], 0.0)  # masses are positive: q > 1
     total += 0.0 if _fine(estimated, s) else 8.0
     if gravity:
         total += (math.log(abs(gravity) / gyro) / 0.3) ** 2 / 2
