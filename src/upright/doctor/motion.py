@@ -24,6 +24,7 @@ from upright.doctor.swings import rests
 TRUSTED = 0.6
 """R² above which an equation is taken to hold; on measured logs the correct hypothesis reaches 0.75 to 0.99."""
 
+ONE_WHEEL = 0.8  # the same where it holds of one wheel against the other, as a robot that turns on the spot may show
 MARGIN = 0.2  # margin in R² by which another hypothesis must exceed that of the log as it stands
 SURE = 8.0  # t-value of a clear response
 _AS_WELL = 2.0  # times what the better fit leaves: of 1.4 s of a real log one with q < 0 may leave a little less
@@ -98,7 +99,7 @@ def _against_gyro(m: Resampled) -> _Wheels:
         both = _direction(best)
         alike = both < 0 and 1 - pendulum(m, m.wheel, positive=True).r2 < _AS_WELL * (1 - best.r2)
         return _Wheels(0, 0, 0.0, 0.0) if alike else _Wheels(both, both, best.r2, best.values[0])
-    if pair[-1].r2 < pair[1].r2 + MARGIN:
+    if best.r2 < ONE_WHEEL or pair[-1].r2 < pair[1].r2 + MARGIN:
         return _Wheels(0, 0, 0.0, 0.0)
     left = _direction(best)
     return _Wheels(left, -left, best.r2, best.values[0])
