@@ -33,8 +33,8 @@ def bias(record: Record) -> list[Finding]:
         return []
     mean, limit, span = drifted
     start, stop = _longest(on_wheels(record))
-    seen = _by_wheels(record, start, stop)
-    if seen is not None and abs(seen[0]) <= limit and abs(mean - seen[0]) > _APART * seen[1]:
+    measured = _by_wheels(record, start, stop)
+    if measured is not None and abs(measured[0]) <= limit and abs(mean - measured[0]) > _APART * measured[1]:
         return []
     evidence = f"mean {mean:+.3g} rad/s over {span:.3g} s: a drift of {mean * span:+.3g} rad; plausible: at most "
     evidence += f"{limit:.2g} rad/s"
