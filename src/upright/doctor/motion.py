@@ -39,7 +39,8 @@ def kinds(record: Record) -> list[Finding]:
     plain = m.law
     other = pendulum(m, m.wheel, gyro_order=1)
     as_logged = plain.r2 if _direction(plain) else 0.0
-    if not plain.values or other.r2 < max(TRUSTED, plain.r2) or not _direction(other) or other.r2 < as_logged + MARGIN:
+    least = max(TRUSTED if as_logged < TRUSTED else CLEAR, as_logged + MARGIN, plain.r2)
+    if not plain.values or other.r2 < least or not _direction(other):
         return []  # as logged it fits better, though a wheel that friction holds may hide what gravity does
     shown = f"fit the pendulum equation (R² {other.r2:.2f})"
     if _wheel_is_rate(m):
