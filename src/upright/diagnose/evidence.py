@@ -36,7 +36,7 @@ from upright.diagnose.fall import (
 from upright.diagnose.fault_fits import CORRELATED, FaultFit, fits, gainable, spared, with_commands
 from upright.diagnose.forces import forced, refined
 from upright.diagnose.hidden import hidden_fall, mis_scaled, mis_scaled_angles, sooner, unseen
-from upright.diagnose.innovations import FilterRun, follow
+from upright.diagnose.innovations import FilterRun, follow, followed_on
 from upright.diagnose.joint import each_alone, pairs_settled, settled
 from upright.diagnose.law import CommandMatch, matched, references
 from upright.diagnose.measured import Demand, MotorUse, Toppling
@@ -170,8 +170,9 @@ def gather(
     throw, fallen = thrown(log, robot, kit, float(log.t[-1])), last_fall(log) is not None
     gone = throw is not None and throw.lost
     blind = _blind(stuck_sensor(log, kit, float(log.t[-1])))  # nothing balances while its gyro stands still
-    whole = on_even_clock(follow(log if fallen or gone or blind else on_its_wheels(log)[0], robot, kit))
-    log, fell_at, run = whole.log if fallen or gone or blind else log, fall_time(whole), thinned(whole)
+    falls = fallen or gone or blind
+    whole = on_even_clock(follow(log, robot, kit) if falls else followed_on(on_its_wheels(log)[0], robot, kit))
+    log, fell_at, run = whole.log if falls else log, fall_time(whole), thinned(whole)
     if throw is not None and gone and (fell_at is None or fell_at < throw.start):
         fell_at, fallen = float(log.t[-1]), True
     if fell_at is None and blind:
@@ -234,8 +235,7 @@ def _sound_until(
     if at is None or (explained and (throw is None or throw.start < at)) or (run.log.t < at).sum() < FEWEST:
         return None
     part = window_of(run, at)
-    before = part.bank(run, pushes_only=False)
-    sound = fits(before)
+    sound = fits(before := part.bank(run, pushes_only=False))
     return (part, before, sound) if not _unexplained(sound, before, part.usual) else None
 
 
