@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 WITH_FRICTION = "friction counted as damping"
+STABLE = "a stable model, which is wrong, since a two-wheeled robot falls"
 """Which pole a linear model has: it has no dry friction, only a damping that brakes alike at the rates of its log."""
 
 
@@ -85,10 +86,11 @@ class Identified(Shown):
 
     def __str__(self) -> str:
         p = self.pole
-        lines = [
-            f"{self.method} from {self.samples} samples of {self.source}: "
-            f"unstable pole {p.value:.3g} 1/s {interval(p)}, {WITH_FRICTION}"
-        ]
+        head = f"{self.method} from {self.samples} samples of {self.source}: "
+        if p.value <= 0:  # this comes first, and what the numbers of such a model are worth follows from it
+            notes = [note.removeprefix(f"This is {STABLE}. ") for note in self.notes]
+            return "\n".join([f"{head}{STABLE}", f"its slowest pole is {p.value:.3g} 1/s {interval(p)}", *notes])
+        lines = [f"{head}unstable pole {p.value:.3g} 1/s {interval(p)}, {WITH_FRICTION}"]
         lines += [free for free in (p.in_words(),) if free]
         if np.isfinite(p.bias):
             lines.append(f"bias on repeated logs {p.bias:+.2g} ± {2 * p.bias_error:.1g} 1/s")

@@ -11,7 +11,7 @@ import numpy as np
 
 from upright.atomic import finite
 from upright.errors import UprightError, check_within
-from upright.identify.identified import WITH_FRICTION, Identified, assembled, interval
+from upright.identify.identified import STABLE, WITH_FRICTION, Identified, assembled, interval
 from upright.identify.judge import Judge, LoopTrial, judge_of, loop_trial
 from upright.identify.methods import IDENTIFIERS, find_identifier
 from upright.identify.order import OrderChoice
@@ -108,6 +108,7 @@ def _beside(ax: Axes, poles: Sequence[Pole]) -> None:
 COLUMN = 1.2  # [inches] for the numbers of an interval
 
 
+ELSE = "`upright calibrate` knows dead times, dry friction and the limits of motors, which no linear model has."
 OF_NOISE = (
     "The interval holds the scatter of noise. Dry friction and dead zones are in no linear model, and may move the "
     "pole further: `upright calibrate` knows them."
@@ -136,7 +137,7 @@ def identify_one(study: Study, method: str) -> Identified:
     data = study.samples
     fit = find_identifier(method)(study)
     model, dA, dB = assembled(fit.halves, fit.deviations)
-    stable = ("This model is stable; a two-wheeled robot falls, so it is wrong.",)
+    stable = (f"This is {STABLE}. {ELSE}",)
     of_noise = (OF_NOISE,) if data.source == "sensors" and method != "calibrate" and np.isfinite(fit.pole.low) else ()
     return Identified(
         method=method, model=model, a_deviation=dA, b_deviation=dB, pole=fit.pole, halves=fit.halves,
