@@ -41,6 +41,9 @@ TOGETHER = 1.0
 """Deviations to which the other numbers fit where one alone is wrong: right ones were off by 0.6 at most, and with a
 second wrong one by 1.4 and 1.9. Where they do not, all are doubted."""
 NATURE = ("gravity",)  # which no file gets wrong by more than its spread
+HEADING = "compass"
+"""The sensor without which a log tells the track by what turning costs alone, as it does the yaw inertia: the floor's
+friction against a wheel that turns on the spot, which no equation here has, would then be an error of the track."""
 
 
 class Freed(NamedTuple):
@@ -178,7 +181,7 @@ def _single(fit: Fitted, search: Searching) -> list[Freed]:
     stated = {p.name: p for p in problem.parameters}
     tries: list[Freed] = []
     for p in problem.asked:
-        if p.name in PARAMETERS and p.prior > 0 and p.name not in {*problem.held, *NATURE, *LOSSES}:
+        if p.name in PARAMETERS and p.prior > 0 and p.name not in {*_unjudged(problem), *NATURE, *LOSSES}:
             far = replace(p, spread=FAR * p.prior, scale="logarithm", guess=True)
             tries.append(_alone(problem, {**stated, p.name: far}, z, normal.bowls, p.name))
     tries.sort(key=lambda one: -one.nats)
@@ -217,7 +220,7 @@ def _credible(fit: Fitted, stated: Mapping[str, Parameter]) -> list[Freed]:
     problem, z = _freed(fit.problem, stated, fit.z, ())
     z = _down(problem, z, bowls)
     least = _nats(problem, z, bowls) + LIKELIER
-    names = [p.name for p in problem.asked if _of_file(p) and p.name not in problem.held]
+    names = [p.name for p in problem.asked if _of_file(p) and p.name not in _unjudged(problem)]
     guesses = {n: as_guess(problem.robot, stated[n]) for n in names}
     tries = [_alone(problem, {**stated, n: guess}, z, bowls, n) for n, guess in guesses.items()]
     agree = [one for one in tries if one.nats > least and _agrees(one.problem, one.z)]
@@ -225,6 +228,11 @@ def _credible(fit: Fitted, stated: Mapping[str, Parameter]) -> list[Freed]:
     weights = np.exp([one.nats - ordered[0].nats for one in ordered])
     before = np.cumsum(weights) - weights
     return [one for one, likelier in zip(ordered, before, strict=True) if likelier < CREDIBLE * weights.sum()]
+
+
+def _unjudged(problem: Problem) -> frozenset[str]:
+    """The numbers of which a log cannot say that they alone are wrong."""
+    return problem.held if HEADING in problem.delays else problem.held | {"track"}
 
 
 def _most(problem: Problem, z: Array) -> float:
