@@ -184,10 +184,10 @@ def followed_on(log: Log, robot: Robot, kit: Kit) -> FilterRun:
     row is not known."""
     run = follow(log, robot, kit)
     for _ in range(LATER_STARTS):
-        later = log.between(log.t[0] + AT_ONCE, math.inf)
-        if run.t[-1] >= later.t[0] or len(later) < FEWEST:
+        rest = log.between(log.t[0] + AT_ONCE, math.inf)
+        if run.t[-1] >= rest.t[0] or len(rest) < FEWEST:
             break
-        log, run = later, follow(later, robot, kit)
+        log, run = rest, follow(rest, robot, kit)
     return run
 
 

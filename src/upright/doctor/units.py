@@ -291,7 +291,7 @@ def _penalty(
         centre, spread = usual["back_emf"]
         volts = [(u.prior, math.log(estimated["back_emf"] * wheel / u.factor)) for u in units]
         total += min(prior + ((value - centre) / spread) ** 2 / 2 for prior, value in volts)
-    total += 20 * max(1 - estimated["most q"] / divide["q"], 0.0)  # masses are positive: q > 1
+    total += 20 * max(1 - estimated.get("most q", estimated["q"]) / divide["q"], 0.0)  # masses are positive: q > 1
     total += 0.0 if _fine(estimated, s) else 8.0
     if gravity:
         total += (math.log(abs(gravity) / gyro) / 0.3) ** 2 / 2
