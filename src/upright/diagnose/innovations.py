@@ -42,7 +42,7 @@ FULL_RANGE = 0.98  # of a sensor's range: a reading beyond it is clipped and say
 INPUTS = ("left", "right", "force", "moment")
 """What can enter between two events: command errors of both motors, a force at the axle [N], a moment [N m]."""
 
-AT_ONCE, LATER_STARTS = 0.1, 10  # [s] from the first row, and how many rows that far apart are tried as the first
+AT_ONCE, FIRST_ROWS = 0.1, 10  # [s] from the first row, and how many rows that far apart are tried as the first
 IN_TIME = (math.inf, 0.0, 0.0)
 """No commands and no readings that are late."""
 
@@ -183,7 +183,7 @@ def followed_on(log: Log, robot: Robot, kit: Kit) -> FilterRun:
     """`follow`, from later on where the filter loses at once a robot that does not fall: how fast it moves in its first
     row is not known."""
     run = follow(log, robot, kit)
-    for _ in range(LATER_STARTS):
+    for _ in range(FIRST_ROWS):
         rest = log.between(log.t[0] + AT_ONCE, math.inf)
         if run.t[-1] >= rest.t[0] or len(rest) < FEWEST:
             break
