@@ -581,7 +581,6 @@ def test_no_fault_is_named_by_a_model_that_does_not_describe_the_robot(shared: P
 
 
 @pytest.mark.slow
-@pytest.mark.long
 @pytest.mark.needs("shared/data/ev3way/tilt_000.csv")
 def test_a_part_of_a_real_log_that_begins_in_motion_is_no_fall(shared: Path) -> None:
     """Its robot balances until 7.4 s. From the first rows of this part the filter loses it within 0.05 s."""
@@ -589,6 +588,8 @@ def test_a_part_of_a_real_log_that_begins_in_motion_is_no_fall(shared: Path) -> 
     assert not post_mortem(part, Robot.preset("ev3way-large-wheels")).fell
 
 
+@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.needs("shared/data/ev3way/tilt_000.csv")
 def test_a_planted_fault_is_found_in_the_noise_of_a_real_robot(shared: Path) -> None:
     """The robot's own noise is learnt up to 6.5 s; from 7 s on its left command is logged with the wrong sign. Without

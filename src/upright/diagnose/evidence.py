@@ -220,8 +220,8 @@ def gather(
 def _beside_pushes(run: FilterRun, window: Window, foreign: bool) -> tuple[Bank, list[FaultFit]]:
     """A window's bank and fits: pushes alone by the equations of motion, since linear ones leave more."""
     several = fits(bank := window.bank(run, pushes_only=foreign))
-    usual = [one for one in several if foreign or one.fault != "none"]
-    return bank, usual if foreign else [*usual, refined(run, _pushes_only(several), window, bank)]
+    others = [one for one in several if one.fault != "none"]
+    return bank, several if foreign else [*others, refined(run, _pushes_only(several), window, bank)]
 
 
 def _sound_until(

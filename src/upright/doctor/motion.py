@@ -27,8 +27,8 @@ TRUSTED = 0.6
 ONE_WHEEL = 0.8  # the same where it holds of one wheel against the other, as a robot that turns on the spot may show
 MARGIN = 0.2  # margin in R² by which another hypothesis must exceed that of the log as it stands
 SURE = 8.0  # t-value of a clear response
-_AS_WELL = 2.0  # times what the better fit leaves: of 1.4 s of a real log one with q < 0 may leave a little less
 LASTING = 0.25  # of it, in the next row
+_AS_WELL = 2.0  # times what the better fit leaves: of 1.4 s of a real log one with q < 0 may leave a little less
 
 
 def kinds(record: Record) -> list[Finding]:

@@ -25,24 +25,46 @@ _APART = 2.0  # deviations by which a bias that the wheels tell contradicts the 
 def bias(record: Record) -> list[Finding]:
     """A gyro whose mean over the longest time on the wheels exceeds what a net change of pitch explains.
 
-    Without poses nobody knows whether the robot was upright, nor in which unit the gyro is. Where the wheels tell of
-    less bias, the body did turn: as in a swing or a fall that the log's end cuts.
+    Without poses nobody knows whether the robot was upright, nor in which unit the gyro is.
     """
     drifted = drift(record)
     if drifted is None or abs(drifted[0]) <= drifted[1]:
         return []
     mean, limit, span = drifted
-    start, stop = _longest(on_wheels(record))
-    measured = _by_wheels(record, start, stop)
-    if measured is not None and abs(measured[0]) <= limit and abs(mean - measured[0]) > _APART * measured[1]:
-        return []
     evidence = f"mean {mean:+.3g} rad/s over {span:.3g} s: a drift of {mean * span:+.3g} rad; plausible: at most "
     evidence += f"{limit:.2g} rad/s"
     return [warning("gyro/bias", GYRO, evidence, f"subtract {mean:.4g} rad/s", Fix("offset", (GYRO,), (-mean,)))]
 
 
-def _longest(spans: list[tuple[float, float]]) -> tuple[float, float]:
-    return max(spans, key=lambda span: span[1] - span[0])
+def drift(record: Record) -> tuple[float, float, float] | None:
+    """The gyro's mean [rad/s] over the longest time on the wheels, without a known change of lean; the most that is no
+    bias [rad/s]; and how long that time is [s]. None where the robot is nowhere known to be upright.
+
+    Where the mean is more than that, and the wheels tell of less, the body did turn, as in a swing or a fall that the
+    log's end cuts: the bias is then theirs.
+    """
+    spans = on_wheels(record)
+    if GYRO not in record or not spans:
+        return None
+    start, stop = max(spans, key=lambda span: span[1] - span[0])
+    whole, record = record, record.rows((record.t >= start) & (record.t < stop))
+    if len(record.t) < 50:
+        return None
+    gyro, span = record[GYRO], float(record.t[-1] - record.t[0])
+    fine = np.isfinite(gyro)
+    step = np.diff(record.t)
+    known = step < GAP * record.period  # the motion within a gap is unknown
+    turned = np.where(fine, gyro, 0.0)[1:] * step - np.diff(_turned(whole, record))
+    mean = float(turned[known].sum() / step[known].sum())
+    lean = min(_LEANS, 0.1 + 4 * float(_swing(record).std())) if span > _BRIEF else _LEANS
+    unknown = LEFT not in record and abs(mean) > LARGEST_OFFSET  # no rad/s, and nothing tells what
+    if unknown:
+        return None
+    limit = max(0.02, lean / span)
+    measured = _by_wheels(whole, start, stop) if abs(mean) > limit else None
+    if measured is not None and abs(measured[0]) <= limit and abs(mean - measured[0]) > _APART * measured[1]:
+        mean = measured[0]
+    return mean, limit, span
 
 
 def _by_wheels(record: Record, start: float, stop: float) -> tuple[float, float] | None:
@@ -70,27 +92,6 @@ def _by_wheels(record: Record, start: float, stop: float) -> tuple[float, float]
     parts = np.array_split(rows, _PARTS)
     less = np.array([fitted(np.concatenate([*parts[:i], *parts[i + 1 :]])) for i in range(_PARTS)])
     return fitted(rows), float(np.sqrt((_PARTS - 1) * less.var()))
-
-
-def drift(record: Record) -> tuple[float, float, float] | None:
-    """The gyro's mean [rad/s] over the longest time on the wheels, without a known change of lean; the most that is no
-    bias [rad/s]; and how long that time is [s]. None where the robot is nowhere known to be upright."""
-    spans = on_wheels(record)
-    if GYRO not in record or not spans:
-        return None
-    start, stop = _longest(spans)
-    whole, record = record, record.rows((record.t >= start) & (record.t < stop))
-    if len(record.t) < 50:
-        return None
-    gyro, span = record[GYRO], float(record.t[-1] - record.t[0])
-    fine = np.isfinite(gyro)
-    step = np.diff(record.t)
-    known = step < GAP * record.period  # the motion within a gap is unknown
-    turned = np.where(fine, gyro, 0.0)[1:] * step - np.diff(_turned(whole, record))
-    mean = float(turned[known].sum() / step[known].sum())
-    lean = min(_LEANS, 0.1 + 4 * float(_swing(record).std())) if span > _BRIEF else _LEANS
-    unknown = LEFT not in record and abs(mean) > LARGEST_OFFSET  # no rad/s, and nothing tells what
-    return None if unknown else (mean, max(0.02, lean / span), span)
 
 
 def _turned(whole: Record, part: Record) -> Array:

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-WITH_FRICTION = "friction counted as damping"
 STABLE = "a stable model, which is wrong, since a two-wheeled robot falls"
+WITH_FRICTION = "friction counted as damping"
 """Which pole a linear model has: it has no dry friction, only a damping that brakes alike at the rates of its log."""
 
 
