@@ -167,7 +167,7 @@ def test_a_sketch_is_executed_with_the_pins_that_it_names(sketch: tuple[Path, Fi
     """Motors on other pins, encoders on each other's, a gyro the other way round: the same duties."""
     text = sketch[0].read_text("utf-8")
     pins = {"LEFT_ENCODER_A": 3, "RIGHT_ENCODER_A": 2, "LEFT_ENCODER_B": 12, "RIGHT_ENCODER_B": 17, "LEFT_PWM": 11}
-    for name, pin in (pins | {"LEFT_BACK": 8, "GYRO_SIGN": -1}).items():
+    for name, pin in (pins | {"LEFT_BACK": 8, "LEFT_FORWARD": 5, "RIGHT_FORWARD": 7, "GYRO_SIGN": -1}).items():
         old = next(line for line in text.splitlines() if line.startswith(f"#define {name} "))
         text = text.replace(old, f"#define {name} {pin}")
     other = tmp_path / "other.ino"

@@ -31,6 +31,7 @@ from upright.errors import InvalidController, SpecMismatch, UnknownName
 from upright.firmware import TARGETS, generate, head, trace
 from upright.firmware.generate import TEXTS, _facts
 from upright.firmware.setup import FALLEN, TOO_FAR
+from upright.firmware.sketch_wiring import sketch_wiring
 from upright.fleet.binomial import upper_bound
 from upright.robots import Kit, Robot
 from upright.robots.facts import kit_facts, robot_facts
@@ -116,7 +117,8 @@ def without_comments(source: Path) -> str:
 def written_as(program: Program, options: Mapping[str, Any]) -> dict[str, str]:
     """The files of a program that `generate` would make of `program`."""
     facts = _facts(program, options.get("number", TARGETS[program.target].numbers[0]), None)
-    return TEXTS[program.target](program, {**facts, "hub": options.get("hub", "prime"), "seconds": 60})
+    more = {"hub": options.get("hub", "prime"), "seconds": 60, "wiring": sketch_wiring(NXT)}
+    return TEXTS[program.target](program, {**facts, **more})
 
 
 @pytest.mark.parametrize("name", ["lqr", "lqi", "lqg", "pid", "hinf", "sliding"])

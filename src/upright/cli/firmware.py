@@ -52,10 +52,11 @@ def firmware(
     from upright.control.permit import permitted
     from upright.firmware import generate
     from upright.robots import find_kit, find_robot
+    from upright.robots.motor import refuse_energy
 
     if output:
         check_folder(output)
-    chosen = find_robot(robot)
+    chosen = refuse_energy(find_robot(robot))
     parts = find_kit(kit or chosen.kit)
     design = find_controller(controller, chosen, parts, parts.period)
     made = generate(design, chosen, parts, target, number=number, hub=hub, reference=reference, seconds=seconds)
@@ -68,5 +69,11 @@ def firmware(
     if not output:
         typer.echo(str(made.program) if listing else made.text)
         return
-    notes = [warning, str(made.program) if listing else "", *(f"wrote {path}" for path in written), str(made)]
+    notes = [
+        warning,
+        str(made.program) if listing else "",
+        made.wiring,
+        *(f"wrote {path}" for path in written),
+        str(made),
+    ]
     typer.echo("\n".join(line for line in notes if line))

@@ -15,10 +15,7 @@ from upright.cli.options import (
     ReportOption,
     complete_body,
 )
-from upright.cli.output import check_targets, finish, progress
-
-NOT_EQUAL = 3
-"""Exit code of a program that does not do what was designed."""
+from upright.cli.output import AGAINST, check_targets, finish, progress
 
 
 def parity(
@@ -50,4 +47,4 @@ def parity(
         result = run_parity(program, controller, robot=robot, kit=kit, chip=chip, body=body, progress=show)
     finish(result, as_json, output=output, page=report)
     if not result.passed:
-        raise typer.Exit(NOT_EQUAL)
+        raise typer.Exit(AGAINST)

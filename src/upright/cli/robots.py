@@ -56,7 +56,9 @@ def show(
         print_json({**_summary(robot), "parameters": robot.parameters()})
     else:
         title = f"{robot.title}\n" if robot.title else ""
-        typer.echo(f"{title}{robot.name}: {robot.drive} drive, kit {robot.kit_name}\n\n{robot.listing()}")
+        typer.echo(f"{title}{robot.name}: {robot.drive} drive, kit {robot.kit_name}\n")
+        table = robot.listing()
+        print_table(table.header, table.rows, table.numbers)
         if output:
             typer.echo(f"wrote {output}: change its numbers, and use it as --robot {output}")
 

@@ -21,6 +21,7 @@ from upright.control.identity import identity
 from upright.errors import InvalidController, UnknownName
 from upright.firmware.balance import trace
 from upright.firmware.setup import FLAT_BATTERY, SENSOR_FAILED, STATUS, TIME_IS_OVER
+from upright.firmware.sketch_wiring import sketch_wiring, wiring_table
 from upright.firmware.targets import check_time, find_target
 from upright.robots import Kit, Robot
 
@@ -59,11 +60,22 @@ class Firmware:
         """The program itself."""
         return next(iter(self.files.values()))
 
+    @property
+    def wiring(self) -> str:
+        """The table of a sketch's pins; empty for other programs."""
+        return wiring_table(self.text) if self.program.target == "arduino" else ""
+
     def to_json(self) -> dict[str, Any]:
         p = self.program
-        facts = {"target": p.target, "number": self.number, "robot": p.robot, "kit": p.kit, "controller": p.kind}
+        facts: dict[str, Any] = {
+            "target": p.target,
+            "number": self.number,
+            "robot": p.robot,
+            "kit": p.kit,
+            "controller": p.kind,
+        }
         facts |= {"hash": p.hash, "period": p.period, "operations": p.operations(), "quantum": self.quantum}
-        return facts
+        return facts | {"wiring": self.wiring}
 
     def __str__(self) -> str:
         p, bound = self.program, ""
@@ -123,6 +135,8 @@ def generate(
     more += [f"response: {' '.join(f'{x:.9g}' for x in who.response)}"]
     more += ([f"hub: {hub}"] if target == "pybricks" else []) + (["reference: yes"] if reference else [])
     facts["head"] = [*facts["head"], *more]
+    if target == "arduino":
+        facts["wiring"] = sketch_wiring(kit)
     return Firmware(program, arithmetic, TEXTS[target](program, facts), finest)
 
 

@@ -17,7 +17,6 @@ STATUS = (
 )  # fmt: skip
 """Meanings of the program's `status`; all but the first stop the motors. The loop sets `TIME_IS_OVER`."""
 
-FALL_PITCH = 0.8  # [rad] from which no robot here has the torque to come back
 STUCK_TIME = 1.0  # [s] both motors at full duty, as when the robot lies or a wheel is held
 CALIBRATION_TIME = 1.0  # [s] over which the gyro's offset is averaged
 UNPROVEN = 1e6  # limit of a memory that grows without its robot, far beyond any in balance

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 from upright.compiled.program import Program
 from upright.errors import InvalidController, SpecMismatch, UnknownName
+from upright.firmware.sketch_wiring import PIN_VOLTS, STEPS, battery_divider, encoder_step
 from upright.robots import Kit, Robot
 
 DEGREE = math.pi / 180
@@ -21,8 +22,8 @@ OFFSET = math.radians(3.0)  # [rad/s] of the gyro at rest, which the program has
 
 @dataclass(frozen=True)
 class Raw:
-    """A sensor as a target gives it: one raw `unit` is `scale` of the SI unit, 0 for a step of the kit's own sensor;
-    `whole` for integers."""
+    """A sensor as a target gives it: one raw `unit` is `scale` of the SI unit, 0 where the kit says it; `whole` for
+    integers."""
 
     unit: str
     scale: float
@@ -53,13 +54,18 @@ class Target:
         if channel not in self.raw:
             raise InvalidController(f"target {self.name} has no {channel}", expected=", ".join(self.raw))
         raw = self.raw[channel]
-        return raw if raw.scale else replace(raw, scale=kit.sensors[channel].quantum or DEGREE)
+        if raw.scale:
+            return raw
+        if channel == BATTERY:
+            full = PIN_VOLTS * battery_divider(kit)
+            return replace(raw, unit=f"{full:g} V/{STEPS}", scale=full / STEPS)
+        return replace(raw, scale=encoder_step(kit, channel))
 
 
 _IMU = {GYRO: Raw("deg/s", DEGREE)}  # a hub's inertial unit gives fractions of a degree
 _MPU = {GYRO: Raw("1/65.5 deg/s", DEGREE / 65.5, True)}  # MPU-6050 data sheet, ±500 °/s: 65.5 steps for 1 °/s
 _COUNTS = dict.fromkeys(ENCODERS, Raw("count", 0.0, True))
-_DIVIDER = {BATTERY: Raw("15 V/1023", 15 / 1023, True)}  # ten bits of 5 V behind a divider by 3
+_DIVIDER = {BATTERY: Raw("", 0.0, True)}
 
 TARGETS = {
     target.name: target

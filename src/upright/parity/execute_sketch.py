@@ -35,10 +35,9 @@ PORTS = ((8, 0x2B), (14, 0x25), (20, 0x28))
 """First pin of the next port, and the register with this one's levels."""
 
 LED = 13
-PIN_NAMES = (
-    "LEFT_ENCODER_A", "LEFT_ENCODER_B", "RIGHT_ENCODER_A", "RIGHT_ENCODER_B", "BUTTON", "LEFT_PWM", "RIGHT_PWM",
-    "LEFT_BACK", "RIGHT_BACK",
-)  # fmt: skip
+INPUT_PINS = ("LEFT_ENCODER_A", "LEFT_ENCODER_B", "RIGHT_ENCODER_A", "RIGHT_ENCODER_B", "BUTTON")
+MOTOR_PINS = ("LEFT_PWM", "RIGHT_PWM", "LEFT_FORWARD", "RIGHT_FORWARD", "ENABLE")
+"""Those that a sketch has for its kind of driver."""
 
 
 @cache
@@ -81,14 +80,15 @@ class SketchExecutor(Chip):
     def start(self) -> None:
         super().start()
         self.request("A", self.symbols["due"], self.symbols["loop"], self.symbols["timer0_overflow_count"])
-        for place, name in enumerate(PIN_NAMES[:5]):
+        for place, name in enumerate(INPUT_PINS):
             self.set_input(PINS + place, self._constants[name])
         self.period()  # its setup
 
     def step(self, raw: Values) -> Values:
         sign = self._constants["GYRO_SIGN"]
         inputs = {GYRO: sign * raw["raw_gyro"], BATTERY: raw["raw_battery"]}
-        inputs |= {LEFT: raw["raw_encoder_left"], RIGHT: raw["raw_encoder_right"]}
+        edges = 4 / self._constants["DECODING"]
+        inputs |= {LEFT: edges * raw["raw_encoder_left"], RIGHT: edges * raw["raw_encoder_right"]}
         for what, value in inputs.items():
             self.set_input(what, round(value))
         cycles = self.period()[1]
@@ -112,8 +112,14 @@ class SketchExecutor(Chip):
             self.request("T", 16_000, answer=8)
 
     def pwm(self) -> list[float]:
-        """What both motors get now, of 255 and without a sign."""
-        return [self._duty(self._constants[name]) for name in ("LEFT_PWM", "RIGHT_PWM")]
+        """What the driver gives both motors now, of 255, by the levels of its own inputs."""
+        return [self._driven(side) for side in ("LEFT", "RIGHT")]
+
+    def _driven(self, side: str) -> float:
+        pins, own = self._constants, f"{side}_PWM"
+        strength, back = self._duty(pins[own if own in pins else "ENABLE"]), self._duty(pins[f"{side}_BACK"])
+        forward = self._duty(pins[f"{side}_FORWARD"]) if f"{side}_FORWARD" in pins else 255 - back
+        return strength * (forward - back) / 255
 
     def level(self, pin: int) -> bool:
         """Whether an output is high."""
@@ -134,9 +140,11 @@ class SketchExecutor(Chip):
 
 
 def constants(text: str) -> Mapping[str, int]:
-    """The pins and the gyro's sign of a sketch; `InvalidController` for what is not a number of an Uno's pin."""
+    """The pins of a sketch, its gyro's sign and its decoding; `InvalidController` for what is not a number of an Uno's
+    pin."""
     numbers: dict[str, int] = {}
-    for name in (*PIN_NAMES, "GYRO_SIGN"):
+    motors = [name for name in MOTOR_PINS if defined(text, name)]
+    for name in (*INPUT_PINS, *motors, "LEFT_BACK", "RIGHT_BACK", "DECODING", "GYRO_SIGN"):
         word = defined(text, name)
         if not re.fullmatch(r"-1|\d|1[0-9]", word):
             raise InvalidController(f"{name} is {word or 'missing'}", expected="the number of an Uno's pin, or a sign")

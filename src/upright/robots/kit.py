@@ -10,6 +10,8 @@ from typing import Any
 
 from upright.errors import InvalidRobot, SpecMismatch
 from upright.robots import toml
+from upright.robots.wiring import UNITS as WIRING_UNITS
+from upright.robots.wiring import BoardWiring, wiring_of
 from upright.signals.signal import SENSORS
 
 PRESETS = "kits"
@@ -18,7 +20,7 @@ _MOTOR_UNITS = {
     "limit": "V", "dead_zone": "V", "quantum": "V", "drop": "V", "backlash": "rad", "left": "1", "right": "1",
 }  # fmt: skip
 _BATTERY_UNITS = {"voltage": ("V",), "sag": ("1",)}
-_KEYS = ("name", "title", "period", "delay", "jitter", "drive", "battery", "motor", "sensors")
+_KEYS = ("name", "title", "period", "delay", "jitter", "drive", "battery", "motor", "sensors", "wiring")
 _SENSOR_UNITS = {signal.name.removeprefix("sensor/"): signal.unit for signal in SENSORS}
 
 
@@ -40,6 +42,11 @@ def _check_size(name: str, value: float) -> None:
         raise InvalidRobot(f"{name} is {value:g}", expected=f"zero for none, or at least {SMALLEST_QUANTUM:g}")
     if value == math.inf and last not in ("limit", "range"):
         raise InvalidRobot(f"{name} is infinite", expected="a number")
+
+
+STOP = 0.8
+"""Lean [rad], 46°, at which every program stops the motors: few have the torque to come back from there, and the wheels
+of a robot that lies would spin on. So it is the lean at which a robot under any controller has fallen."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -115,6 +122,7 @@ class Kit:
     `period` [s] is the loop period that the kit is meant for. `delay` [s] is the dead time from a command to the motor,
     and `jitter` [s] the width of its uniform random addition. A channel that is not in `sensors` does not exist on this
     kit. `drive` is "voltage" or "torque" where the motor's numbers are for one of them, "" where the kit suits both.
+    `wiring` is for generated sketches alone: it changes nothing of what is simulated.
     """
 
     name: str
@@ -125,6 +133,7 @@ class Kit:
     period: float = 0.01
     delay: float = 0.0
     jitter: float = 0.0
+    wiring: BoardWiring = field(default_factory=BoardWiring)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "name", toml.checked_name(self.name, "kit"))
@@ -168,13 +177,15 @@ class Kit:
         parts: list[tuple[str, Any, Mapping[str, str]]] = [
             ("", self, dict.fromkeys(_TIMING, "s")), ("motor.", self.motor, _MOTOR_UNITS),
             ("battery.", self.battery, {name: units[0] for name, units in _BATTERY_UNITS.items()}),
+            ("wiring.", self.wiring, dict.fromkeys(WIRING_UNITS, "1")),
         ]  # fmt: skip
         for name, sensor in self.sensors.items():
             units = {key: several[0] for key, several in _sensor_units(name.removeprefix("sensor/")).items()}
             parts.append((f"sensors.{name.removeprefix('sensor/')}.", sensor, units))
         tables = [text for where, part, units in parts for text in _numbers(f"{prefix}{where}", part, units)]
         empty = [f"\n[{prefix}sensors.{n.removeprefix('sensor/')}]\n" for n, s in self.sensors.items() if s == Sensor()]
-        return "".join([*head, *tables, *empty])
+        driver = f"\n[{prefix}wiring]\ndriver = {toml.quoted(self.wiring.driver)}\n" if self.wiring.driver else ""
+        return "".join([*head, *tables, *empty, driver])
 
 
 def kit_names() -> tuple[str, ...]:
@@ -204,7 +215,13 @@ def kit_of(table: toml.Table, where: str) -> Kit:
     sensors = {f"sensor/{name}": Sensor(**_sensor(listed, name, where)) for name in _SENSOR_UNITS if name in listed}
     name = toml.word(table, "name", where)
     drive = toml.word(table, "drive", where) if "drive" in table else ""
-    kit = Kit(name=name, drive=drive, sensors=sensors, motor=Motor(**motor), battery=Battery(**battery), **timing)
+    kit = Kit(
+        name=name, drive=drive, sensors=sensors, motor=Motor(**motor), battery=Battery(**battery),
+        wiring=wiring_of(table, where), **timing,
+    )  # fmt: skip
+    for side in ("encoder_left", "encoder_right"):
+        if (encoder := sensors.get(f"sensor/{side}")) is not None:
+            kit.wiring.edges(encoder.quantum, f"{where}: sensors.{side}")
     drop, most = kit.motor.drop, kit.most("V")
     if drop and drop >= most:
         raise InvalidRobot(f"{where}: motor.drop is {drop:g} V", expected=f"less than the {most:g} V of the motors",

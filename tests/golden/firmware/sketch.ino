@@ -83,17 +83,32 @@ void upright_update(upright_state *s, const upright_input *in, upright_output *o
 #include <Wire.h>
 #include <avr/wdt.h>
 
-/* How this robot is built: change these where yours differs. */
-#define LEFT_ENCODER_A 2 /* with an interrupt; its B on the pin after the next */
-#define RIGHT_ENCODER_A 3
-#define LEFT_ENCODER_B 7
-#define RIGHT_ENCODER_B 8
-#define LEFT_PWM 5
-#define RIGHT_PWM 6
-#define LEFT_BACK 9 /* HIGH while that motor runs backwards */
-#define RIGHT_BACK 10
-#define BUTTON 4 /* to ground: stops the motors */
-#define BATTERY A0 /* behind a divider by 3 */
+/* How this robot is built: change the pins where yours differ; what else differs belongs into the kit's file. */
+/* Wiring of an Arduino Uno or Nano (5 V): pin, to what, why */
+#define LEFT_PWM 5    /* left: TB6612 PWMA, L298N ENA         strength; L298N: no jumper */
+#define LEFT_FORWARD 11   /* left: TB6612 AIN1, L298N IN1         HIGH turns forwards */
+#define LEFT_BACK 9    /* left: TB6612 AIN2, L298N IN2         HIGH turns backwards */
+#define RIGHT_PWM 6    /* right: TB6612 PWMB, L298N ENB        strength; L298N: no jumper */
+#define RIGHT_FORWARD 12   /* right: TB6612 BIN1, L298N IN3        HIGH turns forwards */
+#define RIGHT_BACK 10   /* right: TB6612 BIN2, L298N IN4        HIGH turns backwards */
+#define LEFT_ENCODER_A 2    /* left encoder, channel A              90 pulses a turn */
+#define LEFT_ENCODER_B 7    /* left encoder, channel B              swap with A if forwards counts down */
+#define RIGHT_ENCODER_A 3    /* right encoder, channel A             90 pulses a turn */
+#define RIGHT_ENCODER_B 8    /* right encoder, channel B             swap with A if forwards counts down */
+#define BUTTON 4    /* button to ground                     stops the motors */
+#define BATTERY A0   /* 20 k to battery +, 10 k to ground    by 3: 8 V give 2.67 V */
+/*
+A4   MPU-6050 SDA                         its only pin
+A5   MPU-6050 SCL                         its only pin
+5V   MPU-6050, encoders, driver's logic   TB6612: STBY too
+GND  battery -, driver, encoders, sensor  one ground for all
+x4: 360 edges of A and B in a turn of the wheel count.
+ASSUMED: x4. Else state [wiring.decoding] (1, 2 or 4) in the kit's file.
+ASSUMED: a driver with one PWM and two direction pins a motor.
+  Else state driver = "one-pin" or "pwm-enable" in [wiring].
+ASSUMED: a divider by 3 at A0. Else state [wiring.battery_divider].
+*/
+#define DECODING 4 /* as the kit has it: this line changes nothing */
 #define MPU 0x68
 #define MPU_IDENTITY 0x68 /* WHO_AM_I: 0x68 of an MPU-6050, 0x70 of an MPU-6500, 0x71 of an MPU-9250 */
 #define GYRO_REGISTER 0x45 /* GYRO_YOUT_H: the axis along the axle */
@@ -252,8 +267,47 @@ static uint8_t phase, misses;
 unsigned long due;
 static unsigned long count;
 
-static void on_left() { encoder_left += digitalRead(LEFT_ENCODER_A) == digitalRead(LEFT_ENCODER_B) ? 1 : -1; }
-static void on_right() { encoder_right += digitalRead(RIGHT_ENCODER_A) == digitalRead(RIGHT_ENCODER_B) ? 1 : -1; }
+/* A pin's port and its bit there, looked up once: a look-up in each interrupt would take too long. */
+static volatile uint8_t *port[4];
+static uint8_t mask[4], before[2];
+
+/* Where in a pulse A and B stand: 0 to 3 forwards, which is 00, 01, 11, 10. */
+static uint8_t place(uint8_t side)
+{
+    const bool a = *port[2 * side] & mask[2 * side], b = *port[2 * side + 1] & mask[2 * side + 1];
+    return a ? 3 - b : b;
+}
+
+/* One step on, one back, or none; two at once are an edge that was lost, of unknown direction. */
+static int8_t moved(uint8_t side)
+{
+    const uint8_t now = place(side), step = (now - before[side]) & 3;
+    before[side] = now;
+    return step == 1 ? 1 : step == 3 ? -1 : 0;
+}
+
+ISR(PCINT0_vect)
+{
+    encoder_left += moved(0);
+    encoder_right += moved(1);
+}
+ISR(PCINT1_vect, ISR_ALIASOF(PCINT0_vect));
+ISR(PCINT2_vect, ISR_ALIASOF(PCINT0_vect));
+
+static void watch_encoders()
+{
+    static const int8_t PINS[] = {LEFT_ENCODER_A, LEFT_ENCODER_B, RIGHT_ENCODER_A, RIGHT_ENCODER_B};
+    for (uint8_t i = 0; i < 4; i++) {
+        port[i] = portInputRegister(digitalPinToPort(PINS[i]));
+        mask[i] = digitalPinToBitMask(PINS[i]);
+    }
+    for (uint8_t side = 0; side < 2; side++)
+        before[side] = place(side);
+    for (uint8_t i = 0; i < 4; i++) {
+        *digitalPinToPCMSK(PINS[i]) |= _BV(digitalPinToPCMSKbit(PINS[i]));
+        *digitalPinToPCICR(PINS[i]) |= _BV(digitalPinToPCICRbit(PINS[i]));
+    }
+}
 
 static bool set_mpu(uint8_t where, uint8_t what)
 {
@@ -300,12 +354,29 @@ static void read_gyro()
     readings.raw_gyro = (long)GYRO_SIGN * (int16_t)(bytes[0] << 8 | bytes[1]);
 }
 
+/* Every stop makes them low: no voltage, no direction, no enable. */
+static const uint8_t MOTOR_PINS[] = {
+    LEFT_PWM, RIGHT_PWM, LEFT_FORWARD, RIGHT_FORWARD, LEFT_BACK, RIGHT_BACK
+};
+
+static void motors_off()
+{
+    for (uint8_t i = 0; i < sizeof MOTOR_PINS; i++)
+        digitalWrite(MOTOR_PINS[i], LOW);
+}
+
+/* With both pins low a driver lets its motor roll; no voltage is PWM at 0, which brakes, as the design counts on. */
+static void turn(uint8_t pwm, uint8_t forward, uint8_t back, int16_t duty)
+{
+    digitalWrite(forward, duty < 0 ? LOW : HIGH);
+    digitalWrite(back, duty < 0 ? HIGH : LOW);
+    analogWrite(pwm, duty < 0 ? -duty : duty);
+}
+
 static void drive(int16_t left, int16_t right)
 {
-    digitalWrite(LEFT_BACK, left < 0 ? HIGH : LOW);
-    digitalWrite(RIGHT_BACK, right < 0 ? HIGH : LOW);
-    analogWrite(LEFT_PWM, left < 0 ? -left : left);
-    analogWrite(RIGHT_PWM, right < 0 ? -right : right);
+    turn(LEFT_PWM, LEFT_FORWARD, LEFT_BACK, left);
+    turn(RIGHT_PWM, RIGHT_FORWARD, RIGHT_BACK, right);
 }
 
 /* A line that its reader can check: CRC-16/CCITT, polynomial 1021, start FFFF. */
@@ -366,7 +437,7 @@ static void read_sensors()
 
 static void stop()
 {
-    drive(0, 0);
+    motors_off();
     phase = STOPPED;
     digitalWrite(LED_BUILTIN, LOW);
     last_words();
@@ -375,7 +446,7 @@ static void stop()
 /* The loop hangs: motors off, until somebody presses RESET. With interrupts off as well the watchdog resets the board. */
 ISR(WDT_vect)
 {
-    drive(0, 0);
+    motors_off();
     digitalWrite(LED_BUILTIN, LOW);
     for (;;)
         wdt_reset();
@@ -385,20 +456,17 @@ void setup()
 {
     MCUSR = 0; /* after its reset the watchdog would go on */
     wdt_disable();
-    pinMode(LEFT_PWM, OUTPUT);
-    pinMode(RIGHT_PWM, OUTPUT);
-    pinMode(LEFT_BACK, OUTPUT);
-    pinMode(RIGHT_BACK, OUTPUT);
+    for (uint8_t i = 0; i < sizeof MOTOR_PINS; i++)
+        pinMode(MOTOR_PINS[i], OUTPUT);
     pinMode(LED_BUILTIN, OUTPUT);
     pinMode(BUTTON, INPUT_PULLUP);
-    drive(0, 0);
+    motors_off();
     Serial.begin(115200);
     send("H robot=" UPRIGHT_ROBOT ";hash=" UPRIGHT_HASH);
     Wire.begin();
     Wire.setClock(400000);
     Wire.setWireTimeout(UPRIGHT_PERIOD_US / 4, true); /* Arduino AVR Boards 1.8.3 or later */
-    attachInterrupt(digitalPinToInterrupt(LEFT_ENCODER_A), on_left, CHANGE);
-    attachInterrupt(digitalPinToInterrupt(RIGHT_ENCODER_A), on_right, CHANGE);
+    watch_encoders();
     upright_reset(&memory);
     phase = CALIBRATING;
     misses = 1; /* the sensor has no settings yet */
@@ -418,7 +486,7 @@ void loop()
     wdt_reset();
     read_sensors();
     if (phase == STOPPED)
-        drive(0, 0);
+        motors_off();
     else if (misses > MISSES) {
         results.status = 6;
         stop();

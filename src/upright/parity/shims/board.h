@@ -1,5 +1,5 @@
 /* What stands round an Arduino Uno in simavr: an MPU-6050, two encoders, a battery behind a divider, a button.
-   `what` of an input: 0 gyro [steps], 1 battery [steps of ten bits], 2 and 3 turns of the encoders [counts], 4 button,
+   `what` of an input: 0 gyro [steps], 1 battery [steps of ten bits], 2 and 3 turns of the encoders [edges], 4 button,
    5 the sensor's condition, 6 its identity, 7 its power (0 and 1: it comes back without its settings), 8 to 12 pins:
    A and B of the left encoder, of the right, the button's. */
 #include <simavr/avr_adc.h>
@@ -10,7 +10,7 @@
 #include <simavr/sim_io.h>
 
 #define MPU 0x68
-#define EDGE 1000 /* cycles from one edge of an encoder to the next */
+#define EDGE 1000 /* cycles from one edge of an encoder to its next, whichever channel has it */
 enum { PRESENT, ABSENT, HUNG };
 
 static struct {
@@ -18,7 +18,7 @@ static struct {
     avr_irq_t *bus;
     avr_io_t *twi;
     int32_t input[13], gone[2];
-    uint8_t registers[128], at, selected, written, levels[2];
+    uint8_t registers[128], at, selected, written;
     avr_cycle_count_t edge;
     char sent[65536];
     uint32_t length;
@@ -29,6 +29,16 @@ static void set_pin(int pin, int level)
     const char port = pin < 8 ? 'D' : pin < 14 ? 'B' : 'C';
     const int bit = pin < 8 ? pin : pin < 14 ? pin - 8 : pin - 14;
     avr_raise_irq(avr_io_getirq(board.avr, AVR_IOCTL_IOPORT_GETIRQ(port), bit), level);
+}
+
+/* A button wins over the chip's pull-up, which every write to its port would otherwise raise again. */
+static void press(int pin, int down)
+{
+    avr_ioport_external_t held = {.name = pin < 8 ? 'D' : pin < 14 ? 'B' : 'C'};
+    held.mask = 1 << (pin < 8 ? pin : pin < 14 ? pin - 8 : pin - 14);
+    held.value = down ? 0 : held.mask;
+    avr_ioctl(board.avr, AVR_IOCTL_IOPORT_SET_EXTERNAL(held.name), &held);
+    set_pin(pin, !down);
 }
 
 static void power_up(void)
@@ -97,12 +107,12 @@ static void set_input(uint32_t what, int32_t value)
     if (what == 1) /* [mV], in the middle of a step */
         avr_raise_irq(avr_io_getirq(board.avr, AVR_IOCTL_ADC_GETIRQ, ADC_IRQ_ADC0), (value * 2 + 1) * 5000 / 2046);
     if (what == 4 || what == 12)
-        set_pin(board.input[12], !board.input[4]);
+        press(board.input[12], board.input[4]);
     if (what == 7)
         power_up();
 }
 
-/* Edges that are still to come; both encoders turn at once. */
+/* Edges that are still to come; both channels of both encoders. */
 static int turning(void) { return board.gone[0] != board.input[2] || board.gone[1] != board.input[3]; }
 
 static void turn(void)
@@ -114,10 +124,10 @@ static void turn(void)
         const int way = (board.gone[side] < board.input[2 + side]) - (board.gone[side] > board.input[2 + side]);
         if (!way)
             continue;
-        board.gone[side] += way;
-        board.levels[side] = !board.levels[side];
-        set_pin(board.input[9 + 2 * side], way > 0 ? board.levels[side] : !board.levels[side]);
-        set_pin(board.input[8 + 2 * side], board.levels[side]);
+        /* Forwards A and B are 00, 01, 11, 10: B changes between even and odd places, A between odd and even ones. */
+        const int32_t from = board.gone[side], to = board.gone[side] = from + way;
+        const int b = ((way > 0 ? from : to) & 1) == 0;
+        set_pin(board.input[8 + 2 * side + b], (to + b) >> 1 & 1);
     }
 }
 

@@ -1,0 +1,61 @@
+"""How a sketch is wired, from what the kit says of its parts; what it does not say is assumed aloud."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import replace
+from typing import Any
+
+from upright.errors import SpecMismatch
+from upright.robots import Kit
+from upright.signals import SIDES
+
+ASSUMED: dict[str, Any] = {"driver": "two-pin", "decoding": 4, "divider": 3.0}
+"""Where the kit does not say: on its "back" pin also a driver with one direction pin works; makers count four edges."""
+PIN_VOLTS, STEPS = 5.0, 1023
+"""Data sheet of the ATmega328P: its converter's range at 5 V, in ten bits."""
+CHARGED = 4.2 / 3.7
+"""A full lithium cell over its nominal voltage."""
+
+
+def sketch_wiring(kit: Kit) -> dict[str, Any]:
+    """What the template of a sketch must know of driver, encoders and battery, and what of it the kit does not say.
+
+    `pulses` are those of either encoder's channel A in a turn of the wheel. Raises `SpecMismatch` for what would count
+    wrongly or harm the board, `InvalidRobot` for pulses that contradict the encoder's step.
+    """
+    left, right = (encoder_step(kit, f"sensor/encoder_{side}") for side in SIDES)
+    edges = kit.wiring.edges(left, f"kit '{kit.name}': sensors.encoder_left")
+    replace(kit.wiring, decoding=edges).edges(right, f"kit '{kit.name}': sensors.encoder_right")
+    stated: dict[str, Any] = {"driver": kit.wiring.driver, "decoding": edges, "divider": kit.wiring.battery_divider}
+    used = {name: value or ASSUMED[name] for name, value in stated.items()}
+    pulses = [math.tau / step / used["decoding"] for step in (left, right)]
+    assumed = [name for name, value in stated.items() if not value]
+    return {**used, "pulses": pulses, "volts": kit.battery.voltage, "assumed": assumed}
+
+
+def wiring_table(sketch: str) -> str:
+    """The pins that the text of a sketch names, what they go to and why, in lines of at most 80 columns."""
+    part = sketch[sketch.index("/* Wiring") : sketch.index("*/\n#define DECODING")]
+    return re.sub(r"#define \w+ |/\*\s| \*/", "", part).rstrip()
+
+
+def encoder_step(kit: Kit, channel: str) -> float:
+    """One count of that encoder [rad]; `SpecMismatch` where the kit does not say."""
+    if channel in kit.sensors and kit.sensors[channel].quantum:
+        return kit.sensors[channel].quantum
+    name = channel.replace("sensor/", "sensors.")
+    raise SpecMismatch(f"kit '{kit.name}' has no {name}.quantum", expected="radians of the wheel per count",
+                       hint=f"[{name}.quantum] in the kit's file: 6.283185 / counts a turn")  # fmt: skip
+
+
+def battery_divider(kit: Kit) -> float:
+    """The battery's voltage over the pin's; `SpecMismatch` where a full battery is more than the pin stands."""
+    divider, full = kit.wiring.battery_divider or ASSUMED["divider"], kit.battery.voltage * CHARGED
+    if PIN_VOLTS * divider < full < math.inf:
+        raise SpecMismatch(
+            f"{full:.3g} V of a full battery are {full / divider:.2g} V behind a divider by {divider:g}",
+            expected=f"at most {PIN_VOLTS:g} V on a pin", hint="[wiring.battery_divider] in the kit's file",
+        )  # fmt: skip
+    return divider
