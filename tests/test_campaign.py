@@ -311,5 +311,5 @@ def test_only_what_is_asked_for_is_kept(tmp_path, capsys):
     path = tmp_path / "c.toml"
     path.write_text(SPEC.replace("n = 120", "n = 20").replace("seed = 3", "seed = 3\nkeep = ['fell', 'effort']"))
     sweep(path, workers=0)
-    assert "nxtway-gs" in capsys.readouterr().out
+    assert capsys.readouterr().out.startswith("Verdict: ")
     assert set(collect(tmp_path / "c").data_vars) == {"fell", "effort", "case"}

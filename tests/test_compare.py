@@ -244,18 +244,23 @@ def test_a_push_that_never_ends_leaves_settling_unknown_and_a_fall_is_seen():
 
 
 def test_a_fall_is_the_run_s_own_outcome_in_table_page_and_json():
-    """The log ends before the pitch that ended the run: 0.1 rad cosh(7.4 t) passes 1.4 rad at 0.45 s."""
+    """It falls where a program stops, 0.8 rad: 0.1 rad cosh(7.44 t) is there at 0.372 s, give or take a period."""
     falling = run(NonlinearBody(NXT), StateFeedback(np.zeros((2, 6)), 0.01), seconds=10, start=(0.1, 0, 0, 0, 0, 0))
     standing = run(NonlinearBody(NXT), lqr(NXT, 0.01), seconds=1, start=(0.1, 0, 0, 0, 0, 0))
     unknown = Log(falling.t, falling.channels)
-    assert np.abs(falling["truth/pitch"]).max() < FALLEN
+    assert np.abs(falling["truth/pitch"]).max() < FALLEN  # the log ends before the row that lies
     result = compare({"falling": falling, "standing": standing, "unknown": unknown})
     row = next(line for line in str(result).splitlines() if line.startswith("fell "))
     assert row.split() == ["fell", "yes", "no", "–"]
     assert metrics_table(result).rows[-1][2:] == [True, False, None]
     assert [run["metrics"]["fell"] for run in result.to_json()["logs"].values()] == [True, False, None]
     ends = [str(outcome_of(log)) for log in result.logs.values()]
-    assert ends == [f"fell at {falling.t[-1] + 0.01:.4g} s", "stood for 1 s", f"recorded for {falling.t[-1]:.4g} s"]
+    assert outcome_of(falling).seconds == pytest.approx(0.372, abs=0.01)
+    assert ends == [
+        f"fell at {outcome_of(falling).seconds:.4g} s",
+        "stood for 1 s",
+        f"recorded for {falling.t[-1]:.4g} s",
+    ]
 
 
 def test_a_comparison_checks_itself_and_notices_a_changed_number():
@@ -353,7 +358,7 @@ def test_a_run_that_nothing_disturbs_is_no_test_and_says_why_it_stands_still(nam
     page = page_of(compare({"model": log}))
     assert page.verdict is not None
     assert (page.verdict.text, page.verdict.level) == ("nothing disturbed it", "info")
-    assert "--push" in page.following
+    assert "--push" in page.head.next
 
 
 def test_a_push_a_start_or_a_log_from_elsewhere_is_not_undisturbed() -> None:

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from upright.bodies.body import FALLEN
 from upright.certify.pushes import HELD, KNOCKED, MOST_HOLD, MOST_KNOCK, RELEASE, standard_pushes
 from upright.certify.recovery import KNOCK_DURATION, largest_hold, largest_knock, means, recoverable
 from upright.control import LinearController
@@ -22,6 +21,7 @@ from upright.physics.dynamics import Disturbance, accelerations
 from upright.physics.integrate import rk4_step
 from upright.physics.linear import linearise, rolling
 from upright.robots import Kit, Robot, find_kit
+from upright.robots.kit import STOP
 from upright.robots.robot import preset_names
 from upright.signals import STATE_NAMES
 
@@ -62,7 +62,7 @@ def survivors(robot: Robot, kit: Kit, push: Hold | Impulse, rng: np.random.Gener
             return s[1], pitch, wheels
 
         x = rk4_step(motion, x, STEP)
-        stands &= np.abs(x[0]) < FALLEN
+        stands &= np.abs(x[0]) < STOP
         x = tuple(np.where(stands, v, 0.0) for v in x)
     return float(stands.mean())
 
@@ -75,7 +75,7 @@ def test_beyond_the_bound_no_command_that_was_searched_holds(preset: str) -> Non
     hold, knock = largest_hold(robot, kit), largest_knock(robot, kit)
     # 4 %: a step of 2 ms here, 1 ms there, and a knock that ends inside the dead time
     beyond = [Impulse(impulse=1.04 * knock, duration=KNOCK_DURATION)]
-    beyond += [Hold(pitch=1.04 * hold, until=1.0)] if 1.04 * hold < FALLEN else []
+    beyond += [Hold(pitch=1.04 * hold, until=1.0)] if 1.04 * hold < STOP else []
     for push in beyond:
         assert survivors(robot, kit, push, rng) == 0.0
 

@@ -18,13 +18,13 @@ from typing import Any, NamedTuple, cast
 import numpy as np
 
 from upright.arrays import Array, Mask
-from upright.bodies.body import FALLEN
 from upright.control import LinearController
 from upright.experiment.pushes import Hold, Impulse
 from upright.kernel.batch import NAMES, FleetBatch
 from upright.kernel.simulate import simulate
 from upright.physics.dynamics import motor_gain
 from upright.robots import Kit, Robot
+from upright.robots.kit import STOP
 
 KNOCK_DURATION = 0.02  # [s] of a standard knock
 WATCHED = 2.5  # [s] of full command: who falls to neither side by then is at the very border
@@ -99,7 +99,7 @@ def _largest(numbers: tuple[float, ...], able: Means, slope: float, kind: str, s
         return _saved(table, able, slope, side, impulse=side * sizes, duration=KNOCK_DURATION)
 
     mass = float(p.body_mass[0] + 2 * p.wheel_mass[0])
-    sizes = np.linspace(0.0, FALLEN, SIZES + 1)[1:] if kind == "hold" else mass * np.geomspace(SOFTEST, HARDEST, SIZES)
+    sizes = np.linspace(0.0, STOP, SIZES + 1)[1:] if kind == "hold" else mass * np.geomspace(SOFTEST, HARDEST, SIZES)
     low = 0.0
     for _ in range(2):
         survived = saved(sizes)
@@ -122,9 +122,9 @@ def _saved(
     pitch, command = _rest(p, 0.0 if force is None else force, slope)
     n = max(len(parameters), len(pitch), 0 if impulse is None else len(impulse))
     pitch, command, radius = (np.broadcast_to(v, (n,)) for v in (pitch, command, p.wheel_radius))
-    can = np.isfinite(pitch) & (np.abs(command) <= able.most) & (np.abs(pitch) < FALLEN)
+    can = np.isfinite(pitch) & (np.abs(command) <= able.most) & (np.abs(pitch) < STOP)
     after, _ = _rest(p, 0.0, slope)  # when nobody pushes
-    can &= np.isfinite(after) & (np.abs(after) < FALLEN)
+    can &= np.isfinite(after) & (np.abs(after) < STOP)
     start, ramps, pushes = np.zeros((n, 6)), np.zeros((n, 2, 4)), np.zeros((n, 1, 4))
     start[:, 0] = np.where(can, pitch, 0.0)
     ramps[:, 0] = np.stack([np.where(can, command, 0.0) * radius, 0 * radius, 0 * radius, able.wait + 0 * radius], 1)

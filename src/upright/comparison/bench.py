@@ -97,13 +97,7 @@ class Bench(Shown):
         return Listing(list(COLUMNS), rows, list(COLUMNS)[2:9])
 
     def __str__(self) -> str:
-        """A table for each push, which fits 80 columns."""
-        short = [name.partition(" ")[0] for name in COLUMNS]
-        tables: dict[str, list[list[str]]] = {}
-        for name, push, *cells in self.listing().rows:
-            tables.setdefault(push, []).append([name, *cells])
-        texts = [f"{push}\n{Listing([short[0], *short[2:]], rows, short[2:9])}" for push, rows in tables.items()]
-        return "\n\n".join([*texts, "peak, travel [rad]; settles to 5 % [s]; impulse survived [N s]; falls of 200"])
+        return str(self.listing())
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers, without the logs."""

@@ -19,7 +19,8 @@ TRUE_STATE = tuple(f"truth/{name}" for name in STATE_NAMES)
 class ControllerSpec:
     """What a controller reads (channel names, in the order `step` gets them) and every how many seconds.
 
-    `estimates` says that `estimate()` gives an opinion on the six states after each step.
+    `estimates` says that `estimate()` gives an opinion on the six states after each step, `stands_up`
+    that it lifts a robot that lies, so that no lean stops it.
     """
 
     kind: str
@@ -27,6 +28,7 @@ class ControllerSpec:
     period: float
     command_unit: str = "V"
     estimates: bool = False
+    stands_up: bool = False
 
     @property
     def reads_truth(self) -> bool:

@@ -10,7 +10,7 @@ The controller that takes over corrects the rest.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import ceil
 from typing import Any
 
@@ -134,7 +134,7 @@ class StandUpController:
     """
 
     def __init__(self, plan: Lift, controller: Controller, kit: Kit) -> None:
-        self.plan, self.controller, self.spec = plan, controller, controller.spec
+        self.plan, self.controller, self.spec = plan, controller, replace(controller.spec, stands_up=True)
         if self.spec.period != plan.period or self.spec.command_unit != plan.robot.command_unit:
             raise DesignFailed(
                 f"a lift every {plan.period:g} s in {plan.robot.command_unit} before a controller every "

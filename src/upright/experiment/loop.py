@@ -19,12 +19,16 @@ from upright.control.controller import Controller, controller_hash
 from upright.errors import SpecMismatch
 from upright.experiment.outcome import RunOutcome
 from upright.physics.dynamics import Disturbance
+from upright.robots.kit import STOP
 from upright.signals import Log
 from upright.signals.signal import ESTIMATE, PUSH, REFERENCE, command_signals
 
 
 class Stepper:
     """`body` at state `start` (6,) under `controller`; `now` is the body's newest sample.
+
+    As a program does, it stops the motors at a lean of `STOP`, at the time `stopped` [s]: the robot has fallen, though
+    its body moves on until it lies.
 
     `signals` are what each row of `step` holds, in order. Raises `SpecMismatch` when body and controller do not fit.
     """
@@ -36,9 +40,18 @@ class Stepper:
             *body.spec.channels, *command_signals(body.spec.command_unit), *PUSH, *REFERENCE,
             *(ESTIMATE if controller.spec.estimates else ()),
         )  # fmt: skip
+        names = [signal.name for signal in body.spec.channels]
+        watched = "truth/pitch" in names and not controller.spec.stands_up
+        self._pitch = names.index("truth/pitch") if watched else None
         self._times = list[float]()  # hardware keeps its own time; a model's steps are exact
         controller.reset()
-        self.now, self.command = body.reset(start, seed), (0.0, 0.0)
+        self.now, self.command, self.stopped = body.reset(start, seed), (0.0, 0.0), math.inf
+        self._judge()
+
+    def _judge(self) -> None:
+        """Whether the robot has fallen by now."""
+        if self._pitch is not None and abs(self.now.numbers[self._pitch]) > STOP:
+            self.stopped = min(self.stopped, self.now.t)
 
     def step(self, reference: Array, disturbance: Callable[[float], Disturbance]) -> list[float]:
         """One of the controller's periods towards the state `reference` (6,), under `disturbance(t)` for each step of
@@ -48,10 +61,13 @@ class Stepper:
         if not body.spec.settable:
             self._times.append(before.t)
         command = controller.step(before.values[self._inputs], reference)
+        if math.isfinite(self.stopped):
+            command = (0.0, 0.0)
         acting = disturbance(before.t)
         now = advanced(body, before.t, command, disturbance, self._stride)
         controller.applied(now.applied)
         self.now, self.command = now, command
+        self._judge()
         return [
             *before.numbers, *command, *now.applied, *acting, *reference.tolist(), *controller.estimate(),
         ]  # fmt: skip
@@ -59,12 +75,13 @@ class Stepper:
     def log(self, rows: ArrayLike, scenario: dict[str, Any]) -> Log:
         """The log of `rows`, one for each of the controller's periods, that ended with the newest sample."""
         spec, controller, table = self.body.spec, self.controller, np.array(rows)
+        fell = self.now.fallen or math.isfinite(self.stopped)
         origin = {
             "robot": {"name": spec.robot.name, "drive": spec.robot.drive, **spec.robot.numbers()},
             "body": {"kind": spec.kind, "real": spec.real, "period": spec.period, "limit": finite(spec.limit)},
             "controller": {**controller.to_json(), "hash": controller_hash(controller)},
             "scenario": scenario,
-            "outcome": RunOutcome(self.now.fallen, self.now.t).to_json(),
+            "outcome": RunOutcome(fell, min(self.stopped, self.now.t)).to_json(),
             "versions": dict(_versions()),
         }
         channels = {signal.name: table[:, i] for i, signal in enumerate(self.signals)}

@@ -18,7 +18,8 @@ PUSHED = "--push hold:0.1,until=1"
 
 @dataclass(frozen=True)
 class RunOutcome:
-    """Whether the robot `fell`, and after how many `seconds` the run ended; `fell` is None where nobody knows."""
+    """Whether the robot `fell`, and after how many `seconds`; else these are those of the run. `fell` is None where
+    nobody knows."""
 
     fell: bool | None
     seconds: float

@@ -34,8 +34,8 @@ def run(
     certificate: Permit | None = None,
     anyway: bool = False,
 ) -> Log:
-    """Run `body` under `controller` for `seconds`, or until it falls, and return the log. A robot that lies at the
-    `start` cannot fall before it has stood up.
+    """Run `body` under `controller` for `seconds`, or until it lies after a fall, and return the log. It falls at
+    a lean of `robots.kit.STOP`, where every program stops the motors; where it lies at the `start`, the run goes on.
 
     One row for each of the controller's periods: what the body read at that time, the command decided on it, and the
     command that was really applied from then on. `push` and `reference` are one programme or several that add up;

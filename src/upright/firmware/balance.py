@@ -26,7 +26,6 @@ from upright.firmware.incremental import incremental
 from upright.firmware.readings import calibrate, inputs, kept, moved, numbers, reading
 from upright.firmware.setup import (
     BALANCING,
-    FALL_PITCH,
     FALLEN,
     FASTEST,
     HEADING,
@@ -44,6 +43,7 @@ from upright.firmware.setup import (
 )
 from upright.firmware.targets import BATTERY, COMPASS, ENCODERS, GYRO, Driver, driver, find_target, largest
 from upright.robots import Kit, Robot
+from upright.robots.kit import STOP
 from upright.signals import SIDES, STATE_NAMES
 
 
@@ -245,7 +245,7 @@ def _remember(t: Tracer, w: list[Form], rows: Sequence[Form], proven: bool) -> N
 def _stop(t: Tracer, setup: ProgramSetup, pitch: Form, fit: Form) -> None:
     """The status: not `fit`, fallen, or stuck at full duty."""
     lean = t.absolute("lean", pitch, "rad")
-    status = t.choose("fallen", lean, FALL_PITCH, float(BALANCING), float(FALLEN), "1", whole=True)
+    status = t.choose("fallen", lean, STOP, float(BALANCING), float(FALLEN), "1", whole=True)
     if setup.driver.full:
         status = _stuck(t, setup, status)
     t.choose("status", fit, 0.5, status, fit, "1", output=True, whole=True)

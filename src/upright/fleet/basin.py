@@ -82,15 +82,10 @@ def basin(
     return _labelled(ensemble, across, up, stood, settled)
 
 
-def summary(data: Dataset) -> tuple[str, dict[str, Any]]:
-    """The fraction of the grid from which robots recover: in words, and as plain numbers."""
+def summary(data: Dataset) -> dict[str, Any]:
+    """The fraction of the grid from which robots recover, as plain numbers."""
     recovered, apart = data["recovered"], float(data["island"].values.mean())
-    fraction, points = float(recovered.values.mean()), int(recovered.size)
-    axes = [data[name] for name in recovered.dims]
-    grid = " × ".join(f"{a.name} {a.values[0]:.3g} to {a.values[-1]:.3g} {a.attrs['unit']}" for a in axes)
-    text = f"recovers from {100 * fraction:.4g} % of {points} states ({grid})"
-    text += f"; {100 * apart:.2g} % of them are islands, with states between that fall" if apart else ""
-    return text, {"fraction": fraction, "islands": apart, "points": points}
+    return {"fraction": float(recovered.values.mean()), "islands": apart, "points": int(recovered.size)}
 
 
 def _starts(ensemble: Ensemble, across: Axis, up: Axis) -> Array:

@@ -104,7 +104,8 @@ class Ensemble:
         from importlib.metadata import version
 
         family, controller = self.family, self.controller
-        kit = asdict(family.kit) if family.kit else None
+        kit = asdict(family.kit) if family.kit else {}
+        kit.pop("wiring", None)  # of a sketch: it determines no outcome
         scenario = {
             "push": [_entry(p) for p in self.pushes], "reference": [_entry(r) for r in self.references],
             "seconds": self.seconds, "start": list(self.start), "model": self.model, "band": self.band,
@@ -112,7 +113,7 @@ class Ensemble:
         }  # fmt: skip
         return {
             "robot": {"name": family.robot.name, "drive": family.robot.drive, **family.robot.numbers()},
-            "kit": _limited(kit),
+            "kit": _limited(kit) if kit else None,
             "vary": family.uncertainty.to_json(),
             "controller": {**controller.to_json(), "hash": controller_hash(controller)},
             "scenario": scenario,

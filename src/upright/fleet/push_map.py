@@ -3,7 +3,7 @@
 Where survival is not monotone the result is the *first* border: the least impulse beyond which some push fells the
 robot. A larger one may be survived again; the map marks such points as islands.
 
-A robot has *recovered* if it has not fallen (`bodies.body.FALLEN`) `watch` seconds after the push ended. The search
+A robot has *recovered* if it has not fallen (`robots.kit.STOP`) `watch` seconds after the push ended. The search
 for the last border runs only until `glance` seconds after the push, since most falls come soon; each result is then
 tried for the whole `watch`, and searched again at full length where the robot fell. Smaller impulses are tried for the
 whole `watch`: some controllers fell a robot later than a glance by a push smaller than one that it survives.
@@ -182,9 +182,8 @@ def push_map(
     return _labelled(ensemble, grid, small, (first, last), capped, spread, search)
 
 
-def summary(data: Dataset) -> tuple[str, dict[str, Any]]:
-    """The smallest impulse that fells the nominal robot, by direction: in words, and as plain numbers."""
-    lines: list[str] = []
+def summary(data: Dataset) -> dict[str, Any]:
+    """The smallest impulse that fells the nominal robot, by direction, as plain numbers."""
     numbers: dict[str, Any] = {}
     for direction in data["direction"].values.tolist():
         part = data.sel(direction=direction)
@@ -193,18 +192,8 @@ def summary(data: Dataset) -> tuple[str, dict[str, Any]]:
         row = {"impulse": float(impulse[least]), "height": float(part["height"][least[0]])}
         row |= {"duration": float(part["duration"][least[1]])}
         row |= {name: float(part[name].values[least]) for name in ("low", "high") if name in part}
-        band = f" (95 %: {row['low']:.3g} … {row['high']:.3g})" if "low" in row else ""
-        lines.append(
-            f"{direction}: survives at least {row['impulse']:.3g} N s{band}, "
-            f"worst at {row['height']:.3g} m above the axle within {row['duration']:.3g} s"
-        )
-        apart = float(part["island"].values.mean())
-        if apart:
-            lines.append(
-                f"  at {100 * apart:.2g} % of the points a larger push is survived again: the first border counts"
-            )
-        numbers[direction] = row | {"islands": apart}
-    return "\n".join(lines), numbers
+        numbers[direction] = row | {"islands": float(part["island"].values.mean())}
+    return numbers
 
 
 class _Search:

@@ -21,6 +21,7 @@ from upright.flight.follow import VIRTUAL
 from upright.links.hub import AIR
 from upright.progress import Progress
 from upright.robots import Kit, Robot, find_kit, find_robot
+from upright.robots.motor import refuse_energy
 
 MOST_SECONDS = 600.0  # [s] of a flight
 HUB = "pybricks"  # the target of programs for hubs
@@ -132,7 +133,7 @@ def _checked(
     if port != VIRTUAL and (port.partition(":")[0] == AIR) != (target == HUB):
         raise UprightError(f"port {port} for a {target} program", expected=PORTS[target])
     brick, named = BRICKS[facts.get("hub", target)], robot in BRICKS.values()
-    chosen = find_robot(facts["robot"] if robot is None or named else robot)
+    chosen = refuse_energy(find_robot(facts["robot"] if robot is None or named else robot))
     if chosen.name != facts["robot"] or (named and robot != brick):
         raise UprightError(
             f"{program} was made for {facts['robot']} on the brick {brick}", expected=f"a program for {robot}",

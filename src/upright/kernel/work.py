@@ -10,7 +10,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.bodies.body import FALLEN
 from upright.compiled.generated import LANES, ROW
 from upright.control import Controller
 from upright.kernel import rows as b
@@ -21,6 +20,7 @@ from upright.kernel.lanes import Lanes
 from upright.kernel.pack import Packed, pack, recorded
 from upright.kernel.rows import Plan, Sizes, Times
 from upright.kernel.store import address_of, call
+from upright.robots.kit import STOP
 
 _PARTS = 8  # parts of the work for each thread: where robots fall early, their thread takes another part
 
@@ -74,7 +74,7 @@ class Outcome(NamedTuple):
     def result(self, order: Order, step: float) -> FleetResult:
         period = order.stride * step
         end = order.periods * period
-        fell = ~(np.abs(self.final[:, 0]) <= FALLEN)
+        fell = ~(np.abs(self.final[:, 0]) <= STOP)
         lived, counted = np.asarray(self.lived, np.float64), np.asarray(self.counted, np.float64)
         periods = np.maximum(1, np.ceil(lived / period - 1e-6))
         outside = counted[:, b.OUTSIDE - b.COUNTS]
@@ -121,7 +121,7 @@ def run_piece(batch: FleetBatch, piece: Piece, order: Order, out: Outcome, threa
     )  # fmt: skip
     here = out if whole else out.part(rows)
     extra = (np.array(order.bands, order.dtype), before, after)
-    _run(some, packed, plan, Times(batch.period, h, FALLEN), extra, here, threads)
+    _run(some, packed, plan, Times(batch.period, h, STOP), extra, here, threads)
     if lanes:
         lanes.check()
     if not isinstance(rows, slice):

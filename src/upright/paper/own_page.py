@@ -54,6 +54,10 @@ class OwnReproduction(Shown):
         lines = [f"law: {r.law}", r.push, "", str(r.comparison), "", settled, r.answer, *r.notes]
         return "\n".join([*lines, "", f"wrote {self.folder / 'report.html'}, results.json and the logs beside it"])
 
+    def page(self) -> Page:
+        """The page as written to report.html."""
+        return page_of(self.result)
+
     def to_json(self) -> dict[str, Any]:
         """All numbers, as written to results.json."""
         return self.result.to_json()
@@ -79,8 +83,8 @@ def reproduce_log(
     )
     for label, one in result.comparison.logs.items():
         one.save(target / "logs" / f"{label.replace(' ', '-')}.parquet")
-    page_of(result).write(target / "report.html")
     done = OwnReproduction(result, target)
+    done.page().write(target / "report.html")
     write_json(target / "results.json", done.to_json())
     return done
 

@@ -65,6 +65,10 @@ class Reproduction(Shown):
             ]
         )
 
+    def page(self) -> Page:
+        """The page as written to report.html."""
+        return _page(self.claims)
+
     def to_json(self) -> dict[str, Any]:
         """All numbers, as written to results.json."""
         return {"versions": _versions(), "findings": [claim.to_json() for claim in self.claims]}
@@ -81,7 +85,7 @@ def reproduce(folder: str | Path = "herrera2015", progress: Progress = unwatched
         for name, log in claim.logs.items():
             log.save(target / "logs" / f"{name}.parquet")
     done = Reproduction(claims, target)
-    _page(claims).write(target / "report.html")
+    done.page().write(target / "report.html")
     write_json(target / "results.json", done.to_json())
     progress(1.0)
     return done

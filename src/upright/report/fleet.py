@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.bodies.body import FALLEN
 from upright.certify.verdict import MOST_FALLS
 from upright.fleet.binomial import RARE, upper_bound
 from upright.fleet.ensemble import SETTLED
@@ -23,6 +22,7 @@ from upright.report.knocks import harder, pushed, where
 from upright.report.maps import push_map_page
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
 from upright.report.spreads import provenance, size_of, spread_table, width
+from upright.robots.kit import STOP
 from upright.tables import joined, sentence, spoken
 
 if TYPE_CHECKING:
@@ -222,7 +222,7 @@ def over_strongest(data: Dataset, outcome: str) -> Figure | None:
     dots = "each dot is a robot" if every <= 1 else f"each dot is a robot; {drawn} is drawn, and the least and the most"
     how = "grows" if size > 0 else "shrinks"
     if outcome == "peak_pitch":
-        limit = math.degrees(FALLEN)
+        limit = math.degrees(STOP)
         far = f"; where a fall ends, {limit:.0f}°, is far above" if float(y.max()) < limit / 2 else ""
         if not far:
             ax.axhline(limit, linestyle="--", linewidth=1, color=AXIS)

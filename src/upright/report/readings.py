@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 from upright.calibrate.calibration import DRAWN, GOOD, PREDICTED, Calibration
 from upright.plotting import legend, line, panels
@@ -27,7 +26,7 @@ def over_time(c: Calibration) -> Figure | None:
 
 def _claim(c: Calibration, drawn: list[str]) -> str:
     """Which readings are predicted; of those that are not how well."""
-    kept = held_out(c)
+    kept = c.unfitted
     sizes = {name: min(c.segments[name], kept.get(name, math.inf)) for name in drawn}
     judged = {name: size for name, size in sizes.items() if name in PREDICTED} or sizes
     missed = [f"the {short(n)} (R² {least(kept.get(n, size))})" for n, size in judged.items() if size < GOOD]
@@ -57,28 +56,3 @@ def closer(c: Calibration) -> Figure | None:
     line(ax, "predicted", t[inside], predicted[inside], style=1, solid=True)
     title = f"The {short(name)} over the last {CLOSER:g} s of the log"
     return Figure(title, legend(figure), "Gaps: every half second the model starts anew.")
-
-
-def _least(c: Calibration) -> tuple[float, str]:
-    """The smallest R² of half seconds, and its sensor; a compass, which also turns with iron nearby, counts alone."""
-    sensors = {name: value for name, value in c.segments.items() if name.startswith("sensor/")}
-    judged = {name: value for name, value in sensors.items() if name in PREDICTED} or sensors
-    return min(((value, short(name)) for name, value in judged.items()), default=(math.nan, ""))
-
-
-def worst(c: Calibration) -> float:
-    """The smallest R² of half seconds, of all and of those that were not fitted."""
-    return min(_least(c)[0], *(value for name, value in held_out(c).items() if name in PREDICTED), math.inf)
-
-
-def held_out(c: Calibration) -> dict[str, float]:
-    """R² of the half seconds that were not fitted, of each sensor; empty where all were."""
-    if not c.held_out or not c.free:
-        return {}
-    free, (start, _) = c.free[0], c.held_out
-    rest = free.when >= start
-    part = replace(free, **{name: getattr(free, name)[rest] for name in _READINGS})
-    return {name: part.r_squared(name) for name in free.rows if (part.row == free.rows.index(name)).sum() > 2}
-
-
-_READINGS = ("row", "when", "measured", "predicted", "segment")

@@ -46,6 +46,7 @@ import { driveTorque, driveVolts, measure, slacken, turn } from "./electronics.j
  */
 
 export const FALLEN = 1.4;
+const STOP = 0.8; // [rad] at which every program stops the motors, as robots.kit.STOP
 const SAME_TIME = 1e-9;
 
 /**
@@ -177,6 +178,7 @@ export class Loop {
     this.out = new Float64Array(4);
     this.w = new Float64Array(3);
     this.ideal = new Float64Array(6);
+    this.stopped = false;
     this.twist = 0; // of a pull at one wheel
     body.motion.read(this.x, this.applied, this.w, this.ideal);
     this.voltage = body.kit?.voltage ?? Infinity;
@@ -219,7 +221,9 @@ export class Loop {
     this.before.set(this.z);
     for (let i = 0; i < reads.length; i += 1) this.y[i] = this.values[reads[i]];
     law?.command(this.z, this.y, reference, this.u, gains);
-    this.sent.set(this.u.subarray(0, 2));
+    this.stopped ||= Math.abs(this.x[0]) > STOP;
+    if (this.stopped) this.sent.fill(0);
+    else this.sent.set(this.u.subarray(0, 2));
     for (let k = 0; k < stride; k += 1) {
       disturb(this.t, this.w);
       this.move();
