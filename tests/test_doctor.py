@@ -26,7 +26,7 @@ from upright.experiment.examples import example
 from upright.logs.mapping import Mapping, Source
 from upright.logs.outliers import single
 from upright.logs.readers import RawTable, read_table
-from upright.robots import Kit, Robot, find_kit
+from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
 
 
@@ -389,7 +389,46 @@ def test_a_duty_below_a_half_may_be_of_255_and_one_that_ends_at_100_is_per_cent(
     wheels = {f"enc_{side}": log[f"sensor/encoder_{side}"] for side in ("left", "right")}
     found = [f for f in doctor(table(log, pwmOutput=duty, **wheels)).findings if f.code == "units/command"]
     assert len(found) == 1
-    assert ("make sure that full duty is 100, not 255" in found[0].repair) == open_
+    assert ("what full duty is: 100 or 255" in found[0].repair) == open_
+    assert "of what voltage" in found[0].repair  # neither log nor robot tells the battery
+    assert not found[0].fixes
+
+
+@pytest.mark.parametrize(("full", "part"), [(255, 0.3), (255, 0.7), (1023, 0.2)])
+@pytest.mark.parametrize("battery", [True, False])
+def test_a_duty_is_made_volts_of_its_own_full_number_and_battery_or_asked(
+    full: int, part: float, battery: bool
+) -> None:
+    """Its largest duty is a part of full: never per cent, never 7.5 V, and never silently anything."""
+    log, robot = made("nxt"), find_robot("nxtway-gs")
+    volts = {side: log[f"applied/{side}"] for side in ("left", "right")}
+    supply = max(float(np.abs(u).max()) for u in volts.values()) / part
+    kit = find_kit(robot.kit)
+    robot = replace(robot, kit=replace(kit, battery=replace(kit.battery, voltage=supply)))
+    columns = {f"pwm_{side}": np.rint(u / supply * full) for side, u in volts.items()}
+    columns |= {f"enc_{side}": log[f"sensor/encoder_{side}"] for side in volts}
+    columns |= {"vbat": np.full(len(log.t), supply)} if battery else {}
+    for known in (None, robot):
+        found = doctor(table(log, **columns), known)
+        said = [f for f in found.findings if f.code == "units/command"]
+        assert said
+        if said[0].fixes:  # 1000 for 1023 is not told from the motor's spread
+            large = np.abs(volts["left"]) > 0.2 * supply * part
+            ratio = found.repaired()["command/left"][large] / volts["left"][large]
+            assert float(np.median(ratio)) == pytest.approx(1, abs=0.05)
+        else:
+            assert f"{full}" in said[0].repair or "of what voltage" in said[0].repair
+
+
+@pytest.mark.needs("shared/cases/pwm-and-battery/mylog_vbat.csv")
+def test_a_strangers_duty_of_255_is_not_read_as_per_cent(shared: Path) -> None:
+    """2.05 V were written for 0.80 V, without a finding."""
+    folder = shared / "cases" / "pwm-and-battery"
+    for robot in (None, folder / "mine2.toml"):
+        found = doctor(folder / "mylog_vbat.csv", robot)
+        (said,) = (f for f in found.findings if f.code == "units/command")
+        assert "255" in said.repair
+        assert said.fixes == () or "over 255" in said.repair
 
 
 def test_a_tilt_alone_says_only_near_upright() -> None:

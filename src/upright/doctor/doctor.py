@@ -29,6 +29,7 @@ from upright.doctor import (
     swings,
     time,
     units,
+    volts,
 )
 from upright.doctor.counts import distances
 from upright.doctor.finding import (
@@ -176,22 +177,18 @@ class Diagnosis(Shown):
         head = f"{self.source or 'log'}: {self.rows} rows, {self.seconds:.4g} s, every {self.period * 1e3:.4g} ms"
         head += "" if self.mapping.name == "ours" else f", read as '{self.mapping.name}'"
         if self.mapping.name != "ours":
-            head += "\n" + textwrap.fill(columns_line(self.mapping, self.ignored), 120, subsequent_indent="       ")
-        lines = [head, *textwrap.wrap(poses_line(self.segments), 120, subsequent_indent="       ")]
+            head += "\n" + textwrap.fill(columns_line(self.mapping, self.ignored), 80, subsequent_indent="       ")
+        lines = [head, *textwrap.wrap(poses_line(self.segments), 80, subsequent_indent="       ")]
         if not self.findings:
             return "\n".join([*lines, "no faults"])
         for finding in self.findings:
             text = f"{finding.evidence}" + (f" → {finding.repair}" if finding.repair else "")
-            first, *rest = textwrap.wrap(text, 100)
-            lines += [f"{finding.severity:8} {finding.code:22} {finding.channel:20} {first}"]
-            lines += [" " * 53 + line for line in rest]
+            lines += [f"{finding.severity:8} {finding.code:22} {finding.channel}".rstrip()]
+            lines += textwrap.wrap(text, 80, initial_indent="    ", subsequent_indent="    ")
         if self.kept and len(self.cut_away()) == len(self.faults) > 1:
             start, stop = map(moment, self.kept)
             lines.append(f"one cut removes all {len(self.faults)} faults: {start} ≤ t < {stop} s (--fix REPAIRED.csv)")
         return "\n".join(lines)
-
-
-PERIOD = "state under [time] its column, or how many seconds a row takes: period = 0.01"
 
 
 def doctor(
@@ -217,7 +214,7 @@ def doctor(
     if misnamed := columns.another_gyro(chosen, table, findings):
         findings, last = misnamed, replace(last, segments=())
     findings += assumed + rates.stated(table.decimation, findings) + rates.skipped(table.skipped)
-    findings += time.paced(raw.t, table.origin) + speeds.against_angles(chosen, table)
+    findings += time.paced(raw.t, table.origin) + speeds.against_angles(chosen, table) + volts.assumed(chosen, table)
     order = {severity: i for i, severity in enumerate(SEVERITIES)}
     ranked = tuple(sorted(findings, key=lambda finding: order[finding.severity]))
     origin = dict(table.origin) | ({"file": table.source, "mapping": chosen.name} if table.source else {})
@@ -283,7 +280,7 @@ def _record(table: RawTable, mapping: Mapping) -> Record:
         raise InvalidLog(
             f"the time, column '{mapping.time.column}', never changes",
             likely="another column is the time, or none is",
-            hint=f"upright doctor LOG --write-mapping m.toml, and {PERIOD}",
+            hint="upright doctor LOG --write-mapping m.toml, and state its column there, or period = 0.01 (s a row)",
         )
     if not any(np.isfinite(x).any() for n, x in measured.items() if n.startswith("sensor/") or n == PITCH):
         read = ", ".join(dict.fromkeys(mapping.channels[n].column for n in measured if n in mapping.channels))
@@ -308,7 +305,7 @@ def _stages(robot: Robot | None) -> list[list[Check]]:
         [motion.sides, sensors.unequal, partial(distances, robot=robot)],
         [partial(units.scales, robot=robot)],
         [plausible.speeds],
-        [partial(units.commands, robot=robot)],
+        [partial(volts.commands, robot=robot)],
         [estimates.estimates],
         [segments.zero],
         [swings.bias, sensors.saturation, sensors.grain, swings.quiet],
@@ -354,7 +351,7 @@ def contradictions(log: Log, robot: Robot | None = None, codes: tuple[str, ...] 
         own = {(f.code, f.channel) for f in _examine(record, robot, unwatched)[0]}
         findings = [f for f in findings if not f.code.startswith("units/") or (f.code, f.channel) in own]
     if robot is not None and last.unnamed:
-        findings += [f for f in units.commands(last, robot) if f.severity == "error"]
+        findings += [f for f in volts.commands(last, robot) if f.severity == "error"]
     return [f"the log contradicts itself, {f.channel}: {f.evidence}" for f in findings if f.code.startswith(codes)]
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from upright.doctor.finding import BATTERY, Array, Record
 from upright.doctor.physics import Resampled, motor
 from upright.logs.mapping import FULL_DUTIES, full_duty
-from upright.robots import Robot
+from upright.robots import Robot, find_kit
 
 ALIKE = math.log(20)
 """Of two explanations of which neither is likelier by odds of twenty to one, the log does not tell which."""
@@ -24,8 +24,9 @@ UNCLIPPED = 4.0
 the limit."""
 
 FRACTION = "a fraction of full duty"
-LARGER_DUTY = 2.0  # negative log odds that a full duty is a larger number than the smallest usual one
-USUAL_BATTERY = 7.5  # [V] of a robot whose log and file tell no battery
+USUAL_DUTIES = (100.0, 255.0)  # full duty where people program LEGO, and where they program an Arduino: equally usual
+LARGER_DUTY = 2.0  # negative log odds that a full duty is a number beyond these and the smallest usual one
+USUAL_BATTERY = 7.5  # [V] for the size of commands whose log and robot tell no battery; no repair is made of it
 
 
 class CommandUnit(NamedTuple):
@@ -36,13 +37,13 @@ class CommandUnit(NamedTuple):
     prior: float
 
 
-def command_units(record: Record) -> list[CommandUnit]:
+def command_units(record: Record, robot: Robot | None = None) -> list[CommandUnit]:
     """Volts, a duty or millivolts; a duty alone where a name or the mapping says so, of whatever number is full: a
     robot that stands seldom needs a half of 255."""
     names = record.commands
     if names is None:
         return [CommandUnit("volts", 1.0, 0.0)]
-    largest, battery = largest_command(record, names), battery_of(record)
+    largest, battery = largest_command(record, names), battery_of(record, robot)
 
     def size(factor: float) -> float:
         total = (max(0.0, math.log(largest / factor / 9.0)) / 0.6) ** 2 / 2 if largest else 0.0
@@ -52,7 +53,8 @@ def command_units(record: Record) -> list[CommandUnit]:
     duty = CommandUnit(name, full / (battery or USUAL_BATTERY), 0.0)
     if record.units.get(names[0]) == "1":
         larger = [f for f in FULL_DUTIES if f > full > 1]
-        return [duty, *(CommandUnit(_counts(f), duty.factor * f / full, LARGER_DUTY) for f in larger)]
+        rare = {f: 0.0 if f in USUAL_DUTIES else LARGER_DUTY for f in larger}
+        return [duty, *(CommandUnit(_counts(f), duty.factor * f / full, rare[f]) for f in larger)]
     others = [(name, duty.factor), ("millivolts", 1e3)]
     if largest <= 1 and record.unnamed:
         others.append((FRACTION, 1 / (battery or USUAL_BATTERY)))
@@ -77,8 +79,12 @@ def largest_command(record: Record, names: tuple[str, str]) -> float:
     return float(np.nanmax(rows))
 
 
-def battery_of(record: Record) -> float:
-    return float(np.nanmedian(record[BATTERY])) if BATTERY in record else 0.0
+def battery_of(record: Record, robot: Robot | None = None) -> float:
+    """The battery's voltage [V] by the log, or else by the kit of a known robot; 0 where nothing tells it."""
+    if BATTERY in record:
+        return float(np.nanmedian(record[BATTERY]))
+    voltage = find_kit(robot.kit).battery.voltage if robot is not None else math.inf
+    return voltage if math.isfinite(voltage) else 0.0
 
 
 def _duty(record: Record, names: tuple[str, str], largest: float) -> tuple[str, float]:

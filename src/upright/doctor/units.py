@@ -13,17 +13,12 @@ from upright.doctor.counts import DEGREE, encoder_counts, raw_counts, whole_numb
 from upright.doctor.duty import (
     ALIKE,
     FAULT,
-    USUAL_BATTERY,
     CommandUnit,
-    as_likely,
     back_emf,
-    battery_of,
     command_units,
     counted,
-    largest_command,
 )
 from upright.doctor.finding import (
-    BATTERY,
     FORWARD,
     GYRO,
     LEFT,
@@ -36,7 +31,6 @@ from upright.doctor.finding import (
     Fix,
     Record,
     error,
-    note,
     warning,
 )  # fmt: skip
 from upright.doctor.motion import TRUSTED
@@ -146,7 +140,7 @@ def _scaled(record: Record, robot: Robot | None, m: Resampled, values: tuple[flo
     assert m.gyro is not None
     doubt = 1 / (float(m.good.sum()) * m.period)
     usual = {n: (at, math.hypot(s, _SHORTER.get(n, 0.0) * doubt)) for n, (at, s) in expected(robot).items()}
-    estimated, units = _estimated(record, m, values), command_units(record)
+    estimated, units = _estimated(record, m, values), command_units(record, robot)
     estimated["most q"] = estimated["q"] * math.exp(_SHORTER["q"] * doubt)
     by_gravity = _gyro_by_gravity(record, m)
     by_pitch = _gyro_by_pitch(record, m)
@@ -347,54 +341,3 @@ def divide(channels: tuple[str, ...], evidence: str, divisor: float) -> Finding:
     return error(
         "units/scale", channels[0], evidence, f"divide by {divisor:.6g}", Fix("scale", channels, (1 / divisor,))
     )
-
-
-def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
-    """Per cent or millivolts instead of volts: by battery voltage, back-EMF and magnitude."""
-    names, m = record.commands, motion(record)
-    if names is None or record.torque_driven:
-        return []
-    largest, battery = largest_command(record, names), battery_of(record)
-    if not largest:
-        return []  # motors that are off, in any unit
-    emf = back_emf(record, m, robot) if m is not None else 0.0
-    centre, spread = expected(robot)["back_emf"]
-
-    def penalty(unit: CommandUnit) -> float:
-        return unit.prior + (((math.log(emf / unit.factor) - centre) / spread) ** 2 / 2 if emf else 0.0)
-
-    units = command_units(record)
-    unit = min(units, key=penalty)
-    if unit.name == "volts":
-        evidence = f"no name says their unit, and they reach {largest:.3g}: N m, a fraction of full duty, or V"
-        which = note("units/command", names[0], evidence, "state it in a mapping: V, N m or %, and its scale")
-        return [which] if record.unnamed and largest <= 1 and not emf else []
-    duty = record.units.get(names[0]) == "1"  # by its name
-    if not emf and not duty and not counted(record[names[0]]) and (others := as_likely(units, unit)):
-        which = " or ".join(one.name.rstrip(",") for one in (unit, *others))
-        evidence = f"no volts, since they reach {largest:.3g}: {which}; without wheels that turn nothing tells which"
-        return [error("units/command", names[0], evidence, "state the unit in a mapping: V, mV or %, and its scale")]
-    best, full = unit.name, unit.factor * (battery or USUAL_BATTERY)
-    evidence = f"{best} instead of volts: they reach {largest:.3g}" + (
-        f" on a battery of {battery:.3g} V" if battery else ""
-    )
-    if emf:
-        evidence += f"; back-EMF {emf:.3g} V s/rad as logged, {emf / unit.factor:.3g} V s/rad repaired"
-    also = tuple(n for n in ("command/left", "command/right") if n in record and n not in names)
-    channels = (*names, *also)
-    full_unknown = best != "millivolts" and largest < full  # a duty that ends below the full one may be of a larger one
-    alike = [u for u in units if u is not unit and penalty(u) < penalty(unit) + ALIKE] if full_unknown else []
-    if best != "millivolts" and battery:
-        fixes = (Fix("scale", channels, (100 / full,)),) if full != 100 else ()
-        repair = f"multiply by the battery over {full:g}" + _or_else(full, alike, battery)
-        return [error("units/command", names[0], evidence, repair, *fixes, Fix("percent", (*channels, BATTERY)))]
-    assumed = "" if best == "millivolts" else f", assuming a battery of {USUAL_BATTERY:g} V"
-    repair = f"divide by {unit.factor:.4g}{assumed}" + _or_else(full, alike, battery or USUAL_BATTERY)
-    return [error("units/command", names[0], evidence, repair, Fix("scale", channels, (1 / unit.factor,)))]
-
-
-def _or_else(full: float, alike: Sequence[CommandUnit], battery: float) -> str:
-    """What else full duty may be, where the log does not tell."""
-    others = [unit.factor * battery for unit in alike if unit.name not in ("volts", "millivolts")]
-    more = " or more" if len(others) > 1 else ""
-    return f"; but first make sure that full duty is {full:g}, not {min(others):g}{more}" if others else ""

@@ -356,18 +356,29 @@ def _timed(time: Source, table: RawTable) -> Source:
 
 
 def in_volts(sources: Mapped[str, Source], table: RawTable) -> dict[str, Source]:
-    """The same sources, with a duty as volts where the battery's voltage is known, else as the file's
-    numbers: of what voltage they are a part, the log does not say."""
+    """The same sources, with a duty as volts where the battery's voltage and the full duty are known, else as the
+    file's numbers: of what they are a part, the log does not say."""
     times, new = "sensor/battery" if "sensor/battery" in sources else "", dict(sources)
     for name, source in sources.items():
         if source.unit == "%":
             full = full_duty(table.columns[source.column])
-            unit, scale = ("%", 1.0) if full == 100 and times else ("1", 1 / full if times else 1.0)
-            new[name] = replace(source, unit=unit, scale=scale, times=times)
+            known = bool(times) and not _of_any_full(source.column, table)
+            unit, scale = ("%", 1.0) if full == 100 and known else ("1", 1 / full if known else 1.0)
+            new[name] = replace(source, unit=unit, scale=scale, times=times if known else "")
     return new
 
 
 FULL_DUTIES = (1.0, 100.0, 255.0, 1000.0, 1023.0, 4095.0)  # fraction; per cent; Arduino; thousandths; 10 and 12 bits
+
+
+def _of_any_full(column: str, table: RawTable) -> bool:
+    """Whether nothing says what full duty is: whole numbers, as of a timer, that end at none of the usual ones, under
+    no name of per cent."""
+    if _stated_unit(column, table) == "%" or "percent" in column.lower() or "%" in column:
+        return False
+    values = np.abs(table.columns[column])
+    values = values[np.isfinite(values)]
+    return bool((values == np.rint(values)).all()) and values.max(initial=1.0) not in FULL_DUTIES
 
 
 def full_duty(values: Array) -> float:

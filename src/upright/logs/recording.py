@@ -129,7 +129,7 @@ def check_unit(log: Log, prefix: str, robot: Robot) -> None:
     if unit == "1" and any(log[f"{prefix}/{side}"].any() for side in SIDES):
         raise InvalidLog(
             "the log's commands are a duty, and of what voltage is not known", expected=robot.command_unit,
-            hint="upright doctor LOG --fix NEW.csv takes 7.5 V; or a mapping with a [constants] \"sensor/battery\"",
+            hint="upright doctor LOG --robot ROBOT, which repairs it or asks for what a mapping has to state",
         )  # fmt: skip
     if unit in ("V", "N m") and unit != robot.command_unit:
         raise InvalidLog(
