@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from upright.cli.options import JsonOption, ReportOption, RobotOption, complete_model, vector
-from upright.cli.output import check_targets, finish, write_page
+from upright.cli.output import check_targets, finish, warn_of, write_page
 from upright.errors import UnknownName
 
 DRIFT = 1e-9
@@ -48,15 +48,16 @@ def linearise(
         raise UnknownName("model", model, MODELS)
     point = vector(at, [*STATE_NAMES, *INPUTS], "--at")
     chosen = find_robot(robot)
+    warn_of(chosen)
     linear = tangent(chosen, point[:6], point[6:], model)
     rates = zip(linear.states, linear.f0.tolist(), strict=True)
     drift = {name: rate for name, rate in rates if abs(rate) > DRIFT and name not in STEADY}
     linear = linear if period is None else linear.c2d(period)
-    if report:
-        from upright.report.checked import linear_page
+    from upright.report.checked import linear_page
 
-        write_page(linear_page(linear, chosen), report)
-    finish(linear, as_json, output=output, written=[report])
+    page = linear_page(linear, chosen)
+    write_page(page, report)
+    finish(linear, as_json, output=output, written=[report], paged=page)
     if drift and not as_json:
         rates = ", ".join(f"{name} {rate:+.4g}" for name, rate in drift.items())
         typer.echo(f"\nnot an equilibrium: the state drifts, per second: {rates}")

@@ -12,3 +12,4 @@ from upright.robots.robot import Robot as Robot
 from upright.robots.robot import find_robot as find_robot
 from upright.robots.robot import preset_names as preset_names
 from upright.robots.toml import Provenance as Provenance
+from upright.robots.wiring import BoardWiring as BoardWiring

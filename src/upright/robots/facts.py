@@ -26,9 +26,12 @@ def robot_facts(robot: Robot) -> Facts:
 
 
 def kit_facts(kit: Kit) -> Facts:
-    """Every number of a kit, as `motor/limit` or `sensor/gyro/noise`; None for what is unlimited."""
+    """Every number of a kit, as `motor/limit` or `sensor/gyro/noise`; None for what is unlimited. How it is wired
+    decides nothing."""
     facts: dict[str, float | str | None] = {}
-    parts: list[tuple[str, Any]] = [(name, value) for name, value in asdict(kit).items() if name != "name"]
+    parts: list[tuple[str, Any]] = [
+        (name, value) for name, value in asdict(kit).items() if name not in ("name", "wiring")
+    ]
     while parts:
         name, value = parts.pop(0)
         if isinstance(value, dict):
