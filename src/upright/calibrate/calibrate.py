@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.calibrate.annealing import ANNEALING_NOISE, annealed, lost
-from upright.calibrate.calibration import GOOD, Calibration
+from upright.calibrate.calibration import EXCITE, GOOD, Calibration
 from upright.calibrate.coefficients import EQUATIONS
 from upright.calibrate.contradicted import Explained, doubted, explained, guessed
 from upright.calibrate.effects import effects_of
@@ -34,7 +34,8 @@ from upright.calibrate.process_noise import arrival, process
 from upright.calibrate.refined import refined, settled, simulated
 from upright.calibrate.resonance import FIRST, SWING, resonance_of, resonates, swing_noise
 from upright.calibrate.stated_gain import as_meant
-from upright.doctor.doctor import contradictions
+from upright.doctor.doctor import contradictions, record_of
+from upright.doctor.rates import faster_controller
 from upright.doctor.wheels import on_its_wheels
 from upright.errors import InvalidLog
 from upright.logs.mapping import Mapping as Columns
@@ -46,6 +47,8 @@ from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
 
 Array = NDArray[np.float64]
+
+CERTAIN = 2.58  # standard deviations below zero: a dead time that is not negative is so in fewer than one log in 100
 
 
 def calibrate(
@@ -69,7 +72,7 @@ def calibrate(
     `between_knocks`. Raises `InvalidLog` for unusable logs, `DesignFailed` where no start follows the log.
     """
     from upright.calibrate.apart import apart
-    from upright.calibrate.summary import summarised
+    from upright.calibrate.summary import summarised, untold
 
     began, show = time.perf_counter(), progress or unwatched
     given = [raw_log(log, mapping) for log in ([logs] if isinstance(logs, Log | str | os.PathLike) else logs)]
@@ -101,12 +104,28 @@ def calibrate(
     hidden = parts.delay + parts.jitter / 2 - _dead_time(parts, several)
     notes = [*meant, *filter(None, left), *knocked, *([STRAIGHT] if straight else [])]
     notes += [f"{pace}." for pace in map(pace_of, several) if pace and not pace.kept]
+    result = untold(result, _unknown(result, several, knocked, cut=between_knocks))
     result = replace(result, kit=learnt_kit(result, parts, problem.delays, hidden), notes=(*result.notes, *notes))
-    if problem.temper < 1 and not result.withheld():  # else the noise of the kit is that of the filter
+    if problem.temper < 1 and not result.decision.withheld:  # else the noise of the kit is that of the filter
         own = result.kit or parts
         noise = one_step_noise(max(several, key=len), result.robot, own, delay=_dead_time(own, several))
         result = replace(result, robot=result.robot.replace(noise=noise))
-    return result if reason else replace(result, apart=apart(problem, z, result.sources))
+    return result if reason or result.untold else replace(result, apart=apart(problem, z, result.sources))
+
+
+def _unknown(result: Calibration, logs: Sequence[Log], knocked: Sequence[str], *, cut: bool) -> tuple[str, str] | None:
+    """Why these logs cannot tell the robot, and what to try; None where they can. With pushes that were `cut` out, a
+    fit that is refused is bent by softer ones, and of no other robot."""
+    if knocked and (not cut or result.refused or any("bends" in text for text in knocked)):
+        when = knocked[0].partition(" s ")[0]
+        return f"{when} s is in no channel of the log: inertias and pole are not told", f"dither, do not push: {EXCITE}"
+    for finding in (f for log in logs for f in faster_controller(record_of(log))):
+        return f"the log lacks commands: {finding.evidence}", "log every row of the controller; " + EXCITE
+    for e in result.delays:
+        if e.name.count("−") == 0 and e.value + CERTAIN * e.spread < 0:
+            early = f"the {e.name.removeprefix('delay/')} would show a command {-1e3 * e.value:.2g} ms before it acts"
+            return f"{early}: the model lacks something that moves this robot", "upright doctor LOG; or --force"
+    return None
 
 
 def _described(

@@ -4,15 +4,16 @@ checked. A `Calibration` can check itself, print itself and be written as JSON."
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.atomic import finite
-from upright.calibrate.estimate import HELD, NORMAL, VISIBLE, Estimate
+from upright.calibrate.estimate import HELD, NORMAL, REFUSED, VISIBLE, Estimate
 from upright.errors import InvalidRobot
 from upright.physics.linear import rolling, unstable_pole
 from upright.robots import Kit, Robot
@@ -31,6 +32,10 @@ PREDICTED = {
 """Readings by which a calibration is judged, with their units."""
 DRAWN = PREDICTED | {"sensor/compass": "rad"}
 """Readings that `Calibration.plot_prediction` draws, with their units."""
+
+UNKNOWN, DOUBTFUL, USABLE = "unknown", "doubtful", "usable"
+"""Verdicts on a calibration, beside `REFUSED`."""
+EXCITE = "`upright excite -o plan.json`, run that (`upright simulate --excite plan.json`, or the robot), calibrate anew"
 
 HELD_OUT = 0.1  # [s] a shorter end of a log is none that was held out
 GOOD = 0.9
@@ -113,16 +118,36 @@ class Segments:
         return mean[0], mean[1], parts[0][2][:least]
 
 
+class Decision(NamedTuple):
+    """What may be done with a calibrated robot (`verdict`, of those below), why, and what to try; the last two are ''
+    where nothing speaks against it."""
+
+    verdict: str
+    why: str = ""
+    hint: str = ""
+
+    @property
+    def against(self) -> bool:
+        """Whether no controller is to be designed with this robot, or nobody knows."""
+        return self.verdict in (REFUSED, UNKNOWN, DOUBTFUL)
+
+    @property
+    def withheld(self) -> bool:
+        """Whether no file of the robot is to be written."""
+        return self.verdict in (REFUSED, UNKNOWN)
+
+
 @dataclass(frozen=True, repr=False, kw_only=True)
 class Calibration(Shown):
     """A robot learnt from logs. `parameters` are what was fitted, `combinations` what the log really sees (ratios of
     them, and the unstable pole), `delays` the dead times, `electronics` what commands go through; `covariance` (n, n)
     is that of the parameters' names in `names`, in SI units. `fits` holds [%] h-step fits by horizon and sensor on the
     part kept back, `segments` R² of free simulation. `notes` are sentences for the reader. `refused` says why the fit
-    is no description of this robot: then no number is called visible. `widening` is by how much the intervals of what
-    is visible are wider than those of a right model, `supported` how many numbers and combinations such a model would
-    have visible. `quiet` says why the logs can give no inertia, `apart` which of several runs differs from the rest,
-    `missed` which readings half seconds explain too little of, and why where that is known."""
+    is no description of this robot: then no number is called visible; where its log can tell no robot, `untold` says
+    what to try. `widening` is by how much the intervals of what is visible are wider than those of a right model,
+    `supported` how many numbers and combinations such a model would have visible. `quiet` says why the logs can give no
+    inertia, `apart` which of several runs differs from the rest, `missed` which readings half seconds explain too
+    little of, and why where that is known."""
 
     robot: Robot
     prior: Robot
@@ -150,6 +175,7 @@ class Calibration(Shown):
     quiet: str = ""
     apart: tuple[str, ...] = ()
     missed: tuple[str, ...] = ()
+    untold: str = ""
 
     def __post_init__(self) -> None:
         covariance = np.array(self.covariance, dtype=np.float64)
@@ -163,6 +189,8 @@ class Calibration(Shown):
 
     def check(self) -> tuple[str, ...]:
         """What is wrong with this calibration, from its own numbers; nothing where it may be trusted."""
+        if self.untold:
+            return self.refused
         wrong = [*self.refused, *([self.quiet] if self.quiet else []), *self.apart, *self.missed]
         wrong += [
             f"{e.name}: {e.low:g} ≤ {e.value:g} ≤ {e.high:g} does not hold"
@@ -182,16 +210,41 @@ class Calibration(Shown):
             wrong.append(str(error))
         return tuple(wrong)
 
-    def withheld(self) -> str:
-        """Why no robot is to be written of this calibration, and what to try; '' where one may be."""
+    @property
+    def decision(self) -> Decision:
+        """Whether a controller may be designed with this robot: for terminal, page, file and exit code alike."""
         if self.refused:
-            return "the fit does not describe this robot; try: --force"
+            return Decision(UNKNOWN if self.untold else REFUSED, self.refused[0], self.untold or "--force")
         if self.quiet:
-            return (
-                "the log is too quiet for an inertia; try: upright excite -o plan.json, run it "
-                "(upright simulate --excite plan.json, or the robot), and calibrate from that log; or --force"
-            )
-        return ""
+            return Decision(UNKNOWN, "the log is too quiet for an inertia", f"{EXCITE}; or --force")
+        if off := self.off:
+            named = ", ".join(e.name for e in off)
+            return Decision(DOUBTFUL, f"outside of what was known before: {named}", "measure these, or another log")
+        return Decision(USABLE)
+
+    @property
+    def off(self) -> tuple[Estimate, ...]:
+        """Numbers that the log puts outside the 95 % interval that was known before."""
+        return () if self.refused else tuple(e for e in self.parameters if e.off)
+
+    @property
+    def least_score(self) -> float:
+        """The smallest R² of half seconds, of all and of those that were not fitted; a compass, which also turns with
+        iron nearby, counts alone."""
+        held = {name: r2 for name, r2 in self.unfitted.items() if name in PREDICTED}
+        scores = {name: self.segments[name] for name in self.channels}
+        judged = {name: r2 for name, r2 in scores.items() if name in PREDICTED} or scores
+        return min([*held.values(), *judged.values()], default=math.nan)
+
+    @property
+    def unfitted(self) -> dict[str, float]:
+        """R² of the half seconds that were not fitted, of each sensor; empty where all were."""
+        if not self.held_out or not self.free:
+            return {}
+        free, (start, _) = self.free[0], self.held_out
+        rest = free.when >= start
+        part = dataclasses.replace(free, **{name: getattr(free, name)[rest] for name in _READINGS})
+        return {name: part.r_squared(name) for name in free.rows if (part.row == free.rows.index(name)).sum() > 2}
 
     @property
     def correlation(self) -> Array:
@@ -228,7 +281,7 @@ class Calibration(Shown):
             "samples": self.samples, "seconds": self.seconds, "sources": list(self.sources),
             "notes": list(self.notes), "unseen": list(self.unseen), "refused": list(self.refused),
             "quiet": self.quiet, "apart": list(self.apart), "missed": list(self.missed), "wrong": list(self.check()),
-            "file": self.known_robot().to_toml(),
+            "decision": self.decision._asdict(), "file": self.known_robot().to_toml(),
         }  # fmt: skip
 
     def plot(self) -> Figure:
@@ -276,7 +329,10 @@ class Calibration(Shown):
 
     def __str__(self) -> str:
         head = f"{self.robot.name} from {', '.join(self.sources) or 'a log'}: {self.samples} samples fitted"
-        refused = [f"Refused as a description of this robot: {reason}" for reason in self.refused]
+        refused = [
+            f"{'Not told' if self.untold else 'Refused as a description of this robot'}: {reason}"
+            for reason in self.refused
+        ]
         scores = [f"{name.removeprefix('sensor/')} {self.segments[name]:.3f}" for name in self.channels]
         followed = [f"R² of predictions over half a second: {', '.join(scores)}"] if scores else []
         lines = [_line(e) for e in (*self.parameters, *self.delays, *self.electronics)]
@@ -299,6 +355,9 @@ class Calibration(Shown):
     def channels(self) -> list[str]:
         """The sensors of which half a second was predicted."""
         return [name for name in self.segments if name.startswith("sensor/")]
+
+
+_READINGS = ("row", "when", "measured", "predicted", "segment")
 
 
 def _line(e: Estimate) -> str:

@@ -2,7 +2,8 @@
 
 Both are tried, with the same parameters: the commands as they are logged, and times the gain, up to full duty. Where
 the motors were driven by the second, rows beyond full duty over the gain act less than in proportion, and the robot's
-own numbers, which its file gives, fit.
+own numbers, which its file gives, fit. So they would under a driver whose curve is concave, as bridges with slow decay
+are: small duties then act more than in proportion, whatever the program logs. Such curves are tried beside the gain.
 """
 
 from __future__ import annotations
@@ -25,6 +26,9 @@ from upright.robots import Kit
 from upright.signals import SIDES, Log
 
 ITERATIONS = 10  # of Gauss–Newton, from each start
+CURVES = (0.5, 0.7, 0.85)
+"""Exponents γ of a driver's curve V = U (v/U)^γ, where the full voltage U is kept: 1 is in proportion, and 0.5 triples
+a duty of a ninth."""
 
 
 def stated_gains(log: Log) -> dict[str, float]:
@@ -36,15 +40,29 @@ def stated_gains(log: Log) -> dict[str, float]:
 def amplified(log: Log, gain: float, kit: Kit) -> Log:
     """`log` with its commands times `gain`, up to full duty: the logged battery's voltage, or what the kit's motors get
     at most."""
+    prefix, most = commanded(log), _full(log, kit)
+    channels = {f"{prefix}/{side}": log[f"{prefix}/{side}"] for side in SIDES}
+    changed = {name: np.clip(gain * values, -most, most) for name, values in channels.items()}
+    origin = {name: value for name, value in log.origin.items() if name != GAINS} | {"times": gain}
+    return Log(log.t, {**log.channels, **changed}, log.units, origin)
+
+
+def _full(log: Log, kit: Kit) -> Array:
+    """The voltage of full duty in each row: the logged battery's, or what the kit's motors get at most."""
     prefix = commanded(log)
     most = np.full(len(log), kit.most("V"))
     if "sensor/battery" in log and log.unit(f"{prefix}/left") == log.unit("sensor/battery"):
         most = log["sensor/battery"]
-    channels = {f"{prefix}/{side}": log[f"{prefix}/{side}"] for side in SIDES}
-    most = np.maximum(most, np.max(np.abs([*channels.values()]), axis=0))  # what was logged was possible
-    changed = {name: np.clip(gain * values, -most, most) for name, values in channels.items()}
-    origin = {name: value for name, value in log.origin.items() if name != GAINS} | {"times": gain}
-    return Log(log.t, {**log.channels, **changed}, log.units, origin)
+    return np.maximum(most, np.abs(commands_of(log)).max(axis=1))  # what was logged was possible
+
+
+def _curved(log: Log, kit: Kit, exponent: float) -> Array:
+    """The commands (rows, 2) through a driver of this curve."""
+    commands = commands_of(log)
+    largest = float(np.abs(commands).max()) or 1.0
+    full = _full(log, kit)[:, None]
+    most = np.where(np.isfinite(full), full, largest)  # a kit without a battery has no full duty but the largest
+    return np.sign(commands) * most * np.abs(commands / most) ** exponent
 
 
 def commands_of(log: Log) -> Array:
@@ -85,6 +103,13 @@ def as_meant(
             notes[run] = (
                 f"{_undecided(chosen[run], words)}. Times {log.origin['times']:g} they explain the log better, but a "
                 "stronger motor or a smaller dead zone would do the same: nothing shows that they are cut at full duty."
+            )
+            continue
+        curves = [nats(fit, run, _curved(chosen[run], kit, exponent)) for exponent in CURVES]
+        if likelier < max(curves) + MARGIN:
+            notes[run] = (
+                f"{_undecided(chosen[run], words)}. A driver that gives small duties more than their share explains "
+                "the log about as well as that gain. Ask the program's source where it logs."
             )
             continue
         anew = [log if i == run else one for i, one in enumerate(chosen)]

@@ -140,6 +140,15 @@ def _fitted_part(log: Log, recording: Recording) -> FittedLog:
     return FittedLog(named(log), float(part.t[0]), float(part.t[-1]), marks_of(part))
 
 
+def untold(c: Calibration, reason: tuple[str, str] | None) -> Calibration:
+    """The calibration; where its logs can tell no robot, for a `reason` with what to try, none is accused."""
+    if reason is None:
+        return c
+    groups = ("parameters", "combinations", "delays", "electronics")
+    every = {group: tuple(_withdrawn(e, REFUSED) for e in getattr(c, group)) for group in groups}
+    return replace(c, **every, refused=reason[:1], untold=reason[1], missed=(), notes=())
+
+
 def _withdrawn(e: Estimate, verdict: str) -> Estimate:
     """The estimate of a fit that is refused, or of a log too quiet for it."""
     return replace(e, verdict=verdict) if e.verdict == VISIBLE or (verdict == REFUSED and e.verdict != HELD) else e

@@ -22,11 +22,11 @@ from upright.calibrate.estimate import (
 )
 from upright.plotting import number
 from upright.report import sensors
-from upright.report.doubts import FACTOR, again_with, doubts, off, repeated, reservations
+from upright.report.doubts import FACTOR, again_with, doubts, repeated, reservations
 from upright.report.made import command, typed
 from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
 from upright.report.priors import by_name, groups
-from upright.report.readings import closer, held_out, over_time, worst
+from upright.report.readings import closer, over_time
 from upright.tables import joined, least, power_of_ten, sentence, short, spoken
 
 GIVEN = 3  # parameters named on the first screen
@@ -75,9 +75,9 @@ def _forced(c: Calibration) -> dict[str, str]:
     """What --force did, where it was typed."""
     if "--force" not in command().split():
         return {}
-    if c.withheld():
-        return {"--force": "wrote the robot although the fit is refused, or the log too quiet"}
-    return {"--force": "changed nothing: the fit is neither refused nor too quiet"}
+    if c.decision.withheld:
+        return {"--force": "wrote the robot although the fit is refused, or the log cannot tell it"}
+    return {"--force": "changed nothing: the fit is neither refused nor unknown"}
 
 
 def _names_of(c: Calibration) -> str:
@@ -87,23 +87,24 @@ def _names_of(c: Calibration) -> str:
 
 def _verdict(c: Calibration) -> Verdict:
     """Whether anything speaks against the fit, and so whether a controller may be designed with this robot."""
-    wrong = reservations(c)
-    if c.refused:
-        return Verdict("refused", "bad")
+    wrong, decision = reservations(c), c.decision
+    if decision.withheld:
+        return Verdict(decision.verdict, "warn" if c.untold or c.quiet else "bad")
     if wrong:
-        so = "do not use it yet" if off(c) else "validate it first"
+        so = "do not use it yet" if decision.against else "validate it first"
         return Verdict(f"{len(wrong)} reservation{'s' if len(wrong) > 1 else ''}: {so}", "warn")
-    good = worst(c) >= GOOD
+    good = c.least_score >= GOOD
     return Verdict("ready for a design" if good else "predicts in part", "good" if good else "warn")
 
 
 def _title(c: Calibration) -> str:
     if c.refused:
-        return f"The log does not describe {c.robot.name}"
+        what = f"tell {c.robot.name}: {c.refused[0]}" if c.untold else f"describe {c.robot.name}"
+        return f"The log does not {what}"
     one = len(c.sources) < 2
     logs = _names_of(c) if len(c.sources) == 1 else "this log" if one else f"these {len(c.sources)} logs"
-    predicts = "predicts" if worst(c) >= GOOD else "partly predicts"
-    kept = one and bool(held_out(c))
+    predicts = "predicts" if c.least_score >= GOOD else "partly predicts"
+    kept = one and bool(c.unfitted)
     it = "the rest" if kept else "it" if one else "them"
     close = len(groups(c)[0])
     of = f"{close or 'none'} of its {len(c.parameters)} parameters {'are' if close > 1 else 'is'} measured"
@@ -115,7 +116,7 @@ def _numbers(c: Calibration) -> list[tuple[str, str]]:
     if c.refused:
         return []
     pole, numbers = c["unstable_pole"], list[tuple[str, str]]()
-    held = held_out(c)
+    held = c.unfitted
     if scores := held or {name: c.segments[name] for name in c.channels}:
         counted = {name: r2 for name, r2 in scores.items() if name in PREDICTED} or scores
         last = min(counted, key=lambda name: counted[name])
@@ -227,7 +228,7 @@ def _bounds(bounded: int, rough: int, more: bool) -> str:
 def _enough(c: Calibration) -> str:
     """That balancing needs less than all parameters, where the log tells that well."""
     pole = c["unstable_pole"]
-    if not pole.measured or worst(c) < GOOD:
+    if not pole.measured or c.least_score < GOOD:
         return ""
     return (
         " That is enough: balancing depends on few combinations of them, and the most important, the unstable pole, is "
@@ -242,12 +243,12 @@ def _per_cent(e: Estimate) -> str:
 def _next(c: Calibration) -> str:
     """What to run next: with the robot that was written, where one was."""
     logs = " ".join(Path(source).name for source in c.sources) or "LOG"
+    if c.untold or c.quiet:
+        return f"{c.decision.hint}."
     if any(reason.startswith(AGREE) for reason in c.refused):
         return "measure again, correct the robot's file, and calibrate once more."
     if c.refused:
         return f"`upright doctor {logs.split()[0]}` looks for what is wrong with the log."
-    if c.quiet:
-        return "`upright excite -o plan.json` plans a run that tells more."
     robot = typed("--output")
     if not robot:
         return f"`{command() or f'upright calibrate {logs}'} -o robot.toml` writes this robot as a file."
@@ -261,7 +262,7 @@ def _by_origin(c: Calibration) -> list[Item]:
     """The numbers that the log determines; those that stay as they were are pressed for."""
     close, bounded, rough = groups(c)
     known = [*close, *rough, *bounded]  # as in the figure
-    known += [e for e in off(c) if e not in known]
+    known += [e for e in c.off if e not in known]
     rest = [e for e in c.parameters if e not in known]
     if not rest:
         return [_estimates(c.parameters)]

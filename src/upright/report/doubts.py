@@ -38,8 +38,8 @@ def reservations(c: Calibration) -> list[str]:
 
 def _numbers(c: Calibration) -> list[str]:
     """Each number outside of what was known, and after the last why one moves that is not visible."""
-    words = [_one(c, e) for e in off(c)]
-    weak = sum(e.verdict != VISIBLE for e in off(c))
+    words = [_one(c, e) for e in c.off]
+    weak = sum(e.verdict != VISIBLE for e in c.off)
     if weak:
         words[-1] += _WEAKLY if weak == 1 else _BOTH
     return words
@@ -86,11 +86,6 @@ def repeated(c: Calibration) -> list[str]:
     return [note for note in c.notes if note.startswith(starts)]
 
 
-def off(c: Calibration) -> list[Estimate]:
-    """Numbers that the log puts outside the 95 % interval that was known before."""
-    return [e for e in c.parameters if e.off and not c.refused]
-
-
 def _times(e: Estimate) -> str:
     """How an estimate compares with the file: as a factor, where the file's value is not zero."""
     return f"at {number(e.value / e.prior, 2)} times the value of the robot's file" if e.prior else "far from its file"
@@ -98,7 +93,7 @@ def _times(e: Estimate) -> str:
 
 def doubts(c: Calibration) -> str:
     """The reservations in a few words, as a sentence with a space before it."""
-    wrong, left_out = off(c), any(not w.white for w in c.whiteness)
+    wrong, left_out = c.off, any(not w.white for w in c.whiteness)
     if not wrong:
         return " But the model leaves something out." if left_out else ""
     far = [f"the {spoken(e.name)} {_comes(e) if k == 0 else _comes(e).removeprefix('comes out ')} "
@@ -115,7 +110,7 @@ def _comes(e: Estimate) -> str:
 
 def again_with(c: Calibration, made: str) -> str:
     """What to do about numbers outside of what was known: measure what can be measured, and fit again."""
-    wrong = off(c)
+    wrong = c.off
     measure = [e for e in wrong if e.name in MEASURABLE]
     rest = joined([spoken(e.name) for e in wrong if e not in measure])
     check = f"check the {rest} in the robot's file, then " if rest else ""

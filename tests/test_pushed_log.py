@@ -1,0 +1,101 @@
+"""A log that does not hold what moved its robot tells neither inertias nor the pole, and no file is written of it."""
+
+from __future__ import annotations
+
+import json
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from conftest import SHARED
+from foreign_robots import Bot, Course, known, logged, metric
+from test_calibrate import short_calibration
+from upright.calibrate.calibrate import _unknown
+from upright.calibrate.calibration import Calibration
+from upright.calibrate.estimate import VISIBLE
+from upright.calibrate.knocks import without_knocks
+from upright.calibrate.summary import untold
+from upright.cli.main import main
+from upright.logs.mapping import apply, propose
+from upright.report.calibration import page_of
+from upright.robots import find_kit
+from upright.signals import Log
+
+BOT = Bot()
+SHOVE = 1.5 * BOT.body  # [N] for 50 ms: 0.075 m/s, a soft tap with a finger
+BLOWS = [(2.0, 2.05, SHOVE), (4.0, 4.05, -SHOVE), (6.0, 6.05, SHOVE)]
+
+
+def of_another_simulator(seed: int, *, pushed: bool) -> Log:
+    course = Course(held=0.5, excitation=0.0 if pushed else 1.2, pushes=BLOWS if pushed else ())
+    table = metric(logged(BOT, course, seed=seed), BOT)
+    return apply(propose(table), table)
+
+
+@pytest.mark.parametrize("seed", [811, 812])
+def test_soft_pushes_are_found_and_a_dither_is_none(seed: int) -> None:
+    robot = known(BOT)
+    kit = find_kit(robot.kit)
+    _, (note,) = without_knocks([of_another_simulator(seed, pushed=True)], robot, kit, cut=False)
+    times = [float(word) for word in re.findall(r"[\d.]+(?=,| s bends)", note)]
+    assert times == pytest.approx([0.5 + start for start, *_ in BLOWS], abs=0.05)  # which is how long each lasts
+    assert "dither, do not push" in note
+    assert without_knocks([of_another_simulator(seed, pushed=False)], robot, kit, cut=False)[1] == []
+
+
+@pytest.mark.long
+@pytest.mark.needs("shared/cases/hand-pushed")
+def test_a_log_with_pushes_by_hand_writes_no_robot(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """True pole 7.19 1/s: 5.96 (5.66 to 6.26) was measured, and written."""
+    case, output = SHARED / "cases" / "hand-pushed", tmp_path / "robot.toml"
+    named = [f"--{n}={case / f}.toml" for n, f in (("robot", "mine2"), ("kit", "nano"), ("mapping", "m"))]
+    assert main(["calibrate", str(case / "p2.csv"), *named, "-o", str(output), "--json"]) == 3
+    said = json.loads(capsys.readouterr().out)
+    assert not output.exists()
+    assert said["decision"]["verdict"] == said["head"]["verdict"]["text"] == "unknown"
+    assert "dither, do not push" in said["head"]["next"]
+    assert "upright excite" in said["head"]["next"]
+    every = [e["verdict"] for group in ("parameters", "combinations", "delays") for e in said[group]]
+    assert VISIBLE not in every
+
+
+def fitted() -> Calibration:
+    return short_calibration()[0]
+
+
+@pytest.mark.parametrize(("delay", "told"), [(-4e-3, False), (-1e-4, True), (4e-3, True)])
+@pytest.mark.slow
+def test_a_dead_time_is_not_negative(delay: float, told: bool) -> None:
+    """Of 0.5 ms of standard deviation −4 ms is eight below zero, and −0.1 ms none."""
+    late = next(e for e in fitted().delays if e.name == "delay/encoder")
+    delays = (replace(late, value=delay, low=delay - 1e-3, high=delay + 1e-3),)
+    why = _unknown(replace(fitted(), delays=delays), [], [], cut=False)
+    assert (why is None) == told
+    assert told or "before it acts" in why[0]
+
+
+@pytest.mark.slow
+def test_what_cannot_be_told_accuses_no_robot() -> None:
+    """Not even where a fit beside softer pushes came out as of another robot."""
+    refused = replace(fitted(), refused=("the log is of another robot",))
+    knocked = ["What looks like a push at 3 s is left out: 9 of 10 s are used."]
+    assert _unknown(fitted(), [], knocked, cut=True) is None
+    why = _unknown(refused, [], knocked, cut=True)
+    assert why
+    found = untold(refused, why)
+    page = str(page_of(found).html())
+    assert "another robot" not in f"{page}{found}{found.to_json()}"
+    assert found.decision.withheld
+    assert page_of(found).head.verdict.text == "unknown"
+
+
+@pytest.mark.slow
+@pytest.mark.needs("shared/data/regbot/balance_rest.txt")
+def test_a_faster_controller_is_not_told_from_its_slow_log() -> None:
+    from upright.logs.raw import raw_log
+
+    why = _unknown(fitted(), [raw_log(SHARED / "data" / "regbot" / "balance_rest.txt")], [], cut=False)
+    assert why
+    assert "lacks commands" in why[0]
