@@ -18,9 +18,10 @@ from upright.certify.agreement import AMBER, RED
 from upright.certify.analysis import analyse
 from upright.certify.certificate import VERSION, Certificate, certify, read_certificate
 from upright.certify.checks import PushTrial, TrialSetup, kernel_controller, trials
+from upright.certify.loop import robot_loop
 from upright.certify.pushes import RELEASE, standard_pushes
 from upright.certify.support import Support
-from upright.certify.verdict import GREEN, LinearMargins, judge
+from upright.certify.verdict import GREEN, LinearMargins, judge, linear_margins
 from upright.cli import certify as command
 from upright.cli.main import main
 from upright.control import LinearController, as_linear, controller_hash, make_controller, write_controller
@@ -77,7 +78,8 @@ def test_an_unstable_loop_is_red() -> None:
     assert certificate.light == RED
     assert certificate.fell == 100  # positive feedback of an unstable body holds nobody
     assert certificate.bound == 1.0
-    assert certificate.refuses().startswith("red: 100 of 100 robots fell")
+    assert certificate.refuses().startswith("red: the nominal loop is unstable")
+    assert certificate.reasons[1].startswith("100 of 100 robots fell")
 
 
 def test_an_unstable_loop_whose_robots_still_stand_is_red() -> None:
@@ -85,6 +87,50 @@ def test_an_unstable_loop_whose_robots_still_stand_is_red() -> None:
     light, reasons = judge(1000, 0, LinearMargins(1.01, 1.0, 1.0, 0.0), [_trial()], 0.01)
     assert light == RED
     assert "1.0100" in reasons[0]
+    assert "doubles every 0.7 s" in reasons[0]  # 0.01 s log 2 / log 1.01
+    # first of all reasons, whatever the motors could do: a push that is too hard is no answer to it
+    trial = dataclasses.replace(_trial(fell=1000), beyond=900)
+    _, reasons = judge(1000, 1000, LinearMargins(1.01, 1.0, 1.0, 0.0), [trial], 0.01, beyond=900)
+    assert "unstable" in reasons[0]
+
+
+def gyro_alone(kp: float, ki: float, kd: float) -> LinearController:
+    """A PID on the sum of the gyro's readings, as of a robot without encoders."""
+    dt, one = KIT.period, np.ones((2, 1))
+    A, By = np.array([[1.0, 0.0], [dt, 1.0]]), np.array([[dt], [0.0]])
+    C, Dy = one @ np.array([[kp, ki]]), one * (kp * dt + kd)
+    none, unused = np.zeros((2, 6)), np.zeros((2, 2))
+    return LinearController(A, By, none, unused, C, Dy, none, reads=("sensor/gyro",), period=dt)
+
+
+def test_a_free_place_is_no_instability() -> None:
+    """No command depends on how far the wheels have turned: poles at z = 1 for ever, and where all others decay the
+    robot stands."""
+    loop = robot_loop(ROBOT, gyro_alone(20.0, 100.0, 1.0), KIT)
+    poles = np.sort(np.abs(loop.closed.poles()))
+    assert poles[-4] < 0.9999  # beside position, heading and the sum of the readings
+    margins = linear_margins(gyro_alone(20.0, 100.0, 1.0), ROBOT, KIT)
+    assert margins is not None
+    assert margins.free
+    for fell, light, at in ((0, AMBER, 0), (1000, RED, 1)):
+        given, reasons = judge(1000, fell, margins, [_trial(fell=fell)], KIT.period)
+        assert given == light
+        assert reasons[at].startswith("nothing holds its position")
+        assert "unstable" not in " ".join(reasons)
+    weak = linear_margins(gyro_alone(5.0, 10.0, 0.2), ROBOT, KIT)
+    assert weak is not None
+    assert not weak.free
+    assert not weak.stable
+
+
+def test_a_design_says_of_a_free_place_what_the_certificate_says() -> None:
+    for gains, word in (((20.0, 100.0, 1.0), "nothing holds its position"), ((5.0, 10.0, 0.2), "unstable")):
+        controller = gyro_alone(*gains)
+        margins = linear_margins(controller, ROBOT, KIT)
+        (said,) = analyse(ROBOT, controller, KIT, robots=[]).words()
+        _, reasons = judge(1000, 0, margins, [_trial()], KIT.period)
+        assert word in said.lower()
+        assert said.rstrip(".").lower() == reasons[0].lower()
 
 
 @pytest.mark.parametrize(
@@ -147,7 +193,7 @@ def test_file_brings_the_certificate_back() -> None:
 def test_a_file_of_before_is_refused_with_what_to_do() -> None:
     # its pushes were the same for every robot, so that its light means something else
     older = {name: value for name, value in green().to_json().items() if name != "beyond"} | {"version": VERSION - 1}
-    with pytest.raises(InvalidController, match=r"version 2.*version 3.*certify it again"):
+    with pytest.raises(InvalidController, match=r"version 3.*version 4.*certify it again"):
         Certificate.from_json(older)
 
 
@@ -156,7 +202,10 @@ def test_what_no_controller_could_do_is_no_fault_of_this_one() -> None:
     trial = dataclasses.replace(_trial(fell=300), beyond=100)
     light, reasons = judge(1000, 300, LinearMargins(0.99, 0.5, 2.0, 0.02), [trial], 0.01, beyond=100)
     assert light == RED
-    assert reasons[0].startswith("no controller could: 100 of 1000")
+    assert reasons[0].startswith("300 of 1000 robots fell")  # the 200 others are reason enough, and the controller's
+    assert reasons[1].startswith("no controller could: 100 of 1000")
+    light, reasons = judge(1000, 110, LinearMargins(0.99, 0.5, 2.0, 0.02), [trial], 0.01, beyond=100)
+    assert reasons[0].startswith("no controller could: 100 of 1000")  # of 10 others alone it would not be red
     light, reasons = judge(1000, 300, LinearMargins(0.99, 0.5, 2.0, 0.02), [trial], 0.01, beyond=50)
     assert light == RED
     assert "no controller" not in reasons[0]

@@ -343,8 +343,9 @@ def test_simulate_tells_a_fall(capsys: pytest.CaptureFixture[str]) -> None:
     call = "simulate --kit ideal --gains 0,0,0,0,0,0 --start pitch=0.05 --seconds 2"
     assert main(call.split()) == 0
     text = capsys.readouterr().out
-    assert text.startswith("fell at ")
-    row = next(line for line in text.splitlines()[1:] if line.startswith("fell "))
+    assert text.startswith("Verdict: fell\n")
+    assert "\nfell at " in text
+    row = [line for line in text.splitlines() if line.startswith("fell ")][-1]
     assert row.split() == ["fell", "yes"]  # the table says what the line above it says
     assert main([*call.split(), "--json"]) == 0
     told = json.loads(capsys.readouterr().out)
@@ -505,27 +506,29 @@ def test_the_shell_completes_values(command: str, option: str, value: str) -> No
 
 
 @pytest.mark.parametrize(("no_color", "coloured"), [("", True), ("1", False)])
-def test_a_light_has_its_colour_on_a_terminal(no_color: str, coloured: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_verdict_has_its_colour_on_a_terminal(no_color: str, coloured: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NO_COLOR", no_color)
     monkeypatch.setenv("COLUMNS", "40")
     master, slave = os.openpty()
     with os.fdopen(slave, "w", encoding="utf-8") as screen, monkeypatch.context() as here:
         here.setattr(sys, "stdout", screen)
-        print_text(f"GREEN: lqg\n  {'word ' * 20}\nname  mass\n{'a  1  ' * 20}")
+        print_text(f"Verdict: stood\n  {'word ' * 20}\nname  mass\n{'a  1  ' * 20}", "good")
     lines = os.read(master, 10_000).decode().splitlines()
     os.close(master)
-    assert lines[0].startswith("\x1b[32m" if coloured else "GREEN: lqg")
+    assert lines[0].startswith("\x1b[32m" if coloured else "Verdict: stood")
     assert max(map(len, lines[1:-2])) <= 40
     assert len(lines[-1]) > 100  # a row of a table stays one line
 
 
-def test_a_light_has_no_colour_in_a_file(capsys: pytest.CaptureFixture[str]) -> None:
-    print_text(f"GREEN: {'word ' * 40}")
-    assert capsys.readouterr().out == f"GREEN: {'word ' * 40}\n"
+def test_a_verdict_has_no_colour_in_a_file(capsys: pytest.CaptureFixture[str]) -> None:
+    print_text(f"Verdict: {'word ' * 40}", "good")
+    assert capsys.readouterr().out == f"Verdict: {'word ' * 40}\n"
 
 
 def test_a_run_that_nothing_disturbs_says_so(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["simulate", "-s", "0.1"]) == 0
-    assert capsys.readouterr().out.startswith("nothing disturbs the robot; try: --push ")
+    text = capsys.readouterr().out
+    assert text.startswith("Verdict: nothing disturbed it\n")
+    assert "\nnothing disturbs the robot; try: --push " in text
     assert main(["simulate", "-s", "0.1", "--push", "impulse:0.1"]) == 0
     assert "nothing disturbs" not in capsys.readouterr().out

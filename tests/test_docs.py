@@ -182,8 +182,9 @@ def test_the_command_printed_with_the_example_body_runs(tmp_path, monkeypatch, c
     command = next(line for block in blocks(page, "sh") for line in block.splitlines() if "my.py" in line)
     monkeypatch.chdir(tmp_path)
     assert main(shlex.split(command)[1:]) == 0
-    # ψ = 0.01 cosh(11.67 t) reaches the body's 1.4 rad at 0.483 s; the log says so one period of 10 ms later
-    assert "fell at 0.49 s" in capsys.readouterr().out
+    # ψ = 0.01 cosh(11.67 t) reaches 0.8 rad, where every program stops, at 0.435 s; it is read
+    # a period of 10 ms later
+    assert "fell at 0.44 s" in capsys.readouterr().out
     assert main(["simulate", "--body", "my.py:Rod"]) == 2  # the NXT's sensors are missing on a rod
     assert "try: a kit without them, such as 'ideal'" in capsys.readouterr().err
 

@@ -33,7 +33,7 @@ from upright.physics.dynamics import motor_gain
 from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import draw
-from upright.tables import Shown, preformatted, short
+from upright.tables import Shown, preformatted, sentence, short
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -82,7 +82,12 @@ class Analysis(Shown):
     @property
     def stable(self) -> bool:
         """Whether the nominal loop is."""
-        return bool(np.abs(self.poles).max() < 1)
+        return self.radius < 1 - ROUNDED
+
+    @property
+    def radius(self) -> float:
+        """The largest |pole|."""
+        return float(np.abs(self.poles).max())
 
     @property
     def radii(self) -> Array:
@@ -107,7 +112,7 @@ class Analysis(Shown):
     def words(self) -> list[str]:
         """The result, in sentences."""
         if not self.stable:
-            return [f"The loop is unstable: its largest pole is at |z| = {np.abs(self.poles).max():.4f}."]
+            return [sentence(instability(self.radius, self.period))]
         low, high = disk_gain(self.disk)
         first = self.weakest
         sentences = [
@@ -232,6 +237,14 @@ class Analysis(Shown):
         return preformatted(str(self))
 
 
+def instability(radius: float, period: float) -> str:
+    """What a largest |pole| of `radius` means, which does not lie inside the circle, in words."""
+    if radius <= 1 + ROUNDED:
+        return "nothing holds its position or its heading (a pole at z = 1): it may stand, but rolls or turns away"
+    doubled = period * math.log(2) / math.log(radius)
+    return f"the nominal loop is unstable: a deviation doubles every {doubled:.2g} s (|z| = {radius:.4f})"
+
+
 def _unstable(model: LinearModel) -> Complex:
     poles = model.poles()
     return poles[np.abs(poles) > 1 + ROUNDED]
@@ -286,7 +299,7 @@ def analyse(
         strengths=np.array([motor_gain(each) for each in family]) / motor_gain(robot),
         inputs=every[: len(INPUTS)], outputs=every[len(INPUTS) :],
         disk=disk_margin(loop.at_input), delay=dead_time, coprime=stability_margin(scaled),
-        gap=_largest_gap(scaled.plant, [plant.scaled(command, readings) for plant in plants[:GAPS]]),
+        gap=_largest_gap(scaled.plant, [plant.scaled(command, readings) for plant in plants[: loop.stable * GAPS]]),
         mu=parameter_mu(robot, controller, kit) if with_mu else None,
     )  # fmt: skip
 

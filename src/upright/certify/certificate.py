@@ -43,6 +43,7 @@ from upright.progress import Progress
 from upright.reading import check_types, read_json, understood
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.facts import Facts, differences, kit_facts, robot_facts
+from upright.robots.motor import refuse_energy
 from upright.robots.uncertainty import Uncertainty, at_medians, draw
 from upright.signals import Log
 from upright.tables import Shown, in_degrees
@@ -56,8 +57,9 @@ FEWEST = 100
 UNWEIGHED = "a scale tells the mass: put the robot on one, and certify it again with --weighed KG"
 
 KIND = "upright certificate"
-VERSION = 3
-"""3: pushes are scaled to what any controller could survive; 2: robot and kit are named by their numbers."""
+VERSION = 4
+"""4: an unstable loop is the first reason, a free position none for red;
+3: pushes are scaled to what any controller could survive; 2: robot and kit are named by their numbers."""
 
 
 @dataclass(frozen=True, repr=False, kw_only=True)
@@ -72,7 +74,7 @@ class Certificate(Shown):
     `agreement` compares the innovations of a log with these assumptions, `support` what the log shows of each number
     that is taken as given. What was `taken` from the log, and tried, stands beside what had been assumed. `narrowing`
     says of a red light what would have to be known better (None: not examined). The robot `weighed` so much [kg] on a
-    scale (None: not weighed).
+    scale (None: not weighed). `given` is the file or the name by which the controller was asked for ("": an object).
     """
 
     light: str
@@ -99,6 +101,7 @@ class Certificate(Shown):
     response: tuple[float, ...] = ()
     narrowing: Narrowing | None = None
     weighed: float | None = None
+    given: str = ""
 
     def check(self) -> tuple[str, ...]:
         """Contradictions among this certificate's own numbers, as sentences; none where it is consistent."""
@@ -192,6 +195,16 @@ class Certificate(Shown):
         return certificate
 
     @property
+    def designed(self) -> str:
+        """Of a name beside a log, what was certified: a name does not tell what flew. Empty for a file or no log."""
+        if not (self.agreement and self.given) or self.given.endswith(".json"):
+            return ""
+        return (
+            f"{self.given} as `upright design {self.given}` makes it for {self.robot} as its file states it: "
+            "if another controller flew, certify its file"
+        )
+
+    @property
     def mass_open(self) -> bool:
         """Whether robots fall as light or as heavy as the log leaves open."""
         return any(s.tried and s.outside for s in self.support)
@@ -202,7 +215,8 @@ class Certificate(Shown):
         columns = f"{'push':<{wide}}{'battery':>8}{'of any':>8}{'fell':>11}"
         columns += f"{'saturated':>10}{'travel':>9}{'peak':>11}{'sway':>11}"
         sweeps = [_sweep("dead time +", self.delayed), _sweep("period ", self.slower)]
-        lines = [head, *(f"  {reason}" for reason in self.reasons), "", columns, *(_row(t, wide) for t in self.trials)]
+        first = [f"  {line}" for line in (self.designed, *self.reasons) if line]
+        lines = [head, *first, "", columns, *(_row(t, wide) for t in self.trials)]
         if worst := max((t.residual for t in self.trials), default=0.0):
             sweeps.append(f"the last iteration moved a command by {worst:.2%} of its limit at most")
         if self.beyond:
@@ -243,21 +257,20 @@ def certify(
     `mapping`. Without a `posterior` the robot is first calibrated from it. What it contradicts of the assumptions is
     tried as the log shows it. Body and wheels `weighed` so much [kg] together on a scale as the robot stands: then no
     log is asked the mass. `sweeps` adds further dead times and other periods, on which the light does not depend.
-    Controller, robot and kit may be names or files. A controller of your own is called for each robot: 1000 samples
-    take minutes. `progress` receives the fraction done. Raises `SpecMismatch`, `InvalidScenario`, `InvalidLog` and
-    `InvalidRobot` for a controller, a number of samples, a log and a weight that do not fit.
+    Controller, robot and kit may be names or files; a controller's name is its design for the robot as stated, whatever
+    a log shows. One of your own is called for each robot: 1000 samples take minutes. `progress` receives the fraction
+    done. Raises `SpecMismatch`, `InvalidScenario`, `InvalidLog` and `InvalidRobot` for what does not fit.
     """
-    given = find_robot(robot)
+    given = refuse_energy(find_robot(robot))
     nominal, unknown = at_medians(given, posterior)
     parts, recording = find_kit(kit or nominal.kit), None if log is None else as_sent(raw_log(log, mapping))
-    rubs, stated = nominal.coulomb_friction > 0, (nominal, parts)
-    own, wrong = None, tuple[Support, ...]()
+    rubs, stated, own, wrong = nominal.coulomb_friction > 0, (nominal, parts), None, tuple[Support, ...]()
     bare = recording if unknown is None and robots is None else None
+    design = find_controller(controller, *stated, parts.period)
     nominal = _weighed(nominal, weighed, alone=posterior is None and robots is None, logged=bool(bare))
     if bare:
-        own, wrong = _calibrated(bare, controller, nominal, parts, seed, progress, weighed=weighed is not None)
+        own, wrong = _calibrated(bare, design, nominal, parts, seed, progress, weighed=weighed is not None)
         nominal, parts, unknown = own.robot, own.kit, own.uncertainty
-    design = find_controller(controller, nominal, parts, parts.period)
     family = _checked(draw(nominal, samples, seed, unknown) if robots is None else list(robots), nominal)
     setup = TrialSetup(kernel_controller(design, nominal, parts), nominal, family, parts, seed, threads,
                        dry_friction=rubs, is_weighed=bool(bare), stated=stated)  # fmt: skip
@@ -279,16 +292,17 @@ def certify(
         subject={"robot": robot_facts(given), "kit": kit_facts(stated[1])}, asked=who.asked, response=who.response,
         delayed=delay_sweep(setup) if sweeps else (), slower=period_sweep(setup) if sweeps else (),
         narrowing=narrowing(setup, unknown or Uncertainty.of(nominal), fallen) if examined else None, weighed=weighed,
+        given=controller if isinstance(controller, str) else "",
     )  # fmt: skip
 
 
 def _calibrated(
-    log: Log, controller: Controller | str, robot: Robot, kit: Kit, seed: int, progress: Progress | None, *,
+    log: Log, controller: Controller, robot: Robot, kit: Kit, seed: int, progress: Progress | None, *,
     weighed: bool,
 ) -> tuple[Learnt, tuple[Support, ...]]:  # fmt: skip
     """The robot of the file, or as it was `weighed`, as `log` shows it, and what was taken over before."""
-    driven = kernel_controller(find_controller(controller, robot, kit, kit.period), robot, kit)
     rubs, some = robot.coulomb_friction > 0, draw(robot, FEWEST, seed)
+    driven = kernel_controller(controller, robot, kit)
     setup = TrialSetup(driven, robot, some, kit, seed, dry_friction=rubs, is_weighed=weighed)
     return calibrated(log, setup, progress)
 
@@ -332,8 +346,7 @@ def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
     kind, version = given.pop("file"), given.pop("version")
     if kind == KIND and version != VERSION:
         raise InvalidController(
-            f"a certificate of version {version}", expected=f"version {VERSION}, whose pushes are scaled to the robot",
-            hint="certify it again",
+            f"a certificate of version {version}", expected=f"version {VERSION}", hint="certify it again",
         )  # fmt: skip
     if kind != KIND:
         raise ValueError(f"it is no '{KIND}'")

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from upright.certify.agreement import AMBER, RED, Agreement, disagreements
-from upright.certify.analysis import loop_margins
+from upright.certify.analysis import ROUNDED, instability, loop_margins
 from upright.certify.checks import CONFIDENCE, MOST_FALLS, PushTrial, red
 from upright.certify.loop import robot_loop
 from upright.certify.support import Support, contradictions, left_open
@@ -47,7 +47,12 @@ class LinearMargins:
     @property
     def stable(self) -> bool:
         """Whether the nominal loop is."""
-        return self.radius < 1
+        return self.radius < 1 - ROUNDED
+
+    @property
+    def free(self) -> bool:
+        """Whether a place is: a pole at 1, but for rounding, and none beyond."""
+        return abs(self.radius - 1) <= ROUNDED
 
 
 def linear_margins(controller: Controller, robot: Robot, kit: Kit) -> LinearMargins | None:
@@ -57,7 +62,7 @@ def linear_margins(controller: Controller, robot: Robot, kit: Kit) -> LinearMarg
     except InvalidController:
         return None
     radius = float(np.abs(loop.closed.poles()).max())
-    if radius >= 1:
+    if radius >= 1 - ROUNDED:
         return LinearMargins(radius, 1.0, 1.0, 0.0)
     every = loop_margins(robot, controller, kit, peaks=False)
     low, high = max(every, key=lambda m: m.gain_low), min(every, key=lambda m: m.gain_high)
@@ -81,13 +86,11 @@ def judge(
     """The light and its one or two reasons, the gravest first. No controller could save `beyond` of those that fell;
     numbers that were `taken` from the log are a reason besides."""
     logged = [f"tried as the log shows it: {s}" for s in sorted(taken, key=lambda s: -s.excess) if s.excess > 0]
-    if (
-        grave := _falls(samples, fell, beyond, runs)
-        + (_unstable(linear) if linear else [])
-        + disagreements(compared, RED)
-    ):
-        return RED, tuple((grave[:1] + logged[:1] + grave[1:])[:2])
-    thin = _thin(linear, period) if linear else []
+    loop = [instability(linear.radius, period)] if linear and not linear.stable else []
+    free, unstable = (loop, []) if linear and linear.free else ([], loop)
+    if grave := unstable + _falls(samples, fell, beyond, runs) + disagreements(compared, RED):
+        return RED, tuple((grave[:1] + logged[:1] + grave[1:] + free)[:2])
+    thin = free or (_thin(linear, period) if linear else [])
     if amber := disagreements(compared, AMBER) + contradictions(support) + thin + _laborious(runs):
         return AMBER, tuple((amber[:1] + logged[:1] + amber[1:])[:2])
     chance = _per_cent(upper_bound(fell, samples, CONFIDENCE))
@@ -111,12 +114,11 @@ def _falls(samples: int, fell: int, beyond: int, runs: Sequence[PushTrial]) -> l
     if beyond <= MOST_FALLS * samples:
         return [fallen]
     hardest = max(runs, key=lambda t: t.beyond)
-    return [f"no controller could: {beyond} of {samples} robots have motors too weak, {hardest.beyond} of them for a "
-            f"{hardest.push} at {hardest.battery} battery", fallen]  # fmt: skip
-
-
-def _unstable(linear: LinearMargins) -> list[str]:
-    return [] if linear.stable else [f"the nominal loop is unstable, with a pole at |z| = {linear.radius:.4f}"]
+    weak = (
+        f"no controller could: {beyond} of {samples} robots have motors too weak, {hardest.beyond} of them for a "
+        f"{hardest.push} at {hardest.battery} battery"
+    )
+    return [fallen, weak] if red(fell - beyond, samples) else [weak, fallen]  # those that it could have saved first
 
 
 def _thin(linear: LinearMargins, period: float) -> list[str]:

@@ -19,7 +19,7 @@ from upright.cli.options import (
     RobotOption,
     part_of_log,
 )
-from upright.cli.output import check_targets, finish, progress
+from upright.cli.output import AGAINST, check_targets, finish, progress
 
 
 def calibrate(
@@ -41,14 +41,15 @@ def calibrate(
         Path | None, typer.Option(help="Write all estimates with their covariance as JSON (a posterior).")
     ] = None,
     force: Annotated[
-        bool, typer.Option("--force", help="Write the robot also where the fit is refused, or the log too quiet.")
+        bool, typer.Option("--force", help="Write the robot also where the fit is refused, or the log cannot tell it.")
     ] = False,
     as_json: JsonOption = False,
 ) -> None:
     """Estimate a robot's parameters from its raw logs.
 
     Prints each estimate with its 95 % interval, and whether the logs determine it. A fit that does not describe the
-    robot is refused, and a log may be too quiet for an inertia: with -o no robot is then written (exit code 2).
+    robot is refused, and a log may be unable to tell it (too quiet, or pushed by hand): no robot is then written. A
+    calibration that is refused, unknown or doubtful ends with exit code 3.
     """
     from upright.atomic import write_json
     from upright.calibrate.calibrate import calibrate as estimate
@@ -59,12 +60,14 @@ def calibrate(
             [part_of_log(path, mapping, start, until) for path in logs], robot, kit,
             known=known or (), held_out=held_out, between_knocks=between_knocks, progress=show,
         )  # fmt: skip
-    withheld = result.withheld() if output and not force else ""
+    decision = result.decision
+    withheld = decision.withheld and not force
     if output and not withheld:
         result.known_robot().save(output)
     if save:
         write_json(save, result.to_json())
     finish(result, as_json, page=report, written=(None if withheld else output, save))
-    if withheld:
-        typer.echo(f"{output} is not written: {withheld}", err=True)
-        raise typer.Exit(2)
+    if output and withheld:
+        typer.echo(f"{output} is not written: {decision.why}; try: {decision.hint}", err=True)
+    if decision.against:
+        raise typer.Exit(AGAINST)

@@ -21,7 +21,7 @@ from upright.cli.options import (
     StartOption,
     TurnOption,
 )
-from upright.cli.output import check_targets, finish, print_json, print_text, progress, write_page
+from upright.cli.output import check_targets, finish, print_result, progress, write_page
 from upright.errors import InvalidScenario
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ def fleet(
     ensemble = asked.ensemble(pushes=pushes, references=references, start=_state(start), seconds=seconds)
     with progress("simulating") as show:
         result = simulate(ensemble, samples, threads=asked.threads, progress=show)
-    _show(result.data, str(result), result.to_json(), asked)
+    _show(result.data, result.to_json(), asked)
 
 
 @asked_alike
@@ -101,7 +101,7 @@ def push_map(
         data = search(
             ensemble, grid, samples=samples, tolerance=tolerance, watch=watch, threads=asked.threads, progress=show
         )
-    _show(data, *summary(data), asked)
+    _show(data, summary(data), asked)
 
 
 @asked_alike
@@ -130,7 +130,7 @@ def basin(
     ensemble = asked.ensemble(start=_state(start), seconds=seconds)
     with progress("simulating") as show:
         data = cut(ensemble, first, second, samples=samples, threads=asked.threads, progress=show)
-    _show(data, *summary(data), asked)
+    _show(data, summary(data), asked)
 
 
 def sweep(
@@ -163,7 +163,7 @@ def sweep(
     place = output or spec.with_suffix("")
     with _countdown() as tell:
         cases = run_campaign(campaign, place, workers=workers, cluster=cluster, progress=tell)
-    finish(cases, as_json, page=report, written=(place,), folder=str(place))
+    finish(cases, as_json, page=report, written=(place,), text="", folder=str(place))
 
 
 def _state(text: str) -> tuple[float, ...]:
@@ -184,7 +184,7 @@ def _axis(text: str, option: str) -> tuple[str, float, float]:
     return (name, *_range(ends, option))
 
 
-def _show(data: Dataset, text: str, numbers: Any, asked: Asked) -> None:
+def _show(data: Dataset, numbers: Any, asked: Asked) -> None:
     from upright.fleet.results import origin_of, save
 
     output, report = asked.output, asked.report
@@ -193,9 +193,9 @@ def _show(data: Dataset, text: str, numbers: Any, asked: Asked) -> None:
         save(data, output)
     if asked.as_json:
         written = {"output": str(output) if output else None, "report": str(report) if report else None}
-        print_json({"result": numbers, "origin": origin_of(data), **written})
-        return
-    print_text("\n".join([text, *(f"wrote {path}" for path in (output, report) if path)]))
+        print_result(data, {"result": numbers, "origin": origin_of(data), **written})
+    else:
+        print_result(data, "", (output, report), tables=True)
 
 
 @contextmanager

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from upright.cli.options import JsonOption, ReportOption, completed, registered
-from upright.cli.output import check_targets, print_json, print_text, progress
+from upright.cli.output import check_targets, finish, progress
 from upright.errors import UprightError
 
 
@@ -51,10 +51,7 @@ def grade(
         grades = run_again(folder, workers=workers, progress=show)
     written = [grades.save(output)] if output else []
     written += [grades.page().write(report)] if report else []
-    if as_json:
-        print_json(grades.to_json())
-    else:
-        print_text("\n".join([str(grades), *(f"wrote {path}" for path in written)]))
+    finish(grades, as_json, written=written)
 
 
 def _write_worksheet(language: str, lab: str, output: Path | None) -> None:

@@ -15,6 +15,7 @@ import typer
 
 from upright.atomic import make_folder, write_json
 from upright.cli.options import MOST_ROBOTS, complete_robot
+from upright.cli.output import AGAINST
 from upright.errors import UnknownName, UprightError
 from upright.reading import expanded, read_json, understood
 
@@ -22,7 +23,6 @@ STATE = "upright-start.json"
 """Where the answers and the steps that are done are kept, in the folder of the study."""
 
 KIND, VERSION = "upright start", 1
-RED = 3  # exit code of a red certificate, which is a verdict too
 FEWEST = 100  # robots of a certificate
 PATIENCE = 5  # answers to one question that cannot be taken, before it is given up
 WHERE = ("simulated", "log", "here")
@@ -212,12 +212,13 @@ def _run(step: GuidedStep, study: GuidedStudy) -> None:
     typer.echo(f"\n{step.why}\n$ {line}")
     sys.stdout.flush()
     code = _executed(step.command, study.folder)
-    if code != 0 and not (code == RED and step.command[0] == "certify"):
+    if code != 0 and not (code == AGAINST and step.command[0] == "certify"):  # whose verdict ends the study
         for name in step.of:
             study.answers.pop(name, None)
         study.save()
         asks = f"asks again for {' and '.join(step.of)}" if step.of else "tries it again"
-        raise UprightError(f"`{line}` ended with exit code {code}", hint=f"upright start, which {asks}")
+        why = "has a verdict against, or unknown: see above" if code == AGAINST else f"ended with exit code {code}"
+        raise UprightError(f"`{line}` {why}", hint=f"upright start, which {asks}")
     study.done.append(list(step.command))
     study.save()
 

@@ -91,7 +91,7 @@ def identify(
             words = f"Of the methods compared on the page, {best} is the one to take: --method {best}."
             model = replace(model, notes=(*model.notes, words))
     if result := model or comparison:
-        finish(result, as_json, written=(output, controller, report))
+        finish(result, as_json, written=(output, controller, report), paged=comparison)
 
 
 def _check_method(method: str, target: Path | None) -> None:

@@ -9,8 +9,9 @@ import sys
 from collections.abc import Callable, Collection, Generator, Iterable, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
+from dataclasses import asdict
 from pathlib import Path
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import typer
 
@@ -18,6 +19,10 @@ from upright.atomic import json_text, place_of, write_json
 from upright.errors import UprightError
 from upright.progress import unwatched
 from upright.tables import Listing, wrapped
+
+if TYPE_CHECKING:
+    from upright.report import Page
+    from upright.robots import Robot
 
 
 class Result(Protocol):
@@ -37,32 +42,69 @@ def print_json(data: Any) -> None:
     typer.echo(json_text(data, sys.stdout.encoding))
 
 
+AGAINST = 3
+"""Exit code of a verdict against, or unknown, so that a script stops before the robot moves."""
+
+
 def finish(
     result: Result, as_json: bool, *,
-    output: Path | None = None, page: Path | None = None, written: Iterable[Path | None] = (), **facts: Any,
+    output: Path | None = None, page: Path | None = None, written: Iterable[Path | None] = (), paged: Any = None,
+    text: str | None = None, **facts: Any,
 ) -> None:  # fmt: skip
     """Write the result to `output` and its page to `page`, print it as text or JSON with further `facts`, and name
-    these files and those already `written`."""
+    these files and those already `written`. Its head comes first; `paged` is what has its page, if not the result
+    itself. `text` above the tables of its page replaces the words of the result."""
     data = result.to_json() | facts
     write_page(result, page)
     if output:
         write_json(output, data)
-    if as_json:
-        print_json(data)
+    below = str(result) if text is None else text
+    print_result(paged or result, data if as_json else below, (output, *written, page), tables=text is not None)
+
+
+def print_result(
+    paged: Any, below: str | dict[str, Any], written: Iterable[Path | None] = (), *, tables: bool = False
+) -> None:
+    """Print the head of what has a page first: as JSON beside the data `below`, or over the text `below`, with the
+    `tables` of the page where these are asked for. The files `written` end it."""
+    page = _page_of(paged)
+    head = page and page.head
+    if not isinstance(below, str):
+        print_json(({"head": asdict(head)} if head else {}) | below)
         return
-    print_text("\n".join([str(result), *(f"wrote {path}" for path in (output, *written, page) if path)]))
+    shown = [head.text(shutil.get_terminal_size().columns) if head else "", below]
+    shown += [page.tables() if page and tables else "", "\n".join(f"wrote {path}" for path in written if path)]
+    print_text("\n\n".join(filter(None, shown)), head.verdict.level if head and head.verdict else "")
 
 
-LIGHTS = {"GREEN": "green", "AMBER": "yellow", "RED": "red"}
+def _page_of(result: Any) -> Page | None:
+    """The page whose head the terminal shows, with files named as they were typed; None for a result without one."""
+    from upright.report import finished
+
+    try:
+        return finished(result, command=shlex.join(["upright", *TYPED.get()]) if TYPED.get() else "")
+    except UprightError:
+        return None
 
 
-def print_text(text: str) -> None:
-    """Print text; on a terminal its long lines are wrapped, and a light at its head has its colour."""
+def warn_of(robot: Robot) -> None:
+    """Say first, on stderr, that no such motor exists, where that is so."""
+    from upright.robots.motor import makes_energy
+
+    if wrong := makes_energy(robot):
+        typer.echo(f"warning: {wrong}", err=True)
+
+
+LIGHTS = {"good": "green", "warn": "yellow", "bad": "red"}
+
+
+def print_text(text: str, level: str = "") -> None:
+    """Print text; on a terminal its long lines are wrapped, and its first has the colour of a verdict's `level`."""
     if sys.stdout.isatty():
-        text = wrapped(text, shutil.get_terminal_size().columns)
-        head, colon, rest = text.partition(":")
-        if head in LIGHTS and not os.environ.get("NO_COLOR"):
-            text = f"{typer.style(head, fg=LIGHTS[head], bold=True)}{colon}{rest}"
+        first, end, rest = wrapped(text, shutil.get_terminal_size().columns).partition("\n")
+        if level in LIGHTS and not os.environ.get("NO_COLOR"):
+            first = typer.style(first, fg=LIGHTS[level], bold=True)
+        text = f"{first}{end}{rest}"
     typer.echo(text)
 
 

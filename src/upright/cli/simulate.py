@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from upright.cli import options
-from upright.cli.output import check_targets, finish, progress, write_page
+from upright.cli.output import check_targets, finish, progress, warn_of, write_page
 from upright.errors import InvalidController
 from upright.interrupts import patience
 from upright.reading import read_json, understood
@@ -72,6 +72,7 @@ def simulate(
     first = options.vector(start, STATE_NAMES, "--start")
     check_targets(output, report)
     chosen = find_robot(robot)
+    warn_of(chosen)
     plant, design = _fitted(chosen, body=body, kit=kit or chosen.kit, controller=controller, gains=gains, period=period)
     design, planned = _excited(design, excite) if excite else (design, SECONDS)
     length = planned if seconds is None else seconds
@@ -91,12 +92,12 @@ def _show(log: Log, *, body: str, written: Path | None, report: Path | None, as_
 
     numbers, outcome = compare({body: log}), outcome_of(log)
     write_page(numbers, report)
-    if not as_json and undisturbed(log):
-        typer.echo("\n".join(filter(None, [f"nothing disturbs the robot; try: {PUSHED}", motionless(log)])))
-    if not as_json:
-        typer.echo(f"{outcome}\n")
+    lines = ["\n".join(filter(None, [f"nothing disturbs the robot; try: {PUSHED}", motionless(log)]))] * undisturbed(
+        log
+    )
+    text = "\n".join([*lines, str(outcome)])
     facts: dict[str, Any] = {"outcome": outcome.to_json(), "origin": log.origin}
-    finish(numbers, as_json, written=(written, report), **facts, log=str(written) if written else None)
+    finish(numbers, as_json, written=(written, report), text=text, **facts, log=str(written) if written else None)
 
 
 def _fitted(

@@ -10,13 +10,13 @@ from typing import Any
 from upright.errors import UprightError
 from upright.report.figure import Figure as Figure
 from upright.report.following import completed
+from upright.report.head import Verdict as Verdict
 from upright.report.made import made_by
 from upright.report.page import Details as Details
 from upright.report.page import Formula as Formula
 from upright.report.page import Page as Page
 from upright.report.page import Section as Section
 from upright.report.page import Table as Table
-from upright.report.page import Verdict as Verdict
 
 PAGES = {
     "Comparison": "comparing", "Calibration": "calibration", "MethodComparison": "identification",
@@ -37,17 +37,24 @@ def report(result: Any, path: str | Path, *, title: str = "", command: str = "")
     its foot. Raises `UprightError` for a result without a
     page, or where the file cannot be written.
     """
+    return finished(result, title=title, command=command).write(path)
+
+
+def finished(result: Any, *, title: str = "", command: str = "") -> Page:
+    """The page of a result with the command that made it, and what to run next completed by that command."""
     with made_by(command):
         page = page_of(result)
     made = {"command": command} if command else {}
     lead = completed(page.lead, command)
-    return replace(page, title=title or page.title, lead=lead, provenance={**page.provenance, **made}).write(path)
+    return replace(page, title=title or page.title, lead=lead, provenance={**page.provenance, **made})
 
 
 def page_of(result: Any) -> Page:
-    """The page of a result, not yet written; a page is its own."""
+    """The page of a result, not yet written; a page is its own, and some results make theirs."""
     if isinstance(result, Page):
         return result
+    if hasattr(result, "page"):
+        return result.page()
     file = next((PAGES[c.__name__] for c in type(result).__mro__ if c.__name__ in PAGES), None)
     if file is None:
         raise UprightError(f"{type(result).__name__} has no page", expected="a result: " + ", ".join(PAGES))

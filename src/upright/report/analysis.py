@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from upright.arrays import Array
-from upright.certify.analysis import Analysis
+from upright.certify.analysis import ROUNDED, Analysis
 from upright.certify.design import Designed
 from upright.certify.margins import Margins
 from upright.errors import InvalidController
@@ -63,7 +63,7 @@ PHASE, WEAK, STRONG = 30.0, 0.5, 2.0
 def _title(analysis: Analysis) -> str:
     who = f"{analysis.controller} on {analysis.robot}"
     if not analysis.stable:
-        return f"{who}: unstable"
+        return f"{who}: {_verdict(analysis).text}"
     small = ", with small margins" if 1 / analysis.both().Ms < CLOSE else ""
     return f"{who} is stable{small}: {_lost(analysis)}"
 
@@ -95,7 +95,7 @@ MOST_GAIN = 11.0
 
 def _verdict(analysis: Analysis) -> Verdict:
     if not analysis.stable:
-        return Verdict("unstable", "bad")
+        return Verdict("position free", "warn") if analysis.radius <= 1 + ROUNDED else Verdict("unstable", "bad")
     near = 1 / analysis.both().Ms < CLOSE
     return Verdict("stable, small margins", "warn") if near else Verdict("stable", "good")
 

@@ -37,7 +37,7 @@ def page_of(certificate: Certificate) -> Page:
     ]
     if green and certificate.linear:
         sections.append(Section("Why small margins are no contradiction", [_USUAL], folded=True))
-    if certificate.linear:
+    if certificate.linear and certificate.linear.stable:
         sections.append(Section("Nominal loop", [_linear(certificate.linear)], folded=True))
     if certificate.delayed or certificate.slower:
         sections.append(Section("Other delays and periods", _sweeps(certificate)))
@@ -46,7 +46,8 @@ def page_of(certificate: Certificate) -> Page:
     c = certificate
     facts = {"controller": c.hash[:12], "seed": str(c.seed), "kit": c.kit}
     facts |= {"on the scale": f"{c.weighed:.3g} kg"} if c.weighed else {}
-    lead = (
+    lead = f"{sentence(c.designed)} " if c.designed else ""
+    lead += (
         f"{c.samples} simulated robots, each within the uncertainty of {c.robot}, were held leaning, let go, and "
         f"knocked at the centre of mass{_above(c)}: {c.fell} fell."
     )
@@ -56,7 +57,7 @@ def page_of(certificate: Certificate) -> Page:
         lead += f" The log's own numbers were tried: {', '.join(s.name for s in c.taken)}."
     if c.light == GREEN:
         to = PROGRAMS.get(c.kit, "--target c -o balance.c")
-        lead += f" Next: `upright firmware {c.controller} --robot {c.robot} {to}` writes its program."
+        lead += f" Next: `upright firmware {c.given or c.controller} --robot {c.robot} {to}` writes its program."
     elif c.mass_open:
         lead += f" Next: {sentence(UNWEIGHED).replace('--weighed KG', '`--weighed KG`')}"
     title = HEADINGS.get(c.light, "{0} may drive {1}, with reservations").format(c.controller, c.robot)
@@ -88,7 +89,7 @@ def _above(c: Certificate) -> str:
 def _numbers(c: Certificate) -> list[tuple[str, str]]:
     bound = f"of such robots fall, with 95 % confidence; the limit is {100 * MOST_FALLS:g} %"
     numbers = [(f"≤ {number(100 * c.bound, 2)} %", bound)]
-    if c.linear:
+    if c.linear and c.linear.stable:
         numbers += [
             (
                 f"{cell_text(c.linear.delay * 1e3, 2)} ms",

@@ -15,30 +15,17 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from xml.etree import ElementTree
 
 from upright.atomic import write_text
-from upright.errors import UnknownName, UprightError
+from upright.errors import UprightError
 from upright.report.figure import Figure
+from upright.report.head import MOST, WIDTH, Head, Verdict
 from upright.report.terms import explained
-from upright.tables import HALF_UP, power_of_ten
+from upright.tables import HALF_UP, Listing, power_of_ten, wrapped
 
 if TYPE_CHECKING:
     from jinja2 import Template
 
-LEVELS = ("good", "warn", "bad", "info")
 NEXT = " Next: "  # in a lead: what follows stands in a frame of its own
 PHONE, WRAPPED, BRIEF = 44, 20, 21  # letters of a row on a phone, of a text that it breaks, of half a row with its name
-
-
-@dataclass(frozen=True)
-class Verdict:
-    """A badge: a short `text` and its `level`: "good" (green: it holds), "warn" (amber: take care), "bad" (red: it does
-    not hold) or "info" (blue: neither)."""
-
-    text: str
-    level: str = "info"
-
-    def __post_init__(self) -> None:
-        if self.level not in LEVELS:
-            raise UnknownName("level of a verdict", self.level, LEVELS)
 
 
 _MINUS = re.compile(r"(?<!\S)-(?=\d)")
@@ -76,6 +63,11 @@ class Table:
             [(_with_decimals(cell, self.digits, n), _class_of(cell)) for cell, n in zip(row, places, strict=True)]
             for row in self.rows
         ]
+
+    def text(self) -> str:
+        """The table for a terminal, below its caption."""
+        rows = [[text for text, _ in row] for row in self.cells()]
+        return "\n".join(filter(None, [wrapped(self.caption, WIDTH), str(Listing(self.header, rows, self.header[1:]))]))
 
     @property
     def stacked(self) -> bool:
@@ -176,9 +168,15 @@ class Page:
         return self.lead.partition(NEXT)[0]
 
     @property
-    def following(self) -> str:
-        """What to run next, which the first screen shows in a frame."""
-        return self.lead.partition(NEXT)[2]
+    def head(self) -> Head:
+        """What the page, the terminal and JSON begin with."""
+        numbers = [(n.text if isinstance(n, Verdict) else n, meaning) for n, meaning in self.numbers[:MOST]]
+        return Head(self.title, self.verdict, numbers, self.lead.partition(NEXT)[2])
+
+    def tables(self) -> str:
+        """The tables that are not folded, as text for a terminal."""
+        items = [item for section in self.sections if not section.folded for item in section.items]
+        return "\n\n".join(item.text() for item in items if isinstance(item, Table))
 
     def made(self) -> list[tuple[str, str]]:
         """What the page came from, its command first and as code."""

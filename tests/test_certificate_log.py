@@ -1,0 +1,57 @@
+"""What a certificate says beside a log: of which controller, and of which numbers."""
+
+from __future__ import annotations
+
+import dataclasses
+from functools import cache
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+from upright.bodies import Electronics, NonlinearBody
+from upright.certify.calibrated import Learnt
+from upright.certify.certificate import certify
+from upright.control import controller_hash, make_controller, write_controller
+from upright.experiment import Drive, run
+from upright.report.certificate import page_of
+from upright.robots import Kit, Robot
+from upright.robots.uncertainty import Uncertainty
+from upright.signals import Log
+
+ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
+FLOWN = make_controller("lqg", ROBOT, KIT, KIT.period)
+SHARED = Path(__file__).resolve().parents[2] / "shared"
+
+
+@cache
+def a_log() -> Log:
+    log = run(Electronics(NonlinearBody(ROBOT), KIT), FLOWN, [], reference=[Drive(speed=0.1, start=1.0)], seconds=4.0)
+    return Log(log.t, {n: log[n] for n in log.channels if n.startswith(("sensor/", "command/"))})
+
+
+@pytest.mark.parametrize("by_name", [True, False])
+def test_a_name_beside_a_log_is_no_new_controller_in_the_name_of_the_old(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, *, by_name: bool
+) -> None:
+    """The log shows slower sensors and a taller body: LQG would be another controller for them, which never flew."""
+    slow = {n: dataclasses.replace(s, delay=s.delay + 0.01) for n, s in KIT.sensors.items()}
+    tall, late = ROBOT.replace(com_height=1.1 * ROBOT.com_height), dataclasses.replace(KIT, sensors=slow)
+    own = Learnt(tall, late, Uncertainty.of(tall).scaled(0.1))
+    monkeypatch.setattr(import_module("upright.certify.certificate"), "calibrated", lambda *_: (own, ()))
+    asked = "lqg" if by_name else str(write_controller(FLOWN, tmp_path / "flown.json"))
+    given = certify(asked, "nxtway-gs", samples=100, sweeps=False, log=a_log())
+    assert given.hash == controller_hash(FLOWN)
+    assert controller_hash(make_controller("lqg", tall, late, KIT.period)) != given.hash  # so that it could be told
+    said_first = str(given).splitlines()[1]
+    assert ("certify its file" in said_first) is by_name
+    assert (page_of(given).lead.startswith("Lqg as `upright design lqg`")) is by_name
+
+
+@pytest.mark.slow
+@pytest.mark.long
+@pytest.mark.needs("shared/cases/late-loop")
+def test_a_robot_that_falls_with_what_flew_is_red_by_its_name_too() -> None:
+    """Commands that act 22 ms late: 12 of 12 simulations fall (the case's README), and so did its file."""
+    log = SHARED / "cases" / "late-loop" / "run.csv"
+    assert certify("hinf", "ev3way", samples=100, sweeps=False, log=log).light == "red"
