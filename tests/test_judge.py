@@ -12,6 +12,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from test_calibrate import short_calibration
 from upright.bodies import NonlinearBody
 from upright.calibrate import judge
 from upright.calibrate.calibrate import prepared
@@ -133,15 +134,16 @@ def test_a_log_that_is_lost_leaves_the_equations_of_the_others_whole(model_log: 
     assert normal_equations(problem, z, paths, value).hessian.shape == (len(z),) * 2
 
 
+@pytest.mark.slow
 def test_a_refused_fit_writes_no_robot_unless_asked(
     model_log: Log, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    result = SimpleNamespace(withheld=lambda: "another robot; try: --force", known_robot=lambda: ROBOT, to_json=dict)
-    monkeypatch.setattr(import_module("upright.calibrate.calibrate"), "calibrate", lambda *_, **__: result)
+    refused = replace(short_calibration()[0], refused=("the log is of another robot",))
+    monkeypatch.setattr(import_module("upright.calibrate.calibrate"), "calibrate", lambda *_, **__: refused)
     monkeypatch.setattr(import_module("upright.logs.raw"), "raw_log", lambda *_: model_log)
     robot = tmp_path / "robot.toml"
-    for extra, code in (([], 2), (["--force"], 0)):
-        assert main(["calibrate", "log.csv", "-o", str(robot), *extra]) == code
+    for extra in ([], ["--force"]):
+        assert main(["calibrate", "log.csv", "-o", str(robot), *extra]) == 3  # a verdict against, written or not
         assert robot.exists() == bool(extra)
 
 
