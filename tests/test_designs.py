@@ -37,7 +37,6 @@ from upright.control.near_rest import near_rest
 from upright.control.observed import observed
 from upright.control.observer import steady
 from upright.control.reach import largest_pitch, static_pitch
-from upright.control.sliding import chattering
 from upright.control.standup import Lift, StandUpController, lift
 from upright.errors import DesignFailed, InvalidController, SpecMismatch, UprightError
 from upright.experiment import Drive, Hold, Impulse, Turn, run
@@ -399,6 +398,13 @@ def test_reaching_law_holds_on_the_linear_robot():
         x = plant.A @ x + plant.B @ u
         assert np.allclose(design.S @ x, design.keep * s - push, atol=1e-12)
     assert np.abs(design.poles()).max() < 1
+
+
+def chattering(commands: np.ndarray, period: float) -> float:
+    """How much a command (n, 2) turns back on itself in a second: |Δu| where Δu changes its sign, over `period` [s]."""
+    steps = np.diff(np.asarray(commands, dtype=np.float64), axis=0)
+    turns = steps[1:] * steps[:-1] < 0
+    return float(np.abs(np.where(turns, steps[1:], 0.0)).mean() / period) if len(steps) > 1 else 0.0
 
 
 def test_chattering_counts_turns_only():

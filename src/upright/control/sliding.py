@@ -145,10 +145,3 @@ def _memory(design: Sliding) -> LinearController:
     G = np.vstack([design.S, -design.S @ (A - design.keep * np.eye(len(A)))])
     H = np.vstack([np.zeros((2, 6)), u_r]) - G @ xi_r
     return memory(estimator, G, np.zeros(4), H, kind="sliding")
-
-
-def chattering(commands: ArrayLike, period: float) -> float:
-    """How much a command (n, 2) turns back on itself in a second: |Δu| where Δu changes its sign, over `period` [s]."""
-    steps = np.diff(np.asarray(commands, dtype=np.float64), axis=0)
-    turns = steps[1:] * steps[:-1] < 0
-    return float(np.abs(np.where(turns, steps[1:], 0.0)).mean() / period) if len(steps) > 1 else 0.0
