@@ -23,7 +23,6 @@ from upright.cli.help import EXAMPLES
 from upright.cli.main import BUG, USER_ERROR, group, main
 from upright.cli.options import complete_controller, complete_kit, complete_robot
 from upright.cli.output import print_text
-from upright.cli.overview import overview
 from upright.control import CONTROLLERS
 from upright.errors import InvalidLog
 from upright.robots import PARAMETERS, Robot, kit_names
@@ -405,22 +404,6 @@ def test_help_names_every_command_once_under_a_heading_and_nothing_is_clipped(ca
     assert "..." not in text.split("Begin:")[1]
     listed = re.findall(r"^  ([a-z-]+)  ", text.split("Begin:")[1], re.MULTILINE)
     assert sorted(listed) == sorted(group().commands)
-
-
-@pytest.mark.parametrize("arguments", [[], ["-h"], ["--help"]])
-def test_the_help_that_is_kept_is_the_one_that_is_made(
-    arguments: list[str], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """After a change: COLUMNS=80 python -c "from upright.cli.main import main; main(['-h'])" > overview.txt."""
-    monkeypatch.setenv("COLUMNS", "80")
-    assert main(arguments) == 0
-    assert capsys.readouterr().out == overview(arguments)
-    monkeypatch.setenv("COLUMNS", "60")
-    assert overview(arguments) is None
-    monkeypatch.delenv("COLUMNS")
-    monkeypatch.setenv("_UPRIGHT_COMPLETE", "complete_bash")
-    assert overview(arguments) is None
-    assert overview(["fleet"]) is None
 
 
 @pytest.mark.parametrize("line", [line for lines in EXAMPLES.values() for line in lines])

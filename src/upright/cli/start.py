@@ -15,19 +15,11 @@ def run() -> NoReturn:
     code = interrupts.exit_code()
     try:
         interrupts.watch()
-        from upright.cli.overview import overview
+        from upright.cli.main import USER_ERROR, complain, main
 
-        if (text := overview(sys.argv[1:])) is not None:
-            sys.stdout.write(text)
-            code = 0
-        else:
-            from upright.cli.main import main
-
-            code = main()
+        code = main()
         sys.stdout.flush()
         if printed.error and not interrupts.interrupted():
-            from upright.cli.main import USER_ERROR, complain
-
             complain(f"cannot print: {printed.error.strerror}; try: -o FILE, or another place for the output")
             code = code or USER_ERROR
     except KeyboardInterrupt:
