@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from upright.atomic import place_of
 from upright.cli.options import (
     AnywayOption,
     CertificateOption,
@@ -17,7 +18,7 @@ from upright.cli.options import (
     RobotOption,
     TargetOption,
 )
-from upright.cli.output import check_folder, print_json
+from upright.cli.output import print_json
 
 
 def firmware(
@@ -55,7 +56,7 @@ def firmware(
     from upright.robots.motor import refuse_energy
 
     if output:
-        check_folder(output)
+        place_of(output)  # which refuses where no file can be written
     chosen = refuse_energy(find_robot(robot))
     parts = find_kit(kit or chosen.kit)
     design = find_controller(controller, chosen, parts, parts.period)

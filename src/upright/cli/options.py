@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from upright.errors import InvalidScenario, UnknownName
+from upright.errors import InvalidScenario, UnknownName, UprightError
 
 if TYPE_CHECKING:
     from upright.signals import Log
@@ -127,7 +127,17 @@ TurnOption = Annotated[
 ]
 StartOption = Annotated[str, typer.Option("--start", help="Initial state, such as pitch=0.05; the others are zero.")]
 OutputOption = Annotated[Path | None, typer.Option("--output", "-o", help="Write the result as JSON.")]
-ReportOption = Annotated[Path | None, typer.Option("--report", help="Write a page with figures: .html.")]
+
+
+def _page(path: Path | None) -> Path | None:
+    if path and path.suffix.lower() != ".html":
+        raise UprightError(f"--report {path}", expected="a page: .html", hint=f"--report {path.stem or 'page'}.html")
+    return path
+
+
+ReportOption = Annotated[
+    Path | None, typer.Option("--report", callback=_page, help="Write a page with figures: .html.")
+]
 TargetOption = Annotated[
     str,
     typer.Option(

@@ -90,14 +90,14 @@ def _show(log: Log, *, body: str, written: Path | None, report: Path | None, as_
     from upright.experiment import motionless, outcome_of, undisturbed
     from upright.experiment.outcome import PUSHED
 
-    numbers, outcome = compare({body: log}), outcome_of(log)
+    numbers = compare({body: log})
     write_page(numbers, report)
-    lines = ["\n".join(filter(None, [f"nothing disturbs the robot; try: {PUSHED}", motionless(log)]))] * undisturbed(
-        log
-    )
-    text = "\n".join([*lines, str(outcome)])
-    facts: dict[str, Any] = {"outcome": outcome.to_json(), "origin": log.origin}
-    finish(numbers, as_json, written=(written, report), text=text, **facts, log=str(written) if written else None)
+    calm = [f"nothing disturbs the robot; try: {PUSHED}", motionless(log)] * undisturbed(log)
+    text = "\n".join(filter(None, [*calm, numbers.ended(numbers.reference)]))
+    finish(
+        numbers, as_json, written=(written, report), text=text, outcome=outcome_of(log).to_json(), origin=log.origin,
+        log=str(written) if written else None,
+    )  # fmt: skip
 
 
 def _fitted(

@@ -32,7 +32,7 @@ class Push:
         _check(self, positive=("duration",))
 
     def at(self, t: float, robot: Robot) -> Disturbance:
-        return Disturbance(self.force if _within(t, self.start, self.duration) else 0.0, _height(self.height, robot))
+        return _acting(self, t, robot, self.force, self.duration)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -48,8 +48,7 @@ class Impulse:
         _check(self, positive=("duration",))
 
     def at(self, t: float, robot: Robot) -> Disturbance:
-        on = _within(t, self.start, self.duration)
-        return Disturbance(self.impulse / self.duration if on else 0.0, _height(self.height, robot))
+        return _acting(self, t, robot, self.impulse / self.duration, self.duration)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -81,8 +80,7 @@ class Hold:
         return -weight * math.sin(self.pitch) / lever
 
     def at(self, t: float, robot: Robot) -> Disturbance:
-        on = _within(t, self.start, self.until - self.start)
-        return Disturbance(self.force(robot) if on else 0.0, _height(self.height, robot))
+        return _acting(self, t, robot, self.force(robot), self.until - self.start)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -115,8 +113,9 @@ def combined(pushes: Sequence[PushProgramme], t: float, robot: Robot) -> Disturb
     return Disturbance(force, moment / force if force else 0.0, slope) if force or slope else CALM
 
 
-def _within(t: float, start: float, duration: float) -> bool:
-    return start - _SAME_TIME <= t < start + duration - _SAME_TIME
+def _acting(push: Push | Impulse | Hold, t: float, robot: Robot, force: float, duration: float) -> Disturbance:
+    on = push.start - _SAME_TIME <= t < push.start + duration - _SAME_TIME
+    return Disturbance(force if on else 0.0, _height(push.height, robot))
 
 
 def _height(height: float | None, robot: Robot) -> float:

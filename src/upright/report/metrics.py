@@ -21,6 +21,7 @@ QUIET = 0.1  # [1] of a state's range over a run: who moves less is near rest
 SPOKEN_NAMES = {"saturated": "motors at their limit", "wheel_travel": "largest turn of the wheels",
                 "overshoot": "overshoot, the swing back past upright"}  # fmt: skip
 """Metrics that a page calls otherwise than a terminal does."""
+NEVER = (SPOKEN_NAMES["overshoot"], METRICS["doubling"][1])  # left out where no run has it
 BANDS = {"settling 2 %": 0.02, "settling 5 %": 0.05}
 """Settling times that noise may decide → their band, relative to the largest deviation."""
 PERCENT = {"1": (100.0, "%"), "rad": (180 / math.pi, "°")}
@@ -51,7 +52,7 @@ def listed_metrics(comparison: Comparison) -> Table:
         band = BANDS.get(str(row[0]))
         lost = [band is not None and _noisy(comparison, label, band) for label in comparison.logs]
         cells = ["noise" if gone else cell for gone, cell in zip(lost, row[2:], strict=True)]
-        if not all(lost) and not (row[0] == SPOKEN_NAMES["overshoot"] and all(map(_missing, cells))):
+        if not all(lost) and not (row[0] in NEVER and all(map(_missing, cells))):
             rows.append([*row[:2], *cells])
     return replace(table, rows=rows)
 
