@@ -9,6 +9,7 @@ import pytest
 from upright.bodies import BODIES, Electronics, make_body
 from upright.comparison.bench import bench_controllers
 from upright.control import CONTROLLERS, Controller, Method, find_controller, make_controller
+from upright.control.law import as_law
 from upright.errors import InvalidController, InvalidPlugin, UnknownName
 from upright.experiment import run
 from upright.plugins import Registry
