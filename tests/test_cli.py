@@ -171,7 +171,7 @@ def test_a_mistake_in_a_real_process_shows_no_traceback(call: str, files: Path) 
     "call",
     [
         "robots show mine.toml -o ./mine.toml", "tune lqr --robot=mine.toml -o mine.toml",
-        "linearise --robot mine.toml -o new.json --report new.json",
+        "linearise --robot mine.toml -o new.html --report new.html",
     ],
 )  # fmt: skip
 def test_no_file_that_is_read_or_written_is_written_over(
@@ -180,7 +180,7 @@ def test_no_file_that_is_read_or_written_is_written_over(
     monkeypatch.chdir(tmp_path)
     mine = Robot.preset("nxtway-gs").save("mine.toml").read_text(encoding="utf-8")
     assert main(shlex.split(call)) == USER_ERROR
-    assert re.search(r"named twice; expected .*; try: (mine-new\.toml|new-new\.json)", capsys.readouterr().err)
+    assert re.search(r"named twice; expected .*; try: (mine-new\.toml|new-new\.html)", capsys.readouterr().err)
     assert Path("mine.toml").read_text(encoding="utf-8") == mine
 
 

@@ -168,7 +168,7 @@ def test_a_limit_of_the_program_itself_is_saturation_though_the_battery_has_more
 def test_a_run_that_stood_says_that_its_swing_grows_and_how_far_it_rolled():
     """60 rad of a wheel of 5 cm are 3 m; log 2 / 0.35 is 2.0 s."""
     t = np.arange(0, 10, 0.01)
-    states = {name: 0 * t for name in STATE_NAMES} | {"wheel": 6 * t}
+    states = dict.fromkeys(STATE_NAMES, 0 * t) | {"wheel": 6 * t}
     states["pitch"] = 0.005 * np.exp(0.35 * t) * np.sin(5 * t)
     origin = {"outcome": {"fell": False, "seconds": 10.0}, "robot": {"wheel_radius": 0.05}}
     result = compare(Log(t, {f"truth/{name}": x for name, x in states.items()}, {}, origin))

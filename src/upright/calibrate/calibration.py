@@ -221,10 +221,8 @@ class Calibration(Shown):
             named = ", ".join(e.name for e in off)
             # such a number makes up for something else
             bent = any(e.called == MOVED and abs(e.shift) > SURPRISE for e in off)
-            return Decision(
-                UNKNOWN if bent else DOUBTFUL, f"outside of what was known before: {named}",
-                f"measure {'these' if len(off) > 1 else 'it'}, or another log{'; or --force' if bent else ''}",
-            )  # fmt: skip
+            why = f"outside of what was known before: {named}"
+            return Decision(UNKNOWN if bent else DOUBTFUL, why, "measure these, or another log; or --force")
         return Decision(USABLE)
 
     @property

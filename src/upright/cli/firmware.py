@@ -12,11 +12,11 @@ from upright.cli.options import (
     AnywayOption,
     CertificateOption,
     ControllerArgument,
-    HubOption,
     JsonOption,
     KitOption,
     RobotOption,
-    TargetOption,
+    completed,
+    registered,
 )
 from upright.cli.output import print_json
 
@@ -24,7 +24,15 @@ from upright.cli.output import print_json
 def firmware(
     controller: ControllerArgument,
     *,
-    target: TargetOption,
+    target: Annotated[
+        str,
+        typer.Option(
+            "--target",
+            "-t",
+            help="Language: pybricks, nxc, c, arduino or ev3dev.",
+            autocompletion=completed(registered("upright.firmware.targets", "TARGETS")),
+        ),
+    ],
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write the program (.py, .nxc, .c with its .h, .ino).")
     ] = None,
@@ -33,7 +41,13 @@ def firmware(
     number: Annotated[
         str, typer.Option("--number", help="Arithmetic of c (float, double, fixed) and arduino (float, fixed).")
     ] = "",
-    hub: HubOption = "prime",
+    hub: Annotated[
+        str,
+        typer.Option(
+            help="Hub of pybricks: prime, technic, ev3 or nxt.",
+            autocompletion=completed(registered("upright.firmware.generate", "GYROS")),
+        ),
+    ] = "prime",
     reference: Annotated[bool, typer.Option("--reference", help="For c: the reference state as inputs.")] = False,
     seconds: Annotated[
         int | None,
@@ -70,11 +84,5 @@ def firmware(
     if not output:
         typer.echo(str(made.program) if listing else made.text)
         return
-    notes = [
-        warning,
-        str(made.program) if listing else "",
-        made.wiring,
-        *(f"wrote {path}" for path in written),
-        str(made),
-    ]
-    typer.echo("\n".join(line for line in notes if line))
+    notes = [warning, str(made.program) * listing, made.wiring, *(f"wrote {path}" for path in written), str(made)]
+    typer.echo("\n".join(filter(None, notes)))

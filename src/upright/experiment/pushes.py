@@ -18,6 +18,16 @@ class PushProgramme(Protocol):
     def at(self, t: float, robot: Robot) -> Disturbance: ...
 
 
+def _check(push: object) -> None:
+    for name, value in vars(push).items():
+        if value is None:
+            continue
+        if not math.isfinite(value):
+            raise InvalidScenario(f"{type(push).__name__}: {name} is {value}", expected="a finite number")
+        if name == "duration" and value <= 0:
+            raise InvalidScenario(f"{type(push).__name__}: {name} is {value:g}", expected="more than zero")
+
+
 @dataclass(frozen=True, kw_only=True)
 class Push:
     """A horizontal `force` [N], forward positive, from `start` for `duration` [s], at `height` [m] above the axle
@@ -28,8 +38,7 @@ class Push:
     duration: float = 0.1
     height: float | None = None
 
-    def __post_init__(self) -> None:
-        _check(self, positive=("duration",))
+    __post_init__ = _check
 
     def at(self, t: float, robot: Robot) -> Disturbance:
         return _acting(self, t, robot, self.force, self.duration)
@@ -44,8 +53,7 @@ class Impulse:
     duration: float = 0.01
     height: float | None = None
 
-    def __post_init__(self) -> None:
-        _check(self, positive=("duration",))
+    __post_init__ = _check
 
     def at(self, t: float, robot: Robot) -> Disturbance:
         return _acting(self, t, robot, self.impulse / self.duration, self.duration)
@@ -120,13 +128,3 @@ def _acting(push: Push | Impulse | Hold, t: float, robot: Robot, force: float, d
 
 def _height(height: float | None, robot: Robot) -> float:
     return robot.com_height if height is None else height
-
-
-def _check(push: object, positive: tuple[str, ...] = ()) -> None:
-    for name, value in vars(push).items():
-        if value is None:
-            continue
-        if not math.isfinite(value):
-            raise InvalidScenario(f"{type(push).__name__}: {name} is {value}", expected="a finite number")
-        if name in positive and value <= 0:
-            raise InvalidScenario(f"{type(push).__name__}: {name} is {value:g}", expected="more than zero")
