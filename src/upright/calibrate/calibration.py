@@ -221,8 +221,10 @@ class Calibration(Shown):
             named = ", ".join(e.name for e in off)
             # such a number makes up for something else
             bent = any(e.called == MOVED and abs(e.shift) > SURPRISE for e in off)
-            why = f"outside of what was known before: {named}"
-            return Decision(UNKNOWN if bent else DOUBTFUL, why, "measure these, or another log; or --force")
+            return Decision(
+                UNKNOWN if bent else DOUBTFUL, f"outside of what was known before: {named}",
+                "measure these, or another log; or --force",
+            )  # fmt: skip
         return Decision(USABLE)
 
     @property

@@ -20,19 +20,21 @@ from upright.cli.options import (
 )
 from upright.cli.output import print_json
 
+TargetOption = Annotated[
+    str,
+    typer.Option(
+        "--target",
+        "-t",
+        help="Language: pybricks, nxc, c, arduino or ev3dev.",
+        autocompletion=completed(registered("upright.firmware.targets", "TARGETS")),
+    ),
+]
+
 
 def firmware(
     controller: ControllerArgument,
     *,
-    target: Annotated[
-        str,
-        typer.Option(
-            "--target",
-            "-t",
-            help="Language: pybricks, nxc, c, arduino or ev3dev.",
-            autocompletion=completed(registered("upright.firmware.targets", "TARGETS")),
-        ),
-    ],
+    target: TargetOption,
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write the program (.py, .nxc, .c with its .h, .ino).")
     ] = None,

@@ -33,16 +33,19 @@ def _methods() -> list[str]:
     return [*IDENTIFIERS, "all"]
 
 
+MethodOption = Annotated[
+    str,
+    typer.Option(
+        help="least-squares, total-least-squares, instrumental, subspace, calibrate, or all.",
+        autocompletion=completed(_methods),
+    ),
+]
+
+
 def identify(
     log: LogArgument,
     *,
-    method: Annotated[
-        str,
-        typer.Option(
-            help="least-squares, total-least-squares, instrumental, subspace, calibrate, or all.",
-            autocompletion=completed(_methods),
-        ),
-    ] = "subspace",
+    method: MethodOption = "subspace",
     robot: RobotOption = "nxtway-gs",
     kit: KitOption = None,
     mapping: MappingOption = None,

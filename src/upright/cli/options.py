@@ -143,7 +143,7 @@ OutputOption = Annotated[Path | None, typer.Option("--output", "-o", help="Write
 
 
 def _page(path: Path | None) -> Path | None:
-    if path and path.suffix.lower() != ".html":
+    if path and path.suffix != ".html":
         raise UprightError(f"--report {path}", expected="a page: .html", hint=f"--report {path.stem}.html")
     return path
 
