@@ -170,7 +170,7 @@ def test_a_mistake_in_a_real_process_shows_no_traceback(call: str, files: Path) 
     "call",
     [
         "robots show mine.toml -o ./mine.toml", "tune lqr --robot=mine.toml -o mine.toml",
-        "linearise --robot mine.toml -o new.json --report new.json",
+        "linearise --robot mine.toml -o new.html --report new.html",
     ],
 )  # fmt: skip
 def test_no_file_that_is_read_or_written_is_written_over(
@@ -179,7 +179,7 @@ def test_no_file_that_is_read_or_written_is_written_over(
     monkeypatch.chdir(tmp_path)
     mine = Robot.preset("nxtway-gs").save("mine.toml").read_text(encoding="utf-8")
     assert main(shlex.split(call)) == USER_ERROR
-    assert re.search(r"named twice; expected .*; try: (mine-new\.toml|new-new\.json)", capsys.readouterr().err)
+    assert re.search(r"named twice; expected .*; try: (mine-new\.toml|new-new\.html)", capsys.readouterr().err)
     assert Path("mine.toml").read_text(encoding="utf-8") == mine
 
 
@@ -515,3 +515,45 @@ def test_a_run_that_nothing_disturbs_says_so(capsys: pytest.CaptureFixture[str])
     assert "\nnothing disturbs the robot; try: --push " in text
     assert main(["simulate", "-s", "0.1", "--push", "impulse:0.1"]) == 0
     assert "nothing disturbs" not in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("command", ["simulate", "compare good.csv", "linearise", "fleet", "certify lqg", "parity a b"])
+@pytest.mark.parametrize("name", ["fig.pdf", "fig", "fig.html.txt"])
+def test_a_page_is_no_other_kind_of_file(
+    command: str, name: str, capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One place for all commands, before their work: what came, what is expected, what to try."""
+    monkeypatch.chdir(tmp_path)
+    assert main([*command.split(), "--report", name]) == USER_ERROR
+    said = capsys.readouterr().err
+    assert said == f"upright: --report {name}; expected a page: .html; try: --report {Path(name).stem}.html\n"
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("command", ["parity balance.nxc lqr.json", "fly balance.nxc lqr.json"])
+def test_a_program_for_nbc_names_it_before_anything_is_asked(
+    command: str, capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """`fly` asks to hold the robot, but not where its program cannot be built: one line says what to install, and which
+    target needs no compiler."""
+    monkeypatch.chdir(tmp_path)
+    assert main(["design", "lqr", "-o", "lqr.json"]) == 0
+    assert main(["firmware", "lqr.json", "-t", "nxc", "-o", "balance.nxc"]) == 0
+    monkeypatch.setenv("PATH", str(tmp_path))
+    capsys.readouterr()
+    assert main(command.split()) == USER_ERROR
+    (line,) = capsys.readouterr().err.splitlines()
+    assert all(word in line for word in ("nbc is not installed", "apt install nbc", "--target pybricks"))
+
+
+@pytest.mark.slow
+@pytest.mark.needs("shared/cases/pyboard-pid")
+def test_a_run_that_stood_says_that_it_rolled_away(shared: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Its owner's program has no encoders: 2.8 to 4.7 m in 10 s, by a simulation of the case's own."""
+    case = shared / "cases" / "pyboard-pid"
+    robot = ["--robot", str(case / "robot.toml"), "--kit", str(case / "kit.toml")]
+    assert main(["simulate", *robot, "--controller", f"{case}/mine.py:Pyb", "--push", "impulse:0.01"]) == 0
+    said = re.search(r"stood for 10 s, and rolled ([\d.]+) m$", capsys.readouterr().out, re.MULTILINE)
+    assert said
+    assert 2.8 <= float(said[1]) <= 4.7

@@ -22,12 +22,12 @@ COMMANDS = [
     pytest.param("design lqg", marks=pytest.mark.slow),
     pytest.param("bench-controllers -c lqg -c lqr", marks=pytest.mark.slow),
     pytest.param("certify lqg --samples 100", marks=pytest.mark.slow),
-    pytest.param("calibrate excited.csv", marks=pytest.mark.slow),
+    pytest.param("calibrate excited.csv --until 4", marks=pytest.mark.slow),
     pytest.param("validate nxtway-gs excited.csv", marks=pytest.mark.slow),
     pytest.param("post-mortem fall.csv", marks=pytest.mark.long),
     pytest.param("tune lqr --budget 4 --samples 100", marks=pytest.mark.slow),
     pytest.param("identify excited.csv --method all --repeats 2", marks=pytest.mark.long),
-    pytest.param("excite -s 20 --samples 600 --focus com_height", marks=pytest.mark.slow),
+    pytest.param("excite -s 20 --samples 600 --focus com_height", marks=pytest.mark.long),
 ]  # fmt: skip
 SPEC = """
 robots = ["nxtway-gs"]

@@ -9,6 +9,7 @@ import pytest
 from upright.bodies import BODIES, Electronics, make_body
 from upright.comparison.bench import bench_controllers
 from upright.control import CONTROLLERS, Controller, Method, find_controller, make_controller
+from upright.control.law import as_law
 from upright.errors import InvalidController, InvalidPlugin, UnknownName
 from upright.experiment import run
 from upright.plugins import Registry
@@ -88,6 +89,9 @@ def test_the_documented_controller_is_found_and_balances(tmp_path):
         controller = find_controller(f"{tmp_path}/my.py:{name}", NXT, KIT, 0.01)
         log = run(Electronics(make_body("nonlinear", NXT), KIT), controller, seconds=3.0, start=(0.05, 0, 0, 0, 0, 0))
         assert not log.origin["outcome"]["fell"]
+        assert controller.spec.kind == "rod"  # and not the lqg inside
+        with pytest.raises(InvalidController, match=r"a Rod is no fixed sum.*try: upright certify"):
+            as_law(controller)  # which fleets are compiled from
 
 
 def test_an_installed_package_is_found_by_name_and_listed(installed):

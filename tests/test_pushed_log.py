@@ -14,7 +14,7 @@ from foreign_robots import Bot, Course, known, logged, metric
 from test_calibrate import short_calibration
 from upright.calibrate.calibrate import _unknown
 from upright.calibrate.calibration import Calibration
-from upright.calibrate.estimate import VISIBLE
+from upright.calibrate.estimate import PRIOR, VISIBLE
 from upright.calibrate.knocks import without_knocks
 from upright.calibrate.summary import untold
 from upright.cli.main import main
@@ -98,3 +98,24 @@ def test_a_faster_controller_is_not_told_from_its_slow_log() -> None:
     why = _unknown(fitted(), [raw_log(SHARED / "data" / "regbot" / "balance_rest.txt")], [], cut=False)
     assert why
     assert "lacks commands" in why[0]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("verdict", "withheld"), [(PRIOR, True), (VISIBLE, False)])
+def test_a_number_that_the_fit_moves_and_the_log_does_not_see_is_not_written(verdict: str, withheld: bool) -> None:
+    """Four deviations of its file's guess off: seen, it is measured, and doubtful; unseen, it makes up for another."""
+    mass, *rest = fitted().parameters
+    bent = replace(fitted(), parameters=(replace(mass, verdict=verdict, shift=4.0, shrink=0.7, guess=True), *rest))
+    assert bent.decision.against
+    assert bent.decision.withheld == withheld
+    assert mass.name in bent.decision.why
+
+
+@pytest.mark.long
+@pytest.mark.needs("shared/data/ev3way")
+def test_wheels_of_a_kilogram_each_are_not_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The whole robot of this log weighs 0.777 kg (its file's source)."""
+    log, written = SHARED / "data" / "ev3way" / "nn_v6_001.csv", tmp_path / "mine.toml"
+    assert main(["calibrate", str(log), "--robot", "ev3way-large-wheels", "-o", str(written)]) == 3
+    assert not written.exists()
+    assert "wheel_mass" in capsys.readouterr().err

@@ -17,6 +17,7 @@ from typing import Any
 import pytest
 
 from conftest import PATIENCE
+from upright.cli import options
 from upright.cli.main import main
 from upright.signals import Log
 
@@ -80,6 +81,16 @@ def test_what_the_tasks_write_is_what_they_say(folder: Path) -> None:
     assert re.findall(r",(ok|not reached|differs),", (folder / "grades.csv").read_text()) == [
         "ok", "differs", "not reached",
     ]  # fmt: skip
+
+
+def test_a_fleet_is_pushed_and_a_log_has_all_its_pushes() -> None:
+    """Without a push a fleet tests nothing; the example `pushed` has two."""
+    from upright.experiment.examples import EXAMPLES
+
+    assert all("--push" in line for line in lines_of("fleet"))
+    (own,) = lines_of("reproduce --log pushed.csv")
+    given = [options.push(text) for text in re.findall(r"--push[ =](\S+)", own)]
+    assert given == list(EXAMPLES["pushed"].pushes)
 
 
 def test_the_site_is_the_exported_lab(exported_lab: Path) -> None:

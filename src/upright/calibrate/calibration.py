@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.atomic import finite
-from upright.calibrate.estimate import HELD, NORMAL, REFUSED, VISIBLE, Estimate
+from upright.calibrate.estimate import HELD, MOVED, NORMAL, REFUSED, SURPRISE, VISIBLE, Estimate
 from upright.errors import InvalidRobot
 from upright.physics.linear import rolling, unstable_pole
 from upright.robots import Kit, Robot
@@ -219,7 +219,12 @@ class Calibration(Shown):
             return Decision(UNKNOWN, "the log is too quiet for an inertia", f"{EXCITE}; or --force")
         if off := self.off:
             named = ", ".join(e.name for e in off)
-            return Decision(DOUBTFUL, f"outside of what was known before: {named}", "measure these, or another log")
+            # such a number makes up for something else
+            bent = any(e.called == MOVED and abs(e.shift) > SURPRISE for e in off)
+            return Decision(
+                UNKNOWN if bent else DOUBTFUL, f"outside of what was known before: {named}",
+                "measure these, or another log; or --force",
+            )  # fmt: skip
         return Decision(USABLE)
 
     @property

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from upright.cli.options import (
     BodyOption,
+    ControllerOutputOption,
     JsonOption,
     KitOption,
     OutputOption,
@@ -35,7 +35,7 @@ def design(
     kit: KitOption = None,
     period: PeriodOption = None,
     posterior: PosteriorOption = None,
-    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the controller as JSON.")] = None,
+    output: ControllerOutputOption = None,
     report: ReportOption = None,
     as_json: JsonOption = False,
 ) -> None:

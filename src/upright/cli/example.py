@@ -55,19 +55,14 @@ def example(
     if name not in every:
         raise UnknownName("example", name, every)
     if name in FILES:
-        written = _file(name, output)
-        if as_json:
-            print_json({"example": name, "file": str(written)})
-        else:
-            typer.echo(f"wrote {written}: {FILES[name]}")
-        return
-    target = output or Path(f"{name}.csv")
-    check_targets(target)
-    written = simulate(name).save(target)
-    if as_json:
-        print_json({"example": name, "log": str(written)})
+        written, kind, about = _file(name, output), "file", FILES[name]
     else:
-        typer.echo(f"wrote {written}: a twin, {EXAMPLES[name].about}")
+        check_targets(target := output or Path(f"{name}.csv"))
+        written, kind, about = simulate(name).save(target), "log", f"a twin, {EXAMPLES[name].about}"
+    if as_json:
+        print_json({"example": name, kind: str(written)})
+    else:
+        typer.echo(f"wrote {written}: {about}")
 
 
 def _file(name: str, output: Path | None) -> Path:

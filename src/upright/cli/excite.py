@@ -7,8 +7,8 @@ from typing import Annotated
 import typer
 
 from upright.cli.options import (
-    CONTROLLER_HELP,
     JsonOption,
+    KernelOption,
     KitOption,
     KnownOption,
     OutputOption,
@@ -17,7 +17,6 @@ from upright.cli.options import (
     RobotOption,
     SamplesOption,
     SeedOption,
-    complete_controller,
 )
 from upright.cli.output import check_targets, finish, progress
 
@@ -26,12 +25,7 @@ def excite(
     *,
     robot: RobotOption = "nxtway-gs",
     kit: KitOption = None,
-    controller: Annotated[
-        str,
-        typer.Option(
-            "--controller", "-c", help=f"{CONTROLLER_HELP}; must be linear.", autocompletion=complete_controller
-        ),
-    ] = "lqg",
+    controller: KernelOption = "lqg",
     seconds: Annotated[float, typer.Option("--seconds", "-s", help="Length of the run [s].")] = 20.0,
     focus: Annotated[
         str | None, typer.Option(metavar="NAME,…", help="Parameters to identify, such as com_height (default: all).")

@@ -7,17 +7,28 @@ from typing import Annotated
 
 import typer
 
+from upright.atomic import place_of
 from upright.cli.options import (
     AnywayOption,
     CertificateOption,
     ControllerArgument,
-    HubOption,
     JsonOption,
     KitOption,
     RobotOption,
-    TargetOption,
+    completed,
+    registered,
 )
-from upright.cli.output import check_folder, print_json
+from upright.cli.output import print_json
+
+TargetOption = Annotated[
+    str,
+    typer.Option(
+        "--target",
+        "-t",
+        help="Language: pybricks, nxc, c, arduino or ev3dev.",
+        autocompletion=completed(registered("upright.firmware.targets", "TARGETS")),
+    ),
+]
 
 
 def firmware(
@@ -32,7 +43,13 @@ def firmware(
     number: Annotated[
         str, typer.Option("--number", help="Arithmetic of c (float, double, fixed) and arduino (float, fixed).")
     ] = "",
-    hub: HubOption = "prime",
+    hub: Annotated[
+        str,
+        typer.Option(
+            help="Hub of pybricks: prime, technic, ev3 or nxt.",
+            autocompletion=completed(registered("upright.firmware.generate", "GYROS")),
+        ),
+    ] = "prime",
     reference: Annotated[bool, typer.Option("--reference", help="For c: the reference state as inputs.")] = False,
     seconds: Annotated[
         int | None,
@@ -55,7 +72,7 @@ def firmware(
     from upright.robots.motor import refuse_energy
 
     if output:
-        check_folder(output)
+        place_of(output)  # which refuses where no file can be written
     chosen = refuse_energy(find_robot(robot))
     parts = find_kit(kit or chosen.kit)
     design = find_controller(controller, chosen, parts, parts.period)
@@ -69,11 +86,5 @@ def firmware(
     if not output:
         typer.echo(str(made.program) if listing else made.text)
         return
-    notes = [
-        warning,
-        str(made.program) if listing else "",
-        made.wiring,
-        *(f"wrote {path}" for path in written),
-        str(made),
-    ]
-    typer.echo("\n".join(line for line in notes if line))
+    notes = [warning, str(made.program) * listing, made.wiring, *(f"wrote {path}" for path in written), str(made)]
+    typer.echo("\n".join(filter(None, notes)))

@@ -13,14 +13,13 @@ from typing import TYPE_CHECKING, Annotated, Any, get_type_hints
 import typer
 
 from upright.cli.options import (
-    CONTROLLER_HELP,
     IdealKitOption,
     JsonOption,
+    KernelOption,
     PosteriorOption,
     ReportOption,
     RobotOption,
     SeedOption,
-    complete_controller,
 )
 from upright.cli.output import check_targets
 
@@ -39,12 +38,7 @@ class Asked:
     """The options, in the order of `--help`."""
 
     robot: RobotOption = "nxtway-gs"
-    controller: Annotated[
-        str,
-        typer.Option(
-            "--controller", "-c", help=f"{CONTROLLER_HELP}; linear or sliding.", autocompletion=complete_controller
-        ),
-    ] = "lqr"
+    controller: KernelOption = "lqr"
     kit: IdealKitOption = None
     vary: Annotated[list[str] | None, typer.Option("--vary", metavar="NAME=...", help=VARY_HELP)] = None
     posterior: PosteriorOption = None

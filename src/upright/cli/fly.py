@@ -9,40 +9,27 @@ import typer
 
 from upright.cli import options
 from upright.cli.keep import check_log_target, save_log
-from upright.cli.output import finish, progress
+from upright.cli.output import AGAINST, finish, progress
 from upright.errors import UprightError
 
 if TYPE_CHECKING:
     from upright.flight.fly import FlightPlan
 
-LOST = 3
-"""Exit code of a flight whose connection was lost: the program runs on without it."""
-
-
-MadeForOption = Annotated[
-    str | None,
-    typer.Option(
-        "--robot",
-        "-r",
-        help="Robot (name, TOML file) or brick (nxt, spike, ev3) it must be made for.",
-        autocompletion=options.complete_robot,
-    ),
-]
-KitMadeForOption = Annotated[
-    str | None,
-    typer.Option(
-        help="Kit it must be made for: a name or a TOML file (default: the program's).",
-        autocompletion=options.complete_kit,
-    ),
-]
-
 
 def fly(
     program: Annotated[Path, typer.Argument(help="A program by upright firmware for nxc (.nxc) or pybricks (.py).")],
-    controller: Annotated[str, typer.Argument(help="The controller.json of its design.")],
+    controller: options.DesignArgument,
     *,
-    robot: MadeForOption = None,
-    kit: KitMadeForOption = None,
+    robot: Annotated[
+        str | None,
+        typer.Option(
+            "--robot",
+            "-r",
+            help="Robot (name, TOML file) or brick (nxt, spike, ev3) it must be made for.",
+            autocompletion=options.complete_robot,
+        ),
+    ] = None,
+    kit: options.ProgramKitOption = None,
     port: Annotated[
         str,
         typer.Option(help="NXT: usb or a device such as /dev/rfcomm0. Hub: ble or ble:NAME. virtual: a simulated one."),
@@ -55,12 +42,8 @@ def fly(
         list[str] | None,
         typer.Option("--push", "-p", metavar="KIND:NUMBER,...", help="Only with --port virtual. " + options.PUSH_HELP),
     ] = None,
-    seed: Annotated[
-        int, typer.Option(min=0, max=options.MOST_SEED, help="Only with --port virtual: seed of all noise.")
-    ] = 0,
-    output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="Write the log: .parquet, .csv or .mcap.")
-    ] = None,
+    seed: options.SeedOption = 0,
+    output: options.LogOutputOption = None,
     fetch: Annotated[
         bool,
         typer.Option("--fetch", help="Start nothing; stop the running program and fetch its log."),
@@ -89,7 +72,7 @@ def fly(
     path, wrong = save_log(flight.log.log, output) if flight.log and output else (None, "")
     finish(flight, as_json, written=[path], log=str(path) if path else None)
     if flight.lost:
-        raise typer.Exit(LOST)
+        raise typer.Exit(AGAINST)  # nobody knows: the program runs on without the connection
     if wrong:
         raise UprightError(f"cannot write {output} ({wrong}); the log is in {path}")
 

@@ -49,8 +49,7 @@ def grade(
     assert folder is not None
     with progress("grading") as show:
         grades = run_again(folder, workers=workers, progress=show)
-    written = [grades.save(output)] if output else []
-    written += [grades.page().write(report)] if report else []
+    written = (output and grades.save(output), report and grades.page().write(report))
     finish(grades, as_json, written=written)
 
 

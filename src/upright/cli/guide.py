@@ -289,14 +289,12 @@ def _one_of(what: str, choices: Sequence[str]) -> Callable[[str], None]:
     return check
 
 
-def _check_log(answer: str) -> None:
-    if answer != "example" and not expanded(answer, UprightError).is_file():
-        raise UprightError(f"there is no file {answer[:100]}", expected="a log, or `example`")
+def _log_or(word: str) -> Callable[[str], None]:
+    def check(answer: str) -> None:
+        if answer != word and not expanded(answer, UprightError).is_file():
+            raise UprightError(f"there is no file {answer[:100]}", expected=f"a log, or `{word}`")
 
-
-def _check_second(answer: str) -> None:
-    if answer != "none" and not expanded(answer, UprightError).is_file():
-        raise UprightError(f"there is no file {answer[:100]}", expected="a log, or `none`")
+    return check
 
 
 ROBOT = Question("robot", "Which robot? A name (`upright robots` lists them) or a TOML file", "nxtway-gs", _check_robot)
@@ -309,8 +307,10 @@ BODY = Question(
     "body", "Which simulation? twin (MuJoCo, stands in for hardware) or nonlinear (the equations)", "twin",
     _one_of("body", ("twin", "nonlinear")),
 )  # fmt: skip
-LOG = Question("log", "Where is its log? A file, or `example` for one of nxtway-gs to try", "example", _check_log)
+LOG = Question(
+    "log", "Where is its log? A file, or `example` for one of nxtway-gs to try", "example", _log_or("example")
+)
 SECOND = Question(
-    "second", "Another log of the same robot, to judge what was learnt? A file, or `none`", "none", _check_second
+    "second", "Another log of the same robot, to judge what was learnt? A file, or `none`", "none", _log_or("none")
 )
 BRICK = Question("brick", "Which brick? nxt, ev3 (ev3dev) or spike (Pybricks)", "nxt", _one_of("brick", tuple(BRICKS)))

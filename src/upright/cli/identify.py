@@ -16,6 +16,7 @@ from upright.cli.options import (
     KitOption,
     LogArgument,
     MappingOption,
+    ModelOutputOption,
     ReportOption,
     RobotOption,
     SeedOption,
@@ -32,8 +33,13 @@ def _methods() -> list[str]:
     return [*IDENTIFIERS, "all"]
 
 
-METHOD_HELP = "least-squares, total-least-squares, instrumental, subspace, calibrate, or all."
-MethodOption = Annotated[str, typer.Option(help=METHOD_HELP, autocompletion=completed(_methods))]
+MethodOption = Annotated[
+    str,
+    typer.Option(
+        help="least-squares, total-least-squares, instrumental, subspace, calibrate, or all.",
+        autocompletion=completed(_methods),
+    ),
+]
 
 
 def identify(
@@ -53,7 +59,7 @@ def identify(
     held_out: HeldOutOption = 0.25,
     repeats: Annotated[int, typer.Option(min=0, max=10_000, help="Simulated logs for intervals and bias.")] = 40,
     seed: SeedOption = 0,
-    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the model as JSON.")] = None,
+    output: ModelOutputOption = None,
     controller: Annotated[
         Path | None, typer.Option("--controller", "-c", help="Write a regulator of the model as JSON.")
     ] = None,

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from upright.cli.options import JsonOption, ReportOption, RobotOption, complete_model, vector
+from upright.cli.options import JsonOption, ModelOutputOption, ReportOption, RobotOption, complete_model, vector
 from upright.cli.output import check_targets, finish, warn_of, write_page
 from upright.errors import UnknownName
 
@@ -29,7 +28,7 @@ def linearise(
         str,
         typer.Option(help="Equations: complete (rolling without slip) or published.", autocompletion=complete_model),
     ] = "complete",
-    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the model as JSON.")] = None,
+    output: ModelOutputOption = None,
     report: ReportOption = None,
     as_json: JsonOption = False,
 ) -> None:

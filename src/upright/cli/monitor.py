@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 
 from upright.cli.keep import check_log_target, save_log
+from upright.cli.options import LogOutputOption
 from upright.errors import InvalidLog
 
 FASTEST = 20.0  # [Hz] of telemetry on the screen: faster is not readable
@@ -25,9 +26,7 @@ def monitor(
         float,
         typer.Option("--seconds", "-s", show_default=False, help="Time to follow a hub [s] (default: to its end)."),
     ] = float("inf"),
-    output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="Write the program's log: .parquet, .csv or .mcap.")
-    ] = None,
+    output: LogOutputOption = None,
 ) -> None:
     """Show the telemetry of a running program, then its log.
 

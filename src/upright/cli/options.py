@@ -13,14 +13,13 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from upright.errors import InvalidScenario, UnknownName
+from upright.errors import InvalidScenario, UnknownName, UprightError
 
 if TYPE_CHECKING:
     from upright.signals import Log
 
 Names = Callable[[], Iterable[str]]
 
-MOST_SEED = 2**63 - 1
 MOST_ROBOTS = 10_000_000
 
 
@@ -104,6 +103,17 @@ CertificateOption = Annotated[
     Path | None, typer.Option(help="Certificate by `upright certify`; refused if red or of another controller.")
 ]
 AnywayOption = Annotated[bool, typer.Option("--anyway", help="Go on although the certificate refuses it.")]
+KernelOption = Annotated[
+    str,
+    typer.Option("--controller", "-c", help=f"{CONTROLLER_HELP}; linear, of a fleet also sliding or mpc.",
+                 autocompletion=complete_controller),
+]  # fmt: skip
+LawOption = Annotated[
+    str | None,
+    typer.Option("--controller", "-c", help="Law of the log: controller.json (default: read from the log).",
+                 autocompletion=complete_controller),
+]  # fmt: skip
+DesignArgument = Annotated[str, typer.Argument(help="The controller.json of its design.")]
 PeriodOption = Annotated[float | None, typer.Option(help="Period of the controller [s] (default: the kit's).")]
 AfterOption = Annotated[float | None, typer.Option("--start", help="Ignore the log before this time [s].")]
 BeforeOption = Annotated[float | None, typer.Option("--until", help="Ignore the log from this time on [s].")]
@@ -114,7 +124,7 @@ KnownOption = Annotated[
 ]  # fmt: skip
 HeldOutOption = Annotated[float, typer.Option(help="Last fraction of each log, kept for validation.")]
 SamplesOption = Annotated[int, typer.Option("--samples", "-n", min=1, max=MOST_ROBOTS, help="Number of robots drawn.")]
-SeedOption = Annotated[int, typer.Option("--seed", min=0, max=MOST_SEED, help="Seed of all random draws and noise.")]
+SeedOption = Annotated[int, typer.Option("--seed", min=0, max=2**63 - 1, help="Seed of all random draws and noise.")]
 BodyOption = Annotated[
     str, typer.Option("--body", "-b", help="Body by name or my.py:Name, such as nonlinear or twin (MuJoCo).",
                       autocompletion=complete_body),
@@ -126,23 +136,20 @@ TurnOption = Annotated[
     str | None, typer.Option("--turn", metavar="RAD/S[,start=S,until=S]", help="Turn at this rate, anticlockwise.")
 ]
 StartOption = Annotated[str, typer.Option("--start", help="Initial state, such as pitch=0.05; the others are zero.")]
+LogOutputOption = Annotated[Path | None, typer.Option("--output", "-o", help="Write the log: .parquet, .csv or .mcap.")]
+ControllerOutputOption = Annotated[Path | None, typer.Option("--output", "-o", help="Write the controller as JSON.")]
+ModelOutputOption = Annotated[Path | None, typer.Option("--output", "-o", help="Write the model as JSON.")]
 OutputOption = Annotated[Path | None, typer.Option("--output", "-o", help="Write the result as JSON.")]
-ReportOption = Annotated[Path | None, typer.Option("--report", help="Write a page with figures: .html.")]
-TargetOption = Annotated[
-    str,
-    typer.Option(
-        "--target",
-        "-t",
-        help="Language: pybricks, nxc, c, arduino or ev3dev.",
-        autocompletion=completed(registered("upright.firmware.targets", "TARGETS")),
-    ),
-]
-HubOption = Annotated[
-    str,
-    typer.Option(
-        help="Hub of pybricks: prime, technic, ev3 or nxt.",
-        autocompletion=completed(registered("upright.firmware.generate", "GYROS")),
-    ),
+
+
+def _page(path: Path | None) -> Path | None:
+    if path and path.suffix != ".html":
+        raise UprightError(f"--report {path}", expected="a page: .html", hint=f"--report {path.stem}.html")
+    return path
+
+
+ReportOption = Annotated[
+    Path | None, typer.Option("--report", callback=_page, help="Write a page with figures: .html.")
 ]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 

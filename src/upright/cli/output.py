@@ -141,18 +141,13 @@ def _bare(word: str, before: str) -> str:
 _WRITTEN = ("--report", "-o", "--output")  # what these name may not be there yet
 
 
-def check_folder(path: Path) -> None:
-    """Refuse a place where no file can be written, before the work that would fill it."""
-    place_of(path)
-
-
 def check_targets(*targets: Path | None, logs: Iterable[Path] = ()) -> None:
     """Refuse, before the work, a place where no file can be written, and a file that would replace a log or another
     file of the command: a robot, a kit, or a second output."""
     named = [Path(word.partition("=")[2] if word.startswith("--") else word) for word in TYPED.get()]
     outputs = [target for target in targets if target]
     for target in outputs:
-        check_folder(target)
+        place_of(target)  # which refuses it
         other = str(target.with_name(f"{target.stem}-new{target.suffix}"))
         if any(target.exists() and log.exists() and target.samefile(log) for log in logs):
             raise UprightError(f"{target} is a log itself", expected="another file, since a log is kept", hint=other)

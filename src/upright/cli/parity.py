@@ -8,29 +8,27 @@ from typing import Annotated
 import typer
 
 from upright.cli.options import (
+    BodyOption,
+    DesignArgument,
     JsonOption,
     OutputOption,
     ProgramKitOption,
     ProgramRobotOption,
     ReportOption,
-    complete_body,
 )
 from upright.cli.output import AGAINST, check_targets, finish, progress
 
 
 def parity(
     program: Annotated[Path, typer.Argument(help="A program by upright firmware: .py, .c, .ino or .nxc.")],
-    controller: Annotated[str, typer.Argument(help="The controller.json of its design.")],
+    controller: DesignArgument,
     *,
     robot: ProgramRobotOption = None,
     kit: ProgramKitOption = None,
     chip: Annotated[
         str, typer.Option(help="For c: host, arm7 or avr; for pybricks: micropython or mpy (default: the first).")
     ] = "",
-    body: Annotated[
-        str,
-        typer.Option("--body", "-b", help="Body it drives: twin (MuJoCo) or nonlinear.", autocompletion=complete_body),
-    ] = "twin",
+    body: BodyOption = "twin",
     output: OutputOption = None,
     report: ReportOption = None,
     as_json: JsonOption = False,

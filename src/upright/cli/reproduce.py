@@ -28,11 +28,7 @@ def reproduce(
                      autocompletion=options.complete_robot),
     ] = None,
     kit: options.KitOption = None,
-    controller: Annotated[
-        str | None,
-        typer.Option("--controller", "-c", help="Law of the log: controller.json (default: read from the log).",
-                     autocompletion=options.complete_controller),
-    ] = None,
+    controller: options.LawOption = None,
     push: options.PushOption = None,
     mapping: options.MappingOption = None,
     start: options.AfterOption = None,

@@ -19,11 +19,6 @@ if TYPE_CHECKING:
     from upright.robots import Kit, Robot
     from upright.signals import Log
 
-IDEAL = "ideal"
-"""The kit without electronics, under which controllers may read the true state."""
-
-SECONDS = 10.0
-
 
 def simulate(
     *,
@@ -54,9 +49,7 @@ def simulate(
         float | None, typer.Option("--seconds", "-s", help="Length of the run [s] (default: 10, or the plan's).")
     ] = None,
     seed: options.SeedOption = 0,
-    output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="Write the log: .parquet, .csv or .mcap.")
-    ] = None,
+    output: options.LogOutputOption = None,
     report: options.ReportOption = None,
     as_json: options.JsonOption = False,
 ) -> None:
@@ -74,7 +67,7 @@ def simulate(
     chosen = find_robot(robot)
     warn_of(chosen)
     plant, design = _fitted(chosen, body=body, kit=kit or chosen.kit, controller=controller, gains=gains, period=period)
-    design, planned = _excited(design, excite) if excite else (design, SECONDS)
+    design, planned = _excited(design, excite) if excite else (design, 10.0)
     length = planned if seconds is None else seconds
     if lying is not None:
         design, first = _standing_up(design, chosen, kit or chosen.kit, lying, start), [lying, *[0.0] * 5]
@@ -90,14 +83,14 @@ def _show(log: Log, *, body: str, written: Path | None, report: Path | None, as_
     from upright.experiment import motionless, outcome_of, undisturbed
     from upright.experiment.outcome import PUSHED
 
-    numbers, outcome = compare({body: log}), outcome_of(log)
+    numbers = compare({body: log})
     write_page(numbers, report)
-    lines = ["\n".join(filter(None, [f"nothing disturbs the robot; try: {PUSHED}", motionless(log)]))] * undisturbed(
-        log
-    )
-    text = "\n".join([*lines, str(outcome)])
-    facts: dict[str, Any] = {"outcome": outcome.to_json(), "origin": log.origin}
-    finish(numbers, as_json, written=(written, report), text=text, **facts, log=str(written) if written else None)
+    calm = [f"nothing disturbs the robot; try: {PUSHED}", motionless(log)] * undisturbed(log)
+    text = "\n".join(filter(None, [*calm, numbers.ended(numbers.reference)]))
+    finish(
+        numbers, as_json, written=(written, report), text=text, outcome=outcome_of(log).to_json(), origin=log.origin,
+        log=str(written) if written else None,
+    )  # fmt: skip
 
 
 def _fitted(
@@ -109,7 +102,7 @@ def _fitted(
     from upright.robots import find_kit
 
     bare, parts = make_body(body, robot), find_kit(kit)
-    ideal = parts.name == IDEAL
+    ideal = parts.name == "ideal"  # without electronics, so that controllers may read the true state
     plant = bare if ideal else Electronics(bare, parts)
     dt = parts.period if period is None else period
     if gains is not None and controller is not None:
@@ -145,17 +138,11 @@ def _state_feedback(gains: str, robot: Robot, kit: Kit | None, dt: float) -> Con
     from upright.control import StateFeedback, observed
 
     if gains.endswith(".json"):
-        feedback = StateFeedback(_read_gain(Path(gains)), dt, robot.command_unit)
+        expected = 'JSON such as {"gain": [[six], [six]]}'
+        data = read_json(Path(gains), InvalidController, expected)
+        with understood(f"the gain in {gains}", InvalidController, expected):
+            feedback = StateFeedback(data["gain"], dt, robot.command_unit)
     else:
         row = [options.number(text, "--gains") for text in gains.split(",")]
         feedback = StateFeedback.symmetric(row, dt, command_unit=robot.command_unit)
     return feedback if kit is None else observed(feedback, robot, kit)
-
-
-def _read_gain(path: Path) -> Any:
-    import numpy as np
-
-    expected = 'JSON such as {"gain": [[six], [six]]}'
-    data = read_json(path, InvalidController, expected)
-    with understood(f"the gain in {path}", InvalidController, expected):
-        return np.array(data["gain"], dtype=np.float64)

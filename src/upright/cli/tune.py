@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from upright.cli.options import (
+    ControllerOutputOption,
     JsonOption,
     KitOption,
     ReportOption,
@@ -33,7 +33,7 @@ def tune(
     ] = None,
     samples: SamplesOption = 1000,
     seed: SeedOption = 0,
-    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the controller as JSON.")] = None,
+    output: ControllerOutputOption = None,
     resume: Annotated[bool, typer.Option("--resume", help="Go on with the search that -o was stopped in.")] = False,
     report: ReportOption = None,
     as_json: JsonOption = False,

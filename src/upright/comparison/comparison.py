@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from upright.atomic import finite
+from upright.certify.verdict import MOST_TRAVEL
 from upright.comparison import metrics, resting, swaying
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import outcome_of
@@ -57,6 +58,7 @@ class Metrics:
     overshoot: float = _number("1", "overshoot")
     pitch_peak: float = _number("rad", "peak pitch")
     pitch_rms: float = _number("rad", "RMS pitch")
+    doubling: float = _number("s", "swing doubles in")
     wheel_travel: float = _number("rad", "wheel travel")
     effort: float = _number("u² s", "effort")
     saturated: float = _number("1", "saturated")
@@ -117,39 +119,37 @@ class Comparison(Shown):
         where = {"kind": self.kinds[label], "source": self.sources[label], "release": finite(self.releases[label])}
         return where | {"metrics": numbers, "fit": fits}
 
-    @property
-    def _end(self) -> float:
-        """The last time [s] of any log."""
-        return max(float(log.t[-1]) for log in self.logs.values())
+    def ended(self, label: str) -> str:
+        """How a run ended, in words, also that its swing grows and that it rolled far."""
+        log, numbers = self.logs[label], self.metrics[label]
+        ended, rolled = str(outcome_of(log)), log.origin.get("robot", {}).get("wheel_radius", 0) * numbers.wheel_travel
+        if math.isfinite(numbers.doubling):
+            ended += f", but its swing doubled every {numbers.doubling:.2g} s"
+        return f"{ended}, and rolled {rolled:.2g} m" if rolled > MOST_TRAVEL else ended
 
     def plot(self, *signals: str) -> Figure:
         """States of all logs over time (default: all that are compared), one panel each; the push is shaded."""
-        from upright.plotting import legend, line, panels, span
-
-        names, first = signals or self.signals, self.logs[self.reference]
-        units = [first.unit(f"{self.sources[self.reference]}/{name}") for name in names]
-        figure, axes = panels([f"{n.replace('_', ' ')} [{u}]" for n, u in zip(names, units, strict=True)])
-        for ax, name in zip(axes, names, strict=True):
-            for label, log in self.logs.items():
-                line(ax, label, log.t, log[f"{self.sources[label]}/{name}"])
-        for start, stop in self.pushed:
-            span(axes, start, min(stop, self._end), "push acts")
-        return legend(figure)
+        names, source = signals or self.signals, self.sources[self.reference]
+        titles = [f"{n.replace('_', ' ')} [{self.logs[self.reference].unit(f'{source}/{n}')}]" for n in names]
+        return self._drawn(titles, {label: [f"{of}/{name}" for name in names] for label, of in self.sources.items()})
 
     def plot_commands(self) -> Figure | None:
         """Both commands of the logs that have them, applied ones first; None where no log has any."""
+        drawn = {label: [f"{p}/left", f"{p}/right"] for label, log in self.logs.items() if (p := _command_prefix(log))}
+        titles = [f"{side} command [{self.command_unit}]" for side in ("left", "right")]
+        return self._drawn(titles, drawn, step=True) if drawn else None
+
+    def _drawn(self, titles: Sequence[str], channels: Mapping[str, Sequence[str]], *, step: bool = False) -> Figure:
+        """Those channels of each log, one panel each, and when the push acts."""
         from upright.plotting import legend, line, panels, span
 
-        prefixes = {label: _command_prefix(log) for label, log in self.logs.items()}
-        if not any(prefixes.values()):
-            return None
-        figure, axes = panels([f"{side} command [{self.command_unit}]" for side in ("left", "right")])
+        figure, axes = panels(titles)
         for style, (label, log) in enumerate(self.logs.items()):
-            for ax, side in zip(axes, ("left", "right"), strict=True):
-                if prefixes[label]:
-                    line(ax, label, log.t, log[f"{prefixes[label]}/{side}"], step=True, style=style)
+            for ax, name in zip(axes, channels.get(label, ()), strict=False):
+                line(ax, label, log.t, log[name], step=step, style=style)
+        end = max(float(log.t[-1]) for log in self.logs.values())
         for start, stop in self.pushed:
-            span(axes, start, min(stop, self._end), "push acts")
+            span(axes, start, min(stop, end), "push acts")
         return legend(figure)
 
     @property
@@ -313,23 +313,24 @@ def _release(log: Log, anchor: Log) -> float:
 
 
 def _command_unit(log: Log) -> str:
-    names = [name for name in ("applied/left", "command/left") if name in log]
-    return log.unit(names[0]) if names else "V"
+    prefix = _command_prefix(log)
+    return log.unit(f"{prefix}/left") if prefix else "V"
 
 
 def _measure(log: Log, source: str, release: float, unit: str) -> Metrics:
     pitch, wheel = _channel(log, f"{source}/pitch"), _channel(log, f"{source}/wheel")
-    after = pitch[log.t >= release]
+    after, fell = pitch[log.t >= release], outcome_of(log).fell
     return Metrics(
         settling_2=metrics.settled(log.t, pitch, band=0.02, start=release),
         settling_5=metrics.settled(log.t, pitch, band=0.05, start=release),
         overshoot=swing if (swing := metrics.overshoot(after)) <= 1 else math.nan,
         pitch_peak=metrics.peak(log.t, pitch).value,
         pitch_rms=metrics.rms(pitch),
+        doubling=math.nan if fell else metrics.doubling(log.t, pitch, start=release),
         wheel_travel=abs(metrics.peak(log.t, wheel, float(wheel[0])).value),
         effort=_effort(log, unit),
         saturated=_saturated(log),
-        fell=outcome_of(log).fell,
+        fell=fell,
     )
 
 
@@ -338,8 +339,8 @@ def _channel(log: Log, name: str) -> metrics.Array:
 
 
 def _effort(log: Log, unit: str) -> float:
-    prefix = "applied" if "applied/left" in log else "command"
-    if f"{prefix}/left" in log and _command_unit(log) != unit:
+    prefix = _command_prefix(log)
+    if prefix and _command_unit(log) != unit:
         return np.nan  # volts and newton metres do not compare
     return metrics.effort(log.t, _channel(log, f"{prefix}/left"), _channel(log, f"{prefix}/right"))
 
@@ -349,10 +350,10 @@ def _saturated(log: Log) -> float:
     if not all(name in log for name in names):
         return np.nan
     columns = [log[name] for name in names]
-    limit = _limit(log)
-    if max(float(np.abs(column).max()) for column in columns[2:]) < NEAR_LIMIT * limit:
-        return 0.0
-    return metrics.saturated_fraction(np.column_stack(columns[:2]), np.column_stack(columns[2:]))
+    held = max(map(metrics.held_fraction, columns[:2]))
+    if max(float(np.abs(column).max()) for column in columns[2:]) < NEAR_LIMIT * _limit(log):
+        return held
+    return max(held, metrics.saturated_fraction(np.column_stack(columns[:2]), np.column_stack(columns[2:])))
 
 
 def _limit(log: Log) -> float:

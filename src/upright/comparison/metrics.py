@@ -14,6 +14,9 @@ from upright.arrays import Array
 from upright.errors import InvalidLog
 from upright.experiment.outcome import last_part
 
+GROWING = 5
+"""Swings, each larger than the one before, that show growth: chance orders as many in one of 120 cases."""
+
 
 class Peak(NamedTuple):
     """A signal's largest `value` (signed, in the signal's unit) and the `time` [s] it is first reached."""
@@ -61,6 +64,25 @@ def settled(t: ArrayLike, y: ArrayLike, *, band: float, start: float) -> float:
     size = np.abs(deviation)
     swings = len(size) == 0 or size[last_part(len(size)) :].max() > band * size.max()
     return np.nan if swings else settling_time(t, y, band=band, start=start)
+
+
+def doubling(t: ArrayLike, y: ArrayLike, *, start: float) -> float:
+    """Time [s] in which the swing of y doubles over the end of the data; NaN where it does not grow clearly.
+
+    A swing goes from one turning point to the next, past the mean. Of those that end the data, `GROWING` or more each
+    exceed the one before, and have doubled twice: of records of noise that swings by itself two in a hundred look so.
+    """
+    time, values = _after(t, y, start)
+    deviation = values - values.sum() / max(len(values), 1)
+    large = np.abs(deviation) > 0.05 * np.abs(deviation).max(initial=0.0)  # else noise near zero makes turns of its own
+    time, deviation = time[large], deviation[large]
+    sides = np.flatnonzero(np.diff(np.sign(deviation))) + 1
+    peaks = np.maximum.reduceat(np.abs(deviation), sides)[:-1]  # the last has yet to turn
+    swings = peaks[1:] + peaks[:-1]
+    growing = swings[np.flatnonzero(np.diff(swings) <= 0).max(initial=-1) + 1 :]
+    if len(growing) < GROWING or growing[-1] < 4 * growing[0]:
+        return np.nan
+    return float(np.log(2) * np.ptp(time[sides[:-1][-len(growing) :]]) / np.log(growing[-1] / growing[0]))
 
 
 def overshoot(y: ArrayLike, target: float = 0.0) -> float:
@@ -115,6 +137,13 @@ def saturated_fraction(command: ArrayLike, applied: ArrayLike, margin: float = 0
         return np.nan
     beyond = np.abs(requested) > (1 + margin) * np.abs(given).max(axis=0)
     return float(np.mean(beyond.any(axis=1) if beyond.ndim == 2 else beyond))
+
+
+def held_fraction(command: ArrayLike) -> float:
+    """Fraction of samples [1] at which a command stands at its own limit: at exactly its largest size, where it is more
+    often than at the next size below, as only a clipped command is."""
+    _, counts = np.unique(np.abs(_array(command)), return_counts=True)
+    return float(counts[-1] / counts.sum()) if len(counts) > 2 and counts[-1] > 2 * counts[-2] else 0.0
 
 
 def nrmse_fit(reference: ArrayLike, model: ArrayLike) -> float:

@@ -108,8 +108,9 @@ def as_law(controller: Controller | Law) -> Law:
         return Law(as_linear(controller))
     except InvalidController:
         raise InvalidController(
-            f"a {controller.spec.kind} is no fixed sum of products",
+            f"a {type(controller).__name__} is no fixed sum of products",
             expected="a linear controller (lqr, lqi, lqg, pid, hinf, robust), sliding or mpc",
+            hint="upright certify or upright bench-controllers, which run any controller",
         ) from None
 
 

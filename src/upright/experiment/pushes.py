@@ -18,6 +18,16 @@ class PushProgramme(Protocol):
     def at(self, t: float, robot: Robot) -> Disturbance: ...
 
 
+def _check(push: object) -> None:
+    for name, value in vars(push).items():
+        if value is None:
+            continue
+        if not math.isfinite(value):
+            raise InvalidScenario(f"{type(push).__name__}: {name} is {value}", expected="a finite number")
+        if name == "duration" and value <= 0:
+            raise InvalidScenario(f"{type(push).__name__}: {name} is {value:g}", expected="more than zero")
+
+
 @dataclass(frozen=True, kw_only=True)
 class Push:
     """A horizontal `force` [N], forward positive, from `start` for `duration` [s], at `height` [m] above the axle
@@ -28,11 +38,10 @@ class Push:
     duration: float = 0.1
     height: float | None = None
 
-    def __post_init__(self) -> None:
-        _check(self, positive=("duration",))
+    __post_init__ = _check
 
     def at(self, t: float, robot: Robot) -> Disturbance:
-        return Disturbance(self.force if _within(t, self.start, self.duration) else 0.0, _height(self.height, robot))
+        return _acting(self, t, robot, self.force, self.duration)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -44,12 +53,10 @@ class Impulse:
     duration: float = 0.01
     height: float | None = None
 
-    def __post_init__(self) -> None:
-        _check(self, positive=("duration",))
+    __post_init__ = _check
 
     def at(self, t: float, robot: Robot) -> Disturbance:
-        on = _within(t, self.start, self.duration)
-        return Disturbance(self.impulse / self.duration if on else 0.0, _height(self.height, robot))
+        return _acting(self, t, robot, self.impulse / self.duration, self.duration)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -81,8 +88,7 @@ class Hold:
         return -weight * math.sin(self.pitch) / lever
 
     def at(self, t: float, robot: Robot) -> Disturbance:
-        on = _within(t, self.start, self.until - self.start)
-        return Disturbance(self.force(robot) if on else 0.0, _height(self.height, robot))
+        return _acting(self, t, robot, self.force(robot), self.until - self.start)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -115,19 +121,10 @@ def combined(pushes: Sequence[PushProgramme], t: float, robot: Robot) -> Disturb
     return Disturbance(force, moment / force if force else 0.0, slope) if force or slope else CALM
 
 
-def _within(t: float, start: float, duration: float) -> bool:
-    return start - _SAME_TIME <= t < start + duration - _SAME_TIME
+def _acting(push: Push | Impulse | Hold, t: float, robot: Robot, force: float, duration: float) -> Disturbance:
+    on = push.start - _SAME_TIME <= t < push.start + duration - _SAME_TIME
+    return Disturbance(force if on else 0.0, _height(push.height, robot))
 
 
 def _height(height: float | None, robot: Robot) -> float:
     return robot.com_height if height is None else height
-
-
-def _check(push: object, positive: tuple[str, ...] = ()) -> None:
-    for name, value in vars(push).items():
-        if value is None:
-            continue
-        if not math.isfinite(value):
-            raise InvalidScenario(f"{type(push).__name__}: {name} is {value}", expected="a finite number")
-        if name in positive and value <= 0:
-            raise InvalidScenario(f"{type(push).__name__}: {name} is {value:g}", expected="more than zero")

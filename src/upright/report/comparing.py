@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from upright.comparison import Comparison
 from upright.comparison.comparison import NEGLIGIBLE
-from upright.experiment import motionless, outcome_of
+from upright.experiment import motionless
 from upright.plotting import line, number
 from upright.report.beside import (
     AVERAGED,
@@ -128,7 +128,7 @@ def _title_of_one(comparison: Comparison) -> str:
         if pushes
         else ""
     )
-    return f"{'Simulated, ' if comparison.kinds[label] else ''}{robot} {outcome_of(log)}{under}"
+    return f"{'Simulated, ' if comparison.kinds[label] else ''}{robot} {comparison.ended(label)}{under}"
 
 
 def _fits(comparison: Comparison, first: str) -> dict[str, float]:

@@ -51,13 +51,12 @@ def listed_metrics(comparison: Comparison) -> Table:
         band = BANDS.get(str(row[0]))
         lost = [band is not None and _noisy(comparison, label, band) for label in comparison.logs]
         cells = ["noise" if gone else cell for gone, cell in zip(lost, row[2:], strict=True)]
-        if not all(lost) and not (row[0] == SPOKEN_NAMES["overshoot"] and all(map(_missing, cells))):
+        if not all(lost) and not (
+            row[0] in (SPOKEN_NAMES["overshoot"], METRICS["doubling"][1])
+            and all(isinstance(cell, float) and math.isnan(cell) for cell in cells)
+        ):
             rows.append([*row[:2], *cells])
     return replace(table, rows=rows)
-
-
-def _missing(cell: Cell) -> bool:
-    return isinstance(cell, float) and math.isnan(cell)
 
 
 def _noisy(comparison: Comparison, label: str, band: float) -> bool:
@@ -100,7 +99,8 @@ def how(comparison: Comparison) -> list[str]:
         "Overshoot: the largest deviation on the far side over the largest on the side of the start." if swung else
         "No overshoot: a knock is over before the robot leans, so there is no side to swing back from.",
         "Effort: the integral of both squared commands.",
-        "Motors at their limit: the part of the samples with a command that they cannot follow.",
+        "Motors at their limit: the part of the samples with a command that they cannot follow, or at "
+        "the program's own limit.",
         "Under a lasting force backward a robot leans forward, into it.",
     ]  # fmt: skip
     return [text for text in texts if text]
