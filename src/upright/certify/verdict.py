@@ -12,7 +12,7 @@ from upright.certify.agreement import AMBER, RED, Agreement, disagreements
 from upright.certify.analysis import ROUNDED, instability, loop_margins
 from upright.certify.checks import CONFIDENCE, MOST_FALLS, PushTrial, red
 from upright.certify.loop import robot_loop
-from upright.certify.support import Support, contradictions, left_open
+from upright.certify.support import Support, contradictions
 from upright.control.controller import Controller
 from upright.errors import InvalidController
 from upright.fleet.binomial import upper_bound
@@ -83,20 +83,20 @@ def judge(
     beyond: int = 0,
     taken: Sequence[Support] = (),
 ) -> tuple[str, tuple[str, ...]]:
-    """The light and its one or two reasons, the gravest first. No controller could save `beyond` of those that fell;
-    numbers that were `taken` from the log are a reason besides."""
+    """The light and its one or two reasons, the gravest first. No controller could save `beyond` of those that fell.
+    Numbers that were `taken` from the log, outside what was assumed, are a reason besides: they are a fault to mend, or
+    to be measured, so that the light is amber at most."""
     logged = [f"tried as the log shows it: {s}" for s in sorted(taken, key=lambda s: -s.excess) if s.excess > 0]
     loop = [instability(linear.radius, period)] if linear and not linear.stable else []
     free, unstable = (loop, []) if linear and linear.free else ([], loop)
     if grave := unstable + _falls(samples, fell, beyond, runs) + disagreements(compared, RED):
         return RED, tuple((grave[:1] + logged[:1] + grave[1:] + free)[:2])
     thin = free or (_thin(linear, period) if linear else [])
-    if amber := disagreements(compared, AMBER) + contradictions(support) + thin + _laborious(runs):
+    amber = disagreements(compared, AMBER) + contradictions(support) + thin + _laborious(runs)
+    if amber or logged:
         return AMBER, tuple((amber[:1] + logged[:1] + amber[1:])[:2])
     chance = _per_cent(upper_bound(fell, samples, CONFIDENCE))
     message = f"{fell} of {samples} robots fell: the probability of a fall is below {chance}"
-    if further := [*logged, *left_open(support)]:
-        return GREEN, (message, further[0])
     if linear is None:
         return GREEN, (message, "no linear margins are known")
     delay = "with any delay" if math.isinf(linear.delay) else f"up to {linear.delay * 1e3:.1f} ms more delay"
