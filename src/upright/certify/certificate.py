@@ -283,7 +283,7 @@ def certify(
     taken = (*taken, *(s for s in wrong if s.name not in {t.name for t in taken}))
     setup = replace(setup, progress=progress and RunCounter(setup.runs if sweeps else setup.runs_of_trials, progress))
     runs, fallen, beyond = trials(setup)
-    linear, period = linear_margins(design, setup.actual_robot, setup.actual_kit), design.spec.period
+    linear, period = linear_margins(design, setup.actual_robot, setup.actual_kit, usual=True), design.spec.period
     fell, hopeless, who = int(fallen.sum()), int(beyond.sum()), identity(design)
     compared, shown = agreement(recording, setup) if recording else (), (*shown, *doubts)
     light, reasons = judge(len(family), fell, linear, runs, period, compared, shown, beyond=hopeless, taken=taken)
