@@ -10,6 +10,7 @@ from importlib import import_module
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
+from unittest.mock import MagicMock
 
 import numpy as np
 import pytest
@@ -255,8 +256,13 @@ def test_a_program_for_a_brick_asks_the_same_question(tmp_path: Path) -> None:
 def test_a_calibration_hands_on_its_posterior_and_longer_dead_times() -> None:
     names, covariance = ("com_height", "delay/gyro", "torque_constant"), np.diag([1e-6, 1e-8, 4e-6])
     late = SimpleNamespace(name="delay/gyro", value=0.03, verdict="visible")
-    calibration: Any = SimpleNamespace(names=names, covariance=covariance, robot=ROBOT, delays=(late,), parameters=())
+    calibration: Any = MagicMock(names=names, covariance=covariance, robot=ROBOT, delays=(late,), parameters=())
+    calibration.__getitem__.return_value = SimpleNamespace(
+        value=-0.1, low=-0.2, high=0.1
+    )  # of a constant command, in V
     found = learnt(calibration, KIT)
+    assert found.floor is not None
+    assert found.floor[1] < 0 < found.floor[0] < found.floor[2]  # what drives it back is a floor that rises
     assert {s.kind for s in found.uncertainty.spreads} == {"lognormal"}  # as a calibration takes positive numbers
     sizes = {s.name: s.high * s.low for s in found.uncertainty.spreads}  # to first order
     assert sizes == pytest.approx({"com_height": 1e-3, "torque_constant": 2e-3})

@@ -193,7 +193,7 @@ def test_file_brings_the_certificate_back() -> None:
 def test_a_file_of_before_is_refused_with_what_to_do() -> None:
     # its pushes were the same for every robot, so that its light means something else
     older = {name: value for name, value in green().to_json().items() if name != "beyond"} | {"version": VERSION - 1}
-    with pytest.raises(InvalidController, match=r"version 3.*version 4.*certify it again"):
+    with pytest.raises(InvalidController, match=r"version 4.*version 5.*certify it again"):
         Certificate.from_json(older)
 
 
@@ -255,12 +255,32 @@ def test_too_few_robots_prove_nothing() -> None:
         certify(designed("pid"), ROBOT, KIT, samples=50)
 
 
-def test_page_and_table_ask_for_a_scale_where_the_mass_decides() -> None:
-    mass = Support("body mass", "kg", 0.6, 0.26, 0.9, 0.5, 0.7, tried=(60, 200))  # 30 % fell, 5 % may
-    for fell, asks in ((60, True), (0, False)):
-        certificate = dataclasses.replace(green(), light=AMBER, support=(dataclasses.replace(mass, tried=(fell, 200)),))
+def test_page_and_table_say_what_to_do_about_what_the_log_shows() -> None:
+    """A scale tells a mass that is left open; what was not assumed is mended or measured."""
+    left = {"support": (Support("body's mass", "kg", 0.5, 0.36, 0.61, 0.42, 0.78, left_open=True),)}
+    scale = {"taken": (Support("gyro's scale", "1", 2.04, 1.84, 2.24, 0.8, 1.2),)}
+    for shown, asked in ((left, "--weighed KG"), (scale, "end what the log shows, or measure it"), ({}, "")):
+        certificate = dataclasses.replace(green(), light=AMBER, **shown)
         for text in (str(certificate), page_of(certificate).lead):
-            assert ("--weighed KG" in text) == asks
+            assert asked in text
+            assert ("--weighed" in text or "end what the log shows" in text) == bool(shown)
+
+
+@pytest.mark.parametrize(
+    ("support", "taken", "said"),
+    [
+        # a gyro that reads twice was green, "tried at 1.84 to 2.01", and the robot fell 4 of 4 times
+        ((), (Support("gyro's scale", "1", 2.04, 1.84, 2.24, 0.8, 1.2),), "gyro's scale 2.04, assumed 0.8 to 1.2"),
+        # a body of .343 kg for .6 was green in 2 of 5 logs: the interval ended above it
+        ((Support("body's mass", "kg", 0.5, 0.36, 0.61, 0.42, 0.78, left_open=True),), (), "open, 0.36 to 0.61 kg"),
+    ],
+)
+def test_what_a_log_shows_or_leaves_open_outside_of_what_was_assumed_is_not_green(
+    support: tuple[Support, ...], taken: tuple[Support, ...], said: str
+) -> None:
+    light, reasons = judge(1000, 0, None, [_trial()], 0.01, support=support, taken=taken)
+    assert light == AMBER
+    assert said in reasons[0]
     assert "0.66 kg" in page_of(dataclasses.replace(green(), weighed=0.66)).html().replace("\u00a0", " ")
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from functools import cache
 from importlib import import_module
 from pathlib import Path
@@ -13,6 +14,7 @@ from upright.bodies import Electronics, NonlinearBody
 from upright.certify.calibrated import Learnt
 from upright.certify.certificate import certify
 from upright.control import controller_hash, make_controller, write_controller
+from upright.errors import InvalidLog
 from upright.experiment import Drive, run
 from upright.report.certificate import page_of
 from upright.robots import Kit, Robot
@@ -55,3 +57,22 @@ def test_a_robot_that_falls_with_what_flew_is_red_by_its_name_too() -> None:
     """Commands that act 22 ms late: 12 of 12 simulations fall (the case's README), and so did its file."""
     log = SHARED / "cases" / "late-loop" / "run.csv"
     assert certify("hinf", "ev3way", samples=100, sweeps=False, log=log).light == "red"
+
+
+@pytest.mark.slow
+@pytest.mark.needs("shared/data/twipr/run2_all.csv")
+def test_a_robot_that_lies_and_then_balances_is_followed_where_it_balances() -> None:
+    """The doctor finds it balancing from 12.1 s on; `calibrate` a level floor (-.03°, -.14 to .07)."""
+    log = SHARED / "data" / "twipr" / "run2_all.csv"
+    given = certify("lqg", "twipr", samples=100, sweeps=False, log=log)
+    (floor,) = (s for s in given.support if s.name == "slope")
+    assert abs(math.degrees(floor.value)) < 0.2
+    assert not any("slope" in t.push for t in given.trials)
+    assert "slope" not in " ".join(given.reasons)
+
+
+@pytest.mark.needs("shared/data/twipr/new_dive_1_all.csv")
+def test_too_little_on_its_wheels_is_told_as_that() -> None:
+    """It balances and falls from 4.36 to 6.95 s of 9.6 s; what lies before was once read as a slope of -4°."""
+    with pytest.raises(InvalidLog, match=r"lasts 2\.6 s.*on its wheels"):
+        certify("lqg", "twipr", samples=100, sweeps=False, log=SHARED / "data" / "twipr" / "new_dive_1_all.csv")

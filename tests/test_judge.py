@@ -189,7 +189,6 @@ def test_a_doubtful_number_is_taken_over_where_it_leaves_white_innovations(
     monkeypatch.setattr(handed_over, "unloaded", lambda met: met)
     monkeypatch.setattr(handed_over, "learnt", lambda own, *_: handed_over.Learnt(own, None, None))
     own, numbers = handed_over.calibrated(Log(np.arange(9.0) / 100, {}, {}), setup)
-    assert own.mass_open is None
     assert (own.robot.temper, numbers) == ((after, (number,)) if taken else (before, ()))
 
 

@@ -1424,14 +1424,17 @@ def test_no_margin_is_judged_before_every_place_is_known(page):
     until(page, "upright.store.settled && upright.store.lit?.delay_at")
     said = page.inner_text(".verdict")
     robot, kit = Robot.preset("twipr"), Kit.preset("twipr")
-    least = linear_margins(CONTROLLERS["lqg"](robot, kit, kit.period), robot, kit)
+    least = linear_margins(CONTROLLERS["lqg"](robot, kit, kit.period), robot, kit, usual=True)
     assert least
     numbers = [float(text) for text in re.findall(r"\d+(?:\.\d+)?(?= ms more| % weaker| % stronger)", said)]
     true = [1e3 * least.delay, 100 * (1 - least.gain_low), 100 * (least.gain_high - 1)]
     assert numbers == pytest.approx(true, rel=0.05)  # two digits are shown
     assert re.findall(r"\((.*?)\)", said) == [least.delay_at, least.low_at, least.high_at]
     waiting = page.evaluate(f"() => {{ {UNLIT}; return document.querySelector('.verdict').innerText; }}")
-    assert "suffice" in said
+    assert least.met is not None
+    assert least.met < 5  # as `upright design` says: 3.8 ms of delay where 10 are usual
+    assert f"{least.met} of 5 margins reach the usual targets" in said
+    assert "suffice" not in said
     assert waiting
     assert not re.search(r"\d|suffice|weakest", waiting)
 

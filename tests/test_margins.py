@@ -10,21 +10,24 @@ import pytest
 from scipy.linalg import expm
 
 from upright.certify import Loop, analyse, delay_margin, disk_margin, margins, parameter_mu, robot_loop
+from upright.certify.checks import PushTrial
 from upright.certify.design import design
 from upright.certify.margins import broken_at, disk_gain, disk_phase, sign_changes
 from upright.certify.release import UPRIGHT, let_go
 from upright.certify.scaling import balanced, best_scaling
-from upright.certify.verdict import linear_margins
+from upright.certify.verdict import judge, linear_margins
 from upright.control import Controller, make_controller
 from upright.control.delay import RAW, sampled
 from upright.control.linear_controller import as_linear
 from upright.control.lqr import lqr
 from upright.control.state_space import continuous, controller_of, discrete
 from upright.errors import InvalidModel
+from upright.lab.tasks import smallest
 from upright.physics.dynamics import turn_ratio
 from upright.physics.linear import LinearModel, linearise, linearise_rolling, rolling
 from upright.physics.sensing import sensor_matrix
 from upright.report import report
+from upright.report.analysis import _targets
 from upright.robots import Kit, Robot
 
 control = pytest.importorskip("control")
@@ -412,3 +415,24 @@ def test_let_go_the_robot_moves_as_its_linear_loop_does(method: str, robot: str)
     assert run.largest == pytest.approx(pitch.max(), rel=0.02)
     assert run.travel == pytest.approx(wheel.max() * run.radius, rel=0.02)
     assert run.upright == pytest.approx((np.flatnonzero(pitch > UPRIGHT)[-1] + 1) * 0.01, abs=0.05)
+
+
+def test_design_certificate_and_lab_judge_one_controller_s_margins_alike() -> None:
+    """The design said "0 of 5 margins reach the usual target", the lab "the margins suffice", the certificate nothing.
+    Of nxtway-gs under lqg Ms is 2.9 (at most 2), and both motors may weaken by a quarter (to a half)."""
+    robot, kit = Robot.preset("nxtway-gs"), Kit.preset("nxt")
+    controller = make_controller("lqg", robot, kit, kit.period)
+    analysis = analyse(robot, controller, kit)
+    parts = [part for *_, part in _targets(analysis)]
+    both = analysis.both()
+    assert both.Ms > 2
+    assert both.gain_low > 0.5
+    least = linear_margins(controller, robot, kit, usual=True)
+    assert least is not None
+    assert least.met == sum(part >= 1 for part in parts)
+    assert least.met < 5
+    assert smallest(least)["met"] == least.met
+    trial = PushTrial("hold", "low", 1000, 0, saturated=0.0, travel=0.2, peak=0.1, cycle=0.01)
+    _, reasons = judge(1000, 0, least, [trial], kit.period)
+    assert reasons[1].endswith(f"; {least.met} of 5 margins reach the usual targets")
+    assert linear_margins(controller, robot, kit) == replace(least, met=None)

@@ -27,11 +27,11 @@ from upright.certify.calibrated import Learnt, _weighed, calibrated, guessed, le
 from upright.certify.certificate import Certificate, certify
 from upright.certify.checks import PushTrial, TrialSetup, batteries, kernel_controller
 from upright.certify.logged import Logged, as_sent, loaded
-from upright.certify.mass import MassOpen, on_the_scale, tried_at_both_ends
+from upright.certify.mass import on_the_scale
 from upright.certify.pushes import standard_pushes
 from upright.certify.recovery import _rest
-from upright.certify.support import LOAD_KNOWN, Support, supported
-from upright.certify.verdict import AMBER, GREEN, LinearMargins, judge
+from upright.certify.support import LOAD_KNOWN, Support, slope, supported
+from upright.certify.verdict import AMBER, LinearMargins, judge
 from upright.control import Controller, make_controller
 from upright.control.delay import sampled
 from upright.errors import InvalidLog, InvalidRobot, InvalidScenario
@@ -97,7 +97,6 @@ def plain_log() -> Log:
 
 PLANTED: dict[str, tuple[str, float, float, dict[str, Any]]] = {
     "battery": ("battery", 4.2, 0.1, {"kit": kit_with(battery=dataclasses.replace(KIT.battery, voltage=4.2))}),
-    "slope": ("slope", math.radians(4.0), math.radians(1.0), {"pushes": [Slope(angle=math.radians(4.0))]}),
     # the likeliest scale is up to 12 % off: the filter does not know the size of the pushes
     "gyro's scale": ("gyro's scale", 1.5, 0.2, {"body": Altered(scale=1.5)}),
     "asymmetry": ("difference of the motors", 0.4, 0.08, {"body": Altered(unequal=0.4)}),
@@ -147,6 +146,35 @@ def explained(planted: str, taken: Sequence[Support], left: Sequence[Support], c
     assert not [str(s) for s in left if s.outside]
     surprises = [a.ratio for a in compared]
     assert max(surprises) < LARGER, surprises
+
+
+@pytest.mark.slow
+def test_a_floor_s_slope_is_that_of_a_calibration_and_tried() -> None:
+    """4°, to the degree within which a floor counts as level. The filter's steady push said -8° of an EV3way on a level
+    floor; without a calibration the log does not tell."""
+    log = logged(pushes=[Slope(angle=math.radians(4.0))])
+    assert "slope" not in found(log)
+    floor = slope(guessed(log, trial_setup()))
+    assert math.degrees(floor[0]) == pytest.approx(4.0, abs=1.0)
+    met, left, taken = as_logged(log, dataclasses.replace(trial_setup(), floor=floor))
+    assert [s.name for s in taken] == ["slope"]
+    assert met.logged is not None
+    assert met.logged.slopes == (floor[0],)
+    assert not [str(s) for s in left if s.outside]
+
+
+def test_a_swing_of_the_frame_is_not_the_gyro_s_noise() -> None:
+    """.3 rad/s of a band below half of Nyquist, as a frame swings; white noise of .08 is known (`PLANTED`)."""
+    log, rng = plain_log(), np.random.default_rng(4)
+    phases = rng.uniform(0, 2 * math.pi, 40)
+    swing = sum(np.sin(2 * math.pi * f * log.t + p) for f, p in zip(np.linspace(15, 25, 40), phases, strict=True))
+    swung = Log(log.t, {**log.channels, GYRO: log[GYRO] + 0.3 * swing / np.std(swing)}, log.units, log.origin)
+    met, left, taken = as_logged(swung, trial_setup())
+    assert "gyro's noise" not in [s.name for s in taken]
+    assert any(str(s).startswith("the log leaves the gyro's noise open, 0 to ") for s in left if s.outside)
+    assert met.logged is not None
+    drawn = met.logged.changes["sensors.gyro.noise"]  # no robot that is pushed has the swing for noise
+    assert drawn == pytest.approx(KIT.sensors[GYRO].noise)
 
 
 def test_a_log_of_the_robot_as_it_was_assumed_contradicts_nothing() -> None:
@@ -256,8 +284,9 @@ def test_a_certificate_on_a_weak_battery_tries_it_with_the_pushes_that_were_expe
 def test_motors_that_differ_are_certified_as_the_log_shows_them() -> None:
     given = certified(logged(**PLANTED["asymmetry"][3]))
     explained("asymmetry", given.taken, given.support, given.agreement)
-    assert given.light == GREEN
-    assert given.reasons[1].startswith("tried as the log shows it: difference of the motors")
+    assert given.light == AMBER  # 0.4 for at most 0.1 is a fault to mend, though every robot with it holds
+    assert given.fell == 0
+    assert given.reasons[0].startswith("tried as the log shows it: difference of the motors")
     assert given.check() == ()
 
 
@@ -315,10 +344,11 @@ def test_a_number_that_the_file_states_and_the_log_contradicts_makes_the_light_a
     radius = estimate("wheel_radius", 0.023, 0.021, 0.0005, math.log(23 / 21) * 21 / 0.5, scale="logarithm")
     within = estimate("track", 0.162, 0.16, 0.001, 2.0)
     guessed = estimate("com_height", 0.3, 0.1, 0.03, 6.0, guess=True)  # a guess is not stated
-    calibration: Any = SimpleNamespace(
+    calibration: Any = MagicMock(
         names=("wheel_radius",), covariance=np.array([[1e-8]]), robot=ROBOT, delays=(),
         parameters=(radius, within, guessed),
     )  # fmt: skip
+    calibration.__getitem__.return_value = estimate("constant_command", 0.0, 0.0, 0.1, 0.0, guess=True)
     (found,) = learnt(calibration, KIT).contradicted
     assert Support.from_json(json.loads(json.dumps(dataclasses.asdict(found)))) == found
     trial = PushTrial("hold", "low", 1000, 0, saturated=0.0, travel=0.2, peak=0.1, cycle=0.01)
@@ -385,12 +415,11 @@ def test_a_mass_is_that_of_a_calibration_or_counts_as_contradicted(
     monkeypatch.setattr(module, "guessed", lambda *_: own)
     monkeypatch.setattr(module, "weighed", lambda _, met: [found] if seen and met.actual_robot is ROBOT else [])
     monkeypatch.setattr(module, "learnt", lambda _, kit, others=(): Learnt(ROBOT, kit, Uncertainty(), others))
-    left = MassOpen(ROBOT, KIT, Uncertainty(), LIGHTER)
+    left = dataclasses.replace(LIGHTER, left_open=True)
     monkeypatch.setattr(module, "_open", lambda *_: left)
     result, taken = calibrated(plain_log(), setup)
     assert taken == ((found,) if seen else late)
-    assert {s.name for s in result.contradicted if s.outside} == doubted
-    assert result.mass_open is (None if seen else left)
+    assert result.contradicted == (() if seen else (left,))
     assert [given.is_weighed for given in asked] == ([False] if seen else [False, True])
 
 
@@ -414,27 +443,7 @@ def test_a_mass_is_open_where_what_is_left_of_it_reaches_beyond_what_is_assumed(
     asked = MagicMock(refused=())
     asked.__getitem__.return_value = SimpleNamespace(value=0.6, low=low, high=high)
     left = module._open(asked, trial_setup(), sees)
-    assert (left and (left.mass.low, left.mass.high)) == ends
-
-
-@pytest.mark.parametrize(("low", "falls"), [(0.15, True), (0.5, False)])  # kg; a quarter of the mass falls, 0.8 holds
-def test_a_mass_that_the_log_leaves_open_is_tried_at_both_ends(low: float, *, falls: bool) -> None:
-    """The push of the file's robot fells a body of a quarter of its mass (`test_a_body_half_as_heavy_is_seen_…`), and
-    none of 0.8 to 1.2: the light depends on what is open only where it decides."""
-    mass = dataclasses.replace(LIGHTER, value=ROBOT.body_mass, low=low, high=0.72)
-    setup = dataclasses.replace(trial_setup(), stated=(ROBOT, KIT), is_weighed=True)
-    names = ["body_mass", "pitch_inertia", "roll_inertia", "yaw_inertia"]
-    mean = np.array([getattr(ROBOT, name) for name in names])
-    together = Uncertainty.joint(names, mean, np.outer(mean, mean) * (0.3**2 + 1e-6 * np.eye(4)))
-    (tried,) = tried_at_both_ends(plain_log(), setup, MassOpen(ROBOT, KIT, together, mass))
-    assert tried.tried
-    assert tried.outside is falls
-    assert tried.tried[0] >= 0.45 * tried.tried[1] or not falls  # one half has the light body
-    assert Support.from_json(json.loads(json.dumps(dataclasses.asdict(tried)))) == tried
-    trial = PushTrial("hold", "low", 1000, 0, saturated=0.0, travel=0.2, peak=0.1, cycle=0.01)
-    light, reasons = judge(1000, 0, None, [trial], 0.01, support=[tried])
-    assert light == (AMBER if falls else GREEN)
-    assert "leaves the body's mass open, " in " ".join(reasons)
+    assert (left and (left.low, left.high, left.outside)) == (ends and (*ends, True))
 
 
 def test_no_motion_shows_how_heavy_all_of_a_robot_is() -> None:
@@ -490,7 +499,7 @@ def test_no_log_is_asked_the_mass_of_a_robot_that_was_weighed(monkeypatch: pytes
     monkeypatch.setattr(module, "learnt", lambda _, kit, others=(): Learnt(ROBOT, kit, Uncertainty(), others))
     result, taken = calibrated(plain_log(), setup)
     assert [given.is_weighed for given in asked] == [True]
-    assert (result.mass_open, result.contradicted, taken) == (None, (), ())
+    assert (result.contradicted, taken) == ((), ())
 
 
 def test_a_weighed_robot_is_pushed_like_that_of_its_file(monkeypatch: pytest.MonkeyPatch) -> None:

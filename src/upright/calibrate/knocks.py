@@ -57,7 +57,8 @@ def recorded(log: Log, delay: int) -> tuple[Array, Array]:
         raise InvalidLog("the log is uneven", expected=f"steps near {log.period:g} s", likely="dropped samples",
                          hint="cut the log with --start and --until, or ask `upright doctor`")  # fmt: skip
     if log.t[-1] - log.t[0] < SETTLED + LEAST:
-        raise InvalidLog(f"the log lasts {log.t[-1] - log.t[0]:.1f} s", expected=f"{SETTLED + LEAST:g} s or more")
+        raise InvalidLog(f"what can be followed of the log lasts {log.t[-1] - log.t[0]:.1f} s",
+                         expected=f"{SETTLED + LEAST:g} s or more with the robot on its wheels")  # fmt: skip
     at = periods_of(log)
     readings = np.full((at[-1] + 1, len(RAW)), np.nan)
     readings[at] = np.column_stack([_reading(log, name) for name in RAW])

@@ -17,7 +17,7 @@ import numpy as np
 from upright.arrays import Array
 from upright.certify.checks import TrialSetup
 from upright.certify.likelihood import as_disturbed, filtered_log, surprise, surprises
-from upright.certify.logged import Logged, delaying
+from upright.certify.logged import NOISED, Logged, delaying
 from upright.certify.support import NORMAL, Support, supported
 from upright.robots import Kit
 from upright.signals import Log
@@ -58,7 +58,8 @@ def as_logged(log: Log, setup: TrialSetup) -> tuple[TrialSetup, tuple[Support, .
             shown = supported(log, setup)
     shown = tuple(s for s in shown if s.name in (*names, *DIRECT, *NOT_LEARNT) or not is_beyond(s))
     last = {s.name: s for s in shown}
-    return setup, shown, tuple(_in_place_of(s, last.get(s.name, s), setup) for s in first if s.name in names)
+    known = (s for s in first if s.name in names and not s.left_open)
+    return setup, shown, tuple(_in_place_of(s, last.get(s.name, s), setup) for s in known)
 
 
 def _next(log: Log, setup: TrialSetup, shown: Sequence[Support], names: set[str], now: float) -> set[str]:
@@ -86,7 +87,8 @@ def _best(log: Log, setup: TrialSetup, several: Sequence[Support], known: Sequen
 def doubted(log: Log, setup: TrialSetup, names: Collection[str]) -> tuple[TrialSetup, Support] | None:
     """`setup` with a number that makes the log much likelier, beside those of these `names` that it knows, and what
     the log says of it; None where there is none. Robots within their spreads may explain the log as well."""
-    strays = [s for s in supported(log, setup) if is_beyond(s) and s.name not in (*names, *DIRECT, *NOT_LEARNT)]
+    known = (s for s in supported(log, setup) if s.name not in (*names, *DIRECT, *NOT_LEARNT) and not s.left_open)
+    strays = [s for s in known if is_beyond(s)]
     if not strays:
         return None
     now, (best, then) = surprise(filtered_log(log, setup)[0]), _best(log, setup, strays, ())
@@ -131,8 +133,8 @@ def _in_place_of(assumed: Support, last: Support, setup: TrialSetup) -> Support:
 
 def is_beyond(s: Support) -> bool:
     """Whether the log says another number than the one assumed, and its interval is not within what was assumed."""
-    if "delay" in s.name and s.value <= 0:
-        return False  # it harms no loop
+    if s.left_open or ("delay" in s.name and s.value <= 0):
+        return s.left_open  # less delay harms no loop
     nominal = 0.0 if s.name in FROM_ZERO else (s.least + s.most) / 2
     return not (s.least <= s.low and s.high <= s.most) and not s.low <= nominal <= s.high
 
@@ -156,7 +158,7 @@ def _learnt(setup: TrialSetup, shown: Sequence[Support]) -> TrialSetup:
             logged = replace(logged, load=max(load, LEAST_FACTOR), loads=np.maximum(loads, LEAST_FACTOR))
         else:
             kit, changed = _fitted(kit, s, drawn)
-            changes |= changed
+            changes |= {NOISED: np.full(n, setup.kit.sensors[GYRO].noise)} if s.left_open else changed
     return replace(setup, logged=replace(logged, kit=kit, changes=changes))
 
 
@@ -181,7 +183,7 @@ def _fitted(kit: Kit, s: Support, drawn: Array) -> tuple[Kit, dict[str, Array]]:
         case "gyro's scale":
             result = other(gain=gyro.gain * factor), {"sensors.gyro.gain": gyro.gain * factors}
         case "gyro's noise":
-            result = other(noise=value), {"sensors.gyro.noise": zero}
+            result = other(noise=value), {NOISED: zero}
         case "gyro's further delay":
             result = other(delay=max(gyro.delay + s.value, 0.0)), dict[str, Array]()
         case "motors' strength":

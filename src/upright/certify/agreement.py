@@ -16,6 +16,7 @@ import numpy as np
 from upright.arrays import Array
 from upright.calibrate.knocks import SETTLED, at_motors, first_state, recorded
 from upright.certify.checks import TrialSetup, watched
+from upright.certify.logged import NOISED
 from upright.control.delay import RAW, sampled
 from upright.control.kalman import Filter, filtered, kalman_filter
 from upright.errors import SpecMismatch
@@ -78,7 +79,10 @@ def agreement(log: Log, setup: TrialSetup) -> tuple[Agreement, ...]:
     reads = setup.controller.law.linear.reads
     if not set(RAW) <= set(reads):
         raise SpecMismatch(f"the controller reads {', '.join(reads)}", expected="both encoders and the gyro")
-    some = replace(setup, robots=setup.robots[:DRAWN], progress=None)
+    logged = setup.logged  # its kit has the noise that the filter needs: a motion that the model lacks counts as noise
+    if logged:
+        logged = replace(logged, changes={name: drawn for name, drawn in logged.changes.items() if name != NOISED})
+    some = replace(setup, robots=setup.robots[:DRAWN], progress=None, logged=logged)
     for number, standard in enumerate(some.pushes().values()):
         result = watched(some, standard.push, number, (*RAW, *APPLIED))
         readings, moved = np.split(result.trace[~result.fell], [3], axis=2)

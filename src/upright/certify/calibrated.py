@@ -14,10 +14,8 @@ from upright.calibrate.knocks import unpushed
 from upright.certify.actual import as_logged, doubted, is_beyond
 from upright.certify.checks import TrialSetup
 from upright.certify.logged import LOADED
-from upright.certify.mass import MassOpen
-from upright.certify.support import LOAD_KNOWN, MASS, Support, body_mass
+from upright.certify.support import LOAD_KNOWN, MASS, Support, body_mass, slope
 from upright.doctor.doctor import contradictions
-from upright.doctor.wheels import on_its_wheels
 from upright.errors import InvalidLog
 from upright.logs.recording import SENSOR
 from upright.progress import Progress
@@ -38,13 +36,14 @@ fell."""
 
 @dataclass(frozen=True, eq=False)
 class Learnt:
-    """A robot with its kit, the posterior of its parameters, and what its file states that the log contradicts."""
+    """A robot with its kit, the posterior of its parameters, what its file states that the log contradicts or leaves
+    open, and the slope of the floor with its interval [rad] (None: the log does not tell)."""
 
     robot: Robot
     kit: Kit
     uncertainty: Uncertainty
     contradicted: tuple[Support, ...] = ()
-    mass_open: MassOpen | None = None
+    floor: tuple[float, float, float] | None = None
 
 
 def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) -> tuple[Learnt, tuple[Support, ...]]:
@@ -57,10 +56,9 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
     light and how heavy the body may be, where it explains the log without other numbers. Where robots
     within the file's spreads explain as much as one more number would, the log is calibrated with it too, and that
     robot is kept where its innovations are whiter, and nearly white. Of a robot that `is_weighed` no mass is asked.
-    Raises `InvalidLog` where the calibration is refused, the robot is never on its wheels, or a sensor has the other
-    sign, which no scale that is tried explains.
+    Raises `InvalidLog` where the calibration is refused, or a sensor has the other sign, which no scale that is tried
+    explains.
     """
-    on_its_wheels(log)
     for wrong in contradictions(log, codes=("motion/flipped",)):
         raise InvalidLog(wrong, hint="upright doctor LOG --fix NEW.csv")
     met, _, taken = as_logged(log, setup)
@@ -93,19 +91,19 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
         return result, taken
     if alone.actual_kit != weighed_on.actual_kit:
         asked = guessed(log, alone)
-    return replace(result, mass_open=_open(asked, setup, unsure)), taken
+    left = _open(asked, setup, unsure)
+    return replace(result, contradicted=(left,)) if left else result, taken
 
 
-def _open(asked: Calibration, setup: TrialSetup, unsure: Sequence[Support]) -> MassOpen | None:
+def _open(asked: Calibration, setup: TrialSetup, unsure: Sequence[Support]) -> Support | None:
     """What a calibration that takes the mass for a guess leaves of it, as far as the mass that a filter sees; None if
     that is within what is assumed, or the calibration is refused, or contradicts another number of the robot's file."""
-    if asked.refused or (robot := learnt(asked, setup.kit)).contradicted:
+    if asked.refused or learnt(asked, setup.kit).contradicted:
         return None
     e = asked["body_mass"]
     low, high = min([e.low, *(s.low for s in unsure)]), max([e.high, *(s.high for s in unsure)])
-    mass = replace(body_mass(setup, e.value, 0.0), low=low, high=high)
-    within = mass.least <= low and high <= mass.most
-    return None if within else MassOpen(robot.robot, robot.kit, robot.uncertainty, mass)
+    mass = replace(body_mass(setup, e.value, 0.0), low=low, high=high, left_open=True)
+    return None if mass.least <= low and high <= mass.most else mass
 
 
 def _count(temper: float) -> Support:
@@ -120,8 +118,9 @@ def unloaded(met: TrialSetup) -> TrialSetup:
 
 
 def unconfirmed(taken: Sequence[Support]) -> tuple[Support, ...]:
-    """The mass among what was `taken`, which then counts as known."""
-    return tuple(replace(s, low=s.value, high=s.value) for s in taken if s.name == MASS)
+    """The mass among what was `taken`: the log leaves it open, from there to the one that was assumed."""
+    middle = [(s, (s.least + s.most) / 2) for s in taken if s.name == MASS]
+    return tuple(replace(s, low=min(s.low, m), high=max(s.high, m), left_open=True) for s, m in middle)
 
 
 def guessed(log: Log, setup: TrialSetup) -> Calibration:
@@ -191,7 +190,9 @@ def learnt(calibration: Calibration, kit: Kit, others: Sequence[Support] = ()) -
         for name, sensor in kit.sensors.items()
     }
     contradicted = tuple(Support.of_estimate(e) for e in calibration.parameters if e.surprising)
-    return Learnt(calibration.robot, replace(kit, sensors=sensors), uncertainty, (*contradicted, *others))
+    return Learnt(
+        calibration.robot, replace(kit, sensors=sensors), uncertainty, (*contradicted, *others), slope(calibration)
+    )  # fmt: skip
 
 
 def _lognormal(s: Spread) -> Spread:

@@ -28,13 +28,14 @@ from upright.certify.checks import (
     trials,
 )
 from upright.certify.logged import as_sent
-from upright.certify.mass import on_the_scale, tried_at_both_ends
+from upright.certify.mass import on_the_scale
 from upright.certify.narrowing import Narrowing, NeededSpread, narrowing, red
-from upright.certify.support import Support, left_open
+from upright.certify.support import MASS, Support, contradictions
 from upright.certify.verdict import CONFIDENCE, MOST_FALLS, LinearMargins, judge, linear_margins
 from upright.control import find_controller
 from upright.control.controller import Controller
 from upright.control.identity import Identity, identity
+from upright.doctor.wheels import on_its_wheels
 from upright.errors import InvalidController, InvalidScenario, SpecMismatch
 from upright.fleet.binomial import upper_bound
 from upright.logs.mapping import Mapping as Columns
@@ -54,11 +55,13 @@ if TYPE_CHECKING:
 FEWEST = 100
 """Number of robots below which no certificate is given: even without a fall the bound would exceed 3 %."""
 
+UNLIKE = "mend what the log shows, or measure it and write it into the file of the robot or its kit; then certify again"
 UNWEIGHED = "a scale tells the mass: put the robot on one, and certify it again with --weighed KG"
 
 KIND = "upright certificate"
-VERSION = 4
-"""4: an unstable loop is the first reason, a free position none for red;
+VERSION = 5
+"""5: a log that shows what was not assumed, or leaves it open, is amber at most;
+4: an unstable loop is the first reason, a free position none for red;
 3: pushes are scaled to what any controller could survive; 2: robot and kit are named by their numbers."""
 
 
@@ -205,9 +208,10 @@ class Certificate(Shown):
         )
 
     @property
-    def mass_open(self) -> bool:
-        """Whether robots fall as light or as heavy as the log leaves open."""
-        return any(s.tried and s.outside for s in self.support)
+    def asks(self) -> str:
+        """What to do about what the log shows or leaves open; empty where it is what was assumed."""
+        strange = {s.name for s in self.support if s.left_open} | {s.name for s in self.taken if s.excess > 0}
+        return UNWEIGHED if MASS in strange else UNLIKE if strange else ""
 
     def __str__(self) -> str:
         head = f"{self.light.upper()}: {self.controller} on {self.robot} with kit {self.kit}"
@@ -225,11 +229,10 @@ class Certificate(Shown):
             sweeps += [str(self.narrowing), *self.narrowing.ways(self.robot)]
         sweeps += [f"the log: {'; '.join(map(str, self.agreement))}"] if self.agreement else []
         taken = {s.name for s in self.taken}
-        inside = "; ".join(str(s) for s in self.support if not (s.outside or s.tried or s.name in taken))
+        inside = "; ".join(str(s) for s in self.support if not (s.outside or s.name in taken))
         sweeps += [f"the log supports: {inside}"] if inside else []
         sweeps += [f"tried as the log shows it: {'; '.join(map(str, self.taken))}"] if self.taken else []
-        sweeps += left_open(self.support)
-        sweeps += [UNWEIGHED] if self.mass_open else []
+        sweeps += [*contradictions([s for s in self.support if s.left_open]), self.asks]
         sweeps += [f"on the scale: {self.weighed:.3g} kg"] if self.weighed else []
         return "\n".join([*lines, *(line for line in sweeps if line)])
 
@@ -263,7 +266,8 @@ def certify(
     """
     given = refuse_energy(find_robot(robot))
     nominal, unknown = at_medians(given, posterior)
-    parts, recording = find_kit(kit or nominal.kit), None if log is None else as_sent(raw_log(log, mapping))
+    parts = find_kit(kit or nominal.kit)
+    recording = None if log is None else on_its_wheels(as_sent(raw_log(log, mapping)))[0]
     rubs, stated, own, wrong = nominal.coulomb_friction > 0, (nominal, parts), None, tuple[Support, ...]()
     bare = recording if unknown is None and robots is None else None
     design = find_controller(controller, *stated, parts.period)
@@ -273,16 +277,15 @@ def certify(
         nominal, parts, unknown = own.robot, own.kit, own.uncertainty
     family = _checked(draw(nominal, samples, seed, unknown) if robots is None else list(robots), nominal)
     setup = TrialSetup(kernel_controller(design, nominal, parts), nominal, family, parts, seed, threads,
-                       dry_friction=rubs, is_weighed=bool(bare), stated=stated)  # fmt: skip
-    contradicted = _contradicted(recording, setup, own)
+                       dry_friction=rubs, is_weighed=bool(bare), stated=stated, floor=own and own.floor)  # fmt: skip
     setup, shown, taken = as_logged(recording, setup) if recording else (setup, (), ())
-    contradicted = doubtful_mass(recording, setup, taken) if recording and posterior is not None else contradicted
+    doubts = doubtful_mass(recording, setup, taken) if recording and posterior else own.contradicted if own else ()
     taken = (*taken, *(s for s in wrong if s.name not in {t.name for t in taken}))
     setup = replace(setup, progress=progress and RunCounter(setup.runs if sweeps else setup.runs_of_trials, progress))
     runs, fallen, beyond = trials(setup)
-    linear, period = linear_margins(design, setup.actual_robot, setup.actual_kit), design.spec.period
+    linear, period = linear_margins(design, setup.actual_robot, setup.actual_kit, usual=True), design.spec.period
     fell, hopeless, who = int(fallen.sum()), int(beyond.sum()), identity(design)
-    compared, shown = agreement(recording, setup) if recording else (), (*shown, *contradicted)
+    compared, shown = agreement(recording, setup) if recording else (), (*shown, *doubts)
     light, reasons = judge(len(family), fell, linear, runs, period, compared, shown, beyond=hopeless, taken=taken)
     examined = sweeps and robots is None and not setup.controller.called and red(fell, len(family))
     return Certificate(
@@ -316,13 +319,6 @@ def _weighed(robot: Robot, weighed: float | None, *, alone: bool, logged: bool) 
         raise InvalidScenario("a weight beside a posterior or a list of robots", expected="a weight and the robot's "
                               "file", hint="calibrate again from the robot's file with this mass")  # fmt: skip
     return on_the_scale(robot, weighed, logged=logged)
-
-
-def _contradicted(log: Log | None, setup: TrialSetup, own: Learnt | None) -> tuple[Support, ...]:
-    """What a calibration contradicts, or the mass that it leaves open, with what came of trying it."""
-    if log is None or own is None:
-        return ()
-    return (own.mass_open and tried_at_both_ends(log, setup, own.mass_open)) or own.contradicted
 
 
 def read_certificate(path: str | Path) -> Certificate:

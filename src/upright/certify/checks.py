@@ -143,7 +143,8 @@ class TrialSetup:
     Pushes are sized for the robot and the kit that were `stated` (None: `robot` and `kit`), whatever a calibration made
     of them. What a log shows instead is `logged`, and is tried. Its filter expects `disturbed` times the usual noise of
     forces and torques. It asks no mass where that `is_weighed`, and neither mass nor the motors' strength of a robot
-    with `dry_friction`, for which it would take that."""
+    with `dry_friction`, for which it would take that. The slope of its `floor`, with its interval [rad], is of
+    a calibration (None: not known)."""
 
     controller: KernelController
     robot: Robot
@@ -158,6 +159,7 @@ class TrialSetup:
     dry_friction: bool = False
     is_weighed: bool = False
     stated: tuple[Robot, Kit] | None = None
+    floor: tuple[float, float, float] | None = None
 
     def pushes(self, battery: float | None = None, slope: float = 0.0) -> dict[str, StandardPush]:
         """`standard_pushes` of what was stated."""

@@ -16,6 +16,7 @@ from upright.robots import Kit, Robot
 from upright.signals import Log
 
 LOADED = ("body_mass", "pitch_inertia", "roll_inertia", "yaw_inertia")  # what goes with the mass of a body
+NOISED = "sensors.gyro.noise"
 
 
 def as_sent(log: Log) -> Log:
@@ -64,11 +65,11 @@ class Logged:
         steeper one."""
         if slope not in self.slopes:
             return np.full(len(parameters), slope)
-        own = _steepness(SimpleNamespace(**dict(zip(NAMES, parameters.T, strict=True))))
-        return np.arcsin(np.sin(slope * rows(self.tilts, len(parameters))) * own / _steepness(nominal))
+        own = steepness(SimpleNamespace(**dict(zip(NAMES, parameters.T, strict=True))))
+        return np.arcsin(np.sin(slope * rows(self.tilts, len(parameters))) * own / steepness(nominal))
 
 
-def _steepness(p: Any) -> Any:
+def steepness(p: Any) -> Any:
     """The sine of the slope on which a robot rests by one unit of command, but for a factor of all robots."""
     return motor_gain(p) / (p.wheel_radius * p.gravity * (p.body_mass + 2 * p.wheel_mass))
 

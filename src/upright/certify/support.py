@@ -16,10 +16,12 @@ from typing import Any
 import numpy as np
 
 from upright.arrays import Array
+from upright.calibrate.calibration import Calibration
 from upright.calibrate.estimate import SURPRISE, Estimate
 from upright.calibrate.knocks import at_motors, moved_by
-from upright.certify.checks import TrialSetup, batteries, red
+from upright.certify.checks import TrialSetup, batteries
 from upright.certify.likelihood import FollowedLog, body_load, filtered_log, gyro_scale, taken
+from upright.certify.logged import steepness
 from upright.control.delay import MOST_PERIODS, sampled
 from upright.logs.recording import commanded
 from upright.robots import Kit, Robot
@@ -31,13 +33,13 @@ OUTSIDE = "outside what the log supports: "
 NORMAL = 1.96  # standard deviations either side that hold 95 % of a normal distribution
 DRAWN = 24  # robots whose differences stand for the spreads
 CORRELATED = 0.5  # [s] over which the correlation of innovations is summed
-PUSH_CORRELATED = 3.0  # [s] the same of the filter's push, which is a slow state
 
 UNEQUAL = 0.1  # [1] difference of two motors: two standard deviations of two of one make
 STRENGTH = 0.1  # [1] of the motors beyond the robot's spreads: an empty battery or a warm winding takes as much
 GYRO_SCALE = 0.2  # [1]
 SCALE_KNOWN = 0.1  # of it: within their spreads robots move the likeliest scale by as much
 GYRO_NOISE = 2.0  # times the kit's: a guess counts as right within a factor of two
+WHITE = -0.71  # correlation of neighbours in third differences: of white noise -3/4, of what falls as 1/f² -2/3
 LOAD = 0.3  # [1] of the body's mass beyond its spread, with which the errors of its inertia and height go
 LOAD_KNOWN = 0.2  # of it: as far as the likeliest mass of robots within their spreads lies from theirs
 LEVEL = math.radians(1.0)  # [rad] of a floor that counts as level
@@ -58,8 +60,8 @@ LEAST_ZONE = 0.01  # of the largest command, where the kit has none
 class Support:
     """One number of a log: its `value` with the 95 % interval from `low` to `high` in `unit`, beside what the
     certificate covers, from `least` to `most`. Of a number that a calibration finds these are `SURPRISE` deviations of
-    what the robot's file states: `stated`, value and one deviation (None: no such number). Of robots as
-    light and as heavy as the log leaves open `tried` are those that fell, and all (None: not tried)."""
+    what the robot's file states: `stated`, value and one deviation (None: no such number). One that is `left_open` may
+    be any of its interval, as far as the log tells."""
 
     name: str
     unit: str
@@ -70,16 +72,14 @@ class Support:
     most: float
     _: KW_ONLY
     stated: tuple[float, float] | None = None
-    tried: tuple[int, int] | None = None
+    left_open: bool = False
 
     @property
     def outside(self) -> bool:
-        """Whether the whole interval lies outside what was assumed; of a stated number, its value. What was tried at
-        both ends is not, where robots with either hold."""
-        if self.tried:
-            return red(*self.tried)
+        """Whether the whole interval lies outside what was assumed; of a stated number, its value; of one that is left
+        open, a part of it."""
         low, high = (self.value, self.value) if self.stated else (self.low, self.high)
-        return high < self.least or low > self.most
+        return self.left_open or high < self.least or low > self.most
 
     @property
     def excess(self) -> float:
@@ -89,8 +89,8 @@ class Support:
     @classmethod
     def from_json(cls, data: Mapping[str, Any]) -> Support:
         """From a certificate's file."""
-        pairs = {name: data.get(name) for name in ("stated", "tried")}
-        return replace(cls(**data), **{name: None if pair is None else tuple(pair) for name, pair in pairs.items()})
+        stated = data["stated"]
+        return replace(cls(**data), stated=stated and tuple(stated))
 
     @classmethod
     def of_estimate(cls, e: Estimate) -> Support:
@@ -100,6 +100,8 @@ class Support:
         return cls(name, e.unit, e.value, e.low, e.high, least, most, stated=stated)
 
     def __str__(self) -> str:
+        if self.left_open:
+            return f"the log leaves the {self.name} open, {self.low:.2g} to {self.high:.2g} {self.unit}"
         scale, unit = SHOWN.get(self.unit, (1.0, self.unit))
         value, least, most = (f"{round(scale * v, 6):.3g}" for v in (self.value, self.least, self.most))
         unit = f" {unit}" if unit not in ("1", "°") else "" if unit == "1" else unit
@@ -113,16 +115,7 @@ def contradictions(support: Sequence[Support]) -> list[str]:
     """The numbers that lie outside, the farthest first, as sentences."""
     beyond = [s for s in support if s.outside]
     beyond.sort(key=lambda s: -max(s.least - s.high, s.low - s.most) / max(s.most - s.least, s.high - s.low, 1e-12))
-    return [*left_open(beyond), *(f"{OUTSIDE}{s}" for s in beyond if not s.tried)]
-
-
-def left_open(support: Sequence[Support]) -> list[str]:
-    """The mass that the log leaves open, as a sentence."""
-    return [
-        f"the log leaves the {s.name} open, {s.low:.2g} to {s.high:.2g} {s.unit}: of robots with either "
-        f"{s.tried[0]} of {s.tried[1]} fell"
-        for s in support if s.tried
-    ]  # fmt: skip
+    return [f"{'' if s.left_open else OUTSIDE}{s}" for s in beyond]
 
 
 def supported(log: Log, setup: TrialSetup) -> tuple[Support, ...]:
@@ -168,14 +161,14 @@ def _fitted(A: Array, y: Array, period: float) -> tuple[Array, Array]:
     """Least squares (k,) and standard deviations (k,) that count the correlation of what is left."""
     values = np.linalg.lstsq(A, y, rcond=None)[0]
     rest = y - A @ values
-    variance = float(rest @ rest) / max(len(y) - A.shape[1], 1) * _inflation(rest[:, None], period, CORRELATED)
+    variance = float(rest @ rest) / max(len(y) - A.shape[1], 1) * _inflation(rest[:, None], period)
     errors: Array = np.sqrt(np.maximum(np.diag(np.linalg.pinv(A.T @ A)), 0) * variance).astype(np.float64)
     return values.astype(np.float64), errors
 
 
-def _inflation(rest: Array, period: float, seconds: float) -> float:
-    """1 + 2 Σ ρ over positive autocorrelations up to `seconds`: readings (n, sensors) for each independent one."""
-    most = max(1, min(round(seconds / period), len(rest) // 4))
+def _inflation(rest: Array, period: float) -> float:
+    """1 + 2 Σ ρ over positive autocorrelations: readings (n, sensors) for each independent one."""
+    most = max(1, min(round(CORRELATED / period), len(rest) // 4))
     centred = rest - rest.mean(axis=0)
     zero = float((centred**2).sum())
     rho = [float((centred[k:] * centred[:-k]).sum()) / max(zero, 1e-300) for k in range(1, most + 1)]
@@ -212,8 +205,8 @@ def _dynamics(log: Log, setup: TrialSetup) -> list[Support]:
         replace(_of("gyro's scale", "1", scale, (0.0, SCALE_KNOWN * scale), 0.0), **within),
         replace(_of("gyro's further delay", "s", 0.0, lag, LAG * log.period), least=LEAD * log.period),
         *([body_mass(setup, robot.body_mass * body_load(log, setup), LOAD_KNOWN)] if weighs else []),
-        _slope(path, log.period, setup),
-        *_noise(log, kit, path),
+        *([_slope(setup.floor, setup)] if setup.floor else []),
+        *_noise(log, setup, path),
         _delay(fit, path, motors, log.period),
     ]  # fmt: skip
     known = ("dead_zone", *(("drop",) if kit.motor.drop else ()))
@@ -273,7 +266,7 @@ class _Fit:
         self.scale = 1.0
         for _ in range(2):  # the prior weighs against the noise, which is known from what is left
             rest = path.errors - columns @ self._weights(path.errors)
-            correlated = _inflation(rest.reshape(-1, 3), period, CORRELATED)
+            correlated = _inflation(rest.reshape(-1, 3), period)
             self.scale = float(rest @ rest) / len(rest) * correlated
 
     def _matrix(self) -> Array:
@@ -339,32 +332,31 @@ def _taken(name: str, path: FollowedLog, setup: TrialSetup, sent: Array, motors:
     return Support(name.replace("_", " "), unit, value, value - wide, value + wide, 0.0, 2 * unit_zone)
 
 
-def _slope(path: FollowedLog, period: float, setup: TrialSetup) -> Support:
-    """The floor's slope from the steady push that the filter sees, apart from friction, which turns with the wheels."""
-    linear, robot = path.estimator.sampled.linear, setup.actual_robot
-    rows = path.keep
-    push, wheel = path.states[rows, linear.states.index("push")], path.states[rows, 3]
-    scale = max(float(np.abs(wheel).max()), 1e-9)
-    A = np.column_stack([np.ones(len(push)), wheel / scale, np.tanh(wheel)])
-    values = np.linalg.lstsq(A, push, rcond=None)[0]
-    rest = push - A @ values
-    variance = float(rest @ rest) / len(rest) * _inflation(rest[:, None], period, PUSH_CORRELATED)
-    weight = (robot.body_mass + 2 * robot.wheel_mass) * robot.gravity
-    wide = NORMAL * math.sqrt(float(np.linalg.pinv(A.T @ A)[0, 0]) * variance) / weight
-    angle = -float(values[0]) / weight
-    tried = [*robot.conditions.slopes, *(setup.logged.slopes if setup.logged else ())]
-    return Support("slope", "rad", angle, angle - wide, angle + wide, min(tried) - LEVEL, max(tried) + LEVEL)
+def slope(calibration: Calibration) -> tuple[float, float, float]:
+    """The floor's slope with its interval [rad]: to a calibration it is a constant command, to first order."""
+    e, each = calibration["constant_command"], -2 * steepness(calibration.robot)
+    return each * e.value, each * e.high, each * e.low
 
 
-def _noise(log: Log, kit: Kit, path: FollowedLog) -> list[Support]:
+def _slope(angles: Sequence[float], setup: TrialSetup) -> Support:
+    """The slope beside the floors that are tried."""
+    tried = [*setup.robot.conditions.slopes, *(setup.logged.slopes if setup.logged else ())]
+    return Support("slope", "rad", *angles, min(tried) - LEVEL, max(tried) + LEVEL)
+
+
+def _noise(log: Log, setup: TrialSetup, path: FollowedLog) -> list[Support]:
     """The gyro's noise from third differences, in which the motion nearly vanishes, of its readings or of its
-    innovations, in which a fast motion is predicted: the smaller one."""
-    gyro, sensor = log["sensor/gyro"], kit.sensors["sensor/gyro"]
+    innovations, in which a fast motion is predicted: the smaller one. Where these are not white a motion is left, such
+    as the frame's swing, and the log leaves the noise open below."""
+    gyro = log["sensor/gyro"]
     several = [np.diff(x[np.isfinite(x)], n=3) for x in (gyro, path.raw[:, 2])]
     if len(several[0]) < FEWEST_VOLTS:
         return []
-    size = 1.4826 * min(float(np.median(np.abs(x))) for x in several) / math.sqrt(20)
+    size, least = min((float(np.median(np.abs(x))) * 1.4826 / math.sqrt(20), k) for k, x in enumerate(several))
+    known = np.corrcoef(several[least][1:], several[least][:-1])[0, 1] < WHITE
+    sensor = (setup.actual_kit if known else setup.kit).sensors["sensor/gyro"]
     value = math.sqrt(max(size**2 - sensor.quantum**2 / 12, 0.0))
     wide = value * 2 / math.sqrt(len(several[0]))
     most = GYRO_NOISE * math.hypot(sensor.noise, sensor.quantum)
-    return [Support("gyro's noise", "rad/s", value, value - wide, value + wide, 0.0, most)]
+    low, left_open = (value - wide, False) if known else (0.0, value + wide > most)
+    return [Support("gyro's noise", "rad/s", value, low, value + wide, 0.0, most, left_open=left_open)]

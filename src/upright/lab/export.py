@@ -141,7 +141,7 @@ def _designed(robot: Robot, kit: Kit, name: str) -> tuple[str, dict[str, Any]]:
     text, facts = printed_law(controller, kit)
     analysis = analysed(controller, robot, kit)
     analysis = replace(analysis, L=tuple(row[::KEPT] for row in analysis.L[1:]))
-    least = linear_margins(controller, robot, kit) if analysis.stable else None
+    least = linear_margins(controller, robot, kit, usual=True) if analysis.stable else None
     gain = gain_of(controller)
     own: dict[str, Any] = {"truth": controller.spec.reads_truth, "gains": [] if gain is None else gain[0, :6].tolist()}
     if least and least.stable:

@@ -299,7 +299,7 @@ class Equations:
 class Light:
     """The certificate's light: "green", "amber", "red", or "none" while it is computed, with its reasons, and the
     smallest `delay` [s] that makes the loop unstable, with the channel where it does; so the gain factors [1], too. A
-    channel is empty where no smallest margin is known."""
+    channel is empty where no smallest margin is known. So many of the five usual targets are `met`."""
 
     light: Literal["green", "amber", "red", "none"]
     reasons: tuple[str, ...]
@@ -309,6 +309,7 @@ class Light:
     low_at: str = ""
     gain_high: float | None = None
     high_at: str = ""
+    met: int | None = None
 
 
 @message

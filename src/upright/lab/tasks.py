@@ -123,7 +123,7 @@ def smallest(linear: LinearMargins | None) -> dict[str, Any]:
         return {}
     return {
         "delay": finite(linear.delay), "delay_at": linear.delay_at, "gain_low": linear.gain_low,
-        "low_at": linear.low_at, "gain_high": finite(linear.gain_high), "high_at": linear.high_at,
+        "low_at": linear.low_at, "gain_high": finite(linear.gain_high), "high_at": linear.high_at, "met": linear.met,
     }  # fmt: skip
 
 

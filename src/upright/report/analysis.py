@@ -11,6 +11,7 @@ from upright.arrays import Array
 from upright.certify.analysis import ROUNDED, Analysis
 from upright.certify.design import Designed
 from upright.certify.margins import Margins
+from upright.certify.verdict import CLOSE, PHASE, STRONG, WEAK, reached
 from upright.errors import InvalidController
 from upright.plotting import AXIS, COLOURS, legend, rows_of
 from upright.report.designed import controller_section, let_go, tile
@@ -52,12 +53,6 @@ def _page(
         picture=_against_targets(analysis) if analysis.stable else _poles(analysis),
         numbers=[*_numbers(analysis), *more],
     )  # fmt: skip
-
-
-CLOSE = 0.5
-"""Distance of the Nyquist curve from −1 below which margins are small: the usual rule, Ms at most 2."""
-PHASE, WEAK, STRONG = 30.0, 0.5, 2.0
-"""Usual targets: phase margin [°], and the gain of the motors as a factor: 6 dB either side."""
 
 
 def _title(analysis: Analysis) -> str:
@@ -159,15 +154,18 @@ twipr."""
 def _targets(analysis: Analysis) -> list[tuple[str, str, str, float]]:
     """Name, value, usual target, and the part of the target that is reached, the least first."""
     both, delay = analysis.both(), min(analysis.delay, analysis.weakest.delay)
-    degrees = math.degrees(both.phase)
+    shown = {
+        "distance from −1": (cell_text(1 / both.Ms, 2), f"{CLOSE:g}"),
+        "phase margin": (f"{cell_text(math.degrees(both.phase), 2)}°", f"{PHASE:g}°"),
+        "motors stronger": (_change(both.gain_high), _change(STRONG)),
+        "motors weaker": (_change(both.gain_low), _change(WEAK)),
+        "delay margin": (_delay(analysis), f"{1e3 * analysis.period:g} ms"),
+    }
+    place = f" ({_weakest(analysis).removeprefix('both ')})"
     targets = [
-        ("distance from −1", cell_text(1 / both.Ms, 2), f"{CLOSE:g}", 1 / both.Ms / CLOSE),
-        ("phase margin", f"{cell_text(degrees, 2)}°", f"{PHASE:g}°", degrees / PHASE),
-        ("motors stronger", _change(both.gain_high), _change(STRONG), (both.gain_high - 1) / (STRONG - 1)),
-        ("motors weaker", _change(both.gain_low), _change(WEAK), (1 - both.gain_low) / (1 - WEAK)),
-        (f"delay margin ({_weakest(analysis).removeprefix('both ')})", _delay(analysis),
-         f"{1e3 * analysis.period:g} ms", delay / analysis.period),
-    ]  # fmt: skip
+        (f"{name}{place if name == 'delay margin' else ''}", *shown[name], part)
+        for name, part in reached(both, delay, analysis.period).items()
+    ]
     return sorted(targets, key=lambda target: target[-1])
 
 

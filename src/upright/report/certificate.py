@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import groupby
 
 from upright.certify.agreement import AMBER, RED
-from upright.certify.certificate import UNWEIGHED, Certificate
+from upright.certify.certificate import Certificate
 from upright.certify.checks import BATTERIES, PushTrial, Swept
 from upright.certify.pushes import HELD, KNOCKED, RELEASE
 from upright.certify.recovery import KNOCK_DURATION
@@ -58,8 +58,8 @@ def page_of(certificate: Certificate) -> Page:
     if c.light == GREEN:
         to = PROGRAMS.get(c.kit, "--target c -o balance.c")
         lead += f" Next: `upright firmware {c.given or c.controller} --robot {c.robot} {to}` writes its program."
-    elif c.mass_open:
-        lead += f" Next: {sentence(UNWEIGHED).replace('--weighed KG', '`--weighed KG`')}"
+    elif c.asks:
+        lead += f" Next: {sentence(c.asks).replace('--weighed KG', '`--weighed KG`')}"
     title = HEADINGS.get(c.light, "{0} may drive {1}, with reservations").format(c.controller, c.robot)
     return Page(
         title, sections, lead, facts, False, verdict=verdict,
@@ -240,7 +240,7 @@ def _support(c: Certificate) -> Table:
     taken = {s.name for s in c.taken}
     judged = [(s, "tried as logged") for s in c.taken]
     judged += [
-        (s, "outside" if s.outside else "both ends tried" if s.tried else "")
+        (s, "left open" if s.left_open else "outside" if s.outside else "")
         for s in c.support
         if s.outside or s.name not in taken
     ]

@@ -247,6 +247,7 @@ export interface Light {
   low_at: string;
   gain_high: number | null;
   high_at: string;
+  met: number | null;
 }
 
 export interface JobResult {

@@ -149,7 +149,7 @@ export class Traces {
 }
 
 /** What is known of a loop before its certificate. */
-export const UNLIT: Light = { kind: "Light", light: "none", reasons: [], delay: null, delay_at: "", gain_low: null, low_at: "", gain_high: null, high_at: "" };
+export const UNLIT: Light = { kind: "Light", light: "none", reasons: [], delay: null, delay_at: "", gain_low: null, low_at: "", gain_high: null, high_at: "", met: null };
 
 type Listener = (message: ServerMessage) => void;
 

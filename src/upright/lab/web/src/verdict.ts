@@ -24,9 +24,9 @@ export function leastMargins(a: Analysed): Node[] {
   }
   const red = lit.light === "red" || lit.light === "amber" ? lit.light : null;
   const own = (store.setup.payload > 0 ? t("butPayload") : "") + (addedDelay() ? t("butDelay") : ""); // the margins are those of the robot alone
-  const words = thin ? t("thin") : t(red === "red" ? "enoughRed" : red ? "enoughAmber" : "enough").replace(/\.$/, `${own}.`);
+  const words = thin ? t("thin") : lit.met !== 5 ? t("targetsMet", { met: lit.met ?? 0 }).replace(/\.$/, `${own}.`) : t(red === "red" ? "enoughRed" : red ? "enoughAmber" : "enough").replace(/\.$/, `${own}.`);
   const exceeded = exceedsMargin(a);
-  return [h("p", { className: `verdict ${thin || exceeded ? "bad" : red || addedDelay() ? "open" : "good"}` }, h("b", {}, exceeded ? moreDelay(a) : words), ` ${delayed(lit)} ${scaled(lit)} ${exceeded ? "" : moreDelay(a)}`.trimEnd())];
+  return [h("p", { className: `verdict ${thin || exceeded ? "bad" : red || addedDelay() || lit.met !== 5 ? "open" : "good"}` }, h("b", {}, exceeded ? moreDelay(a) : words), ` ${delayed(lit)} ${scaled(lit)} ${exceeded ? "" : moreDelay(a)}`.trimEnd())];
 }
 
 /** By how much the dead time [s] was changed since the margins were computed: only in a page without Python, whose
