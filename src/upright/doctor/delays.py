@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from upright.doctor.finding import LEFT, RIGHT, Finding, Fix, Record, warning
+from upright.doctor.finding import LEFT, RIGHT, Finding, Fix, Record, note, warning
 from upright.doctor.physics import REACH, Resampled, Response, backward_rate, motion, motor, responses
 
 CLEAR = 0.9
@@ -30,6 +30,10 @@ def delays(record: Record) -> list[Finding]:
     m = motion(record)
     if m is None:
         return []
+    if m.gyro is not None and m.law.pushed:
+        evidence = f"what looks like pushes that the log does not name, {m.law.off:.0f} standard deviations off the "
+        evidence += "pendulum equation: its delays, and when its commands act, are not judged"
+        return [note("delay/untold", m.gyro_name, evidence, "dither, do not push: upright excite -o plan.json")]
     findings: list[Finding] = []
     lag = 0.0
     if m.gyro is not None:

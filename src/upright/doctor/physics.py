@@ -32,6 +32,9 @@ _MOST_RESPONSE_ROWS = 20_000  # of a response, which is small against the noise
 _TRIM = 0.9  # fraction of the rows that are kept: pushes, slip and stops affect the rest
 REACH = 0.12  # [s] largest delay of the search
 LEAST_ROWS = 100
+FAR, LOUD = 8.0, 3.0
+"""Standard deviations of an equation's residual, and times the usual motion, that a push or a slip exceeds: rows of
+real logs without one are within 6."""
 _ALIGNED = 0.6  # R² of the pendulum equation above which its delay is taken
 _LEAST_KERNELS = 2.0 * 2 * np.sqrt(np.pi)
 """[kernel widths] of motion that a fit needs: 2√π of them are one independent sample, and two are fewer than the
@@ -83,13 +86,20 @@ class Resampled:
 
 @dataclass(frozen=True)
 class LaggedFit:
-    """Coefficients of a regression, its R² on the rows kept, the lag [s] of the first regressor's channel, and how
-    `sharp` it is: the residual two rows away over the residual at the lag."""
+    """Coefficients of a regression, its R² on the rows kept, the lag [s] of the first regressor's channel, how `sharp`
+    it is: the residual two rows away over the residual at the lag, and how many standard deviations `off` the equation
+    a row is at most; 0 where that is little beside the usual motion."""
 
     values: tuple[float, ...]
     r2: float
     lag: float = 0.0
     sharp: float = 1.0
+    off: float = 0.0
+
+    @property
+    def pushed(self) -> bool:
+        """Whether something that the log does not name moves the robot, more than its usual motion: the fit bends."""
+        return self.off > FAR
 
 
 @lru_cache(maxsize=2)  # every check of a record asks for it, and for the fits that it keeps
@@ -212,7 +222,14 @@ def lagged(
         return LaggedFit((), 0.0)
     left_over = 1 - r2s[[j for j in (i - 2, i, i + 2) if 0 <= j < len(r2s)]]
     sharp = float(np.sort(left_over)[min(1, len(left_over) - 1)] / max(1 - r2s[i], 1e-12))
-    return LaggedFit(tuple(values.tolist()), r2, float((shifts[i] + part) * m.period), sharp)
+    miss = np.abs(_centred(target[rows] - X @ values))
+    most, usual = float(miss.max()), float(np.median(np.abs(_centred(target[rows])))) / 0.6745
+    off = most / max(float(np.median(miss)) / 0.6745, 1e-300) if most > LOUD * usual else 0.0
+    return LaggedFit(tuple(values.tolist()), r2, float((shifts[i] + part) * m.period), sharp, off)
+
+
+def _centred(values: Array) -> Array:
+    return values - np.median(values)
 
 
 def _r_squared(y: Array, X: Array, positive: bool) -> Array:

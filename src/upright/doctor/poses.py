@@ -24,6 +24,7 @@ from upright.doctor.finding import (
     LEFT,
     LYING,
     MOVED,
+    OFF,
     OVER,
     PITCH,
     RIGHT,
@@ -43,7 +44,7 @@ Mask = NDArray[np.bool_]
 TIPPED = 0.5
 """[rad] Lean in which nothing stays that balances, and further than which a fall has turned."""
 
-LONGEST_THROW = 2.0  # [s] a robot that leaves the floor and is back on it within this time did not balance
+_LONG = 1.0  # [s] in which a robot that nothing drives falls: what stays upright balances, what has no command is off
 _CALMED = 0.05  # [s] of smoothing, over which a resting gyro's noise becomes small
 _STILL = 0.4  # [s] shortest rest, longer than the turning points of balancing
 _REST = 0.03  # of the pitch rate that one row in five exceeds, below which the body is at rest
@@ -138,10 +139,10 @@ def noise_of(rate: Array) -> float:
     return float(np.median(np.abs(np.diff(rate, 2))) / 0.6745 / np.sqrt(6)) if len(rate) > 3 else 0.0
 
 
-def _lasting(mask: Mask, period: float) -> Mask:
+def _lasting(mask: Mask, period: float, least: float = _STILL) -> Mask:
     lasting = np.zeros(len(mask), dtype=bool)
     for a, b in runs(mask):
-        lasting[a:b] = (b - a) * period >= _STILL
+        lasting[a:b] = (b - a) * period >= least
     return lasting
 
 
@@ -321,20 +322,27 @@ def _stretches(mask: NDArray[np.bool_ | np.int64]) -> Iterator[tuple[int, int]]:
 def _upright(
     m: Resampled, lean: Lean, spinning: Mask, a: int, b: int, *, from_floor: bool, to_floor: bool
 ) -> list[tuple[str, int, int]]:
-    """A stretch off the floor: standing up, balancing and falling, or only moved by hand or thrown."""
-    idle = m.commands is not None and not any(np.ptp(u[a:b]) > 0 for u in m.commands)
-    thrown = from_floor and (b - a) * m.period < LONGEST_THROW
-    if (from_floor and idle) or thrown:
-        return [(MOVED, a, b)]
+    """A stretch off the floor: standing up, balancing and falling, or only moved by hand or thrown. What comes later
+    does not make it another."""
     up = np.flatnonzero(np.abs(lean.angle[a:b]) < _UP) if from_floor else np.zeros(1, dtype=int)
     first = a + (int(up[0]) if len(up) else 0)
+    off, rows = _off(m, a, b), round(_LONG / m.period)
+    idle = bool(off.all())
+    if from_floor and (idle or b - first < rows or np.abs(lean.angle[first : first + rows]).max() > TIPPED):
+        return [(MOVED if idle or to_floor else RISING, a, b)]
     falls = to_floor or _ends_falling(lean.angle[first:b], m.period)
     last = first + _fall_start(lean.angle[first:b], m.period) if falls else b
-    doing = np.where(spinning, 2, lean.calm)[first:last]
+    doing = np.where(off, 3, np.where(spinning, 2, lean.calm)[a:b])[first - a : last - a]
     parts = _stretches(doing) if last > first else ()
-    standing = [((BALANCING, STANDING, HELD)[doing[i]], first + i, first + j) for i, j in parts]
+    standing = [((BALANCING, STANDING, HELD, OFF)[doing[i]], first + i, first + j) for i, j in parts]
     rising = [(RISING, a, first)] if first > a else []
     return [*rising, *standing, *([(FALLING, last, b)] if last < b else [])]
+
+
+def _off(m: Resampled, a: int, b: int) -> Mask:
+    """The rows from a to b in which both motors are off: in all of them, or for long."""
+    zero = ~np.any(m.commands, axis=0)[a:b] if m.commands is not None else np.zeros(b - a, dtype=bool)
+    return zero if zero.all() else _lasting(zero, m.period, _LONG)
 
 
 def _fall_start(angle: Array, period: float) -> int:

@@ -17,6 +17,7 @@ from upright.doctor.finding import (
     LEFT,
     LYING,
     MOVED,
+    OFF,
     ON_WHEELS,
     OVER,
     PITCH,
@@ -32,7 +33,7 @@ from upright.doctor.finding import (
     warning,
 )
 from upright.doctor.fixes import beside
-from upright.doctor.physics import LEAST_ROWS, Resampled, motion, resampled, smooth, widths
+from upright.doctor.physics import FAR, LEAST_ROWS, LOUD, Resampled, motion, resampled, smooth, widths
 from upright.doctor.poses import at_rest, bodily, lean_of, other_zero
 from upright.logs.outliers import runs
 
@@ -40,7 +41,6 @@ _MOST = 10  # reported events of one kind
 _BEFORE = 0.1  # [s] before a fall begins, up to which the rows are used
 _LINEAR = 0.4  # [rad] lean beyond which sin ψ differs from ψ by more than slips do
 _IDLE = 0.01  # of the largest command, up to which a robot at rest gets none
-FAR = 8.0  # standard deviations of the pendulum equation's residual
 _OFF = 0.35  # [rad] most that a robot leans as it balances, since its centre of mass is not above the axle
 _LEAST = 20  # rows of a cut, below which a log is left whole
 
@@ -85,7 +85,7 @@ def _fell(record: Record, segment: Segment) -> Finding:
 
 _ASIDE = {
     LYING: "the robot lies", FALLEN: "the robot lies after its fall", OVER: "the robot is upside down",
-    RISING: "the robot stands up", MOVED: "the robot is thrown, lifted or carried",
+    OFF: "both motors are off, and nothing balances", RISING: "the robot stands up", MOVED: "the robot is thrown, lifted or carried",
     HELD: "the gyro reads a body at rest while the wheels spin up: it is held, its wheels are off the floor, or this "
     "is no pitch rate",
 }  # fmt: skip
@@ -189,7 +189,7 @@ def slips(record: Record) -> list[Finding]:
     edge = int(1.0 / m.period)
     scatter = float(np.median(np.abs(miss))) / 0.6745
     usual = float(np.sqrt(np.median(smooth(m.wheel, m.period, width, 2) ** 2))) / 0.6745
-    loud = np.abs(miss) > max(FAR * scatter, 3 * usual)
+    loud = np.abs(miss) > max(FAR * scatter, LOUD * usual)
     loud[:edge], loud[-edge:] = False, False
     nonlinear = ~m.good | (np.abs(lean_of(record, m).angle) > _LINEAR)
     loud &= ~beside(nonlinear, edge)

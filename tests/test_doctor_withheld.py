@@ -1,0 +1,76 @@
+"""What the doctor does not say: poses of motors that are off, delays of a robot that was pushed, signs, units and copies
+that nothing decides."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from foreign_robots import SMALL, Bot, Course, logged, metric, replace
+
+from upright.doctor.doctor import Diagnosis, doctor
+
+TALL = replace(Bot(), body=1.6, com=0.09, inertia=4e-3)
+"""A bot of 1.6 kg whose weight is half as high again."""
+
+PUSHES = ((2.0, 2.05, 3.0), (3.5, 3.55, -4.0), (5.1, 5.15, 3.0), (6.3, 6.35, -2.0))
+"""When a hand pushes (from, until [s]), in newtons for each kilogram of the body: knocks of 0.1 to 0.2 m/s."""
+
+
+def kinds(diagnosis: Diagnosis) -> list[str]:
+    return [segment.kind for segment in diagnosis.segments]
+
+
+@pytest.mark.needs("shared/cases/motors-off/freefall.csv")
+@pytest.mark.parametrize("name", ["freefall.csv", "wrap.csv"])
+def test_a_robot_without_motors_does_not_balance(shared: Path, name: str) -> None:
+    """Both duties are 0 in every row of these logs."""
+    found = kinds(doctor(shared / "cases" / "motors-off" / name))
+    assert found[0] == "motors off"
+    assert "balancing" not in found
+
+
+@pytest.mark.parametrize("bot", [SMALL, TALL], ids=["small", "tall"])
+def test_motors_that_are_off_balance_nothing_whatever_the_pose(bot: Bot) -> None:
+    columns = logged(bot, Course(free=5.0, excitation=0.5), seed=21)
+    columns["duty"] = np.zeros(len(columns["t"]))
+    assert "balancing" not in kinds(doctor(metric(columns, bot)))
+
+
+@pytest.mark.parametrize(("bot", "seed"), [(SMALL, 12), (TALL, 13)])
+def test_what_was_balancing_stays_so_when_later_rows_are_cut(bot: Bot, seed: int) -> None:
+    """A robot that lies for 2 s, is raised in 1 s and let go at 3 s; a second later no throw is still upright."""
+    columns = logged(bot, Course(free=6.0, lying=2.0, excitation=0.5), seed=seed)
+    for end in (4.2, 4.9, 5.5):
+        diagnosis = doctor(metric({n: x[columns["t"] < end] for n, x in columns.items()}, bot))
+        assert kinds(diagnosis)[-1] == "balancing"
+        assert diagnosis.segments[-1].start == pytest.approx(2.9, abs=0.1)  # it is up before it is let go
+        assert "moved" not in kinds(diagnosis)
+
+
+@pytest.mark.needs("shared/cases/hand-pushed/p2.csv")
+def test_delays_of_a_log_with_pushes_by_hand_are_not_judged(shared: Path) -> None:
+    """Its simulator reads the gyro at once, and its commands act from their row on."""
+    case = shared / "cases" / "hand-pushed"
+    for robot in (None, case / "mine2.toml"):
+        diagnosis = doctor(case / "p2.csv", robot=robot, mapping=case / "m.toml")
+        assert not {"delay/sensor", "delay/command", "samples/controller"} & set(diagnosis.codes())
+        assert "dither, do not push" in str(diagnosis)
+
+
+@pytest.mark.parametrize(("bot", "seed"), [(Bot(), 3), (SMALL, 4), (TALL, 5)])
+def test_pushes_tell_no_delay(bot: Bot, seed: int) -> None:
+    """The gyro of these is 4 or 5 ms late; without a dither pushes shift the best lag to 20 ms."""
+    pushes = [(start, stop, force * bot.body) for start, stop, force in PUSHES]
+    codes = doctor(metric(logged(bot, Course(free=9.0, pushes=pushes), seed), bot)).codes()
+    assert not {"delay/sensor", "delay/command"} & set(codes)
+    assert "delay/untold" in codes
+
+
+def test_a_dither_tells_a_delay() -> None:
+    """Four periods of 5 ms late."""
+    bot = replace(Bot(), late=0.02)
+    diagnosis = doctor(metric(logged(bot, Course(free=9.0, excitation=1.0), seed=6), bot))
+    late = next(f for f in diagnosis.findings if f.code == "delay/sensor")
+    assert late.fixes[0].numbers[0] == pytest.approx(0.02, abs=0.003)
