@@ -1,5 +1,5 @@
-"""What the doctor does not say: poses of motors that are off, delays of a robot that was pushed, signs, units and copies
-that nothing decides."""
+"""What the doctor does not say: poses of motors that are off, delays of a robot that was pushed, signs and scales that
+nothing decides, physics of a column that is another."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from foreign_robots import SMALL, Bot, Course, logged, metric, replace
 
+from foreign_robots import SMALL, Bot, Course, logged, metric, replace
 from upright.doctor.doctor import Diagnosis, doctor
 
 TALL = replace(Bot(), body=1.6, com=0.09, inertia=4e-3)

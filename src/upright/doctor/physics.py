@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.doctor.finding import FEWEST, GAP, GYRO, LEFT, PITCH, RIGHT, Array, Record
+from upright.doctor.finding import FEWEST, FORWARD, GAP, GYRO, LEFT, PITCH, RIGHT, UP, Array, Record
 from upright.doctor.fixes import beside
 
 WIDTHS = (0.03, 0.06)
@@ -365,3 +365,30 @@ def _response(
         spread = np.sqrt(float(((y - gain[j] * surprise) ** 2).mean()) / power)
         t_value[j] = gain[j] / spread if spread > 0 else 0.0
     return Response(gain, t_value, float(np.sqrt(power / len(rows))))
+
+
+def gyro_by_gravity(record: Record, m: Resampled) -> float:
+    """The factor by which the gyro is too large according to the accelerometer; 0 where it is undetermined.
+
+    For small angles the accelerometer's pitch obeys ψ̇_a = ψ̇ − (R/g) θ⃛: it is regressed on the gyro, the gyro's second
+    derivative and δ⃛.
+    """
+    if FORWARD not in record or UP not in record or m.gyro is None:
+        return 0.0
+    lean = np.arctan2(-record[FORWARD], record[UP])
+    if not np.isfinite(lean).all():
+        return 0.0
+    even = np.interp(m.t, record.t, lean)
+    width = widths(m.period)[-1]
+    parts = [smooth(m.gyro, m.period, width), smooth(m.gyro, m.period, width, 2), smooth(m.wheel, m.period, width, 3)]
+    fit = lagged(m, width, smooth(even, m.period, width, 1), parts, [], reach=(-0.05, 0.05))
+    return 1 / fit.values[0] if fit.r2 > 0.7 and fit.values and fit.values[0] else 0.0
+
+
+def pitch_slope(record: Record, m: Resampled) -> tuple[float, float]:
+    """The rate of the pitch estimate over the gyro, which should be 1, and R² of that; zeros where it is unknown."""
+    if PITCH not in record or m.gyro is None or m.gyro_name != GYRO or not np.isfinite(record[PITCH]).all():
+        return 0.0, 0.0
+    even, width = np.interp(m.t, record.t, record[PITCH]), widths(m.period)[-1]
+    fit = lagged(m, width, smooth(even, m.period, width, 1), [smooth(m.gyro, m.period, width)], [], reach=(-0.06, 0.06))
+    return (fit.values[0], fit.r2) if fit.values else (0.0, 0.0)

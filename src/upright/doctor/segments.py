@@ -85,7 +85,8 @@ def _fell(record: Record, segment: Segment) -> Finding:
 
 _ASIDE = {
     LYING: "the robot lies", FALLEN: "the robot lies after its fall", OVER: "the robot is upside down",
-    OFF: "both motors are off, and nothing balances", RISING: "the robot stands up", MOVED: "the robot is thrown, lifted or carried",
+    OFF: "both motors are off, and nothing balances", RISING: "the robot stands up",
+    MOVED: "the robot is thrown, lifted or carried",
     HELD: "the gyro reads a body at rest while the wheels spin up: it is held, its wheels are off the floor, or this "
     "is no pitch rate",
 }  # fmt: skip
