@@ -10,7 +10,7 @@ from upright.doctor.physics import REACH, Resampled, Response, backward_rate, mo
 CLEAR = 0.9
 """R² of the pendulum equation above which its lag and residuals are used; below it, quantisation dominates."""
 
-_SHARP = 3.0
+SHARP = 3.0
 """Sharpness of that lag below which it is not reported: pushes, and friction that holds the wheels, fit a wrong lag
 almost as well as the right one."""
 
@@ -38,7 +38,7 @@ def delays(record: Record) -> list[Finding]:
     lag = 0.0
     if m.gyro is not None:
         fit = m.law
-        if fit.r2 > CLEAR and fit.sharp > _SHARP and min(fit.values, default=0.0) > 0:
+        if fit.r2 > CLEAR and fit.sharp > SHARP and min(fit.values, default=0.0) > 0:
             lag = fit.lag
             findings += _between(m, lag, fit.r2)
     if m.commands is not None:

@@ -53,6 +53,7 @@ from upright.doctor.finding import (
 )
 from upright.doctor.fixes import repaired
 from upright.doctor.lines import columns_line, poses_line
+from upright.doctor.scale import against_robot
 from upright.doctor.wheels import record_of
 from upright.doctor.wrapped import wrapped
 from upright.errors import InvalidLog
@@ -307,7 +308,7 @@ def _stages(robot: Robot | None) -> list[list[Check]]:
         [partial(units.scales, robot=robot)],
         [plausible.speeds],
         [partial(volts.commands, robot=robot)],
-        [estimates.estimates],
+        [estimates.estimates, partial(against_robot, robot=robot)],
         [segments.zero],
         [swings.bias, sensors.saturation, sensors.grain, swings.quiet],
         [delays.delays],
