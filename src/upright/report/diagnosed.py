@@ -20,7 +20,7 @@ from upright.tables import joined, sentence
 
 CHECKS = {
     "time stamps": ("time/",), "rows": ("samples/", "columns/"), "units": ("units/",),
-    "signs and sides": ("motion/flipped", "motion/swapped"), "rates and angles": ("motion/int", "motion/diff"),
+    "signs and sides": ("motion/flipped", "motion/swapped", "motion/contra"), "rates and angles": ("motion/int", "motion/diff"),
     "delays": ("delay/",), "gyro's bias": ("gyro/",), "readings": ("channel/", "estimate/", "encoder/wrapped"),
     "encoder's resolution": ("encoder/",), "limits of motors and gyro": ("saturation",),
     "motion": ("motion/quiet", "segment/still", "segment/none"), "falls and slips": ("segment/",),
