@@ -99,7 +99,7 @@ _USUAL = {
     "grain": (math.log(math.tau / 700), 1.3),
 }
 
-SHORTER = {"q": 1.2, "p": 1.2, "back_emf": 2.4}
+_SHORTER = {"q": 1.2, "p": 1.2, "back_emf": 2.4}
 """[s] over the length of a log: the deviation of the logarithms of what is estimated from a short part of real logs."""
 _SAME_STEP = 0.02  # of a degree: a step that is one
 _FINEST = math.tau / 20000  # [rad] a step of an encoder; smaller ones are of numbers that were computed from it
@@ -136,9 +136,9 @@ def _scaled(record: Record, robot: Robot | None, m: Resampled, values: tuple[flo
     one is."""
     assert m.gyro is not None
     doubt = 1 / (float(m.good.sum()) * m.period)
-    usual = {n: (at, math.hypot(s, SHORTER.get(n, 0.0) * doubt)) for n, (at, s) in expected(robot).items()}
+    usual = {n: (at, math.hypot(s, _SHORTER.get(n, 0.0) * doubt)) for n, (at, s) in expected(robot).items()}
     estimated, units = _estimated(record, m, values), command_units(record, robot)
-    estimated["most q"] = estimated["q"] * math.exp(SHORTER["q"] * doubt)
+    estimated["most q"] = estimated["q"] * math.exp(_SHORTER["q"] * doubt)
     by_gravity = gyro_by_gravity(record, m)
     by_pitch = _gyro_by_pitch(record, m)
 
