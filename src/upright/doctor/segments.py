@@ -22,6 +22,7 @@ from upright.doctor.finding import (
     OVER,
     PITCH,
     RISING,
+    STANDING,
     Array,
     Finding,
     Fix,
@@ -97,8 +98,10 @@ def aside(record: Record) -> list[Finding]:
     findings: list[Finding] = []
     for segment in [segment for segment in record.segments if segment.kind in _ASIDE][:_MOST]:
         leaning = f" at {segment.lean:+.2f} rad" if segment.kind in LEANING else ""
-        evidence = f"{during(segment.start, segment.stop)} {_ASIDE[segment.kind]}{leaning}"
-        evidence += ": signs, units, delays and offsets are not judged there"
+        evidence = (
+            f"{during(segment.start, segment.stop)} {_ASIDE[segment.kind]}{leaning}"
+            ": signs, units, delays and offsets are not judged there"
+        )
         code = f"segment/{segment.kind.replace(' ', '-')}"
         span = segment.start, segment.stop
         findings.append(
@@ -146,28 +149,22 @@ def on_wheels(record: Record) -> list[tuple[float, float]]:
 
 
 def still(record: Record) -> list[Finding]:
-    """Intervals in which neither wheel turns and the gyro reads only noise: held, lying, or stuck by friction."""
-    m = motion(record)
-    if m is None:
+    """Times in which neither wheel turns and the gyro reads only noise: held, or stuck by friction."""
+    m, standing = motion(record), [segment for segment in record.segments if segment.kind == STANDING]
+    if m is None or m.gyro is None:
         return []
-    rate, calm = m.gyro, at_rest(m)[1] & m.good if m.gyro is not None else None
-    if rate is None or calm is None or calm.mean() > 0.98:
-        return []
-    return [_standing(record, m, a, b, rate) for a, b in runs(calm)[:_MOST]]
-
-
-def _standing(record: Record, m: Resampled, a: int, b: int, rate: Array) -> Finding:
-    start, end = float(m.t[a]), float(m.t[b - 1])
+    findings: list[Finding] = []
     mean = np.abs(m.commands[0] + m.commands[1]) / 2 if m.commands is not None else np.zeros(len(m.t))
-    driven, most = float(mean[a:b].mean()), float(mean.max())
     unit = record.units.get(record.commands[0], "") if record.commands else ""
-    evidence = f"wheels at rest {during(start, end)} (rows {a} to {b - 1}): gyro noise "
-    evidence += f"{rate[a:b].std():.2g} rad/s, "
-    evidence += f"mean command {driven:.2g} {unit}".rstrip() if driven > _IDLE * most else "no command"
-    evidence += "; held by hand, or stuck by friction"
-    return note(
-        "segment/still", m.gyro_name, evidence, "leave these rows out when a model is fitted", span=(start, end)
-    )
+    for part in standing[:_MOST]:
+        there = (m.t >= part.start) & (m.t < part.stop)
+        driven = float(mean[there].mean())
+        evidence = f"wheels at rest {during(part.start, part.stop)}: gyro noise {m.gyro[there].std():.2g} rad/s, "
+        evidence += f"mean command {driven:.2g} {unit}".rstrip() if driven > _IDLE * mean.max() else "no command"
+        evidence += "; held by hand, or stuck by friction"
+        repair = "leave these rows out when a model is fitted"
+        findings.append(note("segment/still", m.gyro_name, evidence, repair, span=(part.start, part.stop)))
+    return findings
 
 
 def slips(record: Record) -> list[Finding]:
@@ -206,8 +203,10 @@ def _events(m: Resampled, miss: Array, loud: NDArray[np.bool_], scatter: float) 
         both = min(float(part.max()), float(-part.min())) / largest
         balance = abs(float(part.sum())) / float(np.abs(part).sum())
         span = float(m.t[a + join]), float(m.t[b - 1 - join])
-        evidence = f"{during(*span)}: up to {largest:.3g} rad/s² off the pendulum "
-        evidence += f"equation ({largest / scatter:.0f} standard deviations), in "
+        evidence = (
+            f"{during(*span)}: up to {largest:.3g} rad/s² off the pendulum "
+            f"equation ({largest / scatter:.0f} standard deviations), in "
+        )
         if both > 0.35 and balance < 0.35:
             evidence = f"wheel slip {evidence}both directions"
             findings.append(
