@@ -99,7 +99,7 @@ def segments(record: Record) -> tuple[Segment, ...]:
     if m is None or m.gyro is None or m.period > LONGEST:
         return ()
     lean = lean_of(record, m)
-    parts = _merged(_labelled(m, lean, _spinning(record, m, lean.quiet)), m.period)
+    parts = _merged(_labelled(m, lean, _spinning(record, m, lean.quiet), _off(record, m, lean.calm)), m.period)
     return tuple(_segment(m, lean, kind, a, b) for kind, a, b in parts)
 
 
@@ -296,7 +296,7 @@ def _usual(swing: Array, moving: Mask, period: float) -> Array:
     return np.interp(np.arange(n), at, values) if at else np.full(n, float(np.median(swing[rows])))
 
 
-def _labelled(m: Resampled, lean: Lean, spinning: Mask) -> list[tuple[str, int, int]]:
+def _labelled(m: Resampled, lean: Lean, spinning: Mask, off: Mask) -> list[tuple[str, int, int]]:
     """The kinds of pose, row by row, as runs."""
     size, n = np.abs(lean.angle), len(m.t)
     lying = lean.quiet & (size > TIPPED)
@@ -310,7 +310,7 @@ def _labelled(m: Resampled, lean: Lean, spinning: Mask) -> list[tuple[str, int, 
             over = lean.absolute and float(np.median(size[a:b])) > _OVER
             parts.append((OVER if over else LYING if lying[a:b].any() else MOVED, a, b))
         else:
-            parts += _upright(m, lean, spinning, a, b, from_floor=a > 0, to_floor=b < n)
+            parts += _upright(m, lean, spinning, off, a, b, from_floor=a > 0, to_floor=b < n)
     return parts
 
 
@@ -320,29 +320,32 @@ def _stretches(mask: NDArray[np.bool_ | np.int64]) -> Iterator[tuple[int, int]]:
 
 
 def _upright(
-    m: Resampled, lean: Lean, spinning: Mask, a: int, b: int, *, from_floor: bool, to_floor: bool
+    m: Resampled, lean: Lean, spinning: Mask, off: Mask, a: int, b: int, *, from_floor: bool, to_floor: bool
 ) -> list[tuple[str, int, int]]:
     """A stretch off the floor: standing up, balancing and falling, or only moved by hand or thrown. What comes later
     does not make it another."""
     up = np.flatnonzero(np.abs(lean.angle[a:b]) < _UP) if from_floor else np.zeros(1, dtype=int)
     first = a + (int(up[0]) if len(up) else 0)
-    off, rows = _off(m, a, b), round(_LONG / m.period)
-    idle = bool(off.all())
+    rows, idle = round(_LONG / m.period), bool(off[a:b].all())
     if from_floor and (idle or b - first < rows or np.abs(lean.angle[first : first + rows]).max() > TIPPED):
         return [(MOVED if idle or to_floor else RISING, a, b)]
     falls = to_floor or _ends_falling(lean.angle[first:b], m.period)
     last = first + _fall_start(lean.angle[first:b], m.period) if falls else b
-    doing = np.where(off, 3, np.where(spinning, 2, lean.calm)[a:b])[first - a : last - a]
+    lasting = off[a:b] if idle else _lasting(off[a:b], m.period, _LONG)
+    doing = np.where(lasting, 3, np.where(spinning, 2, lean.calm)[a:b])[first - a : last - a]
     parts = _stretches(doing) if last > first else ()
     standing = [((BALANCING, STANDING, HELD, OFF)[doing[i]], first + i, first + j) for i, j in parts]
     rising = [(RISING, a, first)] if first > a else []
     return [*rising, *standing, *([(FALLING, last, b)] if last < b else [])]
 
 
-def _off(m: Resampled, a: int, b: int) -> Mask:
-    """The rows from a to b in which both motors are off: in all of them, or for long."""
-    zero = ~np.any(m.commands, axis=0)[a:b] if m.commands is not None else np.zeros(b - a, dtype=bool)
-    return zero if zero.all() else _lasting(zero, m.period, _LONG)
+def _off(record: Record, m: Resampled, calm: Mask) -> Mask:
+    """The rows in which both motors are off, so far as the log has commands: a dead zone swallows commands, and what
+    stands still may need none; not where none of the log's commands is another."""
+    names = [name for name in record.channels if name.startswith(("applied/", "command/"))]
+    zero = ~np.any([record[name] for name in names], axis=0) if names else np.zeros(len(record.t))
+    off = np.interp(m.t, record.t, zero) > 0.5
+    return off if off.all() else off & ~calm
 
 
 def _fall_start(angle: Array, period: float) -> int:
