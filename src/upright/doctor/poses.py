@@ -322,8 +322,7 @@ def _stretches(mask: NDArray[np.bool_ | np.int64]) -> Iterator[tuple[int, int]]:
 def _upright(
     m: Resampled, lean: Lean, spinning: Mask, off: Mask, a: int, b: int, *, from_floor: bool, to_floor: bool
 ) -> list[tuple[str, int, int]]:
-    """A stretch off the floor: standing up, balancing and falling, or only moved by hand or thrown. What comes later
-    does not make it another."""
+    """A stretch off the floor: standing up, balancing and falling, or only moved by hand or thrown."""
     up = np.flatnonzero(np.abs(lean.angle[a:b]) < _UP) if from_floor else np.zeros(1, dtype=int)
     first = a + (int(up[0]) if len(up) else 0)
     rows, idle = round(_LONG / m.period), bool(off[a:b].all())
@@ -340,8 +339,7 @@ def _upright(
 
 
 def _off(record: Record, m: Resampled, calm: Mask) -> Mask:
-    """The rows in which both motors are off, so far as the log has commands: a dead zone swallows commands, and what
-    stands still may need none; not where none of the log's commands is another."""
+    """The rows without a command: a dead zone is none, and what stands still may need none."""
     names = [name for name in record.channels if name.startswith(("applied/", "command/"))]
     zero = ~np.any([record[name] for name in names], axis=0) if names else np.zeros(len(record.t))
     off = np.interp(m.t, record.t, zero) > 0.5
