@@ -1,7 +1,6 @@
 """Poses: where a robot lies, stands up, balances, falls, or is upside down, from the integrated motion of its body.
 
-The lean is the integrated gyro. An accelerometer at rest, or a pitch estimate that follows the gyro, makes it absolute;
-without either the usual lean of the moving robot counts as upright, since nothing else balances.
+The lean is the integrated gyro; an accelerometer at rest, or a pitch estimate that follows it, makes it absolute.
 """
 
 from __future__ import annotations
@@ -52,8 +51,7 @@ _CALM = 0.3  # of that rate, which no rest exceeds where the gyro's noise is wel
 _FLOOR = 1.45  # [rad] lean in which a body touches the floor, where no pose in the log shows it
 NEAR_FLOOR = 0.93  # of the lean in which it lies, from which it touches the floor
 _STOPS, _STRIKES, _STOPPED = 0.05, 0.5, 0.2
-"""[s] in which a floor stops a body, the least of its fastest rate with which a body reaches it, and the most of that
-which is left. Motors take longer: the measured TWIPR, caught at 0.75 rad, is braked for 0.16 s."""
+"""[s] in which a floor stops a body (motors: 0.16 s), the least of its fastest rate there, and the most that is left."""
 _OVER = 2.2  # [rad] lean beyond which a robot is upside down rather than on its side
 _SHORTEST = 0.2  # [s] a time on the wheels before a fall that is shorter is part of the fall
 _UP = 0.2  # [rad] lean in which a robot that stands up has arrived
@@ -343,7 +341,7 @@ def _off(record: Record, m: Resampled, calm: Mask) -> Mask:
     names = [name for name in record.channels if name.startswith(("applied/", "command/"))]
     zero = ~np.any([record[name] for name in names], axis=0) if names else np.zeros(len(record.t))
     off = np.interp(m.t, record.t, zero) > 0.5
-    return off if off.all() else off & ~calm
+    return off & (~calm | off.all())
 
 
 def _fall_start(angle: Array, period: float) -> int:
