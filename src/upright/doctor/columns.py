@@ -147,18 +147,18 @@ def with_gyro(mapping: Mapping, table: RawTable) -> Mapping:
     return replace(mapping, channels={**mapping.channels, GYRO: gyro})
 
 
-def _related(mapping: Mapping, table: RawTable, known: str, wanted: str) -> tuple[str, float]:
+def _related(mapping: Mapping, table: RawTable, known: str, target: str) -> tuple[str, float]:
     """The column that is not read and goes with the channel that is `known` as the tilt, or its rate of either sign,
-    that is `wanted`, and their correlation; '' where none does, or the mapping has it."""
+    that is `target`, and their correlation; '' where none does, or the mapping has it."""
     source = mapping.channels.get(known)
-    if source is None or wanted in mapping.channels or len(table) < FEWEST_OF_TILT:
+    if source is None or target in mapping.channels or len(table) < FEWEST_OF_TILT:
         return "", 0.0
     own = source.sign * table.columns[source.column][:ROWS]
     unread = {n: table.columns[n][:ROWS] for n in mapping.ignored(table)[:MOST] if n in table.columns}
     unread = {n: x for n, x in unread.items() if np.isfinite(x).all() and np.isfinite(own).all()}
-    fits = {n: rate_of(own, x) if wanted == PITCH else rate_of(x, own) for n, x in unread.items()}
-    name = max(fits, key=lambda n: fits[n] if wanted == PITCH else abs(fits[n]), default="")
-    return (name, fits[name]) if name and abs(fits[name]) > RATE and (fits[name] > 0 or wanted == GYRO) else ("", 0.0)
+    fits = {n: rate_of(own, x) if target == PITCH else rate_of(x, own) for n, x in unread.items()}
+    name = max(fits, key=lambda n: fits[n] if target == PITCH else abs(fits[n]), default="")
+    return (name, fits[name]) if name and abs(fits[name]) > RATE and (fits[name] > 0 or target == GYRO) else ("", 0.0)
 
 
 def _sources(table: RawTable, best: _Choice) -> dict[str, Source]:

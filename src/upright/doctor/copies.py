@@ -20,7 +20,7 @@ def copies(record: Record) -> list[Finding]:
     wheels may be one, as on a straight course."""
     read = {n: _as_read(record, n) for n in _SENSORS if n in record and np.isfinite(record[n]).all()}
     read = {name: values for name, values in read.items() if levels(values) > _LEVELS}
-    found: dict[str, str] = {}
+    copied: dict[str, str] = {}
     alike: set[frozenset[str]] = set()
     for size in (2, 3):
         for name, *others in combinations(read, size):
@@ -32,10 +32,10 @@ def copies(record: Record) -> list[Finding]:
             alike |= {frozenset((name, *others))}
             if (name, *others) != (LEFT, RIGHT):
                 made = " and ".join(f"{by:.4g} times {other}" for by, other in zip(factors, others, strict=True))
-                said = f"{name} is {made} in every row, but for the last digits: no reading of its own"
-                found |= dict.fromkeys([name, *(o for o in others if size == 2 and {name, o} <= {*_KINDS})], said)
+                text = f"{name} is {made} in every row, but for the last digits: no reading of its own"
+                copied |= dict.fromkeys([name, *(o for o in others if size == 2 and {name, o} <= {*_KINDS})], text)
     repair = "map the column of the sensor, or leave it out; nothing that rests on it is judged"
-    return [error("columns/copied", name, said, repair) for name, said in found.items()]
+    return [error("columns/copied", name, text, repair) for name, text in copied.items()]
 
 
 def _as_read(record: Record, name: str) -> Array:

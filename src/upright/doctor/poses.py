@@ -62,8 +62,7 @@ _DRIFT = 0.03  # [rad/s] spread of a gyro's offset before anything is known
 _FOLLOWS = 0.7  # R² from which a pitch estimate follows the gyro
 _SAME_UNIT = 3.0  # ratio up to which a filter's gain, and no unit, is between them: units differ by 10 or more
 _SWING = 0.1  # [rad] a usual swing of a robot that balances
-FASTEST_WHEEL = 200.0
-"""[rad/s] 1900 turns a minute; the wheels of robots of 0.2 to 20 kg reach 10 to 40 rad/s, those of scooters 60."""
+FASTEST_WHEEL = 200.0  # [rad/s] the wheels of robots of 0.2 to 20 kg reach 10 to 40 rad/s, those of scooters 60
 _SLOW_WHEEL, _SPUN = 10.0, 3.0  # [rad/s] least full speed of usual wheels, and a change of speed above any backlash
 _LARGEST_Q, _LARGEST_P = 15.0, 500.0  # [1, 1/s²] of the pendulum equation, of any robot
 LARGEST_OFFSET = 0.35  # [rad/s] 20 degrees per second, that of the chips that people use
