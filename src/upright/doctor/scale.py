@@ -27,10 +27,10 @@ def against_robot(record: Record, robot: Robot | None = None) -> list[Finding]:
     off = math.log(fit.values[0]) - values["q"][0] if sure and min(fit.values) > 0 else 0.0
     shown = f"by the pendulum equation q is {math.exp(off):.2g} times that of the file of '{robot.name}'"
     if abs(off) < _HALF:
-        known = f"{shown}: a scale of both gyro and encoders, or of the clock, is not told"
-        none = "a scale of gyro or encoders by 2 or ½ is not told: no pendulum equation holds clearly"
+        agree = f"{shown}: a scale of both gyro and encoders, or of the clock, is not told"
+        unclear = "a scale of gyro or encoders by 2 or ½ is not told: no pendulum equation holds clearly"
         repair = "log for longer, with a dither and no pushes, beside a watch"
-        return [note("motion/untold", m.gyro_name, known if off else none, repair)]
+        return [note("motion/untold", m.gyro_name, agree if off else unclear, repair)]
     emf = back_emf(record, m, robot) if robot.drive == "voltage" else 0.0
     by = math.log(emf) - values["back_emf"][0] if emf else math.inf
     causes = {
