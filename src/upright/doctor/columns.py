@@ -132,33 +132,33 @@ def by_physics(table: RawTable, named: Mapping | None = None) -> Mapping | None:
 
 def with_tilt(mapping: Mapping, table: RawTable) -> Mapping:
     """The same mapping, with a column for the tilt estimate where it reads none and one has the gyro for its rate."""
-    gyro = mapping.channels.get(GYRO)
-    if gyro is None or PITCH in mapping.channels:
-        return mapping
-    unread = {n: table.columns[n][:ROWS] for n in mapping.ignored(table)[:MOST] if n in table.columns}
-    rate = gyro.sign * table.columns[gyro.column][:ROWS]
-    rates = {n: rate_of(rate, x) for n, x in unread.items() if np.isfinite(x).all() and np.isfinite(rate).all()}
-    name = max(rates, key=lambda n: rates[n], default="")
-    if not name or rates[name] < RATE:
-        return mapping
-    tilt = Source(column=name, unit=named_unit(name, table))
-    return replace(mapping, channels={**mapping.channels, PITCH: tilt})
+    name, _ = _related(mapping, table, GYRO, PITCH)
+    tilt = Source(column=name, unit=named_unit(name, table)) if name else None
+    return replace(mapping, channels={**mapping.channels, PITCH: tilt}) if tilt else mapping
 
 
 def with_gyro(mapping: Mapping, table: RawTable) -> Mapping:
     """The same mapping, with a column for the gyro where it reads a tilt and none, and one is the rate of that tilt."""
-    tilt = mapping.channels.get(PITCH)
-    if tilt is None or GYRO in mapping.channels or len(table) < FEWEST_OF_TILT:
+    name, fit = _related(mapping, table, PITCH, GYRO)
+    if not name:
         return mapping
-    unread = {n: table.columns[n][:ROWS] for n in mapping.ignored(table)[:MOST] if n in table.columns}
-    angle = tilt.sign * table.columns[tilt.column][:ROWS]
-    fits = {n: rate_of(x, angle) for n, x in unread.items() if np.isfinite(x).all() and np.isfinite(angle).all()}
-    name = max(fits, key=lambda n: abs(fits[n]), default="")
-    if not name or abs(fits[name]) < RATE:
-        return mapping
-    unit = named_unit(name, table) or (f"{tilt.unit}/s" if f"{tilt.unit}/s" in GYROS else "")
-    gyro = Source(column=name, unit=unit if unit in GYROS else "", sign=1 if fits[name] > 0 else -1)
+    unit = named_unit(name, table) or f"{mapping.channels[PITCH].unit}/s"
+    gyro = Source(column=name, unit=unit if unit in GYROS else "", sign=1 if fit > 0 else -1)
     return replace(mapping, channels={**mapping.channels, GYRO: gyro})
+
+
+def _related(mapping: Mapping, table: RawTable, known: str, target: str) -> tuple[str, float]:
+    """The column that is not read and goes with the channel that is `known` as the tilt, or its rate of either sign,
+    that is `target`, and their correlation; '' where none does, or the mapping has it."""
+    source = mapping.channels.get(known)
+    if source is None or target in mapping.channels or len(table) < FEWEST_OF_TILT:
+        return "", 0.0
+    own = source.sign * table.columns[source.column][:ROWS]
+    unread = {n: table.columns[n][:ROWS] for n in mapping.ignored(table)[:MOST] if n in table.columns}
+    unread = {n: x for n, x in unread.items() if np.isfinite(x).all() and np.isfinite(own).all()}
+    fits = {n: rate_of(own, x) if target == PITCH else rate_of(x, own) for n, x in unread.items()}
+    name = max(fits, key=lambda n: fits[n] if target == PITCH else abs(fits[n]), default="")
+    return (name, fits[name]) if name and abs(fits[name]) > RATE and (fits[name] > 0 or target == GYRO) else ("", 0.0)
 
 
 def _sources(table: RawTable, best: _Choice) -> dict[str, Source]:

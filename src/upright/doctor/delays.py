@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from upright.doctor.finding import LEFT, RIGHT, Finding, Fix, Record, warning
+from upright.doctor.finding import LEFT, RIGHT, Finding, Fix, Record, note, warning
 from upright.doctor.physics import REACH, Resampled, Response, backward_rate, motion, motor, responses
 
 CLEAR = 0.9
 """R² of the pendulum equation above which its lag and residuals are used; below it, quantisation dominates."""
 
-_SHARP = 3.0
+SHARP = 3.0
 """Sharpness of that lag below which it is not reported: pushes, and friction that holds the wheels, fit a wrong lag
 almost as well as the right one."""
 
@@ -30,11 +30,15 @@ def delays(record: Record) -> list[Finding]:
     m = motion(record)
     if m is None:
         return []
+    if m.gyro is not None and m.law.pushed:
+        evidence = f"what looks like pushes that the log does not name, {m.law.off:.0f} standard deviations off the "
+        evidence += "pendulum equation: its delays, and when its commands act, are not judged"
+        return [note("delay/untold", m.gyro_name, evidence, "dither, do not push: upright excite -o plan.json")]
     findings: list[Finding] = []
     lag = 0.0
     if m.gyro is not None:
         fit = m.law
-        if fit.r2 > CLEAR and fit.sharp > _SHARP and min(fit.values, default=0.0) > 0:
+        if fit.r2 > CLEAR and fit.sharp > SHARP and min(fit.values, default=0.0) > 0:
             lag = fit.lag
             findings += _between(m, lag, fit.r2)
     if m.commands is not None:

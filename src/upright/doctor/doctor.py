@@ -31,6 +31,7 @@ from upright.doctor import (
     units,
     volts,
 )
+from upright.doctor.copies import copies
 from upright.doctor.counts import distances
 from upright.doctor.finding import (
     BALANCING,
@@ -52,6 +53,7 @@ from upright.doctor.finding import (
 )
 from upright.doctor.fixes import repaired
 from upright.doctor.lines import columns_line, poses_line
+from upright.doctor.scale import against_robot
 from upright.doctor.wheels import record_of
 from upright.doctor.wrapped import wrapped
 from upright.errors import InvalidLog
@@ -297,7 +299,7 @@ def _stages(robot: Robot | None) -> list[list[Check]]:
         [time.order],
         [time.unit],
         [time.jump],
-        [wrapped, sensors.joined],
+        [wrapped, sensors.joined, copies],
         [sensors.dead, sensors.outliers, plausible.repeated, time.steps],
         [sensors.stuck, plausible.constants],
         [motion.kinds, sensors.unsigned],
@@ -306,7 +308,7 @@ def _stages(robot: Robot | None) -> list[list[Check]]:
         [partial(units.scales, robot=robot)],
         [plausible.speeds],
         [partial(volts.commands, robot=robot)],
-        [estimates.estimates],
+        [estimates.estimates, partial(against_robot, robot=robot)],
         [segments.zero],
         [swings.bias, sensors.saturation, sensors.grain, swings.quiet],
         [delays.delays],
@@ -322,7 +324,8 @@ def _stages(robot: Robot | None) -> list[list[Check]]:
     ]
 
 
-_UNREAD = ("units/counts", "command/unsigned")  # a channel that no check can read, since it lacks a unit or a sign
+_UNREAD = ("units/counts", "command/unsigned", "columns/copied")
+"""Of a channel that no check can read, since it lacks a unit or a sign, or is another one."""
 _TIMED = 5  # the stage after which time and readings are whole, and the poses can be read
 
 _STAGE_OF = {
@@ -336,7 +339,7 @@ _STAGE_OF = {
 """Order of the repairs. Those that change the rows come last, so that the times in the others stay valid."""
 
 
-CONTRADICTORY = ("motion/", "units/", "channel/stuck", "command/unsigned")
+CONTRADICTORY = ("motion/", "units/", "channel/stuck", "command/unsigned", "columns/copied")
 """How the codes begin of findings that a fit bends its numbers to: signs, sides, kinds, units, sensors that stopped."""
 
 

@@ -6,10 +6,12 @@ import math
 
 import numpy as np
 
-from upright.doctor.finding import COMPASS, PITCH, Finding, Fix, Record, error, note
+from upright.doctor.delays import CLEAR
+from upright.doctor.finding import COMPASS, GYRO, PITCH, Finding, Record, error, note
 from upright.doctor.fixes import COARSE, levels
-from upright.doctor.physics import Resampled, motion, smooth, widths
-from upright.doctor.units import DEGREE, divide, pitch_slope
+from upright.doctor.motion import contrary, follows_wheels
+from upright.doctor.physics import Resampled, gyro_by_gravity, motion, pitch_slope, smooth, widths
+from upright.doctor.units import DEGREE, STATE, divide
 from upright.logs.outliers import grain_of
 
 
@@ -19,6 +21,7 @@ def estimates(record: Record) -> list[Finding]:
     return _pitch(record, m) + _heading(record, m) if m is not None else []
 
 
+_NEAR = 1.2  # within which the rate of a pitch estimate that follows the gyro clearly is that of the gyro
 _FACTORS = {
     "degrees instead of radians": 1 / DEGREE,
     "radians × 10": 10.0,
@@ -35,7 +38,19 @@ def _pitch(record: Record, m: Resampled) -> list[Finding]:
     if slope and 1 < (count := levels(record[PITCH])) <= COARSE:
         step = grain_of(record[PITCH])
         return [note("channel/coarse", PITCH, f"it has {count} values in steps of {step:.3g}: too coarse to compare")]
-    return _slope(PITCH, slope, r2, "gyro")
+    near = _NEAR if r2 > CLEAR else 2.0
+    if r2 < 0.7 or not slope or 1 / near < slope < near:
+        return []
+    evidence = f"its rate is {slope:.3g} times the gyro (R² {r2:.2f}), where it should be 1"
+    if -2 < slope < -0.5:
+        return contrary((PITCH,), (GYRO,), evidence, follows_wheels(m) or int(np.sign(gyro_by_gravity(record, m))))
+    if slope < 0:
+        return []
+    why = min(_FACTORS, key=lambda name: abs(math.log(slope / _FACTORS[name])))
+    if abs(math.log(slope / _FACTORS[why])) > 0.4:
+        repair = "nothing in the log tells which of both has another scale, or whether the clock is wrong: " + STATE
+        return [error("units/scale", PITCH, evidence, repair)]
+    return [divide((PITCH,), f"{why}: {evidence}", _FACTORS[why])]
 
 
 def _heading(record: Record, m: Resampled) -> list[Finding]:
@@ -53,17 +68,3 @@ def _heading(record: Record, m: Resampled) -> list[Finding]:
         f"degrees instead of radians: it turns {slope:.3g} rad per rad between the wheels; robots have R/W of 0.1 to 1"
     )
     return [divide((COMPASS,), evidence, 1 / DEGREE)]
-
-
-def _slope(channel: str, slope: float, r2: float, against: str) -> list[Finding]:
-    if r2 < 0.7 or not slope or 0.5 < slope < 2.0:
-        return []
-    evidence = f"its rate is {slope:.3g} times the {against} (R² {r2:.2f}), where it should be 1"
-    if -2 < slope < -0.5:
-        return [error("motion/flipped", channel, evidence, "multiply by −1", Fix("scale", (channel,), (-1.0,)))]
-    if slope < 0:
-        return []
-    why = min(_FACTORS, key=lambda name: abs(math.log(slope / _FACTORS[name])))
-    if abs(math.log(slope / _FACTORS[why])) > 0.4:
-        return [divide((channel,), evidence, slope)]
-    return [divide((channel,), f"{why}: {evidence}", _FACTORS[why])]

@@ -26,6 +26,7 @@ FORWARD, UP = "sensor/accel_forward", "sensor/accel_up"
 
 BALANCING, STANDING, LYING, OVER = "balancing", "standing still", "lying", "upside down"
 RISING, FALLING, FALLEN, MOVED, HELD = "standing up", "falling", "fallen", "moved", "held"
+OFF = "motors off"
 ON_WHEELS = (BALANCING, STANDING)
 LEANING = (STANDING, LYING, OVER, FALLEN)
 """Poses on the wheels, in which the equations of motion hold, and those with one lean."""

@@ -12,9 +12,11 @@ from upright.doctor.physics import (
     LaggedFit,
     Resampled,
     backward_rate,
+    gyro_by_gravity,
     motion,
     motor,
     pendulum,
+    pitch_slope,
     responses,
     smooth,
     widths,
@@ -76,7 +78,7 @@ def signs(record: Record) -> list[Finding]:
         return []
     wheels = _against_gyro(m)
     drive = _against_command(m, wheels)
-    return _verdict(record, wheels, drive, m.gyro_name)
+    return _verdict(record, m, wheels, drive)
 
 
 @dataclass(frozen=True)
@@ -173,7 +175,7 @@ def _by_responses(m: Resampled, left: Array, right: Array) -> _Drive | None:
     return _Drive(way, way, evidence) if name == "same" else _Drive(-way, way, evidence)
 
 
-def _verdict(record: Record, wheels: _Wheels, drive: _Drive, name_of_gyro: str) -> list[Finding]:
+def _verdict(record: Record, m: Resampled, wheels: _Wheels, drive: _Drive) -> list[Finding]:
     commands = record.commands or ("", "")
     by_gyro = f"q = {wheels.q:.2f} in δ⃛ = −qψ⃛ + pψ̇ (R² {wheels.r2:.2f}), but q > 0 for every robot"
     by_motor = drive.evidence
@@ -185,12 +187,13 @@ def _verdict(record: Record, wheels: _Wheels, drive: _Drive, name_of_gyro: str) 
         )
     disagree = wheels.left < 0 and wheels.right < 0
     backwards = drive.left < 0 and drive.right < 0
-    if disagree and backwards:
-        findings.append(
-            _flip((LEFT, RIGHT), f"both encoders have the opposite sign to gyro and commands: {by_gyro}; {by_motor}")
+    if disagree:
+        opposite = (
+            f"its sign is opposite to that of the other, of gyro and encoders: {by_gyro}{f'; {by_motor}' * backwards}"
         )
-    elif disagree:
-        findings.append(_flip((name_of_gyro,), f"its sign is opposite to that of the encoders: {by_gyro}"))
+        alike = drive.left * (drive.left == drive.right) or -np.sign(gyro_by_gravity(record, m))
+        witness = int(alike or pitch_slope(record, m)[0] < 0)
+        findings += contrary((m.gyro_name,), (LEFT, RIGHT), opposite, witness)
     elif backwards:
         findings.append(_flip(commands, f"both commands drive the wheels backwards: {by_motor}"))
     elif drive.left * drive.right < 0:
@@ -198,6 +201,20 @@ def _verdict(record: Record, wheels: _Wheels, drive: _Drive, name_of_gyro: str) 
             _flip((commands[0] if drive.left < 0 else commands[1],), f"it opposes the other motor: {by_motor}")
         )
     return findings
+
+
+def contrary(one: tuple[str, ...], other: tuple[str, ...], evidence: str, witness: int) -> list[Finding]:
+    """Channels on two sides whose signs contradict each other: the repair of the one against which a third is a
+    `witness` (positive: the other is right), or both without a repair where none is (0)."""
+    if witness:
+        return [_flip(one if witness > 0 else other, evidence)]
+    which = "nothing in the log tells which is wrong: state its sign in a mapping"
+    return [error("motion/contradicted", names[0], evidence, which) for names in (one, other)]
+
+
+def follows_wheels(m: Resampled) -> int:
+    """The sign of the gyro against the wheels, where the pendulum equation tells it; else 0."""
+    return _direction(m.law) if m.law.r2 > TRUSTED else 0
 
 
 def _flip(channels: tuple[str, ...], evidence: str) -> Finding:

@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.doctor.finding import FEWEST, GAP, GYRO, LEFT, PITCH, RIGHT, Array, Record
+from upright.doctor.finding import FEWEST, FORWARD, GAP, GYRO, LEFT, PITCH, RIGHT, UP, Array, Record
 from upright.doctor.fixes import beside
 
 WIDTHS = (0.03, 0.06)
@@ -32,6 +32,9 @@ _MOST_RESPONSE_ROWS = 20_000  # of a response, which is small against the noise
 _TRIM = 0.9  # fraction of the rows that are kept: pushes, slip and stops affect the rest
 REACH = 0.12  # [s] largest delay of the search
 LEAST_ROWS = 100
+FAR, LOUD = 8.0, 3.0
+"""Standard deviations of an equation's residual, and times the usual motion, that a push or a slip exceeds: rows of
+real logs without one are within 6."""
 _ALIGNED = 0.6  # R² of the pendulum equation above which its delay is taken
 _LEAST_KERNELS = 2.0 * 2 * np.sqrt(np.pi)
 """[kernel widths] of motion that a fit needs: 2√π of them are one independent sample, and two are fewer than the
@@ -83,13 +86,20 @@ class Resampled:
 
 @dataclass(frozen=True)
 class LaggedFit:
-    """Coefficients of a regression, its R² on the rows kept, the lag [s] of the first regressor's channel, and how
-    `sharp` it is: the residual two rows away over the residual at the lag."""
+    """Coefficients of a regression, its R² on the rows kept, the lag [s] of the first regressor's channel, how `sharp`
+    it is: the residual two rows away over the residual at the lag, and how many standard deviations `off` the equation
+    a row is at most; 0 where that is little beside the usual motion."""
 
     values: tuple[float, ...]
     r2: float
     lag: float = 0.0
     sharp: float = 1.0
+    off: float = 0.0
+
+    @property
+    def pushed(self) -> bool:
+        """Whether something that the log does not name moves the robot, more than its usual motion: the fit bends."""
+        return self.off > FAR
 
 
 @lru_cache(maxsize=2)  # every check of a record asks for it, and for the fits that it keeps
@@ -212,7 +222,14 @@ def lagged(
         return LaggedFit((), 0.0)
     left_over = 1 - r2s[[j for j in (i - 2, i, i + 2) if 0 <= j < len(r2s)]]
     sharp = float(np.sort(left_over)[min(1, len(left_over) - 1)] / max(1 - r2s[i], 1e-12))
-    return LaggedFit(tuple(values.tolist()), r2, float((shifts[i] + part) * m.period), sharp)
+    miss = np.abs(_centred(target[rows] - X @ values))
+    most, usual = float(miss.max()), float(np.median(np.abs(_centred(target[rows])))) / 0.6745
+    off = most / max(float(np.median(miss)) / 0.6745, 1e-300) if most > LOUD * usual else 0.0
+    return LaggedFit(tuple(values.tolist()), r2, float((shifts[i] + part) * m.period), sharp, off)
+
+
+def _centred(values: Array) -> Array:
+    return values - np.median(values)
 
 
 def _r_squared(y: Array, X: Array, positive: bool) -> Array:
@@ -348,3 +365,30 @@ def _response(
         spread = np.sqrt(float(((y - gain[j] * surprise) ** 2).mean()) / power)
         t_value[j] = gain[j] / spread if spread > 0 else 0.0
     return Response(gain, t_value, float(np.sqrt(power / len(rows))))
+
+
+def gyro_by_gravity(record: Record, m: Resampled) -> float:
+    """The factor by which the gyro is too large according to the accelerometer; 0 where it is undetermined.
+
+    For small angles the accelerometer's pitch obeys ψ̇_a = ψ̇ − (R/g) θ⃛: it is regressed on the gyro, the gyro's second
+    derivative and δ⃛.
+    """
+    if FORWARD not in record or UP not in record or m.gyro is None:
+        return 0.0
+    lean = np.arctan2(-record[FORWARD], record[UP])
+    if not np.isfinite(lean).all():
+        return 0.0
+    even = np.interp(m.t, record.t, lean)
+    width = widths(m.period)[-1]
+    parts = [smooth(m.gyro, m.period, width), smooth(m.gyro, m.period, width, 2), smooth(m.wheel, m.period, width, 3)]
+    fit = lagged(m, width, smooth(even, m.period, width, 1), parts, [], reach=(-0.05, 0.05))
+    return 1 / fit.values[0] if fit.r2 > 0.7 and fit.values and fit.values[0] else 0.0
+
+
+def pitch_slope(record: Record, m: Resampled) -> tuple[float, float]:
+    """The rate of the pitch estimate over the gyro, which should be 1, and R² of that; zeros where it is unknown."""
+    if PITCH not in record or m.gyro is None or m.gyro_name != GYRO or not np.isfinite(record[PITCH]).all():
+        return 0.0, 0.0
+    even, width = np.interp(m.t, record.t, record[PITCH]), widths(m.period)[-1]
+    fit = lagged(m, width, smooth(even, m.period, width, 1), [smooth(m.gyro, m.period, width)], [], reach=(-0.06, 0.06))
+    return (fit.values[0], fit.r2) if fit.values else (0.0, 0.0)

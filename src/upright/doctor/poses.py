@@ -1,7 +1,6 @@
 """Poses: where a robot lies, stands up, balances, falls, or is upside down, from the integrated motion of its body.
 
-The lean is the integrated gyro. An accelerometer at rest, or a pitch estimate that follows the gyro, makes it absolute;
-without either the usual lean of the moving robot counts as upright, since nothing else balances.
+The lean is the integrated gyro; an accelerometer at rest, or a pitch estimate that follows it, makes it absolute.
 """
 
 from __future__ import annotations
@@ -24,6 +23,7 @@ from upright.doctor.finding import (
     LEFT,
     LYING,
     MOVED,
+    OFF,
     OVER,
     PITCH,
     RIGHT,
@@ -43,7 +43,7 @@ Mask = NDArray[np.bool_]
 TIPPED = 0.5
 """[rad] Lean in which nothing stays that balances, and further than which a fall has turned."""
 
-LONGEST_THROW = 2.0  # [s] a robot that leaves the floor and is back on it within this time did not balance
+_LONG = 1.0  # [s] in which a robot that nothing drives falls: what stays upright balances, what has no command is off
 _CALMED = 0.05  # [s] of smoothing, over which a resting gyro's noise becomes small
 _STILL = 0.4  # [s] shortest rest, longer than the turning points of balancing
 _REST = 0.03  # of the pitch rate that one row in five exceeds, below which the body is at rest
@@ -51,8 +51,7 @@ _CALM = 0.3  # of that rate, which no rest exceeds where the gyro's noise is wel
 _FLOOR = 1.45  # [rad] lean in which a body touches the floor, where no pose in the log shows it
 NEAR_FLOOR = 0.93  # of the lean in which it lies, from which it touches the floor
 _STOPS, _STRIKES, _STOPPED = 0.05, 0.5, 0.2
-"""[s] in which a floor stops a body, the least of its fastest rate with which a body reaches it, and the most of that
-which is left. Motors take longer: the measured TWIPR, caught at 0.75 rad, is braked for 0.16 s."""
+"""[s] in which a floor stops a body (motors: 0.16 s), the least of its fastest rate, and the most that is left."""
 _OVER = 2.2  # [rad] lean beyond which a robot is upside down rather than on its side
 _SHORTEST = 0.2  # [s] a time on the wheels before a fall that is shorter is part of the fall
 _UP = 0.2  # [rad] lean in which a robot that stands up has arrived
@@ -63,8 +62,7 @@ _DRIFT = 0.03  # [rad/s] spread of a gyro's offset before anything is known
 _FOLLOWS = 0.7  # R² from which a pitch estimate follows the gyro
 _SAME_UNIT = 3.0  # ratio up to which a filter's gain, and no unit, is between them: units differ by 10 or more
 _SWING = 0.1  # [rad] a usual swing of a robot that balances
-FASTEST_WHEEL = 200.0
-"""[rad/s] 1900 turns a minute; the wheels of robots of 0.2 to 20 kg reach 10 to 40 rad/s, those of scooters 60."""
+FASTEST_WHEEL = 200.0  # [rad/s] the wheels of robots of 0.2 to 20 kg reach 10 to 40 rad/s, those of scooters 60
 _SLOW_WHEEL, _SPUN = 10.0, 3.0  # [rad/s] least full speed of usual wheels, and a change of speed above any backlash
 _LARGEST_Q, _LARGEST_P = 15.0, 500.0  # [1, 1/s²] of the pendulum equation, of any robot
 LARGEST_OFFSET = 0.35  # [rad/s] 20 degrees per second, that of the chips that people use
@@ -98,7 +96,7 @@ def segments(record: Record) -> tuple[Segment, ...]:
     if m is None or m.gyro is None or m.period > LONGEST:
         return ()
     lean = lean_of(record, m)
-    parts = _merged(_labelled(m, lean, _spinning(record, m, lean.quiet)), m.period)
+    parts = _merged(_labelled(m, lean, _spinning(record, m, lean.quiet), _off(record, m, lean.calm)), m.period)
     return tuple(_segment(m, lean, kind, a, b) for kind, a, b in parts)
 
 
@@ -138,10 +136,10 @@ def noise_of(rate: Array) -> float:
     return float(np.median(np.abs(np.diff(rate, 2))) / 0.6745 / np.sqrt(6)) if len(rate) > 3 else 0.0
 
 
-def _lasting(mask: Mask, period: float) -> Mask:
+def _lasting(mask: Mask, period: float, least: float = _STILL) -> Mask:
     lasting = np.zeros(len(mask), dtype=bool)
     for a, b in runs(mask):
-        lasting[a:b] = (b - a) * period >= _STILL
+        lasting[a:b] = (b - a) * period >= least
     return lasting
 
 
@@ -295,7 +293,7 @@ def _usual(swing: Array, moving: Mask, period: float) -> Array:
     return np.interp(np.arange(n), at, values) if at else np.full(n, float(np.median(swing[rows])))
 
 
-def _labelled(m: Resampled, lean: Lean, spinning: Mask) -> list[tuple[str, int, int]]:
+def _labelled(m: Resampled, lean: Lean, spinning: Mask, off: Mask) -> list[tuple[str, int, int]]:
     """The kinds of pose, row by row, as runs."""
     size, n = np.abs(lean.angle), len(m.t)
     lying = lean.quiet & (size > TIPPED)
@@ -309,7 +307,7 @@ def _labelled(m: Resampled, lean: Lean, spinning: Mask) -> list[tuple[str, int, 
             over = lean.absolute and float(np.median(size[a:b])) > _OVER
             parts.append((OVER if over else LYING if lying[a:b].any() else MOVED, a, b))
         else:
-            parts += _upright(m, lean, spinning, a, b, from_floor=a > 0, to_floor=b < n)
+            parts += _upright(m, lean, spinning, off, a, b, from_floor=a > 0, to_floor=b < n)
     return parts
 
 
@@ -319,22 +317,30 @@ def _stretches(mask: NDArray[np.bool_ | np.int64]) -> Iterator[tuple[int, int]]:
 
 
 def _upright(
-    m: Resampled, lean: Lean, spinning: Mask, a: int, b: int, *, from_floor: bool, to_floor: bool
+    m: Resampled, lean: Lean, spinning: Mask, off: Mask, a: int, b: int, *, from_floor: bool, to_floor: bool
 ) -> list[tuple[str, int, int]]:
     """A stretch off the floor: standing up, balancing and falling, or only moved by hand or thrown."""
-    idle = m.commands is not None and not any(np.ptp(u[a:b]) > 0 for u in m.commands)
-    thrown = from_floor and (b - a) * m.period < LONGEST_THROW
-    if (from_floor and idle) or thrown:
-        return [(MOVED, a, b)]
     up = np.flatnonzero(np.abs(lean.angle[a:b]) < _UP) if from_floor else np.zeros(1, dtype=int)
     first = a + (int(up[0]) if len(up) else 0)
+    rows, idle = round(_LONG / m.period), bool(off[a:b].all())
+    if from_floor and (idle or b - first < rows or np.abs(lean.angle[first : first + rows]).max() > TIPPED):
+        return [(MOVED if idle or to_floor else RISING, a, b)]
     falls = to_floor or _ends_falling(lean.angle[first:b], m.period)
     last = first + _fall_start(lean.angle[first:b], m.period) if falls else b
-    doing = np.where(spinning, 2, lean.calm)[first:last]
+    lasting = off[a:b] if idle else _lasting(off[a:b], m.period, _LONG)
+    doing = np.where(lasting, 3, np.where(spinning, 2, lean.calm)[a:b])[first - a : last - a]
     parts = _stretches(doing) if last > first else ()
-    standing = [((BALANCING, STANDING, HELD)[doing[i]], first + i, first + j) for i, j in parts]
+    standing = [((BALANCING, STANDING, HELD, OFF)[doing[i]], first + i, first + j) for i, j in parts]
     rising = [(RISING, a, first)] if first > a else []
     return [*rising, *standing, *([(FALLING, last, b)] if last < b else [])]
+
+
+def _off(record: Record, m: Resampled, calm: Mask) -> Mask:
+    """The rows without a command: a dead zone is none, and what stands still may need none."""
+    names = [name for name in record.channels if name.startswith(("applied/", "command/"))]
+    zero = ~np.any([record[name] for name in names], axis=0) if names else np.zeros(len(record.t))
+    off = np.interp(m.t, record.t, zero) > 0.5
+    return off & (~calm | off.all())
 
 
 def _fall_start(angle: Array, period: float) -> int:

@@ -23,7 +23,7 @@ _EARLY = 0.05  # [rows] tolerated lead of the wheels over a held command
 def faster_controller(record: Record) -> list[Finding]:
     """Wheels that respond before the command, or hardly at all to its unpredictable part."""
     m = motion(record)
-    if m is None or m.commands is None or record.torque_driven:
+    if m is None or m.commands is None or record.torque_driven or (m.gyro is not None and m.law.pushed):
         return []
     return _too_early(m) or _swallowed(m)
 

@@ -17,10 +17,12 @@ from upright.doctor.finding import (
     LEFT,
     LYING,
     MOVED,
+    OFF,
     ON_WHEELS,
     OVER,
     PITCH,
     RISING,
+    STANDING,
     Array,
     Finding,
     Fix,
@@ -32,7 +34,7 @@ from upright.doctor.finding import (
     warning,
 )
 from upright.doctor.fixes import beside
-from upright.doctor.physics import LEAST_ROWS, Resampled, motion, resampled, smooth, widths
+from upright.doctor.physics import FAR, LEAST_ROWS, LOUD, Resampled, motion, resampled, smooth, widths
 from upright.doctor.poses import at_rest, bodily, lean_of, other_zero
 from upright.logs.outliers import runs
 
@@ -40,7 +42,6 @@ _MOST = 10  # reported events of one kind
 _BEFORE = 0.1  # [s] before a fall begins, up to which the rows are used
 _LINEAR = 0.4  # [rad] lean beyond which sin ψ differs from ψ by more than slips do
 _IDLE = 0.01  # of the largest command, up to which a robot at rest gets none
-FAR = 8.0  # standard deviations of the pendulum equation's residual
 _OFF = 0.35  # [rad] most that a robot leans as it balances, since its centre of mass is not above the axle
 _LEAST = 20  # rows of a cut, below which a log is left whole
 
@@ -85,7 +86,8 @@ def _fell(record: Record, segment: Segment) -> Finding:
 
 _ASIDE = {
     LYING: "the robot lies", FALLEN: "the robot lies after its fall", OVER: "the robot is upside down",
-    RISING: "the robot stands up", MOVED: "the robot is thrown, lifted or carried",
+    OFF: "both motors are off, and nothing balances", RISING: "the robot stands up",
+    MOVED: "the robot is thrown, lifted or carried",
     HELD: "the gyro reads a body at rest while the wheels spin up: it is held, its wheels are off the floor, or this "
     "is no pitch rate",
 }  # fmt: skip
@@ -96,8 +98,10 @@ def aside(record: Record) -> list[Finding]:
     findings: list[Finding] = []
     for segment in [segment for segment in record.segments if segment.kind in _ASIDE][:_MOST]:
         leaning = f" at {segment.lean:+.2f} rad" if segment.kind in LEANING else ""
-        evidence = f"{during(segment.start, segment.stop)} {_ASIDE[segment.kind]}{leaning}"
-        evidence += ": signs, units, delays and offsets are not judged there"
+        evidence = (
+            f"{during(segment.start, segment.stop)} {_ASIDE[segment.kind]}{leaning}"
+            ": signs, units, delays and offsets are not judged there"
+        )
         code = f"segment/{segment.kind.replace(' ', '-')}"
         span = segment.start, segment.stop
         findings.append(
@@ -145,28 +149,22 @@ def on_wheels(record: Record) -> list[tuple[float, float]]:
 
 
 def still(record: Record) -> list[Finding]:
-    """Intervals in which neither wheel turns and the gyro reads only noise: held, lying, or stuck by friction."""
-    m = motion(record)
-    if m is None:
+    """Times in which neither wheel turns and the gyro reads only noise: held, or stuck by friction."""
+    m, standing = motion(record), [segment for segment in record.segments if segment.kind == STANDING]
+    if m is None or m.gyro is None:
         return []
-    rate, calm = m.gyro, at_rest(m)[1] & m.good if m.gyro is not None else None
-    if rate is None or calm is None or calm.mean() > 0.98:
-        return []
-    return [_standing(record, m, a, b, rate) for a, b in runs(calm)[:_MOST]]
-
-
-def _standing(record: Record, m: Resampled, a: int, b: int, rate: Array) -> Finding:
-    start, end = float(m.t[a]), float(m.t[b - 1])
+    findings: list[Finding] = []
     mean = np.abs(m.commands[0] + m.commands[1]) / 2 if m.commands is not None else np.zeros(len(m.t))
-    driven, most = float(mean[a:b].mean()), float(mean.max())
     unit = record.units.get(record.commands[0], "") if record.commands else ""
-    evidence = f"wheels at rest {during(start, end)} (rows {a} to {b - 1}): gyro noise "
-    evidence += f"{rate[a:b].std():.2g} rad/s, "
-    evidence += f"mean command {driven:.2g} {unit}".rstrip() if driven > _IDLE * most else "no command"
-    evidence += "; held by hand, or stuck by friction"
-    return note(
-        "segment/still", m.gyro_name, evidence, "leave these rows out when a model is fitted", span=(start, end)
-    )
+    for part in standing[:_MOST]:
+        there = (m.t >= part.start) & (m.t < part.stop)
+        driven = float(mean[there].mean())
+        evidence = f"wheels at rest {during(part.start, part.stop)}: gyro noise {m.gyro[there].std():.2g} rad/s, "
+        evidence += f"mean command {driven:.2g} {unit}".rstrip() if driven > _IDLE * mean.max() else "no command"
+        evidence += "; held by hand, or stuck by friction"
+        repair = "leave these rows out when a model is fitted"
+        findings.append(note("segment/still", m.gyro_name, evidence, repair, span=(part.start, part.stop)))
+    return findings
 
 
 def slips(record: Record) -> list[Finding]:
@@ -189,7 +187,7 @@ def slips(record: Record) -> list[Finding]:
     edge = int(1.0 / m.period)
     scatter = float(np.median(np.abs(miss))) / 0.6745
     usual = float(np.sqrt(np.median(smooth(m.wheel, m.period, width, 2) ** 2))) / 0.6745
-    loud = np.abs(miss) > max(FAR * scatter, 3 * usual)
+    loud = np.abs(miss) > max(FAR * scatter, LOUD * usual)
     loud[:edge], loud[-edge:] = False, False
     nonlinear = ~m.good | (np.abs(lean_of(record, m).angle) > _LINEAR)
     loud &= ~beside(nonlinear, edge)
@@ -205,8 +203,10 @@ def _events(m: Resampled, miss: Array, loud: NDArray[np.bool_], scatter: float) 
         both = min(float(part.max()), float(-part.min())) / largest
         balance = abs(float(part.sum())) / float(np.abs(part).sum())
         span = float(m.t[a + join]), float(m.t[b - 1 - join])
-        evidence = f"{during(*span)}: up to {largest:.3g} rad/s² off the pendulum "
-        evidence += f"equation ({largest / scatter:.0f} standard deviations), in "
+        evidence = (
+            f"{during(*span)}: up to {largest:.3g} rad/s² off the pendulum "
+            f"equation ({largest / scatter:.0f} standard deviations), in "
+        )
         if both > 0.35 and balance < 0.35:
             evidence = f"wheel slip {evidence}both directions"
             findings.append(

@@ -19,13 +19,10 @@ from upright.doctor.duty import (
     counted,
 )
 from upright.doctor.finding import (
-    FORWARD,
     GYRO,
     LEFT,
-    PITCH,
     RIGHT,
     SPEED,
-    UP,
     Array,
     Finding,
     Fix,
@@ -34,7 +31,7 @@ from upright.doctor.finding import (
     warning,
 )  # fmt: skip
 from upright.doctor.motion import TRUSTED
-from upright.doctor.physics import Resampled, lagged, motion, smooth, widths
+from upright.doctor.physics import Resampled, gyro_by_gravity, motion, pitch_slope, smooth, widths
 from upright.doctor.poses import LARGEST_OFFSET
 from upright.doctor.swings import rests
 from upright.logs.outliers import grain_of
@@ -142,7 +139,7 @@ def _scaled(record: Record, robot: Robot | None, m: Resampled, values: tuple[flo
     usual = {n: (at, math.hypot(s, _SHORTER.get(n, 0.0) * doubt)) for n, (at, s) in expected(robot).items()}
     estimated, units = _estimated(record, m, values), command_units(record, robot)
     estimated["most q"] = estimated["q"] * math.exp(_SHORTER["q"] * doubt)
-    by_gravity = _gyro_by_gravity(record, m)
+    by_gravity = gyro_by_gravity(record, m)
     by_pitch = _gyro_by_pitch(record, m)
 
     def penalty(s: _Suspect) -> float:
@@ -234,37 +231,10 @@ def _estimated(record: Record, m: Resampled, values: tuple[float, ...]) -> dict[
     return estimated | ({"back_emf": emf} if emf else {})
 
 
-def _gyro_by_gravity(record: Record, m: Resampled) -> float:
-    """The factor by which the gyro is too large according to the accelerometer; 0 where it is undetermined.
-
-    For small angles the accelerometer's pitch obeys ψ̇_a = ψ̇ − (R/g) θ⃛: it is regressed on the gyro, the gyro's second
-    derivative and δ⃛.
-    """
-    if FORWARD not in record or UP not in record or m.gyro is None:
-        return 0.0
-    lean = np.arctan2(-record[FORWARD], record[UP])
-    if not np.isfinite(lean).all():
-        return 0.0
-    even = np.interp(m.t, record.t, lean)
-    width = widths(m.period)[-1]
-    parts = [smooth(m.gyro, m.period, width), smooth(m.gyro, m.period, width, 2), smooth(m.wheel, m.period, width, 3)]
-    fit = lagged(m, width, smooth(even, m.period, width, 1), parts, [], reach=(-0.05, 0.05))
-    return 1 / fit.values[0] if fit.r2 > 0.7 and fit.values and fit.values[0] else 0.0
-
-
 def _gyro_by_pitch(record: Record, m: Resampled) -> float:
     """The factor by which the gyro is too large according to the estimate of the pitch; 0 where there is none."""
     slope, r2 = pitch_slope(record, m)
     return 1 / slope if r2 > 0.7 and slope > 0 else 0.0
-
-
-def pitch_slope(record: Record, m: Resampled) -> tuple[float, float]:
-    """The rate of the pitch estimate over the gyro, which should be 1, and R² of that; zeros where it is unknown."""
-    if PITCH not in record or m.gyro is None or m.gyro_name != GYRO or not np.isfinite(record[PITCH]).all():
-        return 0.0, 0.0
-    even, width = np.interp(m.t, record.t, record[PITCH]), widths(m.period)[-1]
-    fit = lagged(m, width, smooth(even, m.period, width, 1), [smooth(m.gyro, m.period, width)], [], reach=(-0.06, 0.06))
-    return (fit.values[0], fit.r2) if fit.values else (0.0, 0.0)
 
 
 def _penalty(

@@ -54,13 +54,16 @@ def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
         which = " or ".join(one.name.rstrip(",") for one in (unit, *others))
         evidence = f"no volts, since they reach {largest:.3g}: {which}; without wheels that turn nothing tells which"
         return [error("units/command", names[0], evidence, "state the unit in a mapping: V, mV or %, and its scale")]
-    evidence = f"{unit.name} instead of volts: they reach {largest:.3g}" + (
+    alike = [u for u in units if u is not unit and penalty(u) < penalty(unit) + ALIKE and u.name not in _VOLTS]
+    repair, fixes = _repair(record, unit, alike, largest, battery)
+    name = "a duty" if "full duty" in repair else unit.name
+    evidence = f"{name} instead of volts: they reach {largest:.3g}" + (
         f" on a battery of {battery:.3g} V" if battery else ""
     )
     if emf:
-        evidence += f"; back-EMF {emf:.3g} V s/rad as logged, {emf / unit.factor:.3g} V s/rad repaired"
-    alike = [u for u in units if u is not unit and penalty(u) < penalty(unit) + ALIKE and u.name not in _VOLTS]
-    repair, fixes = _repair(record, unit, alike, largest, battery)
+        evidence += (
+            f"; back-EMF {emf:.3g} V s/rad as logged, {emf / unit.factor:.3g} V s/rad with {unit.name.rstrip(',')}"
+        )
     return [error("units/command", names[0], evidence, repair, *fixes)]
 
 

@@ -20,7 +20,8 @@ from upright.tables import joined, sentence
 
 CHECKS = {
     "time stamps": ("time/",), "rows": ("samples/", "columns/"), "units": ("units/",),
-    "signs and sides": ("motion/flipped", "motion/swapped"), "rates and angles": ("motion/int", "motion/diff"),
+    "signs and sides": ("motion/flipped", "motion/swapped", "motion/contra"),
+    "rates and angles": ("motion/int", "motion/diff"),
     "delays": ("delay/",), "gyro's bias": ("gyro/",), "readings": ("channel/", "estimate/", "encoder/wrapped"),
     "encoder's resolution": ("encoder/",), "limits of motors and gyro": ("saturation",),
     "motion": ("motion/quiet", "segment/still", "segment/none"), "falls and slips": ("segment/",),
@@ -275,7 +276,8 @@ def _drift(result: Diagnosis) -> tuple[float, float, float] | None:
 
 
 AGREED = {
-    "signs and sides": "commands, wheels and gyro agree", "rates and angles": "no rate is an angle, no angle a rate",
+    "signs and sides": ("motion/flipped", "motion/swapped", "motion/contra"),
+    "rates and angles": ("motion/int", "motion/diff"),
     "delays": "gyro, wheels and commands: none late",
 }  # fmt: skip
 """What it means that a check without a number of its own found nothing."""
