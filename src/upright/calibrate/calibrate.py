@@ -121,7 +121,7 @@ def _unknown(result: Calibration, logs: Sequence[Log], knocked: Sequence[str], *
         return f"{when} s is in no channel of the log: inertias and pole are not told", f"dither, do not push: {EXCITE}"
     for finding in (f for log in logs for f in faster_controller(record_of(log))):
         return f"the log lacks commands: {finding.evidence}", "log every row of the controller; " + EXCITE
-    for e in result.delays:
+    for e in () if result.refused else result.delays:  # a refused fit's are of no robot
         if e.name.count("−") == 0 and e.value + CERTAIN * e.spread < 0:
             early = f"the {e.name.removeprefix('delay/')} would show a command {-1e3 * e.value:.2g} ms before it acts"
             return f"{early}: the model lacks something that moves this robot", "upright doctor LOG; or --force"

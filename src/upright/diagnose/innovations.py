@@ -21,7 +21,7 @@ from upright.calibrate.filter_log import NEVER_STIFF, FilteredLog, Follower, kno
 from upright.calibrate.knocks import Arrays
 from upright.compiled.generated import constants
 from upright.errors import InvalidLog
-from upright.logs.recording import FEWEST
+from upright.logs.recording import FEWEST, Recording
 from upright.physics import electronics
 from upright.physics.integrate import PREDICTED, substeps
 from upright.physics.linear import linearise
@@ -41,6 +41,11 @@ FULL_RANGE = 0.98  # of a sensor's range: a reading beyond it is clipped and say
 
 INPUTS = ("left", "right", "force", "moment")
 """What can enter between two events: command errors of both motors, a force at the axle [N], a moment [N m]."""
+
+OFFSET = 6  # the place of the gyro's offset in the filter's state
+USUAL_OFFSET, TURNED = 0.35, 1.0
+"""[rad/s] of a gyro, 20 degrees per second as the MPU-6050's data sheet has its zero-rate output, and [rad] that a body
+turns in a log in which it falls."""
 
 AT_ONCE, FIRST_ROWS = 0.1, 10  # [s] from the first row, and how many rows that far apart are tried as the first
 IN_TIME = (math.inf, 0.0, 0.0)
@@ -175,8 +180,21 @@ def follow(log: Log, robot: Robot, kit: Kit, kept: Array | None = None) -> Filte
     use = True if kept is None else np.isin(log.t, kept)
     channels = {n: np.where(use, _inside(v, kit, n), np.nan) for n, v in others.items()} | sent
     long = _long_enough(Log(log.t, channels, {n: log.unit(n) for n in channels}), names)
-    follower = Follower(known(long, robot, kit, _dead_time(names[0], kit)), PROCESS_NOISE, DRY_FRICTION_NOISE)
-    return _run(follower, kit, log, asked, kept=kept)
+    problem = known(long, robot, kit, _dead_time(names[0], kit))
+    begun = tuple(_begun(one, float(log.t[-1] - log.t[0])) for one in problem.recordings)
+    return _run(Follower(replace(problem, recordings=begun), PROCESS_NOISE, DRY_FRICTION_NOISE), kit, log, asked, kept=kept)
+
+
+def _begun(recording: Recording, seconds: float) -> Recording:
+    """The recording with a gyro's offset that its fall did not make: the mean of a log's readings is the offset and,
+    over its `seconds`, what the body turned. Its first rate is what the gyro reads less that offset."""
+    turned = (TURNED / seconds) ** 2
+    part = USUAL_OFFSET**2 / (USUAL_OFFSET**2 + turned)
+    first, P0 = recording.first.copy(), recording.P0.copy()
+    first[1] += (1 - part) * first[OFFSET]
+    first[OFFSET] *= part
+    P0[np.ix_([1, OFFSET], [1, OFFSET])] += part * turned * np.array([[1, -1], [-1, 1]])
+    return replace(recording, first=first, P0=P0)
 
 
 def followed_on(log: Log, robot: Robot, kit: Kit) -> FilterRun:

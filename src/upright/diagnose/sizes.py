@@ -6,7 +6,9 @@ import math
 
 from upright.diagnose.fault_fits import FaultFit
 
-LARGEST_OFFSET = {"step": 4.0, "ramp": 5.0}  # of a gyro [rad/s, rad/s²]: more is a filter that is lost
+LARGEST_OFFSET = 1.31
+"""[rad/s] 75 degrees per second: the largest zero-rate level of a common gyro (L3GD20, STMicroelectronics' data sheet,
+table 4, at 2000 degrees per second; 20 of the MPU-6050). More is a filter that is lost."""
 
 ALL = 0.97  # most of a reading that is too much where its sensor has another scale
 SURVIVED, SURVIVED_FOR = 4.0, 1.5
@@ -41,7 +43,7 @@ def possible(fit: FaultFit, fell_at: float) -> bool:
         "friction": fit.size > 0,
         "radius": LEAST_RADIUS < fit.size < MOST_RADIUS,
         "ramp": abs(fit.size) < STEEPEST,
-        "bias": abs(fit.size) < LARGEST_OFFSET.get(fit.way, math.inf),
+        "bias": abs(fit.size) * (fell_at - fit.onset if fit.way == "ramp" else 1) < LARGEST_OFFSET,
     }
     return meets.get(fit.fault, True)
 

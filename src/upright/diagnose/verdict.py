@@ -41,6 +41,7 @@ from upright.diagnose.chances import (
     best_of,
     enough,
     holds,
+    let_go,
     name_of,
     step,
     surer,
@@ -377,7 +378,7 @@ def _weak_or_wild(evidence: Evidence) -> list[Answer]:
     wild = (large or motors.swings >= SWINGS) and not motors.half_swing > SLOWLY
     low = 1 - CLEAR if wild or math.isfinite(evidence.slid) else CLEAR
     gain = GAIN_WITHOUT_FILE if match is None else GAIN_WITH_FILE
-    if since < evidence.run.log.t[0]:  # the log begins while it falls: neither swings nor what came before show
+    if since < evidence.run.log.t[0] and not let_go(evidence):  # neither swings nor what came before show
         gain *= IN_PART
     answers: list[Answer] = []
     if evidence.run.robot.noise:  # it hides faults, so that what is left need not be the gain

@@ -14,6 +14,7 @@ from upright.diagnose.changes import PART, channels_of
 from upright.diagnose.evidence import FOREIGN, Evidence
 from upright.diagnose.fall import LEANING
 from upright.diagnose.fault_fits import FaultFit, PushEstimate
+from upright.diagnose.law import growth
 from upright.diagnose.measured import SLOWLY, Demand
 from upright.diagnose.sizes import turned
 from upright.diagnose.supply import as_shown
@@ -169,6 +170,11 @@ def of_demand(evidence: Evidence, demand: Demand) -> str:
 
 def of_low(evidence: Evidence) -> str:
     half, pole = evidence.motors.half_swing, evidence.toppling.pole
+    if began(evidence) < evidence.run.log.t[0] and (grows := growth(evidence.run, evidence.fell_at)) > 0:
+        return (
+            f"{sound(evidence)}, and the loop as programmed is unstable: by the commands that it gave from the first "
+            f"row on, a lean doubles every {math.log(2) / grows:.2g} s (without motors every {math.log(2) / pole:.2g} s)"
+        )
     if half > SLOWLY:
         return (
             f"{sound(evidence)}, and the fall grew in slow swings: commands went one way for {half / pole:.2g} s, "
