@@ -43,6 +43,7 @@ from upright.diagnose.remedy import (
     remedied,
 )
 from upright.diagnose.signatures import Bank, beside, pushing
+from upright.diagnose.sizes import natural
 from upright.diagnose.usual import quiet_of
 
 Array = NDArray[np.float64]
@@ -85,7 +86,7 @@ class Pair:
 
 def _rare(*fits: FaultFit) -> int:
     """How many of some faults follow the motion, so that they take up a part of whatever else is wrong."""
-    return sum(fit.fault in ("scale", "radius", "friction") for fit in fits)
+    return sum(fit.fault in ("scale", "radius", "friction") and not natural(fit) for fit in fits)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

@@ -14,7 +14,7 @@ from upright.diagnose.fall import limit, without
 from upright.diagnose.fault_fits import FaultFit, dearer, freed_of, remaining, with_pushes
 from upright.diagnose.innovations import IN_TIME, NEVER_STIFF, FilterRun, follow
 from upright.diagnose.signatures import YOUNGEST, Bank, bank, beside, channels, finer, pushing, unknown_parameters
-from upright.diagnose.sizes import possible
+from upright.diagnose.sizes import natural, possible
 from upright.errors import InvalidLog
 from upright.signals import Log
 
@@ -347,8 +347,9 @@ def beside_pushes(run: FilterRun, fit: FaultFit, window: Window, against: Bank) 
 
 
 def priced(fit: FaultFit, against: Bank) -> FaultFit:
-    """The fit with the price of a scale."""
-    price = RARE * min(max(fit.nis / against.scale, 1.0), 2.0) if fit.fault == "scale" and len(fit.rest) else 0.0
+    """The fit with the price of a scale that is no power of two."""
+    rare = fit.fault == "scale" and len(fit.rest) and not natural(fit)
+    price = RARE * min(max(fit.nis / against.scale, 1.0), 2.0) if rare else 0.0
     return replace(fit, score=fit.score - price)
 
 

@@ -24,6 +24,7 @@ something else than a load is needed."""
 LEAST_RADIUS, MOST_RADIUS = 0.05, 0.8  # of its radius, that a wheel loses with its tyre
 WEAK = 0.9  # of its voltage, that a weak battery has left at most: motors differ by as much
 STEEPEST = 0.6  # sine of a slope that robots meet
+TWICE = 0.1  # of a power of two: 7 % of a scale, as well as a fall shows one
 SLIGHT = {"ramp": 0.017, "payload": 0.05, "delay": 0.1, "scale": 0.1}
 """Of two causes: the sine of a floor that is out of level by a degree, a mass over the body's, to which that is known,
 a part of a period, and of a reading, also where a scale is the only cause. No robot falls by less, and errors of its
@@ -51,6 +52,13 @@ def possible(fit: FaultFit, fell_at: float) -> bool:
 def slight(fit: FaultFit) -> bool:
     """Whether a fault is too small to take part in a fall."""
     return abs(fit.size) < SLIGHT.get(fit.fault, 0.0)
+
+
+def natural(fit: FaultFit) -> bool:
+    """Whether a sensor shows twice or half of the motion, or four times: its range or the decoding of its counts is set
+    wrongly then, which is no rare fault."""
+    twice = math.log2(abs(1 - fit.size) or 1.0)
+    return fit.fault == "scale" and 1 - TWICE < abs(twice) < 2 + TWICE and abs(twice - round(twice)) < TWICE
 
 
 def turned(fit: FaultFit) -> bool:
