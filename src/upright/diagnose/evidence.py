@@ -32,6 +32,7 @@ from upright.diagnose.fall import (
     stale_rows,
     stuck_sensor,
     wheel_rates,
+    worked_until,
 )
 from upright.diagnose.fault_fits import CORRELATED, FaultFit, fits, gainable, spared, with_commands
 from upright.diagnose.forces import forced, refined
@@ -306,6 +307,7 @@ def _match(
     """The comparison over the time before the fall that shows it best, and whether the file's loop is stable."""
     if controller is None:
         return None, None, ()
+    end = min(end, worked_until(run.log.t, run.asked.any(axis=1)))
     try:
         several = [matched(run, controller, end - seconds, end) for seconds in LAST_SECONDS]
     except SpecMismatch as error:

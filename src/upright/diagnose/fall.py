@@ -84,17 +84,26 @@ def against(log: Log, fall: Segment) -> tuple[str, ...]:
     drive away from the fall."""
     record, prefix = record_of(log), commanded(log)
     rows = (log.t >= fall.start) & (log.t < fall.stop)
-    if not prefix or rows.sum() < 3:
+    if not prefix:
         return ()
-    command = (log[f"{prefix}/left"] + log[f"{prefix}/right"])[rows] / 2
+    every = (log[f"{prefix}/left"] + log[f"{prefix}/right"]) / 2
+    rows &= log.t <= worked_until(log.t, every)
+    command = every[rows]
     rate = log["sensor/gyro"][rows]
     wheel = sum(record[f"sensor/encoder_{side}"][rows] for side in ("left", "right")) / 2 + np.cumsum(rate) * log.period
+    if len(command) < 3:
+        return ()
     turned = float((command - command[0]) @ (wheel - wheel[0]))
     caught = float(command @ np.cumsum(rate))  # driving forward catches a forward fall
     notes = ["the wheels turn against their commands: a motor or both encoders count backwards"] if turned < 0 else []
     if caught < 0 <= turned:
         notes.append("the commands drive away from the fall: the gyro or the controller has the wrong sign")
     return tuple(notes)
+
+
+def worked_until(t: Array, commands: Array) -> float:
+    """When [s] commands (rows,) last were any: a program stops its motors where its robot has fallen."""
+    return float(t[commands != 0].max(initial=-math.inf))
 
 
 def gyro(log: Log) -> Array:
