@@ -7,13 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import expm
 
 from upright.control import Controller
 from upright.diagnose.fall import authority, limit
 from upright.diagnose.innovations import FilterRun, driven
 from upright.errors import SpecMismatch
-from upright.physics.linear import linearise, rolling
+from upright.physics.linear import linearise
 from upright.robots import Kit
 from upright.signals import Log
 from upright.signals.signal import STATE_NAMES
@@ -24,7 +23,7 @@ Array = NDArray[np.float64]
 EXACT_BEFORE = 0.05  # rms misfit over rms command, below which the file describes the commands
 READY = 0.95  # of a period: a command that arrives this late in one holds at its end
 BELOW = 0.95  # of the largest command: rows in which the motors had more
-FEWEST_ROWS, FOLLOWS = 40, 0.9  # rows that show a law, and of the squared commands what it explains
+FOLLOWS = 0.9  # of the squared commands, what a law explains
 NOTHING = 1e-12  # [command²] that keeps a division by zero away
 
 
@@ -66,26 +65,15 @@ def replay(run: FilterRun, controller: Controller) -> Array:
 
 def growth(run: FilterRun, end: float) -> float:
     """The fastest pole [1/s] of the loop that the commands show from the first row to `end` [s]: a law linear in the
-    robot's states, by least squares where its motors had more, which acts after the kit's delay; NaN where the commands
-    follow no such law."""
-    motors, model = authority(run), linearise(rolling(run.robot))
+    robot's states, by least squares where its motors had more; NaN where the commands follow no such law."""
+    motors, model, most = authority(run), linearise(run.robot), limit(run.robot, run.kit, run.asked)
     rows = (motors.t <= end) & (np.abs(motors.command) < BELOW)
-    X, u = motors.states[rows][:, :4], motors.command[rows]
-    if len(u) < FEWEST_ROWS or not u.any():
+    x, u = motors.states[rows][:, :4], motors.command[rows]
+    K = np.linalg.lstsq(x, u, rcond=1e-6)[0]
+    if not ((u - x @ K) ** 2).sum() < (1 - FOLLOWS) * (u**2).sum():
         return math.nan
-    K = np.linalg.lstsq(X, u, rcond=1e-6)[0]
-    if float(((u - X @ K) ** 2).sum()) > (1 - FOLLOWS) * float((u**2).sum()):
-        return math.nan
-    dt, most = run.log.period, limit(run.robot, run.kit, run.asked)
-    late = delay_periods(run.kit, dt) + 1
-    whole = np.zeros((5, 5))
-    whole[:4, :4], whole[:4, 4] = model.A[:4, :4], most * model.B[:4].sum(axis=1)
-    moved = expm(whole * dt)
-    loop = np.eye(4 + late, k=-1)
-    loop[:4], loop[4, :4] = 0.0, K
-    loop[:4, :4], loop[:4, -1] = moved[:4, :4], moved[:4, 4]
-    loop[4, 3] = K[3]
-    return float(np.log(np.abs(np.linalg.eigvals(loop)).max()) / dt)
+    loop = model.A[:4, :4] + most * np.outer(model.B[:4].sum(axis=1), K)
+    return float(np.linalg.eigvals(loop).real.max())
 
 
 def references(log: Log) -> Array:

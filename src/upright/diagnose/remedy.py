@@ -154,7 +154,7 @@ class Window:
     end: float
     seconds: float
     usual: float
-    banks: dict[int, Bank] = field(default_factory=dict, repr=False)
+    banks: dict[FilterRun, Bank] = field(default_factory=dict, repr=False)
 
     def of(self, run: FilterRun) -> FilterRun:
         """This part of a run."""
@@ -170,15 +170,15 @@ class Window:
         """The bank of all hypotheses on the run without the fault of `fit`; the `usual` one where there is none."""
         if fit.run is None:
             return usual
-        key = id(fit.run)
-        self.banks[key] = self.banks.get(key) or self.bank(fit.run, pushes_only=False)
-        return self.banks[key]
+        if fit.run not in self.banks:
+            self.banks[fit.run] = self.bank(fit.run, pushes_only=False)
+        return self.banks[fit.run]
 
     def channels(self, fit: FaultFit, usual: Bank) -> Bank:
         """The same of disturbances of any shape alone."""
         if fit.run is None:
             return usual
-        return self.banks.get(id(fit.run)) or channels(self.of(fit.run), self.usual)
+        return self.banks.get(fit.run) or channels(self.of(fit.run), self.usual)
 
 
 BATTERY_OR_DELAY = (
