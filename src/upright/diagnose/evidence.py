@@ -43,7 +43,7 @@ from upright.diagnose.law import CommandMatch, matched, references
 from upright.diagnose.measured import Demand, MotorUse, Toppling
 from upright.diagnose.pairs import CONTRIBUTES, Pair, contributing, paired
 from upright.diagnose.pushed import LEAVES, with_sudden_pushes
-from upright.diagnose.remedy import Window, dropped, searched, sharpened
+from upright.diagnose.remedy import Window, dropped, late, searched, sharpened
 from upright.diagnose.signatures import Bank
 from upright.diagnose.sizes import possible
 from upright.diagnose.slip import slid_at
@@ -233,7 +233,7 @@ def _sound_until(
     at, throw = slid_at(run, window.end - window.seconds, window.end), thrown(run.log, run.robot, run.kit, window.end)
     best = next(fit for fit in several if possible(fit, window.end))
     explained = best.nis < LEAVES * calm_of(run, window)
-    if at is None or (explained and (throw is None or throw.start < at)) or (run.log.t < at).sum() < FEWEST:
+    if at is None or late() or (explained and (throw is None or throw.start < at)) or (run.log.t < at).sum() < FEWEST:
         return None
     part = window_of(run, at)
     sound = fits(before := part.bank(run, pushes_only=False))
@@ -251,9 +251,11 @@ def _lost(run: FilterRun, window: Window) -> bool:
 
 
 def _unexplained(several: Sequence[FaultFit], bank: Bank, quiet: float) -> bool:
-    """Whether anything is left to explain that pushes do not, beyond the NIS of a quiet second."""
+    """Whether there is time to explain what pushes leave, beyond the NIS of a quiet second."""
     none = _pushes_only(several)
-    return gainable(bank, none.nis, quiet) > UNEXPLAINED or max(f.score for f in several) > none.score + BETTER
+    return not late() and (
+        gainable(bank, none.nis, quiet) > UNEXPLAINED or max(f.score for f in several) > none.score + BETTER
+    )
 
 
 def _evidence(
@@ -278,7 +280,7 @@ def _evidence(
     more = best.nis > EXPLAINED * calm or (best.fault != "none" and best.pushes)  # that a fault leaves
     gain = gainable(bank, best.nis, quiet) + spared(bank, best.spent)
     pairs: list[Pair] = []
-    if known and gain > CONTRIBUTES:  # else no pair explains more
+    if known and gain > CONTRIBUTES and not late():  # else no pair explains more
         pairs = pairs_settled(run, paired(run, met, window, bank), best.score, window, bank)
         several = sorted([*several, *each_alone(run, pairs, best.score, window, bank)], key=lambda fit: -fit.score)
         met = [fit for fit in several if possible(fit, end)]

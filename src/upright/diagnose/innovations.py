@@ -181,8 +181,9 @@ def follow(log: Log, robot: Robot, kit: Kit, kept: Array | None = None) -> Filte
     channels = {n: np.where(use, _inside(v, kit, n), np.nan) for n, v in others.items()} | sent
     long = _long_enough(Log(log.t, channels, {n: log.unit(n) for n in channels}), names)
     problem = known(long, robot, kit, _dead_time(names[0], kit))
-    begun = tuple(_begun(one, float(log.t[-1] - log.t[0])) for one in problem.recordings)
-    return _run(Follower(replace(problem, recordings=begun), PROCESS_NOISE, DRY_FRICTION_NOISE), kit, log, asked, kept=kept)
+    begun = _begun(problem.recordings[0], float(log.t[-1] - log.t[0]))
+    follower = Follower(replace(problem, recordings=(begun,)), PROCESS_NOISE, DRY_FRICTION_NOISE)
+    return _run(follower, kit, log, asked, kept=kept)
 
 
 def _begun(recording: Recording, seconds: float) -> Recording:

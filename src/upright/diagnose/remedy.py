@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Callable, Sequence
+from contextvars import ContextVar
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -20,6 +22,8 @@ from upright.signals import Log
 
 Array = NDArray[np.float64]
 GYRO = "sensor/gyro"
+
+UNTIL: ContextVar[float] = ContextVar("UNTIL", default=math.inf)  # [s] of the clock, when all searches end
 
 READING_FAULTS = ("bias", "scale")
 COMMAND_FAULTS = ("weak", "delay", "motor", "friction")
@@ -48,9 +52,15 @@ SETTLED = 0.3  # [s] of a log, by whose readings the filter begins
 SHORT = 0.1  # [s] before the window's end: a filter that stops earlier has lost the robot
 
 
+def late() -> bool:
+    """Whether the time to search is over."""
+    return time.monotonic() > UNTIL.get()
+
+
 def remedied(run: FilterRun, *fits: FaultFit) -> FilterRun | None:
-    """The run of the log without these faults; None where a log cannot be freed of one of them, or none is left."""
-    if any(fit.fault not in READING_FAULTS + COMMAND_FAULTS for fit in fits):
+    """The run of the log without these faults; None where a log cannot be freed of one of them, or none is left, or no
+    time to do so."""
+    if late() or any(fit.fault not in READING_FAULTS + COMMAND_FAULTS for fit in fits):
         return None
     channels, changed, delayed = dict(run.log.channels), [fit for fit in fits if fit.fault in READING_FAULTS], IN_TIME
     for fit in changed:

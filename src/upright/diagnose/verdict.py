@@ -116,6 +116,10 @@ IN_PART = 0.3  # of it where the log begins within the last excursion
 NO_TORQUE, NO_TORQUE_WIDTH = 0.85, 0.02  # [1] of the speed without torque: what is left of it stops no fall
 BROKEN_DOWN, BROKEN_DOWN_WIDTH = 0.6, 0.03  # [1] of the voltage before: what stalled motors leave of a sound battery
 CLEAR = 0.9  # of it for the gain that the fall's shape shows
+BORNE_OUT, PAIR = {PUSH: 0.67, NONE: 0.5}, 0.57
+"""The most that is said of a push, of none of these and of two causes: the share of such verdicts that were right, of
+falls of two simulators that are not ours (docs/post-mortem.md, "How often a number is right")."""
+UNFINISHED, PLAIN = 0.5, 0.95  # the same of a search without time, and from which on a verdict is a fact
 LEAST = 1e-4  # of a likelihood, below which a cause is left out
 
 
@@ -149,6 +153,18 @@ def ranked(evidence: Evidence) -> tuple[Cause, ...]:
         )
         for name, answer in ((name, best[name]) for name in order)
     )
+
+
+def stated(causes: tuple[Cause, ...], *, late: bool) -> tuple[Cause, ...]:
+    """The causes, the first by no more than verdicts of its kind bear out, the others by what that leaves: of a search
+    that ended too `late` to be finished, all but plain facts."""
+    first, *rest = causes
+    most = PAIR if " and " in first.name else BORNE_OUT.get(first.name, 1.0)
+    most = min(most, UNFINISHED) if late and first.likelihood < PLAIN else most
+    if first.likelihood <= most or not rest:
+        return causes
+    part = (1 - most) / sum(one.likelihood for one in rest)
+    return replace(first, likelihood=most), *(replace(one, likelihood=part * one.likelihood) for one in rest)
 
 
 def _repair(name: str) -> str:

@@ -172,8 +172,8 @@ def of_low(evidence: Evidence) -> str:
     half, pole = evidence.motors.half_swing, evidence.toppling.pole
     if began(evidence) < evidence.run.log.t[0] and (grows := growth(evidence.run, evidence.fell_at)) > 0:
         return (
-            f"{sound(evidence)}, and the loop as programmed is unstable: by the commands that it gave from the first "
-            f"row on, a lean doubles every {math.log(2) / grows:.2g} s (without motors every {math.log(2) / pole:.2g} s)"
+            f"{sound(evidence)}, and the loop as programmed is unstable: by its commands from the first row on a lean "
+            f"doubles every {math.log(2) / grows:.2g} s, without motors every {math.log(2) / pole:.2g} s"
         )
     if half > SLOWLY:
         return (
