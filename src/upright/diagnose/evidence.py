@@ -9,8 +9,8 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Mask
 from upright.control import Controller
 from upright.diagnose.beyond import Leftover, goes_beyond, jam_or_stuck, leftover
 from upright.diagnose.causes import foreign, noisy
@@ -58,8 +58,6 @@ from upright.physics.linear import linearise
 from upright.progress import Progress
 from upright.robots import Kit, Robot
 from upright.signals import Log
-
-Array = NDArray[np.float64]
 
 EXCURSION = 1.2  # [s] of a quick robot before the fall, in which a push or a demand must lie to be its cause
 EXPLAINED = 1.1  # NIS over the calm one, up to which nothing is left to explain
@@ -379,7 +377,7 @@ def _motor_use(run: FilterRun, w: Array, end: float) -> MotorUse:
     )
 
 
-def _speed(run: FilterRun, motors: Authority, rows: NDArray[np.bool_]) -> float:
+def _speed(run: FilterRun, motors: Authority, rows: Mask) -> float:
     """The largest rate in these rows of wheels that run after a lean, while the robot was upright, over that without
     torque: wheels that run the other way have all the torque that stops the fall."""
     rates = wheel_rates(run.log, motors.t)
@@ -397,7 +395,7 @@ def _top_rate(robot: Robot, most: float) -> float:
 def _battery(log: Log, end: float) -> tuple[float, float]:
     """The battery's voltage before and in the last half second [V], NaN where it was not logged."""
 
-    def median(rows: NDArray[np.bool_]) -> float:
+    def median(rows: Mask) -> float:
         volts = log["sensor/battery"][rows] if "sensor/battery" in log else np.zeros(0)
         return float(np.nanmedian(volts)) if np.isfinite(volts).any() else math.nan
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Mask
 from upright.control.mpc import largest_command
 from upright.diagnose.innovations import FULL_RANGE, FilterRun
 from upright.doctor.finding import FALLING, Segment
@@ -19,9 +19,6 @@ from upright.logs.recording import commanded
 from upright.physics.linear import linearise, rolling
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import Log
-
-Array = NDArray[np.float64]
-Mask = NDArray[np.bool_]
 
 FELL = 0.8  # [rad] lean at the end of a log that only falling robots have, unless they swung as far before
 LEANING = 0.7  # [rad] lean that counts as the fall: up to it the seconds before are examined

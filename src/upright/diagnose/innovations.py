@@ -15,8 +15,8 @@ from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Mask
 from upright.calibrate.filter_log import NEVER_STIFF, FilteredLog, Follower, known
 from upright.calibrate.knocks import Arrays
 from upright.compiled.generated import constants
@@ -27,8 +27,6 @@ from upright.physics.integrate import PREDICTED, substeps
 from upright.physics.linear import linearise
 from upright.robots import PARAMETERS, Kit, Robot
 from upright.signals import Log
-
-Array = NDArray[np.float64]
 
 PROCESS_NOISE = 0.03
 """Standard deviation of the process noise over the rms command, and over 1 N for a robot of 0.6 kg: what a robot known
@@ -88,7 +86,7 @@ class FilterRun(FilteredLog):
         return np.where((self.t > since)[:, None], sides, 0.0)
 
     @property
-    def readings(self) -> NDArray[np.bool_]:
+    def readings(self) -> Mask:
         """Which events are readings that the filter used."""
         return (self.row >= 0) & np.isfinite(self.variance)
 
@@ -105,7 +103,7 @@ class FilterRun(FilteredLog):
         """Whether the filter has not lost the robot before `end` [s]."""
         return float(self.clock[-1]) >= end
 
-    def only(self, keep: NDArray[np.bool_] | slice) -> FilterRun:
+    def only(self, keep: Mask | slice) -> FilterRun:
         """Some of the events."""
         names = ("t", "row", "sample", "innovation", "variance", "gains", "before", "after", "command", "clock")
         return replace(self, **{name: getattr(self, name)[keep] for name in names})

@@ -6,8 +6,8 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.control import Controller
 from upright.diagnose.fall import authority, limit
 from upright.diagnose.innovations import FilterRun, driven
@@ -16,9 +16,6 @@ from upright.physics.linear import linearise
 from upright.robots import Kit
 from upright.signals import Log
 from upright.signals.signal import STATE_NAMES
-
-Array = NDArray[np.float64]
-
 
 EXACT_BEFORE = 0.05  # rms misfit over rms command, below which the file describes the commands
 READY = 0.95  # of a period: a command that arrives this late in one holds at its end

@@ -12,8 +12,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.diagnose.fault_fits import (
     FAULT_NUMBERS,
     PUSH_NUMBERS,
@@ -45,8 +45,6 @@ from upright.diagnose.remedy import (
 from upright.diagnose.signatures import Bank, beside, pushing
 from upright.diagnose.sizes import natural
 from upright.diagnose.usual import quiet_of
-
-Array = NDArray[np.float64]
 
 BESIDE = ("ramp", "payload", "radius")  # faults whose signature may stand beside one that a log was freed of
 MOST_PAIRS = 4  # that the filter itself searches

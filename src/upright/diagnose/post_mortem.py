@@ -19,7 +19,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from upright.atomic import finite
 from upright.control import Controller, controller_hash, read_controller
@@ -42,7 +41,6 @@ from upright.robots import PARAMETERS, Kit, Robot, find_kit, find_robot, kit_nam
 from upright.signals import SIDES, Log
 from upright.tables import Shown
 
-Array = NDArray[np.float64]
 KIND, VERSION = "upright post-mortem", 1
 UNFINISHED = "the search ended after {:g} s: this is what was known till then. Try --seconds {:g}"
 SIDEWAYS = "a fall to the side, or after the last row, does not show: nothing in the log measures it"

@@ -9,8 +9,8 @@ from contextvars import ContextVar
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Mask
 from upright.diagnose.changes import DRAGGED, HELD, MOTORS, channels_of, dead_motors, lost_command
 from upright.diagnose.fall import limit, without
 from upright.diagnose.fault_fits import FaultFit, dearer, freed_of, remaining, with_pushes
@@ -20,7 +20,6 @@ from upright.diagnose.sizes import natural, possible
 from upright.errors import InvalidLog
 from upright.signals import Log
 
-Array = NDArray[np.float64]
 GYRO = "sensor/gyro"
 
 UNTIL: ContextVar[float] = ContextVar("UNTIL", default=math.inf)  # [s] of the clock, when all searches end
@@ -363,7 +362,7 @@ def priced(fit: FaultFit, against: Bank) -> FaultFit:
     return replace(fit, score=fit.score - price)
 
 
-def dropped(run: FilterRun, frozen: NDArray[np.bool_], window: Window, against: Bank) -> FaultFit:
+def dropped(run: FilterRun, frozen: Mask, window: Window, against: Bank) -> FaultFit:
     """The fit of a robot whose sensors gave no reading in the `frozen` rows."""
     freed = follow(without(run.log, frozen), run.robot, run.kit, run.kept)
     again = with_pushes(window.bank(freed), against=against)

@@ -31,7 +31,6 @@ from upright.diagnose.causes import (
 )
 from upright.diagnose.chances import (
     DOUBT,
-    EXPLAINED,
     EXPLAINED_WIDTH,
     FITS_BADLY,
     FITS_WIDTH,
@@ -39,12 +38,10 @@ from upright.diagnose.chances import (
     PUSH_SCORE_WIDTH,
     SURE,
     best_of,
-    enough,
     holds,
     let_go,
     name_of,
     step,
-    surer,
     toppling_lean,
     unexplained,
     unsettled,
@@ -196,18 +193,8 @@ def _changed_robot(evidence: Evidence) -> list[Answer]:
         chance, text = FACT * weights[name] * holds(evidence, fit), of_fault(evidence, fit) + of_held_wheel(side, fit)
         answers.append(Answer((1 - HELPED) * chance, name_of(fit), fit.onset, text))
         helped = f"{text}; a second cause beside it need not show in the log"
-        answers.append(Answer(HELPED * chance, _beside(evidence, fit), fit.onset, helped))
+        answers.append(Answer(HELPED * chance, CANNOT_TELL, fit.onset, helped))
     return answers
-
-
-def _beside(evidence: Evidence, fit: FaultFit) -> str:
-    """A fault with what most likely took part beside it: another one, or a push that shows."""
-    mine = name_of(fit)
-    for pair in evidence.pairs:
-        names = [name_of(one) for one in (pair.first, pair.second)]
-        if mine in names and names[0] != names[1]:
-            return " and ".join(names)
-    return f"{mine} and {PUSH}" if fit.pushes else CANNOT_TELL
 
 
 def _two(evidence: Evidence) -> list[Answer]:
@@ -327,21 +314,6 @@ def _none(evidence: Evidence) -> list[Answer]:
     return answers
 
 
-def _steady_load(evidence: Evidence) -> list[Answer]:
-    """Whether a force that stays explains what pushes do not."""
-    loads = [fit for fit in evidence.fits if fit.fault == "load"]
-    if not loads:
-        return []
-    fit = max(loads, key=lambda f: f.score)
-    text = (
-        f"a steady force of {fit.size:+.2g} N at the axle since t = {fit.onset:.2f} s explains "
-        f"{percent(fit.explained)} of the innovations (a slope or a rope?); {at_limit(evidence)}"
-    )
-    name = SATURATION if evidence.motors.saturated > SATURATED else PUSH
-    chance = (1 - HELPED) * LIKELY * surer(evidence, fit) * enough(evidence, fit, EXPLAINED)
-    return [Answer(chance, name, fit.onset, text)]
-
-
 def _demanded(evidence: Evidence) -> list[Answer]:
     """Whether the reference asked for more than the motors have."""
     demand = evidence.demand
@@ -408,9 +380,9 @@ def _weak_or_wild(evidence: Evidence) -> list[Answer]:
 
 QUESTIONS: tuple[Callable[[Evidence], list[Answer]], ...] = (
     switched_off, stuck, stuck_sensor, changed_gain, lost_rows, thrown_over, pushed_already, _two, driven_into, _none,
-    _changed_robot, pushed, _steady_load, _demanded, _out_of_speed, _run_down, _weak_or_wild,
+    _changed_robot, pushed, _demanded, _out_of_speed, _run_down, _weak_or_wild,
 )  # fmt: skip
 
-OF_THE_MODEL = {pushed_already, _two, driven_into, _none, _changed_robot, pushed, _steady_load, _out_of_speed}
+OF_THE_MODEL = {pushed_already, _two, driven_into, _none, _changed_robot, pushed, _out_of_speed}
 """Questions to the innovations of a model that describes the robot. Those of another robot's model are largest where
 the robot moves most, so in the fall, and look like whatever grows with the motion."""

@@ -6,7 +6,6 @@ import math
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from upright.diagnose.beyond import Leftover
 from upright.diagnose.causes import Blow
@@ -21,14 +20,11 @@ from upright.diagnose.supply import as_shown
 from upright.diagnose.thrown import Throw
 from upright.physics.dynamics import motor_gain
 
-Array = NDArray[np.float64]
-
 _PLACES = {
     "left motor": ("a torque on the left wheel", "N m"), "right motor": ("a torque on the right wheel", "N m"),
     "both motors": ("a torque on both wheels", "N m"), "force": ("a force on the robot", "N"),
     "moment": ("a torque on the body", "N m"),
 }  # fmt: skip
-FEWEST_STEPS = 4  # of a disturbance, from which its shape is described
 SOUND = 4.0  # NIS over the ordinary one, below which robot and sensors are sound
 
 
@@ -229,7 +225,7 @@ def sound(evidence: Evidence) -> str:
 
 
 def of_leftover(evidence: Evidence, left: Leftover) -> str:
-    """What is left where no known cause explains a fall: by which channel it enters, since when, and in which shape."""
+    """What is left where no known cause explains a fall: by which channel it enters, and since when."""
     place, unit = _PLACES.get(left.channel, (f"a wrong reading of the {left.channel}", "rad"))
     if "gyro" in left.channel or "rate" in left.channel:
         unit = "rad/s"
@@ -237,21 +233,8 @@ def of_leftover(evidence: Evidence, left: Leftover) -> str:
         return f"what is left looks like something rapid, most like {place}, from t = {left.onset:.2f} s on"
     size = motor_gain(evidence.run.robot) if "motor" in left.channel else 1.0
     values = size * left.values
-    text = f"what is left looks like {place} from t = {left.onset:.2f} s on, {_shape(values)}"
+    text = f"what is left looks like {place} from t = {left.onset:.2f} s on"
     return f"{text}, up to {np.abs(values).max():.2g} {unit}"
-
-
-def _shape(values: Array) -> str:
-    """How a disturbance goes on, in words."""
-    turns = int((np.diff(np.sign(values)) != 0).sum())
-    if len(values) >= FEWEST_STEPS and turns > len(values) / 3:
-        return "to and fro"
-    if len(values) < FEWEST_STEPS:
-        return "short"
-    ends = np.abs(values[-3:]).mean(), np.abs(values[:3]).mean()
-    if ends[0] > 2 * ends[1]:
-        return "growing"
-    return "fading" if ends[1] > 2 * ends[0] else "steady"
 
 
 def percent(fraction: float) -> str:
