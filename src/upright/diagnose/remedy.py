@@ -28,6 +28,8 @@ READING_FAULTS = ("bias", "scale")
 COMMAND_FAULTS = ("weak", "delay", "motor", "friction")
 """Faults of the commands, which are not small where the robot falls: the filter itself searches for them."""
 
+FREED = READING_FAULTS + COMMAND_FAULTS  # faults that a log can be freed of
+
 CHARGES = (0.05, 0.15, 0.3, 0.5, 0.7)  # fractions of the battery's voltage that are tried first
 DELAYS = (1.0, 2.0, 3.5, 5.0, 7.0, 10.0)  # periods that are tried first
 LONGEST = 20.0  # periods: a loop whose commands arrive later does not run, which lost rows show
@@ -59,7 +61,7 @@ def late() -> bool:
 def remedied(run: FilterRun, *fits: FaultFit) -> FilterRun | None:
     """The run of the log without these faults; None where a log cannot be freed of one of them, or none is left, or no
     time to do so."""
-    if late() or any(fit.fault not in READING_FAULTS + COMMAND_FAULTS for fit in fits):
+    if late() or any(fit.fault not in FREED for fit in fits):
         return None
     channels, changed, delayed = dict(run.log.channels), [fit for fit in fits if fit.fault in READING_FAULTS], IN_TIME
     for fit in changed:
@@ -396,7 +398,7 @@ def sharpened(run: FilterRun, fits: Sequence[FaultFit], window: Window, against:
     every.sort(key=lambda fit: -fit.score)
     pushed: dict[tuple[str, str], FaultFit] = {}
     for fit in every:
-        if fit.pushes and fit.fault in READING_FAULTS + COMMAND_FAULTS and possible(fit, window.end):
+        if fit.pushes and fit.fault in FREED and possible(fit, window.end):
             pushed.setdefault((fit.fault, fit.way), fit)
     likely = list(pushed.values())[:PUSHED]
     every = [beside_pushes(run, fit, window, against) if any(fit is one for one in likely) else fit for fit in every]

@@ -57,8 +57,8 @@ def slight(fit: FaultFit) -> bool:
 def natural(fit: FaultFit) -> bool:
     """Whether a sensor shows twice or half of the motion, or four times: its range or the decoding of its counts is set
     wrongly then, which is no rare fault."""
-    twice = math.log2(abs(1 - fit.size) or 1.0)
-    return fit.fault == "scale" and 1 - TWICE < abs(twice) < 2 + TWICE and abs(twice - round(twice)) < TWICE
+    twice = math.log2(max(1 - fit.size, TWICE))
+    return fit.fault == "scale" and min(abs(abs(twice) - k) for k in (1, 2)) < TWICE
 
 
 def turned(fit: FaultFit) -> bool:

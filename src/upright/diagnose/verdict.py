@@ -13,8 +13,6 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-import numpy as np
-
 from upright.diagnose.blows import HELPED, LIKELY, driven_into, pushed, pushed_already, thrown_over
 from upright.diagnose.causes import (
     BATTERY,
@@ -80,10 +78,6 @@ UNKNOWN, UNKNOWN_LEAVES = (-5.0, 29.0), (0.65, 0.8)
 UNKNOWN_WIDTH, UNKNOWN_LEAVES_WIDTH = 3.0, 0.03
 """The same of a disturbance of any shape: it explains far more for nearly as many nats, or more for many nats."""
 
-OF_ITS_SIZE = 0.03
-"""Of the NIS without any fault, that a fault has to leave for a disturbance of another shape to be sure: errors of the
-model grow with it."""
-
 UNSOUND, UNSOUND_WIDTH, UNSOUND_LEAVES = 2.5, 0.2, 0.1
 """NIS that the likeliest fault may leave over that of calmer seconds, the width of that step in its logarithm, and what
 it may leave besides, over the NIS without any fault: beyond both, nothing explains the fall."""
@@ -135,8 +129,7 @@ def ranked(evidence: Evidence) -> tuple[Cause, ...]:
         left *= 1 - min(sum(answer.probability for answer in answers), 1.0)
     odds[CANNOT_TELL] = odds.get(CANNOT_TELL, 0.0) + left
     if CANNOT_TELL not in best or left > best[CANNOT_TELL].probability:
-        pushed = any(answer.push is not None for answer in best.values())
-        best[CANNOT_TELL] = Answer(left, CANNOT_TELL, math.nan, nothing(evidence, pushed=pushed))
+        best[CANNOT_TELL] = Answer(left, CANNOT_TELL, math.nan, nothing(evidence))
     order = sorted((name for name in odds if odds[name] > LEAST), key=lambda name: -odds[name])
     total = sum(odds[name] for name in order)
     return tuple(
@@ -227,7 +220,7 @@ def _two_faults(evidence: Evidence, pair: Pair, pushed: Sequence[Answer]) -> Ans
     more = TWO
     if not _topples(evidence, pair.second.pushes, pair.second):  # else it is a third cause
         more *= 1 - max((answer.probability for answer in pushed), default=0.0)
-    more_nats = evidence.nats(_from_its_onset(evidence, pair, best)) - evidence.nats(best)
+    more_nats = evidence.nats(pair.both) - evidence.nats(best)
     chance = step(min(more_nats - more, pair.beyond - TWO), TWO_WIDTH)
     leaves, one_leaves = (_beyond_noise(evidence, nis) for nis in (pair.second.nis, best.nis))
     if one_leaves > LITTLE * evidence.calm:  # else the likelihood alone decides
@@ -238,16 +231,6 @@ def _two_faults(evidence: Evidence, pair: Pair, pushed: Sequence[Answer]) -> Ans
     text = f"{of_fault(evidence, pair.first)}; with it, {of_fault(evidence, pair.second)}"
     began_at = min(pair.first.onset, pair.second.onset)
     return Answer((1 - HELPED) * FACT * chance, " and ".join(names), began_at, text)
-
-
-def _from_its_onset(evidence: Evidence, pair: Pair, best: FaultFit) -> FaultFit:
-    """A pair that leaves as much as the `best` single one until one of both acts: what pushes explain before is no
-    evidence of two faults, though another search found no push there."""
-    both, acts = pair.both, min(acts_from(evidence.run, fit) for fit in (pair.first, pair.second))
-    before = int(np.searchsorted(evidence.then, acts))
-    if len(best.rest) != len(both.rest):
-        return both
-    return replace(both, rest=np.concatenate([best.rest[:before], both.rest[before:]]))
 
 
 def _topples(evidence: Evidence, pushes: Sequence[PushEstimate], fit: FaultFit) -> bool:
@@ -299,9 +282,6 @@ def _none(evidence: Evidence) -> list[Answer]:
         shaped *= SLIPPERY
         badly *= SLIPPERY
     shaped *= step(best.nis / evidence.calm - FITS_BADLY, FITS_WIDTH)
-    side = left.channel.removesuffix(" motor")
-    if not (best.fault == "motor" and (side in best.way or "both" in best.way)):  # a dead motor has no torque
-        shaped *= step((best.nis - evidence.calm) / evidence.nis - OF_ITS_SIZE, OF_ITS_SIZE / 6)
     wild = step(math.log(max(best.nis, 1e-9) / (UNSOUND * evidence.calm)), UNSOUND_WIDTH)
     wild *= step(best.nis / evidence.nis - UNSOUND_LEAVES, EXPLAINED_WIDTH)
     answers = [Answer(FACT * max(shaped, wild, badly), NONE, left.onset, of_leftover(evidence, left))]

@@ -171,15 +171,11 @@ def of_low(evidence: Evidence) -> str:
             f"{sound(evidence)}, and the loop as programmed is unstable: by its commands from the first row on a lean "
             f"doubles every {math.log(2) / grows:.2g} s, without motors every {math.log(2) / pole:.2g} s"
         )
-    if half > SLOWLY:
-        return (
-            f"{sound(evidence)}, and the fall grew in slow swings: commands went one way for {half / pole:.2g} s, "
-            f"and the robot falls e-fold in {1 / pole:.2g} s. A gain that is too high swings faster than it falls"
-        )
     gave = "the motors had torque left"
     if math.isfinite(evidence.motors.help):
         gave = f"the motors gave {evidence.motors.help:.2g} of the torque that stops the fall, and had more"
-    return f"{sound(evidence)}, and the fall grew without swings: {gave}"
+    how = f"in slow swings of {half / pole:.2g} s each way" if half > SLOWLY else "without swings"
+    return f"{sound(evidence)}, and the fall grew {how}: {gave}"
 
 
 def of_high(evidence: Evidence) -> str:
@@ -187,7 +183,7 @@ def of_high(evidence: Evidence) -> str:
         until = f"{sound(evidence)} until t = {evidence.slid:.2f} s"
         return f"{until}; then the commands ask more of the floor than it holds, and the wheels slide"
     if evidence.motors.swings < 1:
-        return f"{sound(evidence)}; a high gain also makes large commands, but mostly after swings: this log shows none"
+        return f"{sound(evidence)}; a high gain shows mostly in swings, and this log has none"
     return (
         f"{sound(evidence)}, and the commands changed sign {evidence.motors.swings:.1g} times a second with growing "
         "swings"
@@ -195,23 +191,16 @@ def of_high(evidence: Evidence) -> str:
 
 
 def of_pegged(evidence: Evidence) -> str:
-    text = f"the motors were at their limit for {percent(evidence.motors.pegged)} of the last second"
-    if evidence.ordinary <= FOREIGN:
-        return f"{text}; {sound(evidence)}"
-    return f"{text}; to judge other causes, name the right robot"
+    return f"the motors were at their limit for {percent(evidence.motors.pegged)} of the last second; {sound(evidence)}"
 
 
 def at_limit(evidence: Evidence) -> str:
     return f"the motors were at their limit for {percent(evidence.motors.saturated)} of the last excursion"
 
 
-def nothing(evidence: Evidence, *, pushed: bool) -> str:
-    """Why no cause is likely; where a push is one, for the case that it was much smaller than estimated."""
-    if pushed:
-        return (
-            f"if the push was much smaller than estimated, nothing else in the log explains the fall: {sound(evidence)}"
-        )
-    return f"{sound(evidence)}; no push, change of speed or change of load is large enough"
+def nothing(evidence: Evidence) -> str:
+    """Why no other cause is likely."""
+    return f"{sound(evidence)}; nothing else in the log is large enough"
 
 
 def sound(evidence: Evidence) -> str:
@@ -232,9 +221,10 @@ def of_leftover(evidence: Evidence, left: Leftover) -> str:
     if not len(left.values):
         return f"what is left looks like something rapid, most like {place}, from t = {left.onset:.2f} s on"
     size = motor_gain(evidence.run.robot) if "motor" in left.channel else 1.0
-    values = size * left.values
-    text = f"what is left looks like {place} from t = {left.onset:.2f} s on"
-    return f"{text}, up to {np.abs(values).max():.2g} {unit}"
+    return (
+        f"what is left looks like {place} from t = {left.onset:.2f} s on, up to "
+        f"{np.abs(size * left.values).max():.2g} {unit}"
+    )
 
 
 def percent(fraction: float) -> str:
