@@ -48,7 +48,7 @@ def switched_off(evidence: Evidence) -> list[Answer]:
     that put out nothing for a third as long before may do so again."""
     log, asked = evidence.run.log, evidence.run.asked
     working = np.flatnonzero(asked.any(axis=1))
-    if not len(working) or working[-1] + 1 >= len(log) or "sensor/gyro" not in log:
+    if not len(working) or working[-1] + 1 >= len(log):
         return []
     since, began_at = float(log.t[working[-1] + 1]), float(log.t[working[0]])
     rate, idle = np.abs(log["sensor/gyro"]), float(np.diff(log.t[working]).max(initial=0.0))
