@@ -97,16 +97,16 @@ def said(*odds: tuple[str, float]) -> tuple[Cause, ...]:
 
 def test_no_verdict_is_said_above_what_its_kind_bears_out() -> None:
     for name, most in ((PUSH, BORNE_OUT[PUSH]), (NONE, BORNE_OUT[NONE]), (f"{DEAD} and {PUSH}", PAIR)):
-        causes = stated(said((name, 0.88), (LOW, 0.08), (CANNOT_TELL, 0.04)), late=False)
+        causes = stated(said((name, 0.88), (LOW, 0.08), (CANNOT_TELL, 0.04)), unfinished=False)
         assert [cause.name for cause in causes] == [name, LOW, CANNOT_TELL]
         assert causes[0].likelihood == most
         assert sum(cause.likelihood for cause in causes) == pytest.approx(1.0)
         assert causes[1].likelihood / causes[2].likelihood == pytest.approx(2.0)  # what is left is shared as before
     named = said((DEAD, 0.88), (CANNOT_TELL, 0.12))
-    assert stated(named, late=False) == named
-    assert stated(named, late=True)[0].likelihood == UNFINISHED
+    assert stated(named, unfinished=False) == named
+    assert stated(named, unfinished=True)[0].likelihood == UNFINISHED
     fact = said((OFF, 0.98), (CANNOT_TELL, 0.02))  # no search is needed for it
-    assert stated(fact, late=True) == fact
+    assert stated(fact, unfinished=True) == fact
 
 
 def test_a_bank_is_kept_by_its_run(monkeypatch: pytest.MonkeyPatch) -> None:

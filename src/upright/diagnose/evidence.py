@@ -43,7 +43,7 @@ from upright.diagnose.law import CommandMatch, matched, references
 from upright.diagnose.measured import Demand, MotorUse, Toppling
 from upright.diagnose.pairs import CONTRIBUTES, Pair, contributing, paired
 from upright.diagnose.pushed import LEAVES, with_sudden_pushes
-from upright.diagnose.remedy import Window, dropped, late, searched, sharpened
+from upright.diagnose.remedy import Window, dropped, searched, sharpened, timed_out
 from upright.diagnose.signatures import Bank
 from upright.diagnose.sizes import possible
 from upright.diagnose.slip import slid_at
@@ -61,8 +61,7 @@ from upright.signals import Log
 
 EXCURSION = 1.2  # [s] of a quick robot before the fall, in which a push or a demand must lie to be its cause
 EXPLAINED = 1.1  # NIS over the calm one, up to which nothing is left to explain
-LOST = 20.0  # times the ordinary NIS at which the filter has lost the robot, over the log's last `LOST_SECONDS`
-LOST_SECONDS = 0.4  # [s]
+LOST, LOST_SECONDS = 20.0, 0.4  # times the ordinary NIS, and for how long [s], of a filter that has lost the robot
 UNEXPLAINED, BETTER = 20.0, 5.0  # nats that pushes leave to other faults to explain, or by which these are better
 SEARCHED_AGAIN = 100.0  # nats that the likeliest leaves to a search beside sudden pushes
 REPEATING = 1.5  # [s] before the fall in which two repeated readings make dropped samples a hypothesis
@@ -162,7 +161,6 @@ def gather(
     log: Log, robot: Robot, kit: Kit, controller: Controller | None, show: Progress
 ) -> tuple[FilterRun, Evidence | None]:
     """The filter along a log, and all evidence of its fall; None where it did not fall.
-
     A fall is one of the integrated motion. Where that shows none, a filter that is lost may, if it is of this robot.
     """
     kit = with_supply(kit, log, robot)
@@ -209,7 +207,7 @@ def gather(
     if not foreign and frozen[(t > fell_at - REPEATING) & (t <= fell_at)].sum() >= 2:
         stale = stale_rows(whole.log) & (t >= t[np.flatnonzero(frozen)[0]] - 0.1)
         several = sorted([*several, dropped(run, stale, window, bank)], key=lambda f: -f.score)
-    slid = None if foreign else _sound_until(run, window, several)
+    slid = None if foreign or timed_out() else _sound_until(run, window, several)
     window, bank, several = slid or (window, bank, several)
     show(0.9)
     evidence = _evidence(whole, run, fell_at, window, bank, several, controller)
@@ -231,7 +229,7 @@ def _sound_until(
     at, throw = slid_at(run, window.end - window.seconds, window.end), thrown(run.log, run.robot, run.kit, window.end)
     best = next(fit for fit in several if possible(fit, window.end))
     explained = best.nis < LEAVES * calm_of(run, window)
-    if at is None or late() or (explained and (throw is None or throw.start < at)) or (run.log.t < at).sum() < FEWEST:
+    if at is None or (explained and (throw is None or throw.start < at)) or (run.log.t < at).sum() < FEWEST:
         return None
     part = window_of(run, at)
     sound = fits(before := part.bank(run, pushes_only=False))
@@ -251,7 +249,7 @@ def _lost(run: FilterRun, window: Window) -> bool:
 def _unexplained(several: Sequence[FaultFit], bank: Bank, quiet: float) -> bool:
     """Whether there is time to explain what pushes leave, beyond the NIS of a quiet second."""
     none = _pushes_only(several)
-    return not late() and (
+    return not timed_out() and (
         gainable(bank, none.nis, quiet) > UNEXPLAINED or max(f.score for f in several) > none.score + BETTER
     )
 
@@ -278,7 +276,7 @@ def _evidence(
     more = best.nis > EXPLAINED * calm or (best.fault != "none" and best.pushes)  # that a fault leaves
     gain = gainable(bank, best.nis, quiet) + spared(bank, best.spent)
     pairs: list[Pair] = []
-    if known and gain > CONTRIBUTES and not late():  # else no pair explains more
+    if known and gain > CONTRIBUTES and not timed_out():  # else no pair explains more
         pairs = pairs_settled(run, paired(run, met, window, bank), best.score, window, bank)
         several = sorted([*several, *each_alone(run, pairs, best.score, window, bank)], key=lambda fit: -fit.score)
         met = [fit for fit in several if possible(fit, end)]

@@ -23,13 +23,10 @@ from upright.signals import Log
 GYRO = "sensor/gyro"
 
 UNTIL: ContextVar[float] = ContextVar("UNTIL", default=math.inf)  # [s] of the clock, when all searches end
-
 READING_FAULTS = ("bias", "scale")
 COMMAND_FAULTS = ("weak", "delay", "motor", "friction")
 """Faults of the commands, which are not small where the robot falls: the filter itself searches for them."""
-
 FREED = READING_FAULTS + COMMAND_FAULTS  # faults that a log can be freed of
-
 CHARGES = (0.05, 0.15, 0.3, 0.5, 0.7)  # fractions of the battery's voltage that are tried first
 DELAYS = (1.0, 2.0, 3.5, 5.0, 7.0, 10.0)  # periods that are tried first
 LONGEST = 20.0  # periods: a loop whose commands arrive later does not run, which lost rows show
@@ -47,21 +44,19 @@ RARE = 50.0
 """Nats that another scale of a sensor has to explain beyond another fault, and twice as many where it leaves more than
 noise: it follows the motion, so it takes up a part of whatever else is wrong."""
 
-MOST_BIASES, MOST_SCALES, MOST_MOTORS = 4, 2, 2  # that are examined again
-PUSHED = 2  # faults that are searched again together with the pushes beside them
+MOST_BIASES, MOST_SCALES, MOST_MOTORS, PUSHED = 4, 2, 2, 2  # that are examined again, the last beside their pushes
 SETTLED = 0.3  # [s] of a log, by whose readings the filter begins
 SHORT = 0.1  # [s] before the window's end: a filter that stops earlier has lost the robot
 
 
-def late() -> bool:
+def timed_out() -> bool:
     """Whether the time to search is over."""
     return time.monotonic() > UNTIL.get()
 
 
 def remedied(run: FilterRun, *fits: FaultFit) -> FilterRun | None:
-    """The run of the log without these faults; None where a log cannot be freed of one of them, or none is left, or no
-    time to do so."""
-    if late() or any(fit.fault not in FREED for fit in fits):
+    """The run of the log without these faults; None where a log cannot be freed of one, or no log or time is left."""
+    if timed_out() or any(fit.fault not in FREED for fit in fits):
         return None
     channels, changed, delayed = dict(run.log.channels), [fit for fit in fits if fit.fault in READING_FAULTS], IN_TIME
     for fit in changed:

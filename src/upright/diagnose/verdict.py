@@ -145,12 +145,12 @@ def ranked(evidence: Evidence) -> tuple[Cause, ...]:
     )
 
 
-def stated(causes: tuple[Cause, ...], *, late: bool) -> tuple[Cause, ...]:
-    """The causes, the first by no more than verdicts of its kind bear out, the others by what that leaves: of a search
-    that ended too `late` to be finished, all but plain facts."""
+def stated(causes: tuple[Cause, ...], *, unfinished: bool) -> tuple[Cause, ...]:
+    """The causes, the first by no more than verdicts of its kind bear out, the others by what that leaves: of an
+    `unfinished` search all but plain facts."""
     first, *rest = causes
     most = PAIR if " and " in first.name else BORNE_OUT.get(first.name, 1.0)
-    most = min(most, UNFINISHED) if late and first.likelihood < PLAIN else most
+    most = min(most, UNFINISHED) if unfinished and first.likelihood < PLAIN else most
     if first.likelihood <= most or not rest:
         return causes
     part = (1 - most) / sum(one.likelihood for one in rest)
