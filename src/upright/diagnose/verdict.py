@@ -107,9 +107,9 @@ IN_PART = 0.3  # of it where the log begins within the last excursion
 NO_TORQUE, NO_TORQUE_WIDTH = 0.85, 0.02  # [1] of the speed without torque: what is left of it stops no fall
 BROKEN_DOWN, BROKEN_DOWN_WIDTH = 0.6, 0.03  # [1] of the voltage before: what stalled motors leave of a sound battery
 CLEAR = 0.9  # of it for the gain that the fall's shape shows
-BORNE_OUT, PAIR = {PUSH: 0.67, NONE: 0.5}, 0.57
-"""The most that is said of a push, of none of these and of two causes: the share of such verdicts that were right, of
-falls of two simulators that are not ours (docs/post-mortem.md, "How often a number is right")."""
+BORNE_OUT, PAIR = {PUSH: 0.67, BATTERY: 0.67, NONE: 0.5}, 0.57
+"""The most that is said of a push, a weak battery, none of these and two causes, as falls of two simulators that are
+not ours bear it out (docs/post-mortem.md, "How often a number is right")."""
 UNFINISHED, PLAIN = 0.5, 0.95  # the same of a search without time, and from which on a verdict is a fact
 LEAST = 1e-4  # of a likelihood, below which a cause is left out
 
