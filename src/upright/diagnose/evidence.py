@@ -305,7 +305,7 @@ def _match(
     """The comparison over the time before the fall that shows it best, and whether the file's loop is stable."""
     if controller is None:
         return None, None, ()
-    end = min(end, worked_until(run.log.t, run.asked.any(axis=1)))
+    end = min(end, worked_until(run.log.t, run.asked.sum(axis=1)))
     try:
         several = [matched(run, controller, end - seconds, end) for seconds in LAST_SECONDS]
     except SpecMismatch as error:
