@@ -63,14 +63,19 @@ MACHINES = {
 FAULTS = {
     "push": (0.6, 3.0), "battery": (0.7, 0.05), "delay": (0.3, 3.0), "gyro-offset": (0.15, 1.5), "gyro-stuck": (1, 1),
     "gyro-scale": (0.6, 0.08), "encoders": (1.5, 4.0), "motor": (1, 1), "slope": (0.08, 0.5), "load": (0.2, 2.0),
-    "friction": (0.1, 1.5), "gain": (0.6, 0.1),
+    "friction": (0.1, 1.5), "gain": (0.6, 0.1), "half-gyro": (0.5, 0.5),
+    "repeats": (0.3, 1.5), "slow-loop": (0.3, 2.0), "let-go": (0.5, 0.05),
 }  # fmt: skip
 """Sizes from mild to bad: over the lean that a push makes and the motors bring back; of the voltage; over the time of
-falling e-fold; rad/s; –; of the motion; of the motion; –; rad; over the body's mass; over the largest torque; –."""
+falling e-fold; rad/s; –; of the motion; of the motion; –; rad; over the body's mass; over the largest torque; –; of the
+motion; how long readings repeat and a period lasts, over the time of falling e-fold; of the gain from the first
+row on, of a robot that is let go at a small lean."""
 RIGHT = {
     "push": "push too large", "battery": "weak battery", "delay": "delay grown", "gyro-offset": "gyro bias",
     "gyro-stuck": "sensor stuck", "gyro-scale": "sensor mis-scaled", "encoders": "sensor mis-scaled",
     "motor": "motor dead", "slope": "ramp", "load": "load changed", "friction": "wheel jammed", "gain": "gain too low",
+    "half-gyro": "sensor mis-scaled", "repeats": "dropped samples",
+    "slow-loop": "dropped samples", "let-go": "gain too low",
 }  # fmt: skip
 
 
@@ -184,42 +189,43 @@ def flown(bot: Machine, fault: Fault | None, seed: int) -> tuple[dict[str, Array
     offset, knocks, knock = rng.normal(0, 0.005), rng.uniform(0.8, 6.0, 2), rng.normal(0, 0.15, 2)
     stops, first, width, impulse = bool(rng.random() < 0.5), np.zeros(2), 0.1, lean_of(bot)
     amplitude, slow = rng.uniform(0.1, 0.3) / bot.radius, rng.uniform(0.15, 0.4)
+    if fault is not None and fault.cause == "let-go":
+        x[0], knocks = fault.sign * rng.uniform(0.02, 0.08), knocks + SECONDS
+    read, latest = 0.0, (np.zeros(2), 0.0)
     while t < SECONDS:
         on = fault is not None and t >= fault.onset
         cause, size, sign = (fault.cause, fault.size, fault.sign) if fault is not None and on else ("", 0.0, 1.0)
         m = changed(bot, usual, fault if on else None)
         psi, rate, wheel, _, yaw, _ = x
         half = bot.track / (2 * bot.radius) * yaw
-        angles = np.array([wheel - half - psi, wheel + half - psi])
-        seen = in_steps(angles)
+        seen = in_steps(np.array([wheel - half - psi, wheel + half - psi]))
         if cause == "encoders":
             first = seen if not first.any() else first
             seen = first + in_steps(size * (seen - first))
-        shown = {"gyro-scale": size * rate, "gyro-offset": rate + sign * size}.get(cause, rate)
+        part = size if cause in ("gyro-scale", "half-gyro") else 1.0
+        shown = part * rate + (sign * size if cause == "gyro-offset" else 0.0)
         gyro = stuck = stuck if cause == "gyro-stuck" else shown + offset + rng.normal(0, NOISE)
-        tilt = 0.995 * (tilt + (gyro - offset) * bot.period) + 0.005 * (psi + rng.normal(0, TILT_NOISE))
+        held = cause == "repeats" and t < read + size * efold - 1e-9
+        seen, gyro = latest if held else (seen, gyro)
+        read, latest = read if held else t, (seen, gyro)
+        period = max(bot.period, round(size * efold / STEP) * STEP) if cause == "slow-loop" else bot.period
+        tilt = 0.995 * (tilt + (gyro - offset) * period) + 0.005 * (psi + rng.normal(0, TILT_NOISE))
         mean = float(seen.mean()) + tilt
-        speed, last = 0.6 * speed + 0.4 * (mean - last) / bot.period, mean
-        goal = amplitude * math.sin(slow * t)
-        asked = amplitude * slow * math.cos(slow * t)
+        speed, last = 0.6 * speed + 0.4 * (mean - last) / period, mean
+        goal, asked = amplitude * math.sin(slow * t), amplitude * slow * math.cos(slow * t)
         u = -float(K @ [tilt, gyro - offset, np.clip(mean - goal, -2, 2), speed - asked])
-        if cause == "gain":
-            u *= size
+        u *= size if cause in ("gain", "let-go") else 1.0
         turn = 0.05 * bot.most * float(seen[1] - seen[0])
-        command = np.clip(np.array([u + turn, u - turn]), -bot.most, bot.most)
-        if stops and t > fell_at:
-            command[:] = 0.0
+        command = np.clip(np.array([u + turn, u - turn]), -bot.most, bot.most) * (not (stops and t > fell_at))
         rows.append((t + rng.uniform(-1e-4, 1e-4), *seen, gyro, *command))
         past.append(command)
         late = size * efold / bot.period if cause == "delay" else 0.0
         driven = past[max(0, len(past) - 1 - round(late))] * (size if cause == "battery" else 1.0)
-        for at, strength in zip(knocks, knock, strict=True):
-            if at <= t < at + width:
-                m[17] += strength * impulse / width
+        m[17] += impulse / width * float(knock @ ((knocks <= t) & (t < knocks + width)))
         if fault is not None and cause == "push" and t < fault.onset + width:
             m[17] += sign * size * impulse / width
-        x = moved(x, driven, m, round(bot.period / STEP))
-        t += bot.period
+        x = moved(x, driven, m, round(period / STEP))
+        t += period
         if abs(x[0]) > 0.7 and not math.isfinite(fell_at):
             fell_at = t
         if t > fell_at + LOGS_ON:
@@ -308,9 +314,11 @@ def fall(name: str, cause: str, seed: int) -> Fall | None:
             cause, float(rng.uniform(4.0, 6.0)), mild * (bad / mild) ** level, float(rng.choice([-1.0, 1.0])),
             int(rng.integers(3)),
         )  # fmt: skip
+        fault = replace(fault, onset=0.0) if cause == "let-go" else fault
         run = int(rng.integers(2**31))
         columns, fell_at = flown(bot, fault, run)
-        if not fault.onset + 0.1 < fell_at < SECONDS - 0.5 or math.isfinite(flown(bot, None, run)[1]):
+        sound = replace(fault, size=1.0) if cause == "let-go" else None
+        if not fault.onset + 0.1 < fell_at < SECONDS - 0.5 or math.isfinite(flown(bot, sound, run)[1]):
             continue
         file, kit = owned(bot, rng)
         channels = {n: v for n, v in columns.items() if n != "t"}

@@ -245,7 +245,9 @@ def test_a_swing_goes_one_way_for_half_of_its_period() -> None:
 
 
 @pytest.mark.parametrize(("given_up", "named"), [(0.0, True), (4 * E_FOLD, False)])
-def test_a_program_that_stops_is_a_cause_and_one_that_gives_up_a_fall_is_none(given_up: float, named: bool) -> None:
+def test_a_program_that_stops_is_a_cause_and_one_that_gives_up_a_fall_is_none(
+    given_up: float, named: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """A body that sways at 0.1 rad/s falls from 3 s on, by its pole. Commands end as it begins, or four e-folds later:
     it turns 55 times as fast then as when it began."""
     t: Array = 0.01 * np.arange(420)
@@ -253,9 +255,13 @@ def test_a_program_that_stops_is_a_cause_and_one_that_gives_up_a_fall_is_none(gi
     log = Log(t, {"sensor/gyro": np.where(t < 3.0, 0.1 * np.sin(5 * t), fall)})
     asked = np.where(t < 3.0 + given_up, 1.0 + np.sin(5 * t), 0.0)
     run: Any = SimpleNamespace(log=log, asked=np.column_stack([asked, asked]))
-    answers = facts.switched_off(SimpleNamespace(run=run, fell_at=3.0 + 6 * E_FOLD))  # type: ignore[arg-type]
+    monkeypatch.setattr(facts, "sound_until", lambda *_: 1.0)
+    evidence: Any = SimpleNamespace(run=run, fell_at=3.0 + 6 * E_FOLD)
+    answers = facts.switched_off(evidence)
     assert [answer.name for answer in answers] == [OFF] * named
     assert all(answer.onset == pytest.approx(3.0, abs=0.011) for answer in answers)
+    asked[200:290] = 0.0  # its law gave nothing for longer than a third of what is left before the fall: 1.2 s at most
+    assert not facts.switched_off(SimpleNamespace(run=SimpleNamespace(log=log, asked=asked[:, None]), fell_at=4.2))  # type: ignore[arg-type]
 
 
 def test_motors_that_are_off_at_first_are_not_held_as_usual() -> None:

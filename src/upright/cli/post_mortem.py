@@ -32,6 +32,7 @@ def post_mortem(
         Path | None, typer.Option("--controller", "-c", help="Controller of the robot, as designed: controller.json.")
     ] = None,
     mapping: MappingOption = None,
+    seconds: Annotated[float, typer.Option(min=0.0, help="Longest time to search, then what is known is said.")] = 60.0,
     output: OutputOption = None,
     report: ReportOption = None,
     as_json: JsonOption = False,
@@ -45,5 +46,5 @@ def post_mortem(
 
     check_targets(output, report, logs=[log])
     with progress("examining the last seconds") as show:
-        result = examine(log, robot, kit, controller, mapping=mapping, progress=show)
+        result = examine(log, robot, kit, controller, mapping=mapping, seconds=seconds, progress=show)
     finish(result, as_json, output=output, page=report)

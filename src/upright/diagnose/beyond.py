@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.diagnose.fall import StuckSensor, without
 from upright.diagnose.fault_fits import (
     FaultFit,
@@ -17,8 +17,6 @@ from upright.diagnose.fault_fits import (
 from upright.diagnose.innovations import FilterRun, follow
 from upright.diagnose.remedy import Window
 from upright.diagnose.signatures import Bank
-
-Array = NDArray[np.float64]
 
 RAPID = 0.75  # of the NIS, that slow steps leave where a disturbance is too rapid for them
 SHOWS = 4.0  # standard deviations of an innovation, from which a disturbance shows: its steps may begin before

@@ -45,6 +45,7 @@ EARLIER = 0.6
 """Of a push's probability, where it came before the last excursion and the robot never came to rest since: a gain that
 is too low answers it in the same way, and without the controller's file the log does not show which."""
 PEGGED = 0.95  # fraction of the last second at the limit, where commands that never change are full ones
+BEGINS, WITH_EASE = 0.1, 0.5  # [s] of a log, and of the largest command, what saves a robot that was let go there
 RESTED = 0.4  # [s] of a quick robot at rest, by its lean over the largest that its motors bring back:
 AT_REST, RESTLESS = 0.03, 4.0  # below this, or below so many times what it has in calmer times
 PUSH_SCORE, PUSH_SCORE_WIDTH = 8.0, 2.0  # nats that a push must add to be one
@@ -155,6 +156,12 @@ def lost_before(evidence: Evidence) -> float:
     inside = motors.t <= evidence.fell_at
     saved = np.flatnonzero(motors.reserve[inside] < NO_RETURN)
     return float(motors.t[inside][saved[-1]]) if len(saved) else float(motors.t[0])
+
+
+def let_go(evidence: Evidence) -> bool:
+    """Whether the log begins with a robot that its motors would have saved with ease: no push before it is a cause."""
+    motors = authority(evidence.run)
+    return float(np.median(motors.reserve[motors.t < motors.t[0] + BEGINS])) < WITH_EASE
 
 
 def explains_the_start(evidence: Evidence) -> bool:

@@ -8,13 +8,11 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.diagnose.fall import limit
 from upright.diagnose.innovations import FilterRun, Signature, answer, entering, propagated
 from upright.tables import short
-
-Array = NDArray[np.float64]
 
 GYRO = "sensor/gyro"
 RATE_TIME = 0.02  # [s] before and after, over which a wheel's rate follows from its angle

@@ -9,8 +9,8 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Mask
 from upright.control import Controller
 from upright.diagnose.beyond import Leftover, goes_beyond, jam_or_stuck, leftover
 from upright.diagnose.causes import foreign, noisy
@@ -32,6 +32,7 @@ from upright.diagnose.fall import (
     stale_rows,
     stuck_sensor,
     wheel_rates,
+    worked_until,
 )
 from upright.diagnose.fault_fits import CORRELATED, FaultFit, fits, gainable, spared, with_commands
 from upright.diagnose.forces import forced, refined
@@ -42,7 +43,7 @@ from upright.diagnose.law import CommandMatch, matched, references
 from upright.diagnose.measured import Demand, MotorUse, Toppling
 from upright.diagnose.pairs import CONTRIBUTES, Pair, contributing, paired
 from upright.diagnose.pushed import LEAVES, with_sudden_pushes
-from upright.diagnose.remedy import Window, dropped, searched, sharpened
+from upright.diagnose.remedy import Window, dropped, searched, sharpened, timed_out
 from upright.diagnose.signatures import Bank
 from upright.diagnose.sizes import possible
 from upright.diagnose.slip import slid_at
@@ -58,12 +59,9 @@ from upright.progress import Progress
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
-Array = NDArray[np.float64]
-
 EXCURSION = 1.2  # [s] of a quick robot before the fall, in which a push or a demand must lie to be its cause
 EXPLAINED = 1.1  # NIS over the calm one, up to which nothing is left to explain
-LOST = 20.0  # times the ordinary NIS at which the filter has lost the robot, over the log's last `LOST_SECONDS`
-LOST_SECONDS = 0.4  # [s]
+LOST, LOST_SECONDS = 20.0, 0.4  # times the ordinary NIS, and for how long [s], of a filter that has lost the robot
 UNEXPLAINED, BETTER = 20.0, 5.0  # nats that pushes leave to other faults to explain, or by which these are better
 SEARCHED_AGAIN = 100.0  # nats that the likeliest leaves to a search beside sudden pushes
 REPEATING = 1.5  # [s] before the fall in which two repeated readings make dropped samples a hypothesis
@@ -163,7 +161,6 @@ def gather(
     log: Log, robot: Robot, kit: Kit, controller: Controller | None, show: Progress
 ) -> tuple[FilterRun, Evidence | None]:
     """The filter along a log, and all evidence of its fall; None where it did not fall.
-
     A fall is one of the integrated motion. Where that shows none, a filter that is lost may, if it is of this robot.
     """
     kit = with_supply(kit, log, robot)
@@ -210,7 +207,7 @@ def gather(
     if not foreign and frozen[(t > fell_at - REPEATING) & (t <= fell_at)].sum() >= 2:
         stale = stale_rows(whole.log) & (t >= t[np.flatnonzero(frozen)[0]] - 0.1)
         several = sorted([*several, dropped(run, stale, window, bank)], key=lambda f: -f.score)
-    slid = None if foreign else _sound_until(run, window, several)
+    slid = None if foreign or timed_out() else _sound_until(run, window, several)
     window, bank, several = slid or (window, bank, several)
     show(0.9)
     evidence = _evidence(whole, run, fell_at, window, bank, several, controller)
@@ -250,9 +247,11 @@ def _lost(run: FilterRun, window: Window) -> bool:
 
 
 def _unexplained(several: Sequence[FaultFit], bank: Bank, quiet: float) -> bool:
-    """Whether anything is left to explain that pushes do not, beyond the NIS of a quiet second."""
+    """Whether there is time to explain what pushes leave, beyond the NIS of a quiet second."""
     none = _pushes_only(several)
-    return gainable(bank, none.nis, quiet) > UNEXPLAINED or max(f.score for f in several) > none.score + BETTER
+    return not timed_out() and (
+        gainable(bank, none.nis, quiet) > UNEXPLAINED or max(f.score for f in several) > none.score + BETTER
+    )
 
 
 def _evidence(
@@ -277,7 +276,7 @@ def _evidence(
     more = best.nis > EXPLAINED * calm or (best.fault != "none" and best.pushes)  # that a fault leaves
     gain = gainable(bank, best.nis, quiet) + spared(bank, best.spent)
     pairs: list[Pair] = []
-    if known and gain > CONTRIBUTES:  # else no pair explains more
+    if known and gain > CONTRIBUTES and not timed_out():  # else no pair explains more
         pairs = pairs_settled(run, paired(run, met, window, bank), best.score, window, bank)
         several = sorted([*several, *each_alone(run, pairs, best.score, window, bank)], key=lambda fit: -fit.score)
         met = [fit for fit in several if possible(fit, end)]
@@ -306,6 +305,7 @@ def _match(
     """The comparison over the time before the fall that shows it best, and whether the file's loop is stable."""
     if controller is None:
         return None, None, ()
+    end = min(end, worked_until(run.log.t, run.asked.sum(axis=1)))
     try:
         several = [matched(run, controller, end - seconds, end) for seconds in LAST_SECONDS]
     except SpecMismatch as error:
@@ -375,7 +375,7 @@ def _motor_use(run: FilterRun, w: Array, end: float) -> MotorUse:
     )
 
 
-def _speed(run: FilterRun, motors: Authority, rows: NDArray[np.bool_]) -> float:
+def _speed(run: FilterRun, motors: Authority, rows: Mask) -> float:
     """The largest rate in these rows of wheels that run after a lean, while the robot was upright, over that without
     torque: wheels that run the other way have all the torque that stops the fall."""
     rates = wheel_rates(run.log, motors.t)
@@ -393,7 +393,7 @@ def _top_rate(robot: Robot, most: float) -> float:
 def _battery(log: Log, end: float) -> tuple[float, float]:
     """The battery's voltage before and in the last half second [V], NaN where it was not logged."""
 
-    def median(rows: NDArray[np.bool_]) -> float:
+    def median(rows: Mask) -> float:
         volts = log["sensor/battery"][rows] if "sensor/battery" in log else np.zeros(0)
         return float(np.nanmedian(volts)) if np.isfinite(volts).any() else math.nan
 

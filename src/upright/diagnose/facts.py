@@ -11,6 +11,7 @@ import numpy as np
 from upright.diagnose.causes import DEAD, DROPPED, HIGH, JAMMED, LOW, NONE, OFF, SATURATION, STUCK, Blow
 from upright.diagnose.chances import PEGGED, fits_badly, sound_until, step, toppled, unexplained
 from upright.diagnose.evidence import Evidence
+from upright.diagnose.fall import USUALLY_HELD
 from upright.diagnose.words import began, most, percent
 from upright.tables import short
 
@@ -43,22 +44,23 @@ class Answer:
 
 def switched_off(evidence: Evidence) -> list[Answer]:
     """Whether both commands are 0 from a time before the fall to the last row. A program that gives up a robot which
-    falls already does so as the body turns faster than it does while it balances."""
+    falls already does so as the body turns faster than it does while it balances, or where its readings are wrong; one
+    that put out nothing for a third as long before may do so again."""
     log, asked = evidence.run.log, evidence.run.asked
     working = np.flatnonzero(asked.any(axis=1))
-    if not len(working) or working[-1] + 1 >= len(log) or "sensor/gyro" not in log:
+    if not len(working) or working[-1] + 1 >= len(log):
         return []
     since, began_at = float(log.t[working[-1] + 1]), float(log.t[working[0]])
-    rate = np.abs(log["sensor/gyro"])
+    rate, idle = np.abs(log["sensor/gyro"]), float(np.diff(log.t[working]).max(initial=0.0))
     balancing, last = (log.t >= began_at) & (log.t < since), (log.t >= since - LAST) & (log.t <= since)
     falling = (log.t >= since) & (log.t <= evidence.fell_at)
-    if balancing.sum() < FEWEST_BALANCING or not falling.any():
+    if balancing.sum() < FEWEST_BALANCING or evidence.fell_at - since < USUALLY_HELD * idle:
         return []
     turned = abs(float(np.nansum(log["sensor/gyro"][falling]))) * log.period
     if np.nanmedian(rate[last]) > np.nanquantile(rate[balancing], USUAL) or turned < TURNED:
         return []
     text = f"both commands are 0 from t = {since:.2f} s to the last row, and until then it turned no faster than usual"
-    return [Answer(FACT, OFF, since, text)]
+    return [Answer(FACT * sound_until(evidence, since), OFF, since, text)]
 
 
 def stuck(evidence: Evidence) -> list[Answer]:

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Mask
 from upright.control.mpc import largest_command
 from upright.diagnose.innovations import FULL_RANGE, FilterRun
 from upright.doctor.finding import FALLING, Segment
@@ -19,9 +19,6 @@ from upright.logs.recording import commanded
 from upright.physics.linear import linearise, rolling
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import Log
-
-Array = NDArray[np.float64]
-Mask = NDArray[np.bool_]
 
 FELL = 0.8  # [rad] lean at the end of a log that only falling robots have, unless they swung as far before
 LEANING = 0.7  # [rad] lean that counts as the fall: up to it the seconds before are examined
@@ -84,17 +81,26 @@ def against(log: Log, fall: Segment) -> tuple[str, ...]:
     drive away from the fall."""
     record, prefix = record_of(log), commanded(log)
     rows = (log.t >= fall.start) & (log.t < fall.stop)
-    if not prefix or rows.sum() < 3:
+    if not prefix:
         return ()
-    command = (log[f"{prefix}/left"] + log[f"{prefix}/right"])[rows] / 2
+    every = (log[f"{prefix}/left"] + log[f"{prefix}/right"]) / 2
+    rows &= log.t <= worked_until(log.t, every)
+    command = every[rows]
     rate = log["sensor/gyro"][rows]
     wheel = sum(record[f"sensor/encoder_{side}"][rows] for side in ("left", "right")) / 2 + np.cumsum(rate) * log.period
+    if len(command) < 3:
+        return ()
     turned = float((command - command[0]) @ (wheel - wheel[0]))
     caught = float(command @ np.cumsum(rate))  # driving forward catches a forward fall
     notes = ["the wheels turn against their commands: a motor or both encoders count backwards"] if turned < 0 else []
     if caught < 0 <= turned:
         notes.append("the commands drive away from the fall: the gyro or the controller has the wrong sign")
     return tuple(notes)
+
+
+def worked_until(t: Array, commands: Array) -> float:
+    """When [s] commands (rows,) last were any: a program stops its motors where its robot has fallen."""
+    return float(t[commands != 0].max(initial=-math.inf))
 
 
 def gyro(log: Log) -> Array:

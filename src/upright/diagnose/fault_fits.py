@@ -7,13 +7,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.diagnose.changes import PART, scales
 from upright.diagnose.innovations import FilterRun, Signature
 from upright.diagnose.signatures import Bank, beside, biases, unknown_parameters
-
-Array = NDArray[np.float64]
 
 VISIBLE_SLIP = 3.0  # standard deviations of a reading, from which a slip shows
 MOST_PUSHES = 5  # that may come beside a fault

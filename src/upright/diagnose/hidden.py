@@ -11,7 +11,7 @@ import numpy as np
 from upright.diagnose.changes import scaled_sensors
 from upright.diagnose.fall import fall_time, falling, pace
 from upright.diagnose.fault_fits import FaultFit
-from upright.diagnose.innovations import FilterRun
+from upright.diagnose.innovations import OFFSET, FilterRun
 from upright.diagnose.remedy import GYRO, ONSET_STEP, Window, anywhere, followed, lately, moved, remedied
 from upright.diagnose.sizes import SURVIVED_FOR
 from upright.diagnose.usual import calm_of
@@ -25,10 +25,9 @@ EXPLAINS, ONLY_NOISE = 0.1, 2.0
 """Most NIS up to the earlier fall that the gyro without its fault may leave, over that with it, and over the calm one;
 of a scale not the latter, since it multiplies noise and what is wrong with the robot's file."""
 
-SHOWS = (0.1, 0.2, 0.35, 0.6, 2.0, 5.0)  # times the motion, that a gyro shows and that are tried first
-ANGLES = (0.35, 0.6, 1.5, 2.5)  # times its angle, that an encoder shows and that are tried first
+SHOWS = (0.5, 2.0, 0.1, 0.2, 0.35, 5.0)  # times the motion, that a gyro shows and that are tried first
+ANGLES = (0.5, 2.0, 0.3, 1.4)  # times its angle, that an encoder shows and that are tried first
 LOUD, LOUD_FOR = 20.0, 0.4  # NIS over the usual one, and for how long [s], of a fall that the gyro does not show
-OFFSET = 6  # the place of the gyro's offset in the filter's state
 
 
 def mis_scaled(run: FilterRun, window: Window) -> list[FaultFit]:

@@ -15,20 +15,18 @@ from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Mask
 from upright.calibrate.filter_log import NEVER_STIFF, FilteredLog, Follower, known
 from upright.calibrate.knocks import Arrays
 from upright.compiled.generated import constants
 from upright.errors import InvalidLog
-from upright.logs.recording import FEWEST
+from upright.logs.recording import FEWEST, Recording
 from upright.physics import electronics
 from upright.physics.integrate import PREDICTED, substeps
 from upright.physics.linear import linearise
 from upright.robots import PARAMETERS, Kit, Robot
 from upright.signals import Log
-
-Array = NDArray[np.float64]
 
 PROCESS_NOISE = 0.03
 """Standard deviation of the process noise over the rms command, and over 1 N for a robot of 0.6 kg: what a robot known
@@ -41,6 +39,11 @@ FULL_RANGE = 0.98  # of a sensor's range: a reading beyond it is clipped and say
 
 INPUTS = ("left", "right", "force", "moment")
 """What can enter between two events: command errors of both motors, a force at the axle [N], a moment [N m]."""
+
+OFFSET = 6  # the place of the gyro's offset in the filter's state
+USUAL_OFFSET, TURNED = 0.35, 1.0
+"""[rad/s] of a gyro, 20 degrees per second as the MPU-6050's data sheet has its zero-rate output, and [rad] that a body
+turns in a log in which it falls."""
 
 AT_ONCE, FIRST_ROWS = 0.1, 10  # [s] from the first row, and how many rows that far apart are tried as the first
 IN_TIME = (math.inf, 0.0, 0.0)
@@ -83,7 +86,7 @@ class FilterRun(FilteredLog):
         return np.where((self.t > since)[:, None], sides, 0.0)
 
     @property
-    def readings(self) -> NDArray[np.bool_]:
+    def readings(self) -> Mask:
         """Which events are readings that the filter used."""
         return (self.row >= 0) & np.isfinite(self.variance)
 
@@ -100,7 +103,7 @@ class FilterRun(FilteredLog):
         """Whether the filter has not lost the robot before `end` [s]."""
         return float(self.clock[-1]) >= end
 
-    def only(self, keep: NDArray[np.bool_] | slice) -> FilterRun:
+    def only(self, keep: Mask | slice) -> FilterRun:
         """Some of the events."""
         names = ("t", "row", "sample", "innovation", "variance", "gains", "before", "after", "command", "clock")
         return replace(self, **{name: getattr(self, name)[keep] for name in names})
@@ -175,8 +178,22 @@ def follow(log: Log, robot: Robot, kit: Kit, kept: Array | None = None) -> Filte
     use = True if kept is None else np.isin(log.t, kept)
     channels = {n: np.where(use, _inside(v, kit, n), np.nan) for n, v in others.items()} | sent
     long = _long_enough(Log(log.t, channels, {n: log.unit(n) for n in channels}), names)
-    follower = Follower(known(long, robot, kit, _dead_time(names[0], kit)), PROCESS_NOISE, DRY_FRICTION_NOISE)
+    problem = known(long, robot, kit, _dead_time(names[0], kit))
+    begun = _begun(problem.recordings[0], float(log.t[-1] - log.t[0]))
+    follower = Follower(replace(problem, recordings=(begun,)), PROCESS_NOISE, DRY_FRICTION_NOISE)
     return _run(follower, kit, log, asked, kept=kept)
+
+
+def _begun(recording: Recording, seconds: float) -> Recording:
+    """The recording with a gyro's offset that its fall did not make: the mean of a log's readings is the offset and,
+    over its `seconds`, what the body turned. Its first rate is what the gyro reads less that offset."""
+    turned = (TURNED / seconds) ** 2
+    part = USUAL_OFFSET**2 / (USUAL_OFFSET**2 + turned)
+    first, P0 = recording.first.copy(), recording.P0.copy()
+    first[1] += (1 - part) * first[OFFSET]
+    first[OFFSET] *= part
+    P0[np.ix_([1, OFFSET], [1, OFFSET])] += part * turned * np.array([[1, -1], [-1, 1]])
+    return replace(recording, first=first, P0=P0)
 
 
 def followed_on(log: Log, robot: Robot, kit: Kit) -> FilterRun:

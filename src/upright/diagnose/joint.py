@@ -19,8 +19,8 @@ from upright.diagnose.forces import FORCED, LOST, ForceSearch, Observer, least_s
 from upright.diagnose.innovations import FilterRun
 from upright.diagnose.pairs import CONTRIBUTES, RIVALS, Pair, together
 from upright.diagnose.remedy import (
-    COMMAND_FAULTS,
     FADE,
+    FREED,
     LONGEST,
     ONSET_STEP,
     READING_FAULTS,
@@ -168,7 +168,7 @@ def settled(run: FilterRun, fits: Sequence[FaultFit], window: Window, bank: Bank
     likeliest first."""
     several, moved, top = list(fits), dict[str, int](), max(fit.score for fit in fits)
     for i, fit in enumerate(fits):
-        free = fit.run is not None and fit.fault in READING_FAULTS + COMMAND_FAULTS
+        free = fit.run is not None and fit.fault in FREED
         if free and fit.fault not in moved and len(moved) < MOST and fit.score > top - BEHIND:
             moved[fit.fault] = i
             several[i] = _one(run, fit, _starts(fit), window, bank)
@@ -218,7 +218,7 @@ def pair_settled(run: FilterRun, pair: Pair, window: Window, bank: Bank) -> Pair
     first, second = pair.first, pair.second
     if second.run is None or second.fault == "slip":
         return pair
-    free = [fit for fit in (first, second) if fit.fault in READING_FAULTS + COMMAND_FAULTS]
+    free = [fit for fit in (first, second) if fit.fault in FREED]
     if first not in free or (second not in free and second.fault not in FORCED):
         return pair
     faults, best = jointly(run, free, replace(second, score=-math.inf), window, bank)
@@ -259,7 +259,7 @@ def each_alone(run: FilterRun, pairs: Sequence[Pair], single: float, window: Win
     best = max(pairs, key=lambda pair: pair.score, default=None)
     for fit in (best.first, best.second) if best is not None and best.score > single else ():
         stood = fit.fault in READING_FAULTS and fit.onset < bank.then[0]
-        if fit.fault in READING_FAULTS + COMMAND_FAULTS and not stood:
+        if fit.fault in FREED and not stood:
             one = exact(run, replace(fit, score=-math.inf, pushes=(), run=None), window, bank)
             if len(one.rest) and one.score > single - BEHIND:
                 several.append(priced(_one(run, one, _starts(one), window, bank), bank))

@@ -6,20 +6,21 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.control import Controller
+from upright.diagnose.fall import authority, limit
 from upright.diagnose.innovations import FilterRun, driven
 from upright.errors import SpecMismatch
+from upright.physics.linear import linearise
 from upright.robots import Kit
 from upright.signals import Log
 from upright.signals.signal import STATE_NAMES
 
-Array = NDArray[np.float64]
-
-
 EXACT_BEFORE = 0.05  # rms misfit over rms command, below which the file describes the commands
 READY = 0.95  # of a period: a command that arrives this late in one holds at its end
+BELOW = 0.95  # of the largest command: rows in which the motors had more
+FOLLOWS = 0.9  # of the squared commands, what a law explains
 NOTHING = 1e-12  # [command²] that keeps a division by zero away
 
 
@@ -57,6 +58,19 @@ def replay(run: FilterRun, controller: Controller) -> Array:
         controller.applied(applied[i].tolist())
     controller.reset()
     return commands
+
+
+def growth(run: FilterRun, end: float) -> float:
+    """The fastest pole [1/s] of the loop that the commands show from the first row to `end` [s]: a law linear in the
+    robot's states, by least squares where its motors had more; NaN where the commands follow no such law."""
+    motors, model, most = authority(run), linearise(run.robot), limit(run.robot, run.kit, run.asked)
+    rows = (motors.t <= end) & (np.abs(motors.command) < BELOW)
+    x, u = motors.states[rows][:, :4], motors.command[rows]
+    K = np.linalg.lstsq(x, u, rcond=1e-6)[0]
+    if not ((u - x @ K) ** 2).sum() < (1 - FOLLOWS) * (u**2).sum():
+        return math.nan
+    loop = model.A[:4, :4] + most * np.outer(model.B[:4].sum(axis=1), K)
+    return float(np.linalg.eigvals(loop).real.max())
 
 
 def references(log: Log) -> Array:

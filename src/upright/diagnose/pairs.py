@@ -12,8 +12,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.diagnose.fault_fits import (
     FAULT_NUMBERS,
     PUSH_NUMBERS,
@@ -30,10 +30,9 @@ from upright.diagnose.fault_fits import (
 )
 from upright.diagnose.innovations import FilterRun, Signature
 from upright.diagnose.remedy import (
-    COMMAND_FAULTS,
     FADE_PRICE,
+    FREED,
     RARE,
-    READING_FAULTS,
     Window,
     exact,
     faded,
@@ -43,9 +42,8 @@ from upright.diagnose.remedy import (
     remedied,
 )
 from upright.diagnose.signatures import Bank, beside, pushing
+from upright.diagnose.sizes import natural
 from upright.diagnose.usual import quiet_of
-
-Array = NDArray[np.float64]
 
 BESIDE = ("ramp", "payload", "radius")  # faults whose signature may stand beside one that a log was freed of
 MOST_PAIRS = 4  # that the filter itself searches
@@ -85,7 +83,7 @@ class Pair:
 
 def _rare(*fits: FaultFit) -> int:
     """How many of some faults follow the motion, so that they take up a part of whatever else is wrong."""
-    return sum(fit.fault in ("scale", "radius", "friction") for fit in fits)
+    return sum(fit.fault in ("scale", "radius", "friction") and not natural(fit) for fit in fits)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -156,7 +154,7 @@ def _beyond(run: FilterRun, pair: Pair, window: Window, bank: Bank) -> float:
     """How many nats more both have than either fault with the size and onset that it has in the pair."""
     more, quiet = [math.inf], quiet_of(run, window)
     for fit in (pair.first, pair.second):
-        if fit.fault in READING_FAULTS + COMMAND_FAULTS:
+        if fit.fault in FREED:
             one = exact(run, replace(fit, score=-math.inf, run=None), window, bank)
             if len(one.rest):  # else the filter loses the robot
                 one = replace(one, score=one.score - RARE * _rare(fit))
@@ -228,7 +226,7 @@ def _near(here: Bank, i: int) -> Array:
 def _slopes(run: FilterRun, first: FaultFit, window: Window, here: Bank) -> tuple[list[str], Array]:
     """What changes of a fault's onset, size and rise do to the innovations that it leaves (readings, changes); of a
     fault that is only known by its signature, those with nearby onsets."""
-    if first.run is None or first.fault not in READING_FAULTS + COMMAND_FAULTS:
+    if first.run is None or first.fault not in FREED:
         same = [one for one in here.faults if (one.fault, one.way) == (first.fault, first.way)]
         same.sort(key=lambda one: abs(one.onset - first.onset))
         return [], np.column_stack([one.values for one in same[:NEAR]] or [np.zeros(len(here.y))])
@@ -290,7 +288,7 @@ def _searched(run: FilterRun, start: _Start, window: Window, bank: Bank) -> list
 def _movable(first: FaultFit, second: FaultFit) -> tuple[list[FaultFit], FaultFit | None]:
     """Which of both a log can be freed of, where all or the other's signature can be searched, and that other one."""
     fits = (first, second)
-    several = [fit for fit in fits if fit.fault in READING_FAULTS + COMMAND_FAULTS]
+    several = [fit for fit in fits if fit.fault in FREED]
     other = next((fit for fit in fits if fit.fault in BESIDE), None)
     return (several if len(several) == 2 or other else []), other
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 import re
 import shlex
+import time
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from os import PathLike, fspath
@@ -18,17 +19,17 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from upright.atomic import finite
 from upright.control import Controller, controller_hash, read_controller
 from upright.diagnose.causes import CANNOT_TELL, NO_FALL, NONE, Blow, Cause, as_typed
 from upright.diagnose.evidence import FOREIGN, Evidence, gather
 from upright.diagnose.fall import against, last_fall
+from upright.diagnose.remedy import UNTIL, timed_out
 from upright.diagnose.saved import with_saved
 from upright.diagnose.series import Series, series_of
 from upright.diagnose.supply import of_supply
-from upright.diagnose.verdict import ranked, reversed_causes
+from upright.diagnose.verdict import ranked, reversed_causes, stated
 from upright.doctor.doctor import contradictions
 from upright.doctor.finding import FEWEST as FEWEST_POSES
 from upright.errors import InvalidLog, InvalidRobot
@@ -40,8 +41,8 @@ from upright.robots import PARAMETERS, Kit, Robot, find_kit, find_robot, kit_nam
 from upright.signals import SIDES, Log
 from upright.tables import Shown
 
-Array = NDArray[np.float64]
 KIND, VERSION = "upright post-mortem", 1
+UNFINISHED = "the search ended after {:g} s: this is what was known till then. Try --seconds {:g}"
 SIDEWAYS = "a fall to the side, or after the last row, does not show: nothing in the log measures it"
 
 
@@ -126,14 +127,14 @@ def post_mortem(
     controller: Controller | str | Path | None = None,
     *,
     mapping: Columns | str | None = None,
+    seconds: float = math.inf,
     progress: Progress | None = None,
 ) -> PostMortem:
-    """Why the robot of this log fell.
+    """Why the robot of this log fell. After so many `seconds` no further search begins, and what is known is said.
 
-    `robot` (default: that of the log's origin) is the robot without faults, `kit` (default: the robot's own) its
-    electronics, `controller` what should have driven it; with it the recorded commands are compared with its own.
-    `mapping` names the columns of a foreign file. All of them may be names or files. Raises `InvalidLog` for a file
-    without a log, `InvalidRobot` where no robot is given or named in the log.
+    `robot` (default: that of the log's origin) is the robot without faults, `kit` (default: its own) its electronics,
+    `controller` what should have driven it. `mapping` names the columns of a foreign file. All may be names or files.
+    Raises `InvalidLog` for a file without a log, `InvalidRobot` where no robot is given or named in the log.
     """
     log = raw_log(source, mapping)
     nominal = find_robot(robot) if robot else robot_of(log)
@@ -151,25 +152,29 @@ def post_mortem(
     check_drive(log, nominal)
     if _off(log):
         return _without_motors(log, head)
-    short = _short(log, head) if len(log) < FEWEST else None
-    if short is not None and short.verdict != CANNOT_TELL:
+    if (short := _short(log, head) if len(log) < FEWEST else None) and short.verdict != CANNOT_TELL:
         return short
+    until = UNTIL.set(time.monotonic() + seconds)
     try:
         run, evidence = gather(log, nominal, parts, controller, progress or unwatched)
+        unfinished = timed_out()
     except InvalidLog:
         if short is None:
             raise
         return short  # too few of its readings are within their ranges for a filter
+    finally:
+        UNTIL.reset(until)
     if evidence is None:
         return PostMortem(
             verdict=NO_FALL, causes=(), fell_at=math.nan, onset=math.nan, missing=(), notes=(SIDEWAYS,),
             series=series_of(run, float(run.t[-1])), **head,
         )  # fmt: skip
-    causes = with_saved(ranked(evidence), log, nominal, run.kit, controller)
+    causes = with_saved(stated(ranked(evidence), unfinished=unfinished), log, nominal, run.kit, controller)
     names = _typed(robot, nominal.name), _typed(source, "LOG")
     causes, verdict = _with_names(causes, *names), causes[0].name
     missing = _helpful(evidence) if verdict == CANNOT_TELL else ()
     notes = (*evidence.notes, *of_supply(parts, run.kit), *_wiring(log, verdict))
+    notes = (UNFINISHED.format(seconds, 5 * seconds), *notes) if unfinished else notes
     missing, notes = (tuple(as_typed(text, *names) for text in texts) for texts in (missing, notes))
     return PostMortem(
         verdict=verdict, causes=causes, fell_at=evidence.fell_at, onset=causes[0].onset, missing=missing, notes=notes,

@@ -3,28 +3,30 @@
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Callable, Sequence
+from contextvars import ContextVar
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Mask
 from upright.diagnose.changes import DRAGGED, HELD, MOTORS, channels_of, dead_motors, lost_command
 from upright.diagnose.fall import limit, without
 from upright.diagnose.fault_fits import FaultFit, dearer, freed_of, remaining, with_pushes
 from upright.diagnose.innovations import IN_TIME, NEVER_STIFF, FilterRun, follow
 from upright.diagnose.signatures import YOUNGEST, Bank, bank, beside, channels, finer, pushing, unknown_parameters
-from upright.diagnose.sizes import possible
+from upright.diagnose.sizes import natural, possible
 from upright.errors import InvalidLog
 from upright.signals import Log
 
-Array = NDArray[np.float64]
 GYRO = "sensor/gyro"
 
+UNTIL: ContextVar[float] = ContextVar("UNTIL", default=math.inf)  # [s] of the clock, when all searches end
 READING_FAULTS = ("bias", "scale")
 COMMAND_FAULTS = ("weak", "delay", "motor", "friction")
 """Faults of the commands, which are not small where the robot falls: the filter itself searches for them."""
-
+FREED = READING_FAULTS + COMMAND_FAULTS  # faults that a log can be freed of
 CHARGES = (0.05, 0.15, 0.3, 0.5, 0.7)  # fractions of the battery's voltage that are tried first
 DELAYS = (1.0, 2.0, 3.5, 5.0, 7.0, 10.0)  # periods that are tried first
 LONGEST = 20.0  # periods: a loop whose commands arrive later does not run, which lost rows show
@@ -42,15 +44,19 @@ RARE = 50.0
 """Nats that another scale of a sensor has to explain beyond another fault, and twice as many where it leaves more than
 noise: it follows the motion, so it takes up a part of whatever else is wrong."""
 
-MOST_BIASES, MOST_SCALES, MOST_MOTORS = 4, 2, 2  # that are examined again
-PUSHED = 2  # faults that are searched again together with the pushes beside them
+MOST_BIASES, MOST_SCALES, MOST_MOTORS, PUSHED = 4, 2, 2, 2  # that are examined again, the last beside their pushes
 SETTLED = 0.3  # [s] of a log, by whose readings the filter begins
 SHORT = 0.1  # [s] before the window's end: a filter that stops earlier has lost the robot
 
 
+def timed_out() -> bool:
+    """Whether the time to search is over."""
+    return time.monotonic() > UNTIL.get()
+
+
 def remedied(run: FilterRun, *fits: FaultFit) -> FilterRun | None:
-    """The run of the log without these faults; None where a log cannot be freed of one of them, or none is left."""
-    if any(fit.fault not in READING_FAULTS + COMMAND_FAULTS for fit in fits):
+    """The run of the log without these faults; None where a log cannot be freed of one, or no log or time is left."""
+    if timed_out() or any(fit.fault not in FREED for fit in fits):
         return None
     channels, changed, delayed = dict(run.log.channels), [fit for fit in fits if fit.fault in READING_FAULTS], IN_TIME
     for fit in changed:
@@ -154,7 +160,7 @@ class Window:
     end: float
     seconds: float
     usual: float
-    banks: dict[int, Bank] = field(default_factory=dict, repr=False)
+    banks: dict[FilterRun, Bank] = field(default_factory=dict, repr=False)
 
     def of(self, run: FilterRun) -> FilterRun:
         """This part of a run."""
@@ -170,15 +176,15 @@ class Window:
         """The bank of all hypotheses on the run without the fault of `fit`; the `usual` one where there is none."""
         if fit.run is None:
             return usual
-        key = id(fit.run)
-        self.banks[key] = self.banks.get(key) or self.bank(fit.run, pushes_only=False)
-        return self.banks[key]
+        if fit.run not in self.banks:
+            self.banks[fit.run] = self.bank(fit.run, pushes_only=False)
+        return self.banks[fit.run]
 
     def channels(self, fit: FaultFit, usual: Bank) -> Bank:
         """The same of disturbances of any shape alone."""
         if fit.run is None:
             return usual
-        return self.banks.get(id(fit.run)) or channels(self.of(fit.run), self.usual)
+        return self.banks.get(fit.run) or channels(self.of(fit.run), self.usual)
 
 
 BATTERY_OR_DELAY = (
@@ -347,12 +353,13 @@ def beside_pushes(run: FilterRun, fit: FaultFit, window: Window, against: Bank) 
 
 
 def priced(fit: FaultFit, against: Bank) -> FaultFit:
-    """The fit with the price of a scale."""
-    price = RARE * min(max(fit.nis / against.scale, 1.0), 2.0) if fit.fault == "scale" and len(fit.rest) else 0.0
+    """The fit with the price of a scale that is no power of two."""
+    rare = fit.fault == "scale" and len(fit.rest) and not natural(fit)
+    price = RARE * min(max(fit.nis / against.scale, 1.0), 2.0) if rare else 0.0
     return replace(fit, score=fit.score - price)
 
 
-def dropped(run: FilterRun, frozen: NDArray[np.bool_], window: Window, against: Bank) -> FaultFit:
+def dropped(run: FilterRun, frozen: Mask, window: Window, against: Bank) -> FaultFit:
     """The fit of a robot whose sensors gave no reading in the `frozen` rows."""
     freed = follow(without(run.log, frozen), run.robot, run.kit, run.kept)
     again = with_pushes(window.bank(freed), against=against)
@@ -386,7 +393,7 @@ def sharpened(run: FilterRun, fits: Sequence[FaultFit], window: Window, against:
     every.sort(key=lambda fit: -fit.score)
     pushed: dict[tuple[str, str], FaultFit] = {}
     for fit in every:
-        if fit.pushes and fit.fault in READING_FAULTS + COMMAND_FAULTS and possible(fit, window.end):
+        if fit.pushes and fit.fault in FREED and possible(fit, window.end):
             pushed.setdefault((fit.fault, fit.way), fit)
     likely = list(pushed.values())[:PUSHED]
     every = [beside_pushes(run, fit, window, against) if any(fit is one for one in likely) else fit for fit in every]

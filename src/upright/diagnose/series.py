@@ -7,14 +7,12 @@ from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.atomic import finite
 from upright.diagnose.fall import authority, falling_lean
 from upright.diagnose.innovations import FilterRun
 from upright.diagnose.usual import SECONDS
-
-Array = NDArray[np.float64]
 
 PLOTTED_NIS = 0.1  # [s] over which the NIS of the figure is averaged
 

@@ -13,16 +13,14 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Whole
 from upright.diagnose.changes import commands, free_steps, frictions, motors, payloads, placed, radii, scales
 from upright.diagnose.fall import pace
 from upright.diagnose.innovations import FilterRun, Signature, answer, misfits, propagated
 from upright.diagnose.slip import slipping
 from upright.robots import Robot
 from upright.robots.uncertainty import deviations
-
-Array = NDArray[np.float64]
 
 ONSET_STEP = 0.06  # [s] of a quick robot between the onsets of the grid
 PUSH_STEP = 0.03  # [s] of a quick robot between the edges of pushes
@@ -53,8 +51,8 @@ class Forces:
     the times to place `last`, an `arm` [m] above the axle."""
 
     steps: Array
-    first: NDArray[np.int64]
-    last: NDArray[np.int64]
+    first: Whole
+    last: Whole
     arm: Array
 
     def dots(self, y: Array) -> Array:
@@ -74,7 +72,7 @@ class Forces:
 
         return np.maximum(of(0, 0) + 2 * self.arm * of(0, 1) + self.arm**2 * of(1, 1), 1e-12)
 
-    def values(self, i: int | NDArray[np.int64]) -> Array:
+    def values(self, i: int | Whole) -> Array:
         """Force i (readings,), or forces i (readings, many)."""
         n = self.steps.shape[1] // 2
         first, last = self.first[i], self.last[i]

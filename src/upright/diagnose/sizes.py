@@ -6,7 +6,9 @@ import math
 
 from upright.diagnose.fault_fits import FaultFit
 
-LARGEST_OFFSET = {"step": 4.0, "ramp": 5.0}  # of a gyro [rad/s, rad/s²]: more is a filter that is lost
+LARGEST_OFFSET = 1.31
+"""[rad/s] 75 degrees per second: the largest zero-rate level of a common gyro (L3GD20, STMicroelectronics' data sheet,
+table 4, at 2000 degrees per second; 20 of the MPU-6050). More is a filter that is lost."""
 
 ALL = 0.97  # most of a reading that is too much where its sensor has another scale
 SURVIVED, SURVIVED_FOR = 4.0, 1.5
@@ -22,6 +24,7 @@ something else than a load is needed."""
 LEAST_RADIUS, MOST_RADIUS = 0.05, 0.8  # of its radius, that a wheel loses with its tyre
 WEAK = 0.9  # of its voltage, that a weak battery has left at most: motors differ by as much
 STEEPEST = 0.6  # sine of a slope that robots meet
+TWICE = 0.1  # of a power of two: 7 % of a scale, as well as a fall shows one
 SLIGHT = {"ramp": 0.017, "payload": 0.05, "delay": 0.1, "scale": 0.1}
 """Of two causes: the sine of a floor that is out of level by a degree, a mass over the body's, to which that is known,
 a part of a period, and of a reading, also where a scale is the only cause. No robot falls by less, and errors of its
@@ -41,7 +44,7 @@ def possible(fit: FaultFit, fell_at: float) -> bool:
         "friction": fit.size > 0,
         "radius": LEAST_RADIUS < fit.size < MOST_RADIUS,
         "ramp": abs(fit.size) < STEEPEST,
-        "bias": abs(fit.size) < LARGEST_OFFSET.get(fit.way, math.inf),
+        "bias": abs(fit.size) * (fell_at - fit.onset if fit.way == "ramp" else 1) < LARGEST_OFFSET,
     }
     return meets.get(fit.fault, True)
 
@@ -49,6 +52,13 @@ def possible(fit: FaultFit, fell_at: float) -> bool:
 def slight(fit: FaultFit) -> bool:
     """Whether a fault is too small to take part in a fall."""
     return abs(fit.size) < SLIGHT.get(fit.fault, 0.0)
+
+
+def natural(fit: FaultFit) -> bool:
+    """Whether a sensor shows twice or half of the motion, or four times: its range or the decoding of its counts is set
+    wrongly then, which is no rare fault."""
+    twice = math.log2(max(1 - fit.size, TWICE))
+    return fit.fault == "scale" and min(abs(abs(twice) - k) for k in (1, 2)) < TWICE
 
 
 def turned(fit: FaultFit) -> bool:

@@ -5,17 +5,15 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Mask
 from upright.diagnose.innovations import FilterRun
 from upright.physics.dynamics import motor_damping, motor_torque, rolling_friction, turn_ratio
-
-Array = NDArray[np.float64]
 
 HELD_BY_ANY = 0.8  # of the weight, that a good floor holds: beyond, wheels slide by the commands alone
 
 
-def slipping(run: FilterRun, onset: Array, grip: Array) -> tuple[Array, NDArray[np.bool_]]:
+def slipping(run: FilterRun, onset: Array, grip: Array) -> tuple[Array, Mask]:
     """What slipping adds to the innovations (events, hypotheses), and whether a hypothesis slips at all.
 
     The sums of the equations of a robot on a floor of force f, M_t ẍ + M L (ψ̈ cos ψ − ψ̇² sin ψ) = f, are those of

@@ -16,7 +16,6 @@ from upright.arrays import Array
 from upright.control.mpc import largest_command
 from upright.diagnose.fall import LEANING, falling, gyro, limit, pace
 from upright.diagnose.innovations import FULL_RANGE, asked_of
-from upright.diagnose.sizes import LARGEST_OFFSET
 from upright.logs.raw import RATES
 from upright.physics.linear import linearise
 from upright.robots import Kit, Robot
@@ -27,6 +26,7 @@ RECENT = 0.3  # [s] of a quick robot before the end of what is judged, in which 
 CALM_SECONDS, LOUDER = 1.0, 3.0  # [s] before a blow, and how many times larger than any jump there it is
 SUDDEN = 0.6  # of the lean from which nothing comes back, that a blow's jump of the rate is worth at least
 LOST = 1.5  # of that lean, that it is worth where no motor brings the robot back
+FAILS = 4.0  # [rad/s] up to which a jump that the gyro alone shows may be its own
 FEW = 3  # rows after a blow, below which a log shows little of it
 STANDING_LEAN = 0.3  # [rad] that a robot leans by, at most, while it still balances
 
@@ -68,7 +68,7 @@ def thrown(log: Log, robot: Robot, kit: Kit, end: float) -> Throw | None:
             jump = float(max(rate[stop : stop + ROWS] - rate[k], key=abs))  # a blow may last longer
             start = float(log.t[k]) - (kit.sensors["sensor/gyro"].delay if "sensor/gyro" in kit.sensors else 0.0)
             clipped, wheels = _clipped(log, kit, stop), _wheels_too(log, robot, kit, asked, start)
-            if not wheels and not clipped and abs(jump) < LARGEST_OFFSET["step"]:
+            if not wheels and not clipped and abs(jump) < FAILS:
                 return None
             return Throw(
                 start=start, after=float(rate[k]) + jump, seconds=float(log.t[stop] - log.t[k]),

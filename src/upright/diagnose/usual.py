@@ -24,7 +24,7 @@ def window_of(run: FilterRun, end: float) -> Window:
     """The part of a run that is judged for a fall at `end` [s], with the usual scale of its innovations: up to where
     the filter loses the robot, since what each hypothesis leaves is of the same readings."""
     end = min(end, float(run.clock[-1]))
-    readings = run.readings
+    readings = run.readings & (run.t <= end)  # what the floor does is not usual
     seconds = SECONDS * pace(run.robot)
     early = readings & (run.t < end - _ordinary_end(run))
     part = early if early.sum() > 100 else readings

@@ -6,7 +6,6 @@ import math
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from upright.diagnose.beyond import Leftover
 from upright.diagnose.causes import Blow
@@ -14,20 +13,18 @@ from upright.diagnose.changes import PART, channels_of
 from upright.diagnose.evidence import FOREIGN, Evidence
 from upright.diagnose.fall import LEANING
 from upright.diagnose.fault_fits import FaultFit, PushEstimate
+from upright.diagnose.law import growth
 from upright.diagnose.measured import SLOWLY, Demand
 from upright.diagnose.sizes import turned
 from upright.diagnose.supply import as_shown
 from upright.diagnose.thrown import Throw
 from upright.physics.dynamics import motor_gain
 
-Array = NDArray[np.float64]
-
 _PLACES = {
     "left motor": ("a torque on the left wheel", "N m"), "right motor": ("a torque on the right wheel", "N m"),
     "both motors": ("a torque on both wheels", "N m"), "force": ("a force on the robot", "N"),
     "moment": ("a torque on the body", "N m"),
 }  # fmt: skip
-FEWEST_STEPS = 4  # of a disturbance, from which its shape is described
 SOUND = 4.0  # NIS over the ordinary one, below which robot and sensors are sound
 
 
@@ -169,15 +166,16 @@ def of_demand(evidence: Evidence, demand: Demand) -> str:
 
 def of_low(evidence: Evidence) -> str:
     half, pole = evidence.motors.half_swing, evidence.toppling.pole
-    if half > SLOWLY:
+    if began(evidence) < evidence.run.log.t[0] and (grows := growth(evidence.run, evidence.fell_at)) > 0:
         return (
-            f"{sound(evidence)}, and the fall grew in slow swings: commands went one way for {half / pole:.2g} s, "
-            f"and the robot falls e-fold in {1 / pole:.2g} s. A gain that is too high swings faster than it falls"
+            f"{sound(evidence)}, and the loop as programmed is unstable: by its commands from the first row on a lean "
+            f"doubles every {math.log(2) / grows:.2g} s, without motors every {math.log(2) / pole:.2g} s"
         )
     gave = "the motors had torque left"
     if math.isfinite(evidence.motors.help):
         gave = f"the motors gave {evidence.motors.help:.2g} of the torque that stops the fall, and had more"
-    return f"{sound(evidence)}, and the fall grew without swings: {gave}"
+    how = f"in slow swings of {half / pole:.2g} s each way" if half > SLOWLY else "without swings"
+    return f"{sound(evidence)}, and the fall grew {how}: {gave}"
 
 
 def of_high(evidence: Evidence) -> str:
@@ -185,7 +183,7 @@ def of_high(evidence: Evidence) -> str:
         until = f"{sound(evidence)} until t = {evidence.slid:.2f} s"
         return f"{until}; then the commands ask more of the floor than it holds, and the wheels slide"
     if evidence.motors.swings < 1:
-        return f"{sound(evidence)}; a high gain also makes large commands, but mostly after swings: this log shows none"
+        return f"{sound(evidence)}; a high gain shows mostly in swings, and this log has none"
     return (
         f"{sound(evidence)}, and the commands changed sign {evidence.motors.swings:.1g} times a second with growing "
         "swings"
@@ -193,23 +191,16 @@ def of_high(evidence: Evidence) -> str:
 
 
 def of_pegged(evidence: Evidence) -> str:
-    text = f"the motors were at their limit for {percent(evidence.motors.pegged)} of the last second"
-    if evidence.ordinary <= FOREIGN:
-        return f"{text}; {sound(evidence)}"
-    return f"{text}; to judge other causes, name the right robot"
+    return f"the motors were at their limit for {percent(evidence.motors.pegged)} of the last second; {sound(evidence)}"
 
 
 def at_limit(evidence: Evidence) -> str:
     return f"the motors were at their limit for {percent(evidence.motors.saturated)} of the last excursion"
 
 
-def nothing(evidence: Evidence, *, pushed: bool) -> str:
-    """Why no cause is likely; where a push is one, for the case that it was much smaller than estimated."""
-    if pushed:
-        return (
-            f"if the push was much smaller than estimated, nothing else in the log explains the fall: {sound(evidence)}"
-        )
-    return f"{sound(evidence)}; no push, change of speed or change of load is large enough"
+def nothing(evidence: Evidence) -> str:
+    """Why no other cause is likely."""
+    return f"{sound(evidence)}; nothing else in the log is large enough"
 
 
 def sound(evidence: Evidence) -> str:
@@ -223,29 +214,17 @@ def sound(evidence: Evidence) -> str:
 
 
 def of_leftover(evidence: Evidence, left: Leftover) -> str:
-    """What is left where no known cause explains a fall: by which channel it enters, since when, and in which shape."""
+    """What is left where no known cause explains a fall: by which channel it enters, and since when."""
     place, unit = _PLACES.get(left.channel, (f"a wrong reading of the {left.channel}", "rad"))
     if "gyro" in left.channel or "rate" in left.channel:
         unit = "rad/s"
     if not len(left.values):
         return f"what is left looks like something rapid, most like {place}, from t = {left.onset:.2f} s on"
     size = motor_gain(evidence.run.robot) if "motor" in left.channel else 1.0
-    values = size * left.values
-    text = f"what is left looks like {place} from t = {left.onset:.2f} s on, {_shape(values)}"
-    return f"{text}, up to {np.abs(values).max():.2g} {unit}"
-
-
-def _shape(values: Array) -> str:
-    """How a disturbance goes on, in words."""
-    turns = int((np.diff(np.sign(values)) != 0).sum())
-    if len(values) >= FEWEST_STEPS and turns > len(values) / 3:
-        return "to and fro"
-    if len(values) < FEWEST_STEPS:
-        return "short"
-    ends = np.abs(values[-3:]).mean(), np.abs(values[:3]).mean()
-    if ends[0] > 2 * ends[1]:
-        return "growing"
-    return "fading" if ends[1] > 2 * ends[0] else "steady"
+    return (
+        f"what is left looks like {place} from t = {left.onset:.2f} s on, up to "
+        f"{np.abs(size * left.values).max():.2g} {unit}"
+    )
 
 
 def percent(fraction: float) -> str:
