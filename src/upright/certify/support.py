@@ -338,7 +338,7 @@ def slope(calibration: Calibration) -> tuple[float, float, float]:
     return each * e.value, each * e.high, each * e.low
 
 
-def _slope(angles: Sequence[float], setup: TrialSetup) -> Support:
+def _slope(angles: tuple[float, float, float], setup: TrialSetup) -> Support:
     """The slope beside the floors that are tried."""
     tried = [*setup.robot.conditions.slopes, *(setup.logged.slopes if setup.logged else ())]
     return Support("slope", "rad", *angles, min(tried) - LEVEL, max(tried) + LEVEL)
