@@ -15,9 +15,9 @@ from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.special import ndtri
 
+from upright.arrays import Array
 from upright.calibrate.effects import RUN, effects_of, run_spreads
 from upright.calibrate.electronics import BATTERY
 from upright.calibrate.estimate import NORMAL
@@ -27,8 +27,6 @@ from upright.calibrate.informativity import MARGIN, posterior
 from upright.calibrate.summary import HALVED, combined_numbers
 from upright.robots.uncertainty import GUESS
 from upright.tables import joined
-
-Array = NDArray[np.float64]
 
 COEFFICIENTS = ("a11", "a12", "a22", "weight_moment", "a22/a11", "weight_moment/a22")
 """Those of the combinations that friction, winding and supply are not in."""

@@ -16,7 +16,6 @@ from dataclasses import replace
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from upright.calibrate.annealing import ANNEALING_NOISE, annealed, lost
 from upright.calibrate.calibration import EXCITE, GOOD, Calibration
@@ -45,8 +44,6 @@ from upright.logs.recording import SENSOR, check_complete, commanded, first_nois
 from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
-
-Array = NDArray[np.float64]
 
 CERTAIN = 2.58  # standard deviations below zero: a dead time that is not negative is so in fewer than one log in 100
 

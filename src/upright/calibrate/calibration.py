@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Whole
 from upright.atomic import finite
 from upright.calibrate.estimate import HELD, MOVED, NORMAL, REFUSED, SURPRISE, VISIBLE, Estimate
 from upright.errors import InvalidRobot
@@ -22,8 +22,6 @@ from upright.tables import Listing, Shown, sentence
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
-Whole = NDArray[np.int64]
 
 PREDICTED = {
     "sensor/gyro": "rad/s", "sensor/encoder_left": "rad", "sensor/encoder_right": "rad",

@@ -11,15 +11,13 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Whole
 from upright.calibrate.electronics import ASYMMETRY, BATTERY, CONSTANT, DEAD_ZONE, DROP, MISALIGNED
 from upright.calibrate.parameters import ROLL_FRACTION, Parameter, roll_fraction
 from upright.calibrate.resonance import DAMPING, FREQUENCY, resonates
 from upright.compiled.generated import Constants
 from upright.robots import PARAMETERS, Robot
-
-Array = NDArray[np.float64]
 
 NUDGE = 1e-4  # of the prior's deviation: central differences are right to 1e-8, and rounding stays below
 AHEAD = 1e-6  # of the same: differences to one side, of a log's innovations, are right to 1e-5; rounding stays below
@@ -65,7 +63,7 @@ class Priors(NamedTuple):
     `rate` and `lower`, all (asked,). Whether the robot `rubs`, and whether its gyro `swings`."""
 
     given: Array
-    place: NDArray[np.int64]
+    place: Whole
     prior: Array
     spread: Array
     rate: Array

@@ -12,12 +12,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.calibrate.electronics import BATTERY, CONSTANT
 from upright.calibrate.parameters import Parameter
-
-Array = NDArray[np.float64]
 
 RUN = "run "
 """How the names of deviations begin: "run 0/motor_friction"."""

@@ -9,17 +9,12 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-import numpy as np
-from numpy.typing import NDArray
-
 from upright.calibrate.parameters import Parameter
 from upright.calibrate.resonance import MEANING as RESONANCE
 from upright.logs.recording import foreign
 from upright.physics.dynamics import motor_gain
 from upright.robots import Kit, Robot
 from upright.signals import Log
-
-Array = NDArray[np.float64]
 
 ASYMMETRY, BATTERY, DEAD_ZONE, CONSTANT = "asymmetry", "battery", "dead_zone", "constant_command"
 DROP = "drop"

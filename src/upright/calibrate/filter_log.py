@@ -8,8 +8,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Whole
 from upright.calibrate.electronics import ASYMMETRY, BATTERY, DROP, MISALIGNED, electronics_of
 from upright.calibrate.fitting import STICKING, Problem, objective
 from upright.calibrate.noise import learn_noise
@@ -27,9 +27,6 @@ KNOWN_WELL = 0.03  # of the commands: process noise from which that of a log is 
 MOST = 1e6  # of a variance, over the one from which it is learnt
 NEVER_STIFF = (math.inf, 0.0, 0.0)  # [s], and of the left and the right motor [command unit]
 NO_STICKING = {STICKING: -math.inf}  # the motors' noise holds it
-
-Array = NDArray[np.float64]
-Whole = NDArray[np.int64]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

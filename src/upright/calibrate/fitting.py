@@ -14,8 +14,8 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Mask, Whole
 from upright.calibrate.coefficients import (
     AHEAD,
     AT,
@@ -45,7 +45,6 @@ from upright.robots import Robot
 if TYPE_CHECKING:
     from upright.calibrate.predictor import Events, RobotLanes
 
-Array = NDArray[np.float64]
 
 PROCESS = ("motor", "push", "gyro_bias")
 STICKING = "sticking"
@@ -122,7 +121,7 @@ class Problem:
         object.__setattr__(self, "curves", Curves(maps, least, priors))
 
     @property
-    def active(self) -> NDArray[np.bool_]:
+    def active(self) -> Mask:
         """Which parameters move; the others are held at their prior."""
         return np.array([p.name not in self.held for p in self.parameters])
 
@@ -184,7 +183,7 @@ class Problem:
         delays = self._own(self.coefficients(recording, z[:, None])[:, 0])
         return np.array([delays[SENSOR[row]] for row in recording.rows] + [0.0])[recording.kind]
 
-    def order(self, recording: Recording, z: Array) -> NDArray[np.int64]:
+    def order(self, recording: Recording, z: Array) -> Whole:
         """The events in the command's time at z (parameters,)."""
         return recording.order(self._own(self.coefficients(recording, z[:, None])[:, 0]))
 
@@ -230,7 +229,7 @@ class Problem:
         ahead = AHEAD * unit
         ahead[ZONE] = ZONE_AHEAD * max(unit[ZONE], 0.5 * q[ZONE])
 
-        def of(part: NDArray[np.int64]) -> Array:
+        def of(part: Whole) -> Array:
             count = len(part)
             lanes = np.repeat(q[:, None], count + 1, axis=1)
             lanes[part, np.arange(count)] += ahead[part]
@@ -248,7 +247,7 @@ class Problem:
         return self.coefficient_slopes(recording, q, unit, gains, rows) @ (C[rows] / unit[rows, None])
 
 
-def events_of(recording: Recording, order: NDArray[np.int64]) -> Events:
+def events_of(recording: Recording, order: Whole) -> Events:
     """The events of a recording for the predictor, those in `order`."""
     from upright.calibrate.predictor import Events
 
@@ -300,11 +299,11 @@ def huber_weight(whitened: Array) -> Array:
     return np.minimum(1.0, OUTLIER / np.maximum(np.abs(whitened), 1e-12))
 
 
-def fitted_readings(recording: Recording, path: Path) -> NDArray[np.bool_]:
+def fitted_readings(recording: Recording, path: Path) -> Mask:
     return recording.fitted & np.isfinite(path.s)
 
 
-def _through_fitted(recording: Recording, order: NDArray[np.int64]) -> NDArray[np.int64]:
+def _through_fitted(recording: Recording, order: Whole) -> Whole:
     """Of the events in `order` those up to the last fitted one, on which no later one has an effect."""
     return order[: int(np.flatnonzero(recording.fitted[order]).max(initial=-1)) + 1]
 

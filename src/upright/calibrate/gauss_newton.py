@@ -15,13 +15,11 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.calibrate.electronics import DEAD_ZONE
 from upright.calibrate.fitting import Normal, Path, Problem, normal_equations, objective
 from upright.calibrate.threads import in_threads
-
-Array = NDArray[np.float64]
 
 FIRST_DAMPING = 1e-6  # [1] of the coefficients' own information: too little to shorten a good first step
 DAMPING_UP, DAMPING_DOWN = 30.0, 30.0  # factors after a step that fails and one that succeeds (Marquardt 1963 has 10)

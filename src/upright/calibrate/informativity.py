@@ -9,16 +9,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.special import ndtri, stdtrit
 
+from upright.arrays import Array
 from upright.calibrate.electronics import ASYMMETRY
 from upright.calibrate.fitting import Normal, Path, Problem, fitted_readings
 from upright.calibrate.parameters import ROLL_FRACTION, rows_of
 from upright.logs.outliers import grain_of
 from upright.logs.recording import SENSOR, Recording
-
-Array = NDArray[np.float64]
 
 INERTIAL = ("com_height", "pitch_inertia", "yaw_inertia", "rotor_inertia", "wheel_inertia", ROLL_FRACTION)
 TURNING = (ASYMMETRY, "yaw_inertia", "track", ROLL_FRACTION)

@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Whole
 from upright.calibrate.calibration import GOOD, PREDICTED, Segments
 from upright.calibrate.contradicted import Freed, in_words
 from upright.calibrate.electronics import MEANING
@@ -25,8 +25,6 @@ from upright.physics.dynamics import turn_ratio
 from upright.physics.linear import unstable_pole
 from upright.robots import Robot, preset_names
 from upright.tables import short
-
-Array = NDArray[np.float64]
 
 WORSE = 0.02  # [1] R² of half seconds by which the prior's own numbers may predict better
 NEARER = 2 / 3  # [1] of what the file's numbers leave of half seconds: another preset that leaves less is proposed
@@ -200,7 +198,7 @@ def _likely(parts: Segments, name: str) -> str:
     return "wheels that slip, another controller period, or a robot unlike the file"
 
 
-def _about_means(y: Array, predicted: Array, segment: NDArray[np.int64]) -> tuple[Array, Array]:
+def _about_means(y: Array, predicted: Array, segment: Whole) -> tuple[Array, Array]:
     """Both without the mean of each half second, where the prediction is finite."""
     there = np.isfinite(predicted)
     y, predicted, segment = y[there], predicted[there], segment[there]

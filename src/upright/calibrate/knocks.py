@@ -10,8 +10,8 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Mask, Whole
 from upright.control.delay import MOST_PERIODS, RAW, SampledRobot, sampled
 from upright.control.kalman import filtered, kalman_filter
 from upright.errors import InvalidLog, UprightError
@@ -23,8 +23,6 @@ from upright.physics.electronics import driven
 from upright.physics.linear import linearise
 from upright.robots import Kit, Robot
 from upright.signals import Log
-
-Array = NDArray[np.float64]
 
 SETTLED = 1.0  # [s] in which the filter finds the first state
 LEAST = 2.0  # [s] of log after that
@@ -39,7 +37,7 @@ LEAST_MOVED = 0.05  # of how far the wheels turn in the part in which they turn 
 MOST_NAMED = 4  # times of knocks in a sentence
 
 
-def periods_of(log: Log) -> NDArray[np.int64]:
+def periods_of(log: Log) -> Whole:
     """The period, counted from the first row, in which each row of the log stands: where rows are lost, some have none.
     A pause of more than `MOST_LOST` periods counts as one: after it a filter begins anew in any case."""
     steps = np.maximum(1, np.rint(np.diff(log.t) / log.period)).astype(np.int64)
@@ -107,15 +105,15 @@ def first_state(model: SampledRobot, readings: Array) -> Array:
     return start
 
 
-def pushed(errors: Array, period: float, far: float = FAR) -> NDArray[np.bool_]:
+def pushed(errors: Array, period: float, far: float = FAR) -> Mask:
     """Rows (n,) at and after innovations (n, sensors) `far` beyond their usual size: somebody pushed the robot."""
     there, usual = _usual(errors, period)
     beyond = (np.abs(np.nan_to_num(errors)) > far * usual).any(axis=1) & there
-    after: NDArray[np.bool_] = np.convolve(beyond, np.ones(max(1, round(PUSHED / period))))[: len(errors)] > 0
+    after: Mask = np.convolve(beyond, np.ones(max(1, round(PUSHED / period))))[: len(errors)] > 0
     return after if there.any() and after[there].mean() < MOST_PUSHED else np.zeros(len(errors), dtype=np.bool_)
 
 
-def _usual(errors: Array, period: float) -> tuple[NDArray[np.bool_], Array]:
+def _usual(errors: Array, period: float) -> tuple[Mask, Array]:
     """Which rows of innovations (n, sensors) count, and their usual sizes (sensors,) there."""
     there = np.isfinite(errors).all(axis=1) & (np.arange(len(errors)) >= SETTLED / period)
     return there, 1.4826 * np.median(np.abs(errors[there]), axis=0) if there.any() else np.ones(errors.shape[1])
@@ -164,7 +162,7 @@ def unpushed(log: Log, robot: Robot, kit: Kit) -> list[Log]:
     return _calm(log, pushed(traces(log, robot, kit), log.period, KNOCK))
 
 
-def _calm(log: Log, there: NDArray[np.bool_]) -> list[Log]:
+def _calm(log: Log, there: Mask) -> list[Log]:
     """The parts of the log that lie outside the rows `there` (n,), or the whole log where little would be left."""
     rows = np.flatnonzero(~there)
     several = np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1)

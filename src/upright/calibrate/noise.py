@@ -7,12 +7,12 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.calibrate.fitting import OUTLIER, Problem, huber_weight
 from upright.calibrate.parameters import rows_of
 from upright.calibrate.threads import in_threads
 from upright.logs.recording import SENSOR
 
-Array = NDArray[np.float64]
 ENOUGH = 1000
 """Samples from which the noise is learnt: its variances then are known to 5 %, which no parameter notices."""
 GAIN = 0.1  # in log-likelihood, below which a step is the last: a noise that does not matter has no end of its own

@@ -14,15 +14,13 @@ from types import SimpleNamespace
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Mask
 from upright.errors import UnknownName
 from upright.physics.dynamics import motor_damping, motor_gain
 from upright.robots import PARAMETERS, Robot
 from upright.robots.robot import LEAST, MAY_BE_ZERO
 from upright.robots.uncertainty import GUESS, roll_bounds, stated
-
-Array = NDArray[np.float64]
 
 ELECTRICAL = ("motor_resistance", "back_emf", "torque_constant")
 NEVER = ("gear_ratio", "stiction_rate", "body_depth", "body_height", "roll_inertia")
@@ -221,6 +219,6 @@ def columns(robot: Robot, values: Mapping[str, Any]) -> Any:
     return changed
 
 
-def rows_of(mask: NDArray[np.bool_]) -> list[int]:
+def rows_of(mask: Mask) -> list[int]:
     """The rows that a mask (n,) keeps."""
     return [int(row) for row in np.flatnonzero(mask)]

@@ -10,14 +10,11 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from upright.calibrate.estimate import VISIBLE, Estimate
 from upright.calibrate.parameters import Parameter
 from upright.logs.recording import SENSOR, Recording
 from upright.robots import Kit
-
-Array = NDArray[np.float64]
 
 FREQUENCY, DAMPING = "gyro_resonance", "gyro_damping"
 MEANING = {

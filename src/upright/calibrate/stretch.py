@@ -10,8 +10,8 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Whole
 from upright.calibrate.fitting import Problem
 from upright.logs.recording import Recording, first_line, first_wheel_rates
 from upright.physics.dynamics import turn_ratio
@@ -19,8 +19,6 @@ from upright.physics.dynamics import turn_ratio
 if TYPE_CHECKING:
     from upright.calibrate.predictor import Events, RobotLanes
 
-Array = NDArray[np.float64]
-Whole = NDArray[np.int64]
 
 FAN = np.array([-0.6, -0.3, -0.15, -0.07, -0.03, 0.0, 0.03, 0.07, 0.15, 0.3, 0.6])
 """[rad] first pitches to try, closer where a balancing robot is."""

@@ -9,8 +9,8 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.calibrate import dropping, misaligned, resonance
 from upright.calibrate.calibration import Calibration, Segments
 from upright.calibrate.coefficients import AT, SHARPER, around, slopes_of
@@ -31,8 +31,6 @@ from upright.physics.linear import unstable_pole
 from upright.robots import PARAMETERS, FittedLog, Provenance, Robot
 from upright.signals import Log
 from upright.tables import joined, sentence
-
-Array = NDArray[np.float64]
 
 HALVED = 0.5  # of the prior's deviation: a number known twice as well, or better, is called visible
 CONTRADICTED = "since the log contradicts the file, and any of its numbers may be wrong"

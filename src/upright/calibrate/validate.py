@@ -6,23 +6,20 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Mask, Whole
 from upright.calibrate.calibration import Segments, Whiteness
 from upright.calibrate.fitting import Normal, Path, Problem, fitted_readings
 from upright.calibrate.stretch import Stretch, free
 from upright.calibrate.threads import in_threads
 from upright.logs.recording import Recording
 
-Array = NDArray[np.float64]
-Whole = NDArray[np.int64]
-
 HORIZONS = (1, 10, 50)
 LAGS = 20
 
 
 def segments(
-    problem: Problem, recording: Recording, z: Array, seconds: float = 0.5, among: NDArray[np.bool_] | None = None
+    problem: Problem, recording: Recording, z: Array, seconds: float = 0.5, among: Mask | None = None
 ) -> Segments:
     """Every segment of `seconds` of a recording simulated from its first state, which is fitted to its readings;
     `among` (events,) restricts it to a part."""

@@ -13,8 +13,8 @@ from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.doctor.finding import GYRO, LEFT, PITCH, RIGHT, Finding, Record, error
 from upright.doctor.motion import TRUSTED as OBEYED
 from upright.doctor.physics import Resampled, motor, resampled
@@ -23,8 +23,6 @@ from upright.logs.mapping import COMMANDS, GUESS, Mapping, Source, by_names, cha
 from upright.logs.names import pairs
 from upright.logs.readers import RawTable
 from upright.logs.units import UNITS
-
-Array = NDArray[np.float64]
 
 TRUSTED = 0.95
 """[1] R² of the pendulum equation from which columns are taken for encoders and gyro. Other triples of columns reach

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from upright.arrays import Array, Mask
 
 SEVERITIES = ("error", "warning", "note")
 """error: the log is wrong; warning: a fit must account for it; note: information."""
@@ -92,7 +92,7 @@ class Record:
         """Median time between rows [s]."""
         return float(np.median(np.diff(self.t)))
 
-    def on_wheels(self, t: Array) -> NDArray[np.bool_]:
+    def on_wheels(self, t: Array) -> Mask:
         """Which of the times `t` [s] are in a pose in which the equations of motion hold; all where none is known."""
         if not self.segments:
             return np.ones(len(t), dtype=bool)

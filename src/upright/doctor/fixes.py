@@ -6,8 +6,8 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Mask
 from upright.doctor.finding import Array, Fix, Record
 from upright.logs.outliers import bridged, grain_of, single
 
@@ -149,7 +149,7 @@ def _fill(record: Record, fix: Fix) -> Record:
     return _each(record, fix, lambda x: bridged(record.t, x, ~np.isfinite(x)))
 
 
-def stale(x: Array) -> NDArray[np.bool_]:
+def stale(x: Array) -> Mask:
     """Readings that repeat the previous one although their neighbours change by more than three quantisation steps.
 
     The slope is taken from the other neighbours, x[k−1] and x[k+1]; a slow signal, which repeats by quantisation,
@@ -166,7 +166,7 @@ def stale(x: Array) -> NDArray[np.bool_]:
     return repeats
 
 
-def beside(mask: NDArray[np.bool_], reach: int) -> NDArray[np.bool_]:
+def beside(mask: Mask, reach: int) -> Mask:
     """The rows that are in `mask`, or within `reach` rows of one that is; of any length."""
     from scipy.ndimage import maximum_filter1d
 

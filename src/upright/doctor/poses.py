@@ -13,6 +13,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.arrays import Mask
 from upright.doctor.finding import (
     BALANCING,
     FALLEN,
@@ -37,8 +38,6 @@ from upright.doctor.finding import (
 from upright.doctor.physics import Resampled, resampled, smooth, widths
 from upright.doctor.time import LONGEST
 from upright.logs.outliers import grain_of, runs
-
-Mask = NDArray[np.bool_]
 
 TIPPED = 0.5
 """[rad] Lean in which nothing stays that balances, and further than which a fall has turned."""

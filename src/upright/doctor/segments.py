@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Mask
 from upright.doctor.delays import CLEAR
 from upright.doctor.finding import (
     FALLEN,
@@ -194,7 +194,7 @@ def slips(record: Record) -> list[Finding]:
     return _events(m, miss, loud, scatter)
 
 
-def _events(m: Resampled, miss: Array, loud: NDArray[np.bool_], scatter: float) -> list[Finding]:
+def _events(m: Resampled, miss: Array, loud: Mask, scatter: float) -> list[Finding]:
     join = max(1, round(0.25 / m.period))
     findings: list[Finding] = []
     for a, b in runs(beside(loud, join))[:_MOST]:

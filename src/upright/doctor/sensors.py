@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Mask
 from upright.doctor.finding import (
     BATTERY,
     FORWARD,
@@ -34,7 +34,6 @@ COARSE_ENCODER = 0.06  # [rad] a hundred steps a turn, coarser than any motor th
 
 REPEATED = 0.01  # [1] of the rows in which a channel moves
 
-Mask = NDArray[np.bool_]
 
 _SENSED = (LEFT, RIGHT, GYRO, "sensor/compass", FORWARD, UP, PITCH)
 
@@ -245,7 +244,7 @@ def at_limit(record: Record, names: Sequence[str]) -> tuple[float, int]:
     return float(at.mean()), max((last - first for first, last in runs(at)), default=0)
 
 
-def limited(record: Record, names: Sequence[str]) -> NDArray[np.bool_]:
+def limited(record: Record, names: Sequence[str]) -> Mask:
     """Which values of these channels (channels, n) are at their largest, alone or over the battery."""
     groups = [np.concatenate([of(record, name) for name in names]) for of in (Record.__getitem__, _of_battery)]
     levels = LEVELS if names[0] == GYRO else 0.0

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Mask
 from upright.doctor.counts import DEGREE, encoder_counts, raw_counts, whole_numbers
 from upright.doctor.duty import (
     ALIKE,
@@ -38,8 +38,6 @@ from upright.logs.outliers import grain_of
 from upright.logs.units import UNITS
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.robots import Robot, find_kit
-
-Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True)

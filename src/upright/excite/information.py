@@ -12,8 +12,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.calibrate.calibrate import prepared
 from upright.calibrate.electronics import CONSTANT
 from upright.calibrate.fitting import STICKING, Problem, normal_equations, objective
@@ -22,8 +22,6 @@ from upright.calibrate.process_noise import process
 from upright.calibrate.refined import FREEDOM
 from upright.robots import Kit, Robot
 from upright.signals import Log
-
-Array = NDArray[np.float64]
 
 HELD_OUT = 0.25
 """Last fraction of a log that `calibrate` holds out by default, and that gives no information."""

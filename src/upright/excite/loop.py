@@ -12,8 +12,8 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.control import Controller, as_linear
 from upright.control.identity import Identity, identity
 from upright.control.linear_controller import LinearController
@@ -23,8 +23,6 @@ from upright.kernel.simulate import simulate
 from upright.logs.recording import SENSOR
 from upright.robots import Kit, Robot
 from upright.signals import Log
-
-Array = NDArray[np.float64]
 
 FINEST = 0.02  # [s] a row is held at least: 25 Hz is beyond what a robot's sensors tell of its motion
 MOST_ROWS = 1500  # of an excitation: the kernel's time grows with rows times periods

@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.control import Controller
 from upright.control.excited import Excited
 from upright.control.identity import Identity, identity
@@ -18,8 +18,6 @@ from upright.errors import InvalidScenario, SpecMismatch
 from upright.fleet.binomial import upper_bound
 from upright.reading import check_types, read_json, understood
 from upright.tables import Shown
-
-Array = NDArray[np.float64]
 
 CONFIDENCE = 0.95
 KIND, VERSION = "upright excitation", 2

@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.calibrate.fitting import Problem
 from upright.calibrate.summary import NORMAL
 from upright.control.excited import random_binary
@@ -21,8 +21,6 @@ from upright.progress import Progress
 from upright.robots import PARAMETERS
 from upright.robots.uncertainty import Family
 from upright.signals import Log
-
-Array = NDArray[np.float64]
 
 MARGIN = 1.1
 """The plan is checked so much larger than it is: a real motor may be stronger, a floor smoother than the model's."""

@@ -12,9 +12,8 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from upright.arrays import Array
 
 COMMON, TURNING = np.array([1.0, 1.0]), np.array([-1.0, 1.0])
 MODES = {"common": COMMON, "turning": TURNING}

@@ -11,10 +11,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Whole = NDArray[np.int64]
+from upright.arrays import Array, Whole
 
 PASTS = (10, 15, 20, 30, 40, 50, 60)
 """Lengths of the past among which `past_window` chooses."""

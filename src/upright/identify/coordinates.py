@@ -9,13 +9,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Complex
 from upright.errors import InvalidModel
 from upright.physics.linear import LinearModel
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 PHYSICAL = {"pitch": ("pitch", "pitch_rate", "wheel", "wheel_rate"), "yaw": ("yaw", "yaw_rate")}
 """States of each half of the robot, in the order of `LinearModel`."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.calibrate.calibration import Calibration
 from upright.identify.coordinates import COMMANDS, PHYSICAL, growth_rate, half_model, with_sent
 from upright.identify.samples import Part
@@ -14,8 +14,6 @@ from upright.identify.study import MethodFit, Pole, Study
 from upright.physics.linear import LinearModel, linearise, rolling
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import STATE_NAMES
-
-Array = NDArray[np.float64]
 
 
 def calibrated(study: Study) -> MethodFit:

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.atomic import finite
 from upright.identify.coordinates import COMMANDS
 from upright.identify.order import OrderChoice
@@ -21,7 +21,6 @@ from upright.tables import Shown
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 
 STABLE = "a stable model, which is wrong, since a two-wheeled robot falls"
 WITH_FRICTION = "friction counted as damping"

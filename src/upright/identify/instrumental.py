@@ -9,8 +9,8 @@ and filter are result in turn.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.errors import InvalidModel
 from upright.identify.arx import Regression, regression, split
 from upright.identify.coordinates import physical, with_sent
@@ -18,8 +18,6 @@ from upright.identify.joint import law, simulated
 from upright.identify.samples import Part
 from upright.identify.subspace import InnovationModel
 from upright.physics.linear import LinearModel
-
-Array = NDArray[np.float64]
 
 ITERATIONS = 2  # of model, instruments and filter: the first's instruments are valid, the second's nearly optimal
 WHITENING = 20  # lags of the filter that whitens an equation's error

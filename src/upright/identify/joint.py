@@ -10,13 +10,11 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.identify.samples import Part
 from upright.identify.subspace import InnovationModel
 from upright.physics.linear import LinearModel
-
-Array = NDArray[np.float64]
 
 MEMORY = 40  # rows of readings and of commands that the law may remember
 WILD = 100.0  # times the log's largest command: a simulated loop beyond has run away

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.bodies import Body, Electronics, NonlinearBody, make_body
 from upright.calibrate.calibration import Calibration
 from upright.control.delay import RAW
@@ -28,8 +28,6 @@ from upright.identify.samples import Samples
 from upright.physics.linear import LinearModel, delay_line
 from upright.robots import PARAMETERS, Kit, Robot
 from upright.signals import STATE_NAMES
-
-Array = NDArray[np.float64]
 
 HELD, UNTIL, SECONDS = 0.05, 1.0, 8.0
 """The robot is held at this pitch [rad] until that time [s], let go, and watched to the end."""

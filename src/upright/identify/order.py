@@ -7,16 +7,14 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.atomic import finite
 from upright.errors import InvalidModel
 from upright.identify.arx import longer, past_window
 from upright.identify.coordinates import PHYSICAL
 from upright.identify.samples import Part
 from upright.identify.subspace import LARGEST, InnovationModel, predicted_states
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

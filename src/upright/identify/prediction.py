@@ -6,16 +6,14 @@ import contextlib
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.control.kalman import filtered, process_noise, steady_kalman
 from upright.control.lqr import LARGEST_COMMAND
 from upright.errors import DesignFailed
 from upright.identify.identified import reading
 from upright.identify.samples import Part, Samples
 from upright.physics.linear import LinearModel
-
-Array = NDArray[np.float64]
 
 HORIZONS = (1, 10, 50)
 MOTOR = 0.3

@@ -8,14 +8,12 @@ commands. So both methods are biased on real sensors; `study.Study` estimates th
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.errors import InvalidModel
 from upright.identify.coordinates import PHYSICAL, half_model
 from upright.identify.samples import Part
 from upright.physics.linear import LinearModel
-
-Array = NDArray[np.float64]
 
 
 def rebuilt(part: Part) -> Array:

@@ -12,8 +12,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.doctor.doctor import contradictions
 from upright.doctor.wheels import on_its_wheels
 from upright.errors import InvalidLog, UnknownName
@@ -22,8 +22,6 @@ from upright.logs.recording import check_clock, check_complete, check_unit, one_
 from upright.robots import Kit, Robot, Sensor, find_kit
 from upright.signals import Log
 from upright.tables import sentence
-
-Array = NDArray[np.float64]
 
 SOURCES = ("sensors", "states")
 FEWEST = 300  # samples for a dynamic model: a past of some 15 periods alone has 50 parameters for each output

@@ -13,8 +13,8 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.atomic import finite
 from upright.calibrate.calibration import Calibration
 from upright.errors import InvalidLog, InvalidModel
@@ -24,7 +24,6 @@ from upright.identify.order import OrderChoice, choose_order
 from upright.identify.samples import Part, Samples
 from upright.physics.linear import LinearModel
 
-Array = NDArray[np.float64]
 PartFit = Callable[[Part, "Study"], LinearModel]
 
 NORMAL = 1.96  # deviations either side that hold 95 % of a normal distribution

@@ -10,14 +10,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Whole
 from upright.identify.arx import Arx, arx, longer, past_window
 from upright.identify.coordinates import PHYSICAL, physical
 from upright.identify.samples import Part
 from upright.physics.linear import LinearModel
-
-Array = NDArray[np.float64]
 
 LARGEST = 4  # states beyond the physical ones that are tried: a fraction of a dead time, sensors that lag
 FUTURE = 0.5  # rows predicted over rows of the past
@@ -61,7 +59,7 @@ class States:
     """The past's prediction of `part`, before an order is chosen: `singular` values and their directions."""
 
     part: Part
-    rows: NDArray[np.int64]
+    rows: Whole
     vectors: Array
     singular: Array
 
@@ -101,7 +99,7 @@ def _covariance(e: Array) -> Array:
     return S + 1e-12 * np.trace(S) * np.eye(len(S)) + 1e-30 * np.eye(len(S))
 
 
-def _past(part: Part, rows: NDArray[np.int64], lags: int) -> Array:
+def _past(part: Part, rows: Whole, lags: int) -> Array:
     """[y, u] of the last `lags` rows, newest first (rows, lags · (outputs + 1))."""
     both = np.column_stack([part.y, part.u])
     return np.concatenate([both[rows - i] for i in range(1, lags + 1)], axis=1)

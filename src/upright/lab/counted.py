@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.arrays import Array, Whole
 from upright.bodies import Body, Electronics, Sample
 from upright.bodies.body import REST
 from upright.lab.plant import is_bare
@@ -25,7 +26,6 @@ BLOCK = 512
 MULTIPLIERS, STEPS = (0xD2511F53, 0xCD9E8D57), (0x9E3779B9, 0xBB67AE85)
 """Of Salmon et al. (2011), table 2; the steps are Weyl's."""
 
-Array = NDArray[np.float64]
 Words = NDArray[np.uint64]
 
 
@@ -76,7 +76,7 @@ def _drawn(sensor: Sensor, every: int, purpose: int, seed: int) -> Iterator[floa
                 yield one
 
 
-def normals(times: NDArray[np.int64], purpose: int, seed: int) -> tuple[Array, Array]:
+def normals(times: Whole, purpose: int, seed: int) -> tuple[Array, Array]:
     """Two independent normal numbers (n,) for each of the whole `times` (n,) (Box and Muller 1958)."""
     first, second, _, _ = philox(times, purpose, seed)
     radius = np.sqrt(-2 * np.log((first + 0.5) / 2**32))
@@ -84,7 +84,7 @@ def normals(times: NDArray[np.int64], purpose: int, seed: int) -> tuple[Array, A
     return radius * np.cos(angle), radius * np.sin(angle)
 
 
-def philox(times: NDArray[np.int64], purpose: int, seed: int) -> tuple[Words, Words, Words, Words]:
+def philox(times: Whole, purpose: int, seed: int) -> tuple[Words, Words, Words, Words]:
     """Four words of 32 bits (n,) for each of the whole `times` (n,): Philox 4×32-10 (Salmon et al. 2011)."""
     low, half = np.uint64(0xFFFFFFFF), np.uint64(32)
     m0, m1 = map(np.uint64, MULTIPLIERS)

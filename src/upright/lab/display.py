@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.lab.lane import Lane
 from upright.lab.messages import History, Snapshot
 from upright.lab.ring import Ring
@@ -35,7 +35,7 @@ class Display:
             self._rows = Ring(round(KEPT / period), 1 + 9 * len(lanes) + 13)
         self._lanes, self._period = lanes, period
 
-    def record(self, t: float, disturbance: Disturbance, pull: float, target: NDArray[np.float64]) -> None:
+    def record(self, t: float, disturbance: Disturbance, pull: float, target: Array) -> None:
         """Add the moment `t` [s]."""
         main, row = self._lanes[0], [t]
         for lane in self._lanes:
@@ -48,7 +48,7 @@ class Display:
         """The moment `back` [s] ago."""
         return self.view().snapshot(self._rows.back(round(back / self._period)).tolist(), n, back, paused)
 
-    def rows(self, every: float) -> NDArray[np.float64]:
+    def rows(self, every: float) -> Array:
         """All that is kept, oldest first, a row each `every` seconds; `view` makes pictures of them."""
         return self._rows.rows(max(1, round(every / self._period)))
 

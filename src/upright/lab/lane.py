@@ -5,9 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-import numpy as np
-from numpy.typing import NDArray
-
+from upright.arrays import Array
 from upright.bodies import Body
 from upright.control import Controller
 from upright.errors import UprightError
@@ -16,8 +14,6 @@ from upright.lab.plant import Pulled
 from upright.lab.ring import Ring
 from upright.physics.dynamics import Disturbance
 from upright.signals import Log
-
-Array = NDArray[np.float64]
 
 LYING = 1.5
 """Pitch [rad] at which a fallen robot is shown: on its back or on its face."""

@@ -5,11 +5,9 @@ from __future__ import annotations
 from collections.abc import Container
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.logs.readers import RawTable
-
-Array = NDArray[np.float64]
 
 _SURE = 0.9  # correlation from which a column is taken for the rate of another
 _EXACT = 0.999999  # correlation of one reading in two units

@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.errors import InvalidLog, UnknownName
 from upright.logs.draft import clock_of, is_clock
 from upright.logs.names import (
@@ -34,8 +34,6 @@ from upright.reading import check_types, parse_toml, read_text, understood
 from upright.signals import SIDES, Log
 from upright.signals.header import TIME
 from upright.signals.signal import KNOWN
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -12,12 +12,12 @@ from hashlib import blake2b
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
-from numpy.typing import NDArray
 
+from upright.arrays import Whole
 from upright.logs.recording import ROWS
 from upright.signals import Log
 
-Marks = NDArray[np.int64]
+Marks = Whole
 
 WINDOW = 16  # rows to a mark
 LIVELY = 8  # of these that differ from the row before: coarse sensors of two quiet robots may read the same

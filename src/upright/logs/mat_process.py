@@ -10,12 +10,10 @@ import sys
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.errors import one_line
 from upright.reading import limit_memory
-
-Array = NDArray[np.float64]
 
 ROOM = 2 << 30
 """[bytes] of addresses that the parser may take, where the system can limit them."""

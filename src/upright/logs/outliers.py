@@ -6,12 +6,9 @@ from __future__ import annotations
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Mask
 from upright.signals import Log
-
-Array = NDArray[np.float64]
-Mask = NDArray[np.bool_]
 
 SENSORS = ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro")
 FULL, BELOW = 0.995, 0.9  # of the largest size: readings at the end of the range, and those below it

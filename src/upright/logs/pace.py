@@ -6,11 +6,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.signals import Log
-
-Array = NDArray[np.float64]
 
 SLOW = 0.02  # [1] by which the median step of a clock that keeps its pace may differ from the period
 OVERDUE = 1.15  # periods after which a row is late: stamps of a millisecond differ by one in ten

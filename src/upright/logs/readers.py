@@ -13,16 +13,13 @@ from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
-from numpy.typing import NDArray
 
-from upright.arrays import floats_of
+from upright.arrays import Array, floats_of
 from upright.errors import InvalidLog, one_line
 from upright.logs.layout import Layout, bare, cells_of, is_number, layout, padded
 from upright.reading import expanded, parse_json, read_text
 from upright.signals import Log, parquet
 from upright.signals.header import TIME, check_lines, understand
-
-Array = NDArray[np.float64]
 
 _NOTE = "# upright-log: "
 DECIMATION = "one_in"

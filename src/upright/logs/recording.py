@@ -7,17 +7,14 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Mask, Whole
 from upright.errors import InvalidLog
 from upright.logs.outliers import left_out
 from upright.physics.dynamics import turn_ratio
 from upright.physics.sensing import sensor_matrix
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import SIDES, STATE_NAMES, Log
-
-Array = NDArray[np.float64]
-Whole = NDArray[np.int64]
 
 ROWS = (
     "sensor/encoder_left", "sensor/encoder_right", "sensor/encoder_rate_left", "sensor/encoder_rate_right",
@@ -52,7 +49,7 @@ class Recording:
     when: Array
     value: Array
     commands: Array
-    fitted: NDArray[np.bool_]
+    fitted: Mask
     first: Array
     P0: Array
     period: float
@@ -65,7 +62,7 @@ class Recording:
         return tuple(dict.fromkeys(SENSOR[row] for row in self.rows))
 
     @cached_property
-    def judged(self) -> NDArray[np.bool_]:
+    def judged(self) -> Mask:
         """Which events are readings that are fitted."""
         return self.fitted & (self.kind >= 0)
 

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.logs.readers import RawTable
-
-Array = NDArray[np.float64]
 
 TIMERS = tuple(2.0**bits * unit for bits in (16, 24, 32) for unit in (1.0, 1e-3, 1e-6))
 """What a timer counts to: its own counts, or seconds that a program made of its milli- or microseconds."""

@@ -6,8 +6,8 @@ import math
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Mask
 from upright.fleet.results import origin_of
 from upright.plotting import COLOURS, GRID, INK, RIGHT, colour_map, legend, number
 from upright.report.figure import Figure
@@ -19,8 +19,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure as MplFigure
     from xarray import Dataset
-
-Array = NDArray[np.float64]
 
 
 LEVELS = 10
@@ -245,7 +243,7 @@ def _in_degrees(value: float, data: Dataset, name: str) -> str:
 def rest_range(data: Dataset) -> tuple[float, float]:
     """From where to where, round zero, the first state recovers while the second is zero; NaN where it does not."""
     across, up = (data[str(name)].values for name in data["recovered"].dims)
-    row: NDArray[np.bool_] = data["recovered"].values[:, int(np.abs(up).argmin())] > 0.5
+    row: Mask = data["recovered"].values[:, int(np.abs(up).argmin())] > 0.5
     middle = int(np.abs(across).argmin())
     if not row[middle] or not across[0] <= 0 <= across[-1] or not up[0] <= 0 <= up[-1]:
         return math.nan, math.nan

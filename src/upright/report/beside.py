@@ -6,8 +6,8 @@ import math
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.comparison import Comparison
 from upright.comparison.metrics import nrmse_fit
 from upright.experiment.outcome import last_part
@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 
 CLOSE, FAIR = 80.0, 50.0  # [%] of fit: from where two runs agree well, and at all
 AVERAGED = 0.3  # [s] over which quick swings (noise, rounded readings) average out, the answer to a push does not

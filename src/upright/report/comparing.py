@@ -6,7 +6,6 @@ import math
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from upright.comparison import Comparison
 from upright.comparison.comparison import NEGLIGIBLE
@@ -52,7 +51,6 @@ if TYPE_CHECKING:
 
     from upright.signals import Log
 
-Array = NDArray[np.float64]
 
 MOST = 3  # numbers on the first screen
 NAMED = 4  # runs that a sentence names

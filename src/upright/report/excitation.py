@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.calibrate.estimate import BOUNDED, CLOSE, MEASURED, NOT_VISIBLE, ONE_SIDED
 from upright.excite.plan import VISIBLE, ExcitationPlan, Predicted
 from upright.plotting import AXIS, BESIDE, COLOURS, INK, WIDTH, legend, line, number, numbered, panels, rows_of
@@ -14,8 +14,6 @@ from upright.report.figure import Figure
 from upright.report.made import chosen, command, typed
 from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
 from upright.tables import joined, spoken
-
-Array = NDArray[np.float64]
 
 
 def page_of(plan: ExcitationPlan) -> Page:

@@ -22,6 +22,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Polygon
 from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.atomic import TemporaryFolder, write_bytes
 from upright.diagnose.post_mortem import robot_of
 from upright.errors import InvalidLog, MissingTool, UprightError
@@ -35,7 +36,6 @@ from upright.signals import Log
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
 
-Array = NDArray[np.float64]
 
 WIDTH, HEIGHT, PANEL = 9.6, 5.4, 1.35  # [inches] of the figure; height of a panel
 KINDS = (".gif", ".webp", ".mp4")

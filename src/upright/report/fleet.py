@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Mask
 from upright.certify.verdict import MOST_FALLS
 from upright.fleet.binomial import RARE, upper_bound
 from upright.fleet.ensemble import SETTLED
@@ -28,7 +28,6 @@ from upright.tables import joined, sentence, spoken
 if TYPE_CHECKING:
     from xarray import Dataset
 
-Array = NDArray[np.float64]
 
 FRACTION: dict[str, Any] = {"xycoords": ("axes fraction", "data"), "textcoords": "offset points"}
 
@@ -79,7 +78,7 @@ def _untested(data: Dataset) -> str:
     )
 
 
-def _swinging(data: Dataset) -> NDArray[np.bool_] | None:
+def _swinging(data: Dataset) -> Mask | None:
     """Of the robots that stood those that swing; None where there are no two groups, or a push moved them."""
     origin, rolled = origin_of(data), stood(data, "travel") if "travel" in data else np.empty(0)
     motor = (origin.get("kit") or {}).get("motor") or {}

@@ -6,8 +6,8 @@ import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.certify.recovery import KNOCK_DURATION, largest_knock
 from upright.fleet.results import origin_of
 from upright.plotting import colour_map, legend, line, number, panels, round_levels
@@ -21,8 +21,6 @@ from upright.tables import least
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from xarray import Dataset
-
-Array = NDArray[np.float64]
 
 
 LEVELS = 10

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from upright.arrays import Array
 from upright.diagnose import PostMortem
 from upright.diagnose.blows import HELPED, PUSHED
 from upright.diagnose.causes import (
@@ -33,9 +34,6 @@ from upright.tables import sentence
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from numpy.typing import NDArray
-
-    Array = NDArray[np.float64]
 
 LARGEST = 120.0  # [°] up to which ticks are 40° apart, so that the fall has one
 CUT = 1.2  # of the largest command: a law may ask for much more
