@@ -16,13 +16,13 @@ import numpy as np
 import pytest
 
 from firmware_cases import EV3, GOLDEN, NXT, ROBOT, SPIKE, designed, frozen, written
+from interpreter import Interpreter
 from upright.atomic import write_json
 from upright.certify.certificate import Certificate
 from upright.certify.checks import PushTrial
 from upright.certify.verdict import LinearMargins, judge
 from upright.cli.main import USER_ERROR, main
 from upright.compiled.fixed import fractions, scaled
-from upright.compiled.interpret import Interpreter
 from upright.compiled.print_c import CPrinter
 from upright.compiled.print_nxc import NxcPrinter
 from upright.compiled.program import Kind, Program, Sum

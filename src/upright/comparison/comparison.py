@@ -18,6 +18,7 @@ from upright.certify.verdict import MOST_TRAVEL
 from upright.comparison import metrics, resting, swaying
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import outcome_of
+from upright.logs.recording import commanded
 from upright.signals import STATE_NAMES, Log
 from upright.tables import Listing, Shown
 
@@ -135,7 +136,7 @@ class Comparison(Shown):
 
     def plot_commands(self) -> Figure | None:
         """Both commands of the logs that have them, applied ones first; None where no log has any."""
-        drawn = {label: [f"{p}/left", f"{p}/right"] for label, log in self.logs.items() if (p := _command_prefix(log))}
+        drawn = {label: [f"{p}/left", f"{p}/right"] for label, log in self.logs.items() if (p := commanded(log))}
         titles = [f"{side} command [{self.command_unit}]" for side in ("left", "right")]
         return self._drawn(titles, drawn, step=True) if drawn else None
 
@@ -313,7 +314,7 @@ def _release(log: Log, anchor: Log) -> float:
 
 
 def _command_unit(log: Log) -> str:
-    prefix = _command_prefix(log)
+    prefix = commanded(log)
     return log.unit(f"{prefix}/left") if prefix else "V"
 
 
@@ -339,7 +340,7 @@ def _channel(log: Log, name: str) -> metrics.Array:
 
 
 def _effort(log: Log, unit: str) -> float:
-    prefix = _command_prefix(log)
+    prefix = commanded(log)
     if prefix and _command_unit(log) != unit:
         return np.nan  # volts and newton metres do not compare
     return metrics.effort(log.t, _channel(log, f"{prefix}/left"), _channel(log, f"{prefix}/right"))
@@ -379,10 +380,6 @@ def _fit(anchor: Log, log: Log, mine: Mapping[str, str], other: Mapping[str, str
         else metrics.nrmse_fit(y, z)
         for name, (y, z) in pairs.items()
     }  # fmt: skip
-
-
-def _command_prefix(log: Log) -> str:
-    return next((p for p in ("applied", "command") if f"{p}/left" in log and f"{p}/right" in log), "")
 
 
 def fit_cell(fit: float) -> str:
