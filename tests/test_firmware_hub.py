@@ -20,11 +20,11 @@ import numpy as np
 import pytest
 
 from conftest import PATIENCE
+from interpreter import Interpreter
 from upright.bricks.hub import COMMANDS, CommandRefused, VirtualHub
 from upright.bricks.virtual_robot import virtual_hub
 from upright.cli.fly import LOST
 from upright.cli.main import main
-from upright.compiled.interpret import Interpreter
 from upright.compiled.program import Program
 from upright.control import CONTROLLERS
 from upright.errors import UprightError

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from firmware_cases import NXT, ROBOT, SPIKE, designed, frozen, steering, written
-from upright.compiled.interpret import Interpreter
+from interpreter import Interpreter
 from upright.control import controller_hash
 from upright.control.controller import Controller
 from upright.errors import InvalidController, InvalidLog, MissingTool

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from firmware_cases import NXT, ROBOT, SPIKE, frozen, steering, written
-from upright.compiled.interpret import Interpreter
+from interpreter import Interpreter
 from upright.compiled.program import Program
 from upright.errors import InvalidController
 from upright.firmware import trace

@@ -123,18 +123,20 @@ def test_links_of_the_worksheet_set_the_page_up_too(page, site):
 def test_margins_say_what_another_dead_time_takes_of_them(page):
     """The controller stays as it was designed: both motors bear 64 ms more, as the page says itself."""
     page.evaluate("upright.store.change({ robot: 'nxtway-gs', controller: 'lqg' })")
-    page.wait_for_function("document.querySelector('.verdict.good')")
+    said = "document.querySelector('.numbers .verdict')?.innerText ?? ''"
+    page.wait_for_function(f"({said}).includes('of 5 margins')")
+    assert "dead time" not in page.evaluate(said).partition(".")[0]
     bears = 1e3 * page.evaluate("upright.store.analysed.delay")
     page.evaluate("upright.store.change({ delay: 0.04 })")
     verdict = page.locator(".numbers .verdict")
-    page.wait_for_function("document.querySelector('.numbers .verdict.open')")
+    page.wait_for_function(f"({said}).includes('The slider uses')")
     assert "at the kit's own dead time" in verdict.inner_text()
     assert f"The slider uses 38\u00a0ms of the {bears:.0f}\u00a0ms" in verdict.inner_text()
     page.evaluate(f"upright.store.change({{ delay: {bears / 1e3 + 0.004} }})")
     page.wait_for_function("document.querySelector('.numbers .verdict.bad')")
     assert "more than the" in verdict.locator("b").inner_text()
     page.evaluate("upright.store.change({ delay: -1 })")
-    page.wait_for_function("document.querySelector('.numbers .verdict.good')")
+    page.wait_for_function("!document.querySelector('.numbers .verdict.bad')")
     page.evaluate("upright.store.change({ controller: 'gains' })")
     assert "computes one for gains by hand" in page.locator(".column.full.note, .note.column.full").inner_text()
 

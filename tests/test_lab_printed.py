@@ -14,11 +14,11 @@ import numpy as np
 import pytest
 
 from conftest import PATIENCE
+from interpreter import Interpreter
 from upright.bodies import Electronics, NonlinearBody, make_body
 from upright.calibrate.calibrate import prepared
 from upright.calibrate.informativity import too_quiet
 from upright.cli.main import main
-from upright.compiled.interpret import Interpreter
 from upright.compiled.print_javascript import JavaScriptPrinter, functions
 from upright.control import CONTROLLERS, Controller, gain_of
 from upright.control.delay import RAW

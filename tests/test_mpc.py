@@ -10,8 +10,8 @@ from types import ModuleType
 import numpy as np
 import pytest
 
+from interpreter import Interpreter
 from upright.bodies import Electronics, LinearBody, NonlinearBody
-from upright.compiled.interpret import Interpreter
 from upright.control import controller_hash, lqg, mpc, read_controller, write_controller
 from upright.control.law import as_law, program
 from upright.control.mpc import PredictiveController, doubling, largest_command, predicted

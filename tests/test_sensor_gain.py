@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from interpreter import Interpreter, evaluate
 from upright.bodies import Electronics, NonlinearBody
 from upright.calibrate.filter_log import filter_log
 from upright.compiled.electronics import formulas
-from upright.compiled.interpret import Interpreter, evaluate
 from upright.control import make_controller
 from upright.experiment import Drive, run
 from upright.firmware.generate import trace
