@@ -48,7 +48,7 @@ from upright.diagnose.changes import frictions
 from upright.diagnose.evidence import gather
 from upright.diagnose.fall import lost_lately, stuck_sensor
 from upright.diagnose.fault_fits import FaultFit, PushEstimate, exceeding, fits, least_squares
-from upright.diagnose.forces import loaded, sliding
+from upright.diagnose.forces import sliding
 from upright.diagnose.innovations import FilterRun, driven, follow
 from upright.diagnose.joint import jointly, settled
 from upright.diagnose.measured import Toppling
@@ -683,28 +683,6 @@ def test_two_causes_are_found_where_the_first_one_alone_takes_up_a_part_of_the_s
     found = post_mortem(Log(log.t, {n: log[n] for n in names}), NXT, KIT)
     assert set(found.verdict.split(" and ")) == {"weak battery", "ramp"}, str(found)
     assert found.onset == pytest.approx(ONSET, abs=0.2)  # the slope grows within 0.2 s
-
-
-@pytest.mark.slow
-@pytest.mark.long
-def test_a_load_that_goes_is_found_beside_the_push_that_hides_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    # planted: eight tenths of the body come off, 0.3 s before a push of 0.7 m/s. Of six tenths before 0.9 m/s the log
-    # shows nothing: from the planted numbers on a load and a push have 301.5 nats, pushes alone 301.9
-    # by a program that goes on until its robot lies: one that stops at 0.8 rad leaves too little to tell the two apart
-    monkeypatch.setattr("upright.experiment.loop.STOP", math.inf)
-    body = open_bench.BrokenBody(Twin(NXT), KIT, bench.Fault("load changed", "dropped", ONSET, 0.8, -1.0), 1)
-    push = Push(force=0.7 * MASS / 0.15, start=ONSET + 0.3, duration=0.15)
-    log = run(body, designed(), [Impulse(impulse=0.05, start=0.7, duration=0.02), push], seconds=7.0, seed=2)
-    assert log.origin["outcome"]["fell"]
-    names = [n for n in log.channels if n.startswith(("sensor/", "command/"))]
-    followed, evidence = gather(Log(log.t, {n: log[n] for n in names}), NXT, KIT, None, lambda _: None)
-    assert evidence is not None
-    window = window_of(followed, evidence.fell_at)
-    bank_ = window.bank(followed, pushes_only=False)
-    found = loaded(followed, evidence.pushes_only, window, bank_)
-    # the file may be wrong beside pushes as well, which leaves less for a load to explain than the ten nats from before
-    assert found.score > evidence.pushes_only.score
-    assert (found.onset, found.size) == (pytest.approx(ONSET, abs=0.1), pytest.approx(-0.8, abs=0.1))
 
 
 @pytest.mark.long
