@@ -28,7 +28,6 @@ from upright.control import (
     sliding,
     write_controller,
 )
-from upright.control.controller import TRUE_STATE
 from upright.control.delay import RAW, sampled
 from upright.control.excited import Excited, random_binary
 from upright.control.kalman import DISTURBED, kalman_filter
@@ -43,7 +42,7 @@ from upright.experiment import Drive, Hold, Impulse, Turn, run
 from upright.physics.dynamics import accelerations
 from upright.physics.linear import linearise, rolling
 from upright.robots import Kit, Robot, Sensor, preset_names
-from upright.signals import STATE_NAMES
+from upright.signals import STATE_NAMES, TRUE_STATE
 
 NXT = Robot.preset("nxtway-gs")
 KIT = Kit.preset("nxt")

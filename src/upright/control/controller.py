@@ -9,10 +9,6 @@ from dataclasses import dataclass
 from typing import Any, Protocol, runtime_checkable
 
 from upright.arrays import Array
-from upright.signals import STATE_NAMES
-
-TRUE_STATE = tuple(f"truth/{name}" for name in STATE_NAMES)
-"""What a controller of the full true state reads: no real robot offers it."""
 
 
 @dataclass(frozen=True)

@@ -14,13 +14,12 @@ from functools import cache, cached_property, lru_cache
 import numpy as np
 
 from upright.arrays import Array
-from upright.control.controller import TRUE_STATE
 from upright.errors import DesignFailed, SpecMismatch
 from upright.physics.dynamics import turn_ratio
 from upright.physics.linear import LinearModel, delay_line, linearise_rolling
 from upright.physics.sensing import sensor_matrix
 from upright.robots import Kit, Robot, Sensor
-from upright.signals import SIDES, STATE_NAMES
+from upright.signals import SIDES, STATE_NAMES, TRUE_STATE
 
 RAW = ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro")
 GYRO = RAW[2]

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from upright.arrays import Array, read_only
-from upright.control.controller import TRUE_STATE, ControllerSpec, ShortRepr
+from upright.control.controller import ControllerSpec, ShortRepr
 from upright.errors import InvalidController
-from upright.signals import STATE_NAMES
+from upright.signals import STATE_NAMES, TRUE_STATE
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -22,9 +22,8 @@ from upright.kernel.batch import NAMES, FleetBatch, FleetResult, Selection
 from upright.kernel.work import Order, Outcome, Piece, run_piece
 from upright.physics.dynamics import derivative
 from upright.physics.integrate import SIMULATED, substeps
-from upright.signals import STATE_NAMES
+from upright.signals import TRUE_STATE
 
-STATE = tuple(f"truth/{name}" for name in STATE_NAMES)
 FOREVER = (math.inf, math.inf, math.inf)
 
 _TINY = 1e-100
@@ -43,7 +42,7 @@ def simulate(
     seconds: float = 10.0,
     *,
     record: int = 0,
-    channels: Sequence[str] = STATE,
+    channels: Sequence[str] = TRUE_STATE,
     bands: Sequence[float] = FOREVER,
     dtype: Any = np.float64,
     threads: int | None = None,

@@ -12,12 +12,12 @@ from upright.arrays import Array
 from upright.bodies import Body, Electronics, NonlinearBody
 from upright.comparison import compare
 from upright.comparison.metrics import active_intervals, settling_time
-from upright.control.controller import TRUE_STATE, ControllerSpec
+from upright.control.controller import ControllerSpec
 from upright.experiment import run
 from upright.experiment.pushes import PushProgramme
 from upright.physics.dynamics import turn_ratio
 from upright.robots import Kit, Motor, Robot, Sensor
-from upright.signals import STATE_NAMES, Log
+from upright.signals import STATE_NAMES, TRUE_STATE, Log
 from upright.validate.law import CommandLaw
 
 MEASURED, NONLINEAR = "robot", "nonlinear"

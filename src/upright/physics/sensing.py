@@ -14,9 +14,7 @@ from upright.arrays import Array
 from upright.errors import SpecMismatch
 from upright.physics.dynamics import turn_ratio
 from upright.physics.electronics import response
-from upright.signals import STATE_NAMES
-
-_TRUTH = tuple(f"truth/{name}" for name in STATE_NAMES)
+from upright.signals import TRUE_STATE
 
 
 def sensor_matrix(names: Sequence[str], turn: ArrayLike, sensors: Mapping[str, Any] = MappingProxyType({})) -> Array:
@@ -30,8 +28,8 @@ def sensor_matrix(names: Sequence[str], turn: ArrayLike, sensors: Mapping[str, A
     C = np.zeros((len(names), 6, *ratio.shape))
     for row, name in zip(C, names, strict=True):
         kind, rate = name.removeprefix("sensor/"), int("_rate" in name)
-        if name in _TRUTH:
-            row[_TRUTH.index(name)] = 1.0
+        if name in TRUE_STATE:
+            row[TRUE_STATE.index(name)] = 1.0
         elif kind in ("gyro", "compass"):
             row[1 if kind == "gyro" else 4] = 1.0
         elif kind.removeprefix("encoder_").removeprefix("rate_") in ("left", "right"):

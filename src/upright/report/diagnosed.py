@@ -41,6 +41,7 @@ WORDS = {
     "samples/controller": "rows left out", "samples/repeated": "repeated rows",
 }  # fmt: skip
 """The same for single codes, where that says more."""
+_PUSHED = "delay/untold"
 NAMED = 4  # faults in the title
 ALIKE = 0.9  # of the rows: both sides that are equal there lie on each other
 THINNEST = 0.01  # of the largest value: a smaller difference is narrower than a line
@@ -128,13 +129,18 @@ def _in_words(finding: Finding) -> str:
 
 
 def _verdict(result: Diagnosis, faults: list[Finding]) -> Verdict:
+    if not faults and _has(result, _PUSHED):
+        return Verdict("sound, but pushes bend a model of it", "warn")
     if not faults:
         return Verdict("healthy: can be used as it is", "good")
     level = "bad" if any(f.severity == "error" for f in faults) else "warn"
     count = len(_repairable(result))
     if _one_cut(result) and len(faults) > 1:
         return Verdict(
-            "cut it; too quiet for a model" if _quiet(result) else f"one cut removes all {len(faults)} faults", level
+            "cut it; too quiet for a model"
+            if _has(result, "motion/quiet")
+            else f"one cut removes all {len(faults)} faults",
+            level,
         )
     if len(faults) == 1:
         return Verdict("it can be repaired" if count else "it cannot be repaired", level)
@@ -355,7 +361,7 @@ def _events(result: Diagnosis) -> str:
     before = min((at - result.kept[1] for at in fell if at >= result.kept[1]), default=0.0)
     ahead = f", {cell_text(before, 2)} s before the fall" if before else ""
     text = f"{sentence(what)} No fault lies between {start} and {stop} s{ahead}"
-    swing = swings.amplitude(sound) if _quiet(result) and (sound := _sound(result)) else 0.0
+    swing = swings.amplitude(sound) if _has(result, "motion/quiet") and (sound := _sound(result)) else 0.0
     return (
         f"{text}; there it swings by only {cell_text(math.degrees(swing), 2)}°, {_TOO_QUIET}." if swing else f"{text}."
     )
@@ -372,10 +378,12 @@ def _next(result: Diagnosis, faults: list[Finding]) -> str:
         gone = ", without the faults" if _one_cut(result) else ""
         repairs.append(f"{'It ' if done else ''}keeps {start} ≤ t < {stop} s{gone}")
     if not fixed:
-        return f"`upright calibrate {name} --robot ROBOT -o robot.toml`."
+        if wrong := next((f for f in faults if f.severity == "error"), None):
+            return f"{sentence(_repair(wrong))} Then ask `upright doctor` again."
+        return _EXCITED if _has(result, _PUSHED) else f"`upright calibrate {name} --robot ROBOT -o robot.toml`."
     kept = [_in_words(f) for f in faults if f not in _repairable(result)]
     left = f" It leaves {joined(list(dict.fromkeys(kept)))}." if kept else ""
-    log = f" {_EXCITED}" if _quiet(result) else ""
+    log = f" {_EXCITED}" if _has(result, "motion/quiet") else ""
     fell = any(f.code == "segment/fall" for f in faults)
     why = f"`upright post-mortem {name} --robot ROBOT` finds why it fell. " if fell else ""
     return f"{why}`upright doctor {name} --fix repaired.csv` {'. '.join(repairs)}.{left}{log}"
@@ -385,6 +393,6 @@ _TOO_QUIET = "too little for a model"
 _EXCITED = "For a model log a new run with the signal that `upright excite --robot ROBOT -o plan.json` designs."
 
 
-def _quiet(result: Diagnosis) -> bool:
-    """Whether the robot swings too little for a model."""
-    return any(f.code == "motion/quiet" for f in result.findings)
+def _has(result: Diagnosis, code: str) -> bool:
+    """Whether there is a finding of that code, such as that the robot swings too little for a model."""
+    return any(f.code == code for f in result.findings)

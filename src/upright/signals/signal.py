@@ -25,6 +25,8 @@ STATE = (
 """The state of every model here, in the order of Herrera et al. (2015), eq. (17)."""
 
 STATE_NAMES = tuple(signal.name for signal in STATE)
+TRUE_STATE = tuple(f"truth/{name}" for name in STATE_NAMES)
+"""The true state, which no real robot offers."""
 
 SENSORS = (
     Signal("sensor/encoder_left", "rad", "θ_l − ψ"),

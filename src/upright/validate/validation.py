@@ -202,10 +202,6 @@ class Validation(Shown):
         """Readings of the worst log, measured and predicted for half a second at a time."""
         return half_second_figure(self.worst)
 
-    def plot_loop(self) -> Figure | None:
-        """The same readings, and those of the closed loop simulated freely; None where no law is known."""
-        return next((loop_figure(log.simulated) for log in self.logs if log.simulated is not None), None)
-
 
 def half_second_figure(log: LogJudged) -> Figure:
     """Measured and predicted readings, half a second at a time; those that do not pass first, the worst of them."""
