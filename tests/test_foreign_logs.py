@@ -281,8 +281,8 @@ def test_a_tilt_alone_shows_poses_and_what_is_missing() -> None:
     assert found.mapping.channels[SENSORS[2]].column == "Speed (deg./s)"
     assert "no column is recognised as encoders" in str(found)
     (command,) = (f for f in found.findings if f.code == "units/command")
-    assert "counts of a duty, 255 of which are full" in command.evidence
-    assert "nothing tells which" not in command.evidence  # its name says that it is a duty
+    assert "a duty instead of volts" in command.evidence  # its name says that it is a duty
+    assert "255" in command.repair  # but not of what: 255, 400 and 1023 are usual
     asked = doctor(RawTable(columns | {"command": -7500.5 * falls}))  # a law's output, before any limit
     (command,) = (f for f in asked.findings if f.code == "units/command")
     assert "nothing tells which" in command.evidence
@@ -293,7 +293,8 @@ def test_a_tilt_alone_shows_poses_and_what_is_missing() -> None:
 def test_a_tilt_that_counts_from_another_zero_is_no_robot_on_its_back(quarters: int) -> None:
     """Upright at 180 degrees, or at 90: a body that swings to both sides is not on the floor."""
     s = swing()
-    columns = {"t": s["t"], "pitch": s["tilt"] + quarters * np.pi / 2, "enc": 5 * s["tilt"], "u": 10 * s["tilt"]}
+    wheels = 5 * s["tilt"] + 0.01 * np.random.default_rng(1).normal(size=len(s["t"]))  # else it were a copy
+    columns = {"t": s["t"], "pitch": s["tilt"] + quarters * np.pi / 2, "enc": wheels, "u": 10 * s["tilt"]}
     found = doctor(RawTable(columns))
     assert {pose.kind for pose in found.segments} == {"balancing"}
     assert "estimate/zero" in found.codes()

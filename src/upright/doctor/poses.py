@@ -43,6 +43,7 @@ TIPPED = 0.5
 """[rad] Lean in which nothing stays that balances, and further than which a fall has turned."""
 
 _LONG = 1.0  # [s] in which a robot that nothing drives falls: what stays upright balances, what has no command is off
+LONGEST_THROW = 2.0  # [s] in which a robot that is thrown is back on the floor
 _CALMED = 0.05  # [s] of smoothing, over which a resting gyro's noise becomes small
 _STILL = 0.4  # [s] shortest rest, longer than the turning points of balancing
 _REST = 0.03  # of the pitch rate that one row in five exceeds, below which the body is at rest
@@ -319,11 +320,12 @@ def _upright(
     m: Resampled, lean: Lean, spinning: Mask, off: Mask, a: int, b: int, *, from_floor: bool, to_floor: bool
 ) -> list[tuple[str, int, int]]:
     """A stretch off the floor: standing up, balancing and falling, or only moved by hand or thrown."""
-    up = np.flatnonzero(np.abs(lean.angle[a:b]) < _UP) if from_floor else np.zeros(1, dtype=int)
-    first = a + (int(up[0]) if len(up) else 0)
-    rows, idle = round(_LONG / m.period), bool(off[a:b].all())
-    if from_floor and (idle or b - first < rows or np.abs(lean.angle[first : first + rows]).max() > TIPPED):
+    size, idle = np.abs(lean.angle[a:b]), bool(off[a:b].all())
+    up = np.flatnonzero(size < _UP) if from_floor else [0]
+    stays = _lasting(size < TIPPED, m.period, _LONG).any() or (b - a) * m.period > LONGEST_THROW
+    if from_floor and (idle or not stays or not len(up)):
         return [(MOVED if idle or to_floor else RISING, a, b)]
+    first = a + int(up[0])
     falls = to_floor or _ends_falling(lean.angle[first:b], m.period)
     last = first + _fall_start(lean.angle[first:b], m.period) if falls else b
     lasting = off[a:b] if idle else _lasting(off[a:b], m.period, _LONG)

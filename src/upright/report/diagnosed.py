@@ -282,8 +282,7 @@ def _drift(result: Diagnosis) -> tuple[float, float, float] | None:
 
 
 AGREED = {
-    "signs and sides": ("motion/flipped", "motion/swapped", "motion/contra"),
-    "rates and angles": ("motion/int", "motion/diff"),
+    "signs and sides": "commands, wheels and gyro agree", "rates and angles": "no rate is an angle, no angle a rate",
     "delays": "gyro, wheels and commands: none late",
 }  # fmt: skip
 """What it means that a check without a number of its own found nothing."""
