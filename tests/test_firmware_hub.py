@@ -23,8 +23,8 @@ from conftest import PATIENCE
 from interpreter import Interpreter
 from upright.bricks.hub import COMMANDS, CommandRefused, VirtualHub
 from upright.bricks.virtual_robot import virtual_hub
-from upright.cli.fly import LOST
 from upright.cli.main import main
+from upright.cli.output import AGAINST
 from upright.compiled.program import Program
 from upright.control import CONTROLLERS
 from upright.errors import UprightError
@@ -449,7 +449,7 @@ def test_the_exit_code_says_that_the_robot_was_lost(
 ) -> None:
     lost = Flight(lost=True, notes=["the hub does not answer"])
     monkeypatch.setattr(import_module("upright.flight.fly"), "fly_hub", lambda *_, **__: lost)
-    assert main(shlex.split("fly balance.py controller.json --yes --port ble")) == LOST
+    assert main(shlex.split("fly balance.py controller.json --yes --port ble")) == AGAINST
     assert "does not answer" in capsys.readouterr().out
 
 
