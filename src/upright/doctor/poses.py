@@ -50,8 +50,7 @@ _REST = 0.03  # of the pitch rate that one row in five exceeds, below which the 
 _CALM = 0.3  # of that rate, which no rest exceeds where the gyro's noise is well below it
 _FLOOR = 1.45  # [rad] lean in which a body touches the floor, where no pose in the log shows it
 NEAR_FLOOR = 0.93  # of the lean in which it lies, from which it touches the floor
-_STOPS, _STRIKES, _STOPPED = 0.05, 0.5, 0.2
-"""[s] in which a floor stops a body (motors: 0.16 s), the least of its fastest rate, and the most that is left."""
+_STOPS, _STRIKES, _STOPPED = 0.05, 0.5, 0.2  # [s] in which a floor stops a body, least of its fastest rate, most left
 _OVER = 2.2  # [rad] lean beyond which a robot is upside down rather than on its side
 _SHORTEST = 0.2  # [s] a time on the wheels before a fall that is shorter is part of the fall
 _UP = 0.2  # [rad] lean in which a robot that stands up has arrived
