@@ -22,7 +22,7 @@ from upright.calibrate.calibration import EXCITE, GOOD, Calibration
 from upright.calibrate.coefficients import EQUATIONS
 from upright.calibrate.contradicted import Explained, doubted, explained, guessed
 from upright.calibrate.effects import effects_of
-from upright.calibrate.electronics import electronics_of
+from upright.calibrate.electronics import DROP, electronics_of
 from upright.calibrate.filter_log import one_step_noise
 from upright.calibrate.fitting import Fitted, Problem
 from upright.calibrate.informativity import INERTIAL, STRAIGHT, TURNING, drives_straight, too_quiet
@@ -116,10 +116,11 @@ def _unknown(result: Calibration, logs: Sequence[Log], knocked: Sequence[str], *
     if knocked and (not cut or result.refused or any("bends" in text for text in knocked)):
         when = knocked[0].partition(" s ")[0]
         return f"{when} s is in no channel of the log: inertias and pole are not told", f"dither, do not push: {EXCITE}"
-    for finding in (f for log in logs for f in faster_controller(record_of(log))):
+    dropped = any(e.name == DROP for e in result.electronics)  # by a driver, which absorbs small commands too
+    for finding in (f for log in logs for f in faster_controller(record_of(log)) if not dropped):
         return f"the log lacks commands: {finding.evidence}", "log every row of the controller; " + EXCITE
     for e in () if result.refused else result.delays:
-        if e.name.count("−") == 0 and e.value + CERTAIN * e.spread < 0:
+        if "−" not in e.name and e.value + CERTAIN * e.spread < 0:
             early = f"the {e.name.removeprefix('delay/')} would show a command {-1e3 * e.value:.2g} ms before it acts"
             return f"{early}: the model lacks something that moves this robot", "upright doctor LOG; or --force"
     return None

@@ -32,7 +32,9 @@ def post_mortem(
         Path | None, typer.Option("--controller", "-c", help="Controller of the robot, as designed: controller.json.")
     ] = None,
     mapping: MappingOption = None,
-    seconds: Annotated[float, typer.Option(min=0.0, help="Longest time to search, then what is known is said.")] = 60.0,
+    seconds: Annotated[
+        float, typer.Option(min=0.0, help="Longest search [s of processor time]; then what is known is said.")
+    ] = 60.0,
     output: OutputOption = None,
     report: ReportOption = None,
     as_json: JsonOption = False,

@@ -130,7 +130,7 @@ def post_mortem(
     seconds: float = math.inf,
     progress: Progress | None = None,
 ) -> PostMortem:
-    """Why the robot of this log fell. After so many `seconds` no further search begins, and what is known is said.
+    """Why the robot of this log fell. No search begins after so many `seconds` of processor time.
 
     `robot` (default: that of the log's origin) is the robot without faults, `kit` (default: its own) its electronics,
     `controller` what should have driven it. `mapping` names the columns of a foreign file. All may be names or files.
@@ -154,7 +154,7 @@ def post_mortem(
         return _without_motors(log, head)
     if (short := _short(log, head) if len(log) < FEWEST else None) and short.verdict != CANNOT_TELL:
         return short
-    until = UNTIL.set(time.monotonic() + seconds)
+    until = UNTIL.set(time.thread_time() + seconds)
     try:
         run, evidence = gather(log, nominal, parts, controller, progress or unwatched)
         unfinished = timed_out()

@@ -22,7 +22,7 @@ from upright.signals import Log
 
 GYRO = "sensor/gyro"
 
-UNTIL: ContextVar[float] = ContextVar("UNTIL", default=math.inf)  # [s] of the clock, when all searches end
+UNTIL: ContextVar[float] = ContextVar("UNTIL", default=math.inf)  # [s] of processor time, when all searches end
 READING_FAULTS = ("bias", "scale")
 COMMAND_FAULTS = ("weak", "delay", "motor", "friction")
 """Faults of the commands, which are not small where the robot falls: the filter itself searches for them."""
@@ -51,7 +51,7 @@ SHORT = 0.1  # [s] before the window's end: a filter that stops earlier has lost
 
 def timed_out() -> bool:
     """Whether the time to search is over."""
-    return time.monotonic() > UNTIL.get()
+    return time.thread_time() > UNTIL.get()
 
 
 def remedied(run: FilterRun, *fits: FaultFit) -> FilterRun | None:

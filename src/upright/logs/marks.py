@@ -17,15 +17,13 @@ from upright.arrays import Whole
 from upright.logs.recording import ROWS
 from upright.signals import Log
 
-Marks = Whole
-
 WINDOW = 16  # rows to a mark
 LIVELY = 8  # of these that differ from the row before: coarse sensors of two quiet robots may read the same
 KEPT = 32  # marks of a log: a fraction is known to 0.09
 CHANCE = 2  # common marks from which it is no chance
 
 
-def _marks(log: Log) -> Marks:
+def _marks(log: Log) -> Whole:
     """All marks of a log, sorted, each once."""
     names = [name for name in ROWS if name in log and "compass" not in name]
     if len(log) < WINDOW or not names:
