@@ -117,8 +117,8 @@ class Segments:
 
 
 class Decision(NamedTuple):
-    """What may be done with a calibrated robot (`verdict`, of those below), why, and what to try; the last two are ''
-    where nothing speaks against it."""
+    """What may be done with a calibrated robot (`verdict`, one of those above), why, and what to try; the last two are
+    '' where nothing speaks against it."""
 
     verdict: str
     why: str = ""

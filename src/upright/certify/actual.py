@@ -133,8 +133,10 @@ def _in_place_of(assumed: Support, last: Support, setup: TrialSetup) -> Support:
 
 def is_beyond(s: Support) -> bool:
     """Whether the log says another number than the one assumed, and its interval is not within what was assumed."""
-    if s.left_open or ("delay" in s.name and s.value <= 0):
-        return s.left_open  # less delay harms no loop
+    if s.left_open:
+        return True
+    if "delay" in s.name and s.value <= 0:
+        return False  # it harms no loop
     nominal = 0.0 if s.name in FROM_ZERO else (s.least + s.most) / 2
     return not (s.least <= s.low and s.high <= s.most) and not s.low <= nominal <= s.high
 

@@ -299,7 +299,7 @@ def analyse(
         strengths=np.array([motor_gain(each) for each in family]) / motor_gain(robot),
         inputs=every[: len(INPUTS)], outputs=every[len(INPUTS) :],
         disk=disk_margin(loop.at_input), delay=dead_time, coprime=stability_margin(scaled),
-        gap=_largest_gap(scaled.plant, [plant.scaled(command, readings) for plant in plants[: loop.stable * GAPS]]),
+        gap=_largest_gap(scaled.plant, [plant.scaled(command, readings) for plant in plants[:GAPS] if loop.stable]),
         mu=parameter_mu(robot, controller, kit) if with_mu else None,
     )  # fmt: skip
 

@@ -101,9 +101,11 @@ class Support:
 
     def __str__(self) -> str:
         if self.left_open:
-            among = f", {self.low:.2g} to {self.high:.2g} {self.unit}"  # said where it may be as assumed
+            text = f"the log leaves the {self.name} open"
             assumed = (self.least + self.most) / 2
-            return f"the log leaves the {self.name} open{among * (self.low <= assumed <= self.high)}"
+            if not self.low <= assumed <= self.high:
+                return text  # an interval without the number that was assumed is no better known
+            return f"{text}, {self.low:.2g} to {self.high:.2g} {self.unit}"
         scale, unit = SHOWN.get(self.unit, (1.0, self.unit))
         value, least, most = (f"{round(scale * v, 6):.3g}" for v in (self.value, self.least, self.most))
         unit = f" {unit}" if unit not in ("1", "°") else "" if unit == "1" else unit

@@ -7,7 +7,7 @@ those that drive them by the motor equation. Both hold in any unit: names, units
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import combinations
 from typing import NamedTuple
@@ -130,33 +130,35 @@ def by_physics(table: RawTable, named: Mapping | None = None) -> Mapping | None:
 
 def with_tilt(mapping: Mapping, table: RawTable) -> Mapping:
     """The same mapping, with a column for the tilt estimate where it reads none and one has the gyro for its rate."""
-    name, _ = _related(mapping, table, GYRO, PITCH)
-    tilt = Source(column=name, unit=named_unit(name, table)) if name else None
-    return replace(mapping, channels={**mapping.channels, PITCH: tilt}) if tilt else mapping
+    fits = _fits(mapping, table, GYRO, PITCH, rate_of)
+    name = max(fits, key=lambda n: fits[n], default="")
+    if not name or fits[name] < RATE:
+        return mapping
+    tilt = Source(column=name, unit=named_unit(name, table))
+    return replace(mapping, channels={**mapping.channels, PITCH: tilt})
 
 
 def with_gyro(mapping: Mapping, table: RawTable) -> Mapping:
     """The same mapping, with a column for the gyro where it reads a tilt and none, and one is the rate of that tilt."""
-    name, fit = _related(mapping, table, PITCH, GYRO)
-    if not name:
+    fits = _fits(mapping, table, PITCH, GYRO, lambda tilt, x: rate_of(x, tilt))
+    name = max(fits, key=lambda n: abs(fits[n]), default="")
+    if not name or abs(fits[name]) < RATE or len(table) < FEWEST_OF_TILT:
         return mapping
     unit = named_unit(name, table) or f"{mapping.channels[PITCH].unit}/s"
-    gyro = Source(column=name, unit=unit if unit in GYROS else "", sign=1 if fit > 0 else -1)
+    gyro = Source(column=name, unit=unit if unit in GYROS else "", sign=1 if fits[name] > 0 else -1)
     return replace(mapping, channels={**mapping.channels, GYRO: gyro})
 
 
-def _related(mapping: Mapping, table: RawTable, known: str, target: str) -> tuple[str, float]:
-    """The column that is not read and goes with the channel that is `known` as the tilt, or its rate of either sign,
-    that is `target`, and their correlation; '' where none does, or the mapping has it."""
+def _fits(
+    mapping: Mapping, table: RawTable, known: str, target: str, fit: Callable[[Array, Array], float]
+) -> dict[str, float]:
+    """How well each column that is not read goes with the `known` channel; nothing where the mapping has `target`."""
     source = mapping.channels.get(known)
-    if source is None or target in mapping.channels or len(table) < FEWEST_OF_TILT:
-        return "", 0.0
+    if source is None or target in mapping.channels:
+        return {}
     own = source.sign * table.columns[source.column][:ROWS]
     unread = {n: table.columns[n][:ROWS] for n in mapping.ignored(table)[:MOST] if n in table.columns}
-    unread = {n: x for n, x in unread.items() if np.isfinite(x).all() and np.isfinite(own).all()}
-    fits = {n: rate_of(own, x) if target == PITCH else rate_of(x, own) for n, x in unread.items()}
-    name = max(fits, key=lambda n: fits[n] if target == PITCH else abs(fits[n]), default="")
-    return (name, fits[name]) if name and abs(fits[name]) > RATE and (fits[name] > 0 or target == GYRO) else ("", 0.0)
+    return {n: fit(own, x) for n, x in unread.items() if np.isfinite(x).all() and np.isfinite(own).all()}
 
 
 def _sources(table: RawTable, best: _Choice) -> dict[str, Source]:

@@ -29,7 +29,7 @@ def copies(record: Record) -> list[Finding]:
             factors = _factors(read[name], [read[other] for other in others])
             if not len(factors):
                 continue
-            alike |= {frozenset((name, *others))}
+            alike.add(frozenset((name, *others)))
             if (name, *others) != (LEFT, RIGHT):
                 made = " and ".join(f"{by:.4g} times {other}" for by, other in zip(factors, others, strict=True))
                 text = f"{name} is {made} in every row, but for the last digits: no reading of its own"
@@ -47,8 +47,8 @@ def _factors(target: Array, parts: list[Array]) -> Array:
     """By which factors the parts make the target in every row, but for the steps of all; none where they do not."""
     X = np.column_stack([x - x.mean() for x in parts])
     factors = np.linalg.lstsq(X, target - target.mean(), rcond=None)[0]
-    left = np.abs(target - target.mean() - X @ factors)
+    left, size = np.abs(target - target.mean() - X @ factors), float(np.std(target))
     steps = grain_of(target) + sum(abs(by) * grain_of(x) for by, x in zip(factors, parts, strict=True))
     least = min(float(np.std(by * x)) for by, x in zip(factors, X.T, strict=True))
-    same = left.max() <= max(steps, 1e-6 * float(np.std(target))) < _LEFT_OVER * 10 * float(np.std(target))
-    return factors if same and left.std() < _LEFT_OVER * min(float(np.std(target)), least) else np.zeros(0)
+    same = left.max() <= max(steps, 1e-6 * size) < size
+    return factors if same and left.std() < _LEFT_OVER * min(size, least) else np.zeros(0)
