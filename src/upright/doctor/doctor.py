@@ -186,7 +186,7 @@ class Diagnosis(Shown):
         for finding in self.findings:
             text = f"{finding.evidence}" + (f" → {finding.repair}" if finding.repair else "")
             lines += [f"{finding.severity:8} {finding.code:22} {finding.channel}".rstrip()]
-            lines += textwrap.wrap(text, 80, initial_indent="    ", subsequent_indent="    ")
+            lines += textwrap.wrap(text, 80, initial_indent="    ", subsequent_indent="    ", break_on_hyphens=False)
         if self.kept and len(self.cut_away()) == len(self.faults) > 1:
             start, stop = map(moment, self.kept)
             lines.append(f"one cut removes all {len(self.faults)} faults: {start} ≤ t < {stop} s (--fix REPAIRED.csv)")

@@ -188,9 +188,7 @@ def _verdict(record: Record, m: Resampled, wheels: _Wheels, drive: _Drive) -> li
     disagree = wheels.left < 0 and wheels.right < 0
     backwards = drive.left < 0 and drive.right < 0
     if disagree:
-        opposite = (
-            f"its sign is opposite to that of the other, of gyro and encoders: {by_gyro}{f'; {by_motor}' * backwards}"
-        )
+        opposite = f"its sign is opposite, of the gyro against the encoders: {by_gyro}{f'; {by_motor}' * backwards}"
         alike = drive.left * (drive.left == drive.right) or -np.sign(gyro_by_gravity(record, m))
         witness = int(alike or pitch_slope(record, m)[0] < 0)
         findings += contrary((m.gyro_name,), (LEFT, RIGHT), opposite, witness)

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from upright.doctor import delays, motion, segments, sensors, swings, time, units
-from upright.doctor.doctor import Diagnosis
+from upright.doctor.doctor import CONTRADICTORY, Diagnosis
 from upright.doctor.finding import BALANCING, GYRO, LEFT, RIGHT, STANDING, Finding, Record, moment
 from upright.doctor.physics import LEAST_ROWS
 from upright.logs import outliers
@@ -377,7 +377,7 @@ def _next(result: Diagnosis, faults: list[Finding]) -> str:
         gone = ", without the faults" if _one_cut(result) else ""
         repairs.append(f"{'It ' if done else ''}keeps {start} ≤ t < {stop} s{gone}")
     if not fixed:
-        if wrong := next((f for f in faults if f.severity == "error"), None):
+        if wrong := next((f for f in faults if f.severity == "error" or f.code.startswith(CONTRADICTORY)), None):
             return f"{sentence(_repair(wrong))} Then ask `upright doctor` again."
         return _EXCITED if _has(result, _PUSHED) else f"`upright calibrate {name} --robot ROBOT -o robot.toml`."
     kept = [_in_words(f) for f in faults if f not in _repairable(result)]
