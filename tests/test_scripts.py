@@ -16,7 +16,7 @@ SAYS = {
     "calibrate": r"unstable_pole .*\[7\.\d+, 7\.\d+\](.|\n)*predicts this log",
     "certify": r"GREEN: lqg on nxtway-gs",
     "compare": r"settling 2 %.*\n(.|\n)*fell +no +no +no",
-    "firmware": r"40 ms: duty [1-9]\d* %",
+    "firmware": r"duty_left = whole.* in \[-100, 100\](.|\n)*left.duty_cycle_sp = duty_left",
     "identify": r"least-squares.*bias -[1-9](.|\n)*subspace: 7\.\d+ to 7\.\d+ 1/s",
     "own_controller": r"fell +no +no",
     "own_robot": r"nxtway-gs: a fall grows e-fold in 134 ms",
