@@ -14,7 +14,6 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections import Counter
 from collections.abc import Generator, Iterator
 from contextlib import suppress
 from importlib.util import find_spec
@@ -84,19 +83,13 @@ MADE_BEFORE = {("test_site", "site"): "UPRIGHT_SITE", ("test_reproduce", "done")
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """What waits minutes for a fixture is `long`. Units of work with long tests come first."""
+    """What waits minutes for a fixture is `evidence`. The longest units of work come first."""
     for item in items:
         for (stem, fixture), where in MADE_BEFORE.items():
             if item.path.stem == stem and fixture in getattr(item, "fixturenames", ()) and not os.environ.get(where):
-                item.add_marker(pytest.mark.long)
-    slow = Counter(unit_of(item.path.name) for item in items if item.get_closest_marker("slow"))
+                item.add_marker(pytest.mark.evidence)
     rank = {unit: number for number, unit in enumerate(FIRST)}
-
-    def place(item: pytest.Item) -> tuple[int, int]:
-        unit = unit_of(item.path.name)
-        return rank.get(unit, len(FIRST)), -slow[unit]
-
-    items.sort(key=place)
+    items.sort(key=lambda item: rank.get(unit_of(item.path.name), len(FIRST)))
 
 
 def pytest_xdist_auto_num_workers(config: pytest.Config) -> int | None:

@@ -284,7 +284,6 @@ def test_a_calibrated_robots_file_says_how_its_errors_go_together() -> None:
     assert dict(robot.correlation) == {("com_height", "track"): pytest.approx(np.corrcoef(root @ root.T)[3, 0])}
 
 
-@pytest.mark.slow
 def test_command_draws_its_robots_from_what_a_calibration_makes_of_the_log(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -309,8 +308,7 @@ def test_command_draws_its_robots_from_what_a_calibration_makes_of_the_log(
     assert len(said["agreement"]) == 3
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 def test_command_calibrates_the_log_first(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     recording().between(0.0, 5.0).save(tmp_path / "run.csv")
     code = main(["certify", "pid", "--log", str(tmp_path / "run.csv"), "-n", "100", "--json"])

@@ -42,7 +42,7 @@ def struck(robot: str, design: str, body: str, impulse: float) -> Log:
 
 @pytest.mark.parametrize(
     ("robot", "design", "body", "impulse"),
-    [pytest.param(*blow, marks=pytest.mark.long if blow[0] == "twipr" else ()) for blow in BLOWS],
+    [pytest.param(*blow, marks=pytest.mark.evidence if blow[0] == "twipr" else ()) for blow in BLOWS],
 )
 def test_a_blow_that_throws_a_robot_over_is_a_push(robot: str, design: str, body: str, impulse: float) -> None:
     """The planted push is named, from when it hit; never surer than a cause whose log may hide another one."""

@@ -185,8 +185,7 @@ def test_the_truth_is_inside_its_intervals() -> None:
     assert found["com_height"].shrink < 0.6  # of 5 %, which a ruler gave
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 def test_no_number_of_a_right_file_is_accused() -> None:
     """MuJoCo's contacts are not those of the equations. Of a twin whose readings have no noise that is worth 4 to 8
     nats, and track was said to be 0.139 m (true 0.166), though half seconds were predicted no better with it."""
@@ -202,8 +201,7 @@ def test_no_number_of_a_right_file_is_accused() -> None:
     assert found["track"].verdict != VISIBLE or found["track"].low <= true.track <= found["track"].high
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 def test_without_a_compass_the_track_is_not_taken_for_the_number_that_is_wrong() -> None:
     """The twin's wheels rub on the floor as they turn on the spot, which no equation here has: of this robot's three
     runs the track was 0.131 m (0.128 to 0.133; true 0.167), and visible."""
@@ -402,7 +400,7 @@ def test_a_run_that_differs_and_a_sensor_that_is_not_white_are_each_said_once() 
     assert words in str(page.html())
 
 
-@pytest.mark.long
+@pytest.mark.evidence
 def test_several_logs_say_more_than_one() -> None:
     """Two logs of ten seconds have √2 the precision of one in what no prior helps with, such as the dead time
     of the compass: a ratio of widths of 0.71, and 0.85 is asked, since the two are excited differently."""
@@ -589,8 +587,7 @@ def test_a_robot_that_rolls_in_the_first_row_has_its_dead_times() -> None:
     assert found.temper > 0.5  # innovations are white, or nearly
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 def test_a_file_whose_delays_are_periods_off_leads_to_the_same_delays() -> None:
     """Encoders of no delay and a gyro of 30 ms on a robot with 20 ms and none: a stiff filter has optima about a period
     apart, and ended at a gyro 8 ms late with innovations weighted in full. Found to a tenth of a period, as above, and
@@ -625,8 +622,7 @@ def test_innovations_as_large_as_expected_are_the_likeliest_noise_of_their_gains
     assert after - before < 0.1 * n / 2 * (math.log(100) + 0.01 - 1)
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 def test_dry_friction_of_the_twin_is_found() -> None:
     """MuJoCo's dry friction is sharp, and so is the predictor's: both friction numbers to a few hundredths, though they
     make up for one another; under smooth friction the viscous one was 5 % off and four deviations. Of four logs each
@@ -692,7 +688,6 @@ def test_the_torque_of_a_torque_drive_is_asked_where_the_file_says_how_uncertain
         assert ("gear_ratio" in {p.name for p in parameters_of(robot, {})}) == asked
 
 
-@pytest.mark.slow
 def test_rolling_friction_of_the_twin_is_found_beside_the_dry_friction_of_its_motors() -> None:
     """The one brakes the wheel against the floor, the other against the body, and a balancing body's pitch rate changes
     the sign between them: a log of a robot without motor friction gives none to it."""
@@ -743,8 +738,7 @@ def test_commands_that_nobody_logged_are_a_walk_between_two_that_somebody_did(n:
     assert arrival(still, [Log(t, {})]) == {}
 
 
-@pytest.mark.long
-@pytest.mark.slow
+@pytest.mark.evidence
 def test_a_log_with_every_second_row_is_as_good_as_its_readings() -> None:
     """A program of 5 ms, whose file says that it logged every second row: where that is known innovations are white,
     and the truth is inside intervals half as wide; dead times are half a step (2.5 ms) shorter, as commands between
@@ -778,7 +772,7 @@ def test_a_weaker_motor_is_found() -> None:
     assert {"battery", "dead_zone"} <= {e.name for e in found.electronics}
 
 
-@pytest.mark.long
+@pytest.mark.evidence
 @pytest.mark.needs("shared/data/ev3-balanc3r")
 def test_balanc3r_is_too_quiet_for_an_inertia(shared: Path) -> None:
     """Its README says so: standing still, the pitch rate moves by three degrees a second of a gyro of one."""
@@ -789,8 +783,7 @@ def test_balanc3r_is_too_quiet_for_an_inertia(shared: Path) -> None:
     assert {"pitch_inertia", "yaw_inertia", "com_height", "rotor_inertia"} <= held
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 @pytest.mark.needs("shared/data/ev3way")
 def test_ev3way_has_a_late_gyro(shared: Path) -> None:
     """22 ms by its README; 20 ms after the encoders, where the doctor's pendulum law fits best, a route of its own;
@@ -811,8 +804,7 @@ def test_ev3way_has_a_late_gyro(shared: Path) -> None:
 
 
 @pytest.mark.needs("shared/data/ev3way")
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 def test_another_robots_file_is_never_taken_in_silence(shared: Path) -> None:
     """The preset `ev3way` has wheels half as large as the robot of this log (the README of the logs): the file for
     these wheels predicts half seconds better as it stands, and is named."""
@@ -823,8 +815,7 @@ def test_another_robots_file_is_never_taken_in_silence(shared: Path) -> None:
 
 
 @pytest.mark.needs("shared/data/ev3way")
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 def test_one_set_of_numbers_predicts_three_runs_of_the_ev3() -> None:
     """Two programs and two endings in a fall. The robot of all three runs predicts half seconds of each as well as is
     wished of one run's for another (0.75 and 0.97). A volt turns nn_v7_000 half as far again as the others at the same
@@ -857,8 +848,7 @@ def of_twipr(path: Path) -> Calibration:
     return calibrate(raw_log(path), Robot.preset("twipr"))
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 @pytest.mark.needs("shared/data/twipr")
 def test_twipr_is_predicted_for_half_a_second(shared: Path) -> None:
     """Dead times of its README: about 53 ms to the gyro and 73 ms to the wheels; R² near that of a model made for this
@@ -872,8 +862,7 @@ def test_twipr_is_predicted_for_half_a_second(shared: Path) -> None:
     assert not [p.name for p in found.parameters if p.surprising]
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 @pytest.mark.needs("shared/data/twipr")
 def test_the_whole_loop_of_twipr_runs_freely_for_ten_seconds(shared: Path) -> None:
     """From its first state, under the law that its commands follow exactly; a model made for it reaches 0.92 and 0.67

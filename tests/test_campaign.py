@@ -73,7 +73,7 @@ def worker_processes() -> list[int]:
     return found
 
 
-@pytest.mark.long
+@pytest.mark.evidence
 def test_two_workers_write_the_bytes_of_one_process_though_one_is_killed(spec, alone, tmp_path, monkeypatch):
     killed = []
     (tmp_path / "temporary").mkdir()

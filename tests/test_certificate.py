@@ -321,8 +321,7 @@ def test_command_stops_scripts_by_its_exit_code(tmp_path: Path) -> None:
     assert main(["certify", "pid", "-n", "100", "--log", "a.csv", "--posterior", "b.json"]) == 2
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 def test_it_is_right_of_robots_it_has_never_seen() -> None:
     """A lighter benchmarks/certificate.py, on other cases, with fewer robots in each."""
     import certificate as benchmark  # type: ignore[import-not-found]

@@ -530,7 +530,6 @@ def test_a_page_is_no_other_kind_of_file(
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("command", ["parity balance.nxc lqr.json", "fly balance.nxc lqr.json"])
 def test_a_program_for_nbc_names_it_before_anything_is_asked(
     command: str, capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -547,7 +546,6 @@ def test_a_program_for_nbc_names_it_before_anything_is_asked(
     assert all(word in line for word in ("nbc is not installed", "apt install nbc", "--target pybricks"))
 
 
-@pytest.mark.slow
 @pytest.mark.needs("shared/cases/pyboard-pid")
 def test_a_run_that_stood_says_that_it_rolled_away(shared: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Its owner's program has no encoders: 2.8 to 4.7 m in 10 s, by a simulation of the case's own."""

@@ -55,7 +55,7 @@ def each(presets):
     """Every method on each of the presets. The one that searches through hundreds of drawn robots takes 5 to 20 s for
     each: of all presets but one it is `long`, and a benchmark (`controllers.py`) has it too."""
     return [
-        pytest.param(name, preset, marks=pytest.mark.long if name == "robust" and preset != USUAL else ())
+        pytest.param(name, preset, marks=pytest.mark.evidence if name == "robust" and preset != USUAL else ())
         for name in METHODS
         for preset in presets
     ]

@@ -77,7 +77,6 @@ def test_a_stated_drop_is_asked_with_half_of_itself() -> None:
         assert all((p.prior, p.spread, p.lower, p.unit) == (0.8, 0.4, 0.0, "V") for p in drops)
 
 
-@pytest.mark.slow
 def test_a_known_drop_counts_and_is_not_asked() -> None:
     kit = behind(KEPT)
     left: list[float] = []
@@ -90,8 +89,7 @@ def test_a_known_drop_counts_and_is_not_asked() -> None:
     assert left[0] < left[1] / 4  # without it, the model's motors are driven by 1.2 V too much
 
 
-@pytest.mark.long
-@pytest.mark.slow
+@pytest.mark.evidence
 def test_a_drop_that_no_file_states_is_found_with_the_robot() -> None:
     found = calibration(KEPT)
     assert found[DROP].low <= KEPT <= found[DROP].high
@@ -110,7 +108,6 @@ def test_a_drop_that_no_file_states_is_found_with_the_robot() -> None:
     assert kit.motor.drop == found.kit.motor.drop
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("friction", [0.0, RUBS])
 def test_a_driver_without_a_drop_gets_none(friction: float) -> None:
     """Dry friction acts against the motion, a drop against the command."""

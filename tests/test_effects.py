@@ -59,7 +59,6 @@ def test_runs_share_a_robot_and_differ_in_what_is_theirs() -> None:
             assert abs(own[i] - problem.asked[i].coordinate(value)) < 3 * spread + 0.05, (run_, name)
 
 
-@pytest.mark.slow
 def test_a_run_of_another_robot_is_named_and_what_belongs_to_a_run_is_not() -> None:
     """Friction and slopes of three runs differ: none is another robot's. With a body of 1.3 times its mass in one run
     that one differs by 5 deviations and more, beyond the 3.6 that one chance in 20 allows of 24 numbers and runs."""

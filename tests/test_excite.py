@@ -136,8 +136,7 @@ def test_a_plan_tells_more_than_a_dither_of_its_energy() -> None:
     assert gain["held"] < 0
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 def test_a_calibration_finds_it_so() -> None:
     """On logs of a robot that is not the preset: by the plan's log intervals are narrower than by the dither's, by what
     was predicted, to a seventh for one log of each. (A calibration that learns the noise before the parameters takes

@@ -41,7 +41,6 @@ def program_ends(executor: HostExecutor, readings: Readings, robot: Robot, seed:
 
 
 @pytest.mark.needs("gcc")
-@pytest.mark.slow
 def test_who_falls_is_who_falls_under_the_generated_program(tmp_path: Path) -> None:
     """C on drawn bodies against the kernel, which certificates, fleets and push maps count with. The program stops at
     the pitch that it estimates, the kernel at the true one, and both draw other noise: a few of 24 lie between.

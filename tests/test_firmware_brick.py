@@ -187,7 +187,6 @@ def virtual(made: tuple[Path, Program]) -> Iterator[VirtualFlight]:
         yield found
 
 
-@pytest.mark.slow
 @pytest.mark.needs("module:nxt")
 def test_a_flight_brings_its_log_home(made: tuple[Path, Program], virtual: VirtualFlight) -> None:
     virtual.line.until = 4.0
@@ -202,7 +201,6 @@ def test_a_flight_brings_its_log_home(made: tuple[Path, Program], virtual: Virtu
     assert motors_are_off(virtual)
 
 
-@pytest.mark.slow
 @pytest.mark.needs("module:nxt")
 @pytest.mark.parametrize("gain", [0.0, 2.0])
 def test_the_compass_steers_the_robot(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, gain: float) -> None:

@@ -281,7 +281,7 @@ def test_what_is_no_log_is_one_line(lines):
     assert "\n" not in str(caught.value)
 
 
-@pytest.mark.long
+@pytest.mark.evidence
 @pytest.mark.needs("arm-none-eabi-gcc", "module:unicorn", "module:elftools")
 @pytest.mark.parametrize("number", ["float", "fixed"])
 def test_c_on_an_arm7tdmi(tmp_path: Path, number):
@@ -316,9 +316,8 @@ def test_predictive_control_in_c(tmp_path: Path, number):
     passed(found)
 
 
-@pytest.mark.slow
 @pytest.mark.needs("arm-none-eabi-gcc", "module:unicorn")
-@pytest.mark.parametrize("number", [pytest.param("float", marks=pytest.mark.long), "double"])
+@pytest.mark.parametrize("number", [pytest.param("float", marks=pytest.mark.evidence), "double"])
 def test_predictive_control_on_an_arm7(tmp_path: Path, number):
     """A few periods where limits count, against the statements themselves: 20 s would take minutes to emulate."""
     source, made = written(tmp_path, "c", controller=designed("mpc"), number=number)
@@ -354,7 +353,6 @@ def test_predictive_control_is_refused_on_an_avr(tmp_path: Path):
         execute(source, made.program, "float", "avr")
 
 
-@pytest.mark.slow
 def test_predictive_control_in_python(tmp_path: Path):
     source, made = written(tmp_path, "ev3dev", controller=designed("mpc"))
     executor = execute(source, made.program, made.number)
@@ -381,7 +379,7 @@ def test_cycles_are_those_of_the_manual(word, expected):
     assert cycles(word) == expected  # ARM7TDMI manual (DDI 0029), table of instruction cycle times
 
 
-@pytest.mark.long
+@pytest.mark.evidence
 @pytest.mark.needs("avr-gcc", "simavr", "module:elftools", str(CORE))
 def test_the_sketch_on_an_atmega328p(tmp_path: Path):
     source, made = written(tmp_path, "arduino")
@@ -415,8 +413,7 @@ def compass(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Firmware, C
     return *written(tmp_path_factory.mktemp("compass"), "nxc", controller=controller), controller
 
 
-@pytest.mark.long
-@pytest.mark.slow
+@pytest.mark.evidence
 @pytest.mark.needs("nbc")
 def test_nxc_in_the_brick_s_machine_with_its_compass(compass):
     source, made, controller = compass

@@ -18,8 +18,7 @@ def commands() -> list[str]:
     return [line for block in blocks for line in block.splitlines() if line.startswith("upright ")]
 
 
-@pytest.mark.long
-@pytest.mark.slow
+@pytest.mark.evidence
 @pytest.mark.needs("nbc", "module:nxt", "module:micropython_unix", "module:pybricksdev")
 def test_every_command_of_the_tutorial_works(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

@@ -251,7 +251,6 @@ GYRO = "GYRO_SIGN * hub.imu.angular_velocity(AXIS)"
 MOUNTED = {"right": GYRO, "wrong axis": GYRO.replace("AXIS)", "Axis.X)"), "wrong sign": f"-{GYRO}"}
 
 
-@pytest.mark.slow
 @pytest.mark.needs("module:micropython_unix")
 @pytest.mark.parametrize("mounted", MOUNTED)
 def test_a_program_that_reads_its_gyro_wrongly_falls(tmp_path: Path, mounted: str) -> None:

@@ -144,7 +144,6 @@ def test_a_fall_ends_at_the_floor_by_a_gyro_that_shows_half_of_it() -> None:
     assert fell_at == pytest.approx(floor, abs=0.03)  # where the lean is 0.93 of its largest
 
 
-@pytest.mark.slow
 @pytest.mark.filterwarnings("error")
 def test_a_log_whose_wheels_slide_from_its_first_rows_on_is_examined_without_a_warning() -> None:
     """Nothing is before the wheels slide: the mean of no reading was taken."""
@@ -232,8 +231,7 @@ def test_a_log_whose_gyro_is_turned_is_refused_before_any_cause_is_looked_for(
     assert not [text for text in (*found.refused, *found.notes) if "the file" in text or "stated value" in text]
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 def test_a_dead_zone_that_the_robot_does_not_have_is_no_gain() -> None:
     """The kit of a LEGO NXT has motors with a dead zone of 0.25 V. The gain that the file states is that of an
     amplifier, and no command reaches full duty: nothing tells a gain from another motor."""
@@ -245,7 +243,6 @@ def test_a_dead_zone_that_the_robot_does_not_have_is_no_gain() -> None:
     assert "taken as logged" in words
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(("planted", "seed"), [(0.0, 41), (0.0, 42), (0.6, 42), (1.2, 43)])
 def test_a_dead_zone_is_found_among_several(planted: float, seed: int) -> None:
     """Between any two levels of a command the likelihood of a dead zone has an optimum. From 0.25 V, as the kit says,
@@ -280,8 +277,7 @@ def test_how_sharp_friction_is_begins_anew_in_each_calibration(stated: float, be
     assert smooth(known(Bot()).replace(stiction_rate=stated)).stiction_rate == begins
 
 
-@pytest.mark.long
-@pytest.mark.slow
+@pytest.mark.evidence
 def test_rolling_friction_that_is_sharper_than_in_the_file_bends_no_inertia() -> None:
     """That of this simulator changes sign within 0.02 rad/s, files have 0.2: pitch inertia was 11 % too large, and the
     pole missed by 3.6 deviations. Below 0.06 rad/s, their geometric mean, it is nearer to the simulator's."""
@@ -295,8 +291,7 @@ def test_rolling_friction_that_is_sharper_than_in_the_file_bends_no_inertia() ->
     assert pole.low < bot.pole < pole.high
 
 
-@pytest.mark.long
-@pytest.mark.slow
+@pytest.mark.evidence
 def test_a_back_emf_of_the_motor_before_its_gear_is_named(tmp_path: Path) -> None:
     """A fiftieth of what brakes the wheel: friction stood for the rest, 28 deviations of its guess, and the page
     blamed the wheel's radius."""
@@ -307,7 +302,6 @@ def test_a_back_emf_of_the_motor_before_its_gear_is_named(tmp_path: Path) -> Non
     assert not [e for e in (*found.parameters, *found.combinations) if e.verdict == "visible"]
 
 
-@pytest.mark.slow
 def test_a_calibration_of_a_foreign_robot_holds_its_truth(tmp_path: Path) -> None:
     """Rolling resistance of a hundredth of the load, which the file does not name: without it 9 of 19 intervals held,
     and the unstable pole was wrong by three deviations. One in twenty may miss."""
@@ -322,12 +316,11 @@ def test_a_calibration_of_a_foreign_robot_holds_its_truth(tmp_path: Path) -> Non
     assert not [note for note in found.notes if "would agree" in note]  # no number of the file is wrong
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "factor", "seconds"),
     [
         ("com_height", 0.75, 9.0),
-        pytest.param("com_height", 1.35, 9.0, marks=pytest.mark.long),
+        pytest.param("com_height", 1.35, 9.0, marks=pytest.mark.evidence),
         ("wheel_radius", 1.35, 5.5),  # which a shorter log shows as well
     ],
 )
@@ -348,7 +341,6 @@ def test_a_number_that_its_owner_measured_wrong_is_named_and_spoils_no_other(
     assert f"(the file: {wrong:.3g})" in note
 
 
-@pytest.mark.slow
 def test_a_file_that_a_log_contradicts_is_doubted_in_every_number(tmp_path: Path) -> None:
     """A radius 15 % too large and a height 30 % too small, each stated to 5 %: no single number explains this log, and
     10 of 14 visible intervals missed. One in twenty may."""
@@ -366,8 +358,7 @@ def test_a_file_that_a_log_contradicts_is_doubted_in_every_number(tmp_path: Path
     assert radius.prior_spread == pytest.approx(0.05 * wrong["wheel_radius"])  # as stated, not as doubted
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 @pytest.mark.parametrize(("name", "factor"), [("wheel_radius", 2.0), ("com_height", 0.1)])
 def test_a_number_of_another_unit_or_place_is_named_alone(tmp_path: Path, name: str, factor: float) -> None:
     """A diameter for a radius, and a slipped point. The fit bends other numbers by more than six deviations and is

@@ -164,8 +164,7 @@ def test_a_damaged_mat_file_cannot_take_the_program_with_it(tmp_path: Path, monk
         read_table(path)
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 def test_a_seeded_part_of_the_mutants(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.syspath_prepend(str(BENCHMARKS))
     rows = list(importlib.import_module("abuse_mutants").rows(tmp_path, seed=7, count=500))

@@ -175,8 +175,7 @@ def test_errors_of_rebuilt_states_are_those_of_noisy_readings() -> None:
 # Raw sensors in closed loop
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 def test_least_squares_on_rebuilt_states_is_biased_however_long_the_log() -> None:
     short, long = (identify_one(study(seconds, 0), "least-squares").pole.value for seconds in (20.0, 40.0))
     # the facts: 4.07 where the truth is 7.29, 4.04 from more data; how far below depends on the excitation
@@ -202,8 +201,7 @@ def test_the_bias_of_least_squares_is_found() -> None:
     assert not pole.low < POLE < pole.high
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 def test_the_twins_pole_comes_back_from_the_nxt_kit() -> None:
     """MuJoCo, encoders of 1°, gyro of 1 °/s steps, dead time of a fifth of a period, dead zone: nothing is left out."""
     robot, kit = Robot.preset("nxtway-gs"), Kit.preset("nxt")

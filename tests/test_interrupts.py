@@ -204,7 +204,6 @@ def abuse() -> ModuleType:
     return module
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 @pytest.mark.parametrize("name", ["certify mpc", "push-map", "reproduce"])
 def test_a_long_command_is_interrupted_at_a_random_moment(name: str, number: signal.Signals) -> None:

@@ -134,7 +134,6 @@ def test_a_log_that_is_lost_leaves_the_equations_of_the_others_whole(model_log: 
     assert normal_equations(problem, z, paths, value).hessian.shape == (len(z),) * 2
 
 
-@pytest.mark.slow
 def test_a_refused_fit_writes_no_robot_unless_asked(
     model_log: Log, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -141,7 +141,6 @@ def test_everybody_hears_of_a_stage_that_died_and_who_ended_it_gets_the_usual_ro
         assert goes_on(classroom, client)
 
 
-@pytest.mark.slow
 def test_a_stage_that_is_killed_or_hangs_is_replaced(monkeypatch):
     """Killed by the system, as for want of memory; then stopped, as by an endless computation outside Python. How
     soon, within a second on a quiet machine, is measured by `benchmarks/abuse.py lab`."""
@@ -499,8 +498,7 @@ def test_a_job_has_its_seconds_of_computing_on_a_busy_machine_too(monkeypatch):
         clerk.kill()
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 def test_a_class_with_hostile_students_in_it_goes_on(monkeypatch):
     """A short `benchmarks/abuse.py lab`, whose rates are for a quiet machine and are not tested: one of each kind of
     hostile student, whom no stage dies of and the teacher reads nothing of, while the others get pictures."""

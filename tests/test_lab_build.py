@@ -22,7 +22,6 @@ INSTALL = ["npm", "install", "--no-save", "--ignore-scripts", "--no-audit", "--n
 
 
 @pytest.mark.needs("npm")
-@pytest.mark.slow
 def test_the_shipped_page_is_what_its_source_builds(tmp_path):
     """After a change in web/: npm install && npm run build there. CI has done so in the folder `UPRIGHT_WEB`."""
     fresh, shipped = (_contents(folder) for folder in (_built(tmp_path), STATIC))

@@ -149,7 +149,6 @@ def _open(sock: socket.socket) -> bool:
         return False
 
 
-@pytest.mark.slow
 def test_three_hundred_idle_connections_leave_room_for_a_newcomer():
     """At the 256 files that some systems give a process."""
     command = [sys.executable, "-m", "upright.cli.main", "lab", "--port", "0", "--no-browser"]

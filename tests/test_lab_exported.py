@@ -25,7 +25,7 @@ from upright.lab.rerun import rerun
 from upright.robots import Kit, Robot
 from upright.signals import STATE_NAMES, Log
 
-BROWSER = [pytest.mark.needs("chromium", "module:playwright"), pytest.mark.slow]
+BROWSER = [pytest.mark.needs("chromium", "module:playwright")]
 ROBOTS = ("nxtway-gs", "twipr")
 LINKED = "#robot=twipr&controller=sliding&noise=0&bodies=nonlinear&push=impulse:0.2"
 

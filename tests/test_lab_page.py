@@ -24,7 +24,7 @@ from upright.physics.dynamics import accelerations
 from upright.robots import Robot
 from upright.signals import Log
 
-pytestmark = [pytest.mark.needs("chromium", "module:playwright"), pytest.mark.slow]
+pytestmark = [pytest.mark.needs("chromium", "module:playwright")]
 
 FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
 WINDOW = (900, 640)  # [px]
@@ -218,7 +218,7 @@ def test_at_first_sight(page):
     assert "green" in page.inner_text(".headlight")
 
 
-@pytest.mark.long
+@pytest.mark.evidence
 def test_every_control_of_the_page_is_used(page):
     """Each is moved or pressed once; every set-up that comes of it runs, and what must follow does."""
     used: set[str] = set()
@@ -368,7 +368,7 @@ def compared(page: Any) -> Path:
     return Path(fetched.value.path())
 
 
-@pytest.mark.long
+@pytest.mark.evidence
 def test_a_log_is_uploaded_and_a_report_downloaded(page, tmp_path):
     page.click("[data-key=front]")
     until(page, "upright.store.snapshot.t > 1.5")
@@ -590,7 +590,7 @@ def test_a_gamepad_drives_and_lets_go(chromium, lab):
     context.close()
 
 
-@pytest.mark.long
+@pytest.mark.evidence
 def test_a_calibration_joins_as_the_fourth_trace(page):
     """Recorded, examined, calibrated and compared with nothing but the page."""
     page.click("[data-key=stand]")
@@ -924,7 +924,7 @@ def qr_parts(bits: str) -> Iterator[str]:
             yield "".join(f"{take((0, 4, 7, 10)[n]):0{n}d}" for n in groups)
 
 
-@pytest.mark.long
+@pytest.mark.evidence
 def test_a_class_in_the_browser(chromium, lend):
     lab = Lab("--class", "--host", address())
     try:
@@ -1200,7 +1200,7 @@ DRAWN = """async () => {
 """The curves have drawn all that is known."""
 
 
-@pytest.mark.long
+@pytest.mark.evidence
 @pytest.mark.parametrize("width", [390, 1366])
 def test_each_push_is_named_at_its_own_line(page, width):
     """However many there are, a label touches one line, and says what was done there."""
@@ -1347,7 +1347,7 @@ def test_a_certificate_that_waits_for_a_job_says_so(page):
     assert (waits, computes) == ("waits for the job in Identify", "computing …")
 
 
-@pytest.mark.long
+@pytest.mark.evidence
 def test_a_prepared_run_begins_when_its_controller_is_designed(page):
     """Until then another one drives: a sway that it left would fell the new one, and a push would judge the old."""
     last_step_of_the_tour(page)
@@ -1413,7 +1413,7 @@ def test_a_prepared_run_begins_with_its_words_though_the_robot_fell_meanwhile(pa
     assert stood == ""
 
 
-@pytest.mark.long
+@pytest.mark.evidence
 def test_no_margin_is_judged_before_every_place_is_known(page):
     """What is said last is what `linear_margins` finds; before it, nothing is called enough or the weakest place."""
     from upright.certify.verdict import linear_margins
@@ -1467,7 +1467,7 @@ def test_what_has_the_focus_keeps_it(page):
     assert page.evaluate("document.activeElement.dataset.key") == "doctor"
 
 
-@pytest.mark.long
+@pytest.mark.evidence
 def test_the_fall_of_the_tour_fills_its_curve(page):
     """Its curve begins with the lean, in a window of a second, and stays when the robots lie; and nobody says that it
     balances by itself."""

@@ -122,7 +122,6 @@ class AsProgram:
 
 
 @pytest.mark.needs("node")
-@pytest.mark.slow
 @pytest.mark.parametrize("name", ["herrera2015", "nxtway-gs", "twipr"])
 def test_a_page_moves_a_robot_as_python_does(tmp_path, name):
     """Without quanta, a balanced robot forgets that a matrix product sums in another order than the page. With quanta
@@ -208,7 +207,6 @@ def test_the_present_gains_by_hand_are_the_design(tmp_path, name):
 
 
 @pytest.mark.needs("node")
-@pytest.mark.slow
 def test_margins_of_gains_by_hand_are_python_s(tmp_path):
     """Of the LQR's gains, of others that balance, and of ones that do not; delays of half a period and of five."""
     cases = [("ev3way", (1.5, 0.8, 1.3, 0.9, 1, 1)), ("nxtway-gs", (0.7, 1.2, 0.8, 1.1, 1.4, 0.6)),
@@ -306,7 +304,6 @@ DRIVEN = (
 )
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", [name for name in preset_names() if name != "nxtway-gs"])
 def test_the_log_of_the_recipe_is_one_to_calibrate_from(tmp_path, name):
     """Its robot stands all the time, and moves by more than the steps of its gyro."""

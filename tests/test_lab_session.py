@@ -269,7 +269,6 @@ def test_the_tour_says_truly_that_the_payload_makes_the_ghost_fall(tmp_path, wai
     assert rates[1] > 2 * rates[0]
 
 
-@pytest.mark.slow
 def test_the_light_counts_its_runs():
     """300 robots under each of three pushes on each of two batteries (docs/certificate.md); all are done at the end."""
     told: list[tuple[float, int]] = []
@@ -411,7 +410,6 @@ def test_a_pull_at_a_wheel_is_no_knock(tmp_path):
     assert session.score.best == 0
 
 
-@pytest.mark.slow
 def test_the_tour_says_truly_why_the_robot_stands_still_and_then_sways(tmp_path):
     """Of the usual robot before any push, and from 5 s after a knock on for 20 s. Its dead zone lets it stand still for
     a while; then both dead zone and noise make it sway: without one of them it sways less, by more than a quarter,
@@ -721,7 +719,6 @@ def test_the_history_is_sent_again_from_a_moment_on(tmp_path):
     assert last == (*shown.x[0][:6], shown.e[0], *shown.x[0][6:8], shown.s)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("raw", [False, True])
 def test_an_opened_log_is_compared_with_the_run(tmp_path, raw):
     """With its states, or with sensors alone as a brick writes them."""

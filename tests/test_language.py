@@ -131,8 +131,7 @@ def test_a_model_and_the_margins_of_a_loop_are_shown_in_spanish() -> None:
     assert loop._repr_html_() == f"<pre>{escape(str(loop))}</pre>"
 
 
-@pytest.mark.long
-@pytest.mark.slow
+@pytest.mark.evidence
 def test_no_figure_of_the_course_keeps_an_english_word() -> None:
     log, law = up.example("excited").between(0.0, 6.0), up.lqg(NXT, KIT)
     push = up.Impulse(impulse=0.05, start=0.5)

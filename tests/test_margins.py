@@ -228,7 +228,7 @@ def grows(robot: Robot, kit: Kit, controller: Controller, more: float, at: str) 
     return bool(max(sizes[half:]) > max(sizes[half // 2 : half]))
 
 
-LOOPS = [pytest.param("twipr", "hinf", marks=pytest.mark.slow), ("nxtway-gs", "lqr"), ("ev3way", "lqg")]
+LOOPS = [pytest.param("twipr", "hinf"), ("nxtway-gs", "lqr"), ("ev3way", "lqg")]
 
 
 @pytest.mark.parametrize(("robot", "design"), LOOPS)
@@ -392,7 +392,6 @@ def test_beyond_a_slow_gain_margin_the_robot_rolls_to_and_fro() -> None:
     assert travel > 0.17  # g ψ / ω² at 1 rad/s, and this is slower
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(("method", "robot"), [("lqg", "nxtway-gs"), ("hinf", "nxtway-gs"), ("lqg", "ev3way")])
 def test_let_go_the_robot_moves_as_its_linear_loop_does(method: str, robot: str) -> None:
     """From 5° the loop's matrices give the same lean and travel, once noise, resolution and dead zone are left out;

@@ -57,8 +57,7 @@ def calibration(part: float) -> Calibration:
     return calibrate(logged(part), ROBOT.replace(com_height=1.1 * ROBOT.com_height))
 
 
-@pytest.mark.long
-@pytest.mark.slow
+@pytest.mark.evidence
 def test_a_tilt_that_no_file_states_is_found_with_the_robot() -> None:
     found = calibration(TILT)
     assert found[MISALIGNED].low <= TILT <= found[MISALIGNED].high
@@ -71,7 +70,6 @@ def test_a_tilt_that_no_file_states_is_found_with_the_robot() -> None:
     assert kit.sensors["sensor/gyro"].misalignment == found[MISALIGNED].value
 
 
-@pytest.mark.slow
 def test_a_level_gyro_gets_no_tilt() -> None:
     found = calibration(0.0)
     assert MISALIGNED not in [e.name for e in found.electronics]

@@ -19,7 +19,7 @@ from upright.fleet.fleet import ensemble_of, fleet
 from upright.report import report
 from upright.signals import STATE_NAMES, Log
 
-pytestmark = [pytest.mark.needs("chromium", "module:playwright"), pytest.mark.slow]
+pytestmark = [pytest.mark.needs("chromium", "module:playwright")]
 
 KINDS = ("comparison", "design", "fleet", "basin", "bench")
 WIDTHS = (1280, 390)  # [px] a laptop's window, a phone

@@ -102,7 +102,7 @@ def logged(
 
 def but_for(cases: Iterable[str], *usual: str) -> list[Any]:
     """Each of the cases: all but the `usual` ones are `long`, and the benchmarks of this module have them too."""
-    return [pytest.param(case, marks=() if case in usual else pytest.mark.long) for case in cases]
+    return [pytest.param(case, marks=() if case in usual else pytest.mark.evidence) for case in cases]
 
 
 @cache
@@ -174,7 +174,6 @@ BROKEN = {
 }
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", but_for(BROKEN, "motor dead"))
 def test_a_twin_that_mujoco_breaks_is_named_or_none_of_these(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     cause, way, size = BROKEN[name]
@@ -582,7 +581,6 @@ def test_no_fault_is_named_by_a_model_that_does_not_describe_the_robot(shared: P
     assert any("no cause is named" in note for note in fallen.notes)
 
 
-@pytest.mark.slow
 @pytest.mark.needs("shared/data/ev3way/tilt_000.csv")
 def test_a_part_of_a_real_log_that_begins_in_motion_is_no_fall(shared: Path) -> None:
     """Its robot balances until 7.4 s. From the first rows of this part the filter loses it within 0.05 s."""
@@ -590,8 +588,7 @@ def test_a_part_of_a_real_log_that_begins_in_motion_is_no_fall(shared: Path) -> 
     assert not post_mortem(part, Robot.preset("ev3way-large-wheels")).fell
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 @pytest.mark.needs("shared/data/ev3way/tilt_000.csv")
 def test_a_planted_fault_is_found_in_the_noise_of_a_real_robot(shared: Path) -> None:
     """The robot's own noise is learnt up to 6.5 s; from 7 s on its left command is logged with the wrong sign. Without
@@ -609,8 +606,7 @@ def test_a_planted_fault_is_found_in_the_noise_of_a_real_robot(shared: Path) -> 
     assert any("a smaller fault is hidden" in note for note in as_it_was.notes)
 
 
-@pytest.mark.long
-@pytest.mark.slow
+@pytest.mark.evidence
 @pytest.mark.parametrize("robot", but_for(["herrera2015", "ev3way"], "ev3way"))
 def test_another_robot_is_no_sensor_of_another_scale(robot: str) -> None:
     """Planted: a push at 5 s on nxtway-gs, nothing else; no robot stands for 4 s with a gyro that counts tenfold."""
@@ -619,8 +615,7 @@ def test_another_robot_is_no_sensor_of_another_scale(robot: str) -> None:
     assert fallen.onset == pytest.approx(5.0, abs=0.2)
 
 
-@pytest.mark.long
-@pytest.mark.slow
+@pytest.mark.evidence
 def test_a_robot_that_stands_for_seconds_has_motors() -> None:
     """Planted: commands logged in another unit, three times as large in every row; the robot stood for 5 s."""
     log = example("fall")
@@ -669,8 +664,7 @@ def test_a_loop_that_stands_still_twice_before_a_fall_has_lost_its_rows() -> Non
     assert before == 0.0
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 def test_two_causes_are_found_where_the_first_one_alone_takes_up_a_part_of_the_second() -> None:
     # planted: a slope of 0.1 rad from `ONSET` on and, 0.3 s later, a battery that fades to 0.42 within half a second;
     # neither fells the robot alone. A battery that is fitted alone has its onset and size from both
@@ -685,7 +679,7 @@ def test_two_causes_are_found_where_the_first_one_alone_takes_up_a_part_of_the_s
     assert found.onset == pytest.approx(ONSET, abs=0.2)  # the slope grows within 0.2 s
 
 
-@pytest.mark.long
+@pytest.mark.evidence
 def test_a_log_of_which_only_a_part_is_filtered_is_judged_by_that_part(monkeypatch: pytest.MonkeyPatch) -> None:
     """Rows after the wheels left the floor are cut: the rows of both were confused, in an IndexError."""
     log = weakened()
@@ -714,7 +708,6 @@ def test_numbers_with_which_the_filter_loses_the_robot_are_not_taken(monkeypatch
     assert found is start
 
 
-@pytest.mark.slow
 def test_friction_of_one_wheel_holds_it_where_it_rests() -> None:
     """MuJoCo holds the left wheel by 0.3 of the motor's largest torque. With this number the filter leaves noise, which
     counts up to `LEAVES`, and of the bank's hypotheses that wheel's leaves a tenth at most. Friction that is smooth
@@ -734,7 +727,6 @@ def test_friction_of_one_wheel_holds_it_where_it_rests() -> None:
     assert leaves["left"] < 0.1 * float(y @ y) < leaves["right"]
 
 
-@pytest.mark.slow
 def test_a_push_on_a_robot_with_a_stiff_wheel_is_found_beside_it() -> None:
     """MuJoCo holds the left wheel by 0.3 of its motor's largest torque, and knocks. A push on a robot both of whose
     wheels roll turns other sensors: none was found beside a stiff wheel. From half a step of the onsets' grid late."""
@@ -753,8 +745,7 @@ def test_a_push_on_a_robot_with_a_stiff_wheel_is_found_beside_it() -> None:
     assert push.impulse == pytest.approx(0.12, rel=0.07)  # as docs/post-mortem.md has it of pushes
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 def test_wheels_that_lose_their_tyres_are_named_by_what_is_left_of_them() -> None:
     # planted: half of the radius is left while the robot drives, so that it falls within a second
     body = open_bench.BrokenBody(Twin(NXT), KIT, bench.Fault("tyre lost", "both", ONSET, 0.5), 1)
@@ -783,7 +774,6 @@ def test_a_program_that_stands_still_is_named_though_robot_and_sensors_are_sound
     assert found.onset == pytest.approx(ONSET, abs=0.02)
 
 
-@pytest.mark.slow
 def test_a_law_at_its_limit_that_steers_at_another_one_has_not_stopped() -> None:
     """One motor dead: the robot turns, so that one command is full and the other one lacks the most that steers."""
     log = frozen()
@@ -825,7 +815,7 @@ def test_a_reading_at_the_end_of_its_range_is_clipped_and_not_stuck() -> None:
         assert found.clipped == at_its_end
 
 
-@pytest.mark.long
+@pytest.mark.evidence
 def test_a_log_whose_gyro_has_the_other_sign_sends_its_reader_to_the_doctor() -> None:
     # planted: the sign of one channel, in a log of seven knocks and the push that fells the robot
     knocks = [Impulse(impulse=0.06 * MASS * (-1) ** k, start=k + 0.5, duration=0.02) for k in range(7)]
@@ -846,7 +836,6 @@ BEYOND = {  # planted in MuJoCo: cause, way, size, a knock after it [N s], what 
 }
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", but_for(BEYOND, "a gyro is clipped"))
 def test_what_no_list_had_is_named_or_none_of_these(name: str) -> None:
     cause, way, size, knock, said, why = BEYOND[name]
@@ -860,8 +849,7 @@ def test_what_no_list_had_is_named_or_none_of_these(name: str) -> None:
     assert why in found.causes[0].evidence
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 def test_a_push_that_fells_the_robot_is_measured_in_the_whole_motion() -> None:
     # planted: 0.7 N s for each kg in 0.1 s at 1.5 times the height of the centre of mass. Lean and speed are far from
     # small, so that a linear signature on a grid of times and heights leaves many times the noise

@@ -38,7 +38,6 @@ def test_a_robot_that_is_let_go_with_too_little_gain_falls_by_its_loop() -> None
     assert not any("gyro" in cause.name for cause in found.causes)
 
 
-@pytest.mark.slow
 def test_what_the_floor_does_is_not_usual() -> None:
     """A log of 0.8 s and 1.3 s on the floor was "of another robot", since most of its rows lie there."""
     case = bench.fall("F", "let-go", 41)
@@ -48,7 +47,6 @@ def test_what_the_floor_does_is_not_usual() -> None:
     assert found.verdict == LOW, str(found)
 
 
-@pytest.mark.slow
 @pytest.mark.needs("shared/cases/half-gyro")
 def test_a_gyro_at_half_of_its_scale_is_no_load() -> None:
     """It was "a load of about 3 kg that was added", 87 %: a scale that is no power of two is rare, and this is one."""

@@ -36,7 +36,6 @@ NXT = Robot.preset("nxtway-gs")
 SHOWS = 0.3
 
 
-@pytest.mark.slow
 def test_a_fall_that_the_gyro_shows_a_third_of_is_found_by_the_gyro_s_scale(monkeypatch: pytest.MonkeyPatch) -> None:
     """Neither the integrated gyro nor the filter that believes it leans by more than 0.4 rad: it did not fall, said the
     log. The scale is found to a third, as far as half a second of a robot known to a tenth shows it."""
@@ -129,7 +128,6 @@ def test_what_takes_torque_is_searched_from_where_the_other_causes_of_that_were_
     assert not _as_another(offset, [offset, battery, friction])
 
 
-@pytest.mark.slow
 def test_no_scale_of_a_gyro_is_searched_where_pushes_leave_nothing_to_explain(monkeypatch: pytest.MonkeyPatch) -> None:
     """That search took 2 to 3 s of every log."""
     bot, searches = Bot(), list[float]()
@@ -242,7 +240,6 @@ def test_an_offset_and_a_drift_are_second_causes_of_their_own() -> None:
     assert [several[i].way for i, *_ in chosen] == ["step", "ramp", "both"]
 
 
-@pytest.mark.slow
 def test_an_encoder_of_another_scale_is_found_beside_a_push_that_a_fit_of_squares_follows() -> None:
     """Encoders that show 1.8 times the motion and a push (7679): the search of squares never came near. Here the push
     is one of 2 N for a tenth of a second; the scale shows to a tenth, to which the file knows the robot."""

@@ -44,7 +44,7 @@ def test_soft_pushes_are_found_and_a_dither_is_none(seed: int) -> None:
     assert without_knocks([of_another_simulator(seed, pushed=False)], robot, kit, cut=False)[1] == []
 
 
-@pytest.mark.long
+@pytest.mark.evidence
 @pytest.mark.needs("shared/cases/hand-pushed")
 def test_a_log_with_pushes_by_hand_writes_no_robot(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """True pole 7.19 1/s: 5.96 (5.66 to 6.26) was measured, and written."""
@@ -65,7 +65,6 @@ def fitted() -> Calibration:
 
 
 @pytest.mark.parametrize(("delay", "told"), [(-4e-3, False), (-1e-4, True), (4e-3, True)])
-@pytest.mark.slow
 def test_a_dead_time_is_not_negative(delay: float, told: bool) -> None:
     """Of 0.5 ms of standard deviation −4 ms is eight below zero, and −0.1 ms none."""
     late = next(e for e in fitted().delays if e.name == "delay/encoder")
@@ -75,7 +74,6 @@ def test_a_dead_time_is_not_negative(delay: float, told: bool) -> None:
     assert told or "before it acts" in why[0]
 
 
-@pytest.mark.slow
 def test_what_cannot_be_told_accuses_no_robot() -> None:
     """Not even where a fit beside softer pushes came out as of another robot."""
     refused = replace(fitted(), refused=("the log is of another robot",))
@@ -90,7 +88,6 @@ def test_what_cannot_be_told_accuses_no_robot() -> None:
     assert page_of(found).head.verdict.text == "unknown"
 
 
-@pytest.mark.slow
 @pytest.mark.needs("shared/data/regbot/balance_rest.txt")
 def test_a_faster_controller_is_not_told_from_its_slow_log() -> None:
     from upright.logs.raw import raw_log
@@ -100,7 +97,6 @@ def test_a_faster_controller_is_not_told_from_its_slow_log() -> None:
     assert "lacks commands" in why[0]
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(("verdict", "withheld"), [(PRIOR, True), (VISIBLE, False)])
 def test_a_number_that_the_fit_moves_and_the_log_does_not_see_is_not_written(verdict: str, withheld: bool) -> None:
     """Four deviations of its file's guess off: seen, it is measured, and doubtful; unseen, it makes up for another."""
@@ -111,7 +107,7 @@ def test_a_number_that_the_fit_moves_and_the_log_does_not_see_is_not_written(ver
     assert mass.name in bent.decision.why
 
 
-@pytest.mark.long
+@pytest.mark.evidence
 @pytest.mark.needs("shared/data/ev3way")
 def test_wheels_of_a_kilogram_each_are_not_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The whole robot of this log weighs 0.777 kg (its file's source)."""

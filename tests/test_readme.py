@@ -21,8 +21,6 @@ from upright.cli import options
 from upright.cli.main import main
 from upright.signals import Log
 
-pytestmark = pytest.mark.slow
-
 README = Path(__file__).resolve().parents[1] / "README.md"
 TASKS = {
     "push a robot": "simulate --robot nxtway-gs", "compare two logs": "compare", "own robot": "robots show",

@@ -67,7 +67,6 @@ def survivors(robot: Robot, kit: Kit, push: Hold | Impulse, rng: np.random.Gener
     return float(stands.mean())
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("preset", preset_names())
 def test_beyond_the_bound_no_command_that_was_searched_holds(preset: str) -> None:
     robot, rng = Robot.preset(preset), np.random.default_rng(7)

@@ -193,7 +193,7 @@ def calibration(name: str, frequency: float, damping: float) -> Calibration:
     return calibrate(logged(name, frequency, damping), prior(name))
 
 
-@pytest.mark.parametrize(("name", "frequency", "damping"), [SWING, pytest.param(*FILTER, marks=pytest.mark.long)])
+@pytest.mark.parametrize(("name", "frequency", "damping"), [SWING, pytest.param(*FILTER, marks=pytest.mark.evidence)])
 def test_a_gyro_that_swings_or_is_filtered_is_found_with_the_robot(name: str, frequency: float, damping: float) -> None:
     found, true = calibration(name, frequency, damping), Robot.preset(name)
     assert found[FREQUENCY].low <= frequency <= found[FREQUENCY].high

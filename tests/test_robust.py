@@ -169,7 +169,6 @@ def test_it_drives_turns_and_stops():
     assert abs(last["yaw"]) < 0.05
 
 
-@pytest.mark.slow
 def test_dead_time_is_part_of_the_design():
     # 53 ms: a gain designed without them falls at once; of draws within a fifth of the spreads none is unstable
     robot = Robot.preset("twipr")

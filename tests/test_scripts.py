@@ -42,7 +42,6 @@ def test_a_script_is_short_enough_to_be_read_at_once(path: Path) -> None:
     assert 15 <= len(path.read_text("utf-8").splitlines()) <= 45
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("path", SCRIPTS, ids=lambda path: path.stem)
 def test_a_script_runs_and_says_its_result(
     path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

@@ -17,7 +17,7 @@ import pytest
 
 import upright
 
-pytestmark = [pytest.mark.needs("module:sphinx", "module:nbclient"), pytest.mark.slow]
+pytestmark = [pytest.mark.needs("module:sphinx", "module:nbclient")]
 
 ROOT = Path(__file__).parents[1]
 LINK = re.compile(r'<(a|link|script|img|iframe|source|video)\b[^>]*?\b(href|src)="([^"]*)"')

@@ -115,7 +115,6 @@ def knocked(robot: Robot, kit: Kit, controller: Controller) -> float:
     return float(np.abs(log["truth/pitch"]).max())
 
 
-@pytest.mark.slow
 @on_an_uno
 @pytest.mark.needs("shared/cases/hand-pushed")
 def test_the_sketch_of_an_own_robot_answers_a_knock_as_its_design(tmp_path: Path) -> None:

@@ -46,7 +46,6 @@ def printed_commands(text: str) -> list[list[str]]:
     return [shlex.split(line[2:].removesuffix("   (done before)")) for line in text.splitlines() if line[:2] == "$ "]
 
 
-@pytest.mark.slow
 def test_a_simulated_robot_comes_to_a_verdict_and_goes_on_where_it_stopped(started, tmp_path):
     """Enter takes what is usual. The answers end at the simulation; the second call asks for the rest alone."""
     first = started("\n\nnonsense\nlqg\n")
@@ -65,7 +64,6 @@ def test_a_simulated_robot_comes_to_a_verdict_and_goes_on_where_it_stopped(start
     assert "Verdict: green" in third
 
 
-@pytest.mark.slow
 def test_a_log_is_examined_calibrated_and_certified(started, tmp_path):
     run = started("nxtway-gs\nlog\nno-such.csv\nexample\nnone\nlqr\n", "study")
     assert "there is no file no-such.csv" in run
@@ -74,7 +72,6 @@ def test_a_log_is_examined_calibrated_and_certified(started, tmp_path):
     assert (tmp_path / "study" / "mine.toml").exists()
 
 
-@pytest.mark.slow
 def test_a_step_that_fails_asks_its_question_again(tmp_path, monkeypatch, capfd):
     """A file that is no log ends the doctor with exit code 2; the answer is forgotten, and the rest kept."""
     (tmp_path / "bad.csv").write_bytes(b"\x00\x01")
@@ -102,7 +99,6 @@ def test_a_broken_state_is_one_line(tmp_path, monkeypatch, capsys):
         assert "delete" in capsys.readouterr().err
 
 
-@pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="a signal to another process")
 def test_ctrl_c_keeps_what_was_answered(tmp_path):
     """While it waits for the third answer."""

@@ -50,8 +50,7 @@ def said(log: Log) -> str:
     return next(note for note in calibrate(log, PRIOR).notes if "states gain" in note)
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 def test_commands_before_a_gain_are_found_and_those_after_it_are_left() -> None:
     """Cut at full duty in one row of twenty: what is cut tells the side, whatever the motor's own constants are."""
     log, gain = driven(1, 4.0), 1.3
@@ -60,7 +59,6 @@ def test_commands_before_a_gain_are_found_and_those_after_it_are_left() -> None:
     assert "taken as logged" in said(stating(log, gain, before=False))
 
 
-@pytest.mark.slow
 def test_a_known_robot_tells_the_side_of_the_gain() -> None:
     """A motor of half the strength would be far from what its file says."""
     notes = [validate(TRUE, stating(driven(2, 4.0), 2.0, before=before)).logs[0].notes for before in (True, False)]
@@ -68,7 +66,6 @@ def test_a_known_robot_tells_the_side_of_the_gain() -> None:
     assert "taken as logged" in notes[1][0]
 
 
-@pytest.mark.slow
 def test_a_concave_driver_is_not_taken_for_commands_before_a_gain() -> None:
     """A bridge with slow decay: V/U = (1 − e^(−2d)) / (1 − e^(−2)) of a duty d. Small duties act 2.3 times, as they
     would before a gain, and the program logs what it puts out, after its gain and cut."""
@@ -84,8 +81,7 @@ def test_a_concave_driver_is_not_taken_for_commands_before_a_gain() -> None:
         assert "before that gain:" not in note
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 def test_a_run_whose_commands_have_a_factor_is_named_by_it() -> None:
     """No file states a gain. In the second log the program's commands are those before one of 1.6."""
     logs = [driven(seed, 4.0) for seed in (3, 4, 5)]
@@ -97,7 +93,6 @@ def test_a_run_whose_commands_have_a_factor_is_named_by_it() -> None:
     assert low < 1.6 < high
 
 
-@pytest.mark.slow
 def test_a_winding_that_no_temperature_makes_is_named() -> None:
     """A log of a body of ours has what was applied, no supply is in doubt: a factor of 1.6 is then a winding."""
     robot = Estimated(lqr(PRIOR, 0.01), kalman(PRIOR, NXT))
@@ -149,7 +144,6 @@ def test_a_files_gains_are_read_from_the_lines_before_its_header(
     assert raw_log(path).origin.get("stated_gains") == gains
 
 
-@pytest.mark.slow
 @pytest.mark.needs("shared/data/ev3way")
 def test_of_three_real_runs_none_shows_its_gain_against_a_drivers_curve() -> None:
     """Gyro and wheels of nn_v7_000 turn 1.5 times as far for a volt as those of the others (docs/calibrate.md). Its

@@ -41,7 +41,6 @@ def used(package: Path, cache: Path) -> tuple[int, int]:
     return int(result), int(hits)
 
 
-@pytest.mark.slow
 def test_a_change_of_any_source_compiles_the_calibration_anew(package: Path, tmp_path: Path) -> None:
     first, hits = used(package, tmp_path)
     assert hits == 0
@@ -58,7 +57,6 @@ def test_a_change_of_any_source_compiles_the_calibration_anew(package: Path, tmp
     assert used(package, tmp_path) == (first, 1)
 
 
-@pytest.mark.slow
 def test_damage_to_the_calibrations_code_is_noticed(package: Path, tmp_path: Path) -> None:
     first, _ = used(package, tmp_path)
     (path,) = tmp_path.iterdir()

@@ -148,7 +148,6 @@ def explained(planted: str, taken: Sequence[Support], left: Sequence[Support], c
     assert max(surprises) < LARGER, surprises
 
 
-@pytest.mark.slow
 def test_a_floor_s_slope_is_that_of_a_calibration_and_tried() -> None:
     """4°, to the degree within which a floor counts as level. The filter's steady push said -8° of an EV3way on a level
     floor; without a calibration the log does not tell."""
@@ -183,8 +182,7 @@ def test_a_log_of_the_robot_as_it_was_assumed_contradicts_nothing() -> None:
     assert shown["battery"].value == pytest.approx(8.0, abs=0.05)
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 def test_a_body_half_as_heavy_is_seen_and_falls_under_a_push_that_was_sized_for_the_heavier() -> None:
     # the knock asked for is 0.6 of the largest for the heavy body: 1.2 of that for this one, which nothing survives
     given = certified(logged(body=NonlinearBody(loaded(ROBOT, 0.5))))
@@ -252,7 +250,6 @@ def test_a_knocked_robot_is_calibrated_from_what_lies_between_the_knocks() -> No
     assert 0.3 < gone[0][1] - gone[0][0] < 0.7  # the 0.3 s in which a filter finds the state again, after the last
 
 
-@pytest.mark.slow
 def test_what_robots_within_their_spreads_explain_is_taken_for_no_other_mass() -> None:
     # this robot's log is likeliest with two thirds of its mass, and as likely with another robot of the same spreads
     robot = Robot.preset("nxtway-gs-measured")
@@ -364,8 +361,7 @@ def test_a_stated_number_is_contradicted_from_three_deviations_on() -> None:
             assert Support.of_estimate(estimate("track", value, 1.0, 0.1, shift, scale=scale)).outside is outside
 
 
-@pytest.mark.slow
-@pytest.mark.long
+@pytest.mark.evidence
 @pytest.mark.parametrize(("load", "seen"), [(0.6, True), (1.0, False)])
 def test_a_calibration_that_takes_the_mass_for_a_guess_sees_a_lighter_body(load: float, *, seen: bool) -> None:
     """Its interval holds the true mass, and of a robot as its file says nothing is taken over: 95 % of the time."""

@@ -214,7 +214,6 @@ def test_modulus_and_delay_are_those_of_the_analysis() -> None:
     assert delay == pytest.approx(min(phases), rel=0.01)
 
 
-@pytest.mark.slow
 def test_margins_below_the_defaults_are_seen_without_their_computation() -> None:
     method, default = CONTROLLERS["lqg"], CONTROLLERS["lqg"].tunable
     assert default
@@ -235,7 +234,6 @@ def test_margins_below_the_defaults_are_seen_without_their_computation() -> None
     assert True in seen
 
 
-@pytest.mark.slow
 def test_the_largest_knock_is_that_of_single_runs() -> None:
     """The loop of `run` on the nonlinear body, knock by knock, which shares nothing with the kernel but the equations;
     its noise is another, and sizes are 1.2 % apart in one, 2 % in the other."""
@@ -259,7 +257,6 @@ def small(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(room, name, value)
 
 
-@pytest.mark.slow
 @pytest.mark.usefixtures("small")
 def test_an_interrupted_tuning_goes_on_to_the_same_bytes(tmp_path: Path) -> None:
     given: dict[str, Any] = {"budget": 18, "samples": 100, "seed": 5, "threads": 1}

@@ -311,7 +311,6 @@ def test_a_controller_of_another_period_is_refused(tmp_path: Path) -> None:
 
 
 @pytest.mark.needs("shared/data/twipr")
-@pytest.mark.slow
 def test_the_free_closed_loop_of_a_real_robot(shared: Path) -> None:
     """The law is in the log (k1 v + k2 pitch + k3 rate ± k4 yaw rate + excitation); the robot is the preset."""
     result = up.validate("twipr", shared / "data" / "twipr" / "run1.csv").logs[0]
