@@ -81,14 +81,19 @@ def is_pair(node: ast.AST) -> bool:
     )
 
 
-def is_named_number(node: ast.AST) -> bool:
-    """Whether a statement of a module gives a number its name in capitals."""
-    return (
-        isinstance(node, ast.Assign)
-        and isinstance(node.targets[0], ast.Name)
-        and node.targets[0].id.isupper()
-        and isinstance(node.value, ast.Constant)
-        and isinstance(node.value.value, int | float)
+def named_numbers(node: ast.AST) -> int:
+    """How many numbers a statement of a module gives names in capitals."""
+    if not isinstance(node, ast.Assign):
+        return 0
+    several = is_pair(node)
+    names = node.targets[0].elts if several else node.targets[:1]
+    values = node.value.elts if several else [node.value]
+    return sum(
+        isinstance(name, ast.Name)
+        and name.id.isupper()
+        and isinstance(value, ast.Constant)
+        and isinstance(value.value, int | float)
+        for name, value in zip(names, values, strict=True)
     )
 
 
@@ -99,7 +104,7 @@ def density() -> dict[str, int]:
         text = path.read_text("utf-8")
         tree = ast.parse(text)
         number["fmt_skip"] += text.count("# fmt: skip")
-        number["named_numbers"] += sum(map(is_named_number, tree.body))
+        number["named_numbers"] += sum(map(named_numbers, tree.body))
         for node in ast.walk(tree):
             number["pairs"] += is_pair(node)
             number["walrus"] += isinstance(node, ast.NamedExpr)

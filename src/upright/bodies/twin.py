@@ -71,12 +71,16 @@ class Twin:
         """MuJoCo's model of this description, and its arrays, asked for once."""
         self._model = mujoco.MjModel.from_xml_string(text)
         self._data = data = mujoco.MjData(self._model)
-        self._q, self._v, self._sensed, self._wrong = data.qpos, data.qvel, data.sensordata, data.warning.number
+        self._q = data.qpos
+        self._v = data.qvel
+        self._sensed = data.sensordata
+        self._wrong = data.warning.number
         self._control, self._forces = data.ctrl, data.qfrc_applied
 
     def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:  # noqa: ARG002 (nothing here is random)
         x = checked(start, 6, "start")
-        robot, data = self.spec.robot, self._data
+        robot = self.spec.robot
+        data = self._data
         pitch, pitch_rate, _, wheel_rate, yaw, yaw_rate = x
         mujoco.mj_resetData(self._model, data)
         self._slope = math.nan
@@ -90,7 +94,9 @@ class Twin:
         data.qvel[3:6] = -yaw_rate * math.sin(pitch), pitch_rate, yaw_rate * math.cos(pitch)
         data.qvel[6:8] = [rate - pitch_rate for rate in rates]
         self._settle()
-        self._steps, self._yaw, self._ready = 0, yaw, False
+        self._steps = 0
+        self._yaw = yaw
+        self._ready = False
         return self._sample((0.0, 0.0))
 
     def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
@@ -110,7 +116,8 @@ class Twin:
             first(self._model, self._data)
             mujoco.mj_step(self._model, self._data, self._count - 1)
         mujoco.mj_forward(self._model, self._data)  # sensors belong to the end of the step, not to its start
-        self._steps, self._ready = self._steps + 1, True
+        self._steps += 1
+        self._ready = True
         return self._sample(u)
 
     def close(self) -> None:
@@ -118,12 +125,16 @@ class Twin:
 
     def _slope_is(self, slope: float) -> None:
         if slope != self._slope:
-            self._slope, self._ready, g = slope, False, self.spec.robot.gravity
+            self._slope = slope
+            self._ready = False
+            g = self.spec.robot.gravity
             self._model.opt.gravity[:] = -g * math.sin(slope), 0.0, -g * math.cos(slope)
 
     def _settle(self) -> None:
         """Sinks the wheels into the floor until the contacts carry the weight and the axle does not accelerate."""
-        model, data, radius = self._model, self._data, self.spec.robot.wheel_radius
+        model = self._model
+        data = self._data
+        radius = self.spec.robot.wheel_radius
         depth, deeper = 1e-9 * radius, 1e-6 * radius
 
         def lift(depth: float) -> float:
@@ -159,7 +170,8 @@ class Twin:
         self._yaw += math.remainder(yaw - self._yaw, math.tau)
         pitch_rate, left, right = v[4], q[7], q[8]
         yaw_rate = v[5] * math.cos(pitch) - v[3] * math.sin(pitch)
-        wheel, wheel_rate = (left + right) / 2 + pitch, (v[6] + v[7]) / 2 + pitch_rate
+        wheel = (left + right) / 2 + pitch
+        wheel_rate = (v[6] + v[7]) / 2 + pitch_rate
         _, gyro, _, forward, _, up = self._sensed.tolist()
         truth = (pitch, pitch_rate, wheel, wheel_rate, self._yaw, yaw_rate)
         values = (*truth, left, right, gyro, self._yaw, forward, up)

@@ -86,7 +86,8 @@ class MotorPort:
         elif self.power and not self.limit:
             self.end = self.count
         elif self.power and (self.count - self.end) * self.power >= 0:
-            self.state, self.fading = 0, self.power
+            self.state = 0
+            self.fading = self.power
 
 
 @dataclass
@@ -179,7 +180,9 @@ class Hardware:
     def __init__(self, world: Callable[[int], None] | None = None, flash: Flash | None = None) -> None:
         self.inputs, self.motors = [Port() for _ in range(4)], [MotorPort() for _ in range(3)]
         self.registers: dict[int, dict[int, int]] = {}
-        self.battery, self.buttons, self.lines = 8000, set[int](), dict[int, str]()
+        self.battery = 8000
+        self.buttons = set[int]()
+        self.lines = dict[int, str]()
         self.flash = Flash() if flash is None else flash
         self.world = world
         self.asked: dict[int, bytes] = {}  # port → answer of its digital sensor

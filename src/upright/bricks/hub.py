@@ -26,7 +26,10 @@ FIRMWARE_REVISION, SOFTWARE_REVISION, PNP_ID = (STANDARD.format(n) for n in (0x2
 
 FIRMWARE, PROTOCOL = "3.5.0", "1.4.0"
 LEGO, PRIME = 0x0397, 0x81  # company, and kind of hub, as Bluetooth's PnP ID has them
-LONGEST_WRITE, LONGEST_NOTE, MEMORY = 158, 100, 255 * 1024  # bytes of a command, of a piece of output, of a program
+# bytes of a command, of a piece of output, of a program
+LONGEST_WRITE = 158
+LONGEST_NOTE = 100
+MEMORY = 255 * 1024
 MPY6 = 0b110  # capabilities: programs of several files, in MicroPython's format 6 and 6.1
 BATTERY_LOW, RUNNING = 1 << 0, 1 << 6  # status flags
 STATUS, OUTPUT = 0, 1  # events
@@ -70,16 +73,24 @@ class VirtualHub:
         pace: float = PACE,
         tells: bool = False,
     ) -> None:
-        self.world, self.speed, self.until = world, speed, math.inf
+        self.world = world
+        self.speed = speed
+        self.until = math.inf
         self.firmware, self.protocol, self.capable = FIRMWARE, PROTOCOL, MPY6
-        self.silent, self.pressed, self.duties = False, False, (0.0, 0.0)
+        self.silent = False
+        self.pressed = False
+        self.duties = (0.0, 0.0)
         self.battery: float | None = None  # [mV] instead of the world's
         self.garbled: Callable[[bytes], bytes] = bytes
         self.notify: Callable[[bytes], None] | None = None
         self._lost: Callable[[], None] | None = None
         self._notes = deque[bytes]()  # queued for the air
-        self._memory, self._size, self._typed, self._stopped = bytearray(MEMORY), 0, b"", False
-        self._script, self._stops = Script("pybricks", absent, pace, tells), 0
+        self._memory = bytearray(MEMORY)
+        self._size = 0
+        self._typed = b""
+        self._stopped = False
+        self._script = Script("pybricks", absent, pace, tells)
+        self._stops = 0
         self.running, self.seconds, self._clock, self._sent = False, 0.0, 0.0, 0
 
     def read(self, uuid: str) -> bytes:
@@ -116,7 +127,9 @@ class VirtualHub:
 
     def cut(self) -> None:
         """Break the connection; the program runs on."""
-        self.notify, lost, self._lost = None, self._lost, None
+        self.notify = None
+        lost = self._lost
+        self._lost = None
         self._notes.clear()
         if lost:
             lost()
@@ -155,7 +168,8 @@ class VirtualHub:
         if self.battery is not None:
             raw[BATTERY] = self.battery
         if self._stopped:
-            reply, self._stops = self._script.interrupt() if self._stops < MOST_STOPS else None, self._stops + 1
+            reply = self._script.interrupt() if self._stops < MOST_STOPS else None
+            self._stops += 1
         else:
             readings = [raw[channel] for channel in (*ENCODERS, GYRO, BATTERY)]
             reply = self._script.exchange(readings, self.pressed, self._typed, self.notify is not None)
@@ -178,7 +192,9 @@ class VirtualHub:
     def _ended(self) -> None:
         """Motors off and status sent, as the firmware does whenever a program ends."""
         self._script.stop()
-        self.running, self._stopped, self.duties = False, False, (0.0, 0.0)
+        self.running = False
+        self._stopped = False
+        self.duties = (0.0, 0.0)
         self.report()
 
     def _send_output(self) -> None:

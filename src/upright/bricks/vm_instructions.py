@@ -29,7 +29,8 @@ def signed(word: int) -> int:
 def _binary(operation: Callable[[Any, Any], Any]) -> Maker:
     def make(m: Processor, code: Code) -> Step:
         target, a, b = code.args
-        cells, store = m.cells, m.store(target)
+        cells = m.cells
+        store = m.store(target)
         return lambda: store(operation(cells[a], cells[b]))
 
     return make
@@ -37,7 +38,9 @@ def _binary(operation: Callable[[Any, Any], Any]) -> Maker:
 
 def _unary(operation: Callable[[Any], Any]) -> Maker:
     def make(m: Processor, code: Code) -> Step:
-        cells, store, source = m.cells, m.store(code.args[0]), code.args[1]
+        cells = m.cells
+        store = m.store(code.args[0])
+        source = code.args[1]
         return lambda: store(operation(cells[source]))
 
     return make
@@ -53,13 +56,17 @@ def _test(m: Processor, code: Code) -> Step:
 
 
 def _branch_compare(m: Processor, code: Code) -> Step:
-    cells, compare, there = m.cells, COMPARE[code.condition], code.at + signed(code.args[0])
+    cells = m.cells
+    compare = COMPARE[code.condition]
+    there = code.at + signed(code.args[0])
     a, b = code.args[1:]
     return lambda: there if compare(cells[a], cells[b]) else None
 
 
 def _branch_test(m: Processor, code: Code) -> Step:
-    cells, compare, there = m.cells, COMPARE[code.condition], code.at + signed(code.args[0])
+    cells = m.cells
+    compare = COMPARE[code.condition]
+    there = code.at + signed(code.args[0])
     return lambda: there if compare(cells[code.args[1]], 0) else None
 
 
@@ -70,7 +77,9 @@ def _jump(_: Processor, code: Code) -> Step:
 
 def _subcall(m: Processor, code: Code) -> Step:
     clump, back = code.args
-    there, after, returns = m.program.clumps[clump], code.at + code.length, m.returns
+    there = m.program.clumps[clump]
+    after = code.at + code.length
+    returns = m.returns
 
     def step() -> int:
         returns[back] = after
@@ -93,7 +102,8 @@ def _nothing(_m: Processor, _code: Code) -> Step:
 
 def _move(m: Processor, code: Code) -> Step:
     target, source = code.args
-    cells, kind = m.cells, m.program.entries[target].type
+    cells = m.cells
+    kind = m.program.entries[target].type
     if kind is Type.ARRAY:
         return lambda: cells.__setitem__(target, copied(cells[source]))
     if kind is Type.CLUSTER:
@@ -103,13 +113,16 @@ def _move(m: Processor, code: Code) -> Step:
 
 
 def _set(m: Processor, code: Code) -> Step:
-    store, value = m.store(code.args[0]), signed(code.args[1])
+    store = m.store(code.args[0])
+    value = signed(code.args[1])
     return lambda: store(value)
 
 
 def _index(m: Processor, code: Code) -> Step:
     target, source, place = code.args
-    cells, store, where = m.cells, m.store(target), m.number(place)
+    cells = m.cells
+    store = m.store(target)
+    where = m.number(place)
 
     def step() -> None:
         values: Any = cells[source]
@@ -120,7 +133,9 @@ def _index(m: Processor, code: Code) -> Step:
 
 def _replace(m: Processor, code: Code) -> Step:
     target, source, place, value = code.args
-    cells, where, hold = m.cells, m.number(place), holder(m.program.element(target))
+    cells = m.cells
+    where = m.number(place)
+    hold = holder(m.program.element(target))
 
     def step() -> None:
         if target != source:
@@ -132,7 +147,8 @@ def _replace(m: Processor, code: Code) -> Step:
 
 
 def _array(m: Processor, target: int, make: Callable[[], Sequence[Any]]) -> Step:
-    cells, kind = m.cells, m.program.element(target)
+    cells = m.cells
+    kind = m.program.element(target)
     hold = holder(kind)
 
     def step() -> None:
@@ -143,7 +159,8 @@ def _array(m: Processor, target: int, make: Callable[[], Sequence[Any]]) -> Step
 
 
 def _array_init(m: Processor, code: Code) -> Step:
-    cells, count = m.cells, m.number(code.args[2])
+    cells = m.cells
+    count = m.number(code.args[2])
     return _array(m, code.args[0], lambda: [cells[code.args[1]]] * int(count()))
 
 
@@ -158,17 +175,22 @@ def _string_join(m: Processor, code: Code) -> Step:
 
 
 def _subset(m: Processor, code: Code) -> Step:
-    cells, first, count = m.cells, m.number(code.args[2]), m.number(code.args[3], 0xFFFF)
+    cells = m.cells
+    first = m.number(code.args[2])
+    count = m.number(code.args[3], 0xFFFF)
     return _array(m, code.args[0], lambda: cells[code.args[1]][first() : first() + count()])  # type: ignore[index]
 
 
 def _size(m: Processor, code: Code) -> Step:
-    cells, store = m.cells, m.store(code.args[0])
+    cells = m.cells
+    store = m.store(code.args[0])
     return lambda: store(len(cells[code.args[1]]))  # type: ignore[arg-type]
 
 
 def _flatten(m: Processor, code: Code) -> Step:
-    cells, target, leaves = m.cells, code.args[0], m.leaves(code.args[1])
+    cells = m.cells
+    target = code.args[0]
+    leaves = m.leaves(code.args[1])
     kinds = [m.program.entries[leaf].type for leaf in leaves]
     if not SCALARS.issuperset(kinds):
         raise InvalidProgram("an array is written as bytes", expected="numbers")
@@ -179,7 +201,9 @@ def _flatten(m: Processor, code: Code) -> Step:
 def _unflatten(m: Processor, code: Code) -> Step:
     target, failed, source, _ = code.args
     layout = struct.Struct("<" + m.program.entries[target].type.format)
-    cells, store, fail = m.cells, m.store(target), m.store(failed)
+    cells = m.cells
+    store = m.store(target)
+    fail = m.store(failed)
 
     def step() -> None:
         data = bytes(cells[source])  # type: ignore[arg-type]
@@ -222,7 +246,9 @@ def _set_output(m: Processor, code: Code) -> Step:
 
 
 def _system_call(m: Processor, code: Code) -> Step:
-    cells, number, leaves = m.cells, code.args[0], m.leaves(code.args[1])
+    cells = m.cells
+    number = code.args[0]
+    leaves = m.leaves(code.args[1])
     holds = [None if m.program.entries[i].type is Type.ARRAY else holder(m.program.entries[i].type) for i in leaves]
 
     def step() -> None:

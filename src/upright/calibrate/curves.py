@@ -68,7 +68,8 @@ def coefficients(z: Any, priors: Any) -> Any:
     each with the error that z has for it after what is asked; factor of the left and of the right motor, dead zone,
     constant command, and the drop in volts of the logged command; what the gyro reads of the yaw rate; the dead time of
     each sensor; ω [rad/s] and ζ of a resonance."""
-    numbers, asked = numbers_at(z, priors), len(priors.place)
+    numbers = numbers_at(z, priors)
+    asked = len(priors.place)
     tail = len(numbers) - DEAD_TIMES
     q = np.empty((DELAYS + tail, z.shape[1]))
     for lane in range(z.shape[1]):
@@ -83,7 +84,8 @@ def coefficients(z: Any, priors: Any) -> Any:
                 q[LEVEL[k], lane] *= math.exp(-SMOOTH * z[asked + k, lane])
             else:
                 q[LEVEL[k], lane] += EXACT * size * z[asked + k, lane]
-        half, supply = numbers[PLAIN, lane] / 2, numbers[PLAIN + 1, lane]
+        half = numbers[PLAIN, lane] / 2
+        supply = numbers[PLAIN + 1, lane]
         q[DRIVEN, lane], q[DRIVEN + 1, lane] = supply * (1 - half), supply * (1 + half)
         q[DRIVEN + 2, lane], q[DRIVEN + 3, lane] = numbers[PLAIN + 2, lane], numbers[PLAIN + 3, lane]
         q[LOST, lane], q[TURN_READ, lane] = numbers[PLAIN + 4, lane] / supply, numbers[PLAIN + 5, lane]
@@ -153,7 +155,8 @@ def bowl_value(y: Any, curves: Any, bowls: Any) -> Any:
 def bowl_derivatives(y: Any, curves: Any, bowls: Any) -> Any:
     """Gradient (parameters,) and Hessian (parameters, parameters) of that objective at y (parameters,), without what
     the curves bend."""
-    gradient, hessian = y.copy(), np.eye(len(y))
+    gradient = y.copy()
+    hessian = np.eye(len(y))
     for run in range(len(bowls.at)):
         q, C = by_parameter(y, run, curves)
         weighed = _product(bowls.hessian[run], C)
@@ -168,7 +171,10 @@ def bowl_derivatives(y: Any, curves: Any, bowls: Any) -> Any:
 def _step(gradient: Any, hessian: Any, brake: Any, free: Any) -> Any:
     """The step (parameters,) down, of those parameters alone that are `free`, with the Hessian's diagonal raised."""
     count = len(free)
-    H, L, slope, part = np.empty((count, count)), np.empty((count, count)), gradient[free], np.empty(count)
+    H = np.empty((count, count))
+    L = np.empty((count, count))
+    slope = gradient[free]
+    part = np.empty(count)
     for i in range(count):
         H[i] = hessian[free[i]][free]
     damped_step(H, brake, slope, L, part)
@@ -186,12 +192,19 @@ def downhill(z: Any, curves: Any, bowls: Any, damping: Any, limits: Any) -> Any:
     for run in range(len(bowls.at)):
         for i in range(bowls.at.shape[1]):
             bowls.hessian[run, i, i] *= 1 + damping
-    least, most, active = np.maximum(limits[0], z - REACH), z + REACH, limits[1]
-    y, now, brake, more = z, bowl_value(z, curves, bowls), FIRST_BRAKE, MORE_BRAKE
+    least = np.maximum(limits[0], z - REACH)
+    most = z + REACH
+    active = limits[1]
+    y = z
+    now = bowl_value(z, curves, bowls)
+    brake = FIRST_BRAKE
+    more = MORE_BRAKE
     for _ in range(INNER):
         gradient, hessian = bowl_derivatives(y, curves, bowls)
         free = np.flatnonzero(active & ~((y <= least + 1e-9) & (gradient > 0)))
-        new, gained, expected = y, 0.0, 0.0
+        new = y
+        gained = 0.0
+        expected = 0.0
         while brake < MOST_BRAKE:
             step = _step(gradient, hessian, brake, free)
             new = np.minimum(np.maximum(y + step, least), most)
@@ -202,10 +215,13 @@ def downhill(z: Any, curves: Any, bowls: Any, damping: Any, limits: Any) -> Any:
             gained = now - bowl_value(new, curves, bowls)
             if gained > 0:
                 break
-            brake, more = max(more * brake, LEAST_BRAKE), 2 * more
+            brake = max(more * brake, LEAST_BRAKE)
+            more = 2 * more
         if not gained > 0:
             break
-        y, now, more = new, now - gained, MORE_BRAKE
+        y = new
+        now -= gained
+        more = MORE_BRAKE
         brake *= max(0.1, 1 - (2 * gained / max(expected, gained) - 1) ** 3)
         if gained < INNER_GAIN:
             break

@@ -82,7 +82,8 @@ def _put_state(w: Any, row: Any, i: Any, x: Any) -> None:
 @inlined
 def _wheel_rates(x: Any, half: Any) -> Any:
     """Rates of both wheels relative to the body [rad/s] at the state x, for W/(2R) = `half`."""
-    mean, turn = x[3] - x[1], half * x[5]
+    mean = x[3] - x[1]
+    turn = half * x[5]
     return mean - turn, mean + turn
 
 
@@ -118,7 +119,8 @@ def _roll(w: Any, count: Any, steps: Any) -> None:
             get(w, RIGHT, i) - get(w, DRY_RIGHT, i) * slip_right, roll_left, roll_right, *constants_free(w, i),
         )  # fmt: skip
         half = get(w, SPAN, i) / steps / 2
-        mean, turning = x[3] + half * wheel_acc, turn * (x[5] + half * yaw_acc)
+        mean = x[3] + half * wheel_acc
+        turning = turn * (x[5] + half * yaw_acc)
         left, right = _signs(mean - turning, mean + turning, smooth)
         put(w, ROLL_LEFT, i, left)
         put(w, ROLL_RIGHT, i, right)
@@ -129,7 +131,8 @@ def _advance(w: Any, count: Any, steps: Any) -> None:
     """One step of span/steps [s] for the first `count` lanes of the block `w`: each wheel's dry friction against its
     motion, and where that would turn it back within the step, what it really gives."""
     for i in range(count):
-        d, half = get(w, SPAN, i) / steps, get(w, HALF_TRACK, i)
+        d = get(w, SPAN, i) / steps
+        half = get(w, HALF_TRACK, i)
         x = _state(w, PITCH, i)
         before_left, before_right = _wheel_rates(x, half)
         dry_left, dry_right = get(w, DRY_LEFT, i), get(w, DRY_RIGHT, i)
@@ -171,7 +174,8 @@ def _mean_friction(first: Any, free: Any, own: Any, dry: Any) -> Any:
     or turns back if friction cannot hold it.
     """
     sign = 1.0 if first >= 0 else -1.0
-    first, free = abs(first), sign * free
+    first = abs(first)
+    free = sign * free
     last = free - own * dry
     if last < 0:
         left = last / (last - first)
@@ -267,7 +271,8 @@ def move(w: Any, count: Any, u: Any, start: Any, stop: Any, longest: Any) -> Non
         step(w, count, steps, rolls)
 
 
-_FIRST, _CONSTANTS = HALF_TRACK, len(Constants._fields)
+_FIRST = HALF_TRACK
+_CONSTANTS = len(Constants._fields)
 
 
 @njit

@@ -115,7 +115,9 @@ def innovations(events: Events, lanes: RobotLanes, first: Any, gains: Any, longe
     """Innovations (events, lanes) of lanes from their `first` states (states, lanes), all corrected by the same `gains`
     (events, states), in Runge–Kutta steps of at most `longest` [s]; NaN for a lane that toppled and for commands."""
     count = first.shape[1]
-    w, offsets, u = block_of(lanes.robots), first[STATES:].copy(), events.commands[0].copy()
+    w = block_of(lanes.robots)
+    offsets = first[STATES:].copy()
+    u = events.commands[0].copy()
     for i in range(count):
         for j in range(STATES):
             put(w, PITCH + j, i, first[j, i])
@@ -142,7 +144,9 @@ def innovations(events: Events, lanes: RobotLanes, first: Any, gains: Any, longe
 def _flow(room: _Flow, x: Any, u: Any, start: Any, stop: Any, longest: Any) -> None:
     """Moves x from `start` to `stop` [s] and writes ∂x(stop)/∂x(start) of the six states into `room.phi`, and where the
     gyro swings of all into `room.whole`."""
-    w, phi, swings = room.block, room.phi, len(room.swing)
+    w = room.block
+    phi = room.phi
+    swings = len(room.swing)
     tail = len(x) - swings
     for i in range(WIDE):
         room.times[0, i], room.times[1, i] = start, stop
@@ -275,8 +279,11 @@ def kalman_path(events: Events, lanes: RobotLanes, first: Any, noise: Noise, lon
     `lanes` holds the one robot `WIDE` times. Returns innovations (events,), their variances (events,), gains (events,
     s) and, with `keep`, the state after each event (events, s), else none; NaN, or zero, from where it toppled.
     """
-    size, many = len(first), len(events.kind)
-    e, s, gains = np.full(many, np.nan), np.full(many, np.nan), np.zeros((many, size))
+    size = len(first)
+    many = len(events.kind)
+    e = np.full(many, np.nan)
+    s = np.full(many, np.nan)
+    gains = np.zeros((many, size))
     states = np.zeros((many if keep else 0, size))
     kalman_along(events, lanes, first, noise, longest, Followed(e, s, gains, states, np.zeros((0, size, size))))
     return e, s, gains, states
@@ -287,7 +294,9 @@ def kalman_along(events: Events, lanes: RobotLanes, first: Any, noise: Noise, lo
     """The same into what was `followed` so far. No hypothesis gains by readings that say nothing: each is off by one
     standard deviation."""
     size = len(first)
-    x, P, u = first.copy(), np.zeros((size, PADDED)), events.commands[0].copy()
+    x = first.copy()
+    P = np.zeros((size, PADDED))
+    u = events.commands[0].copy()
     P[:, :size] = noise.start
     w = block_of(lanes.robots)
     for i in range(1 + len(MOVING), WIDE):  # no wheel of a lane that nobody reads is stopped
@@ -299,12 +308,15 @@ def kalman_along(events: Events, lanes: RobotLanes, first: Any, noise: Noise, lo
         lanes.swing, np.zeros((swings, WIDE)), np.eye(size),
     )  # fmt: skip
     e, s, gains = followed.e, followed.s, followed.gains
-    now, forget, since = -np.inf, np.inf, lanes.stiff[0]
+    now = -np.inf
+    forget = np.inf
+    since = lanes.stiff[0]
     for event in events.order:
         row = events.kind[event]
         then = events.when[event] - (lanes.delays[row, 0] if row >= 0 else 0.0)
         if now == -np.inf:
-            now, forget = then, then + noise.restart
+            now = then
+            forget = then + noise.restart
         if then >= forget:
             _forget(P, noise.start, size - swings)
             forget += noise.restart
@@ -338,7 +350,8 @@ def _predicted(room: _Flow, x: Any, P: Any, u: Any, span: Any, longest: Any, pro
     if not then - now > INSTANT:
         return now
     _flow(room, x, u, now, then, longest)
-    phi, mode = room.whole if len(room.swing) else room.phi, int(get(room.block, STUCK, 0))
+    phi = room.whole if len(room.swing) else room.phi
+    mode = int(get(room.block, STUCK, 0))
     _predict(P, phi, process, mode, then - now, room.product, room.turned)
     return then
 

@@ -45,7 +45,8 @@ def as_logged(log: Log, setup: TrialSetup) -> tuple[TrialSetup, tuple[Support, .
     """
     setup, now = as_disturbed(log, setup)
     shown = first = supported(log, setup)
-    names, stands = set[str](), True
+    names = set[str]()
+    stands = True
     for _ in range(TURNS):
         new = _next(log, setup, shown, names, now) if stands else set[str]()
         if stands and not new:
@@ -102,7 +103,8 @@ def doubted(log: Log, setup: TrialSetup, names: Collection[str]) -> tuple[TrialS
 def _likeliest(log: Log, setup: TrialSetup, numbers: Sequence[Support]) -> tuple[TrialSetup, float]:
     """The setup moved to these `numbers`, each at the value within its interval with which the log surprises least,
     and that surprise."""
-    result, now = list(numbers), math.inf
+    result = list(numbers)
+    now = math.inf
     for place, s in enumerate(result):
         values = [] if s.name in DIRECT else np.linspace(s.low, s.high, TRIED).tolist()
         for value in (s.value, *values):
@@ -116,8 +118,10 @@ def _likeliest(log: Log, setup: TrialSetup, numbers: Sequence[Support]) -> tuple
 def _in_place_of(assumed: Support, last: Support, setup: TrialSetup) -> Support:
     """What was taken over in all, with the width of the `last` interval, beside what had been `assumed`."""
     kit, before, logged = setup.actual_kit, setup.kit, setup.logged
-    motor, gyro = kit.motor, kit.sensors[GYRO]
-    mean, difference = (motor.left + motor.right) / 2, motor.right - motor.left
+    motor = kit.motor
+    gyro = kit.sensors[GYRO]
+    mean = (motor.left + motor.right) / 2
+    difference = motor.right - motor.left
     encoder, turning = (kit.sensors[name].delay - before.sensors[name].delay for name in (ENCODER, GYRO))
     totals = {
         "battery's sag": kit.battery.sag, "further delay": encoder, "dead zone": motor.dead_zone,
@@ -143,7 +147,8 @@ def is_beyond(s: Support) -> bool:
 
 def _learnt(setup: TrialSetup, shown: Sequence[Support]) -> TrialSetup:
     """The setup moved by what the filter of it shows."""
-    n, kit = len(setup.robots), setup.actual_kit
+    n = len(setup.robots)
+    kit = setup.actual_kit
     logged = setup.logged or Logged.alone(kit)
     changes = dict(logged.changes)
     for s in shown:
@@ -155,7 +160,8 @@ def _learnt(setup: TrialSetup, shown: Sequence[Support]) -> TrialSetup:
         elif s.name == "slope":
             logged = replace(logged, slopes=(s.value,), tilts=drawn / s.value)
         elif s.name == "body's mass":
-            load, loads = s.value / setup.robot.body_mass, drawn / setup.robot.body_mass
+            load = s.value / setup.robot.body_mass
+            loads = drawn / setup.robot.body_mass
             loads -= rng.uniform(0.0, LIGHTER, n) * np.maximum(1 - loads, 0.0)
             logged = replace(logged, load=max(load, LEAST_FACTOR), loads=np.maximum(loads, LEAST_FACTOR))
         else:
@@ -166,13 +172,16 @@ def _learnt(setup: TrialSetup, shown: Sequence[Support]) -> TrialSetup:
 
 def _fitted(kit: Kit, s: Support, drawn: Array) -> tuple[Kit, dict[str, Array]]:
     """The kit with one number as the log shows it, and what is drawn of it for each robot (n,)."""
-    motor, gyro = kit.motor, kit.sensors[GYRO]
+    motor = kit.motor
+    gyro = kit.sensors[GYRO]
 
     def other(**numbers: Any) -> Kit:
         return replace(kit, sensors={**kit.sensors, GYRO: replace(gyro, **numbers)})
 
-    zero, factors = np.maximum(drawn, 0.0), np.maximum(drawn, LEAST_FACTOR)
-    value, factor = max(s.value, 0.0), max(s.value, LEAST_FACTOR)
+    zero = np.maximum(drawn, 0.0)
+    factors = np.maximum(drawn, LEAST_FACTOR)
+    value = max(s.value, 0.0)
+    factor = max(s.value, LEAST_FACTOR)
     match s.name:
         case "battery's sag":
             result = replace(kit, battery=replace(kit.battery, sag=value)), {}

@@ -96,7 +96,8 @@ class Support:
     def of_estimate(cls, e: Estimate) -> Support:
         """What a calibration finds of a number that the robot's file states."""
         least, most = (float(e.asked.value(side * SURPRISE)) for side in (-1, 1))
-        name, stated = e.name.replace("_", " "), (e.prior, e.prior_spread)
+        name = e.name.replace("_", " ")
+        stated = (e.prior, e.prior_spread)
         return cls(name, e.unit, e.value, e.low, e.high, least, most, stated=stated)
 
     def __str__(self) -> str:
@@ -132,8 +133,10 @@ def supported(log: Log, setup: TrialSetup) -> tuple[Support, ...]:
 
 def _battery(log: Log, setup: TrialSetup) -> list[Support]:
     """The battery's open-circuit voltage and its sag, from its own readings."""
-    kit, prefix = setup.actual_kit, commanded(log)
-    nominal, expected = kit.battery.voltage, batteries(setup.robot, setup.kit)
+    kit = setup.actual_kit
+    prefix = commanded(log)
+    nominal = kit.battery.voltage
+    expected = batteries(setup.robot, setup.kit)
     if "sensor/battery" not in log or expected is None:
         return []
     tried = [*expected, *(setup.logged.batteries if setup.logged else ())]
@@ -149,7 +152,8 @@ def _battery(log: Log, setup: TrialSetup) -> list[Support]:
     load = np.concatenate([np.zeros(lag + 1), load])[: len(log)]  # a row's reading precedes its command
     least, most = min(tried), max(tried)
     if load[there].std() < LEAST_LOAD * nominal:
-        middle, spread = float(np.median(volts[there])), float(volts[there].std())
+        middle = float(np.median(volts[there]))
+        spread = float(volts[there].std())
         full = middle + kit.battery.sag * float(np.median(load[there]))
         return [Support("battery", "V", full, full - spread, full + spread, least, most)]
     A = np.column_stack([np.ones(int(there.sum())), -load[there]])
@@ -195,14 +199,16 @@ def _dynamics(log: Log, setup: TrialSetup) -> list[Support]:
     """What the filter's innovations say."""
     robot, kit = setup.actual_robot, setup.actual_kit
     path, sent, motors = filtered_log(log, setup)
-    raw, weighs = commanded(log) == "command", not (setup.is_weighed or setup.dry_friction)
+    raw = commanded(log) == "command"
+    weighs = not (setup.is_weighed or setup.dry_friction)
     names, columns = _signatures(path, motors)
     spreads = _spreads(path, setup, motors)
     fit = _Fit(path, np.column_stack([*columns, spreads]), len(columns), log.period)
     values, errors = fit.solved(path.errors)
     fitted = {name: (float(v), NORMAL * float(e)) for name, v, e in zip(names, values, errors, strict=True)}
     lag = tuple(log.period * x for x in fitted["gyro delay"])
-    scale, within = gyro_scale(log, setup), {"least": 1 - GYRO_SCALE, "most": 1 + GYRO_SCALE}
+    scale = gyro_scale(log, setup)
+    within = {"least": 1 - GYRO_SCALE, "most": 1 + GYRO_SCALE}
     numbers = [
         *([] if setup.dry_friction else [_of("motors' strength", "1", 1.0, fitted["strength"], STRENGTH)]),
         _of("difference of the motors", "1", 0.0, fitted["asymmetry"], UNEQUAL),
@@ -219,13 +225,15 @@ def _dynamics(log: Log, setup: TrialSetup) -> list[Support]:
 
 def body_mass(setup: TrialSetup, value: float, known: float) -> Support:
     """The mass [kg] of the body, `known` to this part of it, beside what the certificate covers."""
-    mass, spread = setup.actual_robot.body_mass, float(np.std([r.body_mass for r in setup.robots]))
+    mass = setup.actual_robot.body_mass
+    spread = float(np.std([r.body_mass for r in setup.robots]))
     most = max(LOAD * mass, 2 * spread)
     return Support(MASS, "kg", value, value * (1 - known), value * (1 + known), mass - most, mass + most)
 
 
 def _of(name: str, unit: str, middle: float, numbers: Sequence[float], around: float) -> Support:
-    value, wide = middle + numbers[0], numbers[1]
+    value = middle + numbers[0]
+    wide = numbers[1]
     return Support(name, unit, value, value - wide, value + wide, middle - around, middle + around)
 
 
@@ -247,7 +255,8 @@ def _signatures(path: FollowedLog, motors: Array) -> tuple[list[str], list[Array
 def _others(path: FollowedLog, robots: Sequence[Robot], motors: Array) -> Array:
     """What robots that differ add to the innovations (rows·sensors, robots), linear in the difference."""
     model = path.estimator.sampled
-    known, moved = moved_by(model, motors), list[Array]()
+    known = moved_by(model, motors)
+    moved = list[Array]()
     for robot in robots:
         other = sampled(robot, model.kit, model.dt, longest=MOST_PERIODS)
         moved.append(path.states @ (other.linear.A - model.linear.A).T + moved_by(other, motors) - known)
@@ -299,7 +308,8 @@ def _profile(
     near = list(tried)
     for _ in range(2):
         changes = path.unknown([others(x) - known for x in near])
-        values, costs = [*values, *near], [*costs, *(fit.cost(path.errors - change) for change in changes.T)]
+        values = [*values, *near]
+        costs = [*costs, *(fit.cost(path.errors - change) for change in changes.T)]
         best = values[int(np.argmin(costs))]
         below = max((x for x in tried if x < best), default=best)
         above = min((x for x in tried if x > best), default=best)
@@ -322,7 +332,8 @@ def _delay(fit: _Fit, path: FollowedLog, motors: Array, period: float) -> Suppor
 
 def _taken(name: str, path: FollowedLog, setup: TrialSetup, sent: Array, motors: Array) -> Support:
     """What the driver takes from commands: the motor's `dead_zone`, or its `drop`."""
-    kit, unit = setup.actual_kit, setup.robot.command_unit
+    kit = setup.actual_kit
+    unit = setup.robot.command_unit
     sizes = np.abs(sent)
     unit_zone = max(getattr(kit.motor, name), LEAST_ZONE * float(np.abs(motors).max()))
     most = 0.9 * float(sizes.max())  # one beyond all commands is a strength of zero
@@ -338,7 +349,8 @@ def _taken(name: str, path: FollowedLog, setup: TrialSetup, sent: Array, motors:
 
 def slope(calibration: Calibration) -> tuple[float, float, float]:
     """The floor's slope with its interval [rad]: to a calibration it is a constant command, to first order."""
-    e, each = calibration["constant_command"], -2 * steepness(calibration.robot)
+    e = calibration["constant_command"]
+    each = -2 * steepness(calibration.robot)
     return each * e.value, each * e.high, each * e.low
 
 

@@ -75,8 +75,13 @@ class Channel:
         """From w to z under the controller."""
         P, K = self.problem, self.controller
         m, p = K.D.shape
-        Bw, Bu, Cz, Cy = P.B[:, :-m], P.B[:, -m:], P.C[:-p], P.C[-p:]
-        Dzw, Dzu, Dyw = P.D[:-p, :-m], P.D[:-p, -m:], P.D[-p:, :-m]
+        Bw = P.B[:, :-m]
+        Bu = P.B[:, -m:]
+        Cz = P.C[:-p]
+        Cy = P.C[-p:]
+        Dzw = P.D[:-p, :-m]
+        Dzu = P.D[:-p, -m:]
+        Dyw = P.D[-p:, :-m]
         A = np.block([[P.A + Bu @ K.D @ Cy, Bu @ K.C], [K.B @ Cy, K.A]])
         B = np.vstack([Bw + Bu @ K.D @ Dyw, K.B @ Dyw])
         return LinearModel(A, B, np.hstack([Cz + Dzu @ K.D @ Cy, Dzu @ K.C]), Dzw + Dzu @ K.D @ Dyw, P.dt)
@@ -174,7 +179,8 @@ def _synthesised(problem: LinearModel, readings: int, slack: float) -> Channel:
     first = next(reached, None)
     if first is None:
         raise _no_controller()
-    low, high = 0.0, first.norm()
+    low = 0.0
+    high = first.norm()
     for _ in range(_HALVINGS):
         middle = math.sqrt(low * high) if low else high / 2
         low, high = (low, middle) if _central(problem, mapped, readings, middle) else (middle, high)
@@ -202,8 +208,10 @@ def _central(problem: LinearModel, mapped: LinearModel, readings: int, gamma: fl
 
 def _problem(plant: LinearModel, reads: int, states: Sequence[int], wants: Expected, size: float) -> LinearModel:
     """From [disturbance, error of each reading, command] to [states, command, it disturbed, readings], in units."""
-    n, m = len(plant.A), len(states)
-    B, C = np.zeros((n, 2 + reads)), np.zeros((m + 2 + reads, n))
+    n = len(plant.A)
+    m = len(states)
+    B = np.zeros((n, 2 + reads))
+    C = np.zeros((m + 2 + reads, n))
     B[:, 0], B[:, -1] = plant.B[:, 0] * wants.disturbance * size, plant.B[:, 0] * size
     D = np.zeros((len(C), 2 + reads))
     C[:m] = plant.C[[2 + i for i in states]] / np.array(wants.state)[list(states), None]
@@ -259,8 +267,10 @@ def _conditioned(
     line, (Br, Dr) = delay_line(2, model.delay, model.dt), reference
     H0 = H @ line.D  # of a command that arrives at once
     A = np.block([[K.A - H0 @ K.C, -H @ line.C], [line.B @ K.C, line.A]])
-    By, Br = np.vstack([K.B - H0 @ K.D, line.B @ K.D]), np.vstack([Br - H0 @ Dr, line.B @ Dr])
-    Ba, C = np.vstack([H, np.zeros_like(line.B)]), np.hstack([K.C, np.zeros_like(line.C)])
+    By = np.vstack([K.B - H0 @ K.D, line.B @ K.D])
+    Br = np.vstack([Br - H0 @ Dr, line.B @ Dr])
+    Ba = np.vstack([H, np.zeros_like(line.B)])
+    C = np.hstack([K.C, np.zeros_like(line.C)])
     return LinearController(
         A, By, Br, Ba, C, K.D, Dr, reads=model.reads, period=model.dt,
         command_unit=model.robot.command_unit, kind="hinf", design=design,

@@ -111,7 +111,8 @@ def name_of(fit: FaultFit) -> str:
 def toppled(evidence: Evidence) -> tuple[float, float, PushEstimate | None]:
     """How likely pushes topple, in the last excursion or by far before, the lean [rad] that they are worth, and the
     largest. Earlier ones, since which the robot has not come to rest, may have: a slow fall takes longer than that."""
-    none, fells = evidence.pushes_only, FELLS * min(evidence.toppling.largest, LEANING)
+    none = evidence.pushes_only
+    fells = FELLS * min(evidence.toppling.largest, LEANING)
     if evidence.motors.stuck and evidence.motors.pegged > PEGGED:  # they gave all they had since a push
         fells = toppling_lean(evidence)
     restless = unsettled(evidence, none)
@@ -167,7 +168,8 @@ def let_go(evidence: Evidence) -> bool:
 def explains_the_start(evidence: Evidence) -> bool:
     """Whether pushes that topple leave only noise, and no more than any fault leaves, up to where nothing saves the
     robot: what comes later, wheels that slide under a body on its way to the floor for instance, is no cause."""
-    none, lost = evidence.pushes_only, lost_before(evidence)
+    none = evidence.pushes_only
+    lost = lost_before(evidence)
     pushes = [push for push in none.pushes if push.stop < lost]
     lean, largest = worth(evidence, pushes)
     if largest is None or lean < evidence.toppling.largest:
@@ -179,12 +181,14 @@ def explains_the_start(evidence: Evidence) -> bool:
 def left_until(evidence: Evidence, end: float, weights: Array | None = None) -> tuple[float, float]:
     """The NIS that pushes alone leave up to a time [s], and the nats by which some hypothesis explains more until then,
     by the `weights` of the readings (none: all count alike); NaN where nothing is read before."""
-    none, rows = evidence.pushes_only, np.flatnonzero(evidence.then < end)
+    none = evidence.pushes_only
+    rows = np.flatnonzero(evidence.then < end)
     if not len(rows) or len(none.rest) < len(evidence.then):
         return math.nan, math.nan
     counts = np.ones(len(rows)) if weights is None else weights[rows]
     several = [float(counts @ fit.rest[rows] ** 2) for fit in evidence.fits if len(fit.rest) == len(none.rest)]
-    mine, floor = float(counts @ none.rest[rows] ** 2), evidence.calm * float(counts.sum())
+    mine = float(counts @ none.rest[rows] ** 2)
+    floor = evidence.calm * float(counts.sum())
     return mine / float(counts.sum()), len(rows) / 2 / CORRELATED * math.log((mine + floor) / (min(several) + floor))
 
 
@@ -202,7 +206,8 @@ def sound_until(evidence: Evidence, end: float) -> float:
 def unsettled(evidence: Evidence, fit: FaultFit) -> float:
     """Since when [s] a robot with a fault has not come to rest: a loop that swings carries on what a push began."""
     motors = authority(fit.run or evidence.run)
-    since, rested = evidence.fell_at - evidence.excursion, RESTED * pace(evidence.run.robot)
+    since = evidence.fell_at - evidence.excursion
+    rested = RESTED * pace(evidence.run.robot)
     stops = np.arange(since, float(motors.t[0]) + rested, -rested)
     if not len(stops):
         return since
@@ -218,7 +223,8 @@ def worth(
 ) -> tuple[float, PushEstimate | None]:
     """The lean [rad] that pushes in the last excursion, or `since` a time [s], are worth, and the largest of them; one
     that still acts then is one of them."""
-    toppling, start = evidence.toppling, evidence.fell_at - evidence.excursion if since is None else since
+    toppling = evidence.toppling
+    start = evidence.fell_at - evidence.excursion if since is None else since
     pushes = [push for push in several if push.stop > start]
     if not pushes:
         return 0.0, None

@@ -60,8 +60,11 @@ LOST = 1e6  # standard deviations that stand for an innovation of a robot that f
 
 def sliding(p: Robot) -> Array:
     """The numbers of a robot's sums of forces on wheels that slip, in the order of `propagation.slide`."""
-    total, lever, rotors = p.body_mass + 2 * p.wheel_mass, p.body_mass * p.com_height, p.gear_ratio**2 * p.rotor_inertia
-    inertia, wheel = lever * p.com_height + p.pitch_inertia + 2 * rotors, 2 * p.wheel_inertia + 2 * rotors
+    total = p.body_mass + 2 * p.wheel_mass
+    lever = p.body_mass * p.com_height
+    rotors = p.gear_ratio**2 * p.rotor_inertia
+    inertia = lever * p.com_height + p.pitch_inertia + 2 * rotors
+    wheel = 2 * p.wheel_inertia + 2 * rotors
     numbers = (
         total, lever, inertia, wheel, 2 * rotors, p.wheel_radius, motor_gain(p), 2 * motor_damping(p),
         2 * p.wheel_friction, 2 * p.coulomb_friction, 2 * p.rolling_friction, max(p.stiction_rate, 1e-6), p.gravity,
@@ -80,7 +83,8 @@ class Observer:
     @cached_property
     def _followed(self) -> tuple[int, tuple[Array, ...]]:
         part = self.part
-        fastest, longest = float(np.abs(linearise(part.robot).poles()).max()), float(part.spans.max())
+        fastest = float(np.abs(linearise(part.robot).poles()).max())
+        longest = float(part.spans.max())
         steps = substeps(longest, fastest, PREDICTED, numbers=part.robot.numbers())
         reads, error = part.reads[part.row], np.nan_to_num(part.innovation)
         reading = error + (reads * (part.after - part.gains * error[:, None])).sum(axis=1)
@@ -263,7 +267,8 @@ def least_squares(
 
 def forced(run: FilterRun, fits: Sequence[FaultFit], window: Window, bank: Bank) -> list[FaultFit]:
     """All fits, the likeliest of those with forces by the equations of motion themselves; the likeliest first."""
-    top, searched = max(fit.score for fit in fits), set[tuple[str, str]]()
+    top = max(fit.score for fit in fits)
+    searched = set[tuple[str, str]]()
     several = list(fits)
     for i, fit in enumerate(fits):
         kind = (fit.fault, "" if fit.fault in FORCED else fit.way)
@@ -294,7 +299,8 @@ def loaded(run: FilterRun, fit: FaultFit, window: Window, bank: Bank) -> FaultFi
     values = np.array([one.values for one in loads])
     own = np.maximum((values**2).sum(axis=1) - ((values @ Q) ** 2).sum(axis=1), 1e-12)
     dots = values @ (fit.rest - Q @ (Q.T @ fit.rest))
-    explained, chosen = dots**2 / own, list[int]()
+    explained = dots**2 / own
+    chosen = list[int]()
     for i in np.argsort(-explained).tolist():
         mass = -float(dots[i] / own[i]) * loads[i].size
         near = [k for k in chosen if abs(loads[k].onset - loads[i].onset) < APART]
@@ -372,7 +378,9 @@ def _lessened(fit: FaultFit, search: ForceSearch, bank: Bank) -> FaultFit:
 
 def _best_fit(search: ForceSearch, bank: Bank) -> FaultFit:
     """The fit of the least squares of a search; a push's score is what the others miss without it."""
-    fit, own, x = search.fit, search.own, search.least()
+    fit = search.fit
+    own = search.own
+    x = search.least()
     pushes = x[own:].reshape(-1, 4).tolist()
     spent = search.fit.spent
     rest = search.rest(x)[:, 0]

@@ -26,7 +26,8 @@ def _moved(state: Any, h: Any, left: Any, right: Any, acting: Any, known: Any) -
 def held(state: Any, h: Any, drive: Any, acting: Any, dry: Any, known: Any) -> Any:
     """The same of motors with so much more `dry` friction each [command unit]: it stops a wheel against the body by the
     end of the step, or is all there is against its turning (implicit, as of Moreau 1988)."""
-    unit, half = SOME * max(dry[0], dry[1]), known[0]
+    unit = SOME * max(dry[0], dry[1])
+    half = known[0]
     rates = np.zeros((3, 2))  # of both wheels at the end, without this friction, and with some of it in either
     for k in range(3):
         end = _moved(state, h, drive[0] - unit * (k == 1), drive[1] - unit * (k == 2), acting, known)
@@ -54,7 +55,8 @@ def fly(constants: Any, x: Any, u: Any, w: Any, spans: Any, steps: int, dry: Any
     (lanes, n, 2), and `dry` friction (n, 2) [command unit] beyond the robot's."""
     whole = np.zeros((len(constants) + DRIVES, x.shape[0]))
     whole[: len(constants)] = constants
-    block, end = block_of(whole), x.copy()
+    block = block_of(whole)
+    end = x.copy()
     for lane in range(x.shape[0]):
         known = constants_rolling(block, lane)
         for i in range(x.shape[1]):
@@ -92,8 +94,11 @@ def propagate(phi: Any, pushed: Any, shifted: Any, reads: Any, gains: Any, devia
 @njit
 def _propagate(phi: Any, pushed: Any, shifted: Any, reads: Any, gains: Any, deviation: Any, response: Any) -> None:
     """The same of some faults into their part of the response."""
-    n, size, faults = len(phi), gains.shape[1], pushed.shape[2]
-    error, before = np.zeros((size, faults)), np.zeros((6, faults))
+    n = len(phi)
+    size = gains.shape[1]
+    faults = pushed.shape[2]
+    error = np.zeros((size, faults))
+    before = np.zeros((6, faults))
     innovation = np.zeros(faults)
     for i in range(_first(pushed, shifted, n), n):
         before[:] = error[:6]
@@ -138,23 +143,31 @@ def slide(floor: Any, moving: Any, u: Any, acting: Any, grip: Any, slipped: Any,
     total, lever, inertia, wheel, rotors, radius, gain, damping, friction, dry, rolling, slow, gravity = floor
     pitch, pitch_rate, wheel_rate = moving
     force, moment = acting
-    cos, sin, rate = math.cos(pitch), math.sin(pitch), wheel_rate - pitch_rate
+    cos = math.cos(pitch)
+    sin = math.sin(pitch)
+    rate = wheel_rate - pitch_rate
     torque = gain * u - damping * rate - dry * rate / math.sqrt(rate * rate + slow * slow)
-    across, ratio = lever * cos, rotors / wheel
+    across = lever * cos
+    ratio = rotors / wheel
     inner = inertia - rotors * ratio
     whole = total * inner - across * across
     # ẍ, ψ̈ and θ̈ without the floor's force, by a newton of it, and by a newton metre of the motors
     turning = torque - friction * wheel_rate - rolling * wheel_rate / math.sqrt(wheel_rate * wheel_rate + slow * slow)
-    x, y = lever * pitch_rate * pitch_rate * sin + force, lever * gravity * sin - torque + moment + ratio * turning
+    x = lever * pitch_rate * pitch_rate * sin + force
+    y = lever * gravity * sin - torque + moment + ratio * turning
     move, falling = (inner * x - across * y) / whole, (total * y - across * x) / whole
     free = radius * (turning + rotors * falling) / wheel - move
-    x, y = 1.0, -ratio * radius
+    x = 1.0
+    y = -ratio * radius
     move, tipped = (inner * x - across * y) / whole, (total * y - across * x) / whole
     held = radius * (-radius + rotors * tipped) / wheel - move
-    x, y = 0.0, ratio - 1.0
+    x = 0.0
+    y = ratio - 1.0
     move, lean = (inner * x - across * y) / whole, (total * y - across * x) / whole
     driven = radius * (1.0 + rotors * lean) / wheel - move
-    needed, drop = -free / held, lever * sin  # a body that falls weighs less
+    # a body that falls weighs less
+    needed = -free / held
+    drop = lever * sin
     weight = total * gravity - lever * pitch_rate * pitch_rate * cos - drop * falling
     if slipped == 0.0 and abs(needed) <= grip * (weight - drop * tipped * needed):
         return 0.0, 0.0
@@ -181,7 +194,9 @@ def observe(steps: int, followed: Any, floor: Any, robots: Any, onsets: Any, for
     (`slide`).
     """
     first, t, u, spans, reads, gains, readings, deviation, dry = followed
-    n, size, lanes = len(spans), gains.shape[1], len(forces)
+    n = len(spans)
+    size = gains.shape[1]
+    lanes = len(forces)
     result = np.zeros((lanes, n))
     whole = np.zeros((robots.shape[1] + DRIVES, 1))
     whole[:-DRIVES, 0] = robots[lanes]
@@ -189,12 +204,16 @@ def observe(steps: int, followed: Any, floor: Any, robots: Any, onsets: Any, for
     for lane in range(lanes):
         whole[:-DRIVES, 0] = robots[lane]
         changed = constants_rolling(block_of(whole), 0)
-        x, slipped = first.copy(), 0.0
+        x = first.copy()
+        slipped = 0.0
         for i in range(n):
             h = spans[i] / steps
             if h > 0:
                 a, b, c, d, e, f = x[0], x[1], x[2], x[3], x[4], x[5]
-                left, right, force, moment = u[i, 0], u[i, 1], forces[lane, i, 0], forces[lane, i, 1]
+                left = u[i, 0]
+                right = u[i, 1]
+                force = forces[lane, i, 0]
+                moment = forces[lane, i, 1]
                 known = changed if t[i] >= onsets[lane] else usual
                 for _ in range(steps):
                     axle, body = force, moment

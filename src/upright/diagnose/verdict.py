@@ -70,11 +70,14 @@ from upright.diagnose.words import (
     sound,
 )
 
-TWO, TWO_WIDTH, TWO_LEAVE = SURE, 5.0, 0.75
+TWO = SURE
+TWO_WIDTH = 5.0
+TWO_LEAVE = 0.75
 """Nats by which two faults must explain more than one, as one more than none, the width of that step, and the most NIS
 beyond the calm one that they may leave over what one leaves."""
 
-UNKNOWN, UNKNOWN_LEAVES = (-5.0, 29.0), (0.65, 0.8)
+UNKNOWN = (-5.0, 29.0)
+UNKNOWN_LEAVES = (0.65, 0.8)
 UNKNOWN_WIDTH, UNKNOWN_LEAVES_WIDTH = 3.0, 0.03
 """The same of a disturbance of any shape: it explains far more for nearly as many nats, or more for many nats."""
 
@@ -107,7 +110,8 @@ IN_PART = 0.3  # of it where the log begins within the last excursion
 NO_TORQUE, NO_TORQUE_WIDTH = 0.85, 0.02  # [1] of the speed without torque: what is left of it stops no fall
 BROKEN_DOWN, BROKEN_DOWN_WIDTH = 0.6, 0.03  # [1] of the voltage before: what stalled motors leave of a sound battery
 CLEAR = 0.9  # of it for the gain that the fall's shape shows
-BORNE_OUT, PAIR = {PUSH: 0.67, BATTERY: 0.67, NONE: 0.5}, 0.57
+BORNE_OUT = {PUSH: 0.67, BATTERY: 0.67, NONE: 0.5}
+PAIR = 0.57
 """The most that is said of a push, a weak battery, none of these and two causes, as falls of two simulators that are
 not ours bear it out (docs/post-mortem.md, "How often a number is right")."""
 UNFINISHED, PLAIN = 0.5, 0.95  # the same of a search without time, and from which on a verdict is a fact
@@ -116,7 +120,9 @@ LEAST = 1e-4  # of a likelihood, below which a cause is left out
 
 def ranked(evidence: Evidence) -> tuple[Cause, ...]:
     """All causes that have some likelihood, the likeliest first."""
-    left, odds, best = 1.0, dict[str, float](), dict[str, Answer]()
+    left = 1.0
+    odds = dict[str, float]()
+    best = dict[str, Answer]()
     foreign = evidence.ordinary > FOREIGN
     for question in QUESTIONS:
         if foreign and question in OF_THE_MODEL:
@@ -183,7 +189,8 @@ def _changed_robot(evidence: Evidence) -> list[Answer]:
     weights = weighed(evidence, best, held=bool(side))
     answers: list[Answer] = []
     for name, fit in best.items():
-        chance, text = FACT * weights[name] * holds(evidence, fit), of_fault(evidence, fit) + of_held_wheel(side, fit)
+        chance = FACT * weights[name] * holds(evidence, fit)
+        text = of_fault(evidence, fit) + of_held_wheel(side, fit)
         answers.append(Answer((1 - HELPED) * chance, name_of(fit), fit.onset, text))
         helped = f"{text}; a second cause beside it need not show in the log"
         answers.append(Answer(HELPED * chance, CANNOT_TELL, fit.onset, helped))
@@ -269,10 +276,12 @@ def _beyond_noise(evidence: Evidence, nis: float) -> float:
 def _none(evidence: Evidence) -> list[Answer]:
     """Whether what the likeliest leaves follows a disturbance of some other shape, or is far too much; where it is a
     little too much, something else keeps a small part of the probability."""
-    left, best = evidence.left, best_of(evidence)
+    left = evidence.left
+    best = best_of(evidence)
     if left is None:
         return []
-    leaves, gained = left.nis / max(best.nis, 1e-9), left.score - best.score
+    leaves = left.nis / max(best.nis, 1e-9)
+    gained = left.score - best.score
     shaped = max(
         step(gained - nats, UNKNOWN_WIDTH) * step(fraction - leaves, UNKNOWN_LEAVES_WIDTH)
         for nats, fraction in zip(UNKNOWN, UNKNOWN_LEAVES, strict=True)
@@ -308,7 +317,9 @@ def _out_of_speed(evidence: Evidence) -> list[Answer]:
     """Whether the wheels turned, while the robot was upright, as fast as its motors can: no gain gives torque there.
     Not in a log that begins while it falls, since a push may have been before, nor where the references ask for less:
     motors that give too little run after the fall until they are as fast."""
-    speed, since, demand = evidence.motors.speed, began(evidence), evidence.demand
+    speed = evidence.motors.speed
+    since = began(evidence)
+    demand = evidence.demand
     slow = demand is not None and demand.fastest < JUMP_OF_TOP * demand.top_speed
     if since < evidence.run.log.t[0] or slow:
         return []
@@ -335,7 +346,9 @@ def _run_down(evidence: Evidence) -> list[Answer]:
 
 def _weak_or_wild(evidence: Evidence) -> list[Answer]:
     """What is left: the gain, by how the robot fell, unless the file shows that it is right."""
-    motors, match, since = evidence.motors, evidence.match, began(evidence)
+    motors = evidence.motors
+    match = evidence.match
+    since = began(evidence)
     pegged = FOREIGN_MOST * step(motors.pegged - FOREIGN_PEGGED, FOREIGN_WIDTH)
     if evidence.ordinary > FOREIGN:
         return [Answer(pegged, SATURATION, since, of_pegged(evidence))]
@@ -350,7 +363,8 @@ def _weak_or_wild(evidence: Evidence) -> list[Answer]:
         gain *= IN_PART
     answers: list[Answer] = []
     if evidence.run.robot.noise:  # it hides faults, so that what is left need not be the gain
-        answers, gain = [Answer(pegged, SATURATION, since, of_pegged(evidence))], (1 - pegged) * HIDDEN
+        answers = [Answer(pegged, SATURATION, since, of_pegged(evidence))]
+        gain = (1 - pegged) * HIDDEN
     return [
         *answers,
         Answer(gain * low, LOW, since, of_low(evidence)),

@@ -97,11 +97,13 @@ def arrive(block: RobotBlock, ring: int, slots: int, k: int, stride: int, seed: 
 
     Rows from DEAD_TIME on: periods and steps of dead time, largest jitter in steps.
     """
-    w, last = block.w, 0
+    w = block.w
+    last = 0
     for i in range(block.robots):
         j = k - int(get(w, DEAD_TIME, i))
         two = int(get(w, DEAD_TIME + 1, i))
-        one, jitter = two - stride, int(get(w, DEAD_TIME + 2, i))
+        one = two - stride
+        jitter = int(get(w, DEAD_TIME + 2, i))
         if jitter > 0:
             robot = item(block.index, block.first + i)
             one += whole(robot, j - 1, JITTER, seed, jitter + 1)
@@ -119,7 +121,8 @@ def arrive(block: RobotBlock, ring: int, slots: int, k: int, stride: int, seed: 
 @njit
 def arrive_alike(w: Any, count: int, ring: int, slots: int, k: int, stride: int) -> int:
     """`arrive` for robots with one dead time and no jitter: the rows of the first robot count for all."""
-    j, two = k - int(get(w, DEAD_TIME, 0)), get(w, DEAD_TIME + 1, 0)
+    j = k - int(get(w, DEAD_TIME, 0))
+    two = get(w, DEAD_TIME + 1, 0)
     for m in range(3):
         slot = ring + 2 * ((j - 2 + m) % slots)
         copy(w, HOLD + 2 * m, slot, count)
@@ -136,7 +139,8 @@ def hold(w: Any, count: int, row: int, step: float) -> None:
     at = like(w, step)
     for i in range(count):
         before_second, before_third = get(w, HOLD + 6, i) > at, get(w, HOLD + 7, i) > at
-        left, right = get(w, HOLD, i), get(w, HOLD + 1, i)
+        left = get(w, HOLD, i)
+        right = get(w, HOLD + 1, i)
         next_left, next_right = get(w, HOLD + 2, i), get(w, HOLD + 3, i)
         last_left, last_right = get(w, HOLD + 4, i), get(w, HOLD + 5, i)
         next_left, next_right = next_left if before_third else last_left, next_right if before_third else last_right
@@ -186,7 +190,8 @@ def refer(w: Any, count: int, rows: int, ramps: int, t: float) -> None:
     for i in range(count):
         wheel, wheel_rate, yaw, yaw_rate = 0.0, 0.0, 0.0, 0.0
         for q in range(rows, rows + 4 * ramps, 4):
-            rate, turn = get(w, q, i), get(w, q + 1, i)
+            rate = get(w, q, i)
+            turn = get(w, q + 1, i)
             start, until = get(w, q + 2, i), get(w, q + 3, i)
             along = min(max(t, start), until) - start
             inside = start <= t < until
@@ -223,7 +228,10 @@ def multiply(w: Any, out: int, source: int, count: int, factor: float) -> None:
 @njit
 def count_period(w: Any, count: int, bands: Any, t: Any) -> None:
     """Peaks, settling, squared pitch and saturation of every robot that stands, at `t` [s], the start of a period."""
-    one, two, three, now = item(bands, 0), item(bands, 1), item(bands, 2), like(w, t)
+    one = item(bands, 0)
+    two = item(bands, 1)
+    three = item(bands, 2)
+    now = like(w, t)
     for i in range(count):
         standing = positive(get(w, H, i))
         pitch, wheel, yaw = (
@@ -250,7 +258,8 @@ def count_period(w: Any, count: int, bands: Any, t: Any) -> None:
 def count_effort(w: Any, count: int, row: int) -> None:
     """Adds the squares of both applied commands, in two rows from `row` on, at the end of this period."""
     for i in range(count):
-        left, right = get(w, row, i), get(w, row + 1, i)
+        left = get(w, row, i)
+        right = get(w, row + 1, i)
         sum_ = get(w, EFFORT, i)
         square = fma(left, left, right * right)
         put(w, EFFORT, i, sum_ + square if positive(get(w, H, i)) else sum_)

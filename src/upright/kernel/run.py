@@ -130,7 +130,8 @@ def sense_all(w: Any, count: int, plan: Any, sensors: Any, now: int) -> int:
     """At body step `now`: every sensor that is read at a period's start samples; returns the next such step."""
     if item(plan, ACCELEROMETER) != 0 and now > 0:
         call_on_block(item(plan, ACCELEROMETER), w, count, SPECIFIC_FORCE)
-    stride, following = item(plan, STRIDE), NEVER
+    stride = item(plan, STRIDE)
+    following = NEVER
     for s in range(item(plan, SENSORS)):
         t = s * SENSOR_COLUMNS
         kind, row = item(sensors, t + S_KIND), item(sensors, t + S_ROW)
@@ -156,14 +157,16 @@ def sense_all(w: Any, count: int, plan: Any, sensors: Any, now: int) -> int:
 def read(block: RobotBlock, plan: Any, times: Any, sensors: Any, k: int) -> None:
     """Rows `reading`: the readings at the start of period `k`; a sensor without a new sample holds its last reading."""
     w, count = block.w, block.robots
-    stride, drawn = item(plan, STRIDE), 0
+    stride = item(plan, STRIDE)
+    drawn = 0
     now = k * stride
     for s in range(item(plan, SENSORS)):
         t = s * SENSOR_COLUMNS
         kind, row, every = item(sensors, t + S_KIND), item(sensors, t + S_ROW), item(sensors, t + S_EVERY)
         if k > 0 and now // every == (now - stride) // every:
             continue
-        loud, pair = item(sensors, t + S_LOUD), kind // 2
+        loud = item(sensors, t + S_LOUD)
+        pair = kind // 2
         passed = max(every, stride) if k > 0 else every
         for part, purpose in ((LOUD_NOISE, FOR_NOISE), (LOUD_WALK, FOR_WALK)):
             done = 1 << (2 * pair + (purpose == FOR_WALK))
@@ -262,7 +265,8 @@ def entry(
         b.fill(w, count, plan, common, rows, table, first)
         block = RobotBlock(w, count, index, first)
         sense_first(block, plan, sensors)
-        pushed, tilted = 0 if item(plan, PUSH_COUNT) > 0 else NEVER, 0 if item(plan, SLOPE) else NEVER
+        pushed = 0 if item(plan, PUSH_COUNT) > 0 else NEVER
+        tilted = 0 if item(plan, SLOPE) else NEVER
         ahead = Ahead(0 if item(plan, SENSORS) > 0 else NEVER, pushed, tilted)
         for k in range(item(plan, PERIODS)):
             if b.standing(w, count) == 0:
@@ -282,7 +286,8 @@ def entry(
             ahead = move(block, plan, times, sensors, begin, last, ahead)
             b.count_effort(w, count, item(plan, APPLIED_ROW))
             if kept:
-                since, place = begin * step + h / 2, place + item(plan, BEFORE)
+                since = begin * step + h / 2
+                place = place + item(plan, BEFORE)
                 b.record(w, count, after, item(plan, AFTER), b.Trace(trace, place, size), since)
             if item(plan, UPDATE) != 0:
                 control(item(plan, UPDATE), w, count, plan, constants)
