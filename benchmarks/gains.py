@@ -29,9 +29,8 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the command `upright` d
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
-from calibrate import DITHER, drawn, runs_of
-
-from foreign_robots import Bot, Course, known, logged, metric
+from planted.foreign import Bot, Course, known, logged, metric
+from planted.twins import DITHER, drawn, runs_of
 from upright.bodies import Electronics
 from upright.bodies.twin import Twin
 from upright.calibrate.calibrate import calibrate

@@ -18,9 +18,9 @@ from collections.abc import Sequence
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the command `upright` does
 
 import numpy as np
-from calibrate import DITHER, drawn
 from scipy.signal import lsim
 
+from planted.twins import DITHER, drawn
 from upright.bodies import Electronics
 from upright.bodies.body import REST, Sample
 from upright.bodies.models import NonlinearBody
