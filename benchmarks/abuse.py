@@ -2,7 +2,7 @@
 
 Run: python benchmarks/abuse.py lab|calls|mutants|flights|interrupts [--seed N] [--minutes M]
 
-Each part is a module beside this one, `abuse_PART.py`, with `measure(seed, minutes)`, which yields rows: what was
+Each part is a module of `tests/planted/abuse` with `measure(seed, minutes)`, which yields rows: what was
 measured, its value, its bar, and whether it held; `minutes` is None for the part's usual length. Exit code 1: some did
 not hold.
 """
@@ -17,7 +17,9 @@ import time
 from importlib import import_module
 from pathlib import Path
 
-PARTS = tuple(sorted(path.stem.removeprefix("abuse_") for path in Path(__file__).parent.glob("abuse_*.py")))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
+
+PARTS = ("calls", "flights", "interrupts", "lab", "mutants")
 
 
 def main() -> int:
@@ -29,7 +31,7 @@ def main() -> int:
     print(f"{options.part}, seed {options.seed}; {os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}, "
           f"Python {platform.python_version()}")  # fmt: skip
     began, broken = time.monotonic(), 0
-    for what, value, bar, held in import_module(f"abuse_{options.part}").measure(options.seed, options.minutes):
+    for what, value, bar, held in import_module(f"planted.abuse.{options.part}").measure(options.seed, options.minutes):
         broken += not held
         print(f"{'  ' if held else '! '}{what:<64}{value:>18}   (bar {bar})", flush=True)
     print(f"{broken} not held, {time.monotonic() - began:.0f} s")

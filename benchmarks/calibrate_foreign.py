@@ -19,7 +19,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
 
-from foreign_robots import SMALL, Bot, Course, known, logged, metric, missed
+from planted.foreign import SMALL, Bot, Course, known, logged, metric, missed
 from upright.calibrate.calibrate import calibrate
 from upright.logs.mapping import apply, propose
 

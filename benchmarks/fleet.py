@@ -3,8 +3,6 @@
     python benchmarks/fleet.py            # everything, about four minutes on two cores
     python benchmarks/fleet.py --quick    # fewer repeats
 
-Whether twin, model and kernel rank controllers alike is asked by benchmarks/rank.py.
-
 One step is one Runge–Kutta step of 1 ms of one robot; feedback is held over 10 ms; every robot has its own parameters.
 Times are the best of several repeats taken in turns, so that a ratio compares like with like on a busy machine.
 """

@@ -16,10 +16,10 @@ from __future__ import annotations
 
 import argparse
 import os
+import sys
 import time
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from itertools import combinations, permutations
 from pathlib import Path
 
@@ -27,90 +27,26 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the command `upright` d
 
 import numpy as np
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
+
+from planted.real_runs import DATA, PRESETS, Run, crossed, loops, runs
 from upright.calibrate.calibrate import calibrate, prepared
 from upright.calibrate.calibration import Calibration
 from upright.calibrate.estimate import VISIBLE, Estimate
-from upright.calibrate.filter_log import filter_log
-from upright.calibrate.fitting import Problem
 from upright.calibrate.own_run import as_driven, of_this_run
-from upright.calibrate.validate import segments
 from upright.errors import UprightError
-from upright.logs.raw import raw_log
 from upright.robots import Robot, find_kit
-from upright.signals import Log
-from upright.validate.law import LinearLaw, law_of
-from upright.validate.loop import PITCH, closed_loop
 
-DATA = Path(__file__).parents[1] / "../shared/data"
-CUTS = (0.0, 0.15, 0.4)  # [s] off the end of an EV3 run, which ends in a fall: the same answer is wanted for each
 BANDS = (0, 6, 12)  # [Hz]
 ASKED = (3.0, 4.5)  # [Hz]
 FAST = (5.7, 7.1, 8.5, 10.0, 11.4)  # [Hz]
-SLOW, FADES = 12.0, 3.0  # [Hz] up to which the gyro is kept with `--swing`, and the width in which it then fades
-MIRRORED = 64  # rows by which a gyro is continued at its ends before it is filtered
 PUT_DOWN = 0.4  # [s] until then a hand may hold the robot
-PRESETS = {"ev3way": "ev3way-large-wheels", "twipr": "twipr"}
-
-
-@dataclass(frozen=True)
-class Run:
-    """A run of a robot: which it is, how it was cut, and its log."""
-
-    name: str
-    cut: float
-    log: Log
-
-    def __str__(self) -> str:
-        return f"{self.name} −{self.cut:g} s" if self.cut else self.name
-
-
-def without_swing(log: Log, frequency: float) -> Log:
-    """`log` with its gyro up to `SLOW` alone, without phase; where its mount swings at a `frequency` [Hz] with little
-    damping, as it would be on a stiff one: a swing turns 1/(1 − (f/frequency)²) times as far. inf: none swings."""
-    grid = np.arange(log.t[0], log.t[-1] + log.period / 2, log.period)
-    y = np.interp(grid, log.t, log["sensor/gyro"])
-    padded = np.pad(y, MIRRORED, mode="reflect", reflect_type="odd")
-    f = np.fft.rfftfreq(len(padded), log.period)
-    gain = np.clip(1 - (f - SLOW) / FADES, 0, 1) * np.maximum(1 - (f / frequency) ** 2, 0)
-    stiff = np.fft.irfft(gain * np.fft.rfft(padded), len(padded))[MIRRORED:-MIRRORED]
-    channels = {**log.channels, "sensor/gyro": np.interp(log.t, grid, stiff)}
-    return Log(log.t, channels, log.units, log.origin)
-
-
-def runs(robot: str, swing: float = 0.0) -> Iterator[Run]:
-    """The runs of "ev3way", each with three ends and without a `swing` [Hz] where one is named, or of "twipr"."""
-    if robot == "ev3way":
-        for name, end in (("tilt_000", 7.4), ("nn_v7_000", np.inf), ("nn_v17_005", np.inf)):
-            log = raw_log(DATA / f"ev3way/{name}.csv").between(0.0, end)
-            log = without_swing(log, swing) if swing else log
-            for cut in CUTS:
-                yield Run(name, cut, log.between(0.0, log.t[-1] - cut))
-    else:
-        second = raw_log(DATA / "twipr/run2_all.csv")
-        yield Run("run1", 0.0, raw_log(DATA / "twipr/run1.csv"))
-        yield Run("run2", 0.0, second.between(second.t[1283], second.t[2282]))
 
 
 def visible(found: Calibration) -> dict[str, Estimate]:
     """What a calibration calls visible."""
     every = (*found.parameters, *found.combinations, *found.delays, *found.electronics)
     return {e.name: e for e in every if e.verdict == VISIBLE}
-
-
-def known(found: Calibration, other: Run) -> tuple[Problem, np.ndarray]:
-    """The problem of a run, and what a calibration says of its parameters."""
-    kit = find_kit(found.known_robot().kit)
-    log, _ = as_driven(other.log, found.known_robot(), kit)
-    problem, _ = prepared([log], found.robot, kit, (), 0.0)
-    beside = {e.name: e.value for e in (*found.delays, *found.electronics)}
-    return problem, np.array([p.coordinate(beside[p.name]) if p.name in beside else 0.0 for p in problem.parameters])
-
-
-def crossed(found: Calibration, other: Run) -> dict[str, float]:
-    """R² of half seconds of another run, of which the first states alone are fitted."""
-    problem, z = known(found, other)
-    parts = segments(problem, problem.recordings[0], z)
-    return {name: parts.r_squared(name) for name in parts.rows}
 
 
 def own_effects(found: Calibration, other: Run) -> dict[str, float]:
@@ -222,57 +158,6 @@ def together(robot: str, model: Robot, swing: float = 0.0) -> None:
     for one, parts in zip(whole, found.free, strict=True):
         own = {name: parts.r_squared(name) for name in parts.rows}
         print(f"      {one.name:<12} with its own friction {line(own)}; the robot alone {line(crossed(found, one))}")
-
-
-class ReadLaw:
-    """The law of a log as it was read from its commands, on an estimate of the pitch that is as wrong as the log's own
-    by `error` [rad] (rows,), from the row `simulated` on."""
-
-    name = "read from the log"
-
-    def __init__(self, law: LinearLaw, error: np.ndarray, simulated: int) -> None:
-        self._law, self._error, self._simulated = law, error, simulated
-
-    def reset(self) -> None:
-        self._law.reset()
-
-    def step(self, row: int, readings: Mapping[str, float], state: np.ndarray) -> tuple[float, float]:
-        error = self._error[row] if row >= self._simulated else 0.0
-        return self._law.step(row, {**readings, PITCH: readings[PITCH] + error}, state)
-
-    def applied(self, command: Sequence[float]) -> None:
-        pass
-
-
-def loops(one: Run, found: Calibration) -> dict[str, tuple[float, float, float | None]]:
-    """R² of pitch and wheel rate, and when the robot falls [s], of the whole closed loop simulated freely from the
-    first state of the log, under the law read from it and with the run's constant torque: on the true pitch, as late as
-    the gyro, and on one as wrong as the estimate that the law read, by the filter of the calibrated robot."""
-    log, kit = one.log, found.kit or find_kit(found.robot.kit)
-    problem, z = known(found, one)
-    recording, late = problem.recordings[0], found["delay/gyro"].value
-    law = law_of(log, recording.rows)
-    if not isinstance(law, LinearLaw):
-        return {}
-    path = filter_log(log, found.known_robot(), kit, delay=kit.delay, disturbance=0.03)
-    held = path.row < 0
-    pitch = np.interp(log.t - late, path.t[held], path.after[held, 0])
-    wrong, simulated = log[PITCH] - pitch, int(np.searchsorted(log.t, recording.when[recording.kind >= 0].min()))
-    wheels = [f"sensor/encoder_rate_{side}" for side in ("left", "right")]
-    scores: dict[str, tuple[float, float, float | None]] = {}
-    for words, error, true in (("the true pitch", 0 * wrong, log[PITCH]), ("one as wrong as its own", wrong, pitch)):
-        free = closed_loop(problem, recording, z, log, kit, ReadLaw(law, error, simulated))
-        column = {name: free.simulated[:, i] for i, name in enumerate(free.names)}
-        measured, rate = (np.mean([of[name] for name in wheels], axis=0) for of in (log, column))
-        scores[words] = r_squared(true, column[PITCH]), r_squared(measured, rate), free.fell
-    return scores
-
-
-def r_squared(measured: np.ndarray, simulated: np.ndarray) -> float:
-    """Of what was simulated; the first rows are before that."""
-    there = np.isfinite(simulated)
-    left = ((measured - simulated)[there] ** 2).sum()
-    return 1 - float(left / ((measured[there] - measured[there].mean()) ** 2).sum())
 
 
 def main() -> None:

@@ -7,7 +7,6 @@ import cmath
 import json
 import math
 import re
-import sys
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -18,6 +17,8 @@ import numpy as np
 import pytest
 
 from conftest import PATIENCE
+from planted import real_runs as real_logs
+from planted import twins
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
 from upright.calibrate.calibrate import calibrate, prepared
@@ -45,10 +46,6 @@ from upright.physics.integrate import rk4_step
 from upright.physics.linear import unstable_pole
 from upright.robots import Kit, Provenance, Robot
 from upright.signals import STATE_NAMES, Log
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "benchmarks"))
-
-real_logs, twins = pytest.importorskip("real_logs"), pytest.importorskip("calibrate")
 
 PRIOR = Robot.preset("nxtway-gs")
 NXT = Kit.preset("nxt")

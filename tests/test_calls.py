@@ -2,26 +2,20 @@
 
 from __future__ import annotations
 
-import importlib
 from pathlib import Path
 
 import pytest
 
-BENCHMARKS = Path(__file__).resolve().parents[1] / "benchmarks"
+from planted.abuse import calls
 
 
 def test_malformed_calls_are_one_line_and_change_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.syspath_prepend(str(BENCHMARKS))
     monkeypatch.setenv("HOME", str(tmp_path))
-    calls = importlib.import_module("abuse_calls")
     rows = list(calls.rows(tmp_path, seed=3, count=6, names=("linearise", "robots")))
     assert [what for what, _, _, held in rows if not held] == []
 
 
-def test_every_option_and_argument_of_every_command_is_abused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.syspath_prepend(str(BENCHMARKS))
-    calls = importlib.import_module("abuse_calls")
-
+def test_every_option_and_argument_of_every_command_is_abused() -> None:
     from upright.cli.main import group
 
     every = list(calls.calls())

@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import json
 import math
-import sys
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -31,8 +30,6 @@ from upright.fleet.binomial import upper_bound
 from upright.report.certificate import page_of
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import Uncertainty, deviations
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "benchmarks"))
 
 ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
 CALIBRATED = Uncertainty.of(ROBOT).scaled(0.2)
@@ -324,7 +321,7 @@ def test_command_stops_scripts_by_its_exit_code(tmp_path: Path) -> None:
 @pytest.mark.evidence
 def test_it_is_right_of_robots_it_has_never_seen() -> None:
     """A lighter benchmarks/certificate.py, on other cases, with fewer robots in each."""
-    import certificate as benchmark  # type: ignore[import-not-found]
+    from planted import controllers as benchmark
 
     numbers = (1000, 1001, 1004, 1007, 1013, 1016)  # right, gains, and twice a sensor and the period
     cases = [case for n in numbers if (case := benchmark.plant("nxtway-gs", n, samples=200, most=500))]

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import importlib.util
 import math
-import sys
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from types import ModuleType
 
 import numpy as np
 import pytest
 
+from planted import faults as bench
 from upright import calibrate, identify, post_mortem
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
@@ -36,18 +34,6 @@ def test_what_lasts_no_time_in_words_is_at_a_time() -> None:
     assert during(1.41, 1.43) == "from 1.41 to 1.43 s"
 
 
-def _bench() -> ModuleType:
-    path = Path(__file__).resolve().parents[1] / "benchmarks" / "doctor.py"
-    spec = importlib.util.spec_from_file_location("doctor_benchmark", path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules["doctor_benchmark"] = module
-    spec.loader.exec_module(module)
-    return module
-
-
-bench = _bench()
 _LEFT_OUT = {
     "controller at 2 ms": "not told from friction; the benchmark counts it as missed",
     "gyro in degrees, torque drive": "as the voltage drive",

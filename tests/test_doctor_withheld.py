@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from foreign_robots import SMALL, Bot, Course, known, logged, metric, replace
+from planted.foreign import SMALL, Bot, Course, known, logged, metric, replace
 from upright.doctor.doctor import Diagnosis, doctor
 from upright.doctor.finding import GYRO, LEFT, PITCH
 from upright.logs.readers import RawTable

@@ -4,19 +4,14 @@ from __future__ import annotations
 
 import asyncio
 import random
-import sys
 from collections.abc import Callable
 from contextlib import suppress
 from functools import wraps
-from pathlib import Path
 
 import pytest
 
 from conftest import PATIENCE
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "benchmarks"))
-
-abuse_flights = pytest.importorskip("abuse_flights")
+from planted.abuse import flights as abuse_flights
 
 Test = Callable[..., None]
 

@@ -1,4 +1,4 @@
-"""What the doctor and a calibration say of robots that are none of ours, whose truth is known: `foreign_robots.py`."""
+"""What the doctor and a calibration say of robots that are none of ours, whose truth is known: `planted/foreign`."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from foreign_robots import DEGREE, SMALL, Bot, Course, arduino, known, logged, metric, missed
+from planted.foreign import DEGREE, SMALL, Bot, Course, arduino, known, logged, metric, missed
 from upright.calibrate.annealing import annealed
 from upright.calibrate.calibrate import calibrate, prepared
 from upright.calibrate.calibration import Calibration

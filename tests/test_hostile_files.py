@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 import contextlib
-import importlib
 import json
 import sys
 from collections.abc import Callable
@@ -18,6 +17,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
 
+from planted.abuse import mutants
 from upright.certify import read_certificate
 from upright.control import make_controller, read_controller, write_controller
 from upright.control.controller import controller_hash
@@ -30,8 +30,6 @@ from upright.logs.readers import read_table
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import read_posterior
 from upright.signals import Log
-
-BENCHMARKS = Path(__file__).resolve().parents[1] / "benchmarks"
 
 DIGITS = "9" * 400
 
@@ -166,7 +164,6 @@ def test_a_damaged_mat_file_cannot_take_the_program_with_it(tmp_path: Path, monk
 
 @pytest.mark.evidence
 def test_a_seeded_part_of_the_mutants(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.syspath_prepend(str(BENCHMARKS))
-    rows = list(importlib.import_module("abuse_mutants").rows(tmp_path, seed=7, count=500))
+    rows = list(mutants.rows(tmp_path, seed=7, count=500))
     assert len(rows) > 20
     assert [what for what, _, _, held in rows if not held] == []

@@ -8,13 +8,13 @@ import signal
 import subprocess
 import sys
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import numpy as np
 import pytest
 
 from conftest import PATIENCE
+from planted.abuse import interrupts as abuse
 from upright import interrupts
 from upright.control import make_controller
 from upright.kernel.batch import FleetBatch, parameters_of, silent
@@ -192,24 +192,12 @@ def test_a_controller_in_the_compiled_loop_is_interrupted() -> None:
     assert calls[0] == 3
 
 
-def abuse() -> ModuleType:
-    from importlib.util import module_from_spec, spec_from_file_location
-
-    path = Path(__file__).parents[1] / "benchmarks" / "abuse_interrupts.py"
-    spec = spec_from_file_location("abuse_interrupts", path)
-    assert spec
-    assert spec.loader
-    module = module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 @pytest.mark.parametrize("name", ["certify mpc", "push-map", "reproduce"])
 def test_a_long_command_is_interrupted_at_a_random_moment(name: str, number: signal.Signals) -> None:
-    module, draw = abuse(), np.random.default_rng([number, len(name)])
-    end = module.interrupted(module.COMMANDS[name].split(), number, draw.uniform(0.2, 3.0))
-    assert end.early or module.held(end, number), end
+    draw = np.random.default_rng([number, len(name)])
+    end = abuse.interrupted(abuse.COMMANDS[name].split(), number, draw.uniform(0.2, 3.0))
+    assert end.early or abuse.held(end, number), end
 
 
 @pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="only Linux tells which signals a process blocks")

@@ -502,8 +502,7 @@ def test_a_job_has_its_seconds_of_computing_on_a_busy_machine_too(monkeypatch):
 def test_a_class_with_hostile_students_in_it_goes_on(monkeypatch):
     """A short `benchmarks/abuse.py lab`, whose rates are for a quiet machine and are not tested: one of each kind of
     hostile student, whom no stage dies of and the teacher reads nothing of, while the others get pictures."""
-    monkeypatch.syspath_prepend(str(Path(__file__).resolve().parents[1] / "benchmarks"))
-    import abuse_lab
+    from planted.abuse import lab as abuse_lab
 
     monkeypatch.setattr(abuse_lab, "SETTLED", 4.0)
     monkeypatch.setattr(abuse_lab, "KEPT", 5.0)  # memory at the end, for which it waits up to 40 s, is not tested

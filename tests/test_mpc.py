@@ -1,16 +1,13 @@
 """The predictive controller against the regulator, the exact minimum by DAQP, OSQP, and planted limits."""
 
 import copy
-import sys
 from dataclasses import replace
-from importlib.util import module_from_spec, spec_from_file_location
-from pathlib import Path
-from types import ModuleType
 
 import numpy as np
 import pytest
 
 from interpreter import Interpreter
+from planted import exact_mpc
 from upright.bodies import Electronics, LinearBody, NonlinearBody
 from upright.control import controller_hash, lqg, mpc, read_controller, write_controller
 from upright.control.law import as_law, program
@@ -25,21 +22,6 @@ KIT = Kit.preset("nxt")
 IDEAL = Kit.preset("ideal")
 
 
-def judge() -> ModuleType:
-    """The exact minimum of the whole problem by DAQP, which benchmarks compare with as well."""
-    path = Path(__file__).parents[1] / "benchmarks" / "mpc.py"
-    spec = spec_from_file_location("judge_of_mpc", path)
-    assert spec
-    assert spec.loader
-    module = module_from_spec(spec)
-    sys.modules[spec.name] = module  # dataclasses look their module up
-    spec.loader.exec_module(module)
-    return module
-
-
-JUDGE = judge()
-
-
 @pytest.mark.parametrize("preset", preset_names())
 def test_without_active_limits_it_is_the_regulator(preset):
     # the terminal cost is the regulator's own, so the minimum is −K ξ whatever the horizon: for the judge, which knows
@@ -47,7 +29,7 @@ def test_without_active_limits_it_is_the_regulator(preset):
     robot = Robot.preset(preset)
     kit = Kit.preset(robot.kit)
     controller, same = mpc(robot, kit, limit=1e6, pitch=1e6, travel=1e6), lqg(robot, kit)
-    exact = JUDGE.exact(robot, kit, limit=1e6, pitch=1e6, travel=1e6)
+    exact = exact_mpc.exact(robot, kit, limit=1e6, pitch=1e6, travel=1e6)
     plant, K = controller.design.filter.sampled.plant, controller.design.K
     assert np.array_equal(K, same.design.K)
     rng, n = np.random.default_rng(0), len(exact.programme.H)
@@ -87,7 +69,7 @@ def test_blocks_double_up_to_the_horizon():
 
 def driven(other, exact, *args, **options):
     """The commands (n, 4) of the judge, which drives, and of the other one from the same readings; and the log."""
-    pair = JUDGE.Watched(exact, other)
+    pair = exact_mpc.Watched(exact, other)
     log = run(Electronics(NonlinearBody(NXT, period=0.002), KIT), pair, *args, **options)
     return np.array(pair.commands), log
 
@@ -96,7 +78,7 @@ def test_every_command_free_and_iterated_for_long_it_is_the_exact_minimum():
     # two forms of one problem: commands condensed for DAQP, deviations from the regulator for the splitting
     bounds = {"limit": 3.0, "pitch": 0.15}
     one = mpc(NXT, KIT, **bounds, blocks=(1,) * 30, iterations=100)
-    exact = JUDGE.exact(NXT, KIT, **bounds, instants=range(1, 31))
+    exact = exact_mpc.exact(NXT, KIT, **bounds, instants=range(1, 31))
     commands, log = driven(one, exact, Impulse(impulse=0.35 * NXT.body_mass, start=0.2), seconds=1.2)
     assert (np.abs(commands[:, 0]) > 2.999).sum() >= 3  # the limit was reached
     assert np.abs(log["truth/pitch"]).max() > 0.15  # and the bound
@@ -110,7 +92,7 @@ def test_six_iterations_are_near_the_exact_minimum(limit):
     one = mpc(NXT, KIT, limit=limit)
     most = one.splitting.limit
     push = Impulse(impulse=(0.25 if limit else 0.5) * NXT.body_mass, start=0.2)
-    commands, _ = driven(one, JUDGE.exact(NXT, KIT, limit=limit), push, seconds=2.0)
+    commands, _ = driven(one, exact_mpc.exact(NXT, KIT, limit=limit), push, seconds=2.0)
     off = np.abs(commands[:, :2] - commands[:, 2:]).max(axis=1) / most
     assert (np.abs(commands[:, :2]).max(axis=1) > 0.999 * most).sum() >= 3
     assert np.mean(off < 0.01) >= 0.98
@@ -120,7 +102,7 @@ def test_daqp_and_osqp_agree_with_limits_active():
     osqp = pytest.importorskip("osqp")
     from scipy import sparse
 
-    exact, steps = JUDGE.exact(NXT, KIT, limit=1.5, travel=0.02), []
+    exact, steps = exact_mpc.exact(NXT, KIT, limit=1.5, travel=0.02), []
     outputs = exact.memory.outputs
 
     def spy(y, r):

@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import json
 import math
-import sys
 from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
@@ -15,11 +14,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "benchmarks"))
-
-import postmortem as bench
-import postmortem_open as open_bench
-
+from planted import falls as bench
+from planted import open_falls as open_bench
 from upright.bodies import Electronics, make_body
 from upright.bodies.electronics import drive
 from upright.bodies.twin import Twin

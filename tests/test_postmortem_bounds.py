@@ -4,17 +4,12 @@ from __future__ import annotations
 
 import math
 import re
-import sys
-from pathlib import Path
 from typing import Any
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "benchmarks"))
-
-import postmortem_foreign as bench
-
 from conftest import SHARED
+from planted.foreign import turning as bench
 from upright.cli.main import main
 from upright.diagnose import post_mortem
 from upright.diagnose.causes import CANNOT_TELL, DEAD, LOW, NONE, OFF, PUSH, SCALED, Cause

@@ -3,16 +3,11 @@
 from __future__ import annotations
 
 import dataclasses
-import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "benchmarks"))
-
-import postmortem as bench
-
+from planted import falls as bench
 from upright.bodies import Electronics
 from upright.bodies.twin import Twin
 from upright.control import make_controller

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from foreign_robots import Bot, Course, known, logged, metric
+from planted.foreign import Bot, Course, known, logged, metric
 from upright.diagnose import blows, hidden
 from upright.diagnose import evidence as gathering
 from upright.diagnose.causes import BATTERY, OFF, WALL, Cause

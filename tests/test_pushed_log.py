@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from conftest import SHARED
-from foreign_robots import Bot, Course, known, logged, metric
+from planted.foreign import Bot, Course, known, logged, metric
 from test_calibrate import short_calibration
 from upright.calibrate.calibrate import _unknown
 from upright.calibrate.calibration import Calibration

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from foreign_robots import Bot, Course, known, logged, metric
+from planted.foreign import Bot, Course, known, logged, metric
 from upright.diagnose.evidence import gather
 from upright.diagnose.fault_fits import FaultFit, with_pushes
 from upright.diagnose.forces import refined

@@ -21,7 +21,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from forked import SECONDS, Ended, forked
+
+from planted.abuse.forked import SECONDS, Ended, forked
 
 COUNT = 2400
 """Calls of a whole run; there are more, of which a seed takes these."""

@@ -13,7 +13,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from forked import forked
+
+from planted.abuse.forked import forked
 
 BATCH = 25
 """Mutants read by one child; a batch that does not end well is read again one by one."""
@@ -268,7 +269,7 @@ def made(folder: Path) -> dict[str, tuple[Path, Reader]]:  # noqa: PLR0915 (a li
         made_of = generate(design, robot, kit, target)
         path = made_of.write(folder / f"program{next(iter(made_of.files))}")[0]
         add(f"program {path.suffix}", path, lambda p: head(read_text(p)), lambda p: longest_run(read_text(p)))
-    recorded = Path(__file__).resolve().parents[1] / "tests" / "golden"
+    recorded = Path(__file__).resolve().parents[2] / "golden"
     for path in sorted(recorded.rglob("*.rxe"))[:1]:
         add("program .rxe", path, read_rxe)
     lines = folder / "lines.txt"

@@ -1,0 +1,1 @@
+"""What tests and benchmarks plant: faults in logs, robots that fall, robots of other simulators, and abuse."""
