@@ -38,6 +38,10 @@ PARTS = {
         "model", "twin", "logs", "calibrate", "identify", "excite", "tune", "certificate", "post-mortem", "fleet",
         "firmware",
     ),
+    "Studies": (
+        "studies/coarse-counts", "studies/dead-zone", "studies/resonance", "studies/gain", "studies/optima",
+        "studies/mass", "studies/outside", "studies/falls",
+    ),
     "Reference": ("api", "conventions", "glossary", "gallery", "figures", "benchmarks/index", "scale"),
     "The project": ("architecture", "contributing", "changes"),
 }  # fmt: skip
@@ -128,12 +132,14 @@ BLANK = re.compile("_{8,}")
 
 
 def _pages(source: Path) -> None:
-    for page in HERE.glob("*.md"):
-        text = _switched(page, page.read_text("utf-8").replace("](../", "]("))
+    for page in HERE.rglob("*.md"):
+        name = page.relative_to(HERE)
+        out = "](" + "../" * len(name.parents)  # of this folder, which is the whole site
+        text = _switched(page, page.read_text("utf-8").replace(out, out.removesuffix("../")))
         text = re.sub(r"\]\((notebooks|examples|benchmarks)/README\.md\)", r"](\1/index.md)", text)
         if page.stem.endswith(".es"):
             text = text.replace("](notebooks/index.md)", "](notebooks/es/index.md)")
-        _write(source / page.name, BLANK.sub('<span class="blank"></span>', text))
+        _write(source / name, BLANK.sub('<span class="blank"></span>', text))
     for picture in [*HERE.glob("*.gif"), *HERE.glob("*.webp")]:
         shutil.copy(picture, source)
     for name, path in OUTSIDE.items():

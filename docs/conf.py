@@ -210,6 +210,7 @@ SPANISH = {
     "Next": "Siguiente", "Previous": "Anterior", "Home": "Inicio",
     "Start": "Inicio (en inglés)", "Course": "Curso (en inglés)", "How to": "Recetas (en inglés)",
     "Concepts": "Conceptos (en inglés)", "Reference": "Referencia (en inglés)",
+    "Studies": "Estudios (en inglés)",
     "The project": "El proyecto (en inglés)",
 }  # fmt: skip
 """What stands round a page that is Spanish: words of the theme, and the parts of the site."""

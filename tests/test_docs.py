@@ -30,7 +30,7 @@ from upright.signals import Log
 
 ROOT = Path(__file__).parents[1]
 PAGES = [
-    ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md")),
+    ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md")),
     ROOT / "notebooks" / "README.md",
 ]  # fmt: skip
 LANGUAGES = {"python", "sh", "toml", "text"}
