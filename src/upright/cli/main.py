@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Sequence
-from importlib import import_module
 from typing import Annotated
 
 import typer
@@ -84,7 +83,7 @@ def start(
     ] = False,
 ) -> None:
     """The workbench for two-wheeled balancing robots: model, identify, control, certify, compare."""
-    interrupts.last(context.invoked_subcommand in LASTING)
+    interrupts.Run.lasting = context.invoked_subcommand in LASTING
     if context.invoked_subcommand is None:
         typer.echo(context.get_help())
 
@@ -139,7 +138,3 @@ def complain(message: str) -> None:
 
 def _debugging(arguments: Sequence[str]) -> bool:
     return "--debug" in arguments or os.environ.get("UPRIGHT_DEBUG", "") not in ("", "0")
-
-
-if __name__ == "__main__":  # as `python -m upright`, whose process loads this file late
-    import_module("upright.cli.start").run()

@@ -137,7 +137,7 @@ def check_target(path: Path) -> None:
     """Raise `UprightError` where no result can be saved: a folder that is no result is never replaced."""
     check_suffix(path)
     place = place_of(path, folder=path.suffix == ".zarr")
-    if path.suffix == ".zarr" and place.mode and not (place.path / ".zgroup").exists():
+    if path.suffix == ".zarr" and place.exists() and not (place / ".zgroup").exists():
         raise UprightError(f"{path} is something else", expected="nothing there, or a result in Zarr")
 
 
