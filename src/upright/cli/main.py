@@ -12,32 +12,8 @@ from typer.main import get_command
 
 from upright import interrupts
 from upright.atomic import together
-from upright.cli.calibrate import calibrate
-from upright.cli.certify import certify
-from upright.cli.compare import compare
-from upright.cli.design import bench_controllers, design
-from upright.cli.doctor import doctor
-from upright.cli.example import example
-from upright.cli.excite import excite
-from upright.cli.film import film
-from upright.cli.firmware import firmware
-from upright.cli.fleet import basin, fleet, push_map, sweep
-from upright.cli.fly import fly
-from upright.cli.grade import grade
-from upright.cli.guide import start as guide
 from upright.cli.help import Commands, Grouped, option_meant
-from upright.cli.identify import identify
-from upright.cli.lab import lab
-from upright.cli.linearise import linearise
-from upright.cli.monitor import monitor
 from upright.cli.output import TYPED
-from upright.cli.parity import parity
-from upright.cli.post_mortem import post_mortem
-from upright.cli.reproduce import reproduce
-from upright.cli.robots import robots
-from upright.cli.simulate import simulate
-from upright.cli.tune import tune
-from upright.cli.validate import validate
 from upright.errors import UprightError
 
 USER_ERROR, BUG = 2, 1
@@ -50,19 +26,13 @@ LASTING = ("fly", "monitor", "lab")
 app = typer.Typer(
     name="upright", cls=Grouped, rich_markup_mode=None, context_settings={"help_option_names": ["-h", "--help"]}
 )
-COMMANDS = (
-    reproduce, simulate, compare, linearise, design, tune, certify, bench_controllers, post_mortem, doctor, calibrate,
-    validate, example, excite, identify, fleet, push_map, basin, sweep, firmware, parity, fly, monitor, lab,
-    film, grade, guide,
-)  # fmt: skip
 
 
 def group() -> Grouped:
-    """`upright` with all its commands, each of which is made when it is asked for."""
+    """`upright` with all its commands."""
     whole = get_command(app)
     assert isinstance(whole, Grouped)
-    named = {command.__name__.replace("_", "-"): command for command in COMMANDS}
-    whole.commands = Commands({**named, "robots": robots})  # type: ignore[assignment] (it only reads them)
+    whole.commands = Commands()  # type: ignore[assignment] (it only reads them)
     return whole
 
 
