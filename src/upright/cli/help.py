@@ -5,7 +5,6 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Iterator, Mapping
-from functools import cache
 from importlib import import_module
 from typing import Any
 
@@ -107,9 +106,7 @@ def _part(name: str) -> Any:
     return getattr(import_module(f"upright.cli.{HOMES.get(name, function)}"), function)
 
 
-@cache
-def command(name: str) -> Any:
-    """A command, which is made when it is first asked for: to make one takes longer than to import it."""
+def _command(name: str) -> Any:
     whole = part = _part(name)
     if not isinstance(part, typer.Typer):
         whole = typer.Typer(add_completion=False, rich_markup_mode=None)
@@ -120,12 +117,17 @@ def command(name: str) -> Any:
 
 
 class Commands(Mapping[str, Any]):
-    """All commands by name."""
+    """All commands by name, each made when it is first asked for: to make one takes longer than to import it."""
+
+    def __init__(self) -> None:
+        self._made = dict[str, Any]()
 
     def __getitem__(self, name: str) -> Any:
         if name not in EXAMPLES:
             raise KeyError(name)
-        return command(name)
+        if name not in self._made:
+            self._made[name] = _command(name)
+        return self._made[name]
 
     def __iter__(self) -> Iterator[str]:
         return iter(EXAMPLES)
@@ -138,7 +140,7 @@ def summary(name: str) -> str:
     """The first sentence of a command's help."""
     part = _part(name)
     if isinstance(part, typer.Typer):
-        return str(command(name).get_short_help_str(limit=200))
+        return str(_command(name).get_short_help_str(limit=200))
     first = " ".join((inspect.getdoc(part) or "").partition("\n\n")[0].split())
     return first.partition(". ")[0] + "." * (". " in first)
 
