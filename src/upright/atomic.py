@@ -14,7 +14,7 @@ import shutil
 import stat
 import sys
 import tempfile
-from collections.abc import Callable, Generator
+from collections.abc import Generator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -30,7 +30,7 @@ class TemporaryFolder(tempfile.TemporaryDirectory[str]):
     """
 
     def __init__(self, beside: Path | None = None) -> None:
-        parent = None if beside is None or is_stream(beside) else beside.parent
+        parent = None if beside is None or _is_stream(beside) else beside.parent
         super().__init__(prefix=".upright-", dir=parent, ignore_cleanup_errors=True)
         self.path = Path(os.path.realpath(self.name))
         _Run.folders.add(self.path)
@@ -54,11 +54,11 @@ def place_of(name: str | Path, *, folder: bool = False) -> Path:
 
     Raises `UprightError` where no file, or no `folder`, can be written.
     """
-    path = Path(os.path.expanduser(name))
+    path = _expanded(name)
     if str(path).startswith("--"):
         raise UprightError(f"{path.parts[0]} looks like an option", expected="the name of a file or folder")
     with _reported(path):
-        mode, stream = _mode(path), is_stream(path)
+        mode, stream = _mode(path), _is_stream(path)
     if mode and not (stat.S_ISDIR(mode) if folder else stat.S_ISREG(mode) or stream):
         kind = "folder" if folder else "file"
         came = "a folder" if stat.S_ISDIR(mode) else f"no {kind}"
@@ -72,7 +72,7 @@ def place_of(name: str | Path, *, folder: bool = False) -> Path:
     return place
 
 
-def is_stream(path: Path) -> bool:
+def _is_stream(path: Path) -> bool:
     """Whether bytes do not stay there: a pipe, a device (but no disk), or the file that stdout is redirected to, which
     has what was printed."""
     mode = _mode(path)
@@ -90,20 +90,33 @@ def writing(target: str | Path, *, at_once: bool = False) -> Generator[BinaryIO]
 
     Raises `UprightError` where that cannot be done, and `KeyboardInterrupt` in an interrupted run.
     """
-    with _new(target, place_of(target), at_once=at_once) as path, path.open("xb") as file:
+    with filling(target, at_once=at_once) as path, path.open("xb") as file:
         yield file
 
 
-def write_folder(target: str | Path, fill: Callable[[Path], object]) -> Path:
-    """Let `fill` make a folder, which then is at `target`, in place of an older one; as `writing`."""
-    with _new(target, place_of(target, folder=True)) as path:
-        fill(path)
-    return Path(os.path.expanduser(target))
+@contextmanager
+def filling(target: str | Path, *, folder: bool = False, at_once: bool = False) -> Generator[Path]:
+    """The name of a file, or of a `folder`, to be made, which replaces what is at `target`; as `writing`."""
+    place = place_of(target, folder=folder)
+    interrupts.check()
+    with _reported(target):
+        scratch = TemporaryFolder(place)
+        try:
+            yield scratch.path / "new"
+        except BaseException:
+            scratch.cleanup()
+            raise
+        within = not _Run.folders.isdisjoint(place.parents)  # a temporary folder
+        if _Run.waiting is None or at_once or within or interrupts.Run.lasting:
+            interrupts.check()
+            _arrive(scratch, place)
+        else:
+            _Run.waiting.append((scratch, place))
 
 
 def make_folder(target: str | Path) -> Path:
     """A folder, made where it is missing, and removed again where the run fails before there is anything in it."""
-    path = Path(os.path.expanduser(target))
+    path = _expanded(target)
     missing = [p for p in (path, *path.parents) if not os.path.lexists(p)]
     with _reported(path):
         path.mkdir(parents=True, exist_ok=True)
@@ -118,17 +131,17 @@ def together() -> Generator[None]:
     waiting = _Run.waiting = []
     try:
         yield
-        for folder, place in waiting:  # streams first, since one may wait for a reader, and be interrupted
-            if is_stream(place):
-                _arrive(folder, place)
+        for scratch, place in waiting:  # streams first, since one may wait for a reader, and be interrupted
+            if _is_stream(place):
+                _arrive(scratch, place)
         interrupts.complete()
-        for folder, place in waiting:
-            if not is_stream(place):
-                _arrive(folder, place)
+        for scratch, place in waiting:
+            if not _is_stream(place):
+                _arrive(scratch, place)
     finally:
         _Run.waiting = None
-        for folder, _ in waiting:
-            folder.cleanup()
+        for scratch, _ in waiting:
+            scratch.cleanup()
         _remove_made()
 
 
@@ -136,7 +149,7 @@ def write_bytes(target: str | Path, data: bytes, *, at_once: bool = False) -> Pa
     """Write `data`, whole or not at all, and return the path; as `writing`."""
     with writing(target, at_once=at_once) as stream:
         stream.write(data)
-    return Path(os.path.expanduser(target))
+    return _expanded(target)
 
 
 def write_text(target: str | Path, text: str, *, at_once: bool = False) -> Path:
@@ -160,39 +173,24 @@ def finite(value: Any) -> Any:
     return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
-@contextmanager
-def _new(target: str | Path, place: Path, *, at_once: bool = False) -> Generator[Path]:
-    """Where to fill what belongs at `place`."""
-    interrupts.check()
-    with _reported(target):
-        folder = TemporaryFolder(place)
-        try:
-            yield folder.path / "new"
-        except BaseException:
-            folder.cleanup()
-            raise
-        within = not _Run.folders.isdisjoint(place.parents)  # a temporary folder
-        if _Run.waiting is None or at_once or within or interrupts.Run.lasting:
-            interrupts.check()
-            _arrive(folder, place)
-        else:
-            _Run.waiting.append((folder, place))
-
-
-def _arrive(folder: TemporaryFolder, place: Path) -> None:
+def _arrive(scratch: TemporaryFolder, place: Path) -> None:
     """Move what is complete to its place."""
-    new = folder.path / "new"
-    with folder, _reported(place):
-        if is_stream(place):
+    new = scratch.path / "new"
+    with scratch, _reported(place):
+        if _is_stream(place):
             print(end="", flush=True)
             with new.open("rb") as source, open(os.dup(1) if _is_stdout(place) else place, "wb") as stream:
                 shutil.copyfileobj(source, stream)
             return
         if place.is_dir():
-            os.replace(place, folder.path / "old")  # a folder replaces none that is not empty
+            os.replace(place, scratch.path / "old")  # a folder replaces none that is not empty
         elif place.exists():
             shutil.copymode(place, new)
         os.replace(new, place)
+
+
+def _expanded(name: str | Path) -> Path:
+    return Path(os.path.expanduser(name))  # which leaves a home that does not exist as it is
 
 
 def _mode(path: Path) -> int:
@@ -227,4 +225,4 @@ def _vanish() -> None:
     _remove_made()
 
 
-interrupts.Run.end = _vanish
+interrupts.Run.end += (_vanish,)

@@ -32,7 +32,7 @@ class Run:
     number = 0
     lasting = False
     complete = False
-    end: Callable[[], None] = lambda: None
+    end: tuple[Callable[[], None], ...] = ()
 
 
 def watch() -> None:
@@ -104,6 +104,7 @@ def _wait(reader: int) -> None:
 
 
 def _end() -> NoReturn:
-    with suppress(Exception):
-        Run.end()
+    for clean in Run.end:
+        with suppress(Exception):
+            clean()
     os._exit(exit_code())

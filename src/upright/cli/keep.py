@@ -31,11 +31,10 @@ def save_log(log: Log, path: Path) -> tuple[Path, str]:
     Returns where it is, and what was wrong with `path`. Raises the first error where no place takes it.
     """
     other = f"{path.stem}-{uuid.uuid4().hex[:8]}{path.suffix}"
-    first: UprightError | None = None
+    wrong = ""
     for place in (path, path.with_name(other), Path(other), Path(tempfile.gettempdir(), other)):
         try:
-            return log.save(place), str(first or "")
+            return log.save(place), wrong
         except UprightError as error:
-            first = first or error
-    assert first
-    raise first
+            wrong = wrong or str(error)
+    raise UprightError(wrong)
