@@ -16,6 +16,7 @@ import pytest
 
 from conftest import PATIENCE
 from upright import interrupts
+from upright.cli.main import main
 from upright.control import make_controller
 from upright.kernel.batch import FleetBatch, parameters_of, silent
 from upright.kernel.simulate import simulate
@@ -155,6 +156,18 @@ def test_a_run_that_ends_while_a_file_is_removed_leaves_nothing(tmp_path: Path) 
     process.send_signal(signal.SIGTERM)
     assert process.wait(PATIENCE) == 143
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_command_that_signals_end_has_the_code_of_its_signal_too(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def follow(*_: object, **__: object) -> None:
+        monkeypatch.setattr(interrupts.Run, "number", int(signal.SIGTERM))
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("upright.flight.follow.follow", follow)
+    assert main(["monitor", "nothing"]) == 128 + signal.SIGTERM
+    assert capsys.readouterr().err == interrupts.STOPPED
 
 
 def test_a_controller_in_the_compiled_loop_is_interrupted() -> None:

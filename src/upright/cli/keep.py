@@ -32,7 +32,7 @@ def save_log(log: Log, path: Path) -> tuple[Path, str]:
     """
     other = f"{path.stem}-{uuid.uuid4().hex[:8]}{path.suffix}"
     wrong = ""
-    for place in (path, path.with_name(other), Path(other), Path(tempfile.gettempdir(), other)):
+    for place in (path, path.with_name(other), Path.cwd() / other, Path(tempfile.gettempdir(), other)):
         try:
             return log.save(place), wrong
         except UprightError as error:

@@ -20,6 +20,8 @@ USER_ERROR, BUG = 2, 1
 """Exit codes: an error that the user can correct, and a bug. An interrupted run has 128 and the signal's number, as in
 shells: 130 for Ctrl-C."""
 
+INTERRUPTED = 130  # into which typer turns a `KeyboardInterrupt`, whatever the signal was
+
 LASTING = ("fly", "monitor", "lab")
 """Commands that Ctrl-C ends as they usually end: they stop motors then, and write what they have."""
 
@@ -69,8 +71,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         with together():
             code = group().main(arguments, prog_name="upright", standalone_mode=False)
-            if code == interrupts.exit_code():
-                raise KeyboardInterrupt  # which typer turned into a number
+            if code == INTERRUPTED:
+                raise KeyboardInterrupt
         return code if isinstance(code, int) else 0
     except (KeyboardInterrupt, typer.Abort):
         pass
