@@ -7,6 +7,7 @@ import re
 import signal
 import subprocess
 import sys
+from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -165,7 +166,7 @@ def test_a_command_that_signals_end_has_the_code_of_its_signal_too(
         monkeypatch.setattr(interrupts.Run, "number", int(signal.SIGTERM))
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("upright.flight.follow.follow", follow)
+    monkeypatch.setattr(import_module("upright.flight.follow"), "follow", follow)
     assert main(["monitor", "nothing"]) == 128 + signal.SIGTERM
     assert capsys.readouterr().err == interrupts.STOPPED
 
