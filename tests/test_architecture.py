@@ -389,3 +389,25 @@ def test_a_home_that_does_not_exist_raises_nothing_of_its_own() -> None:
     files = {path for path in SOURCE.rglob("*.py") if ".expanduser()" in path.read_text("utf-8")}
     allowed = {SOURCE / "reading.py"}  # catches it
     assert files == allowed
+
+
+def test_only_one_module_opens_files_for_writing() -> None:
+    def writes(node: ast.AST) -> bool:
+        if not (isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute | ast.Name)):
+            return False
+        name = node.func.attr if isinstance(node.func, ast.Attribute) else node.func.id
+        if name in ("NamedTemporaryFile", "TemporaryDirectory", "mkdtemp", "mkstemp"):
+            return True
+        if name == "replace" and ast.unparse(node.func).startswith("os."):
+            return True
+        if name in ("write_text", "write_bytes") and isinstance(node.func, ast.Attribute):
+            return True
+        modes = [a.value for a in (*node.args, *(k.value for k in node.keywords)) if isinstance(a, ast.Constant)]
+        return name == "open" and any(isinstance(m, str) and set(m) <= set("wxab+") for m in modes)
+
+    bare = {
+        f"{file}:{node.lineno}"
+        for file, tree in trees().items() for node in ast.walk(tree)
+        if file != "atomic.py" and isinstance(node, ast.Call) and writes(node)
+    }  # fmt: skip
+    assert not bare, "through upright.atomic, so that a file is written whole: " + ", ".join(sorted(bare))

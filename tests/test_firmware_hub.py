@@ -523,7 +523,7 @@ def test_a_device_that_vanishes_is_one_line(tmp_path: Path) -> None:
     import pty
 
     ours, theirs = pty.openpty()
-    command = [sys.executable, "-m", "upright.cli.main", "monitor", os.ttyname(theirs)]
+    command = [sys.executable, "-m", "upright", "monitor", os.ttyname(theirs)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
         os.write(ours, b"hello\n")
         assert process.stdout

@@ -7,6 +7,7 @@ import re
 import signal
 import subprocess
 import sys
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ import pytest
 from conftest import PATIENCE
 from planted.abuse import interrupts as abuse
 from upright import interrupts
+from upright.cli.main import main
 from upright.control import make_controller
 from upright.kernel.batch import FleetBatch, parameters_of, silent
 from upright.kernel.simulate import simulate
@@ -94,10 +96,13 @@ interrupts.leave(code)
     return process
 
 
-@pytest.mark.parametrize("body", [*SLEEPS.values()], ids=list(SLEEPS))
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
-def test_a_run_ends_whatever_it_does_and_leaves_nothing(body: str, number: signal.Signals, tmp_path: Path) -> None:
-    process = child(body, tmp_path)
+SENT = dict.fromkeys(SLEEPS, signal.SIGINT) | {"Python": signal.SIGTERM, "a pool of threads": signal.SIGHUP}
+"""What a run does, and the signal that ends it: one handler and one thread take them all."""
+
+
+@pytest.mark.parametrize("name", SLEEPS)
+def test_a_run_ends_whatever_it_does_and_leaves_nothing(name: str, tmp_path: Path) -> None:
+    process, number = child(SLEEPS[name], tmp_path), SENT[name]
     process.send_signal(number)
     said = process.communicate(timeout=PATIENCE)[1]
     assert process.returncode == 128 + number
@@ -114,7 +119,7 @@ def test_a_run_that_swallows_the_signal_and_ends_still_writes_nothing(tmp_path: 
 
 def test_what_the_parent_had_it_ignore_stays_ignored(tmp_path: Path) -> None:
     ignored = "import signal; signal.signal(signal.SIGHUP, signal.SIG_IGN)"  # as nohup does
-    process = child("time.sleep(1)", tmp_path, before=ignored)
+    process = child("time.sleep(0.3)", tmp_path, before=ignored)
     process.send_signal(signal.SIGHUP)
     assert process.wait(PATIENCE) == 0
     assert [p.name for p in tmp_path.iterdir()] == ["result.txt"]
@@ -122,12 +127,12 @@ def test_what_the_parent_had_it_ignore_stays_ignored(tmp_path: Path) -> None:
 
 def test_a_motor_is_stopped_first(tmp_path: Path) -> None:
     body = """
-with interrupts.patience():
+with interrupts.MOTORS:
     try:
         ready()
         time.sleep(600)
     finally:
-        time.sleep(1.5)
+        time.sleep(0.8)  # longer than the grace
         open("stopped", "w").close()
 """
     process = child(body, tmp_path)
@@ -137,38 +142,33 @@ with interrupts.patience():
 
 
 SLOW_REMOVAL = """
-from pathlib import Path
-unlink = Path.unlink
+import os
+unlink = os.unlink
 def slow(path, **options):
-    time.sleep(2)
+    time.sleep(0.8)
     unlink(path, **options)
-Path.unlink = slow
+os.unlink = slow
 """
 
 
 def test_a_run_that_ends_while_a_file_is_removed_leaves_nothing(tmp_path: Path) -> None:
-    """Removal takes four times the grace here, so the thread that waits ends the process in the middle of it."""
+    """Removal takes longer than the grace here, so the thread that waits ends the process in the middle of it."""
     process = child("time.sleep(600)", tmp_path, before=SLOW_REMOVAL)
     process.send_signal(signal.SIGTERM)
     assert process.wait(PATIENCE) == 143
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_killed_run_leaves_what_the_next_one_removes(tmp_path: Path) -> None:
-    killed, alive = (child("time.sleep(600)", tmp_path) for _ in range(2))
-    killed.kill()
-    killed.wait()
-    before = set(tmp_path.iterdir())
-    assert len(before) == 4  # a folder and an unfinished file each
-    for path in before:
-        os.utime(path, (0, 0))
-    following = child("pass", tmp_path)
-    assert following.wait(PATIENCE) == 0
-    left = set(tmp_path.iterdir()) - {tmp_path / "result.txt"}
-    assert len(left) == 2  # the living one's
-    alive.send_signal(signal.SIGINT)
-    assert alive.wait(PATIENCE) == 130
-    assert [p.name for p in tmp_path.iterdir()] == ["result.txt"]
+def test_a_command_that_signals_end_has_the_code_of_its_signal_too(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def follow(*_: object, **__: object) -> None:
+        monkeypatch.setattr(interrupts.Run, "number", int(signal.SIGTERM))
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(import_module("upright.flight.follow"), "follow", follow)
+    assert main(["monitor", "nothing"]) == 128 + signal.SIGTERM
+    assert capsys.readouterr().err == interrupts.STOPPED
 
 
 def test_a_controller_in_the_compiled_loop_is_interrupted() -> None:
@@ -192,8 +192,7 @@ def test_a_controller_in_the_compiled_loop_is_interrupted() -> None:
     assert calls[0] == 3
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-@pytest.mark.parametrize("name", ["certify mpc", "push-map", "reproduce"])
+@pytest.mark.parametrize(("name", "number"), [("push-map", signal.SIGINT), ("reproduce", signal.SIGTERM)])
 def test_a_long_command_is_interrupted_at_a_random_moment(name: str, number: signal.Signals) -> None:
     draw = np.random.default_rng([number, len(name)])
     end = abuse.interrupted(abuse.COMMANDS[name].split(), number, draw.uniform(0.2, 3.0))

@@ -151,7 +151,7 @@ def _open(sock: socket.socket) -> bool:
 
 def test_three_hundred_idle_connections_leave_room_for_a_newcomer():
     """At the 256 files that some systems give a process."""
-    command = [sys.executable, "-m", "upright.cli.main", "lab", "--port", "0", "--no-browser"]
+    command = [sys.executable, "-m", "upright", "lab", "--port", "0", "--no-browser"]
 
     def few_files() -> None:
         resource.setrlimit(resource.RLIMIT_NOFILE, (256, 256))

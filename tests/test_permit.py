@@ -102,7 +102,7 @@ def on_kernel(kernel: str, *arguments: str) -> None:
     """A command with the matrix routines of another processor, as OpenBLAS has them."""
     from os import environ
 
-    command = [sys.executable, "-m", "upright.cli.main", *arguments]
+    command = [sys.executable, "-m", "upright", *arguments]
     subprocess.run(command, env={**environ, "OPENBLAS_CORETYPE": kernel}, check=True, capture_output=True)
 
 

@@ -19,10 +19,7 @@ from upright.cli.options import (
     SamplesOption,
     SeedOption,
 )
-from upright.cli.output import check_targets, finish, progress
-
-RED = 3
-"""Exit code of a red light, so that a script stops before the robot moves."""
+from upright.cli.output import AGAINST, check_targets, finish, progress
 
 
 def certify(
@@ -59,4 +56,4 @@ def certify(
         )  # fmt: skip
     finish(certificate, as_json, output=output, page=report)
     if certificate.light == "red":
-        raise typer.Exit(RED)
+        raise typer.Exit(AGAINST)

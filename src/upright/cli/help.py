@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
+from importlib import import_module
 from typing import Any
 
 import typer
@@ -95,39 +96,53 @@ def option_meant(error: typer.TyperException) -> str:
     return f"; try: {context.command_path} --help"
 
 
+HOMES = {"start": "guide", "bench-controllers": "design", "push-map": "fleet", "basin": "fleet", "sweep": "fleet"}
+"""Modules of commands that have no module of their own name."""
+
+
+def _part(name: str) -> Any:
+    """The function of a command, or the `typer.Typer` of several."""
+    function = name.replace("-", "_")
+    return getattr(import_module(f"upright.cli.{HOMES.get(name, function)}"), function)
+
+
+def _command(name: str) -> Any:
+    whole = part = _part(name)
+    if not isinstance(part, typer.Typer):
+        whole = typer.Typer(add_completion=False, rich_markup_mode=None)
+        whole.command(name)(part)
+    made = get_command(whole)
+    made.name, made.epilog = name, epilog(name)
+    return made
+
+
 class Commands(Mapping[str, Any]):
-    """Commands by name, each made when it is first asked for: to make one takes longer than to import it.
+    """All commands by name, each made when it is first asked for: to make one takes longer than to import it."""
 
-    `parts` are functions, or `typer.Typer` of several commands.
-    """
-
-    def __init__(self, parts: Mapping[str, Callable[..., Any] | typer.Typer]) -> None:
-        self._parts, self._made = parts, dict[str, Any]()
+    def __init__(self) -> None:
+        self._made = dict[str, Any]()
 
     def __getitem__(self, name: str) -> Any:
+        if name not in EXAMPLES:
+            raise KeyError(name)
         if name not in self._made:
-            part = self._parts[name]
-            whole = part if isinstance(part, typer.Typer) else typer.Typer(add_completion=False, rich_markup_mode=None)
-            if whole is not part:
-                whole.command(name)(part)
-            made = get_command(whole)
-            made.name, made.epilog = name, epilog(name)
-            self._made[name] = made
+            self._made[name] = _command(name)
         return self._made[name]
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self._parts)
+        return iter(EXAMPLES)
 
     def __len__(self) -> int:
-        return len(self._parts)
+        return len(EXAMPLES)
 
-    def summary(self, name: str) -> str:
-        """The first sentence of a command's help."""
-        part = self._parts[name]
-        if isinstance(part, typer.Typer):
-            return str(self[name].get_short_help_str(limit=200))
-        first = " ".join((inspect.getdoc(part) or "").partition("\n\n")[0].split())
-        return first.partition(". ")[0] + "." * (". " in first)
+
+def summary(name: str) -> str:
+    """The first sentence of a command's help."""
+    part = _part(name)
+    if isinstance(part, typer.Typer):
+        return str(_command(name).get_short_help_str(limit=200))
+    first = " ".join((inspect.getdoc(part) or "").partition("\n\n")[0].split())
+    return first.partition(". ")[0] + "." * (". " in first)
 
 
 class Grouped(TyperGroup):
@@ -135,8 +150,7 @@ class Grouped(TyperGroup):
 
     def format_commands(self, ctx: Any, formatter: Any) -> None:
         del ctx
-        assert isinstance(self.commands, Commands)
         for heading, names in GROUPS.items():
-            rows = [(name, self.commands.summary(name)) for name in names]
+            rows = [(name, summary(name)) for name in names]
             with formatter.section(heading):
                 formatter.write_dl(rows, col_max=20)

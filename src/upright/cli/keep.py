@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import itertools
 import tempfile
 import uuid
-from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from upright.atomic import place_of
+from upright.atomic import TemporaryFolder, place_of
 from upright.errors import UprightError
 
 if TYPE_CHECKING:
@@ -20,16 +18,11 @@ def check_log_target(path: Path) -> None:
     """Refuse, before a robot moves, a place where no log could be written, by writing one beside it."""
     from upright.signals import Log
 
-    place = place_of(path)
-    trial = (place.path if place.keeps else Path(tempfile.gettempdir()) / path.name).with_name(
-        f".{uuid.uuid4().hex[:8]}{path.suffix}"
-    )
-    try:
-        Log([0.0, 1.0], {"truth/pitch": [0.0, 0.0]}).save(trial)
-    except UprightError as error:
-        raise type(error)(str(error).replace(trial.name, path.name)) from None
-    finally:
-        trial.unlink(missing_ok=True)
+    with TemporaryFolder(place_of(path)) as folder:
+        try:
+            Log([0.0, 1.0], {"truth/pitch": [0.0, 0.0]}).save(Path(folder) / path.name)
+        except UprightError as error:
+            raise type(error)(str(error).replace(folder, str(path.parent))) from None
 
 
 def save_log(log: Log, path: Path) -> tuple[Path, str]:
@@ -37,18 +30,11 @@ def save_log(log: Log, path: Path) -> tuple[Path, str]:
 
     Returns where it is, and what was wrong with `path`. Raises the first error where no place takes it.
     """
-    first: Exception | None = None
-    for place in _places(path):
+    other = f"{path.stem}-{uuid.uuid4().hex[:8]}{path.suffix}"
+    wrong = ""
+    for place in (path, path.with_name(other), Path.cwd() / other, Path(tempfile.gettempdir(), other)):
         try:
-            return log.save(place), str(first or "")
-        except (OSError, UprightError) as error:
-            first = first or error
-    assert first
-    raise first
-
-
-def _places(path: Path) -> Iterator[Path]:
-    yield path
-    for folder in (path.parent, Path.cwd(), Path(tempfile.gettempdir())):
-        names = (folder / f"{path.stem}-{n}{path.suffix}" for n in itertools.count(1))
-        yield next(name for name in names if not name.exists())
+            return log.save(place), wrong
+        except UprightError as error:
+            wrong = wrong or str(error)
+    raise UprightError(wrong)

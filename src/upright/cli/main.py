@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Sequence
-from importlib import import_module
 from typing import Annotated
 
 import typer
@@ -13,37 +12,15 @@ from typer.main import get_command
 
 from upright import interrupts
 from upright.atomic import together
-from upright.cli.calibrate import calibrate
-from upright.cli.certify import certify
-from upright.cli.compare import compare
-from upright.cli.design import bench_controllers, design
-from upright.cli.doctor import doctor
-from upright.cli.example import example
-from upright.cli.excite import excite
-from upright.cli.film import film
-from upright.cli.firmware import firmware
-from upright.cli.fleet import basin, fleet, push_map, sweep
-from upright.cli.fly import fly
-from upright.cli.grade import grade
-from upright.cli.guide import start as guide
 from upright.cli.help import Commands, Grouped, option_meant
-from upright.cli.identify import identify
-from upright.cli.lab import lab
-from upright.cli.linearise import linearise
-from upright.cli.monitor import monitor
 from upright.cli.output import TYPED
-from upright.cli.parity import parity
-from upright.cli.post_mortem import post_mortem
-from upright.cli.reproduce import reproduce
-from upright.cli.robots import robots
-from upright.cli.simulate import simulate
-from upright.cli.tune import tune
-from upright.cli.validate import validate
 from upright.errors import UprightError
 
 USER_ERROR, BUG = 2, 1
 """Exit codes: an error that the user can correct, and a bug. An interrupted run has 128 and the signal's number, as in
 shells: 130 for Ctrl-C."""
+
+INTERRUPTED = 130  # into which typer turns a `KeyboardInterrupt`, whatever the signal was
 
 LASTING = ("fly", "monitor", "lab")
 """Commands that Ctrl-C ends as they usually end: they stop motors then, and write what they have."""
@@ -51,19 +28,13 @@ LASTING = ("fly", "monitor", "lab")
 app = typer.Typer(
     name="upright", cls=Grouped, rich_markup_mode=None, context_settings={"help_option_names": ["-h", "--help"]}
 )
-COMMANDS = (
-    reproduce, simulate, compare, linearise, design, tune, certify, bench_controllers, post_mortem, doctor, calibrate,
-    validate, example, excite, identify, fleet, push_map, basin, sweep, firmware, parity, fly, monitor, lab,
-    film, grade, guide,
-)  # fmt: skip
 
 
 def group() -> Grouped:
-    """`upright` with all its commands, each of which is made when it is asked for."""
+    """`upright` with all its commands."""
     whole = get_command(app)
     assert isinstance(whole, Grouped)
-    named = {command.__name__.replace("_", "-"): command for command in COMMANDS}
-    whole.commands = Commands({**named, "robots": robots})  # type: ignore[assignment] (it only reads them)
+    whole.commands = Commands()  # type: ignore[assignment] (it only reads them)
     return whole
 
 
@@ -84,7 +55,7 @@ def start(
     ] = False,
 ) -> None:
     """The workbench for two-wheeled balancing robots: model, identify, control, certify, compare."""
-    interrupts.last(context.invoked_subcommand in LASTING)
+    interrupts.Run.lasting = context.invoked_subcommand in LASTING
     if context.invoked_subcommand is None:
         typer.echo(context.get_help())
 
@@ -100,8 +71,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         with together():
             code = group().main(arguments, prog_name="upright", standalone_mode=False)
-            if code == interrupts.exit_code():
-                raise KeyboardInterrupt  # which typer turned into a number
+            if code == INTERRUPTED:
+                raise KeyboardInterrupt
         return code if isinstance(code, int) else 0
     except (KeyboardInterrupt, typer.Abort):
         pass
@@ -139,7 +110,3 @@ def complain(message: str) -> None:
 
 def _debugging(arguments: Sequence[str]) -> bool:
     return "--debug" in arguments or os.environ.get("UPRIGHT_DEBUG", "") not in ("", "0")
-
-
-if __name__ == "__main__":  # as `python -m upright`, whose process loads this file late
-    import_module("upright.cli.start").run()

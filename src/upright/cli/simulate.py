@@ -11,7 +11,7 @@ import typer
 from upright.cli import options
 from upright.cli.output import check_targets, finish, progress, warn_of, write_page
 from upright.errors import InvalidController
-from upright.interrupts import patience
+from upright.interrupts import MOTORS
 from upright.reading import read_json, understood
 
 if TYPE_CHECKING:
@@ -71,7 +71,7 @@ def simulate(
     length = planned if seconds is None else seconds
     if lying is not None:
         design, first = _standing_up(design, chosen, kit or chosen.kit, lying, start), [lying, *[0.0] * 5]
-    with patience(), closing(plant), progress("simulating") as show:  # hardware is stopped however this ends
+    with MOTORS, closing(plant), progress("simulating") as show:  # hardware is stopped however this ends
         log = run(plant, design, pushes, reference=references, seconds=length, seed=seed, start=first, progress=show)
     written = log.save(output) if output else None
     _show(log, body=body, written=written, report=report, as_json=as_json)

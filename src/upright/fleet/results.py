@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.arrays import Array
-from upright.atomic import place_of, write_folder, writing
+from upright.atomic import filling, place_of, writing
 from upright.errors import InvalidLog, MissingTool, UprightError
 from upright.fleet.binomial import RARE, Interval, clopper_pearson, upper_bound
 from upright.fleet.ensemble import OUTCOMES, Ensemble, Index
@@ -137,7 +137,7 @@ def check_target(path: Path) -> None:
     """Raise `UprightError` where no result can be saved: a folder that is no result is never replaced."""
     check_suffix(path)
     place = place_of(path, folder=path.suffix == ".zarr")
-    if path.suffix == ".zarr" and place.mode and not (place.path / ".zgroup").exists():
+    if path.suffix == ".zarr" and place.exists() and not (place / ".zgroup").exists():
         raise UprightError(f"{path} is something else", expected="nothing there, or a result in Zarr")
 
 
@@ -210,7 +210,9 @@ def _zarr() -> Any:
 def _save_zarr(data: Dataset, target: Path) -> Path:
     """Format 2, since 3 has no settled form of texts."""
     check_target(target)
-    return write_folder(target, lambda folder: data.to_zarr(folder, mode="w", consolidated=False, zarr_format=2))
+    with filling(target, folder=True) as folder:
+        data.to_zarr(folder, mode="w", consolidated=False, zarr_format=2)
+    return target
 
 
 def _load_zarr(path: Path) -> Dataset:
