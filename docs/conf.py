@@ -86,16 +86,15 @@ HYPHENED = re.compile(r"(?<=[ \n>])([\w.,:=/-]*-[\w.,:=/-]+)")
 """In a command, which breaks between its words: a word that a browser would break behind its hyphen."""
 
 
-def finished(app: Sphinx, page: str, _template: str, context: dict[str, Any], _tree: object) -> None:
+def finished(app: Sphinx, _page: str, _template: str, context: dict[str, Any], _tree: object) -> None:
     """A way for the keyboard into what scrolls by itself, room to write on, and links to the site's own lab."""
-    lab = app.builder.get_relative_uri(page, "index").replace("index.html", "") or "./"
-    lab += "../try/index.html#" if app.config.language == "es" else "try/index.html#"
+    lab = context["content_root"] + "../" * (app.config.language == "es") + "try/index.html"
     for old, new in (
         ('role="heading">', 'role="heading" aria-level="2">'),
         ('<div class="highlight"><pre>', '<div class="highlight"><pre tabindex="0">'),
         ('<div class="table-wrapper', '<div tabindex="0" class="table-wrapper'),
         ("_" * 60, '<span class="blank"></span>'),
-        ('href="http://127.0.0.1:8765/#', f'href="{lab}'),
+        ('href="http://127.0.0.1:8765/#', f'href="{lab}#'),
     ):
         for name in ("furo_navigation_tree", "body"):
             context[name] = context.get(name, "").replace(old, new)

@@ -108,7 +108,7 @@ def test_spanish_pages_are_reached_and_lead_back(site: Path) -> None:
         assert f"{'../' * page.count('/')}es/{page}" in ways, page
         back = {target for _, target in links(site / "es" / page)}
         assert f"{'../' * page.count('/')}../{page}" in back, page
-    assert '<a class="reference external" href="../try/index.html#lang=es">' in (site / "es" / "index.html").read_text()
+    assert "./../try/index.html#lang=es" in {target for _, target in links(site / "es" / "index.html")}
     assert "___" not in (site / "es" / "lesson.html").read_text("utf-8")  # a line to write on, as long as there is room
 
 
