@@ -33,9 +33,9 @@ PARTS = {
     "Start": ("start", "first-robot", "lab"),
     "Course": ("notebooks/index", "lesson.en", "worksheet.en"),
     "En español": ("index.es", "start.es", "lab.es", "lesson.es", "worksheet.es", "notebooks/es/index"),
-    "How to": ("how-to", "add-a-robot", "add-a-body", "add-a-controller", "examples/index"),
+    "How to": ("how-to", "add-a-robot", "extend", "examples/index"),
     "Concepts": (
-        "model", "twin", "logs", "calibrate", "identify", "excite", "tune", "certificate", "post-mortem", "fleet",
+        "model", "logs", "calibrate", "identify", "excite", "certificate", "post-mortem", "fleet",
         "firmware",
     ),
     "Reference": ("api", "conventions", "glossary", "gallery", "figures", "benchmarks/index", "scale"),

@@ -584,7 +584,7 @@ def test_full_voltage_lifts_the_nonlinear_robot_from_just_that_far(preset):
 @pytest.mark.parametrize("side", [1, -1])
 def test_twipr_stands_up_from_lying_on_the_twins_floor(side):
     # 1.83 rad: where its body lies when nothing drives it; the plan knows no floor, sensors or slip. Controllers
-    # bring it back from some 0.3 rad (docs/add-a-controller.md), so below that it stands
+    # bring it back from some 0.3 rad (docs/extend.md), so below that it stands
     robot, kit = Robot.preset("twipr"), Kit.preset("twipr")
     plan = lift(robot, kit, side * 1.83)
     assert plan.check() < 1

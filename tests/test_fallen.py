@@ -73,7 +73,7 @@ def test_a_run_ends_its_commands_at_the_stop_and_its_log_on_the_floor() -> None:
 
 
 def test_who_starts_beyond_the_stop_has_fallen_in_run_and_kernel() -> None:
-    # twipr's motors are ten times stronger than its weight (docs/add-a-controller.md): without a stop it comes back
+    # twipr's motors are ten times stronger than its weight (docs/extend.md): without a stop it comes back
     start = (0.85, 0, 0, 0, 0, 0)
     controller = lqr(TWIPR, KIT.period)
     log = run(NonlinearBody(TWIPR), controller, seconds=2.0, start=start)

@@ -276,7 +276,7 @@ def test_float32_stays_near_float64():
         parameters=parameters_of(NXT), controller=lqr(NXT, 0.01), start=START, pushes=[[1.0, np.nan, 1.0, 0.1]]
     )
     exact, short = (simulate(batch, 10.0, record=1, dtype=dtype).trace[0] for dtype in (np.float64, np.float32))
-    # 2⁻²⁴ of the largest state in each of ten thousand steps, damped by the loop: the bound that docs/scale.md states
+    # 2⁻²⁴ of the largest state in each of ten thousand steps, damped by the loop: the bound that docs/fleet.md states
     assert np.abs(exact - short).max() < 2e-5 * np.abs(exact).max()
 
 

@@ -82,15 +82,15 @@ def test_a_class_in_a_file_is_a_controller_and_a_body(rod):
 
 
 def test_the_documented_controller_is_found_and_balances(tmp_path):
-    page = Path(__file__).parents[1] / "docs" / "add-a-controller.md"
+    page = Path(__file__).parents[1] / "docs" / "extend.md"
     block = re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)[0]
     (tmp_path / "my.py").write_text(block, encoding="utf-8")
-    for name in ("Rod", "rod"):
+    for name in ("Quiet", "quiet"):
         controller = find_controller(f"{tmp_path}/my.py:{name}", NXT, KIT, 0.01)
         log = run(Electronics(make_body("nonlinear", NXT), KIT), controller, seconds=3.0, start=(0.05, 0, 0, 0, 0, 0))
         assert not log.origin["outcome"]["fell"]
-        assert controller.spec.kind == "rod"  # and not the lqg inside
-        with pytest.raises(InvalidController, match=r"a Rod is no fixed sum.*try: upright certify"):
+        assert controller.spec.kind == "quiet"  # and not the lqg inside
+        with pytest.raises(InvalidController, match=r"a Quiet is no fixed sum.*try: upright certify"):
             as_law(controller)  # which fleets are compiled from
 
 

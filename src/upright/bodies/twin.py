@@ -36,7 +36,7 @@ class Twin:
 
     `timestep` [s] is MuJoCo's own step and must divide the period; contacts settle within `contact_time` [s], at
     least twice the time step. `impedance` (below 1) and `impratio` say how little the contact yields along and
-    across the floor's normal, `grip` is the coefficient of friction of the wheels. Why these defaults: docs/twin.md.
+    across the floor's normal, `grip` is the coefficient of friction of the wheels. Why these defaults: docs/model.md.
 
     Raises `InvalidScenario` for times that do not fit, and `InvalidRobot` for a robot that no rigid body is.
     """

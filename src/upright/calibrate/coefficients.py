@@ -40,7 +40,7 @@ ROLLING_DRY = (AT.rolling_torque, AT.yaw_rolling_torque)
 """Those of rolling friction, which have no error of their own: it is far less certain than the equations."""
 EXACT = 7e-4
 """How right the equations are (root mean square): with the same numbers they and MuJoCo, whose contacts yield a little,
-differ by 0.04 % in pitch and 0.07 % in the wheel rate (docs/twin.md), and no real robot is nearer to either."""
+differ by 0.04 % in pitch and 0.07 % in the wheel rate (docs/model.md), and no real robot is nearer to either."""
 TURNED = 1.5e-3
 """How right the coupling is where there is dry friction, of the geometric mean of both inertias: wheels that turn back,
 which MuJoCo does at the end of a time step, differ by what a rotor of 0.1 % of all that rolls would do."""

@@ -13,7 +13,7 @@ Nothing here is exact. c is constant in blocks of 1, 1, 2, 4, … periods (Cagie
 start of each block, bounds at its end, for all of its periods. `Splitting` then iterates a fixed number of times. Six
 iterations, where a limit or a bound counts: on nxtway-gs 96 % of the commands are within 1 % of the limit of the exact
 minimum by DAQP, the worst is 3 % off; on twipr, where the bound of pitch counts, 63 % and 8 % (`benchmarks/mpc.py`,
-docs/add-a-controller.md). At the limit of iterations the command is that of the last one: it is always within its
+docs/extend.md). At the limit of iterations the command is that of the last one: it is always within its
 limit, and `residual` is by how much that iteration still moved it. A period takes some 2700 products.
 """
 

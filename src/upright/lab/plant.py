@@ -24,7 +24,7 @@ QUICKEST = 20_000
 """Steps of RK4 a second, at 20 to 40 µs each, that one body may take; those of the presets take up to 1000."""
 
 TWIN_STEP = 0.0005
-"""[s] of MuJoCo's own step: pitch keeps to 0.25 % of its peak (docs/twin.md), less than a page can draw, at two
+"""[s] of MuJoCo's own step: pitch keeps to 0.25 % of its peak (docs/model.md), less than a page can draw, at two
 thirds of the usual twin's cost, which is half of the loop's."""
 
 

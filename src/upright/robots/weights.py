@@ -12,7 +12,7 @@ from upright.robots import toml
 
 @dataclass(frozen=True)
 class TunedWeights:
-    """Positive weights of one method by name (`upright tune`, units in docs/tune.md), and the run they are from."""
+    """Positive weights of one method by name (`upright tune`, units in docs/fleet.md), and the run they are from."""
 
     numbers: Mapping[str, float]
     source: str
