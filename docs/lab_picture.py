@@ -1,5 +1,5 @@
-"""Makes docs/lab.webp, the moving picture of the lab, with its dark and its Spanish ones for the site, and pictures of
-three tabs: run `python docs/lab_picture.py [NAME …]`, by default all.
+"""Makes docs/lab.webp, the moving picture of the lab, its Spanish one, and pictures of three tabs:
+`python docs/lab_picture.py [NAME …]`, by default all.
 
 To be run after a change of the page: each picture keeps the words that it shows, and `tests/test_docs.py` compares them
 with the words of the page. Needs Chromium and Playwright. The page is paused and stepped, so that a slow machine makes
@@ -17,7 +17,7 @@ import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 from PIL import Image
 from playwright.sync_api import sync_playwright
@@ -36,12 +36,7 @@ RUNNING = "(words) => { document.querySelector('[data-key=pause]').textContent =
 HERE = Path(__file__).resolve().parent
 
 
-PLACES: dict[str, tuple[Literal["light", "dark"], str]] = {
-    "lab.webp": ("light", "en"),
-    "_static/lab-dark.webp": ("dark", "en"),
-    "lab.es.webp": ("light", "es"),
-    "_static/lab-dark.es.webp": ("dark", "es"),
-}
+PLACES = {"lab.webp": "en", "lab.es.webp": "es"}
 
 
 TABS = ("controller", "see", "identify")
@@ -65,13 +60,13 @@ def described(page: Any) -> Image.Exif:
     return exif
 
 
-def film(scheme: Literal["light", "dark"], language: str, target: Path) -> None:
-    """The lab in a colour scheme, knocked forward and back."""
+def film(language: str, target: Path) -> None:
+    """The lab, knocked forward and back."""
     pictures: list[Image.Image] = []
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as driver:
         page_file = export(folder, ["nxtway-gs"], ["lqg"])
         browser = driver.chromium.launch(executable_path="/usr/bin/chromium", args=FLAGS)
-        page = browser.new_page(viewport={"width": 1200, "height": 675}, color_scheme=scheme, locale=language)
+        page = browser.new_page(viewport={"width": 1200, "height": 675}, locale=language)
         page.goto(page_file.as_uri())
         page.wait_for_selector("canvas.room")  # which takes the side view's place
         page.eval_on_selector("[data-key=knock]", SLIDE, KNOCK)
@@ -141,9 +136,9 @@ def tabs(language: str, names: list[str]) -> None:
 if __name__ == "__main__":
     every = [*PLACES, *(f"tab-{tab}{suffix}.webp" for tab in TABS for suffix in ("", ".es"))]
     asked = sys.argv[1:] or every
-    for name, (scheme, language) in PLACES.items():
+    for name, language in PLACES.items():
         if name in asked:
-            film(scheme, language, HERE / name)
+            film(language, HERE / name)
     for language in ("en", "es"):
         if own := [name for name in asked if name.startswith("tab-") and (".es" in name) == (language == "es")]:
             tabs(language, own)

@@ -22,8 +22,8 @@ pytestmark = [pytest.mark.needs("module:sphinx", "module:nbclient")]
 ROOT = Path(__file__).parents[1]
 LINK = re.compile(r'<(a|link|script|img|iframe|source|video)\b[^>]*?\b(href|src)="([^"]*)"')
 SHOWN = (
-    "index.html", "start.html", "api.html", "gallery.html", "model.html", "excite.html", "firmware.html",
-    "notebooks/en/3_lqg.html", "notebooks/es/5_certificate.html",
+    "index.html", "api.html", "how-to.html", "model.html", "excite.html", "firmware.html",
+    "notebooks/3_lqg.html", "es/index.html", "es/notebooks/5_certificate.html",
 )  # fmt: skip
 
 
@@ -39,10 +39,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-CUT = """[...document.querySelectorAll('.highlight-sh pre, article .table-wrapper, pre:has(.row)')]
-    .filter((wide) => wide.scrollWidth > wide.clientWidth + 1).map((wide) => wide.textContent)"""
-COPIED = """[...document.querySelectorAll('.highlight pre')].flatMap((block) => {
-    getSelection().selectAllChildren(block); return getSelection().toString().split('\\n') })"""
+CUT = "[...document.querySelectorAll('.highlight-sh pre')].filter((block) => block.scrollWidth > block.clientWidth + 1)"
 
 
 def links(page: Path) -> list[tuple[str, str]]:
@@ -84,13 +81,14 @@ def test_notebooks_are_there_in_both_languages_without_answers(site: Path) -> No
     for text in (ROOT / "notebooks").glob("[0-9]_*.py"):
         pictures: list[list[str]] = []
         for lang in ("en", "es"):
-            page = (site / "notebooks" / lang / f"{text.stem}.html").read_text("utf-8")
-            other = {"en": "es", "es": "en"}[lang]
+            folder = site / {"en": ".", "es": "es"}[lang] / "notebooks"
+            other = {"en": "../es/notebooks", "es": "../../notebooks"}[lang]
+            page = (folder / f"{text.stem}.html").read_text("utf-8")
             assert f'<html class="no-js" lang="{lang}"' in page
             assert {"en": "On this page", "es": "En esta página"}[lang] in page
-            assert f'href="../{other}/{text.stem}.html"' in page
+            assert f'href="{other}/{text.stem}.html"' in page
             (taken,) = re.findall(r'href="([^"]*\.ipynb)"', page)
-            cells = json.loads((site / "notebooks" / lang / taken).read_text("utf-8"))["cells"]
+            cells = json.loads((folder / taken).read_text("utf-8"))["cells"]
             assert not [cell for cell in cells if "answer" in cell["metadata"].get("tags", ())]
             drawn = [out.get("data", {}).get("image/png") for cell in cells for out in cell.get("outputs", ())]
             pictures.append([png for png in drawn if png])
@@ -101,18 +99,21 @@ def test_notebooks_are_there_in_both_languages_without_answers(site: Path) -> No
         assert not set(pictures[0]) & set(pictures[1])  # each has its language: the words are in test_language.py
 
 
-def test_a_spanish_page_leads_to_spanish_ones_first(site: Path) -> None:
-    page = (site / "index.es.html").read_text("utf-8")
-    captions = re.findall(r'class="caption-text">([^<]+)', page)
-    assert captions[0] == "En español"
-    assert page.index('href="notebooks/es/index.html"') < page.index('href="notebooks/index.html"')
-    assert '<a class="now" href="try/index.html#lang=es">' in page
-    assert {"start.html", "lesson.en.html"}.isdisjoint(target for _, target in links(site / "index.es.html"))  # twice
-    assert "___" not in (site / "worksheet.es.html").read_text("utf-8")  # a line to write on, as long as there is room
+def test_spanish_pages_are_reached_and_lead_back(site: Path) -> None:
+    spanish = {page.relative_to(site / "es").as_posix() for page in (site / "es").rglob("*.html")}
+    pages = {"index.html", "lab.html", "lesson.html", "notebooks/index.html"}
+    assert pages <= spanish
+    for page in pages:
+        ways = {target for _, target in links(site / page)}
+        assert f"{'../' * page.count('/')}es/{page}" in ways, page
+        back = {target for _, target in links(site / "es" / page)}
+        assert f"{'../' * page.count('/')}../{page}" in back, page
+    assert '<a class="reference external" href="../try/index.html#lang=es">' in (site / "es" / "index.html").read_text()
+    assert "___" not in (site / "es" / "lesson.html").read_text("utf-8")  # a line to write on, as long as there is room
 
 
 def test_the_download_is_what_pip_installs_from(site: Path) -> None:
-    (link,) = {target for tag, target in links(site / "start.html") if tag == "a" and target.endswith("upright.zip")}
+    (link,) = {target for tag, target in links(site / "index.html") if tag == "a" and target.endswith("upright.zip")}
     names = zipfile.ZipFile(site / link).namelist()
     assert {"upright/pyproject.toml", "upright/README.md", "upright/LICENSE", "upright/src/upright/__init__.py"} <= set(
         names
@@ -128,22 +129,13 @@ def test_in_a_browser_from_a_folder(site: Path, browser: Any, lend: Any, width: 
         page.goto((site / name).as_uri())
         assert page.evaluate("document.documentElement.scrollWidth") == width, name  # what is wide scrolls by itself
         assert page.evaluate(CUT) == [], name
-    page.goto((site / "start.html").as_uri())
-    copied = page.evaluate(COPIED)  # each command is shown over some lines, and copied as one
-    push = "upright simulate --robot nxtway-gs --body twin --push hold:0.1,until=4"
-    assert f"{push} -o twin.parquet --report push.html" in copied
-    assert "log = up.run(body, controller, up.Impulse(impulse=0.05, start=2.0), seconds=6.0, seed=1)" in copied
-    page.goto((site / "search.html").as_uri() + "?q=kalman")
-    page.wait_for_selector("#search-results li a")
-    page.wait_for_selector("#search-results li a[href^='notebooks/es'] ~ .whom:text('Para estudiantes')")
-    for language, other in (("en", "es"), ("es", "en")):  # first the pages of one's own, each with what it says of it
-        page.goto((site / f"notebooks/{language}/index.html").as_uri())
+    for folder in (site, site / "es"):  # each language has a search of its own
+        page.goto((folder / "index.html").as_uri())
         page.locator(".sidebar-search").first.evaluate("(box) => { box.value = 'kalman'; box.form.submit(); }")
-        page.wait_for_selector(f"#search-results li a[href^='notebooks/{other}']")
-        found = page.eval_on_selector_all("#search-results li > a", "(all) => all.map((a) => a.getAttribute('href'))")
-        own = [k for k, name in enumerate(found) if ("/es/" in name or ".es." in name) == (language == "es")]
-        assert own == list(range(len(own))), found
-        assert "Kalman" in page.inner_text(f"#search-results li:has(a[href^='notebooks/{language}/3_lqg']) mark")
+        page.wait_for_selector("#search-results li a[href^='notebooks/3_lqg']")
+    page.goto((site / "model.html").as_uri())
+    assert page.locator("article details").count()
+    assert not page.locator("article details[open]").count()  # the depth, on demand
     assert not [url for url in page.asked if not url.startswith(("file:", "data:"))]
     assert not page.wrong
 
