@@ -50,8 +50,8 @@ def lines_of(beginning: str) -> list[str]:
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder after every command of `TASKS` was given, in the order of the pages. Each ended well, in time, and wrote
-    what it names."""
+    """The folder after every command of `TASKS` was given, in the order of the pages. Each ended well, in time, and
+    wrote what it names."""
     place = tmp_path_factory.mktemp("empty")
     before = Path.cwd()
     os.chdir(place)
