@@ -20,7 +20,7 @@ DESIGN = lqr(NXT, 0.01)
 
 
 def test_a_hold_is_statics():
-    # docs/model.md: α(v_l + v_r) = −F R and M g L sin ψ = −F (h cos ψ + R) make every acceleration vanish
+    # docs/conventions.md: α(v_l + v_r) = −F R and M g L sin ψ = −F (h cos ψ + R) make every acceleration vanish
     for pitch in (0.1, -0.12):
         push = Hold(pitch=pitch, until=1.0)
         force = push.force(NXT)

@@ -1,4 +1,4 @@
-"""Ten tasks from the README alone: its commands as they are printed, in an empty folder."""
+"""Ten tasks from the README and the walk that it leads to: commands as they are printed, in an empty folder."""
 
 from __future__ import annotations
 
@@ -21,24 +21,27 @@ from upright.cli import options
 from upright.cli.main import main
 from upright.signals import Log
 
-README = Path(__file__).resolve().parents[1] / "README.md"
+ROOT = Path(__file__).resolve().parents[1]
 TASKS = {
     "push a robot": "simulate --robot nxtway-gs", "compare two logs": "compare", "own robot": "robots show",
     "a run of it": "simulate --robot mine", "a log": "example excited", "its faults": "doctor",
     "parameters": "calibrate", "design": "design", "certify": "certify", "program for a target": "firmware",
     "hand-ins of three": "example handed-in", "grade": "grade", "film": "film", "notebook": "example notebook",
 }  # fmt: skip
-"""Task → how its command begins; the README has it whole."""
+"""Task → how its command begins; the README or the walk has it whole."""
 
 LONGEST = 120.0
 """[s] The bar of a task, of the processor: the longest takes a tenth of it, on a busy machine too."""
 
 
 def printed() -> list[str]:
-    """Every line of the README's shell examples that calls this program, without its comment."""
-    blocks = re.findall(r"^```sh\n(.*?)^```", README.read_text("utf-8"), re.MULTILINE | re.DOTALL)
+    """Every line of the README's shell examples, then of the walk in docs/how-to.md, that calls this program: once, and
+    without its comment."""
+    readme, how_to = ((ROOT / name).read_text("utf-8") for name in ("README.md", "docs/how-to.md"))
+    walk = how_to.partition("\n## From a log to a controller\n")[2].partition("\n## ")[0]
+    blocks = re.findall(r"^```sh\n(.*?)^```", readme + walk, re.MULTILINE | re.DOTALL)
     lines = [line for block in blocks for line in block.splitlines() if line.startswith("upright ")]
-    return [shlex.join(shlex.split(line, comments=True)) for line in lines]
+    return list(dict.fromkeys(shlex.join(shlex.split(line, comments=True)) for line in lines))
 
 
 def lines_of(beginning: str) -> list[str]:
@@ -47,8 +50,8 @@ def lines_of(beginning: str) -> list[str]:
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder after every command of `TASKS` was given, in the README's order. Each ended well, in time, and wrote
-    what it names."""
+    """The folder after every command of `TASKS` was given, in the order of the pages. Each ended well, in time, and
+    wrote what it names."""
     place = tmp_path_factory.mktemp("empty")
     before = Path.cwd()
     os.chdir(place)
@@ -68,7 +71,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.parametrize("task", TASKS)
-def test_the_readme_has_a_command_for_every_task(task: str) -> None:
+def test_there_is_a_command_for_every_task(task: str) -> None:
     assert lines_of(TASKS[task])
 
 

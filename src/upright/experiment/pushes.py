@@ -63,7 +63,7 @@ class Impulse:
 class Hold:
     """The constant force that keeps a robot at rest at `pitch` [rad], from `start` until `until` [s], then released.
 
-    From statics (docs/model.md): the floor takes F and the motors carry the moment, M g L sin ψ = −F (h cos ψ + R).
+    From statics (docs/conventions.md): the floor takes F and the motors the moment, M g L sin ψ = −F (h cos ψ + R).
     A hold of +0.1 rad is thus a force on the front, backwards.
     """
 
