@@ -12,6 +12,7 @@ import json
 import os
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import Future
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
@@ -24,7 +25,7 @@ from upright.errors import InvalidScenario, SpecMismatch
 from upright.fleet.ensemble import OUTCOMES, Ensemble
 from upright.fleet.results import labelled, load, unit_of, write_parquet
 from upright.fleet.tally import Cases, tally
-from upright.fleet.workers import connected, run_all
+from upright.fleet.workers import Worker, connected, run_all
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -91,10 +92,10 @@ class Campaign:
         ensemble = self.cases[chunk.case].ensemble
         return run_part(ensemble, chunk.start, chunk.stop, self.keep, _versions(), threads)
 
-    def submit(self, client: Any, chunk: Chunk) -> Any:
-        """The same on a Dask client: a future of the bytes, from one thread of a worker."""
+    def submit(self, worker: Worker, chunk: Chunk) -> Future[bytes]:
+        """The same on one thread of a worker."""
         ensemble = self.cases[chunk.case].ensemble
-        return client.submit(run_part, ensemble, chunk.start, chunk.stop, self.keep, _versions(), pure=False)
+        return worker.submit(run_part, ensemble, chunk.start, chunk.stop, self.keep, _versions())
 
 
 def run_campaign(
@@ -130,8 +131,8 @@ def run_campaign(
         for chunk in todo:
             keep(chunk, campaign.run_chunk(chunk))
     elif todo:
-        with connected(workers, cluster) as client:
-            run_all(todo, campaign.submit, keep, client)
+        with connected(workers, cluster) as found:
+            run_all(todo, campaign.submit, keep, found)
     return summaries(campaign, place)
 
 
