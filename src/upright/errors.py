@@ -11,12 +11,10 @@ LONGEST_SHOWN = 80
 LONGEST_REASON = 200
 """Letters of another library's message that ours repeats."""
 EXTRAS = {
-    "cma": ("cma", "tune"), "control": ("control", "control"),
-    "cvxpy": ("cvxpy", "robust"), "distributed": ("distributed", "cluster"),
-    "imageio_ffmpeg": ("imageio-ffmpeg", "film"), "mcap": ("mcap", "mcap"), "nxt": ("nxt-python", "nxt"),
-    "pybricksdev": ("pybricksdev", "pybricks"), "zarr": ("zarr", "zarr"),
+    "cma": "tune", "control": "control", "cvxpy": "robust", "distributed": "cluster", "imageio_ffmpeg": "film",
+    "mcap": "mcap", "nxt": "nxt", "pybricksdev": "pybricks", "zarr": "zarr",
 }  # fmt: skip
-"""Modules that a plain installation lacks: the package of each, and the extra of this package that brings it."""
+"""Modules that a plain installation lacks, and the extra of this package that brings each."""
 
 
 class UprightError(Exception):
@@ -78,8 +76,7 @@ class MissingTool(UprightError):
 
 def lacking(what: str, module: str) -> str:
     """Where a module of `EXTRAS` is not installed, one line: `what` needs it, and how to install it; "" where it is."""
-    package, extra = EXTRAS[module]
-    return "" if find_spec(module) else f"{what} needs {package}: pip install 'upright[{extra}]'"
+    return "" if find_spec(module) else f"{what} needs {module}: pip install 'upright[{EXTRAS[module]}]'"
 
 
 def require(what: str, module: str) -> None:

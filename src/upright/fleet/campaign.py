@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from upright.atomic import make_folder, place_of, write_bytes, write_json
-from upright.errors import InvalidScenario, SpecMismatch
+from upright.errors import InvalidScenario, SpecMismatch, require
 from upright.fleet.ensemble import OUTCOMES, Ensemble
 from upright.fleet.results import labelled, load, unit_of, write_parquet
 from upright.fleet.tally import Cases, tally
@@ -110,8 +110,11 @@ def run_campaign(
 
     `cluster` is a Dask scheduler's address; without one, `workers` processes on this machine (None: one a processor),
     or with 0 this process alone. `progress(done, total, seconds)` gets the chunks on disk and the time left. Raises
-    `InvalidScenario` where the folder holds another campaign, `UprightError` for a chunk that kills its workers.
+    `InvalidScenario` where the folder holds another campaign, `UprightError` for a chunk that kills its workers,
+    `MissingTool` for an address where Dask is not installed.
     """
+    if cluster is not None:
+        require("--cluster", "distributed")
     place = Path(os.path.expanduser(folder))
     total = sum(1 for _ in campaign.chunks())
     plan = json.loads(json.dumps(campaign.plan()))

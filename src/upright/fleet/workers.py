@@ -14,7 +14,7 @@ from contextlib import contextmanager
 from multiprocessing import resource_tracker
 from typing import Any, Protocol, TypeVar
 
-from upright.errors import UprightError, require
+from upright.errors import UprightError
 
 T = TypeVar("T")
 
@@ -90,7 +90,7 @@ def _deadly(piece: str) -> UprightError:
 def connected(workers: int | None = None, cluster: str | None = None) -> Generator[Sequence[Worker]]:
     """Those of the scheduler at the address `cluster`, or so many processes made here (None: one a processor).
 
-    Raises `MissingTool` for an address where Dask is not installed, `UprightError` where no scheduler answers.
+    Raises `UprightError` where no scheduler answers.
     """
     if cluster is not None:
         with _of_scheduler(cluster) as far:
@@ -133,7 +133,6 @@ def _not_interrupted() -> Generator[None]:
 
 @contextmanager
 def _of_scheduler(address: str) -> Generator[Sequence[Worker]]:
-    require("--cluster", "distributed")
     import distributed
 
     try:
