@@ -134,8 +134,8 @@ def run_campaign(
         for chunk in todo:
             keep(chunk, campaign.run_chunk(chunk))
     elif todo:
-        with connected(workers, cluster) as found:
-            run_all(todo, campaign.submit, keep, found)
+        with connected(workers, cluster) as all_workers:
+            run_all(todo, campaign.submit, keep, all_workers)
     return summaries(campaign, place)
 
 

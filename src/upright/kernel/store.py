@@ -187,10 +187,10 @@ def _by_numba(module: str, function: str, arguments: tuple[str, ...]) -> int:
 @cache
 def known_numba() -> bool:
     """Whether functions can be kept: parts of Numba that are used here are not public. Says so once where not."""
-    found = version("numba")
-    known = NUMBA[0] <= tuple(int(part) for part in found.split(".")[:2]) < NUMBA[1]
+    present = version("numba")
+    known = NUMBA[0] <= tuple(int(part) for part in present.split(".")[:2]) < NUMBA[1]
     if not known:
-        sys.stderr.write(f"upright: numba {found} was never tried: every process compiles anew, which takes longer\n")
+        sys.stderr.write(f"upright: numba {present} was never tried: every process compiles anew, which takes longer\n")
     return known
 
 
