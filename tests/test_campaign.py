@@ -18,6 +18,7 @@ import pytest
 from conftest import PATIENCE
 from upright.cli.fleet import sweep
 from upright.errors import InvalidScenario, UnknownName, UprightError
+from upright.fleet import workers
 from upright.fleet.campaign import chunk_path, collect, run_campaign
 from upright.fleet.fleet import ensemble_of
 from upright.fleet.sweep import campaign_of, read_campaign
@@ -61,7 +62,7 @@ def files(folder: Path) -> dict[str, bytes]:
 
 
 def worker_processes() -> list[int]:
-    """Processes that this one's nannies started: the workers, by what they were started with."""
+    """Processes that this one started: the workers, by what they were started with."""
     import psutil
 
     found = []
@@ -91,6 +92,20 @@ def test_two_workers_write_the_bytes_of_one_process_though_one_is_killed(spec, a
     assert list((tmp_path / "temporary").iterdir()) == []
 
 
+def test_a_piece_that_kills_its_workers_is_given_up_and_named(monkeypatch):
+    """Exit codes as pieces: `os._exit` ends the process that takes one, and no other."""
+    monkeypatch.setattr(workers, "FAILURES", 1)
+    done = []
+
+    def submit(worker, piece):
+        return worker.submit(os._exit, 9) if piece == "deadly" else worker.submit(abs, piece)
+
+    with workers.connected(workers=2) as two, pytest.raises(UprightError, match="deadly killed its worker 2 times"):
+        workers.run_all([-1, -2, "deadly"], submit, lambda piece, result: done.append((piece, result)), two)
+    assert sorted(done) == [(-2, 2), (-1, 1)]
+
+
+@pytest.mark.needs("module:distributed")
 def test_a_cluster_elsewhere_is_used_by_its_address(spec, alone, tmp_path):
     from distributed import LocalCluster
 
@@ -277,6 +292,10 @@ def test_another_campaign_keeps_out_of_the_folder(spec, alone, tmp_path):
         run_campaign(read_campaign(other), alone, workers=0)
     with pytest.raises(InvalidScenario, match="no campaign"):
         collect(tmp_path)
+
+
+@pytest.mark.needs("module:distributed")
+def test_an_address_without_a_scheduler_is_reported(spec, tmp_path):
     with pytest.raises(UprightError, match="no scheduler"):
         # port 1 is reserved and nobody listens there
         run_campaign(read_campaign(spec), tmp_path / "far", cluster="tcp://127.0.0.1:1")

@@ -34,6 +34,7 @@ NXT = Robot.preset("nxtway-gs")
 
 
 @pytest.mark.parametrize("name", preset_names())
+@pytest.mark.needs("module:control")
 def test_lqr_equals_python_control(name):
     control = pytest.importorskip("control")
     design = lqr(Robot.preset(name), 0.01)
@@ -135,6 +136,7 @@ def test_hash_changes_with_a_gain():
     assert controller_hash(StateFeedback(design.gain, 0.01, kind="lqr")) != controller_hash(other)
 
 
+@pytest.mark.needs("module:control")
 def test_kalman_gain_equals_python_control():
     control = pytest.importorskip("control")
     kit = Kit.preset("nxt")

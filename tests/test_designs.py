@@ -114,6 +114,7 @@ def test_every_design_checks_itself(name, preset):
     assert made(name, preset)[2].check() < (1e-6 if name == "robust" else 1e-9)
 
 
+@pytest.mark.needs("module:control")
 def test_riccati_solutions_equal_python_control():
     control = pytest.importorskip("control")
     robot = Robot.preset("ev3way")

@@ -204,8 +204,8 @@ def test_workers_never_get_ctrl_c(tmp_path: Path) -> None:
     """A terminal sends it to all processes: a worker that is importing then would print a traceback."""
     from upright.fleet.workers import connected
 
-    with connected(workers=1) as client:
-        (process,) = client.run(os.getpid).values()
+    with connected(workers=1) as (worker,):
+        process = worker.submit(os.getpid).result()
         blocked = re.search(r"SigBlk:\s*(\w+)", Path(f"/proc/{process}/status").read_text("utf-8"))
         assert blocked
         assert int(blocked[1], 16) & 1 << (signal.SIGINT - 1)

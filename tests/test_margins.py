@@ -58,6 +58,7 @@ def test_seilers_example_has_its_published_margins():
 
 
 @pytest.mark.parametrize("system", [SEILER, control.tf(1, [1, 2, 3, 4]), control.tf([2, 3], [1, -1, 0])])
+@pytest.mark.needs("module:control")
 def test_margins_equal_python_controls(system):
     gm, pm, sm, wg, wp, _ = control.stability_margins(system)
     found = margins(LinearModel.from_control(system))
@@ -145,6 +146,7 @@ def test_spinning_satellite_is_fragile_although_each_loop_is_not():
     assert disk_margin(loop) == pytest.approx(0.0997, abs=1e-4)  # as Seiler et al. (2020) find
 
 
+@pytest.mark.needs("module:control")
 def test_disk_margins_of_two_loops_equal_python_controls():
     # python-control's own test of this plant and controller expects 0.3754
     plant = control.ss([[0, 10], [-10, 0]], np.eye(2), [[1, 10], [-10, 1]], 0)

@@ -86,6 +86,7 @@ def test_converts_to_and_from_control():
     assert (back.dt, back.states, back.inputs) == (model.dt, model.states, model.inputs)
 
 
+@pytest.mark.needs("module:control")
 def test_a_linear_model_computes_as_python_control_does():
     # an independent route: poles, response and a series connection, with a direct path, in both times
     control = pytest.importorskip("control")

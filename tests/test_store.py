@@ -8,19 +8,29 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Callable
+from importlib.metadata import requires
 from pathlib import Path
 
+import numpy as np
 import pytest
+from packaging.requirements import Requirement
 
+from upright.calibrate.kept import njit
 from upright.kernel import store
 
 SOURCE = Path(__file__).parents[1] / "src" / "upright"
+NAME, OTHER = "specific_force_smooth", "specific_force_coulomb"
 ARGUMENTS = ("*float64", "int64", "int64")
 
 USE = """
-import numpy as np
-from upright.calibrate.motion import block_of
-print(int(block_of(np.ones((60, 2))).sum()), sum(block_of.stats.cache_hits.values()))
+from upright.calibrate.kept import njit
+from upright.compiled.jit import mul
+
+@njit
+def square(x):
+    return mul(x, x)
+
+print(int(square(3.0)), sum(square.stats.cache_hits.values()))
 """
 
 
@@ -42,29 +52,77 @@ def used(package: Path, cache: Path) -> tuple[int, int]:
 
 
 def test_a_change_of_any_source_compiles_the_calibration_anew(package: Path, tmp_path: Path) -> None:
-    first, hits = used(package, tmp_path)
-    assert hits == 0
-    assert used(package, tmp_path) == (first, 1)
+    assert used(package, tmp_path) == (9, 0)
     called = package / "upright" / "compiled" / "jit.py"  # what the function calls, in another file
     text = called.read_text("utf-8")
-    line = "builder.store(args[3], _lane("
+    line = "builder.fmul(*args)"
     assert text.count(line) == 1
-    called.write_text(text.replace(line, "builder.store(builder.fadd(args[3], args[3]), _lane("))
-    changed, hits = used(package, tmp_path)
-    assert hits == 0
-    assert changed == pytest.approx(2 * first, abs=3), "the stale code gives half of it"
+    called.write_text(text.replace(line, "builder.fadd(*args)"))
+    assert used(package, tmp_path) == (6, 0), "the stale code gives 9"
     called.write_text(text)
-    assert used(package, tmp_path) == (first, 1)
+    assert used(package, tmp_path) == (9, 1)
 
 
-def test_damage_to_the_calibrations_code_is_noticed(package: Path, tmp_path: Path) -> None:
-    first, _ = used(package, tmp_path)
+def hits_of(function: Callable[[float], float]) -> int:
+    """How often the code of a function, compiled as the calibration's are, comes from the disk; it doubles."""
+    made = njit(function)
+    assert made(3.0) == 6.0
+    return sum(made.stats.cache_hits.values())
+
+
+def test_damage_to_the_calibrations_code_is_noticed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("UPRIGHT_CACHE", str(tmp_path))
+
+    def double(x: float) -> float:
+        return 2.0 * x
+
+    assert [hits_of(double), hits_of(double)] == [0, 1]
     (path,) = tmp_path.iterdir()
     whole = bytearray(path.read_bytes())
     whole[len(whole) // 2] ^= 1
     path.write_bytes(whole)
-    assert used(package, tmp_path) == (first, 0)
-    assert used(package, tmp_path) == (first, 1)
+    assert [hits_of(double), hits_of(double)] == [0, 1]
+
+
+@pytest.mark.parametrize("other", ["0.60.2", "0.69.0", "1.0.0rc1"])
+def test_another_numba_keeps_nothing_and_says_so_once(
+    other: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """What numba makes by itself computes the same, for this process alone."""
+    monkeypatch.setenv("UPRIGHT_CACHE", str(tmp_path))
+    monkeypatch.setattr(store, "version", lambda _: other)
+    monkeypatch.setattr(store, "_by_numba", lambda *_: 17)
+    store.known_numba.cache_clear()
+    store._address_of.cache_clear()
+    try:
+        assert store.address_of("compiled.generated_motion", NAME, ARGUMENTS) == 17
+        assert hits_of(lambda x: x + x) == 0
+        assert not list(tmp_path.iterdir())
+    finally:
+        store.known_numba.cache_clear()
+        store._address_of.cache_clear()
+    assert capsys.readouterr().err.splitlines() == [
+        f"upright: numba {other} was never tried: every process compiles anew, which takes longer"
+    ]
+
+
+def test_what_numba_makes_by_itself_computes_the_same(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("UPRIGHT_CACHE", str(tmp_path))
+    rows, asked = np.random.default_rng(1).uniform(0.5, 1.5, 20000), ("compiled.generated_motion", NAME, ARGUMENTS)
+    results = []
+    for address in (store.address_of(*asked), store._by_numba(*asked)):
+        given = rows.copy()
+        store.call(address, [given.ctypes.data, 8, 40])
+        results.append(given)
+    # two orders of the same sums
+    np.testing.assert_allclose(*results, rtol=1e-12)
+    assert not np.array_equal(results[0], rows)
+
+
+def test_the_versions_of_numba_are_those_that_are_installed() -> None:
+    (asked,) = (line for line in requires("upright") or () if line.startswith("numba"))
+    least, most = (f"{major}.{minor}" for major, minor in store.NUMBA)
+    assert Requirement(asked).specifier == Requirement(f"numba>={least},<{most}").specifier
 
 
 def test_every_compiled_file_decides_what_is_kept() -> None:
@@ -91,14 +149,29 @@ DAMAGES: dict[str, Callable[[bytes], bytes]] = {
 } | {f"seed {seed}": random_damage(seed) for seed in range(12)}  # fmt: skip
 
 
+@pytest.fixture(scope="module")
+def machine_code(tmp_path_factory: pytest.TempPathFactory) -> dict[str, tuple[str, bytes]]:
+    """Two functions, compiled once: the name of each one's file, and what is in it."""
+    made: dict[str, tuple[str, bytes]] = {}
+    with pytest.MonkeyPatch.context() as patch:
+        for name in (NAME, OTHER):
+            place = tmp_path_factory.mktemp("code")
+            patch.setenv("UPRIGHT_CACHE", str(place))
+            store._address_of.cache_clear()
+            store.address_of("compiled.generated_motion", name, ARGUMENTS)
+            (path,) = place.iterdir()
+            made[name] = path.name, path.read_bytes()
+    return made
+
+
 @pytest.fixture
-def kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A file of machine code, and no other in its folder."""
+def kept(machine_code: dict[str, tuple[str, bytes]], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A file of machine code, and no other in its folder. The compiler gives what it gave, without its second."""
+    name, whole = machine_code[NAME]
     monkeypatch.setenv("UPRIGHT_CACHE", str(tmp_path))
-    store._address_of.cache_clear()
-    store.address_of("compiled.generated_motion", "specific_force_smooth", ARGUMENTS)
-    (path,) = tmp_path.iterdir()
-    return path
+    monkeypatch.setattr(store, "_compiled", lambda *_: whole[store._CHECKSUM :])
+    (tmp_path / name).write_bytes(whole)
+    return tmp_path / name
 
 
 def made_anew(monkeypatch: pytest.MonkeyPatch) -> int:
@@ -111,7 +184,7 @@ def made_anew(monkeypatch: pytest.MonkeyPatch) -> int:
 
     monkeypatch.setattr(store, "_compiled", counted)
     store._address_of.cache_clear()
-    assert store.address_of("compiled.generated_motion", "specific_force_smooth", ARGUMENTS)
+    assert store.address_of("compiled.generated_motion", NAME, ARGUMENTS)
     monkeypatch.setattr(store, "_compiled", compiled)
     return asked[0]
 
@@ -119,21 +192,17 @@ def made_anew(monkeypatch: pytest.MonkeyPatch) -> int:
 @pytest.mark.parametrize("damage", DAMAGES)
 def test_damaged_machine_code_is_never_loaded(damage: str, kept: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     whole = kept.read_bytes()
-    monkeypatch.setattr(store, "_compiled", lambda *_: pytest.fail("it is whole"))
-    store._address_of.cache_clear()
-    store.address_of("compiled.generated_motion", "specific_force_smooth", ARGUMENTS)
-    code = whole[store._CHECKSUM :]
-    monkeypatch.setattr(store, "_compiled", lambda *_: code)
+    assert made_anew(monkeypatch) == 0
     kept.write_bytes(DAMAGES[damage](whole))
     assert made_anew(monkeypatch) == 1
     assert kept.read_bytes() == whole
     assert made_anew(monkeypatch) == 0
 
 
-def test_the_code_of_another_function_is_not_taken(kept: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    store.address_of("compiled.generated_motion", "specific_force_coulomb", ARGUMENTS)
-    (other,) = set(kept.parent.iterdir()) - {kept}
-    kept.write_bytes(other.read_bytes())
+def test_the_code_of_another_function_is_not_taken(
+    kept: Path, machine_code: dict[str, tuple[str, bytes]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    kept.write_bytes(machine_code[OTHER][1])
     assert made_anew(monkeypatch) == 1
 
 

@@ -34,6 +34,8 @@ from upright.tune.score import NONE, CandidateScore, Scorer, modulus_and_delay, 
 from upright.tune.search import SearchRecord, search
 from upright.tune.tune import CHOSEN, JUDGED, SEARCHED, tune
 
+pytestmark = pytest.mark.needs("module:cma")
+
 NXT = Robot.preset("nxtway-gs")
 KIT = find_kit(NXT.kit)
 TUNABLE = [name for name, method in CONTROLLERS.items() if method.tunable]

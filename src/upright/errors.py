@@ -4,11 +4,17 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable
+from importlib.util import find_spec
 
 LONGEST_SHOWN = 80
 """Letters of a name that a message repeats."""
 LONGEST_REASON = 200
 """Letters of another library's message that ours repeats."""
+EXTRAS = {
+    "cma": "tune", "control": "control", "cvxpy": "robust", "distributed": "cluster", "imageio_ffmpeg": "film",
+    "mcap": "mcap", "nxt": "nxt", "pybricksdev": "pybricks", "zarr": "zarr",
+}  # fmt: skip
+"""Modules that a plain installation lacks, and the extra of this package that brings each."""
 
 
 class UprightError(Exception):
@@ -66,6 +72,17 @@ class NotPermitted(UprightError):
 
 class MissingTool(UprightError):
     """An optional package or program that is not installed."""
+
+
+def lacking(what: str, module: str) -> str:
+    """Where a module of `EXTRAS` is not installed, one line: `what` needs it, and how to install it; "" where it is."""
+    return "" if find_spec(module) else f"{what} needs {module}: pip install 'upright[{EXTRAS[module]}]'"
+
+
+def require(what: str, module: str) -> None:
+    """Raise `MissingTool` where a module of `EXTRAS` is not installed, which `what` needs."""
+    if line := lacking(what, module):
+        raise MissingTool(line)
 
 
 class WrongArguments(UprightError, TypeError):

@@ -41,5 +41,6 @@ class Kept(_caching.NullCache):
 def njit(function: Callable[..., Any]) -> Any:
     """A compiled function, kept on disk, that lets other threads run and divides as IEEE says."""
     made: Any = numba.njit(nogil=True, error_model="numpy")(function)
-    made._cache = Kept(function)
+    if store.known_numba():
+        made._cache = Kept(function)
     return made

@@ -153,7 +153,7 @@ def sweep(
 ) -> None:
     """Run a campaign of robots, controllers and scenarios.
 
-    Runs in chunks on Dask. A stopped campaign continues from its finished chunks when it is started again.
+    Runs in chunks, in several processes. A stopped campaign goes on from its finished chunks when it is started again.
     """
     from upright.fleet.campaign import run_campaign
     from upright.fleet.sweep import read_campaign

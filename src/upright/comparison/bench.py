@@ -81,7 +81,7 @@ COLUMNS = {
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Bench(Shown):
     """All controllers of one robot under the same pushes; `logs` are the runs by controller and push, and `period` [s]
-    is the kit's."""
+    is the kit's. `left_out` says which methods need an extra that is not installed."""
 
     robot: str
     kit: str
@@ -90,6 +90,7 @@ class Bench(Shown):
     rows: tuple[BenchRow, ...]
     logs: Mapping[tuple[str, str], Log]
     period: float = math.nan
+    left_out: str = ""
 
     def listing(self) -> Listing:
         """One row for each controller and push."""
@@ -102,6 +103,7 @@ class Bench(Shown):
     def to_json(self) -> dict[str, Any]:
         """Plain numbers, without the logs."""
         where = {"robot": self.robot, "kit": self.kit, "body": self.body, "seed": self.seed}
+        where |= {"left_out": self.left_out} if self.left_out else {}
         return where | {"rows": [asdict(row) for row in self.rows]}
 
     def ranked(self) -> dict[str, float]:
@@ -168,11 +170,15 @@ def bench_controllers(
     the paper, held until 3 s and released; with `knocks` also the largest impulse that each recovers from, which takes
     ten runs a row.
 
+    None of `methods` leaves out those that need an extra that is not installed.
     A method that has no design for this robot gets a row that says why. Raises `UnknownName` for one that there is not.
     """
     nominal = find_robot(robot)
     parts = find_kit(kit or nominal.kit)
-    methods = methods or [name for name, method in CONTROLLERS.items() if method.benched]
+    left_out = ""
+    if not methods:
+        methods = [name for name, method in CONTROLLERS.items() if method.benched and not method.lacks]
+        left_out = "; ".join(method.lacks for method in CONTROLLERS.values() if method.lacks)
     for method in methods:
         _ = CONTROLLERS[method]  # raises for a name that there is not, before the work
     rows, logs, drawn = list[BenchRow](), dict[tuple[str, str], Log](), draw(nominal, DRAWN, seed)
@@ -187,8 +193,9 @@ def bench_controllers(
                 logs[row.controller, row.push] = log
             progress(len(rows) / (len(methods) * len(PUSHES)))
     return Bench(
-        robot=nominal.name, kit=parts.name, body=body, seed=seed, rows=tuple(rows), logs=logs, period=parts.period
-    )
+        robot=nominal.name, kit=parts.name, body=body, seed=seed, rows=tuple(rows), logs=logs, period=parts.period,
+        left_out=left_out,
+    )  # fmt: skip
 
 
 def bench_one(

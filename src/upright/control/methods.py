@@ -22,7 +22,7 @@ from upright.control.pid import pid
 from upright.control.robust import robust
 from upright.control.sliding import sliding
 from upright.control.tunable import TUNABLE, Tunable, sized
-from upright.errors import InvalidController, UnknownName
+from upright.errors import InvalidController, UnknownName, lacking
 from upright.plugins import Registry, made
 from upright.robots import Kit, Robot
 from upright.signals import STATE_NAMES
@@ -35,7 +35,7 @@ class Method:
     A `weighted` method has two more keywords (Bryson's rule): `largest`, the largest accepted deviation of each state
     (6,) [rad, rad/s, …], and `command`, the largest usual command of a motor. A `slow` one takes more than a second to
     design. One with `reads_truth` needs the true state. `benched` ones are in the table of all controllers.
-    `tunable` says how its weights are tuned.
+    `tunable` says how its weights are tuned. One that `needs` a module of an extra is left out where many are made.
     """
 
     make: Callable[..., Controller]
@@ -45,6 +45,12 @@ class Method:
     reads_truth: bool = False
     benched: bool = True
     tunable: Tunable | None = None
+    needs: str = ""
+
+    @property
+    def lacks(self) -> str:
+        """What to install before it can be designed, in one line; "" where nothing is missing."""
+        return lacking(f"design {self.name}", self.needs) if self.needs else ""
 
     def tuned(self, robot: Robot, kit: Kit, dt: float, weights: Mapping[str, float]) -> Controller:
         """The controller under these weights by name, those of `tunable`."""
@@ -123,7 +129,7 @@ OURS = (
     Method(name="hinf", make=hinf, slow=True, tunable=TUNABLE["hinf"]),
     Method(name="mpc", make=_by_weights(mpc), weighted=True, tunable=TUNABLE["mpc"]),
     Method(name="sliding", make=_by_weights(sliding), weighted=True, tunable=TUNABLE["sliding"]),
-    Method(name="robust", make=robust, weighted=True, slow=True),
+    Method(name="robust", make=robust, weighted=True, slow=True, needs="cvxpy"),
     Method(name="lqr-state", make=_by_weights(_lqr), weighted=True, reads_truth=True, benched=False),
 )
 

@@ -29,7 +29,7 @@ from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
 from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson, lqr
 from upright.control.observer import output_feedback
-from upright.errors import DesignFailed
+from upright.errors import DesignFailed, require
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import Uncertainty, draw
 from upright.signals import STATE_NAMES
@@ -134,8 +134,9 @@ def robust(
 
     Draws are from the `uncertainty` (None: what the robot's sources leave open). Bryson's rule gives the weights:
     `largest` accepted state (6,), largest `command` of each motor. The verdict is over as many draws again that the
-    design does not know. Raises `DesignFailed` where no gain stabilises the nominal robot.
+    design does not know. Raises `DesignFailed` where no gain stabilises the nominal robot, `MissingTool` without cvxpy.
     """
+    require("design robust", "cvxpy")
     robot, kit = find_robot(robot), find_kit(kit)
     near = draw(robot, tried, seed, uncertainty) if robots is None else list(robots)
     fresh = draw(robot, tried, seed + 1, uncertainty) if robots is None else near

@@ -12,6 +12,7 @@ import json
 import os
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import Future
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
@@ -20,11 +21,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from upright.atomic import make_folder, place_of, write_bytes, write_json
-from upright.errors import InvalidScenario, SpecMismatch
+from upright.errors import InvalidScenario, SpecMismatch, require
 from upright.fleet.ensemble import OUTCOMES, Ensemble
 from upright.fleet.results import labelled, load, unit_of, write_parquet
 from upright.fleet.tally import Cases, tally
-from upright.fleet.workers import connected, run_all
+from upright.fleet.workers import Worker, connected, run_all
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -91,10 +92,10 @@ class Campaign:
         ensemble = self.cases[chunk.case].ensemble
         return run_part(ensemble, chunk.start, chunk.stop, self.keep, _versions(), threads)
 
-    def submit(self, client: Any, chunk: Chunk) -> Any:
-        """The same on a Dask client: a future of the bytes, from one thread of a worker."""
+    def submit(self, worker: Worker, chunk: Chunk) -> Future[bytes]:
+        """The same on one thread of a worker."""
         ensemble = self.cases[chunk.case].ensemble
-        return client.submit(run_part, ensemble, chunk.start, chunk.stop, self.keep, _versions(), pure=False)
+        return worker.submit(run_part, ensemble, chunk.start, chunk.stop, self.keep, _versions())
 
 
 def run_campaign(
@@ -109,8 +110,11 @@ def run_campaign(
 
     `cluster` is a Dask scheduler's address; without one, `workers` processes on this machine (None: one a processor),
     or with 0 this process alone. `progress(done, total, seconds)` gets the chunks on disk and the time left. Raises
-    `InvalidScenario` where the folder holds another campaign, `UprightError` for a chunk that kills its workers.
+    `InvalidScenario` where the folder holds another campaign, `UprightError` for a chunk that kills its workers,
+    `MissingTool` for an address where Dask is not installed.
     """
+    if cluster is not None:
+        require("--cluster", "distributed")
     place = Path(os.path.expanduser(folder))
     total = sum(1 for _ in campaign.chunks())
     plan = json.loads(json.dumps(campaign.plan()))
@@ -130,8 +134,8 @@ def run_campaign(
         for chunk in todo:
             keep(chunk, campaign.run_chunk(chunk))
     elif todo:
-        with connected(workers, cluster) as client:
-            run_all(todo, campaign.submit, keep, client)
+        with connected(workers, cluster) as all_workers:
+            run_all(todo, campaign.submit, keep, all_workers)
     return summaries(campaign, place)
 
 

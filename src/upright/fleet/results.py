@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from upright.arrays import Array
 from upright.atomic import filling, place_of, writing
-from upright.errors import InvalidLog, MissingTool, UprightError
+from upright.errors import InvalidLog, UprightError, require
 from upright.fleet.binomial import RARE, Interval, clopper_pearson, upper_bound
 from upright.fleet.ensemble import OUTCOMES, Ensemble, Index
 from upright.fleet.vary import kit_numbers
@@ -146,7 +146,7 @@ def check_suffix(path: Path) -> None:
     if path.suffix not in (".parquet", ".zarr"):
         raise UprightError(f"{path.name} has no known format", expected="a name that ends in .parquet or .zarr")
     if path.suffix == ".zarr":
-        _zarr()
+        require("a result as .zarr", "zarr")
 
 
 def write_parquet(data: Dataset, stream: BinaryIO) -> None:
@@ -197,14 +197,6 @@ def _dataset(table: Any, note: Any) -> Dataset:
         read[column.name] = (dims, values[first].astype(kind), json.loads(column.metadata[b"attrs"]))
     coords = {name: read.pop(name) for name in note["coords"]}
     return xr.Dataset(read, coords, note["attrs"])
-
-
-def _zarr() -> Any:
-    try:
-        import zarr
-    except ImportError:
-        raise MissingTool("Zarr is not installed", hint="pip install 'upright[zarr]', or write .parquet") from None
-    return zarr
 
 
 def _save_zarr(data: Dataset, target: Path) -> Path:

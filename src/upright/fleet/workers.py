@@ -1,17 +1,20 @@
-"""Work on Dask: a cluster made here for as long as it is needed, or one at an address."""
+"""Work for many processes: new ones on this machine for as long as they are needed, or those of a Dask scheduler."""
 
 from __future__ import annotations
 
-import logging
+import multiprocessing
 import os
 import signal
-from collections.abc import Callable, Generator, Iterable
+import threading
+from collections import Counter
+from collections.abc import Callable, Generator, Iterable, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from multiprocessing import resource_tracker
-from typing import Any, TypeVar
+from typing import Any, Protocol, TypeVar
 
-from upright.atomic import TemporaryFolder
-from upright.errors import MissingTool, UprightError
+from upright.errors import UprightError
 
 T = TypeVar("T")
 
@@ -19,61 +22,98 @@ FAILURES = 3
 """How often the worker of one piece may die before the piece is given up: a worker may also die of another cause."""
 
 
-def run_all(work: Iterable[T], submit: Callable[[Any, T], Any], keep: Callable[[T, Any], None], client: Any) -> None:
-    """`submit(client, piece)` each piece of `work` and hand its result to `keep` as it comes; a few for each worker are
-    under way at a time, so that a long list costs no memory. A dead worker's pieces go to another one.
+class Worker(Protocol):
+    """What takes one piece after another."""
+
+    def submit(self, work: Callable[..., Any], /, *given: Any) -> Future[Any]: ...
+
+
+class Process:
+    """One process, so that it is known which piece killed it; the next piece then gets a new one."""
+
+    def __init__(self) -> None:
+        self._pool = _new_pool()
+
+    def submit(self, work: Callable[..., Any], /, *given: Any) -> Future[Any]:
+        with _not_interrupted():
+            try:
+                return self._pool.submit(work, *given)
+            except BrokenProcessPool:
+                self._pool = _new_pool()
+                return self._pool.submit(work, *given)
+
+    def end(self) -> None:
+        """What has begun is not waited for."""
+        self._pool.shutdown(wait=False, cancel_futures=True)
+
+
+def _new_pool() -> ProcessPoolExecutor:
+    return ProcessPoolExecutor(1, multiprocessing.get_context("spawn"), initializer=_end_with_parent)
+
+
+def run_all(
+    work: Iterable[T],
+    submit: Callable[[Worker, T], Future[Any]],
+    keep: Callable[[T, Any], None],
+    workers: Sequence[Worker],
+) -> None:
+    """`submit(worker, piece)` each piece of `work` and hand its result to `keep` as it comes; as many as there are
+    `workers` are under way at a time, so that a long list costs no memory. A dead worker's piece goes to a new one.
 
     Raises `UprightError` for a piece that kills its workers, and whatever the work itself raises.
     """
-    from distributed import KilledWorker, as_completed
+    waiting, running, deaths = iter(work), dict[Future[Any], tuple[Worker, T]](), Counter[T]()
+    for worker, piece in zip(workers, waiting, strict=False):
+        running[submit(worker, piece)] = worker, piece
+    while running:
+        for future in wait(running, return_when=FIRST_COMPLETED).done:
+            worker, piece = running.pop(future)
+            try:
+                keep(piece, future.result())
+                piece = next(waiting, None)
+            except BrokenProcessPool:
+                deaths[piece] += 1
+                if deaths[piece] > FAILURES:
+                    raise _deadly(f"{piece}") from None
+            if piece is not None:
+                running[submit(worker, piece)] = worker, piece
 
-    waiting, running = iter(work), dict[Any, T]()
 
-    def following() -> list[Any]:
-        piece = next(waiting, None)
-        if piece is None:
-            return []
-        future = submit(client, piece)
-        running[future] = piece
-        return [future]
-
-    ahead = 2 * max(1, sum(client.nthreads().values())) + 2
-    results = as_completed([future for _ in range(ahead) for future in following()])
-    for future in results:
-        piece = running.pop(future)
-        try:
-            keep(piece, future.result())
-        except KilledWorker:
-            raise UprightError(
-                f"{piece} killed its worker {FAILURES + 1} times", likely="too little memory for a chunk",
-                hint="make chunks smaller",
-            ) from None  # fmt: skip
-        results.update(following())
+def _deadly(piece: str) -> UprightError:
+    return UprightError(
+        f"{piece} killed its worker {FAILURES + 1} times", likely="too little memory for a chunk",
+        hint="make chunks smaller",
+    )  # fmt: skip
 
 
 @contextmanager
-def connected(workers: int | None = None, cluster: str | None = None) -> Generator[Any]:
-    """A client of the scheduler at the address `cluster`, or of `workers` processes made here (None: one a processor).
+def connected(workers: int | None = None, cluster: str | None = None) -> Generator[Sequence[Worker]]:
+    """Those of the scheduler at the address `cluster`, or so many processes made here (None: one a processor).
 
-    Raises `MissingTool` where Dask is not installed, `UprightError` where no scheduler answers.
+    Raises `UprightError` where no scheduler answers.
     """
+    if cluster is not None:
+        with _of_scheduler(cluster) as far:
+            yield far
+        return
+    made = [Process() for _ in range(workers or os.cpu_count() or 1)]
     try:
-        import dask.config
-        import distributed
-    except ImportError:
-        raise MissingTool("Dask is not installed", hint="pip install distributed, or use no workers") from None
-    with dask.config.set({"distributed.scheduler.allowed-failures": FAILURES}):
-        if cluster is not None:
-            with _client_of(cluster) as client:
-                yield client
-            return
-        count = workers or os.cpu_count() or 1
-        quiet: dict[str, Any] = {"dashboard_address": None, "silence_logs": logging.CRITICAL}
-        with TemporaryFolder() as folder, dask.config.set({"temporary-directory": folder}):
-            with _not_interrupted():
-                started = distributed.LocalCluster(n_workers=count, threads_per_worker=1, processes=True, **quiet)
-            with started as local, distributed.Client(local) as client:
-                yield client
+        yield made
+    finally:
+        for process in made:
+            process.end()
+
+
+def _end_with_parent() -> None:
+    """A worker waits for work, and would for ever where its parent was killed."""
+    parent = multiprocessing.parent_process()
+    assert parent is not None
+
+    def watch() -> None:
+        parent.join()
+        os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()
 
 
 @contextmanager
@@ -91,13 +131,21 @@ def _not_interrupted() -> Generator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def _client_of(address: str) -> Any:
+@contextmanager
+def _of_scheduler(address: str) -> Generator[Sequence[Worker]]:
     import distributed
 
     try:
-        return distributed.Client(address, timeout=5)
+        client: Any = distributed.Client(address, timeout=5)
     except (OSError, ValueError) as error:
         raise UprightError(
             f"no scheduler answers at {address} ({type(error).__name__})", expected="such as tcp://host:8786",
             hint="start one: dask scheduler",
         ) from None  # fmt: skip
+    with client:
+        # two a thread, so that none waits for the next piece
+        ahead = 2 * max(1, sum(client.nthreads().values())) + 2
+        try:
+            yield [client.get_executor(pure=False)] * ahead
+        except distributed.KilledWorker:
+            raise _deadly("a chunk") from None

@@ -3,8 +3,8 @@
 The key is a hash of the sources, of the versions of Python, Numba and LLVM, and of the processor, so that nothing stale
 is ever loaded; each file begins with a checksum of the rest and of its name, so that a damaged one is made anew.
 Loading needs LLVM's linker alone, not Numba, whose import takes longer than everything else together. Files stand in
-`UPRIGHT_CACHE`, or in the user's cache folder; where neither can be written, every process compiles. Parts of Numba
-used here are not public, hence the upper bound on its version in pyproject.toml.
+`UPRIGHT_CACHE`, or in the user's cache folder; where neither can be written, every process compiles. Nothing
+is kept under a Numba whose version is not one of `NUMBA`: what it makes of a function is not all public.
 """
 
 from __future__ import annotations
@@ -15,8 +15,7 @@ import hashlib
 import os
 import sys
 import tempfile
-from collections.abc import Generator
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 from functools import cache
 from importlib import import_module
 from importlib.metadata import version
@@ -41,6 +40,9 @@ ALSO = (
     "diagnose/propagation.py", "robots/robot.py", "robots/uncertainty.py",
 )  # fmt: skip
 """What else decides about functions that Numba itself compiles and calls."""
+
+NUMBA = ((0, 61), (0, 69))
+"""The first version of Numba under which functions are kept, and the first one that nobody tried, as in pyproject."""
 
 _CHECKSUM = hashlib.sha256().digest_size  # bytes before the code of a file
 _engines: list[Any] = []  # what they loaded lives as long as they do
@@ -83,12 +85,14 @@ def _prototype(count: int) -> Any:
 
 @cache
 def _address_of(module: str, function: str, arguments: tuple[str, ...]) -> int:
+    if not known_numba():
+        return _by_numba(module, function, arguments)
     path = path_of(function, repr((module, arguments)))
     code = kept(path)
     if code is None:
         code = _compiled(module, function, arguments)
         keep(path, code)
-    return _load(code, function)
+    return _engine(code).get_function_address(function)
 
 
 @cache
@@ -139,15 +143,22 @@ def keep(path: Path, code: bytes) -> None:
 
 def _compiled(module: str, function: str, arguments: tuple[str, ...]) -> bytes:
     """Machine code of an object file whose one entry has the name of the function and takes nothing but `arguments`."""
-    numba: Any = import_module("numba")
-    types = numba.types
-    kinds = [types.CPointer(getattr(types, a[1:])) if a[0] == "*" else getattr(types, a) for a in arguments]
-    python = getattr(import_module(f"upright.{module}"), function)
-    with _not_finished(numba):
-        options = {"error_model": "numpy", "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-        made: Any = numba.njit(types.void(*kinds), **options)(python)
-    (result,) = made.overloads.values()
-    final = llvm.parse_assembly(str(result.library._final_module))
+    numba, python, kinds = _asked(module, function, arguments)
+    level, collects = numba.config.OPT, gc.isenabled()
+    options = {"error_model": "numpy", "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+    # No other thread compiles meanwhile, at a level of optimisation that is not its own.
+    with import_module("numba.core.compiler_lock").global_compiler_lock:
+        try:
+            # Numba optimises every function, and again in each one that calls it: here that is done once, for all.
+            numba.config.OPT = type(level)(0)
+            gc.disable()  # what a compiler makes is kept until it is done: a tenth of its time would be spent to see it
+            made: Any = numba.njit(numba.types.void(*kinds), **options)(python)
+        finally:
+            numba.config.OPT = level
+            if collects:
+                gc.enable()
+    (result,), (text,) = made.overloads.values(), made.inspect_llvm().values()
+    final = llvm.parse_assembly(text)
     inner = result.fndesc.llvm_func_name
     final.link_in(llvm.parse_assembly(_entrance(function, inner, [_LLVM.get(a, "ptr") for a in arguments])))
     for part in final.functions:
@@ -157,32 +168,30 @@ def _compiled(module: str, function: str, arguments: tuple[str, ...]) -> bytes:
     return machine.emit_object(_optimised(final, machine))
 
 
-@contextmanager
-def _not_finished(numba: Any) -> Generator[None]:
-    """Numba optimises every function when it is made, again in each one that calls it, and makes machine code of all;
-    here that is done once, for all together, and nothing is loaded. No other thread compiles meanwhile."""
-    codegen = import_module("numba.core.codegen")
-    steps = [(codegen.JITCPUCodegen, "_add_module"), (codegen.JITCPUCodegen, "set_env")]
-    steps += [(codegen.JITCodeLibrary, "_finalize_specific")]
-    before = [(*place, getattr(*place)) for place in steps]
-    level, collects = numba.config.OPT, gc.isenabled()
-    with import_module("numba.core.compiler_lock").global_compiler_lock:
-        try:
-            for place in steps:
-                setattr(*place, _nothing)
-            numba.config.OPT = type(level)(0)
-            gc.disable()  # what a compiler makes is kept until it is done: a tenth of its time would be spent to see it
-            yield
-        finally:
-            numba.config.OPT = level
-            for place in before:
-                setattr(*place)
-            if collects:
-                gc.enable()
+def _asked(module: str, function: str, arguments: tuple[str, ...]) -> tuple[Any, Any, list[Any]]:
+    """Numba, the function, and the types of its arguments as Numba has them."""
+    numba: Any = import_module("numba")
+    types = numba.types
+    kinds = [types.CPointer(getattr(types, a[1:])) if a[0] == "*" else getattr(types, a) for a in arguments]
+    return numba, getattr(import_module(f"upright.{module}"), function), kinds
 
 
-def _nothing(*_: object) -> None:
-    """In place of what would be done with a function that is not to run here."""
+def _by_numba(module: str, function: str, arguments: tuple[str, ...]) -> int:
+    """The address of what Numba makes by itself, for this process alone."""
+    numba, python, kinds = _asked(module, function, arguments)
+    made: Any = numba.cfunc(numba.types.void(*kinds), error_model="numpy")(python)
+    _engines.append(made)
+    return made.address
+
+
+@cache
+def known_numba() -> bool:
+    """Whether functions can be kept: parts of Numba that are used here are not public. Says so once where not."""
+    present = version("numba")
+    known = NUMBA[0] <= tuple(int(part) for part in present.split(".")[:2]) < NUMBA[1]
+    if not known:
+        sys.stderr.write(f"upright: numba {present} was never tried: every process compiles anew, which takes longer\n")
+    return known
 
 
 def _optimised(module: Any, machine: Any) -> Any:
@@ -215,10 +224,6 @@ def _entrance(name: str, inner: str, kinds: list[str]) -> str:
             %status = call i32 @"{inner}"(ptr %result, ptr %exception, {head})
             ret void
         }}"""
-
-
-def _load(code: bytes, name: str) -> int:
-    return _engine(code).get_function_address(name)
 
 
 def _engine(code: bytes) -> Any:

@@ -137,8 +137,9 @@ BY_HAND, OFF = "gains", "off"
 
 
 def families() -> tuple[FamilyInfo, ...]:
-    """Every controller family of the page: the registered methods that can be loaded, then the page's own two."""
-    known = [FamilyInfo(name, m.weighted, m.reads_truth) for name in CONTROLLERS if (m := _loadable(name))]
+    """Every controller family of the page: the registered methods that can be made here, then the page's own two."""
+    methods = {name: _loadable(name) for name in CONTROLLERS}
+    known = [FamilyInfo(name, m.weighted, m.reads_truth) for name, m in methods.items() if m and not m.lacks]
     return (*known, FamilyInfo(BY_HAND, False, False), FamilyInfo(OFF, False, False))
 
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import IO, Any
 
-from upright.errors import MissingTool, UprightError
+from upright.errors import UprightError, require
 
 SEARCH = 30.0  # [s] to find a brick: the process that looks for it must begin first, on a busy machine too
 PATIENCE = 10.0  # [s] for an answer; a file of 30 kB takes 3 s over Bluetooth
@@ -45,10 +45,7 @@ class Connection:
     """A brick at `port`: usb, or the path of a device. Raises `BrickLost`, `BrickRefused` or `MissingTool`."""
 
     def __init__(self, port: str, patience: float = PATIENCE) -> None:
-        from importlib.util import find_spec
-
-        if find_spec("nxt") is None:
-            raise MissingTool("nxt-python is not installed", hint="pip install 'upright[nxt]'")
+        require("an NXT", "nxt")
         self._port, self._patience = port, patience
         self.connect()
 

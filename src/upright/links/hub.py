@@ -13,7 +13,7 @@ from contextlib import asynccontextmanager, suppress
 from pathlib import Path
 from typing import Any, Protocol, TypeVar
 
-from upright.errors import MissingTool, UprightError
+from upright.errors import UprightError, require
 
 OLDEST = (3, 4)  # Pybricks whose names programs use: Axis among the parameters (3.3), buttons on every hub (3.4)
 PATIENCE = 5.0  # [s] to wait for an answer; a hub answers in 0.1 s
@@ -173,10 +173,7 @@ async def linked(port: str | Peripheral, patience: float = PATIENCE) -> AsyncGen
 
 
 async def _hub_at(port: str | Peripheral) -> tuple[Any, str]:
-    from importlib.util import find_spec
-
-    if find_spec("pybricksdev") is None:
-        raise MissingTool("pybricksdev is not installed", hint="pip install 'upright[pybricks]'")
+    require("a Pybricks hub", "pybricksdev")
     os.environ.setdefault("TQDM_DISABLE", "1")  # pybricksdev draws a bar of its own, before it is loaded alone
     from pybricksdev.ble import find_device
     from pybricksdev.connections.pybricks import PybricksHub, PybricksHubBLE

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from upright.arrays import Array, Complex, read_only
-from upright.errors import InvalidModel, InvalidRobot, UprightError
+from upright.errors import InvalidModel, InvalidRobot, UprightError, require
 from upright.physics.dynamics import CALM, MODELS, Disturbance, derivative
 from upright.robots import Robot, find_robot
 from upright.robots.robot import unusual
@@ -219,6 +219,7 @@ class LinearModel(Shown):
 
     def to_control(self) -> Any:
         """The same as `control.StateSpace`, names kept."""
+        require("to_control", "control")
         control: Any = import_module("control")
         names = {name: list(getattr(self, name)) for name in ("states", "inputs", "outputs")}
         return control.StateSpace(self.A, self.B, self.C, self.D, self.dt, **names)
@@ -226,6 +227,7 @@ class LinearModel(Shown):
     @classmethod
     def from_control(cls, system: Any) -> LinearModel:
         """From a `control.StateSpace` or `control.TransferFunction`; its dt must be a number, not True or None."""
+        require("from_control", "control")
         control: Any = import_module("control")
         system = control.ss(system)
         if system.dt is None or system.dt is True:

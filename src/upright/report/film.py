@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from upright.arrays import Array
 from upright.atomic import TemporaryFolder, write_bytes
 from upright.diagnose.post_mortem import robot_of
-from upright.errors import InvalidLog, MissingTool, UprightError
+from upright.errors import InvalidLog, UprightError, require
 from upright.logs.raw import GYRO, RATES
 from upright.plotting import COLOURS, FOOT, HEAD, INK, LEFT, RIGHT, line, numbered, span, styled
 from upright.progress import Progress
@@ -318,12 +318,9 @@ def _encoded(pictures: Generator[Frame], suffix: str, frames: float) -> bytes:
 
 
 def _mp4(pictures: Generator[Frame], frames: float) -> bytes:
-    try:
-        import imageio_ffmpeg  # pyright: ignore[reportMissingTypeStubs]
-    except ImportError:
-        raise MissingTool(
-            "an MP4 needs the package imageio-ffmpeg", hint="pip install imageio-ffmpeg, or write a .gif"
-        ) from None
+    require("a film as .mp4", "imageio_ffmpeg")
+    import imageio_ffmpeg  # pyright: ignore[reportMissingTypeStubs]
+
     first = next(pictures)
     height, width = (side - side % 2 for side in first.shape[:2])  # H.264 halves the resolution of colours
     folder = TemporaryFolder()

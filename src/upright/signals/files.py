@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import BinaryIO, TypeVar
 
 from upright.atomic import writing
-from upright.errors import InvalidLog, UprightError
+from upright.errors import InvalidLog, UprightError, require
 from upright.reading import expanded
 from upright.signals.header import Columns, check_writable
 
@@ -36,6 +36,7 @@ def _csv() -> _Format:
 
 
 def _mcap() -> _Format:
+    require("a log as .mcap", "mcap")
     from upright.signals import mcap
 
     return _Format(mcap.write, mcap.read)

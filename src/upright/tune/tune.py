@@ -24,7 +24,7 @@ from upright.control import CONTROLLERS, Controller, controller_hash, write_cont
 from upright.control.identity import request_hash
 from upright.control.methods import Method
 from upright.control.tunable import UNITS
-from upright.errors import InvalidController, InvalidScenario, check_within
+from upright.errors import InvalidController, InvalidScenario, check_within, require
 from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import draw
@@ -204,8 +204,10 @@ def tune(
     controller are compared on `samples` robots that it never saw; where the chosen one is worse in falls, knock or a
     margin, the default is kept. `state` is a file that holds the search while it runs; with `resume` it goes on from
     there. `progress` receives the fraction done. Raises `UnknownName` for a method that is not registered,
-    `InvalidController` for one without weights, `InvalidScenario` for a wrong number or file.
+    `InvalidController` for one without weights, `InvalidScenario` for a wrong number or file, `MissingTool` without the
+    package cma.
     """
+    require("upright tune", "cma")
     nominal = find_robot(robot)
     parts, chosen = find_kit(kit or nominal.kit), _method(method)
     check_within("candidates of a search", budget, 1, MOST_BUDGET)
