@@ -24,7 +24,10 @@ class Registry(Mapping[str, Entry], Generic[Entry]):
     """
 
     def __init__(self, kind: str, group: str, own: Mapping[str, Entry], entry: Callable[[str, Any], Entry]) -> None:
-        self.kind, self.group, self._own, self._entry = kind, group, dict(own), entry
+        self.kind = kind
+        self.group = group
+        self._own = dict(own)
+        self._entry = entry
 
     def register(self, name: str, thing: Any) -> None:
         """Add an entry while the program runs; raises `InvalidPlugin` for a name that is taken."""

@@ -128,7 +128,8 @@ def spoken(name: str) -> str:
     match = re.fullmatch(r"(?:[a-z_]+\.)*([a-z_]+)(?:/(.+))?", name)
     if not match:
         return name.replace("_", " ")
-    kind, of = match[1], (match[2] or "").replace("_", " ")
+    kind = match[1]
+    of = (match[2] or "").replace("_", " ")
     return f"{of} {kind}" if of else SPOKEN.get(kind, kind.replace("_", " "))
 
 

@@ -61,7 +61,8 @@ class Electronics:
         rng = np.random.Generator(np.random.Philox(seed))
         first = self.body.reset(start, seed)
         self._line.reset(rng)
-        self._voltage, self._driven = self.kit.battery.voltage, None
+        self._voltage = self.kit.battery.voltage
+        self._driven = None
         for index, channel in self._sensors:
             channel.reset(rng, self._voltage if index is None else first.numbers[index])
         return self._sample(first)
@@ -134,7 +135,8 @@ class _CommandLine:
         self._delay, self._jitter = round(kit.delay / period), round(kit.jitter / period)
 
     def reset(self, rng: np.random.Generator) -> None:
-        self._rng, self._now = rng, 0
+        self._rng = rng
+        self._now = 0
         self._latest = self._current = (0.0, 0.0)
         self._waiting: deque[tuple[int, tuple[float, ...]]] = deque()
 
@@ -153,7 +155,8 @@ class _Channel:
     """One sensor: play, delay, bias, noise, quantum, range, sample and hold, in this order."""
 
     def __init__(self, sensor: Sensor, name: str, period: float, kit: Kit) -> None:
-        self._sensor, self._numbers = sensor, [getattr(sensor, name) for name in SENSOR_NUMBERS]
+        self._sensor = sensor
+        self._numbers = [getattr(sensor, name) for name in SENSOR_NUMBERS]
         self._play = kit.motor.backlash / 2 if "encoder" in name else 0.0
         self._delay = round(sensor.delay / period)
         self._every = max(1, round(sensor.period / period))
@@ -163,7 +166,8 @@ class _Channel:
         self.lasts = bool(not self._alone or self._play or self._delay or self._noisy)
 
     def reset(self, rng: np.random.Generator, first: float) -> None:
-        self._random, self._wait = rng.standard_normal, 0
+        self._random = rng.standard_normal
+        self._wait = 0
         self._line = deque([first] * (self._delay + 1), maxlen=self._delay + 1)
         self._touch = first
         self._bias = self._sensor.bias * float(self._random()) if self._sensor.bias else 0.0

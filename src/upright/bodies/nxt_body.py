@@ -35,7 +35,8 @@ class Leash:
         """(limit [°], whether it must begin afresh) for a motor that is to get `power` [%] and stands `at` [°]."""
         if not power:
             return 0, False  # nothing to stop, and it leaves the end where it is
-        way, reach = (1 if power > 0 else -1), self._reach(power)
+        way = 1 if power > 0 else -1
+        reach = self._reach(power)
         if self.end is None or (more := reach - way * (self.end - at)) < -reach:
             return reach, True  # an end too far ahead cannot be called back
         self.end += way * max(1, more)  # a limit of 0 would be none
@@ -70,20 +71,28 @@ class NxtBody:
     def __init__(self, robot: Robot, port: str = "usb", *, wait: Callable[[float], None] | None = None) -> None:
         kind = "NXT over a cable" if wait is None else "virtual NXT with the twin round it, over a cable"
         self.spec = remote_spec(kind, robot, PERIOD, FRESH, real=wait is None)
-        self.overruns, self._port, self._wait, self._brick = 0, port, wait, None
+        self.overruns = 0
+        self._port = port
+        self._wait = wait
+        self._brick = None
         self._steps, self._offset, self._battery, self._tick, self._began = 0, 0.0, 0.0, 0.0, 0.0
-        self._leashes, self._turned = [Leash() for _ in MOTORS], [0 for _ in MOTORS]
+        self._leashes = [Leash() for _ in MOTORS]
+        self._turned = [0 for _ in MOTORS]
 
     def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:  # noqa: ARG002 (hardware makes its own noise)
         at_rest(start, self.spec.kind)
         brick = self._connected()
         brick.ask("release", ports=MOTORS)
         brick.ask("sensor", port=GYRO, kind=GYRO_KIND)
-        self._steps, self.overruns, self._offset, self._tick = 0, 0, 0.0, time.monotonic()
+        self._steps = 0
+        self.overruns = 0
+        self._offset = 0.0
+        self._tick = time.monotonic()
         self._leashes = [Leash() for _ in MOTORS]
         still = [self._look() for _ in range(STILL)]
         self._offset = sum(reading.gyro for reading in still) / STILL
-        self._battery, self._tick = still[-1].battery, time.monotonic()
+        self._battery = still[-1].battery
+        self._tick = time.monotonic()
         self._began = self._tick
         return as_sample(0.0, still[-1], self._offset, (0.0, 0.0))
 
@@ -93,7 +102,8 @@ class NxtBody:
         self._drive(duties)
         self._pass()
         reading = self._look()
-        self._steps, self._battery = self._steps + 1, reading.battery
+        self._steps += 1
+        self._battery = reading.battery
         return as_sample(self._clock(), reading, self._offset, duties)
 
     def _clock(self) -> float:
@@ -102,7 +112,8 @@ class NxtBody:
 
     def close(self) -> None:
         """Switch the motors off, and let go of the brick."""
-        brick, self._brick = self._brick, None
+        brick = self._brick
+        self._brick = None
         if brick is not None:
             with suppress(BrickLost, BrickRefused):
                 brick.ask("release", ports=MOTORS)
@@ -136,5 +147,6 @@ class NxtBody:
         self._tick += PERIOD
         rest = self._tick - time.monotonic()
         if rest < 0:
-            self.overruns, self._tick = self.overruns + 1, time.monotonic()
+            self.overruns += 1
+            self._tick = time.monotonic()
         time.sleep(max(0.0, rest))

@@ -34,8 +34,12 @@ class PybricksBody:
         real = isinstance(port, str)
         kind = "Pybricks hub over Bluetooth" if real else "virtual Pybricks hub with the twin round it"
         self.spec = remote_spec(kind, robot, PERIOD, FRESH, real)
-        self.overruns, self._port, self._program = 0, port, program
-        self._runner, self._stack, self._hub = asyncio.Runner(), AsyncExitStack(), None
+        self.overruns = 0
+        self._port = port
+        self._program = program
+        self._runner = asyncio.Runner()
+        self._stack = AsyncExitStack()
+        self._hub = None
         self._tick, self._time, self._began, self._offset, self._battery = 0, 0, 0, 0.0, 0.0
 
     def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:  # noqa: ARG002 (hardware makes its own noise)
@@ -59,7 +63,9 @@ class PybricksBody:
         self._tick, self.overruns = 0, 0
         still = [(await self._next(hub))[0] for _ in range(STILL)]
         self._offset = sum(reading.gyro for reading in still) / STILL
-        self._battery, self._began, self.overruns = still[-1].battery, self._time, 0
+        self._battery = still[-1].battery
+        self._began = self._time
+        self.overruns = 0
         return as_sample(0.0, still[-1], self._offset, (0, 0))
 
     async def _step(self, duties: Sequence[int]) -> Sample:
@@ -102,7 +108,8 @@ class PybricksBody:
             hub.lines = [line for line in lines if line]  # its last words, perhaps
             return []
         tick, *values, self._time = rows[-1]
-        self.overruns, self._tick = self.overruns + tick - self._tick - 1, tick
+        self.overruns = self.overruns + tick - self._tick - 1
+        self._tick = tick
         return values
 
     async def _ended(self, hub: HubLink) -> None:
@@ -111,7 +118,8 @@ class PybricksBody:
             await hub.news(hub.patience)
 
     async def _close(self) -> None:
-        hub, self._hub = self._hub, None
+        hub = self._hub
+        self._hub = None
         if hub:
             with suppress(HubLost, HubRefused):
                 await self._ended(hub)

@@ -23,7 +23,8 @@ ANSWER = 16  # bytes that a digital sensor's answer takes
 
 FIRMWARE = (28, 1)  # minor and major version
 PROTOCOL = (124, 1)
-NAME, ADDRESS = b"virtual", bytes(range(6))
+NAME = b"virtual"
+ADDRESS = bytes(range(6))
 COST = 1  # [µs] of an instruction by default
 
 
@@ -36,10 +37,13 @@ class VirtualBrick:
 
     def __init__(self, hardware: Hardware | None = None, cost: int = COST) -> None:
         self.hardware = Hardware() if hardware is None else hardware
-        self.cost, self.silent, self.failure = cost, False, ""
+        self.cost = cost
+        self.silent = False
+        self.failure = ""
         self.machine: Machine | None = None
         self._ran = 0.0
-        self.running, self.searches = "", dict[int, list[str]]()
+        self.running = ""
+        self.searches = dict[int, list[str]]()
 
     @property
     def seconds(self) -> float:
@@ -55,9 +59,11 @@ class VirtualBrick:
         try:
             status, results = (UNKNOWN, b"") if command is None else command(self, data[2:])
         except (struct.error, IndexError):
-            status, results = SHORT, b""
+            status = SHORT
+            results = b""
         except InvalidProgram:
-            status, results = BAD_DATA, b""
+            status = BAD_DATA
+            results = b""
         return b"" if data[0] & NO_REPLY else bytes([REPLY, data[1], status]) + results
 
     def run(self, until: float) -> None:
@@ -84,13 +90,17 @@ class VirtualBrick:
         except InvalidProgram:
             return BROKEN
         self.stop()
-        self.machine, self.running, self.failure = Machine(program, self.hardware, self.cost), name, ""
+        self.machine = Machine(program, self.hardware, self.cost)
+        self.running = name
+        self.failure = ""
         return OK
 
     def stop(self) -> None:
         """End the program, motors first."""
         self.hardware.stop()
-        self._ran, self.machine, self.running = self.seconds, None, ""
+        self._ran = self.seconds
+        self.machine = None
+        self.running = ""
 
 
 Answer = tuple[int, bytes]
@@ -187,7 +197,8 @@ def _set_output(brick: VirtualBrick, data: bytes) -> Answer:
 
 
 def _get_output(brick: VirtualBrick, data: bytes) -> Answer:
-    port, hardware = data[0], brick.hardware
+    port = data[0]
+    hardware = brick.hardware
     power, mode, state, limit, turned = (hardware.get_output(port, item) for item in (2, 1, 6, 5, 4))
     return OK, struct.pack("<BbBBbBIiii", port, power, mode, 0, 0, state, limit, turned, turned, turned)
 

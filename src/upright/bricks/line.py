@@ -34,7 +34,9 @@ class Line:
                 hint="Linux, macOS or WSL; or upright parity, which needs none",
             ) from None
 
-        self.brick, self.until, self._speed = brick, math.inf, speed
+        self.brick = brick
+        self.until = math.inf
+        self._speed = speed
         self._ours, self._theirs = pty.openpty()
         tty.setraw(self._theirs)
         self.path = os.ttyname(self._theirs)
@@ -76,13 +78,15 @@ class Line:
     def _answer(self, received: bytes) -> bytes:
         """Answer every complete telegram and return the remaining bytes."""
         while len(received) >= 2 and len(received) >= 2 + (size := struct.unpack("<H", received[:2])[0]):
-            reply, received = self.brick.telegram(received[2 : 2 + size]), received[2 + size :]
+            reply = self.brick.telegram(received[2 : 2 + size])
+            received = received[2 + size :]
             if reply:
                 os.write(self._ours, struct.pack("<H", len(reply)) + reply)
         return received
 
     def _go_on(self) -> None:
-        began, machine = time.monotonic(), self.brick.machine
+        began = time.monotonic()
+        machine = self.brick.machine
         assert machine is not None
         self.brick.run(min(machine.time * 1e-6 + SLICE, self.until))
         if self.brick.seconds >= self.until:

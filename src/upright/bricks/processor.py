@@ -53,7 +53,8 @@ class Processor:
 
     def store(self, index: int) -> Callable[[Any], None]:
         """What puts a number into the variable `index`, as its type holds it."""
-        cells, hold = self.cells, holder(self.program.entries[index].type)
+        cells = self.cells
+        hold = holder(self.program.entries[index].type)
         return lambda x: cells.__setitem__(index, hold(x))
 
     def number(self, index: int, nothing: int = 0) -> Callable[[], Any]:
@@ -74,7 +75,8 @@ def holder(kind: Type) -> Callable[[Any], Any]:
         return lambda x: _SINGLE.unpack(_SINGLE.pack(x))[0]
     if kind not in _WIDTH:
         raise InvalidProgram(f"a number is stored in a {kind.name.lower()}")
-    width, low = 1 << _WIDTH[kind], -(1 << _WIDTH[kind] - 1) if kind in _SIGNED else 0
+    width = 1 << _WIDTH[kind]
+    low = -(1 << _WIDTH[kind] - 1) if kind in _SIGNED else 0
 
     def wrap(x: Any) -> int:
         if x != int(x):

@@ -73,7 +73,8 @@ class Executable:
 
     def decode(self, at: int) -> Code:
         """The instruction at that word; a short one is given as the long one that it stands for."""
-        word, size = self.code[at], self.code[at] >> 12
+        word = self.code[at]
+        size = self.code[at] >> 12
         length = (self.code[at + 1] if size == LONG else size) // 2
         args = self.code[at + (2 if size == LONG else 1) : at + length]
         condition = word >> 8 & 7
@@ -84,7 +85,8 @@ class Executable:
 
     def members(self, index: int) -> list[int]:
         """The members of the cluster `index`, in order; those of clusters inside it are theirs."""
-        members, at = list[int](), index + 1
+        members = list[int]()
+        at = index + 1
         for _ in range(self.entries[index].data):
             members.append(at)
             at = self._after(at)
@@ -95,7 +97,8 @@ class Executable:
         return self.entries[array + 1].type
 
     def _after(self, index: int) -> int:
-        entry, after = self.entries[index], index + 1
+        entry = self.entries[index]
+        after = index + 1
         for _ in range({Type.CLUSTER: entry.data, Type.ARRAY: 1}.get(entry.type, 0)):
             after = self._after(after)
         return after
@@ -118,7 +121,8 @@ def _read(data: bytes) -> Executable:
     rows = list(struct.iter_unpack("<BBH", data[at : at + 4 * count]))
     entries = tuple(TypeEntry(Type(kind), bool(flags & ZERO), address) for kind, flags, address in rows)
     at += 4 * count
-    first, at = data[at : at + size], at + size + (at + size) % 2
+    first = data[at : at + size]
+    at = at + size + (at + size) % 2
     records = [struct.unpack_from("<BBH", data, at + 4 * i) for i in range(clumps)]
     at += 4 * clumps + sum(dependents for _, dependents, _ in records)
     at += at % 2

@@ -41,7 +41,8 @@ class Script:
 
     def __init__(self, target: str, absent: Sequence[str] = (), pace: float = 0.0, tells: bool = False) -> None:
         self._folder = TemporaryFolder()
-        self.folder, self.lines = Path(self._folder.name), list[str]()
+        self.folder = Path(self._folder.name)
+        self.lines = list[str]()
         shim = (files("upright.bricks") / "shims" / f"{target}.shim").read_text("utf-8")
         write_text(self.folder / "start.py", shim)
         self._command = [_interpreter(target == "pybricks"), "start.py", *absent, f"pace={pace * 1e3}"]

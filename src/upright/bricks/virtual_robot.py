@@ -25,7 +25,8 @@ class VirtualRobot:
 
     def __init__(self, hardware: Hardware, world: World, wiring: Wiring = WIRED) -> None:
         self.world, self._hardware, self._wiring = world, hardware, wiring
-        self._period, self._next = round(world.period * 1e6), 0
+        self._period = round(world.period * 1e6)
+        self._next = 0
         set_readings(hardware, world.raw(), wiring)
         hardware.world = self.reach
 
@@ -71,7 +72,8 @@ def virtual_flight(
     wiring: Wiring = WIRED,
 ) -> Generator[VirtualFlight]:
     """A brick with the twin round it, wired so, for as long as the block lasts; its time runs as fast as it can."""
-    brick, world = VirtualBrick(cost=COST), World("nxc", robot, kit, pushes, body=body, seed=seed)
+    brick = VirtualBrick(cost=COST)
+    world = World("nxc", robot, kit, pushes, body=body, seed=seed)
     around = VirtualRobot(brick.hardware, world, wiring)
     with Line(brick) as line:
         yield VirtualFlight(line, brick, around)

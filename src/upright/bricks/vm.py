@@ -17,7 +17,8 @@ class Machine(Processor):
 
     def __init__(self, program: Executable, devices: Devices, cost: int) -> None:
         super().__init__(program, devices)
-        self.cost, self.executed = cost, 0
+        self.cost = cost
+        self.executed = 0
         self._steps: dict[int, tuple[Step, int]] = {}
         self._at = program.clumps[0]
 

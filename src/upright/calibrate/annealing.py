@@ -45,7 +45,8 @@ def annealed(problem: Problem, limits: Mapping[str, float]) -> tuple[Problem, Ar
 
 def from_likeliest_delays(problem: Problem, z: Array, limits: Mapping[str, float]) -> tuple[Problem, Array] | None:
     """The same from the likeliest delays; None where those at z (parameters,) are near them."""
-    start, period = _likeliest_delays(problem, limits), problem.recordings[0].period
+    start = _likeliest_delays(problem, limits)
+    period = problem.recordings[0].period
     off = [
         abs(float(p.value(a) - p.value(b)))
         for p, a, b in zip(problem.parameters, z, start, strict=False)
@@ -74,7 +75,8 @@ def _less_noise(problem: Problem, z: Array, limits: Mapping[str, float]) -> tupl
 def _fits(problem: Problem, z: Array, limits: Mapping[str, float]) -> tuple[Problem, Array]:
     """From z, and from there with a dead zone that is likelier at the first noise: the likelier of both ends."""
     first = _at(problem, z, limits, ANNEALING_NOISE[0])
-    end, other = _descended(problem, z, limits, first), with_other_zone(first, z, objective(first, z)[0])
+    end = _descended(problem, z, limits, first)
+    other = with_other_zone(first, z, objective(first, z)[0])
     if other is None:
         return end
     there = _descended(problem, other, limits, _at(problem, other, limits, ANNEALING_NOISE[0]))
@@ -128,7 +130,8 @@ def _likeliest_delays(problem: Problem, limits: Mapping[str, float]) -> Array:
     in time, and hardly for the right robot: its likelihood has one deep optimum where that of a stiff filter has many.
     """
     problem = with_process(replace(problem, recordings=_beginnings(problem)), ANNEALING_NOISE[0])
-    bounds, least = sensor_bounds(limits), np.array([p.least for p in problem.parameters])
+    bounds = sensor_bounds(limits)
+    least = np.array([p.least for p in problem.parameters])
 
     def value(periods: tuple[int, int]) -> float:
         z = _with_delays(problem, periods)
@@ -140,7 +143,8 @@ def _likeliest_delays(problem: Problem, limits: Mapping[str, float]) -> Array:
         around = [(best[0] + i, best[1] + j) for i, j in product(PERIODS, PERIODS)]
         new = [at for at in around if at not in known]
         known |= zip(new, in_threads(value, new), strict=True)
-        before, best = best, min(known, key=lambda at: known[at])
+        before = best
+        best = min(known, key=lambda at: known[at])
         if max(abs(best[0] - before[0]), abs(best[1] - before[1])) < max(PERIODS):
             break
     return _with_delays(problem, best)

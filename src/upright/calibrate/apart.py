@@ -86,7 +86,8 @@ def apart(problem: Problem, z: Array, sources: Sequence[str]) -> tuple[str, ...]
         if odd_windings and BATTERY not in {p.name for p in problem.asked}:  # no factor is in doubt
             return _windings(problem, z, sources)
         return _likeliest(problem, z, odd_windings, least, sources)
-    furthest, left = max(gaps), {run: [g.deviations for g in gaps if run not in (g.run, g.other)] for run in runs}
+    furthest = max(gaps)
+    left = {run: [g.deviations for g in gaps if run not in (g.run, g.other)] for run in runs}
     odd = min(runs, key=lambda run: max(left[run], default=0.0))
     limited = len(runs) > 2 and max(left[odd], default=0.0) <= limit
     if acts := _likeliest(problem, z, [odd] if limited else runs, least, sources):
@@ -120,7 +121,8 @@ def _other_windings(problem: Problem, z: Array) -> list[int]:
 def _windings(problem: Problem, z: Array, sources: Sequence[str]) -> tuple[str, ...]:
     """The winding that each run needs, and which run is furthest from the others: in words."""
     i = [p.name for p in problem.asked].index(WINDING)
-    p, runs = problem.asked[i], range(len(sources))
+    p = problem.asked[i]
+    runs = range(len(sources))
     needs = [float(p.value(problem.of_run(z[:, None], run)[i, 0])) for run in runs]
     odd = max(runs, key=lambda run: abs(math.log(needs[run] / np.median(needs))))
     others = joined([f"{value:.3g}" for run, value in enumerate(needs) if run != odd])
@@ -160,8 +162,11 @@ def _acts(problem: Problem, z: Array, run: int, none: Minimum, own: float) -> _F
     supply = f"{RUN}{run}/{BATTERY}"
     if supply not in names:
         return None
-    i, battery = names.index(supply), problem.parameters[names.index(BATTERY)]
-    p, unit = problem.parameters[i], battery.rate  # what a deviation of one is, in the factor's logarithm
+    i = names.index(supply)
+    battery = problem.parameters[names.index(BATTERY)]
+    # what a deviation of one is, in the factor's logarithm
+    p = problem.parameters[i]
+    unit = battery.rate
     free = replace(
         problem, parameters=tuple(replace(q, spread=GUESS / unit) if q is p else q for q in problem.parameters)
     )
@@ -187,7 +192,8 @@ def _acts(problem: Problem, z: Array, run: int, none: Minimum, own: float) -> _F
 
 
 def _named(acts: _Factor, sources: Sequence[str]) -> str:
-    which, others = f"log {acts.run + 1}, {sources[acts.run]},", "other" if len(sources) == 2 else "others"
+    which = f"log {acts.run + 1}, {sources[acts.run]},"
+    others = "other" if len(sources) == 2 else "others"
     return (
         f"The commands of {which} act {acts.value:.3g} times ({acts.low:.3g} to {acts.high:.3g}) as strongly as those "
         f"of the {others} ({acts.gained:.0f} nats): look for a gain, a supply or a duty that differed."
@@ -213,7 +219,8 @@ def _words(gaps: Sequence[_Gap], limit: float) -> str:
 def _fitted(problem: Problem, z: Array, runs: Sequence[int]) -> tuple[Problem, Array, Normal, Sequence[Path]]:
     """Some of the runs fitted by themselves."""
     shared = [i for i, p in enumerate(problem.parameters) if not p.name.startswith(RUN)]
-    parameters, first = [problem.parameters[i] for i in shared], problem.of_run(z[:, None], runs[0])[:, 0]
+    parameters = [problem.parameters[i] for i in shared]
+    first = problem.of_run(z[:, None], runs[0])[:, 0]
     if len(runs) > 1:
         first = z[shared]
         for new, run in enumerate(runs):
@@ -243,7 +250,8 @@ def _numbers(problem: Problem, z: Array, C: Array) -> list[_Number]:
             value, low, high = (float(p.value(at + side * spread)) for side in (0.0, -NORMAL, NORMAL))
             numbers.append(_Number(p.name, p.unit, at, spread, value, low, high, spread < HALVED))
     for c in combined_numbers(problem, z):
-        spread, before = float(np.sqrt(c.slopes @ C @ c.slopes)), float(np.linalg.norm(c.slopes))
+        spread = float(np.sqrt(c.slopes @ C @ c.slopes))
+        before = float(np.linalg.norm(c.slopes))
         if c.name in COEFFICIENTS and before > 0:
             low, high = (c.value + side * spread for side in (-NORMAL, NORMAL))
             numbers.append(_Number(c.name, c.unit, c.value, spread, c.value, low, high, spread < HALVED * before))

@@ -132,7 +132,8 @@ def _described(
     """The fit that `searched` finds, with its doubtful numbers; the logs as they are meant; and what their files state,
     in words. Where something is `wrong` in the logs, and half seconds are not predicted all the same, no cause is
     looked for: they are of no robot."""
-    fit, meant = searched(logs, 0.01, 0.1 if wrong else 0.7, brief=wrong), list[str]()
+    fit = searched(logs, 0.01, 0.1 if wrong else 0.7, brief=wrong)
+    meant = list[str]()
     if wrong and simulated(fit) < GOOD:
         return Explained(fit, [], 0.0), logs, meant
     if wrong:
@@ -160,7 +161,8 @@ def prepared(
     limits = {s: max(v[s] for v in variances if s in v) for s in delays}
     noise = {s: float(np.log(v)) for s, v in limits.items()}
     noise |= arrival(kit, logs)
-    other, electronics = foreign(logs), electronics_of(robot, kit, logs)
+    other = foreign(logs)
+    electronics = electronics_of(robot, kit, logs)
     parameters = parameters_of(robot, delays, known, electronics, foreign=other)
     parameters += resonance_of(kit) if other else ()  # which is learnt together, and no `known` number
     if resonates(parameters):

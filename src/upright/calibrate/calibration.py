@@ -259,7 +259,8 @@ class Calibration(Shown):
         """The robot with its posterior: beside each number's deviation, how the errors of each two go together, and the
         electronics with the dead times and the motors that the log shows."""
         fitted = [e.name for e in self.parameters if e.verdict != HELD]
-        rows, rho = [self.names.index(name) for name in fitted], self.correlation
+        rows = [self.names.index(name) for name in fitted]
+        rho = self.correlation
         pairs = {(b, a): float(rho[j, i]) for n, (a, i) in enumerate(zip(fitted, rows, strict=True))
                  for b, j in zip(fitted[n + 1 :], rows[n + 1 :], strict=True)}  # fmt: skip
         own = {} if self.kit is None else {"kit": self.kit}

@@ -26,7 +26,9 @@ ZONE_AHEAD = 0.2
 its slope is a secant over several levels, without which the readings would seem to tell nothing of it."""
 AT = Constants(*range(len(Constants._fields)))
 """Where each named constant of the equations stands among the coefficients."""
-DRIVEN, TURN_READ, DELAYS = len(AT), len(AT) + 5, len(AT) + 6
+DRIVEN = len(AT)
+TURN_READ = len(AT) + 5
+DELAYS = len(AT) + 6
 """Where among the coefficients begins what drives the robot, where what the gyro reads of the yaw rate is, and where
 the delays begin."""
 ZONE, LOST = DRIVEN + 2, DRIVEN + 4
@@ -106,7 +108,8 @@ def priors_of(
         np.array([getattr(p, name) for p in asked], dtype=np.float64) for name in ("prior", "spread", "rate", "lower")
     )
     places = np.array([place[p.name] for p in asked], dtype=np.int64)
-    numbers, rubs = np.array([*given.values()], dtype=np.float64), bool(robot.coulomb_friction)
+    numbers = np.array([*given.values()], dtype=np.float64)
+    rubs = bool(robot.coulomb_friction)
     return Priors(numbers, places, prior, spread, rate, lower, rubs, resonates(asked))
 
 

@@ -274,7 +274,8 @@ def _down(problem: Problem, z: Array, bowls: Bowls) -> Array:
     value = bowl_value(z, problem.curves, bowls)
     for _ in range(TURNS):
         z = downhill(np.array(z), problem.curves, bowls, 0.0, limits)
-        before, value = value, bowl_value(z, problem.curves, bowls)
+        before = value
+        value = bowl_value(z, problem.curves, bowls)
         if before - value < GAIN:
             break
     return z

@@ -88,10 +88,19 @@ def descended(events: Any, robot: Any, readings: Any, first: Any, known: Any, fr
     which errors count (readings,); `robot` is in a lane for the first state and one for each that is free, in steps of
     at most `longest` [s]."""
     read, scale = readings
-    size, count, gains = len(first), len(free), np.zeros((len(events.order), len(first)))
-    best, candidate, least, damping = first.copy(), first.copy(), np.inf, FIRST_DAMPING
-    hessian, L, slope, step = np.zeros((count, count)), np.zeros((count, count)), np.zeros(count), np.zeros(count)
-    lanes, e = np.empty((size, 1 + count)), np.empty((len(read), 1 + count))
+    size = len(first)
+    count = len(free)
+    gains = np.zeros((len(events.order), len(first)))
+    best = first.copy()
+    candidate = first.copy()
+    least = np.inf
+    damping = FIRST_DAMPING
+    hessian = np.zeros((count, count))
+    L = np.zeros((count, count))
+    slope = np.zeros(count)
+    step = np.zeros(count)
+    lanes = np.empty((size, 1 + count))
+    e = np.empty((len(read), 1 + count))
     for _ in range(ITERATIONS):
         for i in range(1 + count):
             for j in range(size):
@@ -104,7 +113,9 @@ def descended(events: Any, robot: Any, readings: Any, first: Any, known: Any, fr
                 e[k, i] = missed[read[k], i] / scale[k]
         cost = costs(e)[0]
         if cost < least:
-            done, least, damping = cost > LEVEL * least, cost, LESS * damping
+            done = cost > LEVEL * least
+            least = cost
+            damping = LESS * damping
             best[:] = candidate
             _normal(e, hessian, slope)
             if done or _near(candidate, known, free):

@@ -26,7 +26,8 @@ STARTS = (0.4, 0.8, 1.6, 3.2)
 
 def drop_about() -> Parameter:
     """A drop of which nothing is stated."""
-    typical, spread = math.sqrt(LEAST * MOST), math.log(MOST / LEAST) / (2 * 1.96)
+    typical = math.sqrt(LEAST * MOST)
+    spread = math.log(MOST / LEAST) / (2 * 1.96)
     return Parameter(DROP, "V", typical, typical * spread, "logarithm", 0.0, guess=True)
 
 

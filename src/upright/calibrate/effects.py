@@ -77,7 +77,8 @@ def of_robot(parameters: Sequence[Parameter], z: Array, C: Array, runs: int) -> 
     maps = maps_of(parameters, runs)
     mean = np.zeros_like(C)
     mean[: maps.shape[1]] = maps.mean(axis=0)
-    robot, total = mean @ z, mean @ C @ mean.T
+    robot = mean @ z
+    total = mean @ C @ mean.T
     least = np.array([p.least for p in parameters[: maps.shape[1]]])
     robot[: len(least)] = np.maximum(maps @ z, least).mean(axis=0)  # what no run has less of, their mean has not
     estimated = {p.name.partition("/")[2]: p.spread for p in parameters if p.name.startswith(RUN)}
@@ -90,7 +91,8 @@ def of_robot(parameters: Sequence[Parameter], z: Array, C: Array, runs: int) -> 
 def respread(parameters: Sequence[Parameter], z: Array, C: Array) -> tuple[tuple[Parameter, ...], Array]:
     """The parameters with the spreads between runs that z (n,) and its covariance C (n, n) show, and z in these: one
     step of expectation and maximisation (Dempster, Laird and Rubin 1977), the stated spread worth `WORTH` runs."""
-    updated, new = list(parameters), z.copy()
+    updated = list(parameters)
+    new = z.copy()
     rows: dict[str, list[int]] = {}
     for i, p in enumerate(parameters):
         if p.name.startswith(RUN):

@@ -17,7 +17,9 @@ VERDICTS = {
     QUIET: "the robot moves too little: the value is partly an image of the sensors' steps",
     REFUSED: "the calibration does not describe the robot, so that no number of it is determined",
 }
-MEASURED, BOUNDED, NOT_VISIBLE = "measured", "bounded", f"not {VISIBLE}"
+MEASURED = "measured"
+BOUNDED = "bounded"
+NOT_VISIBLE = f"not {VISIBLE}"
 MOVED = f"{NOT_VISIBLE}, yet moved: doubtful"
 """What pages and terminal call a verdict: two kinds of visible, and of the rest one that the fit moves all the same."""
 

@@ -121,7 +121,8 @@ class Follower:
         return self._ordered(self.recording.when)
 
     def _ordered(self, when: Array) -> _Order:
-        kind, then = self.recording.kind, when - self._delays
+        kind = self.recording.kind
+        then = when - self._delays
         events = np.lexsort((kind, then)).astype(np.int64)
         row = kind[events]
         latest = np.maximum.accumulate(np.where(row < 0, np.arange(len(events)), 0))
@@ -134,7 +135,8 @@ class Follower:
         """That of the sensors and the process; of the commands as the recording has them, whichever are sent."""
         from upright.calibrate.predictor import Noise
 
-        problem, robot = self.problem, self.problem.robot
+        problem = self.problem
+        robot = self.problem.robot
         dry = self.friction * robot.coulomb_friction / motor_gain(robot)
         noise = {**problem.noise, **process(problem.recordings, robot, self.disturbance)}
         noise["motor"] = math.log(math.exp(noise["motor"]) + dry**2 * NOISE_TIME)
@@ -148,7 +150,9 @@ class Follower:
         """What the filter leaves of the recording as it is."""
         from upright.calibrate.predictor import Events, Followed, kalman_along
 
-        recording, n, size = self.recording, len(self.recording.kind), len(self.recording.first)
+        recording = self.recording
+        n = len(self.recording.kind)
+        size = len(self.recording.first)
         path = Followed(
             np.full(n, np.nan), np.full(n, np.nan), np.zeros((n, size)), np.zeros((n, size)), np.zeros((n, size, size))
         )
@@ -200,10 +204,13 @@ class Follower:
         held = np.flatnonzero((row[:first] < 0) & before.states[events[:first]].any(axis=1))
         e, s, gains, states = (one.copy() for one in before[:4])
         path = Followed(e, s, gains, states, before.covariances[:0])
-        start, state, noise = 0, recording.first, self._noise
+        start = 0
+        state = recording.first
+        noise = self._noise
         if len(held):  # a command, which changes neither the state nor what is known of it
             start = int(held[-1])
-            state, noise = states[events[start]].copy(), noise._replace(start=before.covariances[events[start]])
+            state = states[events[start]].copy()
+            noise = noise._replace(start=before.covariances[events[start]])
         for one, nothing in ((e, np.nan), (s, np.nan), (gains, 0.0), (states, 0.0)):
             one[events[start:]] = nothing
         several = Events(order.events[start:], recording.kind, when, values, commands)

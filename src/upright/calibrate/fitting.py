@@ -116,7 +116,8 @@ class Problem:
         object.__setattr__(self, "_shapes", shapes)
         shared = [p for p in self.parameters if not p.name.startswith(RUN)]
         object.__setattr__(self, "asked", tuple(p for p in shared if not p.name.startswith(EQUATION)))
-        maps, least = maps_of(self.parameters, len(self.recordings)), np.array([p.least - 2 * NUDGE for p in shared])
+        maps = maps_of(self.parameters, len(self.recordings))
+        least = np.array([p.least - 2 * NUDGE for p in shared])
         priors = priors_of(self.robot, self.asked, self.delays, self.exact)
         object.__setattr__(self, "curves", Curves(maps, least, priors))
 
@@ -197,7 +198,8 @@ class Problem:
         q = self.coefficients(recording, z[:, None])
         order = recording.order(self._own(q[:, 0]))
         readings = np.exp([self.noise[SENSOR[row]] for row in recording.rows])
-        process, jitter = self.process(recording), np.exp(self.noise.get(JITTER, -np.inf))
+        process = self.process(recording)
+        jitter = np.exp(self.noise.get(JITTER, -np.inf))
         noise = Noise(recording.P0, process, jitter, readings, self.restart)
         order = order[recording.when[order] <= until]
         events = events_of(recording, _through_fitted(recording, order) if fitted else order)
@@ -311,7 +313,8 @@ def _through_fitted(recording: Recording, order: Whole) -> Whole:
 def objective(problem: Problem, z: Array) -> tuple[float, list[Path]]:
     """−log posterior of z (innovations beyond `OUTLIER` count linearly); inf where the filter lost the robot in one of
     the recordings, and the path of each through what is fitted."""
-    total, paths = 0.5 * float(z @ z), [problem.filtered(r, z, fitted=True) for r in problem.recordings]
+    total = 0.5 * float(z @ z)
+    paths = [problem.filtered(r, z, fitted=True) for r in problem.recordings]
     for recording, path in zip(problem.recordings, paths, strict=True):
         e, s = path.e[recording.judged], path.s[recording.judged]
         r2 = e**2 / s

@@ -79,7 +79,8 @@ def with_other_zone(problem: Problem, z: Array, value: float) -> Array | None:
             for near in NEAR if now and min(value, *values) < values[0] - GAIN else ():
                 likeliest = now if value <= min(values) else float(p.value(tries[int(np.argmin(values)), i]))
                 more, of_more = _of_zones(problem, z, i, [likeliest * part for part in near])
-                tries, values = np.vstack([tries, more]), [*values, *of_more]
+                tries = np.vstack([tries, more])
+                values = [*values, *of_more]
             best = int(np.argmin(values))
             return tries[best] if values[best] < value - GAIN else None
     return None
@@ -87,7 +88,8 @@ def with_other_zone(problem: Problem, z: Array, value: float) -> Array | None:
 
 def _of_zones(problem: Problem, z: Array, place: int, zones: list[float]) -> tuple[Array, list[float]]:
     """z (zones, parameters) with each of these dead zones at its `place`, and the objective there."""
-    p, tries = problem.parameters[place], np.repeat(z[None], len(zones), axis=0)
+    p = problem.parameters[place]
+    tries = np.repeat(z[None], len(zones), axis=0)
     tries[:, place] = [max(p.coordinate(zone), p.least) for zone in zones]
     return tries, in_threads(lambda one: objective(problem, one)[0], tries)
 
@@ -105,7 +107,11 @@ def _descended(problem: Problem, z: Array, iterations: int, tolerance: float) ->
     damping = FIRST_DAMPING
     for _ in range(iterations):
         spread = np.sqrt(np.diag(np.linalg.inv(normal.hessian)))
-        lower, length, new, now, candidate = False, np.inf, z, value, paths
+        lower = False
+        length = np.inf
+        new = z
+        now = value
+        candidate = paths
         while not lower and length > SHORT * tolerance and damping < MOST_DAMPING:
             for free in moving:
                 new = downhill(np.array(z), problem.curves, normal.bowls, damping, (least, free))

@@ -106,7 +106,8 @@ def information(problem: Problem, normal: Normal) -> Array:
 
 def effective_fraction(problem: Problem, normal: Normal, paths: Sequence[Path]) -> float:
     """Effective sample size over the number of readings: white over true covariance of the score."""
-    white, true = information(problem, normal), score_covariance(problem, normal, paths)
+    white = information(problem, normal)
+    true = score_covariance(problem, normal, paths)
     values, directions = np.linalg.eigh(white)
     visible = values > 4.0
     if not visible.any():
@@ -155,7 +156,8 @@ def between_optima(C: Array, z: Array, others: Sequence[Array]) -> Array:
     `others` (m, n) of which any may be the right one as well."""
     if not len(others):
         return C
-    away, root = np.array([other - z for other in others]), np.linalg.cholesky(C)
+    away = np.array([other - z for other in others])
+    root = np.linalg.cholesky(C)
     apart = np.linalg.solve(root, away.T)
     values, directions = np.linalg.eigh(apart @ apart.T / (1 + len(others)))
     half = root @ directions

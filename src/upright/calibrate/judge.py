@@ -93,7 +93,8 @@ def proposed(stated: Problem, problem: Problem, estimates: Sequence[Estimate]) -
     robot = stated.robot
     named = {name: Robot.preset(name) for name in preset_names() if name != robot.name}
     left = {name: 1 - predicts(other) for name, other in named.items() if other.drive == robot.drive}
-    least, own = min(left.values(), default=1.0), min(1 - predicts(robot), 1.0)
+    least = min(left.values(), default=1.0)
+    own = min(1 - predicts(robot), 1.0)
     if least > NEARER * own:
         return ""
     level = sorted(
@@ -158,7 +159,8 @@ def turning(parts: Segments, rows: Sequence[int], delay: float, turn: float, pol
         t = parts.when[left[:both]]
         yaw = (parts.predicted[right[:both]] - parts.predicted[left[:both]]) / (2 * turn)
         yaw = yaw if "rate" in parts.rows[rows[1]] else np.gradient(yaw, t)
-        now, missed = parts.when[gyro] - delay, (parts.measured - parts.predicted)[gyro]
+        now = parts.when[gyro] - delay
+        missed = (parts.measured - parts.predicted)[gyro]
         first = np.exp(np.outer(now - now[0], (0.0, pole, -pole)))
         Q = np.linalg.qr(first)[0]  # what a first state, which was fitted to these readings, has taken of them
         rate = np.interp(now, t, yaw)

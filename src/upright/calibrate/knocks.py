@@ -131,7 +131,9 @@ def innovations(log: Log, robot: Robot, kit: Kit) -> Array:
     model = sampled(robot, kit, log.period, longest=MOST_PERIODS)
     readings, sent = recorded(log, model.delay)
     moved = moved_by(model, at_motors(sent, kit, robot.command_unit, sent=commanded(log) == "command"))
-    A, C, L = model.linear.A, model.linear.C, kalman_filter(model).L
+    A = model.linear.A
+    C = model.linear.C
+    L = kalman_filter(model).L
     errors = filtered(A, C, L, readings, moved, first_state(model, readings[0]))[1]
     latest = kit.delay + kit.jitter + max(sensor.delay for sensor in kit.sensors.values())
     reached = np.ones(2 + math.ceil(latest / log.period))
@@ -143,15 +145,21 @@ def traces(log: Log, robot: Robot, kit: Kit) -> Array:
     """How much a push at the centre of mass in each row of the log (n, 1) explains of the innovations of the steady
     filter of `robot` in the 0.3 s after it, by least squares (Willsky and Jones 1976): a hand pushes too softly to
     show in single readings."""
-    model, errors = sampled(robot, kit, log.period, longest=MOST_PERIODS), innovations(log, robot, kit)
-    A, C, L, E = model.linear.A, model.linear.C, kalman_filter(model).L, linearise(robot).E
-    state, left = np.zeros(len(A)), list[Array]()
+    model = sampled(robot, kit, log.period, longest=MOST_PERIODS)
+    errors = innovations(log, robot, kit)
+    A = model.linear.A
+    C = model.linear.C
+    L = kalman_filter(model).L
+    E = linearise(robot).E
+    state = np.zeros(len(A))
+    left = list[Array]()
     state[: len(E)] = E[:, 0] + robot.com_height * E[:, 1]
     for _ in range(round(PUSHED / log.period)):
         left.append(C @ state)
         state = A @ (state - L @ left[-1])
     usual = np.maximum(_usual(errors, log.period)[1], 1e-12)  # of a reading that never changes too
-    white, shape = np.nan_to_num(errors / usual), np.array(left) / usual
+    white = np.nan_to_num(errors / usual)
+    shape = np.array(left) / usual
     parts = [np.correlate(white[:, i], trace, "full")[len(shape) - 1 :] for i, trace in enumerate(shape.T)]
     return np.sum(parts, axis=0)[:, None]
 

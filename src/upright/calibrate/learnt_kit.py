@@ -29,7 +29,8 @@ def learnt_kit(result: Calibration, kit: Kit, delays: Mapping[str, float], hidde
         for name, sensor in kit.sensors.items()
     }
     factors = {e.name: e.value for e in result.electronics}
-    strength, half = factors.get(BATTERY, 1.0), factors.get(ASYMMETRY, 0.0) / 2
+    strength = factors.get(BATTERY, 1.0)
+    half = factors.get(ASYMMETRY, 0.0) / 2
     zone = factors.get(DEAD_ZONE, kit.motor.dead_zone)
     drop = factors[DROP] / strength if DROP in factors else kit.motor.drop
     if FREQUENCY in factors and "sensor/gyro" in sensors:

@@ -35,7 +35,8 @@ def learn_noise(problem: Problem, z: Array, bounds: Bounds, *, iterations: int =
     the variances that have `bounds`."""
     names = list(bounds)
     low, high = np.log([bounds[n][0] for n in names]), np.log([bounds[n][1] for n in names])
-    eta, damping = np.clip([problem.noise[n] for n in names], low, high), 0.05
+    eta = np.clip([problem.noise[n] for n in names], low, high)
+    damping = 0.05
     parts = _likelihood_parts(_with_noise(problem, names, eta), z)
     value, gradient, hessian = _noise_score(problem, z, names, eta, parts)
     for _ in range(iterations):
@@ -57,7 +58,9 @@ def learn_noise(problem: Problem, z: Array, bounds: Bounds, *, iterations: int =
             if not now < value:
                 break
         small = np.abs(new - eta).max() < 0.05 or value - now < GAIN
-        eta, damping, parts = new, damping / 5, there
+        eta = new
+        damping = damping / 5
+        parts = there
         if small:
             break
         value, gradient, hessian = _noise_score(problem, z, names, eta, parts)

@@ -48,11 +48,14 @@ def spread_here(p: Parameter, between: float) -> float:
 def of_this_run(problem: Problem, limits: Mapping[str, float]) -> tuple[Segments, tuple[RunEffect, ...]] | None:
     """Half seconds of the one recording of `problem` with the numbers of its own run, and these; None where they
     predict no better than those that are known. `limits` are the variances of the sensors by their kit."""
-    free, known = _free(problem), np.zeros(len(problem.parameters))
+    free = _free(problem)
+    known = np.zeros(len(problem.parameters))
     fit = _own_fit(free, limits)
     if not np.isfinite(fit.normal.objective):
         return None
-    tempered, z, recording = fit.problem, fit.z, problem.recordings[0]
+    tempered = fit.problem
+    z = fit.z
+    recording = problem.recordings[0]
     if score(tempered, z) <= score(free, known):
         return None
     effects = tuple(

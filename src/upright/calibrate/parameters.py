@@ -143,7 +143,8 @@ def as_guess(robot: Robot, parameter: Parameter) -> Parameter:
 
 
 def _physical(robot: Robot, name: str, spread: float | None) -> Parameter:
-    value, unit = getattr(robot, name), PARAMETERS[name][0]
+    value = getattr(robot, name)
+    unit = PARAMETERS[name][0]
     guess = spread is None
     if name in MAY_BE_ZERO:
         return Parameter(name, unit, value, _scale(robot, name) if spread is None else spread, "linear", 0.0, guess)

@@ -94,10 +94,12 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float], show: Progr
     show(0.3)
     for cause in (misaligned, dropped):
         if not white(best) and (other := _with_cause(cause, rough, bounds)):
-            rough, best = other, _polished(other, bounds)
+            rough = other
+            best = _polished(other, bounds)
             problem, z = with_those_of(problem, z, rough.problem, rough.z)
     if not white(best) and (other := _with_resonance(rough, bounds)):
-        rough, best = other, _polished(other, {**bounds, **_swings(problem)})
+        rough = other
+        best = _polished(other, {**bounds, **_swings(problem)})
         problem, z = resonating.with_that_of(problem, z, rough.problem, rough.z)
     if white(best) or only_noise(best):
         return _tempered(_between_runs(best))
@@ -111,7 +113,8 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float], show: Progr
         tries = [fit for fit in moved if fit.normal.objective < best.normal.objective]
         for other, value in zip(tries, pool.map(simulated, tries), strict=True):
             if 1 - value <= (1 - CLEARER) * (1 - level):
-                best, level = _one_of(other, [*best.others, best.z], value), value
+                best = _one_of(other, [*best.others, best.z], value)
+                level = value
         several = [best, *fits] if len(problem.recordings) > 1 else [best]  # weighted, each may go elsewhere
         last = [*pool.map(_tempered, map(_between_runs, several))]
         if len(last) > 1:
@@ -284,7 +287,8 @@ def _with_gyro_delay(problem: Problem, z: Array, periods: float) -> Fitted:
 
 
 def _bounds(problem: Problem, limits: Mapping[str, float], fraction: float) -> Bounds:
-    top, dry = process(problem.recordings, problem.robot, fraction), most_friction(problem.robot)
+    top = process(problem.recordings, problem.robot, fraction)
+    dry = most_friction(problem.robot)
     top[STICKING] = max(top[STICKING], math.log((dry / motor_gain(problem.robot)) ** 2 * NOISE_TIME + 1e-30))
     free = {
         name: (math.exp(value) * NOISE_RANGE, math.exp(value)) for name, value in top.items() if name != "gyro_bias"
@@ -305,7 +309,8 @@ def _settled(problem: Problem, z: Array, bounds: Bounds) -> Fitted:
     problem = within if np.isfinite(objective(within, z)[0]) else problem
     for turn in range(TURNS):
         _, z, normal, paths, _ = _fitted(problem, z, iterations=5, zones=True)
-        before, problem = problem, learn_noise(problem, z, bounds, iterations=3 if turn else 5)
+        before = problem
+        problem = learn_noise(problem, z, bounds, iterations=3 if turn else 5)
         changed = {n: abs(problem.noise[n] - before.noise[n]) for n in bounds}
         if max(changed.values()) < NOISE_TOLERANCE:
             return Fitted(before, z, normal, paths)
@@ -328,7 +333,9 @@ def _tempered(fit: Fitted) -> Fitted:
     from upright.calibrate.validate import score
 
     problem, z, normal, paths, _ = fit
-    longest, problem, first = problem.longest, replace(problem, fine=True), z
+    longest = problem.longest
+    problem = replace(problem, fine=True)
+    first = z
     for _ in range(2):
         fraction = effective_fraction(problem, normal, paths)
         if abs(fraction / problem.temper - 1) < WEIGHT_TOLERANCE and problem.longest == longest:

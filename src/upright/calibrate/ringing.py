@@ -29,12 +29,17 @@ def rung(g: Any, p: Any, first: Any, last: Any, mean: Any, phase: Any, damping: 
     if not abs(phase) * (1 + 2 * damping) < FASTEST:
         return np.nan, np.nan
     pieces = max(1, math.ceil(abs(phase) * (1 + 2 * damping)))
-    part, bend = 1.0 / pieces, 6 * mean - 3 * (first + last)
-    slope, turn = last - first + bend, phase * part
+    part = 1.0 / pieces
+    bend = 6 * mean - 3 * (first + last)
+    slope = last - first + bend
+    turn = phase * part
     for piece in range(pieces):
         at = piece * part
-        rate_0, rate_1, rate_2 = first + (slope - bend * at) * at, (slope - 2 * bend * at) * part, -bend * part * part
-        a, b = turn * p, turn * (rate_0 - g - 2 * damping * p)
+        rate_0 = first + (slope - bend * at) * at
+        rate_1 = (slope - 2 * bend * at) * part
+        rate_2 = -bend * part * part
+        a = turn * p
+        b = turn * (rate_0 - g - 2 * damping * p)
         g, p = g + a, p + b
         half, third = turn * INVERSE[2], turn * INVERSE[3]
         a, b = half * b, half * (rate_1 - a - 2 * damping * b)
@@ -76,6 +81,8 @@ def _ring(w: Any, count: Any, steps: Any, swing: Any, offsets: Any) -> None:
 @njit
 def undriven(span: Any, swing: Any, whole: Any) -> None:
     """∂(g, p)(stop)/∂(g, p)(start) over the `span` [s], into the corner of `whole` (s, s)."""
-    tail, phase, damping = len(whole) - SWINGS, swing[0, 0] * span, swing[1, 0]
+    tail = len(whole) - SWINGS
+    phase = swing[0, 0] * span
+    damping = swing[1, 0]
     whole[tail, tail], whole[tail + 1, tail] = rung(1.0, 0.0, 0.0, 0.0, 0.0, phase, damping)
     whole[tail, tail + 1], whole[tail + 1, tail + 1] = rung(0.0, 1.0, 0.0, 0.0, 0.0, phase, damping)

@@ -40,7 +40,8 @@ def stated_gains(log: Log) -> dict[str, float]:
 def amplified(log: Log, gain: float, kit: Kit) -> Log:
     """`log` with its commands times `gain`, up to full duty: the logged battery's voltage, or what the kit's motors get
     at most."""
-    prefix, most = commanded(log), _full(log, kit)
+    prefix = commanded(log)
+    most = _full(log, kit)
     channels = {f"{prefix}/{side}": log[f"{prefix}/{side}"] for side in SIDES}
     changed = {name: np.clip(gain * values, -most, most) for name, values in channels.items()}
     origin = {name: value for name, value in log.origin.items() if name != GAINS} | {"times": gain}
@@ -75,7 +76,8 @@ def nats(fit: Fitted, run: int, commands: Array, rival: Fitted | None = None) ->
     (rows, 2). Parameters are fitted anew from the fit's, and from those of a `rival` or the prior."""
     recordings = list(fit.problem.recordings)
     recordings[run] = replace(recordings[run], commands=np.ascontiguousarray(commands))
-    here, there = fit.problem, replace(fit.problem, recordings=tuple(recordings))
+    here = fit.problem
+    there = replace(fit.problem, recordings=tuple(recordings))
     rivals = {p.name: at for p, at in zip(rival.problem.parameters, rival.z, strict=True)} if rival else {}
     other = np.array([rivals.get(p.name, 0.0) for p in here.parameters])
     own = [fit.normal.objective, *([_least(here, other)] if rival else [])]
@@ -92,7 +94,8 @@ def as_meant(
 ) -> tuple[Fitted, list[Log], list[str]]:
     """The fit of the logs with the commands that drove the motors, these logs, and in words what was found of stated
     gains. `fit` is that of the commands as logged, `search` fits other logs anew."""
-    chosen, notes = list(logs), dict[int, str]()
+    chosen = list(logs)
+    notes = dict[int, str]()
     while tries := _tries(fit, chosen, kit, set(notes)):
         likelier, run, words, log = max(tries, key=lambda one: one[0])
         if likelier < MARGIN:

@@ -65,7 +65,9 @@ class Stretch:
 
     def first(self, filtered: Array) -> Array:
         """The first state (states,) from which the readings are followed best."""
-        best, least, starts = np.full_like(filtered, np.inf), np.inf, self._starts(filtered)
+        best = np.full_like(filtered, np.inf)
+        least = np.inf
+        starts = self._starts(filtered)
         for tried, first in enumerate(self._likeliest(starts)):
             if tried >= TRIED and least < POOR * len(self.events):
                 break
@@ -78,7 +80,8 @@ class Stretch:
         """The first state, and its cost, that is fitted to the beginning alone and then to more and more: from that of
         the `starts` (states, lanes) which follows the beginning best."""
         until = [round(fraction * len(self.events)) for fraction in GROWING]
-        state, cost = starts[:, np.argmin(self._costs(starts, until[0]))], np.inf
+        state = starts[:, np.argmin(self._costs(starts, until[0]))]
+        cost = np.inf
         for events in until:
             state, cost = self._descended(state, np.full_like(state, np.inf), events)
         return state, cost
@@ -99,7 +102,8 @@ class Stretch:
         readings show."""
         fan = np.repeat(filtered[:, None], 1 + len(FAN), axis=1)
         lines = {name: self._line(row) for row, name in enumerate(self.recording.rows)}
-        shown, wheels = lines.get("sensor/gyro"), first_wheel_rates(lines)
+        shown = lines.get("sensor/gyro")
+        wheels = first_wheel_rates(lines)
         rate = filtered[1] if shown is None else shown[0] - filtered[6]
         fan[0, 1:], fan[1, 1:] = FAN, rate
         if self.recording.swings:
@@ -128,7 +132,8 @@ class Stretch:
             free = np.append(free, [len(first) - 2, len(first) - 1])
         rows, scale = (of_all[:until] for of_all in self._read)
         given = self._given._replace(order=self._given.order[: rows[-1] + 1])
-        start, robot = np.ascontiguousarray(first), self._robots(1 + len(free))
+        start = np.ascontiguousarray(first)
+        robot = self._robots(1 + len(free))
         return descended(given, robot, (rows, scale), start, np.ascontiguousarray(known), free, self.problem.longest)
 
     def _robots(self, count: int) -> RobotLanes:
@@ -162,7 +167,8 @@ def _events(recording: Recording, order: Whole, before: Whole) -> Events:
     """The events of `order` alone, after the command `before` them."""
     from upright.calibrate.predictor import Events
 
-    kind, value = recording.kind[order], recording.value[order].copy()
+    kind = recording.kind[order]
+    value = recording.value[order].copy()
     skipped = int(recording.value[before[0]]) if len(before) else 0
     value[kind < 0] -= skipped
     commands = np.ascontiguousarray(recording.commands[skipped:])

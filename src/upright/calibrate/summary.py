@@ -115,7 +115,8 @@ def _covariances(best: Explained) -> tuple[Array, Array]:
     """Of the errors of a fit's parameters (parameters, parameters), by the deviations that are stated; and what it were
     with white innovations."""
     problem, z, normal, paths, others = best.fit
-    stated, floor = np.outer(best.scales, best.scales), _floor(problem, z)
+    stated = np.outer(best.scales, best.scales)
+    floor = _floor(problem, z)
     errors = between_optima(posterior(problem, z, normal, paths), z, others)
     white = np.linalg.inv(np.eye(len(z)) + information(problem, normal))
     return stated * errors + best.covariance + floor, stated * white + floor
@@ -245,7 +246,8 @@ def combined_numbers(problem: Problem, z: Array) -> list[_Combination]:
         before = float(np.atleast_1d(formula(prior))[0])
         combined.append(_Combination(name, unit, float(values[-1]), before, slopes_of(values)))
     poles = np.array([rolling_pole(_robot_at(problem, lanes[:, i])) for i in range(lanes.shape[1])])
-    pole, before = float(poles[-1]), rolling_pole(problem.robot)
+    pole = float(poles[-1])
+    before = rolling_pole(problem.robot)
     return [*combined, _Combination("unstable_pole", "1/s", pole, before, slopes_of(poles))]
 
 
@@ -262,7 +264,8 @@ def _robot_at(problem: Problem, z: Array) -> Robot:
 
 def _combined(c: _Combination, C: Array) -> Estimate:
     """A combination with its interval, for the covariance C (n, n) of the coordinates."""
-    spread, before = float(np.sqrt(c.slopes @ C @ c.slopes)), max(float(np.linalg.norm(c.slopes)), 1e-300)
+    spread = float(np.sqrt(c.slopes @ C @ c.slopes))
+    before = max(float(np.linalg.norm(c.slopes)), 1e-300)
     verdict = HELD if not c.slopes.any() else VISIBLE if spread < HALVED * before else PRIOR
     return Estimate(
         name=c.name, unit=c.unit, value=c.value, low=c.value - NORMAL * spread, high=c.value + NORMAL * spread,
@@ -287,9 +290,11 @@ def _delays(problem: Problem, z: Array, C: Array, every: Sequence[Estimate]) -> 
     if {"delay/gyro", "delay/encoder"} <= index.keys():
         i, j = index["delay/gyro"], index["delay/encoder"]
         p, q = problem.parameters[i], problem.parameters[j]
-        value, prior = float(p.value(z[i]) - q.value(z[j])), p.prior - q.prior
+        value = float(p.value(z[i]) - q.value(z[j]))
+        prior = p.prior - q.prior
         variance = p.spread**2 * C[i, i] + q.spread**2 * C[j, j] - 2 * p.spread * q.spread * C[i, j]
-        half, before = NORMAL * math.sqrt(variance), math.hypot(p.spread, q.spread)
+        half = NORMAL * math.sqrt(variance)
+        before = math.hypot(p.spread, q.spread)
         verdict = VISIBLE if half / NORMAL < HALVED * before else PRIOR
         delays.append(Estimate(
             name="delay/gyro−encoder", unit="s", value=value, low=value - half, high=value + half, prior=prior,

@@ -101,7 +101,8 @@ def whiteness(recording: Recording, path: Path) -> list[Whiteness]:
         n = len(r)
         box = n * (n + 2) * float((rho**2 / (n - np.arange(1, LAGS + 1))).sum())
         held = np.interp(recording.when[at], recording.when[recording.kind < 0], command)
-        rms, worst = float(np.sqrt(np.mean(r**2))), float(np.abs(rho[:5]).max())
+        rms = float(np.sqrt(np.mean(r**2)))
+        worst = float(np.abs(rho[:5]).max())
         tests.append(Whiteness(name, rms, worst, box, _input_test(r, held), LAGS, threshold))
     return tests
 
@@ -147,7 +148,8 @@ def _variation(recording: Recording, order: Whole, moment: Array, edges: Array) 
     variation = np.ones(len(recording.rows))
     for row in range(len(recording.rows)):
         at = recording.kind[order] == row
-        y, number = recording.value[order[at]], segment[at]
+        y = recording.value[order[at]]
+        number = segment[at]
         mean = np.bincount(number, y) / np.maximum(np.bincount(number), 1)
         variation[row] = max(0.01 * float(np.sqrt(np.mean((y - mean[number]) ** 2))), 1e-9)
     return variation

@@ -69,12 +69,15 @@ def agreement(log: Log, setup: TrialSetup) -> tuple[Agreement, ...]:
     Robots that fall are left out. Raises `InvalidLog` where the log lacks encoders, gyro or commands, is uneven, or too
     short; `SpecMismatch` for a kit without these sensors.
     """
-    robot, kit, period = setup.actual_robot, setup.actual_kit, setup.controller.law.period
+    robot = setup.actual_robot
+    kit = setup.actual_kit
+    period = setup.controller.law.period
     followed = sampled(robot, kit, log.period)
     readings, commands = recorded(log, followed.delay)
     applied = at_motors(commands, kit, robot.command_unit, sent=commanded(log) == "command")
     measured = innovation_size(kalman_filter(followed), readings[None], applied[None])[0]
-    estimator, agreements = kalman_filter(sampled(robot, kit, period)), list[Array]()
+    estimator = kalman_filter(sampled(robot, kit, period))
+    agreements = list[Array]()
     sides = [kit.motor.left, kit.motor.right]
     reads = setup.controller.law.linear.reads
     if not set(RAW) <= set(reads):
@@ -101,7 +104,8 @@ def innovation_size(estimator: Filter, readings: Array, applied: Array) -> Array
     The size is 1.48 times the median of |e|, for readings (robots, n, 3) and commands (robots, n, 2). Missing readings
     (NaN) and the first `SETTLED` seconds are left out.
     """
-    model, linear = estimator.sampled, estimator.sampled.linear
+    model = estimator.sampled
+    linear = estimator.sampled.linear
     start = first_state(model, readings[:, 0].T)
     commands = np.moveaxis(applied, 0, 2)
     before = np.concatenate([np.zeros_like(commands[:1]), commands[:-1]])

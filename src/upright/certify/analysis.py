@@ -149,7 +149,8 @@ class Analysis(Shown):
     def unstable(self, channel: str = "both motors") -> tuple[Array, Array, Array]:
         """The unstable poles of the loop broken at `channel`, as rates of growth log|z| / T [1/s]: the robot's own,
         those of the controller by itself, and those that only the loops left closed make."""
-        poles, left = [_unstable(model) for model in (self.loop.plant, self.loop.controller)], []
+        poles = [_unstable(model) for model in (self.loop.plant, self.loop.controller)]
+        left = []
         shared: tuple[list[complex], list[complex]] = ([], [])
         for pole in _unstable(self._broken(channel)):
             of = next((k for k, own in enumerate(poles) if np.isclose(own, pole, rtol=0, atol=ROUNDED).any()), None)
@@ -364,7 +365,8 @@ def delay_margin(robot: Robot, controller: Controller, kit: Kit, *, at: str = ""
 
     high = low = 0.0
     while stable(high):
-        low, high = high, high + FINEST
+        low = high
+        high = high + FINEST
         if high > latest:
             return math.inf
     for _ in range(12 if high else 0):

@@ -75,9 +75,13 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
     if unlike and (doubt := doubted(log, alone, {s.name for s in taken})):
         other = _own(log, doubt[0], progress)
         if not other.refused and (own.refused or other.temper > max(WHITER * own.temper, WHITE)):
-            own, taken, alone = other, (*taken, doubt[1]), doubt[0]
+            own = other
+            taken = (*taken, doubt[1])
+            alone = doubt[0]
     if own.refused and taken:
-        own, taken, alone = _own(log, setup, progress), (), replace(setup, is_weighed=True)
+        own = _own(log, setup, progress)
+        taken = ()
+        alone = replace(setup, is_weighed=True)
     if own.refused:
         raise InvalidLog(
             f"the log does not describe {setup.robot.name}: {own.refused[0]}",

@@ -304,7 +304,8 @@ def _calibrated(
     weighed: bool,
 ) -> tuple[Learnt, tuple[Support, ...]]:  # fmt: skip
     """The robot of the file, or as it was `weighed`, as `log` shows it, and what was taken over before."""
-    rubs, some = robot.coulomb_friction > 0, draw(robot, FEWEST, seed)
+    rubs = robot.coulomb_friction > 0
+    some = draw(robot, FEWEST, seed)
     driven = kernel_controller(controller, robot, kit)
     setup = TrialSetup(driven, robot, some, kit, seed, dry_friction=rubs, is_weighed=weighed)
     return calibrated(log, setup, progress)

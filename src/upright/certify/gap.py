@@ -53,7 +53,8 @@ def graph(system: LinearModel) -> Graph:
     P = continuous(system)
     A, B, C, D = P.A, P.B, P.C, P.D
     p, m = D.shape
-    R, S = np.eye(m) + D.T @ D, np.eye(p) + D @ D.T
+    R = np.eye(m) + D.T @ D
+    S = np.eye(p) + D @ D.T
     drift = A - B @ np.linalg.solve(R, D.T @ C)
     X = _care(drift, B, C.T @ np.linalg.solve(S, C), R)
     Z = _care(drift.T, C.T, B @ np.linalg.solve(R, B.T), S)

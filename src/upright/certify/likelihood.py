@@ -50,7 +50,8 @@ class FollowedLog:
     @classmethod
     def of(cls, estimator: Filter, readings: Array, motors: Array) -> FollowedLog:
         model = estimator.sampled
-        linear, start = model.linear, first_state(model, readings[0])
+        linear = model.linear
+        start = first_state(model, readings[0])
         states, errors = filtered(linear.A, linear.C, estimator.L, readings, moved_by(model, motors), start)
         whiten = 1 / np.sqrt(np.diag(linear.C @ estimator.P @ linear.C.T + model.noise))
         keep: Mask = np.isfinite(errors).all(axis=1) & (np.arange(len(errors)) >= SETTLED / model.dt)
@@ -64,7 +65,8 @@ class FollowedLog:
         return (self._answer(readings, moved) * self.whiten[:, None])[self.keep].reshape(-1, moved.shape[2])
 
     def _answer(self, readings: Array, moved: Array) -> Array:
-        linear, k = self.estimator.sampled.linear, moved.shape[2]
+        linear = self.estimator.sampled.linear
+        k = moved.shape[2]
         return filtered(linear.A, linear.C, self.estimator.L, readings, moved, np.zeros((len(linear.A), k)))[1]
 
     def unknown(self, motors: Sequence[Array]) -> Array:
@@ -74,7 +76,8 @@ class FollowedLog:
 
     def surprises(self, motors: Sequence[Array]) -> list[float]:
         """`surprise` of as many logs, whose motors made these (n, 2) besides what is known."""
-        model, result = self.estimator.sampled, list[float]()
+        model = self.estimator.sampled
+        result = list[float]()
         for first in range(0, len(motors), AT_ONCE):
             moved = np.stack([moved_by(model, more) for more in motors[first : first + AT_ONCE]], axis=2)
             errors = self.raw[:, :, None] + self._answer(np.zeros((len(moved), 3, moved.shape[2])), moved)
@@ -85,7 +88,8 @@ class FollowedLog:
 def filtered_log(log: Log, setup: TrialSetup, kit: Kit | None = None) -> tuple[FollowedLog, Array, Array]:
     """The filter of the nominal robot with a `kit` (None: that of the setup) along the log, the commands that were
     sent and what the motors make of them (n, 2)."""
-    robot, kit = setup.actual_robot, kit or setup.actual_kit
+    robot = setup.actual_robot
+    kit = kit or setup.actual_kit
     estimator = _estimator(robot, kit, log.period, setup.disturbed)
     readings, sent = recorded(log, estimator.sampled.delay)
     motors = at_motors(sent, kit, robot.command_unit, sent=commanded(log) == "command")
@@ -106,12 +110,15 @@ class White(Disturbed):
     def noise(self, model: SampledRobot) -> Array:
         """W (n, n) as that of `Disturbed`, whose force and torques are other ones in each part of a period that a
         reading divides."""
-        robot, names, dt = model.robot, list(model.linear.states), model.dt
+        robot = model.robot
+        names = list(model.linear.states)
+        dt = model.dt
         C = sensor_matrix(model.reads, turn_ratio(robot), model.kit.sensors)
         waits = [model.kit.sensors[name].delay % dt if f"{name}@1" in names else 0.0 for name in model.reads]
         inside = [dt - wait if dt > wait + ROUNDING and wait > ROUNDING else 0.0 for wait in waits]
         linear = linearise_rolling(robot)
-        edges, columns = sorted({0.0, dt, *inside}), list[Array]()
+        edges = sorted({0.0, dt, *inside})
+        columns = list[Array]()
         for start, end in pairwise(edges):
             held = linear.c2d(end - start)
             push = (held.E[:, 0] + robot.com_height * held.E[:, 1]) * self.push_size(robot)
@@ -158,7 +165,8 @@ def _surprise(estimator: Filter, innovations: Array) -> float:
 def gyro_scale(log: Log, setup: TrialSetup) -> float:
     """The gyro's scale over the kit's with which the log is likeliest; a signature's would be drawn towards one by the
     noise of what the filter predicts."""
-    kit, gyro = setup.actual_kit, setup.actual_kit.sensors[RAW[2]]
+    kit = setup.actual_kit
+    gyro = setup.actual_kit.sensors[RAW[2]]
 
     def scaled(scale: float) -> tuple[Robot, Kit]:
         return setup.actual_robot, replace(kit, sensors={**kit.sensors, RAW[2]: replace(gyro, gain=scale * gyro.gain)})
@@ -175,10 +183,12 @@ def body_load(log: Log, setup: TrialSetup) -> float:
 def taken(path: FollowedLog, motors: Array, made: Callable[[float], Array], tried: Sequence[float]) -> float:
     """The dead zone or drop with which the log is likeliest, of those `tried` and between: `motors` (n, 2) are what the
     filter of `path` counts with, `made` what the motors make with another one."""
-    best, near = 0.0, list(tried)
+    best = 0.0
+    near = list(tried)
     for _ in range(1 + ZOOMS):
         place = int(np.argmin(path.surprises([made(zone) - motors for zone in near])))
-        best, ends = near[place], (near[max(place - 1, 0)], near[min(place + 1, len(near) - 1)])
+        best = near[place]
+        ends = (near[max(place - 1, 0)], near[min(place + 1, len(near) - 1)])
         near = np.linspace(*ends, 2 * FINER + 1).tolist()
     return best
 
@@ -204,14 +214,18 @@ def surprises(log: Log, several: Sequence[tuple[Robot, Kit]], disturbed: float) 
     and torques are `disturbed` by so many times the usual noise."""
     estimators = [_estimator(*one, log.period, disturbed) for one in several]
     readings, sent = recorded(log, estimators[0].sampled.delay)
-    raw, motors, moved = commanded(log) == "command", dict[Motor, Array](), list[Array]()
+    raw = commanded(log) == "command"
+    motors = dict[Motor, Array]()
+    moved = list[Array]()
     for (robot, kit), estimator in zip(several, estimators, strict=True):
         if kit.motor not in motors:
             motors[kit.motor] = at_motors(sent, kit, robot.command_unit, sent=raw)
         moved.append(moved_by(estimator.sampled, motors[kit.motor]))
     A, C = (np.stack([getattr(e.sampled.linear, name) for e in estimators]) for name in ("A", "C"))
     z = np.stack([first_state(e.sampled, readings[0]) for e in estimators])[:, :, None]
-    L, added, there = np.stack([e.L for e in estimators]), np.stack(moved, axis=1)[:, :, :, None], np.isfinite(readings)
+    L = np.stack([e.L for e in estimators])
+    added = np.stack(moved, axis=1)[:, :, :, None]
+    there = np.isfinite(readings)
     errors = np.empty((len(readings), *C.shape[:2]))
     for i, reading in enumerate(readings[:, None, :, None]):
         error = reading - C @ z

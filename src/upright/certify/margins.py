@@ -127,7 +127,8 @@ def broken_at(loop: LinearModel, v: Array) -> LinearModel:
     W = np.linalg.inv(np.eye(len(v)) + others @ loop.D)  # u = W (v e − (I − v vᵀ) C x)
     back = W @ others @ loop.C
     enters = (W @ v)[:, None]
-    C, D = v[None] @ (loop.C - loop.D @ back), v[None] @ loop.D @ enters
+    C = v[None] @ (loop.C - loop.D @ back)
+    D = v[None] @ loop.D @ enters
     return LinearModel(loop.A - loop.B @ back, loop.B @ enters, C, D, loop.dt)
 
 
@@ -150,7 +151,9 @@ class ScalarResponse:
         reduced: Any = hessenberg(system.A, calc_q=True) if len(system.A) else (system.A, system.A)
         Q: Array = reduced[1]
         self._H: Array = reduced[0]
-        self._b, self._c, self._d = Q.T @ system.B[:, 0], system.C[0] @ Q, float(system.D[0, 0])
+        self._b = Q.T @ system.B[:, 0]
+        self._c = system.C[0] @ Q
+        self._d = float(system.D[0, 0])
 
     def __call__(self, omega: Array) -> Complex:
         """The response (len(omega),) at `omega` [rad/s]."""
@@ -167,7 +170,8 @@ class ScalarResponse:
         for k in range(n):
             rows[k, k] += points
         for k in range(n - 1):  # below the diagonal there is one number; the larger of both is the pivot
-            upper, lower = rows[k, k:], rows[k + 1, k:]
+            upper = rows[k, k:]
+            lower = rows[k + 1, k:]
             swap = np.abs(lower[0]) > np.abs(upper[0])
             if swap.any():
                 upper[:], lower[:] = np.where(swap, lower, upper), np.where(swap, upper, lower)
@@ -186,7 +190,8 @@ def _scalar_margins(system: LinearModel, channel: str, *, peaks: bool) -> Margin
     (low, low_at), (high, high_at) = _gain_interval(system, scalar, grid, loop)
     crossings = sign_changes(lambda w: np.abs(scalar(w)) - 1, grid, np.abs(loop) - 1)
     lag = np.mod(np.angle(scalar(crossings)) + math.pi, 2 * math.pi) if len(crossings) else np.empty(0)
-    turn, wait = np.minimum(lag, 2 * math.pi - lag), lag / crossings
+    turn = np.minimum(lag, 2 * math.pi - lag)
+    wait = lag / crossings
     first, soonest = (int(np.argmin(values)) if len(values) else None for values in (turn, wait))
     result = Margins(
         channel, gain_low=low, gain_high=high, gain_low_at=low_at, gain_high_at=high_at,
@@ -204,7 +209,9 @@ def _scalar_margins(system: LinearModel, channel: str, *, peaks: bool) -> Margin
         """The peak of a `size` of the sensitivity 1/(1 + l)."""
         return peak(lambda w: size(1 / (1 + scalar(w))), grid, size(1 / (1 + loop)))
 
-    disk, Ms, Mt = 1 / largest(lambda S: np.abs(S - 0.5)), largest(np.abs), largest(lambda S: np.abs(1 - S))
+    disk = 1 / largest(lambda S: np.abs(S - 0.5))
+    Ms = largest(np.abs)
+    Mt = largest(lambda S: np.abs(1 - S))
     return replace(result, disk=disk, Ms=Ms, Mt=Mt)
 
 
@@ -220,9 +227,11 @@ def _gain_interval(system: LinearModel, scalar: ScalarLoop, grid: Array, loop: C
     order = np.argsort(split)
     crossings = sign_changes(lambda w: scalar(w).imag, split[order], np.append(loop, scalar(between)).imag[order])
     ends = [_at_zero(system), system.D[0, 0] if system.continuous else scalar(grid[-1:])[0].real]
-    real, at = np.append(scalar(crossings).real, ends), np.append(crossings, [0.0, grid[-1]])
+    real = np.append(scalar(crossings).real, ends)
+    at = np.append(crossings, [0.0, grid[-1]])
     kept = (real < 0) & (real > -_UNBOUNDED)
-    factors, at = np.append(-1 / real[kept], [0.0, math.inf]), np.append(at[kept], [math.nan, math.nan])
+    factors = np.append(-1 / real[kept], [0.0, math.inf])
+    at = np.append(at[kept], [math.nan, math.nan])
     low = int(np.argmax(np.where(factors < 1, factors, -1.0)))
     high = int(np.argmin(np.where(factors > 1, factors, math.inf)))
     high = high if factors[high] > 1 else len(factors) - 1
@@ -237,7 +246,8 @@ def real_frequencies(system: LinearModel) -> Array:
     """
     from scipy.linalg import eigvals
 
-    mapped, n = continuous(system), len(system.A)
+    mapped = continuous(system)
+    n = len(system.A)
     pencil = np.block([[mapped.A @ mapped.A, mapped.B], [mapped.C, np.zeros((1, 1))]])
     zeros = np.asarray(eigvals(pencil, np.diag([1.0] * n + [0.0])), dtype=np.complex128)
     zeros = zeros[np.isfinite(zeros)]
@@ -282,12 +292,15 @@ def peak(f: Callable[[Array], Array], grid: Array, values: Array | None = None) 
     values = f(grid) if values is None else values
     i = int(np.argmax(values))
     best = float(values[i])
-    a, b = grid[max(i - 1, 0)], grid[min(i + 1, len(grid) - 1)]
+    a = grid[max(i - 1, 0)]
+    b = grid[min(i + 1, len(grid) - 1)]
     for _ in range(3):
         finer = np.linspace(a, b, 41)
         values = f(finer)
-        i, best = int(np.argmax(values)), max(best, float(values.max()))
-        a, b = finer[max(i - 1, 0)], finer[min(i + 1, 40)]
+        i = int(np.argmax(values))
+        best = max(best, float(values.max()))
+        a = finer[max(i - 1, 0)]
+        b = finer[min(i + 1, 40)]
     return best
 
 

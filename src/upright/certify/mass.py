@@ -40,7 +40,8 @@ def on_the_scale(robot: Robot, weighed: float, *, logged: bool) -> Robot:
             f"a body of {body:.3g} kg on the scale", expected=f"{robot.body_mass:.3g} kg ± {LOAD:.0%}, as in its file",
             hint="give a log of this robot; or write mass, centre and inertias into its file",
         )  # fmt: skip
-    known, before = loaded(robot, factor), deviations(robot)
+    known = loaded(robot, factor)
+    before = deviations(robot)
     sizes = {name: math.hypot(factor * before.get(name, 0.0), SHAPE * (factor - 1) * getattr(robot, name))
              for name in LOADED if name in before}  # fmt: skip
     sizes["body_mass"] = math.hypot(SCALE * weighed, 2 * before.get("wheel_mass", 0.0))

@@ -109,7 +109,8 @@ def parameter_mu(
 def _peak(matrices: Complex, blocks: Sequence[Block]) -> tuple[float, int]:
     """The largest bound over all frequencies and where. The largest is refined until it has been; what a scaling proves
     at one frequency it is tried for at all."""
-    bounds, refined = balanced(matrices, blocks)[0], dict[int, Scaling]()
+    bounds = balanced(matrices, blocks)[0]
+    refined = dict[int, Scaling]()
     while (at := int(np.argmax(bounds))) not in refined and len(refined) < _REFINED:
         near = min(refined, key=lambda i: abs(i - at), default=None)
         refined[at] = best_scaling(matrices[at], blocks, refined[near] if near is not None else None)
@@ -163,7 +164,10 @@ def _uncertain(P: LinearModel, K: LinearModel, factors: Sequence[tuple[Array, Ar
     """From w to z with the loop closed: x⁺ = A x + B u + L₁ w, y = C x + L₂ w, z = R₁ x + R₂ u, u = K y (D = 0)."""
     n = len(P.A)
     L, R = np.hstack([left for left, _ in factors]), np.vstack([right for _, right in factors])
-    L1, L2, R1, R2 = L[:n], L[n:], R[:, :n], R[:, n:]
+    L1 = L[:n]
+    L2 = L[n:]
+    R1 = R[:, :n]
+    R2 = R[:, n:]
     A = np.block([[P.A + P.B @ K.D @ P.C, P.B @ K.C], [K.B @ P.C, K.A]])
     B = np.vstack([L1 + P.B @ K.D @ L2, K.B @ L2])
     return LinearModel(A, B, np.hstack([R1 + R2 @ K.D @ P.C, R2 @ K.C]), R2 @ K.D @ L2, P.dt)
@@ -171,10 +175,12 @@ def _uncertain(P: LinearModel, K: LinearModel, factors: Sequence[tuple[Array, Ar
 
 def _lower(P: LinearModel, K: LinearModel, slopes: Mapping[str, Array]) -> tuple[float, dict[str, float]]:
     """1/k of the smallest corner k·δ, δ = ±1 each, found unstable, and its signs; zero where none is up to `_FAR`."""
-    names, stack = list(slopes), np.array(list(slopes.values()))
+    names = list(slopes)
+    stack = np.array(list(slopes.values()))
     rng = np.random.Generator(np.random.Philox(0))
     signs = rng.choice([-1.0, 1.0], size=(_CORNERS, len(names)))
-    closer, best = _FAR, np.zeros(len(names))
+    closer = _FAR
+    best = np.zeros(len(names))
     for corner in [*signs, *_uphill(P, K, stack, np.zeros(len(names)))]:
         closer, best = _nearer(P, K, stack, corner, closer, best)
     for _ in range(_CLIMBS):
@@ -194,7 +200,8 @@ def _nearer(
     move = np.tensordot(corner, stack, 1)
     if not _unstable(P, K, move, closer):
         return closer, best
-    low, high = 0.0, closer
+    low = 0.0
+    high = closer
     for _ in range(24):
         middle = (low + high) / 2
         low, high = (low, middle) if _unstable(P, K, move, middle) else (middle, high)
@@ -203,7 +210,8 @@ def _nearer(
 
 def _uphill(P: LinearModel, K: LinearModel, stack: Array, here: Array) -> list[Array]:
     """The corner towards which the spectral radius grows from `here` (parameters,), and its opposite."""
-    at, step = np.tensordot(here, stack, 1), 1e-3
+    at = np.tensordot(here, stack, 1)
+    step = 1e-3
     ends = [[_radius(P, K, at + sign * step * slope) for sign in (1.0, -1.0)] for slope in stack]
     uphill = np.array([1.0 if up >= down else -1.0 for up, down in ends])
     return [uphill, -uphill]
@@ -228,6 +236,8 @@ def _radius(P: LinearModel, K: LinearModel, move: Array) -> float:
 
 def _poles(P: LinearModel, K: LinearModel, move: Array) -> Complex:
     n = len(P.A)
-    A, B, C = P.A + move[:n, :n], P.B + move[:n, n:], P.C + move[n:, :n]
+    A = P.A + move[:n, :n]
+    B = P.B + move[:n, n:]
+    C = P.C + move[n:, :n]
     closed = np.block([[A + B @ K.D @ C, B @ K.C], [K.B @ C, K.A]])
     return np.linalg.eigvals(closed).astype(complex)

@@ -78,7 +78,8 @@ def narrowing(setup: TrialSetup, unknown: Uncertainty, fell: Mask) -> Narrowing:
         """How many fall; by default no push is tried after one that makes it red."""
         spreads = tuple(s.scaled(factors.get(s.name, 1.0)) for s in unknown.spreads)
         known = Uncertainty(spreads, unknown.correlation)
-        robots, lost = draw(setup.robot, TRIED, setup.seed + 1, known), np.zeros(TRIED, dtype=np.bool_)
+        robots = draw(setup.robot, TRIED, setup.seed + 1, known)
+        lost = np.zeros(TRIED, dtype=np.bool_)
         for one in tried(replace(setup, robots=robots, progress=None)):
             lost |= one.run.fell
             if red(int(lost.sum()), TRIED) and not all_pushes:

@@ -60,14 +60,16 @@ def largest_hold(robot: Robot, kit: Kit, side: int = 1, *, battery: float | None
     Every smaller one is survivable too. Zero where the robot cannot stand on the `slope` [rad] at all, infinite without
     a limit of the command.
     """
-    numbers, able = tuple(robot.numbers().values()), means(robot, kit, battery)
+    numbers = tuple(robot.numbers().values())
+    able = means(robot, kit, battery)
     return _largest(numbers, able, slope, "hold", side) if math.isfinite(able.most) else math.inf
 
 
 def largest_knock(robot: Robot, kit: Kit, side: int = 1, *, battery: float | None = None, slope: float = 0.0) -> float:
     """The largest `Impulse` [N s] of `KNOCK_DURATION` at the centre of mass towards `side` that any controller survives
     from rest; zero and infinite as in `largest_hold`."""
-    numbers, able = tuple(robot.numbers().values()), means(robot, kit, battery)
+    numbers = tuple(robot.numbers().values())
+    able = means(robot, kit, battery)
     return _largest(numbers, able, slope, "knock", side) if math.isfinite(able.most) else math.inf
 
 
@@ -125,7 +127,9 @@ def _saved(
     can = np.isfinite(pitch) & (np.abs(command) <= able.most) & (np.abs(pitch) < STOP)
     after, _ = _rest(p, 0.0, slope)  # when nobody pushes
     can &= np.isfinite(after) & (np.abs(after) < STOP)
-    start, ramps, pushes = np.zeros((n, 6)), np.zeros((n, 2, 4)), np.zeros((n, 1, 4))
+    start = np.zeros((n, 6))
+    ramps = np.zeros((n, 2, 4))
+    pushes = np.zeros((n, 1, 4))
     start[:, 0] = np.where(can, pitch, 0.0)
     ramps[:, 0] = np.stack([np.where(can, command, 0.0) * radius, 0 * radius, 0 * radius, able.wait + 0 * radius], 1)
     ramps[:, 1] = np.stack([side * able.most * radius, 0 * radius, able.wait + 0 * radius, math.inf + 0 * radius], 1)
@@ -159,7 +163,8 @@ def _rest(p: Any, force: Any, slope: float | Array) -> tuple[Array, Array]:
     weight = p.body_mass * p.gravity * p.com_height
     climb = (p.body_mass + 2 * p.wheel_mass) * p.gravity * p.wheel_radius * np.sin(slope)
     torque = climb - force * p.wheel_radius
-    along, across = weight * np.cos(slope), force * p.com_height - weight * np.sin(slope)
+    along = weight * np.cos(slope)
+    across = force * p.com_height - weight * np.sin(slope)
     with np.errstate(invalid="ignore"):
         pitch = np.arcsin(torque / np.hypot(along, across)) - np.arctan2(across, along)
     return pitch, torque / (2 * motor_gain(p))

@@ -42,7 +42,8 @@ class Release:
     @property
     def upright(self) -> float:
         """From when on [s] pitch stays within `UPRIGHT`; infinite where that is not so in the last quarter."""
-        t, outside = self.log.t, np.flatnonzero(np.abs(self.log["truth/pitch"]) > UPRIGHT)
+        t = self.log.t
+        outside = np.flatnonzero(np.abs(self.log["truth/pitch"]) > UPRIGHT)
         first = int(outside[-1]) + 1 if len(outside) else 0
         return math.inf if self.fell is not None or first > last_part(len(t)) else float(t[first])
 

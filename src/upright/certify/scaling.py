@@ -57,7 +57,8 @@ def balanced(matrices: Complex, blocks: Sequence[Block]) -> tuple[Array, Array]:
     d = np.ones(power.shape[:2])
     for _ in range(30):
         for i in range(len(blocks)):
-            out, into = (power[:, i] / d**2).sum(axis=1), (power[:, :, i] * d**2).sum(axis=1)
+            out = (power[:, i] / d**2).sum(axis=1)
+            into = (power[:, :, i] * d**2).sum(axis=1)
             d[:, i] = np.where((out > 0) & (into > 0), (into / np.where(out > 0, out, 1.0)) ** 0.25, d[:, i])
     wide = np.repeat(d, [size for size, _ in blocks], axis=1)
     return np.linalg.norm(wide[:, :, None] * matrices / wide[:, None, :], 2, axis=(1, 2)), wide
@@ -73,7 +74,8 @@ def best_scaling(matrix: Complex, blocks: Sequence[Block], start: Scaling | None
     level = float(min(first.bounds(matrix[None])[0], norms[0]))
     if not level > 0:
         return first
-    M, z = matrix / level, _packed(Scaling(first.T, first.G / level), blocks)
+    M = matrix / level
+    z = _packed(Scaling(first.T, first.G / level), blocks)
     for sharpness in SHARPNESS:
 
         def smooth(z: Array, sharpness: float = sharpness) -> tuple[float, Array]:

@@ -149,7 +149,8 @@ def _falls(samples: int, fell: int, beyond: int, runs: Sequence[PushTrial]) -> l
 
 
 def _thin(linear: LinearMargins, period: float) -> list[str]:
-    up, down = linear.gain_high - 1, 1 - linear.gain_low
+    up = linear.gain_high - 1
+    down = 1 - linear.gain_low
     slack, way, at = (up, "stronger", linear.high_at) if up < down else (down, "weaker", linear.low_at)
     changed = (
         f"a signal {100 * slack:.1f} % {way}{placed(at)} makes" if at else f"motors {100 * slack:.1f} % {way} make"

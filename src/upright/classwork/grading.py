@@ -105,7 +105,9 @@ class Grades(Shown):
         """The table as a page, not yet written."""
         from upright.report import Page, Section, Table, Verdict
 
-        table, forged, broken = self.listing(), self.count(*FORGED), self.count(BROKEN)
+        table = self.listing()
+        forged = self.count(*FORGED)
+        broken = self.count(BROKEN)
         rows = dict(zip(self.rows, table.rows, strict=True))
         wrong = [g for g in self.rows if g.verdict in (*FORGED, BROKEN)]
         parts = {"To look at": wrong, "As claimed": [g for g in self.rows if g not in wrong]}

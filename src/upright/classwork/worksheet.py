@@ -61,7 +61,8 @@ def worksheet(language: str, lab: str = LAB) -> str:
 
 def fragment(task: Task) -> str:
     """The part of a link that sets the lab up for a task: robot, controller, and what differs from the usual set-up."""
-    usual, own = plain(Setup()), plain(task.setup)
+    usual = plain(Setup())
+    own = plain(task.setup)
     shown = {name: own[name] for name in own if name in ("robot", "controller") or own[name] != usual[name]}
     texts = {name: ",".join(map(_text, v)) if isinstance(v, list) else _text(v) for name, v in shown.items()}
     return "#" + urlencode(texts, safe=",")

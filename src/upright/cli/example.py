@@ -55,10 +55,14 @@ def example(
     if name not in every:
         raise UnknownName("example", name, every)
     if name in FILES:
-        written, kind, about = _file(name, output), "file", FILES[name]
+        written = _file(name, output)
+        kind = "file"
+        about = FILES[name]
     else:
         check_targets(target := output or Path(f"{name}.csv"))
-        written, kind, about = simulate(name).save(target), "log", f"a twin, {EXAMPLES[name].about}"
+        written = simulate(name).save(target)
+        kind = "log"
+        about = f"a twin, {EXAMPLES[name].about}"
     if as_json:
         print_json({"example": name, kind: str(written)})
     else:

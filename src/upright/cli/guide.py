@@ -249,7 +249,8 @@ def _light(study: GuidedStudy) -> str:
 
 
 def _conclude(study: GuidedStudy) -> None:
-    light, where = _light(study), study.answers["where"]
+    light = _light(study)
+    where = study.answers["where"]
     words = {
         "green": "green: the controller may drive this robot", "amber": "amber: it may drive, with care",
         "red": "red: it must not drive",

@@ -85,7 +85,8 @@ def epilog(name: str) -> str:
 def option_meant(error: typer.TyperException) -> str:
     """What to try after a mistake in the words of a command: the option whose values have such a name, or else its
     help; empty where the error proposes something itself, or has no command."""
-    context, message = getattr(error, "ctx", None), error.format_message()
+    context = getattr(error, "ctx", None)
+    message = error.format_message()
     if context is None or "Did you mean" in message or "Possible options" in message:
         return ""
     extra = re.fullmatch(r"Got unexpected extra arguments?(?:\(s\))? \((\S+).*\)", message)

@@ -89,7 +89,8 @@ def _code_of(error: Exception) -> int:
     """Print the error as one line on stderr and return the exit code."""
     code = USER_ERROR
     if isinstance(error, typer.TyperException):
-        message, proposal = error.format_message(), option_meant(error)
+        message = error.format_message()
+        proposal = option_meant(error)
         message = message.rstrip(".") + proposal if proposal else message
     elif isinstance(error, UprightError):
         message = str(error)

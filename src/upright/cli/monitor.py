@@ -55,8 +55,10 @@ class Screen:
     """Prints lines as they arrive, telemetry at most at `fastest` [Hz]; `kept` holds those of the log."""
 
     def __init__(self, fastest: float) -> None:
-        self.kept, self.damaged = list[str](), 0
-        self._pause, self._next = 1 / fastest, 0.0
+        self.kept = list[str]()
+        self.damaged = 0
+        self._pause = 1 / fastest
+        self._next = 0.0
 
     def receive(self, line: str) -> None:
         from upright.flight.program_logs import checked_line, is_signed, status_text

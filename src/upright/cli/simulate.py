@@ -70,7 +70,8 @@ def simulate(
     design, planned = _excited(design, excite) if excite else (design, 10.0)
     length = planned if seconds is None else seconds
     if lying is not None:
-        design, first = _standing_up(design, chosen, kit or chosen.kit, lying, start), [lying, *[0.0] * 5]
+        design = _standing_up(design, chosen, kit or chosen.kit, lying, start)
+        first = [lying, *[0.0] * 5]
     with MOTORS, closing(plant), progress("simulating") as show:  # hardware is stopped however this ends
         log = run(plant, design, pushes, reference=references, seconds=length, seed=seed, start=first, progress=show)
     written = log.save(output) if output else None
@@ -101,7 +102,8 @@ def _fitted(
     from upright.control import find_controller
     from upright.robots import find_kit
 
-    bare, parts = make_body(body, robot), find_kit(kit)
+    bare = make_body(body, robot)
+    parts = find_kit(kit)
     ideal = parts.name == "ideal"  # without electronics, so that controllers may read the true state
     plant = bare if ideal else Electronics(bare, parts)
     dt = parts.period if period is None else period

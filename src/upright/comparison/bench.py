@@ -117,7 +117,9 @@ class Bench(Shown):
     def places(self) -> dict[str, int]:
         """The place of each controller by the impulse that it survives; those within `TOLERANCE` of the best of a place
         share it."""
-        places, best, place = dict[str, int](), math.nan, 0
+        places = dict[str, int]()
+        best = math.nan
+        place = 0
         for k, (name, size) in enumerate(self.ranked().items(), 1):
             if not size >= best * (1 - TOLERANCE):
                 best, place = size, k
@@ -130,7 +132,8 @@ class Bench(Shown):
         from upright.plotting import COLOURS, bars
 
         ranked, places = self.ranked(), self.places()
-        names, x_label = [f"{place}. {name}" for name, place in places.items()], "largest impulse survived [N s]"
+        names = [f"{place}. {name}" for name, place in places.items()]
+        x_label = "largest impulse survived [N s]"
         figure = bars(names, list(ranked.values()), x_label, "controller", digits=3)
         for bar, place in zip(figure.axes[0].patches, places.values(), strict=True):
             bar.set_color(COLOURS[0] if place > 1 else COLOURS[2])
@@ -181,7 +184,9 @@ def bench_controllers(
         left_out = "; ".join(method.lacks for method in CONTROLLERS.values() if method.lacks)
     for method in methods:
         _ = CONTROLLERS[method]  # raises for a name that there is not, before the work
-    rows, logs, drawn = list[BenchRow](), dict[tuple[str, str], Log](), draw(nominal, DRAWN, seed)
+    rows = list[BenchRow]()
+    logs = dict[tuple[str, str], Log]()
+    drawn = draw(nominal, DRAWN, seed)
     for method in methods:
         controller = _designed(method, nominal, parts)
         for side in PUSHES:

@@ -123,14 +123,16 @@ class Comparison(Shown):
     def ended(self, label: str) -> str:
         """How a run ended, in words, also that its swing grows and that it rolled far."""
         log, numbers = self.logs[label], self.metrics[label]
-        ended, rolled = str(outcome_of(log)), log.origin.get("robot", {}).get("wheel_radius", 0) * numbers.wheel_travel
+        ended = str(outcome_of(log))
+        rolled = log.origin.get("robot", {}).get("wheel_radius", 0) * numbers.wheel_travel
         if math.isfinite(numbers.doubling):
             ended += f", but its swing doubled every {numbers.doubling:.2g} s"
         return f"{ended}, and rolled {rolled:.2g} m" if rolled > MOST_TRAVEL else ended
 
     def plot(self, *signals: str) -> Figure:
         """States of all logs over time (default: all that are compared), one panel each; the push is shaded."""
-        names, source = signals or self.signals, self.sources[self.reference]
+        names = signals or self.signals
+        source = self.sources[self.reference]
         titles = [f"{n.replace('_', ' ')} [{self.logs[self.reference].unit(f'{source}/{n}')}]" for n in names]
         return self._drawn(titles, {label: [f"{of}/{name}" for name in names] for label, of in self.sources.items()})
 
@@ -179,7 +181,8 @@ class Comparison(Shown):
 
     def answer(self, label: str, name: str = "pitch") -> swaying.Answered | None:
         """How a run and the reference answer the pushes until both are at rest: `swaying.answer`."""
-        one, log = self.logs[self.reference], self.logs[label]
+        one = self.logs[self.reference]
+        log = self.logs[label]
         t = one.t[(one.t >= log.t[0]) & (one.t <= log.t[-1])]
         names = (f"{self.sources[self.reference]}/{name}", f"{self.sources[label]}/{name}")
         rest = max(self.at_rest(each)[0] for each in (self.reference, label))
@@ -320,7 +323,8 @@ def _command_unit(log: Log) -> str:
 
 def _measure(log: Log, source: str, release: float, unit: str) -> Metrics:
     pitch, wheel = _channel(log, f"{source}/pitch"), _channel(log, f"{source}/wheel")
-    after, fell = pitch[log.t >= release], outcome_of(log).fell
+    after = pitch[log.t >= release]
+    fell = outcome_of(log).fell
     return Metrics(
         settling_2=metrics.settled(log.t, pitch, band=0.02, start=release),
         settling_5=metrics.settled(log.t, pitch, band=0.05, start=release),

@@ -32,7 +32,8 @@ def at_rest(runs: Mapping[str, Released], label: str) -> tuple[float, float]:
     from upright.fleet.ensemble import SETTLED
 
     own = {name: near(run) for name, run in runs.items()}
-    limit, run = max((x for x in own.values() if math.isfinite(x)), default=math.nan), runs[label]
+    limit = max((x for x in own.values() if math.isfinite(x)), default=math.nan)
+    run = runs[label]
     if math.isnan(own[label]):
         return math.nan, limit
     limit = SETTLED if limit <= SETTLED <= WIDE * float(run.size.max()) else limit

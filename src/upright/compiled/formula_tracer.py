@@ -28,7 +28,8 @@ class FormulaTracer:
     """
 
     def __init__(self, letter: str = "t") -> None:
-        self._letter, self._known = letter, dict[Step, Number]()
+        self._letter = letter
+        self._known = dict[Step, Number]()
 
     def number(self, name: str) -> Number:
         """What stands for the variable of that name."""

@@ -13,7 +13,8 @@ class CPrinter(Printer):
 
     def __init__(self, program: Program, number: str) -> None:
         self.program = program
-        self.type, self._single = number, number == "float"
+        self.type = number
+        self._single = number == "float"
         self._carried = set(program.carried())
         loops = [s for block in program.blocks for s in block.statements if isinstance(s, Repeat)]
         self._changing = {name for loop in loops for name, _ in loop.carry}

@@ -92,12 +92,14 @@ class FixedPrinter(CPrinter):
         text += "".join(f" {'-' if f < 0 else '+'} {part}" for f, part in parts[1:])
         if self._within(statement):
             return self._narrow(text, form.shift)
-        bits, variable = self.bits[statement.target], self.program.variables[statement.target]
+        bits = self.bits[statement.target]
+        variable = self.program.variables[statement.target]
         return f"settled({text}, {form.shift}, {self.word(variable.low, bits)}, {self.word(variable.high, bits)})"
 
     def _within(self, statement: Sum) -> bool:
         """Whether interval arithmetic alone keeps the sum within its variable's range."""
-        variables, target = self.program.variables, self.program.variables[statement.target]
+        variables = self.program.variables
+        target = self.program.variables[statement.target]
         most = abs(statement.constant) + sum(abs(c) * variables[n].most for c, n in statement.terms)
         return most <= target.most * (1 + 1e-12) and statement.low == -float("inf")
 

@@ -54,9 +54,13 @@ class LanesPrinter:
         """`number` is "double" or "float". Without a `table` constants are in the text; with `own` constants each one
         of the table is a row of the block, else one number."""
         self._blocks, self._places, self._table, self._own = blocks, places, table, own
-        self._number, self._width = number, WIDTHS[number]
+        self._number = number
+        self._width = WIDTHS[number]
         self._vector = f"<{self._width} x {number}>"
-        self._lines, self._names, self._count, self._used = list[str](), dict[str, str](), 0, 0
+        self._lines = list[str]()
+        self._names = dict[str, str]()
+        self._count = 0
+        self._used = 0
 
     def text(self) -> str:
         """The module."""
@@ -66,7 +70,9 @@ class LanesPrinter:
         return f"{known}\n{functions}"
 
     def _function(self, block: Block) -> str:
-        self._lines, self._names, label = [], {}, "loop"
+        self._lines = []
+        self._names = {}
+        label = "loop"
         for statement in block.statements:
             if isinstance(statement, Repeat):
                 label = self._repeat(statement, label)

@@ -96,7 +96,8 @@ class NxcPrinter(Printer):
             case Whole(target, value):
                 return [f"trunc {target}, {value}"]
             case Choose(target, left, right, then, other):
-                skip, names = self._label(), [self._named(o) for o in (right, then, other)]
+                skip = self._label()
+                names = [self._named(o) for o in (right, then, other)]
                 return [f"mov {target}, {names[1]}", f"brcmp LT, {skip}, {left}, {names[0]}",
                         f"mov {target}, {names[2]}", f"{skip}:"]  # fmt: skip
             case Function() | Fused():
@@ -132,9 +133,11 @@ class NxcPrinter(Printer):
 
     def _exact(self, name: str, value: float) -> list[str]:
         mantissa, exponent = math.frexp(value)
-        whole, power = int(mantissa * 2**24), 24 - exponent
+        whole = int(mantissa * 2**24)
+        power = 24 - exponent
         while whole and not whole % 2 and power > 0:
-            whole, power = whole // 2, power - 1
+            whole = whole // 2
+            power = power - 1
         if not whole or power <= 0:
             return [f"mov {name}, {int(value)}"]
         lines = [f"mov {name}, {whole}"]

@@ -28,10 +28,16 @@ _SQRT2 = 1.4142135623730951
 def _two_rounds(c0: Any, c1: Any, c2: Any, c3: Any, k0: Any, k1: Any) -> Any:
     """Counter and key two rounds on."""
     p0, p1 = _M0 * c0, _M1 * c2
-    c0, c1, c2, c3 = (p1 >> _SHIFT) ^ c1 ^ k0, p1 & _LOW, (p0 >> _SHIFT) ^ c3 ^ k1, p0 & _LOW
+    c0 = (p1 >> _SHIFT) ^ c1 ^ k0
+    c1 = p1 & _LOW
+    c2 = (p0 >> _SHIFT) ^ c3 ^ k1
+    c3 = p0 & _LOW
     k0, k1 = (k0 + _W0) & _LOW, (k1 + _W1) & _LOW
     p0, p1 = _M0 * c0, _M1 * c2
-    c0, c1, c2, c3 = (p1 >> _SHIFT) ^ c1 ^ k0, p1 & _LOW, (p0 >> _SHIFT) ^ c3 ^ k1, p0 & _LOW
+    c0 = (p1 >> _SHIFT) ^ c1 ^ k0
+    c1 = p1 & _LOW
+    c2 = (p0 >> _SHIFT) ^ c3 ^ k1
+    c3 = p0 & _LOW
     return c0, c1, c2, c3, (k0 + _W0) & _LOW, (k1 + _W1) & _LOW
 
 
@@ -80,7 +86,9 @@ def fill_normals(block: RobotBlock, out: int, time: int, purpose: int, half: int
     """Rows `out` and `out` + 1 of a block: two normal numbers for each robot, at whole `time`. Of the four that a
     purpose has, `half` 0 gives the first two and 1 the others."""
     c0, c3, key = np.uint64(time), np.uint64(purpose), np.uint64(seed)
-    k0, k1, second = key & _LOW, key >> _SHIFT, half > 0
+    k0 = key & _LOW
+    k1 = key >> _SHIFT
+    second = half > 0
     for i in range(block.robots):
         robot = item(block.index, block.first + i)
         r0, r1, r2, r3 = philox(c0, robot & _LOW, robot >> _SHIFT, c3, k0, k1)

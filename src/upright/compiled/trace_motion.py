@@ -137,7 +137,8 @@ class _Work:
     """The source texts of one variant, whose `held` values are the same in all stages of a step."""
 
     def __init__(self, name: str) -> None:
-        self.name, self.slope = name, SIN_SLOPE not in VARIANTS[name]
+        self.name = name
+        self.slope = SIN_SLOPE not in VARIANTS[name]
         self._moving = [n for n in STAGE if n != "yaw" or self.slope]
         held = (*HELD, *ROLL) if name == "free" else HELD
         source, (held_steps, steps) = LaneSource(), _parted(_acceleration_steps(VARIANTS[name], held), held)
@@ -283,7 +284,9 @@ def _used(lines: Iterable[SourceLine], names: Iterable[str]) -> list[str]:
 
 def _parted(steps: Sequence[Step], fixed: Sequence[Any]) -> tuple[list[Step], list[Step]]:
     """Steps that need nothing but what is `fixed` over a step of time and constants, and the others."""
-    known, held, rest = {*map(str, fixed), *CONSTANTS}, list[Step](), list[Step]()
+    known = {*map(str, fixed), *CONSTANTS}
+    held = list[Step]()
+    rest = list[Step]()
     for step in steps:
         reads = set(operands(step))
         alone = reads <= known and not reads <= set(CONSTANTS)
@@ -336,7 +339,8 @@ def _reciprocals(out: AlgebraTracer, names: Sequence[str]) -> list[str]:
     before = [names[0]]
     for i, name in enumerate(names[1:]):
         before.append(out.put(f"before_{i}", Product("", before[-1], name)))
-    rest, inverses = out.put("over", Quotient("", 1.0, before[-1])), list[str]()
+    rest = out.put("over", Quotient("", 1.0, before[-1]))
+    inverses = list[str]()
     for i in range(len(names) - 1, 0, -1):
         inverses.append(out.put(f"over_{i}", Product("", rest, before[i - 1])))
         rest = out.put(f"rest_{i}", Product("", rest, names[i]))

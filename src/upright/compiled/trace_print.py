@@ -86,7 +86,8 @@ class AlgebraTracer:
         first, *rest = sorted(
             expression.args, key=lambda term: (not _single(term), max(map(_rank, term.free_symbols), default=(0, "")))
         )
-        terms, products = [self.value(first)], list[tuple[float, Operand, Operand]]()
+        terms = [self.value(first)]
+        products = list[tuple[float, Operand, Operand]]()
         for term in rest:
             sign, size = (-1.0, -term) if _negative(term) else (1.0, term)
             if _single(size):
@@ -105,7 +106,8 @@ class LaneSource(Printer):
 
     def lines(self, steps: Iterable[Step]) -> list[SourceLine]:  # type: ignore[override]
         """One line for each statement, but one for a sine and the cosine after it."""
-        lines, sine = list[SourceLine](), ""
+        lines = list[SourceLine]()
+        sine = ""
         for step in steps:
             match step:
                 case Function(target, "sin", _):

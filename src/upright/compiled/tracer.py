@@ -151,7 +151,8 @@ class Tracer:
         for form in carried:
             variable = self.variables[form.name]
             self.variables[form.name] = replace(variable, low=-INFINITY, high=INFINITY, whole=False)
-        before, self._statements = self._statements, []
+        before = self._statements
+        self._statements = []
         carry = tuple((form.name, value.name) for form, value in zip(carried, body(), strict=True))
         steps = tuple(s for s in self._statements if not isinstance(s, Repeat))
         assert len(steps) == len(self._statements), "a loop in a loop"

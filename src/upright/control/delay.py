@@ -121,7 +121,8 @@ class _Between:
 
     @cache  # noqa: B019 (it lives as long as one design)
     def __call__(self, h: float) -> tuple[Array, Array, Array, Array]:
-        first, second = min(h, self.rest), max(h - self.rest, 0.0)
+        first = min(h, self.rest)
+        second = max(h - self.rest, 0.0)
         phi, old, push = _held(self.robot, first)
         phi2, new, push2 = _held(self.robot, second)
         return phi2 @ phi, phi2 @ old, new, phi2 @ push + push2
@@ -143,8 +144,12 @@ def _assembled(
     lines = [_line(sensor.delay, between.dt) for sensor, _ in rows]
     waiting = [f"{name}@{i + 1}" for name, (count, _) in zip(reads, lines, strict=True) for i in range(count)]
     names = (*STATE_NAMES, *extra, *waiting)
-    n, push = len(names), len(STATE_NAMES) + len(extra) - 1
-    A, B, E, C = np.zeros((n, n)), np.zeros((n, 4)), np.zeros((n, 1)), np.zeros((len(rows), n))
+    n = len(names)
+    push = len(STATE_NAMES) + len(extra) - 1
+    A = np.zeros((n, n))
+    B = np.zeros((n, 4))
+    E = np.zeros((n, 1))
+    C = np.zeros((len(rows), n))
 
     def moves(row: int, c: Array, h: float) -> None:
         phi, old, new, force = between(h)
@@ -180,10 +185,13 @@ def _line(delay: float, dt: float) -> tuple[int, float]:
 
 
 def _plant(between: _Between) -> LinearModel:
-    d, h = between.delay, between.delay + (between.rest > 0)
+    d = between.delay
+    h = between.delay + (between.rest > 0)
     phi, old, new, push = between(between.dt)
     n = 6 + 2 * h
-    A, B, E = np.zeros((n, n)), np.zeros((n, 2)), np.zeros((n, 1))
+    A = np.zeros((n, n))
+    B = np.zeros((n, 2))
+    E = np.zeros((n, 1))
     A[:6, :6], E[:6, 0] = phi, push
     if between.rest > 0:
         A[:6, 6 + 2 * d : 8 + 2 * d] = old

@@ -140,7 +140,8 @@ class Complementary:
         return (*RAW, *(ACCELEROMETER if self.accelerometer else ()))
 
     def reset(self) -> None:
-        self._state, self._first = np.zeros(6), True
+        self._state = np.zeros(6)
+        self._first = True
 
     def update(self, measurement: Array) -> Array:
         left, right, gyro = measurement[:3].tolist()
@@ -148,9 +149,12 @@ class Complementary:
         pitch, _, wheel, wheel_rate, yaw, yaw_rate = self._state.tolist()
         keep = self.time / (self.time + self.dt)
         pitch = slow if self._first else keep * (pitch + self.dt * gyro) + (1 - keep) * slow
-        new_wheel, new_yaw = (left + right) / 2 + pitch, (right - left) / (2 * self.turn)
+        new_wheel = (left + right) / 2 + pitch
+        new_yaw = (right - left) / (2 * self.turn)
         if self._first:
-            wheel, yaw, self._first = new_wheel, new_yaw, False
+            wheel = new_wheel
+            yaw = new_yaw
+            self._first = False
         smooth = self.rate_time / (self.rate_time + self.dt)
         wheel_rate = smooth * wheel_rate + (1 - smooth) * (new_wheel - wheel) / self.dt
         yaw_rate = smooth * yaw_rate + (1 - smooth) * (new_yaw - yaw) / self.dt

@@ -22,7 +22,9 @@ class Excited:
         sequence = np.array(excitation, dtype=np.float64)
         if sequence.ndim != 2 or sequence.shape[1] != 2 or not np.isfinite(sequence).all():
             raise InvalidController(f"an excitation of shape {sequence.shape}", expected="finite numbers (n, 2)")
-        self.controller, self.excitation, self._row = controller, sequence, 0
+        self.controller = controller
+        self.excitation = sequence
+        self._row = 0
         self.spec = replace(controller.spec, kind=f"{controller.spec.kind} with excitation")
 
     def reset(self) -> None:

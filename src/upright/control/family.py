@@ -39,7 +39,8 @@ def halves(names: Sequence[str], sign: float = 1.0) -> tuple[Array, Array]:
     """
     columns: list[Array] = []
     for i, name in enumerate(names):
-        paired, turns = "right" in name, name in STATE_NAMES[4:]
+        paired = "right" in name
+        turns = name in STATE_NAMES[4:]
         column = np.zeros(len(names))
         column[i] = 1.0
         if paired:
@@ -113,7 +114,8 @@ class LoopFamily:
         from scipy.linalg import solve_discrete_lyapunov
 
         row = k @ self.F
-        closed, entering = self.M[0] - np.outer(self.b[0], row), np.hstack([self.G[0], self._noise(k)[0]])
+        closed = self.M[0] - np.outer(self.b[0], row)
+        entering = np.hstack([self.G[0], self._noise(k)[0]])
         covariance = np.asarray(solve_discrete_lyapunov(closed, entering @ entering.T), dtype=np.float64)
         command = row @ covariance @ row + float(((k @ self.Fy) ** 2) @ self.noise)
         return float(np.sum(W * covariance[:4, :4]) + price * command)
@@ -135,18 +137,22 @@ class LoopFamily:
 
 def family(planes: Sequence[Plane], estimator: Filter) -> LoopFamily:
     """The loops of `planes`, all of one size, with the observer of the nominal robot's `estimator`."""
-    model, watch = estimator.sampled, observer(estimator)
+    model = estimator.sampled
+    watch = observer(estimator)
     spread, gather = halves([*model.linear.states, *sides(model.history)])
     out, _ = halves([*STATE_NAMES, *sides(model.history)])
     into = np.linalg.pinv(out)
-    both, apart = np.ones(2), np.array([[1.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
+    both = np.ones(2)
+    apart = np.array([[1.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
     A, By = gather @ watch.A @ spread, gather @ watch.By @ apart
     Bu, Ba = gather @ watch.Bu @ both, gather @ watch.Ba @ both
     X, Xy = into @ watch.C[:-1] @ spread, into @ watch.Dy[:-1] @ apart
-    n, size = len(planes[0].A), len(A)
+    n = len(planes[0].A)
+    size = len(A)
     line = model.delay + bool(model.before.any())
     M = np.zeros((len(planes), n + size, n + size))
-    b, G = np.zeros((len(planes), n + size)), np.zeros((len(planes), n + size, 2))
+    b = np.zeros((len(planes), n + size))
+    G = np.zeros((len(planes), n + size, 2))
     for i, one in enumerate(planes):
         M[i, :n, :n], M[i, n:, :n], M[i, n:, n:] = one.A, By @ one.C, A
         b[i, :n], b[i, n:], G[i, :n] = one.b, Bu, one.G

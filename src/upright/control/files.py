@@ -76,7 +76,8 @@ def _estimated(data: dict[str, Any]) -> Estimated:
 
 
 def _estimator(data: dict[str, Any]) -> Estimator:
-    kind, reads = data.pop("kind"), tuple(data.pop("reads"))
+    kind = data.pop("kind")
+    reads = tuple(data.pop("reads"))
     if kind == "complementary filter":
         return Complementary(**data)
     matrices = {name: np.array(data[name], dtype=np.float64) for name in "ABCL"}

@@ -82,17 +82,21 @@ def _solved(models: Sequence[Model], W: Array, price: float, start: Array) -> tu
     from cvxpy.error import SolverError
     from scipy.linalg import solve_discrete_are
 
-    n, size = len(W), 1 / math.sqrt(price)
+    n = len(W)
+    size = 1 / math.sqrt(price)
     T = np.linalg.cholesky(solve_discrete_are(*models[0], W + 1e-9 * np.eye(n), np.array([[price]]))).T
     back = np.linalg.inv(T)
     deviation = (np.sqrt(np.diag(W))[:, None] * back)[np.diag(W) > 0]
     first = T @ np.diag(start)
-    Q, Y, Z = cp.Variable((n, n), symmetric=True), cp.Variable((1, n)), cp.Variable((n, n), symmetric=True)
+    Q = cp.Variable((n, n), symmetric=True)
+    Y = cp.Variable((1, n))
+    Z = cp.Variable((n, n), symmetric=True)
     rules: list[Any] = [cp.bmat([[Z, first.T], [first, Q]]) >> 0]
     for A, b in models:
         after = (T @ A @ back) @ Q + (T @ b * size) @ Y
         m = len(deviation)
-        none, column = np.zeros((n, m)), np.zeros((n, 1))
+        none = np.zeros((n, m))
+        column = np.zeros((n, 1))
         rows = [
             [Q, after.T, Q @ deviation.T, Y.T],
             [after, Q, none, column],

@@ -47,7 +47,9 @@ class Disturbed:
 
     def noise(self, model: SampledRobot) -> Array:
         """W (n, n), the covariance of what enters the states of `model` in a period."""
-        robot, names, n = model.robot, model.linear.states, len(model.linear.A)
+        robot = model.robot
+        names = model.linear.states
+        n = len(model.linear.A)
         root = math.sqrt(model.dt)
         walks = {"push": self.push_walk * robot.body_mass * robot.gravity / NXTWAY_WEIGHT * root}
         if "gyro_bias" in names:
@@ -163,7 +165,8 @@ def filtered(A: Array, C: Array, L: Array, readings: Array, moved: Array, start:
     prediction. A missing reading (NaN) corrects nothing.
     """
     states, errors = np.empty(moved.shape), np.empty(readings.shape)
-    z, there = start, ~np.isnan(readings)
+    z = start
+    there = ~np.isnan(readings)
     if there.all():  # each prediction is F of the one before and what is known beforehand
         F, G, _ = one_step(A, C, L)
         added = moved + (readings @ G.T if readings.ndim == 2 else G @ readings)

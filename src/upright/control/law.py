@@ -124,7 +124,9 @@ def _behind(m: LinearController, rows: slice, linear: Array, part: Switching | S
 def program(law: Law, referred: int = 6) -> Program:
     """The law alone in SI units, without ranges: the inputs are the channels it reads, `reference_…` for the first
     `referred` states and `applied_…`; the outputs `command_…`."""
-    linear, t, block = law.linear, Tracer(), Block("calibrate", ())
+    linear = law.linear
+    t = Tracer()
+    block = Block("calibrate", ())
     inputs = {name.replace("/", "_"): name for name in linear.reads}
     z = [t.state(f"z{i}", "1", INFINITY) for i in range(len(linear.A))]
     y = [t.input(name, "1", INFINITY) for name in inputs]
@@ -197,7 +199,8 @@ def _planned(t: Tracer, part: Splitting, s: Sequence[Form]) -> list[Form]:
 
 def _sums_and_differences(part: Splitting) -> tuple[Array, Array, Array]:
     """T, S and U with Π = U S T, where T and U take sums and differences of both motors' commands."""
-    n, m = int((part.ease == 0).sum()), len(part.ease)
+    n = int((part.ease == 0).sum())
+    m = len(part.ease)
     to = np.eye(m)
     to[:n, :n] = np.kron(np.eye(n // 2), [[1.0, 1.0], [-1.0, 1.0]])
     inner = np.linalg.solve(to.T, part.projection) @ np.linalg.inv(to)

@@ -57,7 +57,10 @@ class LinearController(ShortRepr):
     spec: ControllerSpec = field(init=False)
 
     def __post_init__(self) -> None:
-        n, m, estimates, memory = len(self.A), len(self.reads), np.shape(self.S)[0] > 0, np.size(self.Bu) > 0
+        n = len(self.A)
+        m = len(self.reads)
+        estimates = np.shape(self.S)[0] > 0
+        memory = np.size(self.Bu) > 0
         o = len(self.C) if memory else 2
         shapes = {"A": (n, n), "By": (n, m), "Br": (n, 6), "Ba": (n, 2), "C": (o, n), "Dy": (o, m), "Dr": (o, 6)}
         shapes |= {"S": (6, n), "Sy": (6, m)} if estimates else {"S": (0, 0), "Sy": (0, 0)}
@@ -82,11 +85,14 @@ class LinearController(ShortRepr):
         states = np.vstack([self.A, self.C, self.S.reshape(opinions, n)])
         readings = np.vstack([self.By, self.Dy, self.Sy.reshape(opinions, m)])
         references = np.vstack([self.Br, self.Dr, np.zeros((opinions, 6))])
-        top, idle = len(states), np.zeros((len(states), o + opinions))
+        top = len(states)
+        idle = np.zeros((len(states), o + opinions))
         if self.Bu.size:
-            commands, own = [idle, states @ self.Ba, states @ self.Bu], slice(top, top + 4)
+            commands = [idle, states @ self.Ba, states @ self.Bu]
+            own = slice(top, top + 4)
         else:
-            commands, own = [states @ self.Ba, idle[:, o:]], slice(n, n + 2)
+            commands = [states @ self.Ba, idle[:, o:]]
+            own = slice(n, n + 2)
         stacked = np.hstack([states, *commands, readings, references])
         self._dot = np.ascontiguousarray(stacked).dot
         self._memory = np.zeros((2, stacked.shape[1]))
@@ -207,7 +213,8 @@ def as_linear(controller: Controller) -> LinearController:
 def _behind(controller: Controller, gain: Array, filter_: Kalman) -> LinearController:
     """u = −K (x̂ − r), where z is the filter's state before the reading."""
     A, By, after = one_step(filter_.A, filter_.C, filter_.L)
-    S, Sy = after[:6], filter_.L[:6]
+    S = after[:6]
+    Sy = filter_.L[:6]
     return _named(controller, A, By, np.zeros((len(A), 6)), filter_.B, -gain @ S, -gain @ Sy, gain, S, Sy)
 
 

@@ -62,7 +62,8 @@ def lqg(
 def regulated(estimator: Filter, Q: ArrayLike | None = None, R: ArrayLike | None = None) -> Lqg:
     """The regulator of the robot that `estimator` sees, under weights as in `lqg`."""
     model = estimator.sampled
-    weight, price = state_weight(model, Q), command_weight(model.robot, R)
+    weight = state_weight(model, Q)
+    price = command_weight(model.robot, R)
     return Lqg(estimator, weight, price, *riccati(model.plant, weight, price))
 
 

@@ -71,7 +71,8 @@ def lqi(
     servo = with_integral(model.plant)
     n = len(servo.states)
     order = [*range(6), n - 1]
-    padded, price = np.zeros((n, n)), command_weight(robot, R)
+    padded = np.zeros((n, n))
+    price = command_weight(robot, R)
     padded[np.ix_(order, order)] = weight
     P, K = riccati(servo, padded, price)
     extra = Extra(np.eye(1), servo.A[-1:, :-1], K[:, -1:], unwound(K[:, -1], model.dt / unwinding))
@@ -86,6 +87,7 @@ def unwound(gain: Array, fraction: float) -> Array:
 def with_integral(plant: LinearModel) -> LinearModel:
     """The plant with e⁺ = e + dt θ as its last state."""
     n = len(plant.states)
-    A, B = np.eye(n + 1), np.vstack([plant.B, np.zeros((1, 2))])
+    A = np.eye(n + 1)
+    B = np.vstack([plant.B, np.zeros((1, 2))])
     A[:n, :n], A[n, STATE_NAMES.index("wheel")] = plant.A, plant.dt
     return LinearModel(A, B, dt=plant.dt, states=(*plant.states, "integral"), inputs=plant.inputs)

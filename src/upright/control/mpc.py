@@ -79,7 +79,8 @@ class Splitting:
                 expected=f"a positive limit, 1 to {MOST_ITERATIONS} iterations, two commands",
             )
         # v ← [stay, turn] (v, sat(v)) + (I − Π) g
-        one, keep = np.eye(m), 1 - self.ease
+        one = np.eye(m)
+        keep = 1 - self.ease
         stay = one - np.diag(self.ease) + self.projection @ np.diag(2 * self.ease - 1)
         turn = 2 * self.projection @ np.diag(keep) - np.diag(keep)
         object.__setattr__(self, "_step", np.hstack([stay, turn]))
@@ -88,9 +89,12 @@ class Splitting:
     def iterated(self, free: Array, pull: Array, times: int = 0) -> tuple[Array, float]:
         """v (m,) from g = `free` and the last v − g, and by how much the last iteration moved a command, over `limit`;
         `times` are by default the `iterations`."""
-        m, rest = len(free), self._rest @ free
+        m = len(free)
+        rest = self._rest @ free
         both = np.concatenate([free + self.shift @ pull, np.zeros(m)])
-        v, inside, before = both[:m], both[m:], np.zeros(2)
+        v = both[:m]
+        inside = both[m:]
+        before = np.zeros(2)
         for _ in range(times or self.iterations):
             np.clip(v, -1.0, 1.0, out=inside)
             before[:] = inside[:2]
@@ -129,10 +133,12 @@ class PredictiveController(ShortRepr):
 
     def reset(self) -> None:
         self.memory.reset()
-        self._pull, self.residual = self._none, 0.0
+        self._pull = self._none
+        self.residual = 0.0
 
     def step(self, measurement: Array, reference: Array) -> tuple[float, float]:
-        free, limit = self.memory.outputs(measurement, reference), self.splitting.limit
+        free = self.memory.outputs(measurement, reference)
+        limit = self.splitting.limit
         v, self._pull, pull = free, self._none, self._pull
         if max(free.max(), -free.min()) > 1:
             v, moved = self.splitting.iterated(free, pull)
@@ -236,8 +242,10 @@ def _split(
     design: Lqg, lengths: Sequence[int], bounds: dict[str, float], *, limit: float, iterations: int
 ) -> PredictiveController:
     """The controller from its regulator: g = Gx (ξ − ξ_s) + what the steady motion itself takes, and the splitting."""
-    model, K = design.filter.sampled, design.K
-    plant, n = model.plant, len(lengths)
+    model = design.filter.sampled
+    K = design.K
+    plant = model.plant
+    n = len(lengths)
     W = design.R + plant.B.T @ design.P @ plant.B
     starts = np.concatenate([[0], np.cumsum(lengths)[:-1]])
     ends = np.cumsum(lengths) - 1
@@ -271,7 +279,8 @@ def _split(
 
 def predicted(A: Array, B: Array, lengths: Sequence[int]) -> tuple[Array, Array]:
     """Φ (N + 1, n, n) and Γ (N + 1, n, 2 blocks) with ξ_i = Φ_i ξ_0 + Γ_i c, ξ⁺ = A ξ + B c, c constant in blocks."""
-    free, forced = [np.eye(len(A))], [np.zeros((len(A), 2 * len(lengths)))]
+    free = [np.eye(len(A))]
+    forced = [np.zeros((len(A), 2 * len(lengths)))]
     for block in np.repeat(np.arange(len(lengths)), lengths).tolist():
         free.append(A @ free[-1])
         forced.append(A @ forced[-1])

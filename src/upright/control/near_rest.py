@@ -29,5 +29,7 @@ def near_rest(controller: Controller) -> LinearController:
 def _closed(memory: LinearController, pick: Array) -> LinearController:
     """u = pick · outputs, fed back into the memory as the command that was decided."""
     C, Dy, Dr = pick @ memory.C, pick @ memory.Dy, pick @ memory.Dr
-    A, By, Br = memory.A + memory.Bu @ C, memory.By + memory.Bu @ Dy, memory.Bu @ Dr
+    A = memory.A + memory.Bu @ C
+    By = memory.By + memory.Bu @ Dy
+    Br = memory.Bu @ Dr
     return replace(memory, A=A, By=By, Br=Br, C=C, Dy=Dy, Dr=Dr, Bu=np.zeros((0, 0)))

@@ -22,10 +22,16 @@ def observer(estimator: Filter) -> LinearController:
     the push F [N]. No reference enters.
     """
     model = estimator.sampled
-    n, m, d, h = len(model.linear.A), len(model.reads), model.delay, model.history
+    n = len(model.linear.A)
+    m = len(model.reads)
+    d = model.delay
+    h = model.history
     size = n + 2 * h
     gain = estimator.L
-    A, By, Bu, Ba = np.zeros((size, size)), np.zeros((size, m)), np.zeros((size, 2)), np.zeros((size, 2))
+    A = np.zeros((size, size))
+    By = np.zeros((size, m))
+    Bu = np.zeros((size, 2))
+    Ba = np.zeros((size, 2))
     A[:n, :n], By[:n], after = one_step(model.linear.A, model.linear.C, gain)
     Ba[:n] = model.now
     line = delay_line(2, d, model.dt)
@@ -36,7 +42,9 @@ def observer(estimator: Filter) -> LinearController:
     X[:6, :n], Xy[:6], X[6:, n:] = after[:6], gain[:6], np.eye(2 * h)
     push = model.linear.states.index("push")
     f = np.concatenate([after[push], np.zeros(2 * h)])
-    C, Dy, none = np.vstack([X, f]), np.vstack([Xy, gain[push]]), np.zeros((size, 6))
+    C = np.vstack([X, f])
+    Dy = np.vstack([Xy, gain[push]])
+    none = np.zeros((size, 6))
     return LinearController(
         A, By, none, Ba, C, Dy, np.zeros((len(C), 6)), reads=model.reads, period=model.dt, S=X[:6], Sy=Xy[:6], Bu=Bu,
         command_unit=model.robot.command_unit, kind="observer",
@@ -92,14 +100,18 @@ def output_feedback(
     estimator: Filter, K: Array, kind: str, design: Design, extra: Extra | None = None
 ) -> LinearController:
     """u = u_r r − K (ξ − ξ_r) − K_w w, with ξ_r the steady motion at the reference r: K (2, 6 + earlier commands)."""
-    model, watch = estimator.sampled, observer(estimator)
+    model = estimator.sampled
+    watch = observer(estimator)
     X, Xy = watch.C[:-1], watch.Dy[:-1]
     more = extra or Extra(np.zeros((0, 0)), np.zeros((0, K.shape[1])), np.zeros((2, 0)), np.zeros((0, 2)))
     n, m = len(watch.A), len(more.A)
     xi_r, u_r = steady_state(model)
-    C, Dy, Dr = np.hstack([-K @ X, -more.K]), -K @ Xy, u_r + K @ xi_r
+    C = np.hstack([-K @ X, -more.K])
+    Dy = -K @ Xy
+    Dr = u_r + K @ xi_r
     open_loop = np.block([[watch.A, np.zeros((n, m))], [more.X @ X, more.A]])
-    Bu, Ba = np.vstack([watch.Bu, np.zeros((m, 2))]), np.vstack([watch.Ba, more.back])
+    Bu = np.vstack([watch.Bu, np.zeros((m, 2))])
+    Ba = np.vstack([watch.Ba, more.back])
     if model.delay:
         due = len(model.linear.A) + 2 * model.delay - 2
         open_loop[n:, due : due + 2] -= more.back

@@ -101,7 +101,8 @@ def pid(
     estimator = kalman_filter(model, disturbed)
     plane = _Plane(model)
     still = rolling(robot)
-    motor, turning = motor_damping(still) / motor_gain(still), _heading(model, heading)
+    motor = motor_damping(still) / motor_gain(still)
+    turning = _heading(model, heading)
     chosen = _tuned(plane, motor, turning) if gains is None else _given(plane, motor, turning, gains)
     K, extra = _law(model, chosen, unwinding)
     return output_feedback(estimator, K, "pid", Pid(estimator, chosen, plane.margin(chosen)), extra)
@@ -111,7 +112,8 @@ class _Plane:
     """The pitch plane, x⁺ = A x + b v for one command v of both motors, on a grid of frequencies up to Nyquist's."""
 
     def __init__(self, model: SampledRobot) -> None:
-        self.sampled, self.dt = model, model.dt
+        self.sampled = model
+        self.dt = model.dt
         self.A, self.b = _halved(model, range(4), +1)
         self.omega = np.geomspace(0.05, math.pi / model.dt, 300)
         self.z = np.exp(1j * self.omega * model.dt)
@@ -126,7 +128,8 @@ class _Plane:
 
     def margins(self, pitch: PidGains, positions: Sequence[PidGains]) -> Array:
         """min |1 + L| with the loop cut at the motors, for position loops (n,) round one of pitch."""
-        x, z = self.response.T, self.z
+        x = self.response.T
+        z = self.z
         wheel, wheel_rate = np.array([(gains.wheel, gains.wheel_rate) for gains in positions]).T[:, :, None]
         error = x[0] + wheel * x[2] + wheel_rate * x[3]
         keep = _keep(pitch, self.dt)
@@ -140,11 +143,13 @@ class _Plane:
 
     def closed(self, gains: PidGains) -> tuple[Array, Array]:
         """A and b of the closed plane with the integral and the derivative's filter as its last states, for −ψ_ref."""
-        n, keep = len(self.A), _keep(gains, self.dt)
+        n = len(self.A)
+        keep = _keep(gains, self.dt)
         error, row = np.zeros(n), np.zeros(n)
         error[[0, 2, 3]] = 1.0, gains.wheel, gains.wheel_rate
         row[[1, 3]] = (1 - keep) * gains.d - gains.motor, gains.motor
-        A, b = np.zeros((n + 2, n + 2)), np.concatenate([self.b * gains.p, [self.dt, 0.0]])
+        A = np.zeros((n + 2, n + 2))
+        b = np.concatenate([self.b * gains.p, [self.dt, 0.0]])
         A[:n, :n] = self.A + np.outer(self.b, gains.p * error + row)
         A[:n, n], A[:n, n + 1] = self.b * gains.i, self.b * keep * gains.d
         A[n, :n], A[n, n], A[n + 1, 1], A[n + 1, n + 1] = self.dt * error, 1.0, 1 - keep, keep
@@ -223,8 +228,11 @@ def _heading(model: SampledRobot, omega: float) -> tuple[float, float]:
 
 def _law(model: SampledRobot, gains: PidGains, unwinding: float) -> tuple[Array, Extra]:
     """K on the state and the two further states [∫e, w] of the pitch loop."""
-    n, keep = len(model.plant.states), _keep(gains, model.dt)
-    error, turn, rate = np.zeros(n), np.zeros(n), np.eye(n)[1]
+    n = len(model.plant.states)
+    keep = _keep(gains, model.dt)
+    error = np.zeros(n)
+    turn = np.zeros(n)
+    rate = np.eye(n)[1]
     error[[0, 2, 3]] = 1.0, gains.wheel, gains.wheel_rate
     turn[[4, 5]] = gains.yaw, gains.yaw_rate
     straight = -gains.p * error - (1 - keep) * gains.d * rate - gains.motor * (np.eye(n)[3] - rate)

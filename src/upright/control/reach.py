@@ -24,7 +24,8 @@ def largest_pitch(robot: Robot, kit: Kit, limit: float | None = None) -> float:
     model = linearise_rolling(robot)
     values, vectors = np.linalg.eig(model.A.T)
     index = int(np.argmax(np.real(values)))
-    falling, w = float(np.real(values)[index]), np.real(vectors)[:, index]
+    falling = float(np.real(values)[index])
+    w = np.real(vectors)[:, index]
     reach = float(np.abs(w @ model.B).sum()) * most / falling
     return reach / abs(float(w[0])) * float(np.exp(-falling * kit.delay))
 

@@ -156,7 +156,8 @@ class _Task:
         self.robot, self.sampled, self.weight = robot, model, weight
         self.planes = [plane(model), *planes]
         self.size = command or LARGEST_COMMAND[robot.command_unit]
-        self.W, self.price = weight[:4, :4], 2 / self.size**2
+        self.W = weight[:4, :4]
+        self.price = 2 / self.size**2
         self.spread, self.gather = halves([*STATE_NAMES, *sides(model.history)])
 
     def over(self, planes: Sequence[Plane]) -> _Task:
@@ -226,15 +227,20 @@ def _descended(task: _Task, four: Array, trust: float) -> tuple[float, tuple[Arr
 def _chosen(task: _Task, result: tuple[Array, float], near: Sequence[SampledRobot]) -> LinearController:
     """The better of both methods, on robots that neither used."""
     estimator, loops = task.loops(result[1])
-    k, method = task.ahead(result[0]), "scenarios"
+    k = task.ahead(result[0])
+    method = "scenarios"
     recovered, others = task.loops(RECOVERED.motor)
-    own, plain = task.costs(k, loops), task.costs(task.ahead(task.regulator()[0, :4]), others)
+    own = task.costs(k, loops)
+    plain = task.costs(task.ahead(task.regulator()[0, :4]), others)
     proof, other, why = None, None, ""
     try:
         proof = _inequalities(task, near)
         other = task.costs(proof.k, others)
         if other.below(own):
-            estimator, k, method, own = recovered, proof.k, "inequalities", other
+            estimator = recovered
+            k = proof.k
+            method = "inequalities"
+            own = other
     except DesignFailed as error:
         why = str(error).split(";")[0]
     design = Robust(
@@ -247,7 +253,8 @@ def _chosen(task: _Task, result: tuple[Array, float], near: Sequence[SampledRobo
 def _inequalities(task: _Task, near: Sequence[SampledRobot]) -> Guaranteed:
     models = [_halved(task, each) for each in near]
     n = len(models[0][0])
-    W, start = np.zeros((n, n)), np.full(n, 0.1 * task.size)
+    W = np.zeros((n, n))
+    start = np.full(n, 0.1 * task.size)
     W[:4, :4], start[:4] = task.W, 1 / np.sqrt(np.diag(task.W))
     return guaranteed(models, W, task.price, start)
 

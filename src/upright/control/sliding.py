@@ -131,7 +131,8 @@ def sliding(
             f"a reach of {reach:g} chatters in a layer of {layer:g}", expected=f"at most {keep * layer:.3g} of reach",
             hint="widen the layer",
         )  # fmt: skip
-    base, B = regulated(kalman_filter(model, disturbed), Q, R), model.plant.B
+    base = regulated(kalman_filter(model, disturbed), Q, R)
+    B = model.plant.B
     S: Array = np.asarray(np.linalg.solve(B.T @ base.P @ B, B.T @ base.P), dtype=np.float64)
     design = Sliding(base, S, keep)
     usual = 1 / math.sqrt(float(base.R.diagonal().mean()))

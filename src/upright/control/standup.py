@@ -60,7 +60,8 @@ class Lift:
 def lift(robot: Robot, kit: Kit, pitch: float, dt: float | None = None) -> Lift:
     """The shortest lift from rest at `pitch` [rad]; `DesignFailed` says in numbers why there is none."""
     period = kit.period if dt is None else dt
-    most, reach = (1 - KEPT) * largest_command(robot, kit), largest_pitch(robot, kit)
+    most = (1 - KEPT) * largest_command(robot, kit)
+    reach = largest_pitch(robot, kit)
     if not 0 < abs(pitch) < np.pi:
         raise DesignFailed(f"a lift from {pitch:g} rad", expected="a pitch between 0 and π, of either sign")
     if abs(pitch) > 1.1 * reach:  # exact for linear robots, and 1 to 5 % too large for the presets
@@ -118,7 +119,8 @@ def _ends(robot: Robot, pitch: float, period: float, commands: Array) -> Array:
     """Pitch, its rate and the wheels' rate (lanes, 3) after commands (lanes, n), from rest."""
     fastest = float(np.abs(linearise(robot).poles()).max())
     steps = max(2, substeps(period, fastest, PREDICTED, numbers=robot.numbers()))
-    step, ends = written(robot, "complete", period, steps), list[tuple[float, float, float]]()
+    step = written(robot, "complete", period, steps)
+    ends = list[tuple[float, float, float]]()
     for lane in commands.tolist():
         x: Sequence[float] = (pitch, 0.0, 0.0, 0.0, 0.0, 0.0)
         for u in lane:
@@ -134,7 +136,9 @@ class StandUpController:
     """
 
     def __init__(self, plan: Lift, controller: Controller, kit: Kit) -> None:
-        self.plan, self.controller, self.spec = plan, controller, replace(controller.spec, stands_up=True)
+        self.plan = plan
+        self.controller = controller
+        self.spec = replace(controller.spec, stands_up=True)
         if self.spec.period != plan.period or self.spec.command_unit != plan.robot.command_unit:
             raise DesignFailed(
                 f"a lift every {plan.period:g} s in {plan.robot.command_unit} before a controller every "

@@ -20,20 +20,24 @@ def continuous(system: LinearModel) -> LinearModel:
     """
     if system.continuous:
         return system
-    A, identity = system.A, np.eye(len(system.A))
+    A = system.A
+    identity = np.eye(len(system.A))
     if len(A) and np.linalg.cond(A + identity) > 1e12:
         raise InvalidModel("a pole at z = −1", expected="none there", hint="change the period a little")
-    inverse, root = np.linalg.inv(A + identity), math.sqrt(2)
+    inverse = np.linalg.inv(A + identity)
+    root = math.sqrt(2)
     D = system.D - system.C @ inverse @ system.B
     return LinearModel(inverse @ (A - identity), root * inverse @ system.B, root * system.C @ inverse, D)
 
 
 def discrete(system: LinearModel, dt: float) -> LinearModel:
     """The inverse of `continuous`: s = (z − 1)/(z + 1)."""
-    A, identity = system.A, np.eye(len(system.A))
+    A = system.A
+    identity = np.eye(len(system.A))
     if len(A) and np.linalg.cond(identity - A) > 1e12:
         raise InvalidModel("a pole at s = 1", expected="none there", hint="change the period a little")
-    inverse, root = np.linalg.inv(identity - A), math.sqrt(2)
+    inverse = np.linalg.inv(identity - A)
+    root = math.sqrt(2)
     D = system.D + system.C @ inverse @ system.B
     return LinearModel(inverse @ (identity + A), root * inverse @ system.B, root * system.C @ inverse, D, dt)
 
@@ -45,9 +49,11 @@ def plant_of(model: SampledRobot, *, pushed: bool = True) -> LinearModel:
     and push, which no command moves, are left out.
     """
     keep = kept(model)
-    n, fraction = len(keep), bool(model.before.any())
+    n = len(keep)
+    fraction = bool(model.before.any())
     line = 2 * (model.delay + fraction)
-    A, B = np.zeros((n + line, n + line)), np.zeros((n + line, 3))
+    A = np.zeros((n + line, n + line))
+    B = np.zeros((n + line, 3))
     A[:n, :n], B[:n, 2] = model.linear.A[keep][:, keep], model.linear.E[keep, 0]
     waiting = delay_line(2, line // 2, model.dt)
     A[n:, n:], B[n:, :2] = waiting.A, waiting.B
@@ -67,7 +73,9 @@ def kept(model: SampledRobot) -> list[int]:
 
 def controller_of(linear: LinearController, delay: int) -> LinearModel:
     """From the readings to the commands, when the command applied is the one of `delay` periods ago."""
-    C, D, line = linear.C, linear.Dy, delay_line(2, delay, linear.period)
+    C = linear.C
+    D = linear.Dy
+    line = delay_line(2, delay, linear.period)
     A = np.block([[linear.A + linear.Ba @ line.D @ C, linear.Ba @ line.C], [line.B @ C, line.A]])
     B = np.vstack([linear.By + linear.Ba @ line.D @ D, line.B @ D])
     return LinearModel(A, B, np.pad(C, ((0, 0), (0, len(line.A)))), D, linear.period)

@@ -82,7 +82,8 @@ def _beyond(fit: FaultFit, window: Window, bank: Bank) -> Leftover | None:
     best = max((_of_channel(channel, fit, here, bank) for channel in here.free), key=lambda one: one.score)
     if best.nis < RAPID * fit.nis:
         return best
-    squares, blocks = fit.rest[: len(here.then)] ** 2, np.floor((here.then - here.then[0]) / BLOCK)
+    squares = fit.rest[: len(here.then)] ** 2
+    blocks = np.floor((here.then - here.then[0]) / BLOCK)
     loud = next(k for k in np.unique(blocks) if squares[blocks == k].mean() >= LOUD * squares.mean())
     return replace(best, onset=float(here.then[0] + BLOCK * loud), t=np.zeros(0), values=np.zeros(0))
 
@@ -90,7 +91,8 @@ def _beyond(fit: FaultFit, window: Window, bank: Bank) -> Leftover | None:
 def _of_channel(channel: str, fit: FaultFit, here: Bank, bank: Bank, since: float | None = None) -> Leftover:
     """Steps from each onset on, or from `since` [s] on, are columns; from the last to the first, each adds what it
     alone explains."""
-    steps, y = here.free[channel][:, ::-1], fit.rest
+    steps = here.free[channel][:, ::-1]
+    y = fit.rest
     Q, R = np.linalg.qr(steps)
     dots = Q.T @ y
     left = np.maximum(float(y @ y) - np.cumsum(dots**2), 0.0)

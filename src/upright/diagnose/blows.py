@@ -79,10 +79,12 @@ def thrown_over(evidence: Evidence) -> list[Answer]:
     by_model, _, _ = toppled(evidence)
     if by_model > TOPPLED and evidence.pushes_only.nis < FITS_BADLY * evidence.calm:
         return []  # the push is known better by what it did
-    best, before = best_of(evidence), sound_until(evidence, throw.start)
+    best = best_of(evidence)
+    before = sound_until(evidence, throw.start)
     if best.fault in NAMES and before < 0.5 and best.nis < FITS_BADLY * evidence.calm:
         return []  # so are a fault that showed before, and the push beside it
-    wall, text = sum(answer.probability for answer in driven_into(evidence)), of_throw(throw)
+    wall = sum(answer.probability for answer in driven_into(evidence))
+    text = of_throw(throw)
     failed = 0.0 if throw.wheels or not throw.clipped else FAILED
     sure = (1 - wall) * (1 - HELPED) * (BRIEFLY if throw.rows < FEW else PUSHED)
     answers = [Answer((1 - failed) * sure, PUSH, throw.start, text)]
@@ -112,7 +114,8 @@ def _with_load(evidence: Evidence, chance: float, push: PushEstimate, lean: floa
     """A push that felled the robot, which shares its probability with a load that came or went beside it, as far as
     that explains as much: a load hardly shows beside a push."""
     numbers = blow(evidence, push, lean)
-    text, none = of_push(evidence, push, numbers), evidence.pushes_only
+    text = of_push(evidence, push, numbers)
+    none = evidence.pushes_only
     loads = [fit for fit in evidence.fits if fit.fault == "payload" and fit.pushes and not slight(fit)]
     loads = [fit for fit in loads if possible(fit, evidence.fell_at)]
     if not loads:

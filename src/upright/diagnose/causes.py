@@ -93,7 +93,8 @@ class Blow:
     @property
     def limits(self) -> str:
         """What the robot's own controller survives, and the best possible one."""
-        size, best = abs(self.impulse), f"the best possible {'one' if self.by else 'controller'} survives"
+        size = abs(self.impulse)
+        best = f"the best possible {'one' if self.by else 'controller'} survives"
         limit = f"{best} {self.most:.2g} N s"
         if size > (1 + KNOWN) * self.most:
             limit += ", so no controller could have saved this one"

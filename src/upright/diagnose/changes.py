@@ -93,7 +93,8 @@ def lost_command(run: FilterRun, way: str) -> Array:
 def turning(run: FilterRun) -> Array:
     """How fast both wheels turn against the body at each event [rad/s], (events, 2), as the encoders show it: a filter
     that does not know of a fault is not to be asked."""
-    log, near = run.log, run.log.t
+    log = run.log
+    near = run.log.t
     rates: list[Array] = []
     for sides in (("left", "right"), ("right", "left")):  # a wheel without an encoder turns like the other one
         names = [f"sensor/encoder_{kind}{side}" for side in sides for kind in ("rate_", "")]
@@ -125,7 +126,8 @@ def drag(run: FilterRun, way: str, size: float) -> Array:
 
 def frictions(run: FilterRun, onsets: Array) -> list[Signature]:
     """Wheels that grow stiff against the body, by dry friction of a free part of each of `HELD`."""
-    most, n = limit(run.robot, run.kit, run.asked), len(onsets)
+    most = limit(run.robot, run.kit, run.asked)
+    n = len(onsets)
     kinds = [(way, part * most) for way in DRAGGED for part in HELD]
     response = _commanded(run, onsets, [drag(run, way, size) for way, size in kinds])
     return [
@@ -139,7 +141,8 @@ def radii(run: FilterRun, onsets: Array) -> list[Signature]:
     """Wheels that lose a free part of each of `LOST_RADII`; errors then grow as those of a robot on smaller wheels."""
     when = onsets[::2]
     on = ((run.t - run.spans / 2)[:, None] >= when)[:, None, :]
-    radius, signatures = run.robot.wheel_radius, list[Signature]()
+    radius = run.robot.wheel_radius
+    signatures = list[Signature]()
     for part in LOST_RADII:
         entered = entering(run, [{"wheel_radius": -part * radius}])
         smaller = replace(run, robot=run.robot.replace(wheel_radius=(1 - part) * radius))
@@ -156,7 +159,8 @@ def commands(run: FilterRun, onsets: Array) -> list[Signature]:
         changes.append(run.command[before] - run.command)
     most = limit(run.robot, run.kit, run.asked)
     changes += [np.clip(run.command, -part * most, part * most) - run.command for part in LIMITS]
-    response, n = _commanded(run, onsets, changes), len(onsets)
+    response = _commanded(run, onsets, changes)
+    n = len(onsets)
     signatures = _several("weak", {PART: None}, onsets, response[:, :n])
     sizes = [("delay", PART, periods) for periods in DELAYS] + [("weak", "limit", part) for part in LIMITS]
     for i, (fault, way, size) in enumerate(sizes, 1):
@@ -174,12 +178,14 @@ def _commanded(run: FilterRun, onsets: Array, changes: Sequence[Array]) -> Array
 
 def payloads(run: FilterRun, onsets: Array) -> list[Signature]:
     """A mass that comes or goes above the axle, of a free part of each of `PAYLOADS`."""
-    p, when = run.robot, onsets[::2]
+    p = run.robot
+    when = onsets[::2]
     on = ((run.t - run.spans / 2)[:, None] >= when)[:, None, :]
     kinds = [(mass, height) for mass in PAYLOADS for height in PAYLOAD_HEIGHTS]
     changes = entering(run, [with_mass(p, mass * p.body_mass, height * p.com_height) for mass, height in kinds])
     pushed = np.concatenate([changes[:, :, i, None] * on for i in range(len(kinds))], axis=2)
-    response, n = propagated(run, pushed)[run.readings], len(when)
+    response = propagated(run, pushed)[run.readings]
+    n = len(when)
     return [
         replace(one, size=mass)
         for i, (mass, _) in enumerate(kinds)
@@ -195,7 +201,8 @@ def placed(payloads: Sequence[Signature], y: Array, moments: Array, onsets: Arra
     index = {float(t): i for i, t in enumerate(onsets)}
     signatures: list[Signature] = []
     for one in payloads:
-        m, v = moments[:, index[one.onset]], one.values
+        m = moments[:, index[one.onset]]
+        v = one.values
         vv, mm, vm, vy, my = v @ v, m @ m, v @ m, v @ y, m @ y
         whole = vv * mm - vm**2
         mass = (vy * mm - my * vm) / max(whole, 1e-12)
@@ -215,7 +222,8 @@ def with_mass(p: Any, mass: float, height: float) -> dict[str, float]:
 
 def free_steps(run: FilterRun, onsets: Array) -> dict[str, Array]:
     """Steps of what may enter by each channel: (readings, onsets) by its name."""
-    n, use = len(onsets), run.readings
+    n = len(onsets)
+    use = run.readings
     on = (run.t - run.spans / 2)[:, None] >= onsets
     entered = np.zeros((len(run.t), 4, 5 * n))
     for place, inputs in enumerate(((0,), (1,), (0, 1), (2,), (3,))):

@@ -50,9 +50,12 @@ def switched_off(evidence: Evidence) -> list[Answer]:
     working = np.flatnonzero(asked.any(axis=1))
     if not len(working) or working[-1] + 1 >= len(log):
         return []
-    since, began_at = float(log.t[working[-1] + 1]), float(log.t[working[0]])
-    rate, idle = np.abs(log["sensor/gyro"]), float(np.diff(log.t[working]).max(initial=0.0))
-    balancing, last = (log.t >= began_at) & (log.t < since), (log.t >= since - LAST) & (log.t <= since)
+    since = float(log.t[working[-1] + 1])
+    began_at = float(log.t[working[0]])
+    rate = np.abs(log["sensor/gyro"])
+    idle = float(np.diff(log.t[working]).max(initial=0.0))
+    balancing = (log.t >= began_at) & (log.t < since)
+    last = (log.t >= since - LAST) & (log.t <= since)
     falling = (log.t >= since) & (log.t <= evidence.fell_at)
     if balancing.sum() < FEWEST_BALANCING or evidence.fell_at - since < USUALLY_HELD * idle:
         return []
@@ -67,7 +70,8 @@ def stuck(evidence: Evidence) -> list[Answer]:
     """Whether the motors got one and the same command all through the fall. That commands stood still is plain; that
     they did before the fall, and could have stopped it, follows from a lean that the filter has only of a sound robot:
     a program may stand still because its robot fell."""
-    held, still = evidence.motors.held, evidence.stuck
+    held = evidence.motors.held
+    still = evidence.stuck
     if held is not None and still is not None and still.start < held[0] - BEFORE:  # commands follow what it shows
         held = None
     if held is not None and not evidence.motors.pegged > PEGGED:
@@ -93,7 +97,8 @@ def stuck_sensor(evidence: Evidence) -> list[Answer]:
     still = evidence.stuck
     if still is None:
         return []
-    name, seconds = short(still.channel), evidence.fell_at - still.start
+    name = short(still.channel)
+    seconds = evidence.fell_at - still.start
     text = f"the {name} reads {still.reading:.3g} in every row of the last {seconds:.2g} s, while "
     if still.clipped or still.beyond:
         before = "it stood there before and never went beyond"
@@ -106,7 +111,8 @@ def stuck_sensor(evidence: Evidence) -> list[Answer]:
     dead_ones = [fit for fit in evidence.fits if fit.fault == "motor" and (side in fit.way or "both" in fit.way)]
     idle, left = max(((fit.score, fit.nis) for fit in dead_ones), default=(-math.inf, math.inf))
     leaves = left if idle > max(held, blind) else leaves
-    jammed, dead = step(max(held, idle) - blind, TEMPER), IDLE * step(idle - held, TEMPER)
+    jammed = step(max(held, idle) - blind, TEMPER)
+    dead = IDLE * step(idle - held, TEMPER)
     better = f"explains the motion better than a dumb encoder ({max(held, idle) - blind:+.0f} nats)"
     texts = {
         STUCK: f"a wheel that is held explains the motion less well than a dumb encoder ({held - blind:+.0f} nats)",

@@ -65,7 +65,8 @@ def falling_lean(run: FilterRun) -> tuple[Array, Array] | None:
     if fall is None:
         return None
     first = int(np.searchsorted(run.log.t, fall.start))
-    t, rate = run.log.t[first:], gyro(run.log)[first:]
+    t = run.log.t[first:]
+    rate = gyro(run.log)[first:]
     angle = np.concatenate([[0.0], np.cumsum(rate[:-1] * np.diff(t))])
     return t, angle + _lean_at(run, fall.start)
 
@@ -162,7 +163,8 @@ def authority(run: FilterRun) -> Authority:
     commands = run.row < 0
     states = run.after[commands][:, :6]
     sample = run.sample[commands]
-    mode, most = falling(run.robot), _most(run)[sample]
+    mode = falling(run.robot)
+    most = _most(run)[sample]
     command = run.asked[sample].mean(axis=1) / most
     xi = states @ mode.w
     needed = -xi * mode.pole / (mode.b * most)
@@ -222,7 +224,8 @@ def stale_rows(log: Log) -> Mask:
 
 def frozen_rows(run: FilterRun) -> Mask:
     """Stale rows in which the wheels turned by more than `STILL_GRAINS` encoder steps."""
-    log, stale = run.log, stale_rows(run.log)
+    log = run.log
+    stale = stale_rows(run.log)
     commands = run.row < 0
     turned = np.zeros(len(log))
     turned[run.sample[commands]] = np.abs(run.after[commands, 3] - run.after[commands, 1]) * log.period
@@ -294,8 +297,10 @@ def held_command(run: FilterRun, motors: Authority, end: float, seconds: float) 
     rows = log.t <= end
     moved = np.flatnonzero(~_repeated(run)[rows][1:]) + 1
     edges = np.concatenate([[0], moved, [int(rows.sum()) - 1]])
-    starts, stops = log.t[edges[:-1]], log.t[edges[1:]]
-    lengths, recent = stops - starts, stops > end - seconds
+    starts = log.t[edges[:-1]]
+    stops = log.t[edges[1:]]
+    lengths = stops - starts
+    recent = stops > end - seconds
     if not recent.any():
         return None
     i = int(np.argmax(np.where(recent, lengths, 0.0)))
@@ -314,7 +319,8 @@ def half_swing(motors: Authority, pole: float, end: float) -> float:
     """How long the commands went one way at a time in the last swings before `end` [s], over the time in which the
     robot falls e-fold, 1/`pole` (median); NaN where they did not swing."""
     rows = (motors.t <= end) & (np.abs(motors.command) > CLEARLY)
-    t, way = motors.t[rows], np.sign(motors.command[rows])
+    t = motors.t[rows]
+    way = np.sign(motors.command[rows])
     turns = t[1:][np.diff(way) != 0]
     turns = turns[turns > end - LAST_SWINGS / pole]
     return float(np.median(np.diff(turns))) * pole if len(turns) > 1 else math.nan
@@ -349,7 +355,8 @@ def blocked(log: Log, robot: Robot, start: float, force: float) -> Blocked | Non
     pitch = np.concatenate([[0.0], np.cumsum(gyro(log)[:-1] * np.diff(log.t))])
     wheel = np.mean([record[name] for name in names], axis=0) + pitch
     x = robot.wheel_radius * wheel
-    first, held = start - CONTACT, start + HELD
+    first = start - CONTACT
+    held = start + HELD
     if first - RUN_UP < log.t[0] or held > log.t[-1]:
         return None
     at = np.interp([first - RUN_UP, first, start], log.t, x)

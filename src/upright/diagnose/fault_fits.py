@@ -114,8 +114,10 @@ def _sudden(bank: Bank, way: str) -> list[FaultFit]:
     inside = (bank.then[:, None] >= onsets - LATEST) & (bank.then[:, None] < onsets + SUDDEN[way])
     A = np.column_stack([one.values[: len(inside)] for one in offsets]) * inside
     y = bank.y[: len(inside)]
-    dots, squares = A.T @ y, np.maximum((A**2).sum(axis=0), 1e-12)
-    explains, there = dots**2 / squares, (y**2) @ inside
+    dots = A.T @ y
+    squares = np.maximum((A**2).sum(axis=0), 1e-12)
+    explains = dots**2 / squares
+    there = (y**2) @ inside
     places = {int(np.argmax(explains))}
     shows = np.flatnonzero((explains > FIRST_PART * there) & (explains > FIRST_SHOWS * bank.scale))
     if way == "step" and len(shows):
@@ -142,7 +144,8 @@ def with_pushes(
     """A hypothesis (None: no fault, or one that the bank's run was freed of before, `against` the bank of the run as it
     was) with the pushes that it needs beside it; with `beside`, the innovations that another fault leaves, the second
     of two."""
-    y, size = bank.y if beside is None else beside, 0.0
+    y = bank.y if beside is None else beside
+    size = 0.0
     spent = FAULT_NUMBERS * (bool(against or signature) + (beside is not None))
     spent += MORE_NUMBERS.get(signature.fault, 0) if signature else 0
     values = np.zeros(len(y))
@@ -151,7 +154,8 @@ def with_pushes(
         values = size * signature.values
         y = y + values
     first = against or bank
-    best, pushes = score_of(first, y, spent), list[PushEstimate]()
+    best = score_of(first, y, spent)
+    pushes = list[PushEstimate]()
     free = np.ones(len(bank.pushes), dtype=np.bool_)
     for _ in range(MOST_PUSHES if len(bank.pushes) else 0):
         dots = bank.dots(y)
@@ -163,7 +167,9 @@ def with_pushes(
             break
         start, stop, height = bank.pushes[i].tolist()
         pushes.append(PushEstimate(start, stop, force * (stop - start), height, score - best))
-        y, best, spent = after, score, spent + PUSH_NUMBERS
+        y = after
+        best = score
+        spent = spent + PUSH_NUMBERS
         free &= (bank.pushes[:, 0] > stop + PUSH_GAP) | (bank.pushes[:, 1] < start - PUSH_GAP)
     nis = float(y @ y) / len(y)
     explained = 1 - nis / max(float(first.y @ first.y) / len(first.y), 1e-12)
@@ -194,7 +200,8 @@ def score_of(bank: Bank, rest: Array, spent: float) -> float:
     """Log likelihood [nats] against nothing at all, of readings whose noise has any scale from the usual one up, less
     the penalty for `spent` free numbers."""
     size = len(bank.y)
-    n, floor = size / CORRELATED, size * bank.scale
+    n = size / CORRELATED
+    floor = size * bank.scale
     squares = (rest @ rest) * size / len(rest)
     return n / 2 * math.log((bank.y @ bank.y + floor) / (squares + floor)) - spent * math.log(n)
 

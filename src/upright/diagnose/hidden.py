@@ -40,14 +40,16 @@ def mis_scaled(run: FilterRun, window: Window) -> list[FaultFit]:
     except InvalidLog:  # sensors that stand still for so long
         return []
     usual = window.of(recent)
-    then, costs = usual.clock[usual.readings], np.log1p(usual.whitened**2)
+    then = usual.clock[usual.readings]
+    costs = np.log1p(usual.whitened**2)
 
     def cost(tried: FaultFit) -> float:
         freed = remedied(recent, tried)
         fell_at = fall_time(freed) if freed is not None else None
         if freed is None or fell_at is None or not len(freed.clock):
             return math.inf
-        part, end = window.of(freed), min(fell_at, float(freed.clock[-1]))
+        part = window.of(freed)
+        end = min(fell_at, float(freed.clock[-1]))
         until = part.clock[part.readings] < end
         return float(np.log1p(part.whitened[until] ** 2).sum() + costs[then >= end].sum())
 
@@ -105,7 +107,8 @@ def hidden_fall(run: FilterRun, several: Sequence[FaultFit]) -> float | None:
 def sooner(run: FilterRun, several: Sequence[FaultFit], window: Window) -> float | None:
     """When the robot fell [s] by a gyro whose offset, or scale, explains all until then, and which shows the fall too
     late: what is after the fall, the floor for instance, is explained by nothing."""
-    calm, least = calm_of(run, window), FALLS / falling(run.robot).pole
+    calm = calm_of(run, window)
+    least = FALLS / falling(run.robot).pole
     wrong = [one for one in several if (one.fault, one.way) in (("bias", "step"), ("scale", "gyro"))]
     for fit in (one for one in wrong if one.onset + least < window.end - EARLIER):
         if fit.fault == "bias":

@@ -204,7 +204,8 @@ def followed_on(log: Log, robot: Robot, kit: Kit) -> FilterRun:
         rest = log.between(log.t[0] + AT_ONCE, math.inf)
         if run.t[-1] >= rest.t[0] or len(rest) < FEWEST:
             break
-        log, run = rest, follow(rest, robot, kit)
+        log = rest
+        run = follow(rest, robot, kit)
     return run
 
 
@@ -297,7 +298,8 @@ _MOVED = (0, 1, 3, 5)  # the states on which the motion depends
 
 def tangent(run: FilterRun) -> Tangent:
     """The flow between events, linearised along the path by finite differences."""
-    n, count = len(run.t), len(_MOVED)
+    n = len(run.t)
+    count = len(_MOVED)
     x = np.repeat(run.before[None, :, :6], 1 + count + len(INPUTS), axis=0)
     u = np.repeat(run.command[None], len(x), axis=0)
     w = np.zeros((len(x), n, 2))
@@ -322,7 +324,9 @@ def misfits(run: FilterRun, spreads: Mapping[str, float]) -> Array:
 
 def entering(run: FilterRun, changes: Sequence[Mapping[str, float]]) -> Array:
     """What enters the state over each span (events, 6, changes) where parameters are larger by these amounts."""
-    x, u, w = run.before[None, :, :6], run.command[None], np.zeros((1, len(run.t), 2))
+    x = run.before[None, :, :6]
+    u = run.command[None]
+    w = np.zeros((1, len(run.t), 2))
     usual = _flown(run, run.robot, x, u, w)[0]
     numbers: dict[str, Any] = run.robot.numbers()
     for name in {name for change in changes for name in change}:  # all changes at once

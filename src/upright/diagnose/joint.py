@@ -117,7 +117,8 @@ class _Joint:
 
     def inside(self, x: Array) -> Array:
         """The nearest numbers that a robot meets."""
-        x, limits = x.copy(), list[tuple[float, float]]()
+        x = x.copy()
+        limits = list[tuple[float, float]]()
         for fit in self.several:
             whole = {"weak": (WEAKEST, STRONGEST), "delay": (LEAST_DELAY, LONGEST), "scale": _scales(fit)}
             whole |= {"friction": (0.0, math.inf)}
@@ -166,7 +167,9 @@ def jointly(
 def settled(run: FilterRun, fits: Sequence[FaultFit], window: Window, bank: Bank) -> list[FaultFit]:
     """All fits, the likeliest of those that a log can be freed of with all of their numbers moved together; the
     likeliest first."""
-    several, moved, top = list(fits), dict[str, int](), max(fit.score for fit in fits)
+    several = list(fits)
+    moved = dict[str, int]()
+    top = max(fit.score for fit in fits)
     for i, fit in enumerate(fits):
         free = fit.run is not None and fit.fault in FREED
         if free and fit.fault not in moved and len(moved) < MOST and fit.score > top - BEHIND:
@@ -189,7 +192,8 @@ def _as_another(fit: FaultFit, fits: Sequence[FaultFit]) -> list[FaultFit]:
 
 def _one(run: FilterRun, fit: FaultFit, starts: Sequence[FaultFit], window: Window, bank: Bank) -> FaultFit:
     """A fault by all of its numbers, from several starts."""
-    best, price = fit, score_of(bank, fit.rest, fit.spent) - fit.score
+    best = fit
+    price = score_of(bank, fit.rest, fit.spent) - fit.score
     for start in starts:
         freed = fit.run if start is fit else followed(run, window.end, start)
         if freed is None:
@@ -231,7 +235,8 @@ def pair_settled(run: FilterRun, pair: Pair, window: Window, bank: Bank) -> Pair
 def pairs_settled(run: FilterRun, pairs: Sequence[Pair], single: float, window: Window, bank: Bank) -> list[Pair]:
     """All pairs, those that may be the likeliest with all of their numbers moved together; and the likeliest of all,
     with each rival, in their other ways where these could explain more; `single` is the score of the best fault."""
-    moved, quiet = list[Pair](), quiet_of(run, window)
+    moved = list[Pair]()
+    quiet = quiet_of(run, window)
 
     def may_reach(pair: Pair) -> float:
         return pair.score + gainable(bank, pair.second.nis, quiet) if len(pair.second.rest) else pair.score
@@ -239,7 +244,8 @@ def pairs_settled(run: FilterRun, pairs: Sequence[Pair], single: float, window: 
     for pair in sorted(pairs, key=lambda pair: -pair.score):
         top = max((one.score for one in moved), default=single + CONTRIBUTES)
         moved.append(pair_settled(run, pair, window, bank) if may_reach(pair) > top else pair)
-    top, tried = max((pair.score for pair in moved), default=0.0), set[frozenset[str]]()
+    top = max((pair.score for pair in moved), default=0.0)
+    tried = set[frozenset[str]]()
     for pair in sorted(moved, key=lambda pair: -pair.score):
         kinds = frozenset((pair.first.fault, pair.second.fault))
         if kinds in tried or pair.score < top - RIVALS or may_reach(pair) < max(pair.score, single) + WORTH:

@@ -45,11 +45,13 @@ def replay(run: FilterRun, controller: Controller) -> Array:
     It is given the applied command as the kit would have it: a dead time of whole periods, and its limits. Raises
     `SpecMismatch` where the log lacks what it reads.
     """
-    log, reads = run.log, controller.spec.reads
+    log = run.log
+    reads = controller.spec.reads
     missing = [name for name in reads if name not in log]
     if missing:
         raise SpecMismatch(f"the {controller.spec.kind} reads {', '.join(missing)}", expected="channels of the log")
-    readings, targets = np.column_stack([log[n] for n in reads]), references(log)
+    readings = np.column_stack([log[n] for n in reads])
+    targets = references(log)
     applied = _applied(run, controller.spec.period)
     controller.reset()
     commands = np.empty((len(log), 2))
@@ -63,9 +65,12 @@ def replay(run: FilterRun, controller: Controller) -> Array:
 def growth(run: FilterRun, end: float) -> float:
     """The fastest pole [1/s] of the loop that the commands show from the first row to `end` [s]: a law linear in the
     robot's states, by least squares where its motors had more; NaN where the commands follow no such law."""
-    motors, model, most = authority(run), linearise(run.robot), limit(run.robot, run.kit, run.asked)
+    motors = authority(run)
+    model = linearise(run.robot)
+    most = limit(run.robot, run.kit, run.asked)
     rows = (motors.t <= end) & (np.abs(motors.command) < BELOW)
-    x, u = motors.states[rows][:, :4], motors.command[rows]
+    x = motors.states[rows][:, :4]
+    u = motors.command[rows]
     K = np.linalg.lstsq(x, u, rcond=1e-6)[0]
     if not ((u - x @ K) ** 2).sum() < (1 - FOLLOWS) * (u**2).sum():
         return math.nan
@@ -96,11 +101,14 @@ def delay_periods(kit: Kit, period: float) -> int:
 
 def matched(run: FilterRun, controller: Controller, onset: float, end: float) -> CommandMatch:
     """The recorded commands from `onset` to `end` [s] against the file's."""
-    given, asked, t = replay(run, controller), run.asked, run.log.t
+    given = replay(run, controller)
+    asked = run.asked
+    t = run.log.t
     last = (t >= onset) & (t <= end)
     early = t < onset if (t < onset).any() else last
     misfit = float(np.sqrt(((asked - given)[early] ** 2).mean() / max((asked[early] ** 2).mean(), NOTHING)))
     a, b = asked[last].ravel(), given[last].ravel()
     gain = float(a @ b) / max(float(b @ b), NOTHING) if len(a) else 1.0
-    plain, scaled = float(((a - b) ** 2).sum()), float(((a - gain * b) ** 2).sum())
+    plain = float(((a - b) ** 2).sum())
+    scaled = float(((a - gain * b) ** 2).sum())
     return CommandMatch(gain, 1 - scaled / max(plain, NOTHING), misfit)

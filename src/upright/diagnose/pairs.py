@@ -118,7 +118,9 @@ def paired(run: FilterRun, fits: Sequence[FaultFit], window: Window, bank: Bank)
             kinds = frozenset((_kind(one), _kind(start.second)))
             if kinds not in starts or start.promise > starts[kinds].promise:
                 starts[kinds] = start
-    pairs, quiet, order = list[Pair](), quiet_of(run, window), sorted(starts.values(), key=lambda one: -one.promise)
+    pairs = list[Pair]()
+    quiet = quiet_of(run, window)
+    order = sorted(starts.values(), key=lambda one: -one.promise)
     moving = [start for start in order if _movable(start.first, start.second)[0]][:MOST_PAIRS]
     for start in (start for start in order[:MOST_PAIRS] if start not in moving):
         pairs += _searched(run, start, window, bank)
@@ -152,7 +154,8 @@ def contributing(run: FilterRun, pairs: Sequence[Pair], single: float, window: W
 
 def _beyond(run: FilterRun, pair: Pair, window: Window, bank: Bank) -> float:
     """How many nats more both have than either fault with the size and onset that it has in the pair."""
-    more, quiet = [math.inf], quiet_of(run, window)
+    more = [math.inf]
+    quiet = quiet_of(run, window)
     for fit in (pair.first, pair.second):
         if fit.fault in FREED:
             one = exact(run, replace(fit, score=-math.inf, run=None), window, bank)
@@ -201,7 +204,8 @@ def _explained(
     Q = np.linalg.qr(known)[0]
     left = y - Q @ (Q.T @ y)
     squares = np.maximum((matrix**2).sum(axis=1), 1e-12)
-    dots, own = matrix @ left, np.maximum(squares - ((matrix @ Q) ** 2).sum(axis=1), ALIKE * squares)
+    dots = matrix @ left
+    own = np.maximum(squares - ((matrix @ Q) ** 2).sum(axis=1), ALIKE * squares)
     free = np.array([here.faults[i].free for i in others])
     size = np.where(free, -dots / own, 1.0)
     explained = -(2 * size * dots + size**2 * own)
@@ -236,7 +240,9 @@ def _slopes(run: FilterRun, first: FaultFit, window: Window, here: Bank) -> tupl
         freed = remedied(recent, fit)
         return np.zeros(0) if freed is None else window.of(freed).whitened
 
-    usual, names, columns = left(first), list[str](), list[Array]()
+    usual = left(first)
+    names = list[str]()
+    columns = list[Array]()
     for name in ("onset", "size", "rise"):
         for way in (1.0, -1.0):  # a sensor at the end of its range may lose readings by the one
             changed = _changed(first, [name], np.array([way]))
@@ -300,7 +306,8 @@ def together(run: FilterRun, first: FaultFit, second: FaultFit, window: Window, 
     if several and other is not None:
         return _beside_signature(run, several, other, window, bank)[0]
     if several and (freed := followed(run, window.end, *several)) is not None:
-        here, last = window.bank(freed), several[1]
+        here = window.bank(freed)
+        last = several[1]
         again = freed_of(with_pushes(here, against=bank, beside=here.y), last)
         return Pair(first=first, second=replace(_priced(again, several, bank), run=freed))
     if not len(first.values) == len(second.values) == len(bank.y):  # made on a run of fewer readings
@@ -320,7 +327,8 @@ def _beside_signature(
 ) -> tuple[Pair, Array]:
     """A fault that the log is freed of, and the signature of the `other` that explains most of the rest, with those
     near it (readings, signatures)."""
-    freed, lost = followed(run, window.end, *several), Pair(first=several[0], second=other)
+    freed = followed(run, window.end, *several)
+    lost = Pair(first=several[0], second=other)
     if freed is None:
         return lost, np.zeros((0, 0))
     here = window.bank(freed, beside_it=other.fault)

@@ -36,7 +36,8 @@ def held_wheel(evidence: Evidence, best: Mapping[str, FaultFit]) -> str:
     dead, jam = best.get("motor"), best.get("friction")
     if dead is None or jam is None or jam.way not in dead.way or abs(evidence.nats(dead) - evidence.nats(jam)) > SURE:
         return ""
-    log, name = evidence.run.log, f"sensor/encoder_{jam.way}"
+    log = evidence.run.log
+    name = f"sensor/encoder_{jam.way}"
     if name not in log:
         return ""
     angle = log[name][(log.t >= max(dead.onset, jam.onset)) & (log.t <= evidence.fell_at)]

@@ -60,7 +60,8 @@ def series_of(run: FilterRun, end: float) -> Series:
     motors = authority(run)
     keep = (motors.t > end - SECONDS) & (motors.t <= end + 0.2)
     t = run.t[run.readings]
-    sums, edges = np.concatenate([[0.0], np.cumsum(run.whitened**2)]), np.searchsorted(t, motors.t[keep])
+    sums = np.concatenate([[0.0], np.cumsum(run.whitened**2)])
+    edges = np.searchsorted(t, motors.t[keep])
     count = edges - np.searchsorted(t, motors.t[keep] - PLOTTED_NIS)
     nis = (sums[edges] - sums[edges - count]) / np.maximum(count, 1)
     low, high = _band(float(np.median(count)) if keep.any() else 1.0)

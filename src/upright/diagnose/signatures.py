@@ -63,7 +63,9 @@ class Forces:
     @cached_property
     def squares(self) -> Array:
         """The sum of squares of each (forces,)."""
-        i, j, n = self.first, self.last, self.steps.shape[1] // 2
+        i = self.first
+        j = self.last
+        n = self.steps.shape[1] // 2
         products = self.steps.T @ self.steps
 
         def of(a: int, b: int) -> Array:
@@ -123,11 +125,14 @@ robots meet leaves in the filter."""
 def bank(run: FilterRun, scale: float, *, pushes_only: bool = False, beside_it: str = "") -> Bank:
     """All hypotheses on a part of a run, or `pushes_only` where the fault was taken out of the log, with the signatures
     of the fault `beside_it`."""
-    basis, use = unknown_parameters(run), run.readings
-    start, last = float(run.t[0]), float(run.t[-1]) - YOUNGEST
+    basis = unknown_parameters(run)
+    use = run.readings
+    start = float(run.t[0])
+    last = float(run.t[-1]) - YOUNGEST
     slow = pace(run.robot)
     onsets = np.arange(start, last, ONSET_STEP * slow)
-    faults, free = list[Signature](), dict[str, Array]()
+    faults = list[Signature]()
+    free = dict[str, Array]()
     if not pushes_only:
         faults = [
             *biases(run, _rows(run, start, last)), *_loads(run, onsets), *_slips(run, onsets),
@@ -178,7 +183,8 @@ def signatures_of(run: FilterRun, fault: str, onsets: Array) -> list[Signature]:
 def pushing(run: FilterRun, pushes: Sequence[tuple[float, float, float]]) -> Array:
     """What a newton of each of some pushes, by (start [s], stop [s], height [m]), does to the innovations (readings,
     pushes)."""
-    times, many = np.array([push[:2] for push in pushes]).ravel(), np.arange(len(pushes))
+    times = np.array([push[:2] for push in pushes]).ravel()
+    many = np.arange(len(pushes))
     return Forces(_steps(run, times), 2 * many, 2 * many + 1, np.array([push[2] for push in pushes])).values(many)
 
 
@@ -267,7 +273,8 @@ def _steps(run: FilterRun, onsets: Array) -> Array:
 
 def _loads(run: FilterRun, onsets: Array) -> list[Signature]:
     """A force at the axle, and a slope by its sine, that grow from the onset on and stay."""
-    middle, p = (run.t - run.spans / 2)[:, None], run.robot
+    middle = (run.t - run.spans / 2)[:, None]
+    p = run.robot
     slope = (-(p.body_mass + 2 * p.wheel_mass) * p.gravity, -p.body_mass * p.com_height * p.gravity)
     loads: list[Signature] = []
     for rise in RISES:

@@ -17,7 +17,9 @@ these loops bear a factor of two or three in a reading's gain. One encoder of tw
 goes on."""
 WITHOUT_TORQUE = 3.0  # [s] that no robot stands without any torque: 14 e-folds, from a millionth of a lean
 REVERSE, REVERSE_WIDTH = 2.0, 0.3  # the same of a sensor that has another sign
-LIGHTEST, LARGEST_PAYLOAD = -1.1, 4.0  # over the body's mass: what it can lose, within the fit's errors, and gain
+# over the body's mass: what it can lose, within the fit's errors, and gain
+LIGHTEST = -1.1
+LARGEST_PAYLOAD = 4.0
 MOST_LOST = 0.9
 """Of the body's mass, that goes at most where the equations of motion show it: such a search ends at 0.95, where
 something else than a load is needed."""

@@ -22,10 +22,14 @@ def slipping(run: FilterRun, onset: Array, grip: Array) -> tuple[Array, Mask]:
     """
     p = run.robot
     free, per_force, per_torque = _slip_acceleration(run)
-    total, lever, damping = p.body_mass + 2 * p.wheel_mass, p.body_mass * p.com_height, 2 * motor_damping(p)
+    total = p.body_mass + 2 * p.wheel_mass
+    lever = p.body_mass * p.com_height
+    damping = 2 * motor_damping(p)
     most = grip * total * p.gravity
-    error, response = np.zeros((run.gains.shape[1], len(grip))), np.zeros((len(run.t), len(grip)))
-    speed, slipped = np.zeros(len(grip)), np.zeros(len(grip), dtype=np.bool_)
+    error = np.zeros((run.gains.shape[1], len(grip)))
+    response = np.zeros((len(run.t), len(grip)))
+    speed = np.zeros(len(grip))
+    slipped = np.zeros(len(grip), dtype=np.bool_)
     for i, span in enumerate(run.spans):
         if span > 1e-9:
             own = free[i] - per_torque[i] * damping * (error[3] - error[1])
@@ -59,11 +63,15 @@ def _slip_acceleration(run: FilterRun) -> tuple[Array, Array, Array]:
     """Rθ̈ − ẍ [m/s²] without any force of the floor, and what a newton of it and a newton metre of the motors add
     (events,)."""
     p, x, u = run.robot, run.before, run.command
-    cos, sin, rate = np.cos(x[:, 0]), np.sin(x[:, 0]), x[:, 3] - x[:, 1]
+    cos = np.cos(x[:, 0])
+    sin = np.sin(x[:, 0])
+    rate = x[:, 3] - x[:, 1]
     turn = turn_ratio(p) * x[:, 5]
     torque = motor_torque(u[:, 0], rate - turn, p, np) + motor_torque(u[:, 1], rate + turn, p, np)
-    total, lever = p.body_mass + 2 * p.wheel_mass, p.body_mass * p.com_height
-    rotors, n = 2 * p.gear_ratio**2 * p.rotor_inertia, len(x)
+    total = p.body_mass + 2 * p.wheel_mass
+    lever = p.body_mass * p.com_height
+    rotors = 2 * p.gear_ratio**2 * p.rotor_inertia
+    n = len(x)
     M = np.zeros((n, 3, 3))  # of ẍ, θ̈, ψ̈
     M[:, 0, 0], M[:, 0, 2], M[:, 2, 0] = total, lever * cos, lever * cos
     M[:, 1, 1], M[:, 1, 2], M[:, 2, 1] = 2 * p.wheel_inertia + rotors, -rotors, -rotors

@@ -52,14 +52,17 @@ def thrown(log: Log, robot: Robot, kit: Kit, end: float) -> Throw | None:
     """The blow that threw a robot over within the last `RECENT` seconds before `end` [s], if the log shows one."""
     if "sensor/gyro" not in log or not np.isfinite(log["sensor/gyro"]).any():
         return None
-    rate, asked = gyro(log), _asked(log, robot, kit)
+    rate = gyro(log)
+    asked = _asked(log, robot, kit)
     model, mode = linearise(robot), falling(robot)
     topples = min(abs(mode.b) * limit(robot, kit, asked) / mode.pole, LEANING) * mode.pole
-    gravity, driven = STANDING_LEAN * abs(float(model.A[1, 0])), asked @ model.B[1]
+    gravity = STANDING_LEAN * abs(float(model.A[1, 0]))
+    driven = asked @ model.B[1]
     recent = np.flatnonzero((log.t > end - RECENT * pace(robot)) & (log.t <= end + 1e-9)).tolist()
     for count in range(1, ROWS + 1):
         for k in recent[:-count]:
-            stop, jump = k + count, float(rate[k + count] - rate[k])
+            stop = k + count
+            jump = float(rate[k + count] - rate[k])
             helped = [max(0.0, float((np.sign(jump) * driven[max(i - ROWS, 0) : i + 1]).max())) for i in range(k, stop)]
             by_itself = float(((gravity + np.array(helped)) * np.diff(log.t[k : stop + 1])).sum())
             sudden = abs(jump) - by_itself > SUDDEN * topples
@@ -67,7 +70,8 @@ def thrown(log: Log, robot: Robot, kit: Kit, end: float) -> Throw | None:
                 continue
             jump = float(max(rate[stop : stop + ROWS] - rate[k], key=abs))  # a blow may last longer
             start = float(log.t[k]) - (kit.sensors["sensor/gyro"].delay if "sensor/gyro" in kit.sensors else 0.0)
-            clipped, wheels = _clipped(log, kit, stop), _wheels_too(log, robot, kit, asked, start)
+            clipped = _clipped(log, kit, stop)
+            wheels = _wheels_too(log, robot, kit, asked, start)
             if not wheels and not clipped and abs(jump) < FAILS:
                 return None
             return Throw(
@@ -111,11 +115,13 @@ def _wheels_too(log: Log, robot: Robot, kit: Kit, asked: Array, start: float) ->
     names = [name for pair in RATES.items() for name in pair if name in log]
     if not names or k < 2:
         return False
-    name, model = names[0], linearise(robot)
+    name = names[0]
+    model = linearise(robot)
     rates = "rate" in name
     row = model.A[3] - model.A[1]
     motors = np.abs(model.B[3] - model.B[1])
-    values, t = np.mean([log[n] for n in names if ("rate" in n) == rates], axis=0), log.t
+    values = np.mean([log[n] for n in names if ("rate" in n) == rates], axis=0)
+    t = log.t
     grain = max((kit.sensors[n].quantum for n in names if n in kit.sensors), default=0.0)
     delay = max((kit.sensors[n].delay for n in names if n in kit.sensors), default=0.0)
     for j in range(k + 1, min(k + 2 + ROWS + round(delay / log.period), len(t))):

@@ -41,7 +41,9 @@ def window_of(run: FilterRun, end: float) -> Window:
 def _since(run: FilterRun, end: float, calm: float) -> float:
     """How many seconds before the `end` [s] the trouble lasted in which the usual window begins; `SECONDS` where it
     begins calmly, or where no beginning shows."""
-    t, squares, slow = run.t[run.readings], run.whitened**2, pace(run.robot)
+    t = run.t[run.readings]
+    squares = run.whitened**2
+    slow = pace(run.robot)
 
     def loud(start: float) -> bool:
         block = squares[(t >= start) & (t < start + BLOCK)]
@@ -73,6 +75,7 @@ def quiet_of(run: FilterRun, window: Window) -> float:
 def _seconds(run: FilterRun, window: Window) -> list[Array]:
     """The squares of the whitened innovations in each second up to a while before the fall."""
     use = run.readings & (run.t < window.end - _ordinary_end(run))
-    t, squares = run.t[use], run.innovation[use] ** 2 / run.variance[use]
+    t = run.t[use]
+    squares = run.innovation[use] ** 2 / run.variance[use]
     seconds = np.floor(t - run.t[0])
     return [squares[seconds == k] for k in np.unique(seconds) if (seconds == k).sum() > FEWEST / 2]

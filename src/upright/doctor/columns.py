@@ -302,7 +302,8 @@ def _row_time(mapping: Mapping, table: RawTable) -> float:
     if tilt is None or gyro is None or tilt.column == gyro.column or bool(tilt.unit) != bool(gyro.unit):
         return 0.0
     angle, rate = (table.columns[s.column] * UNITS[s.unit][0] for s in (tilt, gyro))
-    steps, middle = (angle[2:] - angle[:-2]) / 2, rate[1:-1]
+    steps = (angle[2:] - angle[:-2]) / 2
+    middle = rate[1:-1]
     if not (np.isfinite(angle).all() and np.isfinite(rate).all() and np.ptp(steps) > 0 and np.ptp(middle) > 0):
         return 0.0
     sure = abs(_correlation(steps, middle)) > TRUSTED
@@ -320,7 +321,8 @@ def drafted(table: RawTable) -> str:
         mapping = replace(with_tilt(with_gyro(named, table), table), name="mine", about="")
     period = ""
     if not mapping.time.column:
-        period, row = "# No column is a clock: state the period [s] from row to row.\n", _row_time(mapping, table)
+        period = "# No column is a clock: state the period [s] from row to row.\n"
+        row = _row_time(mapping, table)
         if row:
             mapping = replace(mapping, time=replace(mapping.time, period=row))
             period += "# By the steps of the tilt and its rate it is about this, if their units agree.\n"

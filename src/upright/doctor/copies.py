@@ -47,7 +47,8 @@ def _factors(target: Array, parts: list[Array]) -> Array:
     """By which factors the parts make the target in every row, but for the steps of all; none where they do not."""
     X = np.column_stack([x - x.mean() for x in parts])
     factors = np.linalg.lstsq(X, target - target.mean(), rcond=None)[0]
-    left, size = np.abs(target - target.mean() - X @ factors), float(np.std(target))
+    left = np.abs(target - target.mean() - X @ factors)
+    size = float(np.std(target))
     steps = grain_of(target) + sum(abs(by) * grain_of(x) for by, x in zip(factors, parts, strict=True))
     least = min(float(np.std(by * x)) for by, x in zip(factors, X.T, strict=True))
     same = left.max() <= max(steps, 1e-6 * size) < size

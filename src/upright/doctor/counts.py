@@ -19,7 +19,8 @@ def whole_numbers(record: Record, why: str) -> list[Finding]:
     """Encoders in whole numbers that go over more than two turns of radians."""
     whole = [name for name in (LEFT, RIGHT) if name in record and counted(record[name])]
     names = [name for name in whole if np.nanmax(record[name]) - np.nanmin(record[name]) > 2 * math.tau]
-    evidence, repair = f"whole numbers, so degrees or counts: {why}", "state unit and scale in a mapping"
+    evidence = f"whole numbers, so degrees or counts: {why}"
+    repair = "state unit and scale in a mapping"
     return [error("units/counts", name, evidence, repair) for name in names]
 
 

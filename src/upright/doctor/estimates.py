@@ -57,7 +57,8 @@ def _heading(record: Record, m: Resampled) -> list[Finding]:
     """The compass relative to the turn of the wheels: R/W, from 0.1 to 1, or 57 times that in degrees."""
     if COMPASS not in record or not np.isfinite(record[COMPASS]).all():
         return []
-    even, width = np.interp(m.t, record.t, record[COMPASS]), 4 * widths(m.period)[-1]
+    even = np.interp(m.t, record.t, record[COMPASS])
+    width = 4 * widths(m.period)[-1]
     a, b = (smooth(x, m.period, width, 1)[m.good] for x in (even, m.right - m.left))
     if b.std() < 0.05 or abs(float(np.corrcoef(a, b)[0, 1])) < 0.8:
         return []

@@ -74,7 +74,8 @@ def _spread(record: Record, fix: Fix) -> Record:  # noqa: ARG001
     first = np.flatnonzero(np.concatenate([[True], np.diff(record.t) > 0]))
     if len(first) < 2:
         return record
-    rows, steps = np.arange(len(record.t), dtype=np.float64), np.diff(record.t[first])
+    rows = np.arange(len(record.t), dtype=np.float64)
+    steps = np.diff(record.t[first])
     period, start = np.polyfit(rows, record.t, 1)
     even = start + period * rows
     if float(np.abs(even - record.t).max()) < float(np.median(steps)):
@@ -115,7 +116,8 @@ def _insert(record: Record, fix: Fix) -> Record:
     missing = ~np.isin(np.arange(len(t)), at)
 
     def whole(x: Array) -> Array:
-        between, grain = np.interp(t, record.t, x), grain_of(x)
+        between = np.interp(t, record.t, x)
+        grain = grain_of(x)
         between[missing] = np.rint(between[missing] / grain) * grain if grain else between[missing]
         between[at] = x
         return between
@@ -137,7 +139,8 @@ def _unwrap(record: Record, fix: Fix) -> Record:
     """Add periods of `numbers[0]` where the readings begin again."""
 
     def change(x: Array) -> Array:
-        fine, whole = np.isfinite(x), x.copy()
+        fine = np.isfinite(x)
+        whole = x.copy()
         whole[fine] = np.unwrap(x[fine], period=fix.numbers[0])
         return whole
 
@@ -160,7 +163,8 @@ def stale(x: Array) -> Mask:
         return repeats
     grain = grain_of(x)
     same = x[2:-1] == x[1:-2]
-    before, after = x[1:-2] - x[:-3], x[3:] - x[2:-1]
+    before = x[1:-2] - x[:-3]
+    after = x[3:] - x[2:-1]
     moving = (np.abs(after) >= 4 * grain) & (np.abs(before) >= 1.5 * grain) & (before * after > 0)
     repeats[2:-1] = same & moving
     return repeats

@@ -225,7 +225,8 @@ def sides(record: Record) -> list[Finding]:
     m = motion(record)
     if m is None:
         return []
-    turn, findings = m.right - m.left, list[Finding]()
+    turn = m.right - m.left
+    findings = list[Finding]()
     compass = _compass(record, m, turn)
     t = _turn_answer(m, turn)
     if t < -SURE:
@@ -252,7 +253,8 @@ def _turn_answer(m: Resampled, turn: Array) -> float:
 def _first_clear(t_value: Array) -> float:
     """The t-value of the first row that is clear, half as clear as the clearest, and whose next row goes the same way:
     a rate lasts, where a step of an encoder that a command answers is gone in the next row."""
-    size, after = np.abs(t_value), np.append(t_value[1:], t_value[-1])
+    size = np.abs(t_value)
+    after = np.append(t_value[1:], t_value[-1])
     clear = (size > SURE) & (size > 0.5 * size.max()) & (after * np.sign(t_value) > LASTING * size)
     return float(t_value[int(np.argmax(clear))]) if clear.any() else 0.0
 

@@ -172,7 +172,8 @@ def _moving(values: Array) -> float:
 def trimmed(y: Array, X: Array, positive: bool = False) -> tuple[Array, float, NDArray[Any]]:
     """Trimmed least squares with an intercept, R² on the rows kept, and these rows."""
     keep = np.ones(len(y), dtype=bool)
-    values, r2 = np.zeros(X.shape[1]), 0.0
+    values = np.zeros(X.shape[1])
+    r2 = 0.0
     for last in (False, False, True):
         centre, middle = X[keep].mean(axis=0), y[keep].mean()
         Z, z = X[keep] - centre, y[keep] - middle
@@ -223,7 +224,8 @@ def lagged(
     left_over = 1 - r2s[[j for j in (i - 2, i, i + 2) if 0 <= j < len(r2s)]]
     sharp = float(np.sort(left_over)[min(1, len(left_over) - 1)] / max(1 - r2s[i], 1e-12))
     miss = np.abs(_centred(target[rows] - X @ values))
-    most, usual = float(miss.max()), float(np.median(np.abs(_centred(target[rows])))) / 0.6745
+    most = float(miss.max())
+    usual = float(np.median(np.abs(_centred(target[rows])))) / 0.6745
     off = most / max(float(np.median(miss)) / 0.6745, 1e-300) if most > LOUD * usual else 0.0
     return LaggedFit(tuple(values.tolist()), r2, float((shifts[i] + part) * m.period), sharp, off)
 
@@ -239,7 +241,8 @@ def _r_squared(y: Array, X: Array, positive: bool) -> Array:
     if power <= 0:
         return np.zeros(len(X))
     centred = X - X.mean(axis=1, keepdims=True)
-    gram, side = centred.swapaxes(1, 2) @ centred, z @ centred
+    gram = centred.swapaxes(1, 2) @ centred
+    side = z @ centred
     scale = np.sqrt(np.diagonal(gram, axis1=1, axis2=2) / len(y))
     scale = np.where(scale > 0, scale, 1.0)  # of what never changes, as wheels that stand
     gram, side = gram / (scale[:, :, None] * scale[:, None, :]), side / scale

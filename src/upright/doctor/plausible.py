@@ -18,7 +18,8 @@ def constants(record: Record) -> list[Finding]:
     """Battery and accelerometer, against usual voltages and gravity."""
     findings: list[Finding] = []
     if BATTERY in record:
-        volts, whole = float(np.nanmedian(record[BATTERY])), counted(record[BATTERY])
+        volts = float(np.nanmedian(record[BATTERY]))
+        whole = counted(record[BATTERY])
         if whole and (MOST_VOLTS < volts <= 100 or 100 < volts < LEAST_MILLIVOLTS):
             what = "per cent of its charge" if volts <= 100 else "counts of a converter"
             evidence = f"whole numbers about {volts:.4g}: {what}, and no volts"
@@ -41,7 +42,8 @@ def speeds(record: Record) -> list[Finding]:
     """Wheels that turn faster than any robot's: counts of an encoder that were read as radians."""
     findings: list[Finding] = []
     for name in (name for name in (LEFT, RIGHT) if name in record):
-        steps, moved = np.diff(record.t), np.abs(np.diff(record[name]))
+        steps = np.diff(record.t)
+        moved = np.abs(np.diff(record[name]))
         rates = moved[(steps > 0) & np.isfinite(moved)] / steps[(steps > 0) & np.isfinite(moved)]
         rate = float(np.percentile(rates, 90)) if len(rates) else 0.0
         if rate > FASTEST_WHEEL:

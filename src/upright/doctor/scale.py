@@ -22,7 +22,8 @@ def against_robot(record: Record, robot: Robot | None = None) -> list[Finding]:
     m = motion(record)
     if robot is None or m is None or m.gyro is None:
         return []
-    fit, values = m.law, expected(robot)
+    fit = m.law
+    values = expected(robot)
     sure = fit.r2 > CLEAR and fit.sharp > SHARP and not fit.pushed and m.good.sum() * m.period > _CLEAR
     off = math.log(fit.values[0]) - values["q"][0] if sure and min(fit.values) > 0 else 0.0
     shown = f"by the pendulum equation q is {math.exp(off):.2g} times that of the file of '{robot.name}'"

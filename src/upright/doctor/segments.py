@@ -73,7 +73,8 @@ def _fell(record: Record, segment: Segment) -> Finding:
     assert m is not None
     assert m.gyro is not None
     rate = smooth(m.gyro, m.period, widths(m.period)[0])[(m.t >= segment.start) & (m.t < segment.stop)]
-    turn, fastest = abs(float(rate.sum())) * m.period, float(np.abs(rate).max())
+    turn = abs(float(rate.sum())) * m.period
+    fastest = float(np.abs(rate).max())
     how = "until the log ends" if segment is record.segments[-1] else "until the robot lies"
     evidence = (
         f"from t = {moment(segment.start)} s the pitch turns by {turn:.2g} rad at up to {fastest:.2g} rad/s, {how}"
@@ -150,7 +151,8 @@ def on_wheels(record: Record) -> list[tuple[float, float]]:
 
 def still(record: Record) -> list[Finding]:
     """Times in which neither wheel turns and the gyro reads only noise: held, or stuck by friction."""
-    m, standing = motion(record), [segment for segment in record.segments if segment.kind == STANDING]
+    m = motion(record)
+    standing = [segment for segment in record.segments if segment.kind == STANDING]
     if m is None or m.gyro is None:
         return []
     findings: list[Finding] = []

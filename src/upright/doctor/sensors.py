@@ -44,7 +44,8 @@ def dead(record: Record) -> list[Finding]:
     moving = (LEFT, RIGHT, GYRO, *commands)
     findings: list[Finding] = []
     for name in (name for name in (*_SENSED, *commands) if name in record):
-        values, fine = record[name], np.isfinite(record[name])
+        values = record[name]
+        fine = np.isfinite(record[name])
         if not fine.any():
             findings.append(error("channel/empty", name, "all readings are missing", "drop the channel"))
         elif not fine.all():
@@ -151,7 +152,8 @@ def outliers(record: Record) -> list[Finding]:
     for name in (name for name in (LEFT, RIGHT, GYRO) if name in record):
         alone = single(record.t, record[name])
         if alone.any():
-            row, unit = int(np.argmax(alone)), record.units.get(name, "").replace("1", "")
+            row = int(np.argmax(alone))
+            unit = record.units.get(name, "").replace("1", "")
             evidence = (
                 f"{int(alone.sum())} of {len(alone)} readings stand alone, far from those before and after; the first, "
                 f"{record[name][row]:.4g} {unit}".rstrip()
@@ -186,7 +188,8 @@ def stuck(record: Record) -> list[Finding]:
 
     findings: list[Finding] = []
     for name in present:
-        x, others = record[name], [other for other in present if other != name]
+        x = record[name]
+        others = [other for other in present if other != name]
         first, last = max(runs(np.diff(x) == 0), key=lambda run: run[1] - run[0], default=(0, 0))
         inside = np.zeros(len(record.t) - 2 * step, dtype=bool)
         inside[first : max(first, last - 2 * step)] = True
@@ -290,13 +293,15 @@ def contaminated(record: Record) -> list[Finding]:
         return []
     if PITCH not in record or not np.isfinite(record[PITCH]).all() or levels(record[PITCH]) <= COARSE:
         return []
-    even, width = np.interp(m.t, record.t, record[PITCH]), widths(m.period)[-1]
+    even = np.interp(m.t, record.t, record[PITCH])
+    width = widths(m.period)[-1]
     rows = np.arange(int(4 * width / m.period), len(m.t) - int(4 * width / m.period))
     rows = rows[m.good[rows]]
     if len(rows) < 50:
         return []
     rate, slope = (smooth(m.gyro, m.period, width, order) for order in (0, 1))
-    angle, drift = smooth(even, m.period, width), smooth(even, m.period, width, 1) - rate
+    angle = smooth(even, m.period, width)
+    drift = smooth(even, m.period, width, 1) - rate
     pull = smooth(_suspect(record, m.t), m.period, width) - angle if FORWARD in record and UP in record else None
     wheel = -smooth(m.wheel, m.period, width, 2) - slope
     nuisance = [slope, rate, np.ones(len(m.t))] + ([angle] if pull is None else [])

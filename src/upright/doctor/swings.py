@@ -47,10 +47,12 @@ def drift(record: Record) -> tuple[float, float, float] | None:
     if GYRO not in record or not spans:
         return None
     start, stop = max(spans, key=lambda span: span[1] - span[0])
-    whole, record = record, record.rows((record.t >= start) & (record.t < stop))
+    whole = record
+    record = record.rows((record.t >= start) & (record.t < stop))
     if len(record.t) < 50:
         return None
-    gyro, span = record[GYRO], float(record.t[-1] - record.t[0])
+    gyro = record[GYRO]
+    span = float(record.t[-1] - record.t[0])
     fine = np.isfinite(gyro)
     step = np.diff(record.t)
     known = step < GAP * record.period  # the motion within a gap is unknown
@@ -78,8 +80,10 @@ def _by_wheels(record: Record, start: float, stop: float) -> tuple[float, float]
         return None
     width = widths(m.period)[-1]
     gyro = smooth(np.interp(m.t + m.law.lag, m.t, m.gyro), m.period, width)
-    turn, angle = np.gradient(gyro, m.period), np.cumsum(gyro) * m.period
-    X, y = np.column_stack([turn, angle, m.t - start]), smooth(m.wheel, m.period, width, 2)
+    turn = np.gradient(gyro, m.period)
+    angle = np.cumsum(gyro) * m.period
+    X = np.column_stack([turn, angle, m.t - start])
+    y = smooth(m.wheel, m.period, width, 2)
     edge = 4 * width + REACH
     rows = np.flatnonzero(m.good & (m.t >= start + edge) & (m.t < stop - edge))
     if len(rows) < _PARTS * X.shape[1]:

@@ -62,7 +62,8 @@ def _coarse(record: Record, steps: Array) -> bool:
 
 
 def _backwards(record: Record, back: NDArray[np.intp]) -> Finding:
-    steps, row = np.diff(record.t), int(back[0]) + 1
+    steps = np.diff(record.t)
+    row = int(back[0]) + 1
     period = float(np.median(steps[steps > 0])) if (steps > 0).any() else 0.0
     evidence = f"time runs backwards {len(back)} time{'s' if len(back) > 1 else ''}, first at row {row}"
     evidence += f" from {moment(record.t[row - 1], 4)} to {moment(record.t[row], 4)} s"
@@ -80,7 +81,8 @@ def _longest(record: Record, starts: NDArray[np.intp]) -> tuple[str, Fix]:
     """The repair that keeps the longest of the runs that begin at the rows `starts` and at the first."""
     edges = np.concatenate([[0], starts, [len(record.t)]])
     longest = int(np.argmax(np.diff(edges)))
-    first, last = int(edges[longest]), int(edges[longest + 1])
+    first = int(edges[longest])
+    last = int(edges[longest + 1])
     return f"keep the longest run, rows {first} to {last - 1}", Fix("rows", numbers=(first, last))
 
 
@@ -117,7 +119,8 @@ def unit(record: Record) -> list[Finding]:
 
 def steps(record: Record) -> list[Finding]:
     """Gaps, dropped rows and jitter; a missing row does not count as jitter."""
-    step, period = np.diff(record.t), record.period
+    step = np.diff(record.t)
+    period = record.period
     ordinary = step[step < MISSED * period]
     jitter = float(ordinary.std() / period)
     findings = _gaps(record, step, period)
@@ -128,7 +131,8 @@ def steps(record: Record) -> list[Finding]:
         return [*findings, warning("time/jitter", "t", evidence, "resample at even times", even)]
     missed = (step >= MISSED * period) & (step <= GAP * period)
     if missed.any():
-        lost, first = int(np.rint(step[missed] / period - 1).sum()), float(record.t[int(np.argmax(missed))])
+        lost = int(np.rint(step[missed] / period - 1).sum())
+        first = float(record.t[int(np.argmax(missed))])
         evidence = f"{lost} rows are missing at {int(missed.sum())} places, the first after t = {moment(first, 4)} s"
         evidence += f": steps of two or more periods of {period * 1e3:.4g} ms"
         lost_rows = Fix("insert", numbers=(period, GAP * period))

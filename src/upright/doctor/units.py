@@ -135,7 +135,8 @@ def _scaled(record: Record, robot: Robot | None, m: Resampled, values: tuple[flo
     assert m.gyro is not None
     doubt = 1 / (float(m.good.sum()) * m.period)
     usual = {n: (at, math.hypot(s, _SHORTER.get(n, 0.0) * doubt)) for n, (at, s) in expected(robot).items()}
-    estimated, units = _estimated(record, m, values), command_units(record, robot)
+    estimated = _estimated(record, m, values)
+    units = command_units(record, robot)
     estimated["most q"] = estimated["q"] * math.exp(_SHORTER["q"] * doubt)
     by_gravity = gyro_by_gravity(record, m)
     by_pitch = _gyro_by_pitch(record, m)
@@ -148,7 +149,8 @@ def _scaled(record: Record, robot: Robot | None, m: Resampled, values: tuple[flo
     graded = sorted([(FAULT + penalty(s), i, s) for i, s in enumerate((*_suspects(record), *stated))])
     if graded[0][0] >= plain:
         return []
-    suspect, odds = graded[0][2], plain - graded[0][0]
+    suspect = graded[0][2]
+    odds = plain - graded[0][0]
     alike = [s for p, _, s in graded if p < graded[0][0] + ALIKE]
     q = estimated["q"] * suspect.gyro / suspect.encoder
     possible = q > 1 and _fine(estimated, suspect)
@@ -181,7 +183,8 @@ def _of_kit(record: Record, robot: Robot | None) -> Sequence[_Suspect]:
     sensor = find_kit(robot.kit).sensors.get(LEFT)
     if sensor is None or not sensor.quantum or abs(sensor.quantum / DEGREE - 1) < _SAME_STEP:
         return ()
-    why, counts = f"counts, of which the kit has {math.tau / sensor.quantum:.5g} to a turn,", 1 / sensor.quantum
+    why = f"counts, of which the kit has {math.tau / sensor.quantum:.5g} to a turn,"
+    counts = 1 / sensor.quantum
     return (
         _Suspect(f"{why} instead of radians", encoder=counts),
         _Suspect(f"{why} instead of radians, and a gyro in degrees per second", gyro=1 / DEGREE, encoder=counts),
@@ -206,7 +209,8 @@ def _of_no_unit(record: Record, on: Mask, gyro: Array) -> list[Finding]:
     """Channels that are not in radians, where no motion tells in what: whole numbers of an encoder, and a gyro whose
     mean or largest reading no gyro in rad/s has."""
     findings = whole_numbers(record, "this motion does not tell which")
-    mean, most = float(gyro[on].mean()), float(np.abs(gyro).max())
+    mean = float(gyro[on].mean())
+    most = float(np.abs(gyro).max())
     offset = LARGEST_OFFSET + _TURNED / (float(on.mean() * (record.t[-1] - record.t[0])) or math.inf)
     if abs(mean) > offset or most > _FASTEST:
         shown = f"its mean is {mean:.3g}" if abs(mean) > offset else f"it reaches {most:.3g}"

@@ -31,7 +31,8 @@ _VOLTS = ("volts", "millivolts")
 def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
     """Per cent or millivolts instead of volts: by battery voltage, back-EMF and magnitude. What full duty is, and of
     which voltage, is asked where neither log nor robot tells it."""
-    names, m = record.commands, motion(record)
+    names = record.commands
+    m = motion(record)
     if names is None or record.torque_driven:
         return []
     largest, battery = largest_command(record, names), battery_of(record, robot)
@@ -99,7 +100,8 @@ def assumed(mapping: Mapping, table: RawTable) -> list[Finding]:
     findings: list[Finding] = []
     for name, source in sources.items() if mapping.name == GUESS else ():
         values = np.abs(table.columns[source.column])
-        full, largest = full_duty(values), float(np.nanmax(values))
+        full = full_duty(values)
+        largest = float(np.nanmax(values))
         if largest < full and "percent" not in source.column.lower():
             evidence = f"'{source.column}' is taken for a duty of which {full:g} are full: it reaches {largest:.4g}"
             findings.append(note("units/duty", name, evidence, "if another number is full, state it in a mapping"))

@@ -39,7 +39,8 @@ def on_its_wheels(log: Log, *, falling: bool = True) -> tuple[Log, str]:
     `InvalidLog` for a robot that is never on its wheels, for times that are no seconds, and for angles that begin
     again.
     """
-    record, kinds = record_of(log), FITTED if falling else ON_WHEELS
+    record = record_of(log)
+    kinds = FITTED if falling else ON_WHEELS
     for wrong in unit(record):
         slow = wrong.severity == "warning"
         raise InvalidLog(
@@ -63,7 +64,8 @@ def on_its_wheels(log: Log, *, falling: bool = True) -> tuple[Log, str]:
             f"the robot is never on its wheels in this log: {'; '.join(map(_in_words, others[:3]))}",
             expected="a robot that balances", hint="upright doctor shows the poses",
         )  # fmt: skip
-    used, notes = log, list[str]()
+    used = log
+    notes = list[str]()
     if others:
         start, stop = max(spans, key=lambda span: span[1] - span[0])
         left = "; ".join(map(_in_words, others[:3])) + (f"; and {len(others) - 3} more" if len(others) > 3 else "")

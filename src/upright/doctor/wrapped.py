@@ -47,11 +47,13 @@ def _jumps(x: Array) -> tuple[int, float]:
     jump = np.abs(steps) > _HALF * reach
     if not 0 < jump.sum() < len(steps) / 4 or not reach > 0:
         return 0, 0.0
-    grain, ordinary = grain_of(x), float(np.abs(steps[~jump]).max())
+    grain = grain_of(x)
+    ordinary = float(np.abs(steps[~jump]).max())
     sizes = np.abs(steps[jump])
     if sizes.min() < _CLEAR * max(ordinary, grain) or np.ptp(sizes) > 2 * ordinary + grain or _dropouts(x, reach):
         return 0, 0.0
-    size, within = float(np.median(sizes)), ordinary + grain
+    size = float(np.median(sizes))
+    within = ordinary + grain
     usual = [p for p in _usual(size, grain) if abs(p - size) <= within and p > reach - within]
     if usual:
         return int(jump.sum()), min(usual, key=lambda p: abs(p - size))

@@ -84,7 +84,8 @@ def best_division(base: Array, parts: Array, weights: Array, iterations: int = 1
         gain = np.maximum(np.einsum("ij,kji->k", scaled, parts), 0.0)
         if not gain.any():
             break
-        before, division = division, division * np.sqrt(gain)
+        before = division
+        division = division * np.sqrt(gain)
         division = division / division.sum()
         if np.abs(division - before).max() < SETTLED:
             break

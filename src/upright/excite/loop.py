@@ -96,7 +96,8 @@ class ExcitedLoop:
         radius = table[:, NAMES.index("wheel_radius"), None]
         period = self.gains.period
         start = (np.arange(several.shape[1]) * hold - 0.5) * period  # between two periods, where rounding does no harm
-        both, turn = several.mean(axis=2), (several[:, :, 1] - several[:, :, 0]) / 2
+        both = several.mean(axis=2)
+        turn = (several[:, :, 1] - several[:, :, 0]) / 2
         columns = (both * radius, np.broadcast_to(turn, (n, turn.shape[1])), start, start + hold * period)
         reference = np.stack(np.broadcast_arrays(*columns), axis=-1)
         return FleetBatch(

@@ -31,7 +31,8 @@ SWAY = 0.5  # [rad] beyond this a robot that nothing excites does not stand, but
 LEAST_LOUD = 0.7  # of a plan ought still to move the robot enough for a calibration to give inertias
 SEARCHED = 32  # robots with which a size is searched; the final check takes all
 HARDLY = 1  # of these may fall: one that hardly stands alone would keep every plan too quiet to tell an inertia
-COARSE, FINE = 2.0 ** np.arange(-4.0, 3.0), 2.0 ** (np.arange(4) / 4)
+COARSE = 2.0 ** np.arange(-4.0, 3.0)
+FINE = 2.0 ** (np.arange(4) / 4)
 SMALLER, TRIES = 0.85, 12  # how much smaller, and how often, a plan is made that does not keep the limits
 COMBINED = "combination"
 HELD = 4  # periods for which the second dither is held, as in benchmarks/calibrate.py
@@ -76,7 +77,8 @@ class Search:
         table = np.repeat(table, samples, axis=0) if len(table) == 1 else table
         result = self.loop.run(self._nothing(), table, hold=self.loop.periods)
         stands = ~result.fell & (result.peak[:, 0] < SWAY)
-        self.stand, self.dropped = table[stands], int((~stands).sum())
+        self.stand = table[stands]
+        self.dropped = int((~stands).sum())
         if len(self.stand) < max(FEWEST, LEAST_STANDING * samples):
             raise DesignFailed(
                 f"{self.dropped} of {samples} robots drawn round {self.loop.robot.name} do not stand unexcited",
@@ -109,7 +111,8 @@ class Search:
         every = {name: wave for parts in made.values() for name, wave in parts.items()}
         parts = self._parts(every, self.size)
         show(0.3)
-        self.made, self.parts = {**made, COMBINED: every}, parts
+        self.made = {**made, COMBINED: every}
+        self.parts = parts
         ways: list[Way] = []
         for i, name in enumerate(self.made):
             division = self._division(name, self.size)
@@ -121,7 +124,8 @@ class Search:
 
     def quieter(self, tried: Sequence[Way], enough: float) -> Way:
         """The way of least energy, halving by halving, for intervals at most `enough` times the narrowest."""
-        best, energy = tried[0], tried[0].energy
+        best = tried[0]
+        energy = tried[0].energy
         while enough > 1:
             energy = energy / 2
             able = [way for way in tried if way.energy >= energy]
@@ -144,7 +148,8 @@ class Search:
 
     def settled(self, way: Way) -> tuple[Array, Checked]:
         """The excitation as large as all robots allow, and what was measured of them."""
-        excitation, broken = way.excitation, list[str]()
+        excitation = way.excitation
+        broken = list[str]()
         for _ in range(TRIES):
             checked = self._measured(self.loop.run(MARGIN * excitation, self.stand), self.stand)
             broken = checked.broken(self.limits)
@@ -158,11 +163,13 @@ class Search:
 
     def plan(self, way: Way, tried: Sequence[Way], excitation: Array, checked: Checked) -> ExcitationPlan:
         """The way as a plan, with the predicted intervals of it and of dithers of its energy."""
-        loop, who = self.loop, self.loop.identity
+        loop = self.loop
+        who = self.loop.identity
         energy = float(loop.energies(excitation[None])[0])
         (log,) = self._logs(excitation[None])
         gained = self.information(log)
-        after, least = shrunk(gained), shrunk(MANY * gained)
+        after = shrunk(gained)
+        least = shrunk(MANY * gained)
         dither, held = (shrunk(self._dither(energy, hold)) for hold in (1, HELD))
         division = {name: part / sum(way.division.values()) for name, part in way.division.items()}
         return ExcitationPlan(

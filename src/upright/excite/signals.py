@@ -15,7 +15,8 @@ import numpy as np
 
 from upright.arrays import Array
 
-COMMON, TURNING = np.array([1.0, 1.0]), np.array([-1.0, 1.0])
+COMMON = np.array([1.0, 1.0])
+TURNING = np.array([-1.0, 1.0])
 MODES = {"common": COMMON, "turning": TURNING}
 
 BANDS = (0.05, 0.2, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0)

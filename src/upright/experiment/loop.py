@@ -45,7 +45,9 @@ class Stepper:
         self._pitch = names.index("truth/pitch") if watched else None
         self._times = list[float]()  # hardware keeps its own time; a model's steps are exact
         controller.reset()
-        self.now, self.command, self.stopped = body.reset(start, seed), (0.0, 0.0), math.inf
+        self.now = body.reset(start, seed)
+        self.command = (0.0, 0.0)
+        self.stopped = math.inf
         self._judge()
 
     def _judge(self) -> None:
@@ -74,7 +76,9 @@ class Stepper:
 
     def log(self, rows: ArrayLike, scenario: dict[str, Any]) -> Log:
         """The log of `rows`, one for each of the controller's periods, that ended with the newest sample."""
-        spec, controller, table = self.body.spec, self.controller, np.array(rows)
+        spec = self.body.spec
+        controller = self.controller
+        table = np.array(rows)
         fell = self.now.fallen or math.isfinite(self.stopped)
         origin = {
             "robot": {"name": spec.robot.name, "drive": spec.robot.drive, **spec.robot.numbers()},

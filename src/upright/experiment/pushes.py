@@ -117,7 +117,9 @@ def combined(pushes: Sequence[PushProgramme], t: float, robot: Robot) -> Disturb
     force = moment = slope = 0.0
     for push in pushes:
         part = push.at(t, robot)
-        force, moment, slope = force + part.force, moment + part.force * part.height, slope + part.slope
+        force = force + part.force
+        moment = moment + part.force * part.height
+        slope = slope + part.slope
     return Disturbance(force, moment / force if force else 0.0, slope) if force or slope else CALM
 
 

@@ -52,9 +52,11 @@ def run(
     permit = (
         {"certificate": permitted(controller, certificate, body.spec.robot, anyway=anyway)} if body.spec.real else {}
     )
-    robot, count = body.spec.robot, round(seconds / controller.spec.period)
+    robot = body.spec.robot
+    count = round(seconds / controller.spec.period)
     loop = Stepper(body, controller, start, seed)
-    stood, rows = not loop.now.fallen, list[list[float]]()
+    stood = not loop.now.fallen
+    rows = list[list[float]]()
 
     def disturbance(t: float) -> Disturbance:
         return combined(pushes, t, robot)

@@ -111,7 +111,8 @@ def _setup(
     controller: Controller, robot: Robot, kit: Kit, *, target: str, reference: bool, travel: float
 ) -> ProgramSetup:
     """The checked facts that the program is written from."""
-    inner, place = incremental(controller, POSITIONS), find_target(target)
+    inner = incremental(controller, POSITIONS)
+    place = find_target(target)
     unit = inner.linear.command_unit
     if unit != robot.command_unit:
         raise SpecMismatch(f"the controller commands {unit}", expected=f"{robot.command_unit}")
@@ -133,13 +134,15 @@ def _bounds(setup: ProgramSetup) -> Array | None:
     linear = setup.linear
     y = np.array([HEADING if c == COMPASS else largest(setup.kit, c, setup.travel) for c in linear.reads])
     r = np.array(REFERENCE_RANGE) if setup.reference else np.zeros(6)
-    u, a = np.full(2, setup.typed if setup.incremental.law.nonlinear else 0.0), np.full(2, setup.strongest)
+    u = np.full(2, setup.typed if setup.incremental.law.nonlinear else 0.0)
+    a = np.full(2, setup.strongest)
     return setup.incremental.bounds(change=np.full(len(y), FASTEST * linear.period), y=y, r=r, u=u, a=a)
 
 
 def _reference(t: Tracer, setup: ProgramSetup) -> list[Form]:
     """The reference state as inputs; zero for states that the controller does not compare."""
-    linear, rest = setup.linear, setup.incremental.law.nonlinear
+    linear = setup.linear
+    rest = setup.incremental.law.nonlinear
     rows = np.vstack([linear.Br, linear.Dr, *([rest.Dr] if rest else [])])
     return [
         _bounded_input(t, f"reference_{name}", unit, most) if setup.reference and rows[:, i].any() else Form()
@@ -156,7 +159,8 @@ def _pitch(t: Tracer, setup: ProgramSetup, z: list[Form], y: list[Form]) -> Form
     linear = setup.linear
     if len(linear.S):
         return t.let("pitch", dot(linear.S[0], z) + dot(linear.Sy[0], y), "rad", UPSIDE_DOWN, output=True)
-    rate, dt = y[linear.reads.index(GYRO)], linear.period
+    rate = y[linear.reads.index(GYRO)]
+    dt = linear.period
     tilt = t.state("tilt", "rad", UPSIDE_DOWN)
     pitch = t.let("pitch", (tilt + rate * dt) * (1 - dt / TILT_TIME), "rad", UPSIDE_DOWN, output=True)
     t.commit(tilt, pitch)
@@ -176,7 +180,8 @@ def _fit(t: Tracer, setup: ProgramSetup, read: dict[str, Form], values: list[For
 def _applied(t: Tracer, setup: ProgramSetup, u: list[Form], read: dict[str, Form], fit: Form) -> list[Form]:
     """The applied commands: zero in the dead zone and unless the readings are `fit`, within the limit, in whole steps
     of the battery's voltage, less what the driver drops."""
-    d, full = setup.driver, float(setup.driver.full)
+    d = setup.driver
+    full = float(setup.driver.full)
     awake = [
         t.choose(f"sure_{side}", fit, 0.5, _awake(t, d, form, side), 0.0, d.unit)
         for form, side in zip(u, SIDES, strict=True)
@@ -212,7 +217,8 @@ def _arrived(t: Tracer, setup: ProgramSetup, a: list[Form]) -> list[Form]:
         return a
     arrived: list[Form] = []
     for form, side in zip(a, SIDES, strict=True):
-        unit, most = setup.driver.unit, t.variables[form.name].most
+        unit = setup.driver.unit
+        most = t.variables[form.name].most
         line = [t.state(f"sent_{side}_{k}", unit, most) for k in range(1, setup.lag + 1)]
         for k, (place, before) in enumerate(zip(line[1:], line, strict=False), 2):
             t.commit(place, t.let(f"next_sent_{side}_{k}", before, unit))
@@ -252,7 +258,8 @@ def _stop(t: Tracer, setup: ProgramSetup, pitch: Form, fit: Form) -> None:
 
 
 def _stuck(t: Tracer, setup: ProgramSetup, status: Form) -> Form:
-    full, longest = float(setup.driver.full), setup.periods(STUCK_TIME)
+    full = float(setup.driver.full)
+    longest = setup.periods(STUCK_TIME)
     count = t.state("stuck", "1", float(longest), True)
     sizes = [t.absolute(f"strength_{side}", Form({f"duty_{side}": 1.0}), "1") for side in SIDES]
     both = t.let("strength", sizes[0] + sizes[1], "1")

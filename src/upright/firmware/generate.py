@@ -78,7 +78,8 @@ class Firmware:
         return facts | {"wiring": self.wiring}
 
     def __str__(self) -> str:
-        p, bound = self.program, ""
+        p = self.program
+        bound = ""
         if self.quantum is not None:
             bound = f", proven within {self.quantum:.3g} {p.command_unit} of the design"
         return (
@@ -88,7 +89,8 @@ class Firmware:
 
     def write(self, path: str | Path) -> list[Path]:
         """Write `path` and whatever stands beside it, each whole or not at all."""
-        first, target = Path(os.path.expanduser(path)), find_target(self.program.target)
+        first = Path(os.path.expanduser(path))
+        target = find_target(self.program.target)
         if first.suffix != target.suffix:
             raise UnknownName(f"ending of a program for {target.name}", first.suffix or first.name, [target.suffix])
         return [write_text(first.with_suffix(ending), text) for ending, text in self.texts(first).items()]

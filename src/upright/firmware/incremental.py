@@ -43,7 +43,8 @@ class Incremental:
         The exact bound, Σ_k |A^k B| s for inputs of size s (the l1 norm of the impulse response); None for a memory
         that grows by itself, as that of a controller may that is unstable without its robot.
         """
-        linear, rest = self.linear, self.law.nonlinear
+        linear = self.linear
+        rest = self.law.nonlinear
         Bu = np.zeros((len(linear.A), 2)) if rest is None else rest.Bu
         if np.abs(np.linalg.eigvals(linear.A)).max(initial=0.0) > FADING:
             return None

@@ -28,7 +28,8 @@ def inputs(t: Tracer, setup: ProgramSetup) -> dict[str, Form]:
         raise InvalidController(f"the controller does not read {missing[0]}", expected="both encoders and the gyro")
     raws: dict[str, Form] = {}
     for channel in reads:
-        raw, most = setup.raw(channel), largest(setup.kit, channel, setup.travel) / setup.raw(channel).scale
+        raw = setup.raw(channel)
+        most = largest(setup.kit, channel, setup.travel) / setup.raw(channel).scale
         most *= GYRO_MARGIN if channel == GYRO else 1.0
         name = "raw_" + channel.removeprefix("sensor/")
         raws[channel] = t.input(name, raw.unit, math.ceil(most) if raw.whole else most, raw.whole)
@@ -43,7 +44,8 @@ def kept(t: Tracer, raw: dict[str, Form], when: str) -> dict[str, Form]:
     """The readings within the ranges that everything after them is proven for; what is not a number stays none."""
     within: dict[str, Form] = {}
     for channel, form in raw.items():
-        v, name = t.variables[form.name], channel.rpartition("/")[2]
+        v = t.variables[form.name]
+        name = channel.rpartition("/")[2]
         within[channel] = t.limit(f"{when}_{name}", form, v.low, v.high, v.unit)
     return within
 
@@ -66,10 +68,13 @@ class Held:
 def calibrate(t: Tracer, setup: ProgramSetup, raw: dict[str, Form]) -> Held:
     """The gyro's mean over a second in which its readings stay within what a still gyro scatters; else anew."""
     first = kept(t, {channel: form for channel, form in raw.items() if channel not in ENCODERS}, "first")
-    g, most = first[GYRO], t.variables[raw[GYRO].name].most
-    unit, count = setup.raw(GYRO).unit, setup.periods(CALIBRATION_TIME)
+    g = first[GYRO]
+    most = t.variables[raw[GYRO].name].most
+    unit = setup.raw(GYRO).unit
+    count = setup.periods(CALIBRATION_TIME)
     offset = t.state("gyro_offset", unit, most)
-    counted, total = t.state("still", "1", float(count), True), t.state("gyro_total", unit, most * count)
+    counted = t.state("still", "1", float(count), True)
+    total = t.state("gyro_total", unit, most * count)
     low, high = t.state("gyro_low", unit, most), t.state("gyro_high", unit, most)
     lower = t.choose("lower", g, low, g, low, unit)
     higher = t.choose("higher", high, g, g, high, unit)
@@ -102,14 +107,16 @@ def _heading_at_start(t: Tracer, first: dict[str, Form]) -> Form | None:
 
 def _scatter(setup: ProgramSetup) -> float:
     """The largest difference between readings of a still gyro: ±4 deviations and a step to either side, [raw]."""
-    sensor, raw = setup.kit.sensors[GYRO], setup.raw(GYRO)
+    sensor = setup.kit.sensors[GYRO]
+    raw = setup.raw(GYRO)
     step = max(sensor.quantum, raw.scale if raw.whole else 0.0)
     return (8 * sensor.noise + 2 * step + LEAST_SCATTER) / raw.scale
 
 
 def reading(t: Tracer, setup: ProgramSetup, read: dict[str, Form], channel: str, held: Held) -> Form:
     """The channel in SI units, within what the sensor can say."""
-    name, scale = channel.removeprefix("sensor/"), setup.raw(channel).scale
+    name = channel.removeprefix("sensor/")
+    scale = setup.raw(channel).scale
     if channel == COMPASS:
         return _heading(t, read[channel], held, scale)
     value = read[channel] - held.offset if channel == GYRO else read[channel]
@@ -134,7 +141,9 @@ def _heading(t: Tracer, raw: Form, held: Held, scale: float) -> Form:
 
 def moved(t: Tracer, setup: ProgramSetup, read: dict[str, Form], channel: str) -> Form:
     """How far a position has moved since the period before [SI], within what a wheel can do; 0 for a rate."""
-    name, scale, most = channel.removeprefix("sensor/"), setup.raw(channel).scale, FASTEST * setup.linear.period
+    name = channel.removeprefix("sensor/")
+    scale = setup.raw(channel).scale
+    most = FASTEST * setup.linear.period
     if channel in ENCODERS:
         variable = t.variables[read[channel].name]
         before = t.state(f"before_{name}", variable.unit, variable.most, variable.whole)

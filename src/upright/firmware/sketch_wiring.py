@@ -52,7 +52,8 @@ def encoder_step(kit: Kit, channel: str) -> float:
 
 def battery_divider(kit: Kit) -> float:
     """The battery's voltage over the pin's; `SpecMismatch` where a full battery is more than the pin stands."""
-    divider, full = kit.wiring.battery_divider or ASSUMED["divider"], kit.battery.voltage * CHARGED
+    divider = kit.wiring.battery_divider or ASSUMED["divider"]
+    full = kit.battery.voltage * CHARGED
     if PIN_VOLTS * divider < full < math.inf:
         raise SpecMismatch(
             f"{full:.3g} V of a full battery are {full / divider:.2g} V behind a divider by {divider:g}",

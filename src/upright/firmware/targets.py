@@ -132,7 +132,9 @@ of a pack of lithium cells), the highest of freshly charged cells."""
 
 def driver(robot: Robot, kit: Kit, target: Target) -> Driver:
     """What stands between program and motors; raises `SpecMismatch` where target and robot do not fit."""
-    unit, volts, motor = robot.command_unit, kit.battery.voltage, kit.motor
+    unit = robot.command_unit
+    volts = kit.battery.voltage
+    motor = kit.motor
     powered = unit == "V" and math.isfinite(volts)
     if not powered and not target.numeric:
         why = f"'{robot.name}' is commanded in N m" if unit != "V" else f"kit '{kit.name}' has no battery"

@@ -84,7 +84,8 @@ def basin(
 
 def summary(data: Dataset) -> dict[str, Any]:
     """The fraction of the grid from which robots recover, as plain numbers."""
-    recovered, apart = data["recovered"], float(data["island"].values.mean())
+    recovered = data["recovered"]
+    apart = float(data["island"].values.mean())
     return {"fraction": float(recovered.values.mean()), "islands": apart, "points": int(recovered.size)}
 
 

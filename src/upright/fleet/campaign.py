@@ -146,7 +146,8 @@ def summaries(campaign: Campaign, folder: Path) -> Cases:
         paths.setdefault(chunk.case, []).append(chunk_path(folder, chunk.number))
     cases = Cases(tally(case.labels, case.n, paths[i]) for i, case in enumerate(campaign.cases))
     cases.origins = [case.ensemble.origin() for case in campaign.cases]
-    origin, family = cases.origins[0], campaign.cases[0].ensemble.family
+    origin = cases.origins[0]
+    family = campaign.cases[0].ensemble.family
     cases.pushes = origin["scenario"]["push"]
     cases.spreads = (origin.get("vary") or {}).get("spreads", ())
     numbers = {*family.names, *(n for case in cases for n, value in case.labels.items() if not isinstance(value, str))}

@@ -55,12 +55,15 @@ def distribution(data: Dataset, outcome: str, bins: int = 60) -> Figure:
     """The fraction of the robots that stood over an outcome of theirs, as a histogram."""
     from upright.plotting import panels
 
-    values, unit = stood(data, outcome), str(data[outcome].attrs["unit"])
+    values = stood(data, outcome)
+    unit = str(data[outcome].attrs["unit"])
     if unit in ("rad", "rad/s"):
-        values, unit = np.degrees(values), unit.replace("rad", "°")
+        values = np.degrees(values)
+        unit = unit.replace("rad", "°")
     words = str(data[outcome].attrs["long_name"])
     if unit == "1":
-        values, unit = 100 * values, "%"
+        values = 100 * values
+        unit = "%"
     figure, (ax,) = panels(["robots [%]"], f"{words} [{unit}]", height=1.4)
     if len(values):
         ax.hist(values, _borders(values, bins), weights=np.full(len(values), 100 / len(values)), histtype="stepfilled",

@@ -34,7 +34,8 @@ if TYPE_CHECKING:
 
 Stands = Callable[[Array, Whole], Mask]
 
-FORWARD, BACKWARD = 1, -1
+FORWARD = 1
+BACKWARD = -1
 CEILING = 5.0
 """[m/s] The largest impulse of the search, as speed of the whole robot in free flight."""
 FLOOR = 1e-3
@@ -58,7 +59,8 @@ def largest(stands: Stands, guess: ArrayLike, ceiling: float, floor: float, tole
     survived, and 0 where `floor` is not.
     """
     trial = np.clip(np.asarray(guess, dtype=np.float64), floor, ceiling)
-    low, high = np.zeros_like(trial), np.full_like(trial, np.inf)
+    low = np.zeros_like(trial)
+    high = np.full_like(trial, np.inf)
     stride = np.full_like(trial, factor)
     active = np.arange(trial.size)
     while active.size:
@@ -205,7 +207,8 @@ class _Search:
         if not 1e-6 <= tolerance <= 0.5:
             raise InvalidScenario(f"a tolerance of {tolerance:g}", expected="between 1e-6 and 0.5")
         self.ensemble, self.tolerance, self.watch, self.glance = ensemble, tolerance, watch, glance
-        self.threads, self.runs = threads, 0
+        self.threads = threads
+        self.runs = 0
         robot = ensemble.family.robot
         mass = robot.body_mass + 2 * robot.wheel_mass
         self.ceiling, self.floor = CEILING * mass, FLOOR * mass
@@ -223,7 +226,8 @@ class _Search:
 
     def first(self, grid: PushGrid, last: Array) -> Array:
         """The first borders of the nominal robot, shape of the grid, below those found."""
-        table, points = self.ensemble.nominal().batch(np.zeros(last.size, dtype=np.int64)), grid.flat()
+        table = self.ensemble.nominal().batch(np.zeros(last.size, dtype=np.int64))
+        points = grid.flat()
 
         def stands(impulse: Array, which: Whole) -> Mask:
             return self._stand(table, points, impulse, which, self.watch)

@@ -37,8 +37,10 @@ class Moments(NamedTuple):
         """With more values; merged as by Chan, Golub and LeVeque (1979)."""
         if not len(values):
             return self
-        own, more = float(values.mean()), len(values)
-        n, step = self.n + more, own - self.mean
+        own = float(values.mean())
+        more = len(values)
+        n = self.n + more
+        step = own - self.mean
         squares = self.squares + float(((values - own) ** 2).sum()) + step * step * self.n * more / n
         least, most = min(self.least, float(values.min())), max(self.most, float(values.max()))
         return Moments(n, self.mean + step * more / n, squares, least, most)
@@ -157,7 +159,9 @@ class Cases(Shown, tuple[CaseSummary, ...]):
         label with the largest effect has the colours."""
         from upright.plotting import COLOURS, INK, legend, number, rows_of
 
-        names, worst, effects = self.names(), self.worst_first()[:DRAWN], self.effects()
+        names = self.names()
+        worst = self.worst_first()[:DRAWN]
+        effects = self.effects()
         chances = [c.chance or Interval(np.nan, np.nan, np.nan) for c in worst]
         figure, ax = rows_of([names[self.index(case)] for case in worst], "robots that fell [%]", "case")
         percent = 100 * np.array([(c.value, c.low, c.top) for c in chances]).reshape(-1, 3)
@@ -208,7 +212,8 @@ def _chance(case: CaseSummary) -> Interval:
 
 def together(cases: Sequence[CaseSummary]) -> Interval:
     """The fraction that fell in several cases, with the interval of as many robots as differ."""
-    fell, runs = sum(c.fell or 0 for c in cases), sum(c.n for c in cases)
+    fell = sum(c.fell or 0 for c in cases)
+    runs = sum(c.n for c in cases)
     robots: dict[str | float, int] = {}
     for case in cases:
         robots[case.labels.get("robot", "")] = max(case.n, robots.get(case.labels.get("robot", ""), 0))
@@ -238,7 +243,10 @@ def tally(labels: Mapping[str, str | float], n: int, paths: Sequence[Path]) -> C
     """The summary of a case whose chunks are at `paths`; no more than one is in memory at a time."""
     import pyarrow.parquet as pq
 
-    counted, fell, merged, ends = False, 0, dict[str, Moments](), dict[str, Any]()
+    counted = False
+    fell = 0
+    merged = dict[str, Moments]()
+    ends = dict[str, Any]()
     for path in paths:
         with pq.ParquetFile(path) as file:
             table = file.read()

@@ -62,7 +62,9 @@ def run_all(
 
     Raises `UprightError` for a piece that kills its workers, and whatever the work itself raises.
     """
-    waiting, running, deaths = iter(work), dict[Future[Any], tuple[Worker, T]](), Counter[T]()
+    waiting = iter(work)
+    running = dict[Future[Any], tuple[Worker, T]]()
+    deaths = Counter[T]()
     for worker, piece in zip(workers, waiting, strict=False):
         running[submit(worker, piece)] = worker, piece
     while running:

@@ -50,7 +50,8 @@ class FlightPlan:
         return TWINS[self.file.program.target] if self.port == VIRTUAL else self.port
 
     def __str__(self) -> str:
-        program, at = self.file.program, "" if self.port == VIRTUAL else "at "
+        program = self.file.program
+        at = "" if self.port == VIRTUAL else "at "
         return (
             f"robot       {program.robot} on {program.kit}, {at}{self.where}\n"
             f"controller  {program.kind} {program.hash[:12]}, every {program.period * 1e3:g} ms\n"
@@ -135,7 +136,8 @@ def _checked(
         raise UprightError(f"a program for {target} is not flown from here", expected=" or ".join(PORTS))
     if port != VIRTUAL and (port.partition(":")[0] == AIR) != (target == HUB):
         raise UprightError(f"port {port} for a {target} program", expected=PORTS[target])
-    brick, named = BRICKS[facts.get("hub", target)], robot in BRICKS.values()
+    brick = BRICKS[facts.get("hub", target)]
+    named = robot in BRICKS.values()
     chosen = refuse_energy(find_robot(facts["robot"] if robot is None or named else robot))
     if chosen.name != facts["robot"] or (named and robot != brick):
         raise UprightError(

@@ -111,7 +111,8 @@ async def _flown(
     clock: Clock,
     text: str,
 ) -> Flight:
-    flight, trouble = Flight(), None
+    flight = Flight()
+    trouble = None
     try:
         end = clock() + seconds
         await hub.start()
@@ -139,7 +140,9 @@ async def _flown(
 
 async def _watch(hub: HubLink, end: float, progress: Progress | None, clock: Clock) -> None:
     """Wait until `end`, or the program's end, or the connection's: a hub silent for its `patience` is lost."""
-    began, received, silent = clock(), 0, 0.0
+    began = clock()
+    received = 0
+    silent = 0.0
     while (now := clock()) < end and not hub.lost and silent < hub.patience:
         came = await hub.news(POLL)
         if not hub.running and (came or hub.begun):  # it may have ended before anybody waited for news
@@ -148,7 +151,8 @@ async def _watch(hub: HubLink, end: float, progress: Progress | None, clock: Clo
         if any(line.startswith("S ") for line in hub.lines[received:]):
             return  # it has stopped by itself, and waits for the request of its log
         if len(hub.lines) > received:
-            received, silent = len(hub.lines), 0.0
+            received = len(hub.lines)
+            silent = 0.0
         if progress:
             progress((now - began) / (end - began))
 
@@ -187,7 +191,8 @@ def _sends_log(hub: HubLink) -> bool:
 
 async def _ended(hub: HubLink) -> None:
     """Wait for the end of the program's output."""
-    loop, quiet = asyncio.get_running_loop(), 0.0
+    loop = asyncio.get_running_loop()
+    quiet = 0.0
     end = loop.time() + DUMP
     while loop.time() < end and quiet < hub.patience and not hub.lost and not _complete(hub):
         if await hub.news(QUIET):

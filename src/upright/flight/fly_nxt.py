@@ -47,7 +47,9 @@ def fly_nxt(
     """
     with TemporaryFolder() as folder:
         binary = compile_nxc(source, Path(folder)).read_bytes()
-    flight, name, text = Flight(), program_name(source), source.read_text("utf-8")
+    flight = Flight()
+    name = program_name(source)
+    text = source.read_text("utf-8")
     wiring = nxt_wiring(text)
     with Connection(port, patience) as brick:
         check_ready(brick, wiring.gyro)
@@ -79,7 +81,8 @@ def fly_nxt(
 
 def fetch_nxt(source: Path, program: Program, port: str) -> Flight:
     """Fetch the log of the NXC in `source` from the brick at `port`; a program that still runs is stopped first."""
-    flight, text = Flight(), source.read_text("utf-8")
+    flight = Flight()
+    text = source.read_text("utf-8")
     with Connection(port) as brick:
         ran = _stop(brick)
         flight.notes += ["the program still ran; it was stopped"] if ran else []
@@ -121,7 +124,9 @@ def check_flash(brick: Connection, text: str, period: float) -> None:
     opened = OPENED.search(text)
     if opened is None:
         return
-    name, needs, row = opened[1], int(opened[2]), 2 * BRICK_ROW
+    name = opened[1]
+    needs = int(opened[2])
+    row = 2 * BRICK_ROW
     free = brick.ask("free") + sum(size for stored, size in brick.ask("files") if stored == name)
     if free >= needs:
         return

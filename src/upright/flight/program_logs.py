@@ -73,7 +73,8 @@ def is_signed(line: str) -> bool:
 
 def whole_lines(lines: Iterable[str]) -> tuple[list[SignedLine], int]:
     """The signed lines whose CRC fits, and how many were damaged."""
-    whole, damaged = list[SignedLine](), 0
+    whole = list[SignedLine]()
+    damaged = 0
     for line in filter(is_signed, lines):
         try:
             whole.append(checked_line(line))
@@ -150,14 +151,16 @@ def read_brick_log(data: bytes, where: str = BRICK) -> ProgramLog:
     table = np.frombuffer(rest, dtype="<i2", count=whole * BRICK_ROW).reshape(whole, BRICK_ROW).astype(np.float64)
     ended = ""
     if whole and table[-1, 4] == 0:  # a battery of 0 mV marks the row with the final status
-        ended, table = status_text(table[-1, 0]), table[:-1]
+        ended = status_text(table[-1, 0])
+        table = table[:-1]
     if len(table) < 2:
         raise InvalidLog(
             f"the log of the brick has {len(table)} rows", expected="two at least", likely="a fall at once"
         )
     broken = len(rest) - whole * 2 * BRICK_ROW
     flaws = (f"the log breaks off in a row; its {len(table)} whole rows are kept",) if broken else ()
-    t, period = _clock(table[:, 7], 0.0), float(head["period"]) * int(head["every"])
+    t = _clock(table[:, 7], 0.0)
+    period = float(head["period"]) * int(head["every"])
     slow = overdue(t, period)
     log = program_log(t, table[:, :7], head, ended=ended, turn=BRICK_TURN, where=where, slow=slow)
     return ProgramLog(log, head, ended, (*flaws, *_paced(log)))

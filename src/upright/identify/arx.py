@@ -60,7 +60,8 @@ def regression(y: Array, u: Array, lags: int, inputs: int, start: int = 0) -> Re
 
 def split(P: Array, outputs: int, lags: int, inputs: int) -> tuple[Array, Array]:
     """A_i and b_i from the coefficients P (columns, outputs) of a `regression`."""
-    A, rest = np.zeros((lags, outputs, outputs)), outputs - 1
+    A = np.zeros((lags, outputs, outputs))
+    rest = outputs - 1
     for i in range(lags):
         A[i, :, :-1] = P[i * rest : (i + 1) * rest].T
     for i in range(lags - 1):

@@ -45,7 +45,8 @@ def with_sent(half: str, model: LinearModel, waiting: Array) -> LinearModel:
     n = len(model.A)
     A = np.zeros((n + 1, n + 1))
     A[:n, :n], A[:n, n] = model.A, waiting
-    B, C = np.vstack([model.B, [[1.0]]]), np.column_stack([model.C, np.zeros(len(model.C))])
+    B = np.vstack([model.B, [[1.0]]])
+    C = np.column_stack([model.C, np.zeros(len(model.C))])
     states = (*model.states, f"{half}_sent")
     return LinearModel(A, B, C, dt=model.dt, states=states, inputs=model.inputs, outputs=model.outputs)
 
@@ -54,7 +55,9 @@ def physical(half: str, model: LinearModel, waiting: Array | None = None) -> Lin
     """A model of one half (with its command of a period ago, where it is still `waiting`) in its physical states, and
     x5, x6, … where it has more. Raises `InvalidModel` where the outputs do not tell them apart.
     """
-    A, b, names = model.A, model.B[:, 0], PHYSICAL[half]
+    A = model.A
+    b = model.B[:, 0]
+    names = PHYSICAL[half]
     if len(A) < len(names):
         raise InvalidModel(f"a model of order {len(A)} for {half}", expected=f"at least {len(names)}")
     T = _completed(_rows(half, model), A, b)

@@ -49,7 +49,8 @@ def fractional_delay(calibration: Calibration, part: Part) -> float:
 def tangent(robot: Robot, part: Part, delay: float = 0.0) -> LinearModel:
     """The linearised robot's half over the period of `part`, whose command waits for `delay` [s], under a period."""
     axes = [STATE_NAMES.index(name) for name in PHYSICAL[part.name]]
-    model, sides = linearise(rolling(robot)), 2 * np.array(COMMANDS[part.name])
+    model = linearise(rolling(robot))
+    sides = 2 * np.array(COMMANDS[part.name])
 
     def held(seconds: float) -> tuple[Array, Array]:
         if seconds <= 0:

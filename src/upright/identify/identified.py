@@ -107,10 +107,12 @@ def assembled(
     """Both halves as one model of left and right command, and the deviations of its A and B."""
     states = [name for half in halves.values() for name in half.states]
     names = sorted(states, key=lambda name: STATE_NAMES.index(name) if name in STATE_NAMES else len(STATE_NAMES))
-    A, B = np.zeros((len(names),) * 2), np.zeros((len(names), 2))
+    A = np.zeros((len(names),) * 2)
+    B = np.zeros((len(names), 2))
     dA, dB = np.full_like(A, np.nan), np.full_like(B, np.nan)
     for half, model in halves.items():
-        at, sides = [names.index(name) for name in model.states], np.array([COMMANDS[half]])
+        at = [names.index(name) for name in model.states]
+        sides = np.array([COMMANDS[half]])
         A[np.ix_(at, at)], B[at] = model.A, model.B @ sides
         if half in deviations:
             spread, enters = deviations[half]

@@ -30,9 +30,11 @@ def instrumental(part: Part, start: InnovationModel) -> LinearModel:
     the fraction of a period of dead time. Raises `InvalidModel` where the instruments are too weak.
     """
     lags = 1 if part.states else 2
-    rule, plant = law(part), start.plant
+    rule = law(part)
+    plant = start.plant
     data = regression(part.y, part.u, lags, lags + 1)
-    model, waiting = None, np.zeros(0)
+    model = None
+    waiting = np.zeros(0)
     for _ in range(ITERATIONS):
         quiet = simulated(part, plant, rule)
         if quiet is None and model:  # the first iteration's instruments are valid, if not the best
@@ -88,8 +90,10 @@ def realised(part: Part, P: Array, lags: int) -> tuple[LinearModel, Array]:
     m = len(part.outputs)
     A_i, b_i = split(P, m, lags, lags + 1)
     n = m * lags
-    A, waiting = np.zeros((n, n)), np.zeros(n)
+    A = np.zeros((n, n))
+    waiting = np.zeros(n)
     A[:, :m], A[: n - m, m:] = A_i.reshape(n, m), np.eye(n - m)
     waiting[n - m :] = b_i[lags]
-    B, C = b_i[:lags].reshape(n, 1), np.eye(m, n)
+    B = b_i[:lags].reshape(n, 1)
+    C = np.eye(m, n)
     return LinearModel(A, B, C, dt=part.dt, outputs=part.outputs), waiting

@@ -45,7 +45,8 @@ class FeedbackLaw:
 
 def law(part: Part, memory: int = MEMORY) -> FeedbackLaw:
     """The law behind the commands of `part`, by least squares."""
-    m, rows = len(part.delays), np.arange(memory + max(part.delays), len(part.u))
+    m = len(part.delays)
+    rows = np.arange(memory + max(part.delays), len(part.u))
     columns = [part.y[rows - delay - i, j] for j, delay in enumerate(part.delays) for i in range(memory + 1)]
     columns += [part.u[rows - i] for i in range(1, memory + 1)] + [np.ones(len(rows))]
     X = np.column_stack(columns)
@@ -62,12 +63,18 @@ def simulated(
 
     Without innovations `e` (runs, n, outputs) it is one run of the excitation alone. None where the loop runs away.
     """
-    weights, n, m = rule.weights, len(part.u), len(plant.C)
+    weights = rule.weights
+    n = len(part.u)
+    m = len(plant.C)
     pad = len(weights) - 1
     noise = np.zeros((1, n, m)) if e is None else e
     enters = noise @ (np.zeros((len(plant.A), m)) if K is None else K).T
-    history, x = np.zeros((len(noise), pad + n, m + 1)), np.zeros((len(noise), len(plant.A)))
-    flat, At, Ct, b = np.ascontiguousarray(weights).ravel(), plant.A.T.copy(), plant.C.T.copy(), plant.B[:, 0]
+    history = np.zeros((len(noise), pad + n, m + 1))
+    x = np.zeros((len(noise), len(plant.A)))
+    flat = np.ascontiguousarray(weights).ravel()
+    At = plant.A.T.copy()
+    Ct = plant.C.T.copy()
+    b = plant.B[:, 0]
     for k in range(n):
         history[:, pad + k, :m] = x @ Ct + noise[:, k]
         u = history[:, k : k + pad + 1].reshape(len(x), -1) @ flat + rule.excitation[k]
@@ -75,7 +82,8 @@ def simulated(
         x = x @ At + u[:, None] * b + enters[:, k]
         if k % 100 == 0 and not (np.abs(x) < 1e9).all():
             return None
-    y, u = history[:, pad:, :m], history[:, pad:, m]
+    y = history[:, pad:, :m]
+    u = history[:, pad:, m]
     return (y, u) if np.isfinite(u).all() and np.abs(u).max() <= WILD * np.abs(part.u).max() else None
 
 

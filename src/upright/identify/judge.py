@@ -93,15 +93,20 @@ def regulator(samples: Samples, halves: Mapping[str, LinearModel]) -> LinearCont
     _, L = steady_kalman(A, C, W, V, ADDED)
     n = len(whole.states)
     F, G, after = one_step(A, C, L)
-    state, direct = K @ after[:n], K @ L[:n] @ M
+    state = K @ after[:n]
+    direct = K @ L[:n] @ M
     # positions, yaw and their rates follow the reference; pitch and its rate stay at zero
     follows = np.array([[name == known for known in STATE_NAMES] for name in whole.states], dtype=np.float64)
     follows[:, :2] = 0.0
-    Br, Ba, own = np.zeros((len(A), 6)), B, np.zeros_like(A)
+    Br = np.zeros((len(A), 6))
+    Ba = B
+    own = np.zeros_like(A)
     By = G @ M
     if samples.sent:
-        own, Ba = -B @ state, np.zeros_like(B)
-        By, Br = By - B @ direct, B @ K @ follows
+        own = -B @ state
+        Ba = np.zeros_like(B)
+        By = By - B @ direct
+        Br = B @ K @ follows
     return LinearController(
         F + own, By, Br, Ba, -state, -direct, K @ follows, reads=RAW, period=samples.dt,
         command_unit=samples.robot.command_unit, kind="lqg on an identified model",
@@ -135,14 +140,18 @@ def _filter_model(samples: Samples, halves: Mapping[str, LinearModel], whole: Li
     noise[n, n] = BIAS_WALK**2 * samples.dt
     A, C, W = _with_lines(base, reads, noise, [part.delays[i] + samples.sent for part, i in used])
     B = np.vstack([whole.B, np.zeros((len(A) - n, 2))])
-    V, M = np.diag([part.trusted[i] for part, i in used]), np.array([raw[part.outputs[i]] for part, i in used])
+    V = np.diag([part.trusted[i] for part, i in used])
+    M = np.array([raw[part.outputs[i]] for part, i in used])
     return A, B, C, W, V, M
 
 
 def _with_lines(A: Array, C: Array, W: Array, delays: Sequence[int]) -> tuple[Array, Array, Array]:
     """The same with every delayed output as a line of states."""
-    n, size = len(A), len(A) + sum(delays)
-    full, reads, noise = np.zeros((size, size)), np.zeros((len(C), size)), 1e-14 * np.eye(size)
+    n = len(A)
+    size = len(A) + sum(delays)
+    full = np.zeros((size, size))
+    reads = np.zeros((len(C), size))
+    noise = 1e-14 * np.eye(size)
     full[:n, :n], noise[:n, :n] = A, W
     place = n
     for i, count in enumerate(delays):

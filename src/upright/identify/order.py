@@ -71,7 +71,8 @@ def _bic(part: Part, model: InnovationModel) -> float:
     if not model.predicts:
         return np.inf
     e = model.one_step(part.y, part.u)[len(part.y) // 10 :]
-    size, m = len(e), part.y.shape[1]
+    size = len(e)
+    m = part.y.shape[1]
     if not np.isfinite(e).all() or np.abs(e).max() > 1e6:
         return np.inf
     count = len(model.plant.A) * (2 * m + 1)

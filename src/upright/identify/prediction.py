@@ -64,7 +64,9 @@ def _fits(A: Array, b: Array, C: Array, x: Array, part: Part, h: int) -> dict[st
     ahead = x[starts]
     for i in range(h):
         ahead = ahead @ A.T + part.u[starts + i][:, None] * b
-    predicted, actual, before = ahead @ C.T, part.y[starts + h], part.y[starts]
+    predicted = ahead @ C.T
+    actual = part.y[starts + h]
+    before = part.y[starts]
     fits: dict[str, float] = {}
     for j, name in enumerate(part.outputs):
         moved = actual[:, j] - (before[:, j] if name in ("wheel", "turn", "yaw") else actual[:, j].mean())

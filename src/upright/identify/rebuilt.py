@@ -28,7 +28,8 @@ def rebuilt(part: Part) -> Array:
         pitch = np.concatenate([[0.0], np.cumsum(rate[:-1])]) * part.dt
         pitch -= pitch.mean()
     else:
-        pitch, rate = named["pitch"], _difference(named["pitch"], part.dt)
+        pitch = named["pitch"]
+        rate = _difference(named["pitch"], part.dt)
     wheel = named["wheel"] + pitch
     return np.column_stack([pitch, rate, wheel, _difference(wheel, part.dt)])
 
@@ -57,7 +58,8 @@ def total_least_squares(part: Part) -> LinearModel:
     """
     if part.states:
         return least_squares_part(part)
-    x, names = rebuilt(part), PHYSICAL[part.name]
+    x = rebuilt(part)
+    names = PHYSICAL[part.name]
     moved = [i for i, name in enumerate(names) if name.endswith("_rate")]
     used = [i for i, name in enumerate(names) if name.endswith("_rate") or name == "pitch"]
     S = _errors(part, len(x))
@@ -100,8 +102,11 @@ def _errors(part: Part, rows: int) -> Array:
     if part.name == "yaw":
         L = np.array([[-1.0, 1, 0], [0, -1, 1]]) / dt
         return part.noise[0] * L @ L.T
-    body, wheel = part.noise[0], part.noise[-1]
-    g, e, v = np.eye(3), np.eye(3), 1 / dt
+    body = part.noise[0]
+    wheel = part.noise[-1]
+    g = np.eye(3)
+    e = np.eye(3)
+    v = 1 / dt
     if part.outputs[0] == "gyro":
         drift = rows * body * dt**2 / 6  # mean variance of a random walk about its mean
         columns = np.block([
@@ -111,7 +116,8 @@ def _errors(part: Part, rows: int) -> Array:
         ])  # fmt: skip
         variances = np.array([drift, body, body, body, wheel, wheel, wheel])
     else:
-        back, ahead = v * (g[1:2] - g[:1]), v * (g[2:] - g[1:2])
+        back = v * (g[1:2] - g[:1])
+        ahead = v * (g[2:] - g[1:2])
         columns = np.block([
             [g[1:2], 0 * e[:1]], [back, 0 * e[:1]], [back, v * (e[1:2] - e[:1])], [ahead, 0 * e[:1]],
             [ahead, v * (e[2:] - e[1:2])],

@@ -295,7 +295,8 @@ def _delays(responses: Sequence[FirstResponse], log: Log) -> tuple[int, ...]:
     lag = _pitch_lag(log)
     if lag is None:
         return tuple((r if r.strength >= SURE else responses[surest]).row - 1 for r in responses)
-    first, last = responses[surest].row - 1, len(responses) - 1
+    first = responses[surest].row - 1
+    last = len(responses) - 1
     if surest == last:
         return (*(_whole_periods(first + lag / log.period) for _ in range(last)), first)
     return (*(first for _ in range(last)), _whole_periods(first - lag / log.period))

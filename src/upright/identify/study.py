@@ -114,7 +114,8 @@ class Study:
     @property
     def known_pole(self) -> float:
         """The pole [1/s] of the model behind the repeated logs."""
-        part, model = self.samples.parts[0], self.orders["pitch"].model
+        part = self.samples.parts[0]
+        model = self.orders["pitch"].model
         return growth_rate(physical(part.name, model.plant))
 
 
@@ -128,7 +129,8 @@ def by_part(fit: PartFit, study: Study) -> MethodFit:
         if len(same := [m for m in several[name] if m.states == model.states]) >= FEWEST
     }
     pole = _pole(halves["pitch"], [growth_rate(m) for m in several["pitch"]], study)
-    runs, models = len(study.again.get("pitch", ())), len(several["pitch"])
+    runs = len(study.again.get("pitch", ()))
+    models = len(several["pitch"])
     notes: list[str] = []
     if study.runs and not runs:
         notes.append("No interval: the subspace model and the log's feedback law make no stable loop to repeat.")

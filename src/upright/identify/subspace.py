@@ -46,7 +46,10 @@ class InnovationModel:
 
     def one_step(self, y: Array, u: Array) -> Array:
         """Innovations (n, outputs) of the predictor along a log, from a state of zero."""
-        x, predicted, F, C = np.zeros(len(self.plant.A)), np.empty_like(y), self.predictor, self.plant.C
+        x = np.zeros(len(self.plant.A))
+        predicted = np.empty_like(y)
+        F = self.predictor
+        C = self.plant.C
         into = (y - self.level) @ self.K.T + np.outer(u, self.plant.B[:, 0]) + self.offset
         for k in range(len(y)):
             predicted[k] = C @ x
@@ -66,13 +69,16 @@ class States:
     def of_order(self, order: int) -> InnovationModel:
         """A, B, C and K of `order` states."""
         x = self.vectors[:, :order] * np.sqrt(self.singular[:order])
-        y, u, one = self.part.y[self.rows], self.part.u[self.rows], np.ones((len(self.rows), 1))
+        y = self.part.y[self.rows]
+        u = self.part.u[self.rows]
+        one = np.ones((len(self.rows), 1))
         now = np.column_stack([x, one])
         D: Array = np.linalg.lstsq(now, y, rcond=None)[0].astype(np.float64)
         e = y - now @ D
         moved = np.column_stack([x, u, e, one])[:-1]
         P: Array = np.linalg.lstsq(moved, x[1:], rcond=None)[0].astype(np.float64)
-        n, m = order, y.shape[1]
+        n = order
+        m = y.shape[1]
         plant = LinearModel(P[:n].T, P[n][:, None], D[:n].T, dt=self.part.dt, outputs=self.part.outputs)
         return InnovationModel(plant, P[n + 1 : n + 1 + m].T, e, P[-1], D[-1])
 

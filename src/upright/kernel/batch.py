@@ -100,7 +100,9 @@ class FleetBatch:
 
 def silent(like: Controller) -> LinearController:
     """A linear controller that commands nothing and reads what `like` reads, which is called in its place."""
-    spec, none, m = like.spec, np.zeros((0, 0)), len(like.spec.reads)
+    spec = like.spec
+    none = np.zeros((0, 0))
+    m = len(like.spec.reads)
     return LinearController(
         none, none, none, none, none, np.zeros((2, m)), np.zeros((2, 6)),
         reads=spec.reads, period=spec.period, command_unit=spec.command_unit,

@@ -41,7 +41,8 @@ class Functions(NamedTuple):
 @cache
 def functions(dtype: str) -> Functions:
     """In float64 or float32."""
-    known, texts = formulas(), list[str]()
+    known = formulas()
+    texts = list[str]()
     for name in Functions._fields:
         places = {variable: RowOf(row, ROWS[name] is _SENSOR) for variable, row in ROWS[name].items()}
         texts.append(LanesPrinter((known[name].block,), NUMBERS[dtype], places, table=False).text())

@@ -51,7 +51,8 @@ def kit_tables(batch: FleetBatch, stride: int) -> KitTables:
     Raises `SpecMismatch` for a sensor that the kit does not have or a drive that it is not for, `UnknownName` for a
     change of an unknown number, `InvalidScenario` for a jitter longer than a period.
     """
-    kit, controller = batch.kit or BARE, batch.form
+    kit = batch.kit or BARE
+    controller = batch.form
     voltage = controller.command_unit == "V"
     if batch.kit is None and not batch.kit_changes and not any(name.startswith("sensor/") for name in controller.reads):
         return _bare(voltage)
@@ -86,7 +87,9 @@ class _Numbers:
     """The kit's numbers by dotted name, with the changes in place."""
 
     def __init__(self, kit: Kit, changes: Mapping[str, Any]) -> None:
-        self._kit, self._changes, self._used = kit, changes, set[str]()
+        self._kit = kit
+        self._changes = changes
+        self._used = set[str]()
 
     def __getitem__(self, name: str) -> Array:
         self._used.add(name)

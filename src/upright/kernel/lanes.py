@@ -50,8 +50,10 @@ class Lanes:
             w[COMMAND : COMMAND + 2] = 0.0
 
     def _command(self, w: Array, k: int) -> None:
-        readings, references = w[self._reading].T.copy(), w[REFERENCE : REFERENCE + 6].T.copy()
-        applied, standing = w[self._applied].T.tolist(), w[H] > 0
+        readings = w[self._reading].T.copy()
+        references = w[REFERENCE : REFERENCE + 6].T.copy()
+        applied = w[self._applied].T.tolist()
+        standing = w[H] > 0
         for i in np.flatnonzero(standing).tolist():
             one = self._copies[i]
             if k == 0:

@@ -58,7 +58,9 @@ class _Block:
 
     def pack(self, dtype: Any) -> tuple[NDArray[Any], Whole, NDArray[Any]]:
         """`common`, `rows` and `table` of `Packed`."""
-        common, rows, columns = np.zeros(self.end, dtype), list[int](), list[Array]()
+        common = np.zeros(self.end, dtype)
+        rows = list[int]()
+        columns = list[Array]()
         for first, values in self._given:
             if len(values) == 1:
                 common[first : first + values.shape[1]] = values[0]
@@ -71,7 +73,8 @@ class _Block:
 
 def pack(batch: FleetBatch, kit: KitTables, h: float, dtype: Any) -> Packed:
     """The batch in the form from which blocks are filled."""
-    controller, block = batch.form, _Block()
+    controller = batch.form
+    block = _Block()
     block.take(6, batch.start)
     block.take(2, np.array([[h, 0.0]]))
     block.take(6, np.array([[0.0, 0.0, 0.0, 0.0, 0.0, 1.0]]))  # nothing commanded, no push, a level floor
@@ -177,7 +180,8 @@ def _state(name: str) -> int:
 
 def recorded(channels: Sequence[str], packed: Packed, controller: LinearController) -> tuple[Whole, Whole]:
     """Rows to be recorded at the start and at the end of a period."""
-    at, residual = packed.at, packed.program.residual
+    at = packed.at
+    residual = packed.program.residual
     start = {f"truth/{name}": g.PITCH + i for i, name in enumerate(STATE_NAMES)}
     start |= {f"reference/{name}": b.REFERENCE + i for i, name in enumerate(STATE_NAMES)}
     start |= {"command/left": b.COMMAND, "command/right": b.COMMAND + 1}

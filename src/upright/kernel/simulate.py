@@ -109,7 +109,8 @@ def steps_of(batch: FleetBatch) -> Whole:
 
 
 def _steps(parameters: Array, model: str, period: float) -> Whole:
-    jacobian, steps = _jacobian(parameters, model), np.ones(len(parameters), dtype=np.int64)
+    jacobian = _jacobian(parameters, model)
+    steps = np.ones(len(parameters), dtype=np.int64)
     stiff = np.flatnonzero(~(_bound(jacobian) * period <= SIMULATED))
     for i, poles in zip(stiff.tolist(), np.abs(np.linalg.eigvals(jacobian[stiff])), strict=True):
         numbers = dict(zip(NAMES, parameters[i].tolist(), strict=True))
@@ -129,8 +130,10 @@ def _bound(jacobian: Array) -> Array:
 def _jacobian(parameters: Array, model: str) -> Array:
     """∂ẋ/∂x (n, 4, 4) standing upright, without wheel angle and heading, which move nothing; by complex steps of the
     dynamics, for all robots together."""
-    p, n = SimpleNamespace(**dict(zip(NAMES, parameters.T, strict=True))), len(parameters)
-    jacobian, at = np.zeros((n, 4, 4)), (0, 1, 3, 5)
+    p = SimpleNamespace(**dict(zip(NAMES, parameters.T, strict=True)))
+    n = len(parameters)
+    jacobian = np.zeros((n, 4, 4))
+    at = (0, 1, 3, 5)
     for column, state in enumerate(at):
         x = [np.full(n, 1j * _TINY if k == state else 0j) for k in range(6)]
         slopes = derivative(x, (0.0, 0.0), p, xp=np, model=model)

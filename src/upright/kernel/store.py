@@ -126,7 +126,8 @@ def kept(path: Path) -> bytes | None:
         entry = path.read_bytes()
     except OSError:
         return None
-    checksum, code = entry[:_CHECKSUM], entry[_CHECKSUM:]
+    checksum = entry[:_CHECKSUM]
+    code = entry[_CHECKSUM:]
     return code if _checksum(path, code) == checksum else None
 
 
@@ -144,7 +145,8 @@ def keep(path: Path, code: bytes) -> None:
 def _compiled(module: str, function: str, arguments: tuple[str, ...]) -> bytes:
     """Machine code of an object file whose one entry has the name of the function and takes nothing but `arguments`."""
     numba, python, kinds = _asked(module, function, arguments)
-    level, collects = numba.config.OPT, gc.isenabled()
+    level = numba.config.OPT
+    collects = gc.isenabled()
     options = {"error_model": "numpy", "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
     # No other thread compiles meanwhile, at a level of optimisation that is not its own.
     with import_module("numba.core.compiler_lock").global_compiler_lock:

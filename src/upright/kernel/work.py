@@ -171,7 +171,8 @@ def _run(
 
 @cache
 def _entry(number: str) -> int:
-    p, w = "*int64", f"*{number}"
+    p = "*int64"
+    w = f"*{number}"
     kinds = (w, "int64", "int64", p, "*float64", w, p, w, "*uint64", p, p, w, w, p, p, w, w, w, w)
     return address_of("kernel.run", "entry", kinds)
 

@@ -23,10 +23,12 @@ def gains_program(robot: Robot, kit: Kit) -> Program:
     """
     zero = StateFeedback.symmetric((0.0,) * 6, kit.period, command_unit=robot.command_unit)
     estimator = kalman_filter(sampled(robot, kit, kit.period, RAW), RECOVERED)
-    model, watch = estimator.sampled, observer(estimator)
+    model = estimator.sampled
+    watch = observer(estimator)
     like = program(as_law(observed(zero, robot, kit)))
     xi_r, u_r = steady_state(model)
-    ahead, t = model.ahead, Tracer()
+    ahead = model.ahead
+    t = Tracer()
     z = [t.state(f"z{i}", "1", INFINITY) for i in range(len(watch.A))]
     y = [t.input(name, "1", INFINITY) for name in like.channels]
     r = [t.input(f"reference_{name}", "1", INFINITY) for name in STATE_NAMES]

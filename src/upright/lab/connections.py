@@ -43,7 +43,8 @@ class Bucket:
         """Whether there was so much left; where there was not, nothing is left."""
         now = time.monotonic()
         left = min(self.most, self._left + self.steady * (now - self._since)) - amount
-        self._left, self._since = max(left, 0.0), now
+        self._left = max(left, 0.0)
+        self._since = now
         return left >= 0
 
     def full(self) -> bool:
@@ -118,7 +119,8 @@ def protocols(book: Book) -> tuple[type[Any], type[Any]]:
         """Reads a connection for a limited time."""
 
         def connection_made(self, transport: Any) -> None:
-            self.address, self._time = transport.get_extra_info("peername")[:2], Bucket(BURST, STEADY)
+            self.address = transport.get_extra_info("peername")[:2]
+            self._time = Bucket(BURST, STEADY)
             super().connection_made(transport)  # type: ignore[misc]
 
         def data_received(self, data: bytes) -> None:

@@ -34,7 +34,9 @@ class Counted(Electronics):
 
     def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:
         super().reset(start, seed)
-        first, period, self._steps = self.body.reset(start, seed), self.spec.period, 0
+        first = self.body.reset(start, seed)
+        period = self.spec.period
+        self._steps = 0
 
         def jitter(low: int, high: int) -> int:
             return low + int(philox(np.array([self._steps]), JITTER, seed)[0][0]) % (high - low)
@@ -89,11 +91,17 @@ def philox(times: Whole, purpose: int, seed: int) -> tuple[Words, Words, Words, 
     low, half = np.uint64(0xFFFFFFFF), np.uint64(32)
     m0, m1 = map(np.uint64, MULTIPLIERS)
     zero = np.zeros(len(times), np.uint64)
-    c0, c1, c2, c3 = times.astype(np.uint64) & low, zero, zero, zero + np.uint64(purpose)
-    k0, k1 = seed & 0xFFFFFFFF, 0
+    c0 = times.astype(np.uint64) & low
+    c1 = zero
+    c2 = zero
+    c3 = zero + np.uint64(purpose)
+    k0 = seed & 0xFFFFFFFF
+    k1 = 0
     for _ in range(10):
         p0, p1 = m0 * c0, m1 * c2
-        c0, c1 = (p1 >> half) ^ c1 ^ np.uint64(k0), p1 & low
-        c2, c3 = (p0 >> half) ^ c3 ^ np.uint64(k1), p0 & low
+        c0 = (p1 >> half) ^ c1 ^ np.uint64(k0)
+        c1 = p1 & low
+        c2 = (p0 >> half) ^ c3 ^ np.uint64(k1)
+        c3 = p0 & low
         k0, k1 = ((k + weyl) & 0xFFFFFFFF for k, weyl in zip((k0, k1), STEPS, strict=True))
     return c0, c1, c2, c3

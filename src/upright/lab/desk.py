@@ -34,7 +34,9 @@ BUSY = 5.0  # times as long a job may last by the clock, on a machine where othe
 MOST_ALONE = 2  # jobs at a time, since the loop has the first claim on the machine
 REST = 2.0  # [s] between the beginnings of two such jobs of one session: each takes a process
 MODEST = 15  # of nice in a class: three jobs together leave nine tenths to the loop
-LASTING, REMEMBERED = ("light",), 64  # tasks nobody presses a button for, whose results are kept, and how many of them
+# tasks nobody presses a button for, whose results are kept, and how many of them
+LASTING = ("light",)
+REMEMBERED = 64
 MEMORY = 4 << 30  # [bytes] of addresses for one job: a hostile file must not take the machine
 
 
@@ -60,7 +62,8 @@ class InlineDesk:
 
     def poll(self) -> list[Word]:
         """Do all that was submitted, and say what came of it."""
-        asked, self._asked = self._asked, []
+        asked = self._asked
+        self._asked = []
         return [(key, *_done(task, args, _unheard)) for key, task, args in asked]
 
 
@@ -125,7 +128,8 @@ class ProcessDesk:
         """Kill every clerk."""
         for clerk in [*self._alone.values(), *([self._quick] if self._quick else [])]:
             clerk.kill()
-        self._alone, self._quick = {}, None
+        self._alone = {}
+        self._quick = None
 
     def _remember(self, clerk: _Clerk, new: list[Word]) -> None:
         """Keep what a clerk has found out, where the same request has always the same answer."""
@@ -177,7 +181,11 @@ class _Clerk:
 
     def __init__(self, modest: int = MODEST) -> None:
         self._modest = modest
-        self.idle, self.dead, self._key, self._since, self._before = True, False, ("", ""), 0.0, 0.0
+        self.idle = True
+        self.dead = False
+        self._key = ("", "")
+        self._since = 0.0
+        self._before = 0.0
         self.job: tuple[str, tuple[Any, ...]] = ("", ())
         self._given: SimpleQueue[tuple[str, tuple[Any, ...]] | None] = SimpleQueue()
         self._words: deque[tuple[str, Any]] = deque()

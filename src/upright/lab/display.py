@@ -27,7 +27,8 @@ class Display:
 
     def __init__(self) -> None:
         self._lanes: Sequence[Lane] = ()
-        self._rows, self._period = Ring(1, 1), 1.0
+        self._rows = Ring(1, 1)
+        self._period = 1.0
 
     def show(self, lanes: Sequence[Lane], period: float) -> None:
         """Show these lanes, of `period` [s], from now on; the rows so far stay where the same bodies go on."""
@@ -37,7 +38,8 @@ class Display:
 
     def record(self, t: float, disturbance: Disturbance, pull: float, target: Array) -> None:
         """Add the moment `t` [s]."""
-        main, row = self._lanes[0], [t]
+        main = self._lanes[0]
+        row = [t]
         for lane in self._lanes:
             row += [*lane.state(), *lane.applied, float(lane.fallen)]
         estimate = main.estimate() or [0.0] * 6
@@ -58,7 +60,8 @@ class Display:
 
     def history(self, since: float = 0.0) -> History:
         """What was recorded from `since` [s] on, thinned out: for a page that came later, or was too slow."""
-        rows, lanes = self.rows(SHOWN), len(self._lanes)
+        rows = self.rows(SHOWN)
+        lanes = len(self._lanes)
         rows = rows[rows[:, 0] >= since]
         end = 1 + 9 * lanes
         states = [(1 + 9 * i + k, digits) for i in range(lanes) for k, digits in enumerate(_STATE)]

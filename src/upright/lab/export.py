@@ -68,7 +68,8 @@ def export(
     make_folder(path.parent)
     place_of(path)  # refused now, and not after all designs
     methods = list(controllers) or [f.name for f in families() if f.name not in (BY_HAND, OFF, *NOT_USUAL)]
-    page, ready = inlined(page_text()), list[PrintedRobot]()
+    page = inlined(page_text())
+    ready = list[PrintedRobot]()
     for k, robot in enumerate(chosen):
 
         def show(fraction: float, k: int = k) -> None:

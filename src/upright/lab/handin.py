@@ -182,7 +182,9 @@ class Recorder:
     hand in until it is stood up again."""
 
     def __init__(self, step: float) -> None:
-        self._step, self._lean, self._since = step, 0.0, -1.0
+        self._step = step
+        self._lean = 0.0
+        self._since = -1.0
         self._actions: list[tuple[float, Action]] = []
 
     def begin(self, t: float, lean: float, speed: float, rate: float) -> None:

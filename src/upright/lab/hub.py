@@ -24,7 +24,9 @@ from upright.lab.stage_process import StageLink, Words
 from upright.reading import give_back
 
 BURST, STEADY = 300.0, 130.0  # messages of `SHORT` characters at once, and a second, from one client
-OPENED, OPENING = 2.0 * MOST_STUDENTS, 0.2  # robots that one address may have made at once, and a second
+# robots that one address may have made at once, and a second
+OPENED = 2.0 * MOST_STUDENTS
+OPENING = 0.2
 SHORT = 1000  # characters: a longer message counts as several
 MOST_PAGES = 6  # that show one robot
 PATIENCE = 100  # messages that are none, after which a client is let go
@@ -70,7 +72,8 @@ class Hub:
     """All sessions and clients of one server. `stages` run the sessions; everything here runs on the event loop."""
 
     def __init__(self, door: Door, stages: Sequence[StageLink]) -> None:
-        self.door, self.scores = door, Scores()
+        self.door = door
+        self.scores = Scores()
         self._folder = TemporaryFolder()
         self.root = self._folder.path
         self._removing = ThreadPoolExecutor(1)  # of files: a disk may be slow, and the event loop waits for none

@@ -38,7 +38,8 @@ class Lane:
         length: int,
     ) -> None:
         self.name, self.body, self.controller, self._inner = name, body, controller, inner
-        self._seed, self.trouble = seed, ""
+        self._seed = seed
+        self.trouble = ""
         self._start = (start[0], start[1], 0.0, start[3], 0.0, start[5])
         self.offset = (0.0, 0.0, start[2], 0.0, start[4], 0.0)
         self._loop = Stepper(body, controller, self._start, seed)
@@ -59,7 +60,8 @@ class Lane:
             self._ring.append(self._loop.step(reference, lambda _: disturbance))
             self.fallen = self._loop.now.fallen
         except UprightError as error:
-            self.fallen, self.trouble = True, f"{self.name}: {error}"
+            self.fallen = True
+            self.trouble = f"{self.name}: {error}"
 
     def state(self) -> list[float]:
         """The true state (6,), with the wheel's and the heading's whole way."""

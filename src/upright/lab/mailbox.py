@@ -6,7 +6,8 @@ import asyncio
 from collections import deque
 from collections.abc import Awaitable, Callable
 
-MOST_EVENTS, MOST_TEXT = 2000, 4 << 20
+MOST_EVENTS = 2000
+MOST_TEXT = 4 << 20
 """Events, and their characters, that may wait for a client; one that lets more pile up is let go, since none may be
 dropped."""
 

@@ -165,7 +165,8 @@ def design(setup: Setup, robot: Robot, kit: Kit) -> Controller:
         return _by_hand(setup, robot, kit)
     if family not in CONTROLLERS:  # a page must not name a file, whose code would run here
         raise UnknownName("controller", family, [*CONTROLLERS, BY_HAND, OFF])
-    method, weights = CONTROLLERS[family], _weights(setup)
+    method = CONTROLLERS[family]
+    weights = _weights(setup)
     return method(robot, kit, kit.period, **(weights if method.weighted else {}))
 
 
@@ -207,7 +208,8 @@ class Pulled:
     """
 
     def __init__(self, body: Body) -> None:
-        self.body, self.spec = body, body.spec
+        self.body = body
+        self.spec = body.spec
         self._turn = body.spec.robot.wheel_radius / (2 * motor_gain(body.spec.robot))
         self.twist = 0.0
 

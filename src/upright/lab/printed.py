@@ -60,7 +60,8 @@ def kit_numbers(kit: Kit, robot: Robot, period: float) -> dict[str, Any] | None:
 
 def linear_plant(robot: Robot, kit: Kit) -> dict[str, Any]:
     """The robot about upright as `margins.js` takes it, read by `RAW` sensors, with its delays [s]."""
-    model, sensors = linearise(rolling(robot)), [kit.sensors[name] for name in RAW]
+    model = linearise(rolling(robot))
+    sensors = [kit.sensors[name] for name in RAW]
     C = sensor_matrix(RAW, turn_ratio(robot), kit.sensors)
     times = {"dead": kit.delay + kit.jitter / 2, "delays": [s.delay for s in sensors], "period": kit.period}
     return {"A": model.A.tolist(), "B": model.B.tolist(), "C": C.tolist(), **times}

@@ -31,7 +31,8 @@ class Pushing:
 
     def strike(self, strike: Strike, t: float, period: float) -> None:
         """Begin a push by name at time `t`; a knock takes whole periods [s], as every force here, to have its size."""
-        size, knock = strike.size, max(round(KNOCK / period), 1) * period
+        size = strike.size
+        knock = max(round(KNOCK / period), 1) * period
         if strike.what in ("pull_left", "pull_right"):
             self._pull = (t + PULL, size if strike.what == "pull_left" else -size)
             self._active.append((t + PULL, Push(force=size, start=t, duration=PULL, height=0.0)))
@@ -58,7 +59,9 @@ class Pushing:
 
     def clear(self) -> None:
         """Let go of everything."""
-        self.force, self._active, self._pull = 0.0, [], (0.0, 0.0)
+        self.force = 0.0
+        self._active = []
+        self._pull = (0.0, 0.0)
 
 
 @dataclass(kw_only=True)
@@ -78,12 +81,16 @@ class Score:
     def push(self) -> None:
         """A push of any kind begins."""
         if not self._given:
-            self._impulse, self._lasted, self._before = 0.0, 0.0, self.effort
-        self._given, self._calm = self._given + 1, 0.0
+            self._impulse = 0.0
+            self._lasted = 0.0
+            self._before = self.effort
+        self._given += 1
+        self._calm = 0.0
 
     def exchanged(self) -> None:
         """Another robot or controller goes on: what it recovers from is nobody's record."""
-        self._given, self._impulse = self._given + (self._given > 0), 0.0
+        self._given = self._given + (self._given > 0)
+        self._impulse = 0.0
 
     def anew(self, lean: float) -> Score:
         """That of the next run, which begins at rest or with a `lean` [rad]."""
@@ -95,7 +102,9 @@ class Score:
         """One period; the `Recovered` that it completes, or None."""
         self.effort += (applied[0] ** 2 + applied[1] ** 2) * dt
         if force:
-            self._impulse, self._lasted, self._calm = self._impulse + abs(force) * dt, self._lasted + dt, 0.0
+            self._impulse = self._impulse + abs(force) * dt
+            self._lasted = self._lasted + dt
+            self._calm = 0.0
         elif self._given:
             calm = abs(state[0]) < UPRIGHT and abs(state[1]) < STILL
             self._calm = self._calm + dt if calm else 0.0
@@ -103,7 +112,8 @@ class Score:
         return None
 
     def _ended(self, fallen: bool) -> Recovered | None:
-        single, self._given = self._given == 1, 0
+        single = self._given == 1
+        self._given = 0
         if not self._impulse or (self._lasted > SHORT and not fallen):
             return None
         if single and not fallen:

@@ -25,17 +25,20 @@ class Exported(Session):
 
 def rerun(done: HandIn) -> RunResult:
     """What comes of the hand-in on this machine; raises an `UprightError` for a set-up that cannot be."""
-    setup, desk = replace(done.setup, bodies=done.setup.bodies[:1]), InlineDesk()
+    setup = replace(done.setup, bodies=done.setup.bodies[:1])
+    desk = InlineDesk()
     kind, known = Session, setup
     if done.step == EXPORTED:  # its controllers know the kit's own noise and dead time, whatever the page adds
-        kind, known = Exported, replace(setup, noise=1.0, delay=-1.0)
+        kind = Exported
+        known = replace(setup, noise=1.0, delay=-1.0)
     session = kind(known, desk, Path(), fine=done.step, certified=False)
     try:
         if is_slow(setup.controller):
             _designed(session, desk)
         session.setup, session.plant = setup, plant_of(setup)
         session.handle(StandUp(done.lean))
-        period, gone = session.plant.kit.period, 0
+        period = session.plant.kit.period
+        gone = 0
         for t, action in (*done.actions, (done.seconds, None)):
             periods = round(min(t, done.seconds) / period) - gone
             for piece in (AT_ONCE,) * (periods // AT_ONCE) + (periods % AT_ONCE,):

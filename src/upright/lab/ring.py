@@ -13,7 +13,8 @@ class Ring:
     """The last `length` rows of `width` numbers each."""
 
     def __init__(self, length: int, width: int) -> None:
-        self._rows, self._count = np.zeros((length, width)), 0
+        self._rows = np.zeros((length, width))
+        self._count = 0
 
     def __len__(self) -> int:
         return min(self._count, len(self._rows))

@@ -61,13 +61,16 @@ class Seat:
         elif kind != "message" or len(self.words) < MOST_WAITING:
             self.words.append((kind, content))
         else:
-            first, self._full = not self._full, True
+            first = not self._full
+            self._full = True
             return not first
         return True
 
     def close(self) -> None:
         """Free what the session holds, and forget what waits for it."""
-        session, self.session, self.shown = self.session, None, ()
+        session = self.session
+        self.session = None
+        self.shown = ()
         self.words.clear()
         with contextlib.suppress(Exception):
             if session:

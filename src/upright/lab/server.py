@@ -24,7 +24,8 @@ from upright.lab.stage_process import StageProcess
 
 LOOPBACK = "127.0.0.1"
 PORT = 8765
-ALONE, CLASS = Options(rate=50.0), Options(rate=36.0, coarse=True, certified=False, longest=0.5, modest=MODEST)
+ALONE = Options(rate=50.0)
+CLASS = Options(rate=36.0, coarse=True, certified=False, longest=0.5, modest=MODEST)
 CLASS_STAGES = 2  # processes among which thirty robots are shared
 
 

@@ -69,13 +69,16 @@ class Stage:
         wall: Callable[[], float] = time.monotonic,
         at_work: Callable[[str], None] = lambda name: None,  # noqa: ARG005
     ) -> None:
-        self._options, self._at_work, self._desk = options, at_work, ProcessDesk(options.modest)
+        self._options = options
+        self._at_work = at_work
+        self._desk = ProcessDesk(options.modest)
         self._used, self._wall = used, wall
         self._seats: dict[str, Seat] = {}
         self._door = Seat(Path(), CLASS_SETUP)  # who comes in pays from here: new sessions cannot be had for nothing
         self._out: list[tuple[str, str, Any]] = []
         self._heavy = 0.0  # wall time from which on sessions that ask for much have their turn again
-        self._scored, self._delays = 0.0, deque[float](maxlen=REMEMBERED)
+        self._scored = 0.0
+        self._delays = deque[float](maxlen=REMEMBERED)
 
     def take(self, word: tuple[Any, ...], now: float) -> None:
         """One word of the server: open, close, watch or message, each of a session, or stats. It costs next to nothing:
@@ -106,7 +109,8 @@ class Stage:
         turns = [(name, seat, seat if seat.session else self._door) for name, seat in self._seats.items()]
         turns = [turn for turn in turns if turn[1].session or turn[1].watched]  # who has gone again is not let in
         turns.sort(key=lambda turn: (not turn[2].quiet, -turn[1].credit))
-        spare, others = True, bool(turns and turns[0][2].quiet)
+        spare = True
+        others = bool(turns and turns[0][2].quiet)
         for name, seat, payer in turns:
             light = payer.quiet  # who used little has its turn first, and in every tick
             if payer.credit > 0 and (light or (spare and now >= self._heavy)):
@@ -120,7 +124,8 @@ class Stage:
             self._scored = now
             scores = [self._score(name, seat.session) for name, seat in self._seats.items() if seat.session]
             self._out.append(("scores", "", scores))
-        out, self._out = self._out, []
+        out = self._out
+        self._out = []
         return out
 
     def close(self) -> None:
@@ -154,7 +159,8 @@ class Stage:
         payer.credit -= self._used() - began
 
     def _served(self, name: str, seat: Seat, payer: Seat, now: float, end: float) -> None:
-        standing, began = seat.session.setup if seat.session else None, self._used()
+        standing = seat.session.setup if seat.session else None
+        began = self._used()
         try:
             while seat.words and self._used() < end:
                 self._word(name, seat, *seat.words.popleft())
@@ -226,7 +232,8 @@ class Stage:
         self._out.append(("event", name, encode(event)))
 
     def _score(self, name: str, session: Session) -> tuple[str, float, bool, float, float, str]:
-        main, score = session.lanes[0], session.score
+        main = session.lanes[0]
+        score = session.score
         kind = session.setup.controller
         return name, round(main.state()[0], 3), main.fallen, round(score.best, 4), round(score.effort, 1), kind
 
@@ -252,7 +259,8 @@ def perform(pipe: Connection, options: Options, at_work: Any) -> None:
         at_work.value = name.encode()
 
     stage = Stage(options, at_work=note)
-    period, due = 1.0 / options.rate, time.monotonic()
+    period = 1.0 / options.rate
+    due = time.monotonic()
     with contextlib.suppress(EOFError, OSError, KeyboardInterrupt):
         while True:
             due += period

@@ -44,7 +44,9 @@ class StageProcess:
     dies, or says nothing for long, is replaced by another."""
 
     def __init__(self, options: Options) -> None:
-        self._options, self._closing, self._lock = options, False, threading.Lock()
+        self._options = options
+        self._closing = False
+        self._lock = threading.Lock()
         self._begin(lambda: None)
 
     def _begin(self, ready: Callable[[], Any]) -> None:
@@ -57,7 +59,9 @@ class StageProcess:
         self._process = context.Process(target=perform, args=(theirs, self._options, self._at_work))
         self._process.start()
         theirs.close()
-        self._silent, self._began, self._greeted = 0, time.monotonic(), False
+        self._silent = 0
+        self._began = time.monotonic()
+        self._greeted = False
         threading.Thread(target=self._talk, args=(self._pipe, self._words), daemon=True).start()
 
     def listen(

@@ -33,7 +33,9 @@ def robot_info(robot: Robot) -> RobotInfo:
 
 def changed(setup: Setup, plant: Plant, lanes: Sequence[Lane], busy: bool) -> Changed:
     """The set-up, what to draw and what the kit really is."""
-    robot, kit, spec = plant.robot, plant.kit, lanes[0].controller.spec
+    robot = plant.robot
+    kit = plant.kit
+    spec = lanes[0].controller.spec
     voltage = kit.battery.voltage
     numbers = {"delay": kit.delay, "dead_zone": kit.motor.dead_zone, "voltage": voltage if voltage < 1e6 else -1.0}
     names = tuple(lane.name for lane in lanes)

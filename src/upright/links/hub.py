@@ -48,9 +48,15 @@ class HubLink:
         from pybricksdev.ble.pybricks import StatusFlag
         from pybricksdev.connections import ConnectionState
 
-        self.name, self.patience, self.lines, self.lost = name, patience, list[str](), False
-        self._hub, self._flags, self._gone = hub, StatusFlag, ConnectionState.DISCONNECTED
-        self._rest, self._news = b"", asyncio.Event()
+        self.name = name
+        self.patience = patience
+        self.lines = list[str]()
+        self.lost = False
+        self._hub = hub
+        self._flags = StatusFlag
+        self._gone = ConnectionState.DISCONNECTED
+        self._rest = b""
+        self._news = asyncio.Event()
         self.begun = False  # whether the program was reported to run since its start
         hub.stdout_observable.subscribe(self._receive)
         hub.status_observable.subscribe(self._changed)
@@ -87,7 +93,9 @@ class HubLink:
 
     async def start(self) -> None:
         """Start the program; its output goes into `lines`."""
-        self.lines, self._rest, self.begun = [], b"", False
+        self.lines = []
+        self._rest = b""
+        self.begun = False
         await self._do(self._hub.start_user_program(), "start")
         while not self.begun and await self.news(self.patience):
             pass  # what it prints may come before its status

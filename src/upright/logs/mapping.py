@@ -307,7 +307,8 @@ def by_names(table: RawTable, without: Source | None = None) -> Mapping:
             summed = name.startswith(RATE) and not (key == TIME and is_clock(table.columns[column]))
             sources[key] = Source(column=column, unit=named_unit(column, table), integrate=summed)
     for key in [key for key in sources if key.startswith(BOTH)]:
-        one, sides = sources.pop(key), [key.removeprefix(BOTH) + side for side in SIDES]
+        one = sources.pop(key)
+        sides = [key.removeprefix(BOTH) + side for side in SIDES]
         if not sources.keys() & set(sides):
             sources |= dict.fromkeys(sides, one)
         elif one.unit in ("V", "mV") and (table.columns[one.column] > 0).all():
@@ -356,7 +357,8 @@ def _timed(time: Source, table: RawTable) -> Source:
 def in_volts(sources: Mapped[str, Source], table: RawTable) -> dict[str, Source]:
     """The same sources, with a duty as volts where the battery's voltage and the full duty are known, else as the
     file's numbers: of what they are a part, the log does not say."""
-    times, new = "sensor/battery" if "sensor/battery" in sources else "", dict(sources)
+    times = "sensor/battery" if "sensor/battery" in sources else ""
+    new = dict(sources)
     for name, source in sources.items():
         if source.unit == "%":
             full = full_duty(table.columns[source.column])

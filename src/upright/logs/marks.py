@@ -42,7 +42,8 @@ def marks_of(log: Log) -> tuple[int, ...]:
 
 def known_fraction(log: Log, known: Sequence[Sequence[int]]) -> float:
     """Which fraction of the rows of `log` is in the logs whose marks are `known`."""
-    own, total = _marks(log), 0.0
+    own = _marks(log)
+    total = 0.0
     for marks in known:
         small = own[own <= marks[-1]] if len(marks) == KEPT else own
         common = int(np.isin(small, marks).sum())

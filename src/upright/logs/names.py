@@ -157,7 +157,8 @@ def _by_words(words: str) -> str:
 
 def pairs(columns: Iterable[str]) -> list[tuple[str, str]]:
     """The columns whose names differ by the side alone, the left one first."""
-    left_over, several = list(columns), list[tuple[str, str]]()
+    left_over = list(columns)
+    several = list[tuple[str, str]]()
     while left_over:
         column = left_over.pop(0)
         for other in left_over:
@@ -178,9 +179,11 @@ def _sided(left: str, right: str) -> tuple[str, str] | None:
     (i,) = different
     for a, b in (*_ENDS, *(_PORTS if re.search(_PORTED, left) else ())):
         if one[i].endswith(a) and other[i] == one[i].removesuffix(a) + b:
-            stem, first = one[i].removesuffix(a), False
+            stem = one[i].removesuffix(a)
+            first = False
         elif one[i].startswith(a) and other[i] == b + one[i].removeprefix(a):
-            stem, first = one[i].removeprefix(a), True
+            stem = one[i].removeprefix(a)
+            first = True
         else:
             continue
         new = (f"{side} {stem}" if first else f"{stem} {side}" for side in SIDES)

@@ -64,11 +64,13 @@ def single(t: Array, values: Array) -> Mask:
 def _stands_alone(x: Array, k: int, height: float) -> bool:
     """Whether reading k, or the two of one value there, is a step of `height` away and back between calm readings."""
     pair = [k, *(j for j in (k - 1, k + 1) if 0 <= j < len(x) and abs(x[j] - x[k]) < SAME * height)]
-    before, after = x[max(0, min(pair) - 1 - NEAR) : min(pair)], x[max(pair) + 1 : max(pair) + 2 + NEAR]
+    before = x[max(0, min(pair) - 1 - NEAR) : min(pair)]
+    after = x[max(pair) + 1 : max(pair) + 2 + NEAR]
     sides = np.concatenate([before[-1:], after[:1]])  # one alone beside the first and the last reading
     middle = float(np.median(np.concatenate([before, after])))
     steps = np.abs(np.concatenate([np.diff(before), np.diff(after)]))
-    away, back = np.abs(x[k] - sides).min() > AWAY * height, np.ptp(sides) < BACK * height
+    away = np.abs(x[k] - sides).min() > AWAY * height
+    back = np.ptp(sides) < BACK * height
     ranges = [float(np.ptp(side)) for side in (before, after) if len(side)]
     calm = max(float(np.abs(sides - middle).max()), *ranges) < CALM * height
     return bool(away and back and calm and height > STEEP * np.quantile(steps, 0.75))

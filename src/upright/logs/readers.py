@@ -119,7 +119,8 @@ def _text(path: Path) -> RawTable:
     lines = [line.rstrip("\r") for line in text.split("\n")]
     rows = bare(lines)
     if rows is not None:
-        lines, text = rows, "\n".join(rows)
+        lines = rows
+        text = "\n".join(rows)
     form = layout(lines[:HEAD])
     units, origin = _noted(form)
     check_lines(path, len(form.names))
@@ -186,7 +187,9 @@ def _parse(raw: bytes, form: Layout) -> tuple[dict[str, Array], dict[str, str], 
         table = read(body)
         plain = all(not pa.types.is_string(table.column(name).type) for name in names)
     except pa.ArrowInvalid as error:
-        table, plain, wrong = None, False, one_line(error)
+        table = None
+        plain = False
+        wrong = one_line(error)
     skipped: tuple[str, ...] = ()
     if not plain:
         rows, skipped = _rows_alone(body.decode(), form)

@@ -69,7 +69,8 @@ class Recording:
     def order(self, delays: Mapping[str, float]) -> Whole:
         """Indices of the events in the order of the commands' time, with the delays of the sensors removed; of those at
         one time commands come first, then the rows as they stand."""
-        delay, by_kind = np.array([delays[SENSOR[row]] for row in self.rows] + [0.0]), self._by_kind
+        delay = np.array([delays[SENSOR[row]] for row in self.rows] + [0.0])
+        by_kind = self._by_kind
         return by_kind[np.argsort((self.when - delay[self.kind])[by_kind], kind="stable")]
 
     @cached_property
@@ -85,7 +86,8 @@ class Recording:
 
     def swinging(self) -> Recording:
         """The same with a gyro that swings: at first as fast as the body, give or take what a rate may be."""
-        size, spread = len(self.first), FIRST_SPREAD[1] ** 2
+        size = len(self.first)
+        spread = FIRST_SPREAD[1] ** 2
         P0 = np.zeros((size + 2, size + 2))
         P0[:size, :size] = self.P0
         P0[size, size], P0[size + 1, size + 1] = self.P0[1, 1] + spread, spread
@@ -111,7 +113,8 @@ def check_clock(log: Log) -> None:
     rows = jumps(log.t)
     if len(rows):
         row = int(rows[np.argmax(log.t[rows] - log.t[rows - 1])])
-        by, when = log.t[row] - log.t[row - 1], log.t[row - 1]
+        by = log.t[row] - log.t[row - 1]
+        when = log.t[row - 1]
         raise InvalidLog(
             f"the clock jumps by {by:.3g} s after t = {when:.4g} s, at row {row}",
             expected=f"one run without a pause over {LONGEST_PAUSE:g} s",
@@ -175,7 +178,9 @@ def record(log: Log, robot: Robot, kit: Kit, *, skip: float = 0.0, held_out: flo
     check_drive(log, robot)
     rows = _rows(log)
     last = log.t[0] + (log.t[-1] - log.t[0]) * (1 - held_out)
-    kinds, whens, values = [np.full(len(log), -1)], [log.t], [np.arange(len(log), dtype=np.float64)]
+    kinds = [np.full(len(log), -1)]
+    whens = [log.t]
+    values = [np.arange(len(log), dtype=np.float64)]
     for row, name in enumerate(rows):
         there = np.isfinite(log[name]) & (log.t >= log.t[0] + skip) & ~left_out(log, name)
         reading = log[name][there]
@@ -275,7 +280,8 @@ def first_line(t: Array, y: Array) -> tuple[float, float] | None:
     """First value and slope of readings y (n,) at the times t (n,) [s], by a line through the first of them."""
     if len(t) < 3:
         return None
-    t, y = t[:FIRST_READINGS] - t[0], y[:FIRST_READINGS]
+    t = t[:FIRST_READINGS] - t[0]
+    y = y[:FIRST_READINGS]
     slope = float(((t - t.mean()) * (y - y.mean())).sum() / max(float(((t - t.mean()) ** 2).sum()), 1e-12))
     return float(y.mean()) - slope * float(t.mean()), slope
 

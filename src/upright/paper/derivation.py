@@ -195,7 +195,9 @@ def mechanics(s: SimpleNamespace, roll: Any) -> Mechanics:
     force[3] += s.force * s.height * sp.cos(s.pitch) - s.torque_l - s.torque_r
     force[4] += s.torque_l - s.wheel_friction * s.wl - s.rolling_friction * s.floor_l
     force[5] += s.torque_r - s.wheel_friction * s.wr - s.rolling_friction * s.floor_r
-    forward, sideways, turn = v[0] * cos + v[1] * sin, v[1] * cos - v[0] * sin, s.track / 2 * s.yaw_rate
+    forward = v[0] * cos + v[1] * sin
+    sideways = v[1] * cos - v[0] * sin
+    turn = s.track / 2 * s.yaw_rate
     gaps = [sideways, forward - turn - s.wheel_radius * s.wl, forward + turn - s.wheel_radius * s.wr]
     rolling = sp.Matrix(gaps).jacobian(v)
     rates = [s.wheel_radius * s.wheel_rate * cos, s.wheel_radius * s.wheel_rate * sin, s.yaw_rate, s.pitch_rate]
@@ -235,7 +237,8 @@ def _kinetic(s: SimpleNamespace, q: Sequence[Any], v: Sequence[Any], roll: Any) 
     import sympy as sp
 
     cos, sin = sp.cos(s.pitch), sp.sin(s.pitch)
-    heading, left = sp.Matrix([sp.cos(s.yaw), sp.sin(s.yaw), 0]), sp.Matrix([-sp.sin(s.yaw), sp.cos(s.yaw), 0])
+    heading = sp.Matrix([sp.cos(s.yaw), sp.sin(s.yaw), 0])
+    left = sp.Matrix([-sp.sin(s.yaw), sp.cos(s.yaw), 0])
     axle = sp.Matrix([s.x, s.y, s.wheel_radius])
     com = axle + s.com_height * (sin * heading + cos * sp.Matrix([0, 0, 1]))
 

@@ -41,7 +41,8 @@ def disagreement(model: Model, robot: Robot, seed: int = 0) -> float:
     derived = derive(model).evaluator("math")
     largest = 0.0
     for _ in range(STATES):
-        x, u = (LARGEST * rng.uniform(-1, 1, 6)).tolist(), rng.uniform(-VOLTS, VOLTS, 2).tolist()
+        x = (LARGEST * rng.uniform(-1, 1, 6)).tolist()
+        u = rng.uniform(-VOLTS, VOLTS, 2).tolist()
         theirs = np.array(derived(x, u, robot))
         ours = np.array(accelerations(x, u, robot, xp=math, model=model))
         largest = max(largest, float(np.abs(ours - theirs).max() / np.abs(theirs).max()))

@@ -90,7 +90,8 @@ def _relative_error(form: Any, derived: Any, d: Derivation) -> float:
 @lru_cache(maxsize=2)
 def _witness(d: Derivation) -> dict[Any, Any]:
     """A number for each symbol, the accelerations as the derivation gives them there."""
-    robot, s = Robot.preset("nxtway-gs"), d.symbols
+    robot = Robot.preset("nxtway-gs")
+    s = d.symbols
     values: dict[Any, Any] = {getattr(s, name): value for name, value in WITNESS.items()}
     values |= {getattr(s, name): getattr(robot, name) for name in PARAMETERS}
     values |= {symbol: value.subs(values) for symbol, value in d.definitions.items()}
@@ -129,9 +130,13 @@ def _parts(s: SimpleNamespace, **misprints: Any) -> SimpleNamespace:
     """The paper's building blocks, corrected, with `misprints` put in place of some of them."""
     import sympy as sp
 
-    sin, cos, half = sp.sin(s.pitch), sp.cos(s.pitch), s.track / (2 * s.wheel_radius)
-    rotors, point = s.gear_ratio**2 * s.rotor_inertia, s.body_mass * s.com_height**2
-    lever, volts = s.body_mass * s.com_height * s.wheel_radius, s.left + s.right
+    sin = sp.sin(s.pitch)
+    cos = sp.cos(s.pitch)
+    half = s.track / (2 * s.wheel_radius)
+    rotors = s.gear_ratio**2 * s.rotor_inertia
+    point = s.body_mass * s.com_height**2
+    lever = s.body_mass * s.com_height * s.wheel_radius
+    volts = s.left + s.right
     blocks = {
         "a11": (2 * s.wheel_mass + s.body_mass) * s.wheel_radius**2 + 2 * s.wheel_inertia + 2 * rotors,
         "a12": lever * cos - 2 * rotors,
@@ -198,13 +203,15 @@ def _yaw_variable(d: Derivation) -> tuple[Equation, ...]:
 
 
 def _yaw_force(d: Derivation) -> tuple[Equation, ...]:
-    s, k = d.symbols, _parts(d.symbols)
+    s = d.symbols
+    k = _parts(d.symbols)
     wrong = s.track / (2 * s.wheel_radius) * (s.left - s.right) - k.drag
     return (Equation("(10)", wrong, k.turning - k.drag, _side(d, 2)[1]),)
 
 
 def _yaw_drag(d: Derivation) -> tuple[Equation, ...]:
-    s, k = d.symbols, _parts(d.symbols)
+    s = d.symbols
+    k = _parts(d.symbols)
     return (Equation("(13)", k.turning - k.drag * s.wheel_radius, k.turning - k.drag, _side(d, 2)[1]),)
 
 
@@ -221,7 +228,8 @@ def _missing_alpha(d: Derivation) -> tuple[Equation, ...]:
 
 
 def _two_wheels(d: Derivation) -> tuple[Equation, ...]:
-    s, right = d.symbols, _parts(d.symbols)
+    s = d.symbols
+    right = _parts(d.symbols)
     wrong = _parts(s, a11=right.a11 - s.wheel_inertia)
     return (Equation("(19)", _delta(wrong), _delta(right), -d.mass[:2, :2].det()),)
 

@@ -86,7 +86,8 @@ class OwnRobot:
     @property
     def answer(self) -> str:
         """What must be adjusted, in a sentence."""
-        stated, measured = self.settling[NONLINEAR], self.settling[self.comparison.reference]
+        stated = self.settling[NONLINEAR]
+        measured = self.settling[self.comparison.reference]
         if not self.adjusted:
             return "Nothing that was tried brings the nonlinear model nearer to the robot."
         last = self.adjusted[-1]
@@ -294,7 +295,8 @@ def _adjusted(
 ) -> tuple[Adjustment, ...]:
     """Of the numbers that were learnt, and the electronics, what brings the model nearest to the log, one on top of the
     other."""
-    measured, left = judged[reference][0], _gap(judged[reference][0], *judged[NONLINEAR])
+    measured = judged[reference][0]
+    left = _gap(judged[reference][0], *judged[NONLINEAR])
     at: tuple[Robot, Kit | None] = (trial.robot, None)
     candidates: list[_Number | None] = [*known.numbers, None]  # None: the electronics
     steps: list[Adjustment] = []
@@ -307,7 +309,9 @@ def _adjusted(
             break
         name = number.name.replace("_", " ") if number else "electronics"
         steps.append(Adjustment(name=name, change=str(number or _parts(known.kit)), settling=settling, fit=fit))
-        at, left, candidates = changed, gap, [n for n in candidates if n is not number]
+        at = changed
+        left = gap
+        candidates = [n for n in candidates if n is not number]
     unlike = math.isnan(measured) and steps and steps[-1].fit <= 0  # less far from the robot, and still another motion
     return () if unlike else tuple(steps)
 

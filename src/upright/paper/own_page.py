@@ -103,7 +103,8 @@ def _is_still(result: OwnRobot, state: str) -> bool:
 
 def page_of(result: OwnRobot) -> Page:
     """The page, not yet written."""
-    comparison, numbered = result.comparison, FIGURES[result.side]
+    comparison = result.comparison
+    numbered = FIGURES[result.side]
     moving = [name for name in STATE_NAMES if not _is_still(result, name)]
     figures: list[Figure] = []
     for state in moving:

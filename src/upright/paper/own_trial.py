@@ -45,7 +45,8 @@ class _LawController:
     def step(self, measurement: Array, reference: Array) -> tuple[float, float]:  # noqa: ARG002 (the law has the log's)
         x = measurement[: len(STATE_NAMES)]
         readings = dict(zip(self.spec.reads[len(x) :], measurement[len(x) :].tolist(), strict=True))
-        rate, half = float(x[3] - x[1]), self.turn * float(x[5])
+        rate = float(x[3] - x[1])
+        half = self.turn * float(x[5])
         readings |= {"sensor/encoder_rate_left": rate - half, "sensor/encoder_rate_right": rate + half}
         row = min(self._row[0], self.rows - 1)
         self._row[0] += 1
@@ -119,12 +120,14 @@ def trial_of(
     measured: Log, first: Array, law: CommandLaw, pushes: tuple[PushProgramme, ...], robot: Robot, kit: Kit
 ) -> Trial:
     """What the models go through, with the times of the pushes, and how much the resting robot swings."""
-    t, pitch = measured.t, _pitch(measured)
+    t = measured.t
+    pitch = _pitch(measured)
     force = [sum(abs(p.at(float(at), robot).force) for p in pushes) for at in t]
     times = [time for pair in active_intervals(t, force) for time in pair if math.isfinite(time)]
     pushed, release = (times[0], times[-1]) if times else (0.0, 0.0)
     rest = _rest(measured)
-    swing, peak = float(np.ptp(rest)) / 2, float(np.abs(pitch[t >= release] - rest.mean()).max(initial=1e-9))
+    swing = float(np.ptp(rest)) / 2
+    peak = float(np.abs(pitch[t >= release] - rest.mean()).max(initial=1e-9))
     return Trial(
         measured=measured, first=first, law=law, pushes=pushes, robot=robot, kit=kit, pushed=pushed, release=release,
         band=max(0.05, 1.1 * swing / peak),

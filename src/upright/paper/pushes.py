@@ -112,7 +112,8 @@ def push(trial: RegulatedRobot, side: str, kit: Kit) -> Comparison:
 
     The models have the kit's battery and nothing else of its electronics, like the paper's simulations.
     """
-    robot, hold = trial.robot, Hold(pitch=PUSHES[side], until=RELEASE)
+    robot = trial.robot
+    hold = Hold(pitch=PUSHES[side], until=RELEASE)
     supply = replace(kit, name="battery", sensors={}, motor=Motor(), delay=0.0, jitter=0.0)
     runs: dict[str, tuple[Body, Controller]] = {
         "twin": (Electronics(Twin(robot), kit), Estimated(trial.feedback, kalman(robot, kit))),
@@ -225,7 +226,8 @@ def _figures(comparison: Comparison, measured: Measured, numbers: Mapping[str, i
     for name, log in comparison.logs.items():
         line(ax, name, log.t, np.degrees(log["truth/yaw"]))
     ax.set_ylim(-1, 1)
-    degrees, named = cell_text(math.degrees(measured.largest_yaw), 2), " and ".join(str(numbers[s]) for s in still)
+    degrees = cell_text(math.degrees(measured.largest_yaw), 2)
+    named = " and ".join(str(numbers[s]) for s in still)
     title = f"Figures {named} again. Yaw is at most {degrees}°, where the compass reads whole degrees"
     return [*figures, Figure(title, legend(drawing))]
 

@@ -29,7 +29,8 @@ def printed_feedback() -> StateFeedback:
 
 def without_noise(A: Array, B: Array) -> LinearModel:
     """The printed model with its small coupling of pitch and yaw removed, which is noise."""
-    pitch, yaw = np.arange(4), np.arange(4, 6)
+    pitch = np.arange(4)
+    yaw = np.arange(4, 6)
     clean = A.copy()
     clean[pitch[:, None], yaw] = clean[yaw[:, None], pitch] = 0
     clean[5, 4] = 0  # heading does not turn the robot

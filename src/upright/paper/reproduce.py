@@ -224,7 +224,9 @@ ALIKE = 0.02  # of the largest pitch: two lines this close cannot be seen apart
 
 def chapters(progress: Progress = unwatched) -> list[Claim]:
     """The claims of every chapter, in the paper's order."""
-    light, heavy, kit = Robot.preset(LIGHT), Robot.preset(HEAVY), Kit.preset("nxt")
+    light = Robot.preset(LIGHT)
+    heavy = Robot.preset(HEAVY)
+    kit = Kit.preset("nxt")
     gains = regulator.printed_feedback()
     own = lqr(light, printed.PERIOD)
     why = "The printed gains do not balance this lighter robot; its regulator is an LQR of its own."

@@ -97,14 +97,17 @@ def terms(robot: Robot, log: Log) -> list[Term]:
     """Every term of the three equations of the complete model along `log`, from `JOLT` on, all on one side, so that
     they add up to zero. A motor's voltage and back-EMF nearly cancel, so that their net torque is one term.
     Friction of the floor and dry friction are not among them; NXTway-GS has none."""
-    x, u = log.state().T, np.array([log["applied/left"], log["applied/right"]])
+    x = log.state().T
+    u = np.array([log["applied/left"], log["applied/right"]])
     pitch, pitch_rate, _, wheel_rate, _, yaw_rate = x
     sin, cos = np.sin(pitch), np.cos(pitch)
     a11, a12, a22, a33 = mass_matrix(cos, sin, robot, "published")
     pitch_acc, wheel_acc, yaw_acc = accelerations(list(x), list(u), robot, xp=np)
     alpha, beta = motor_gain(robot), motor_damping(robot)
-    lever, point = robot.body_mass * robot.com_height * robot.wheel_radius, robot.body_mass * robot.com_height**2
-    half, roll = turn_ratio(robot), robot.roll_inertia - robot.yaw_inertia
+    lever = robot.body_mass * robot.com_height * robot.wheel_radius
+    point = robot.body_mass * robot.com_height**2
+    half = turn_ratio(robot)
+    roll = robot.roll_inertia - robot.yaw_inertia
     net = alpha * (u[0] + u[1]) - 2 * beta * (wheel_rate - pitch_rate)
     turning = half * alpha * (u[1] - u[0]) - 2 * half**2 * beta * yaw_rate
     listed: list[tuple[str, str, Array, bool]] = [
@@ -136,7 +139,8 @@ def relative_size(term: Term, listed: Sequence[Term]) -> float:
 
 def deviation(log: Log, twin: Log, state: str) -> Deviation:
     """The difference of `log` from the twin's in one state."""
-    difference, peak = np.abs(log[f"truth/{state}"] - twin[f"truth/{state}"]), np.abs(twin[f"truth/{state}"]).max()
+    difference = np.abs(log[f"truth/{state}"] - twin[f"truth/{state}"])
+    peak = np.abs(twin[f"truth/{state}"]).max()
     return Deviation(float(np.sqrt(np.mean(difference**2)) / peak), float(difference.max() / peak))
 
 

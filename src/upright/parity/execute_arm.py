@@ -34,7 +34,8 @@ class ArmExecutor:
     """One emulated processor; `worst` keeps the most expensive step."""
 
     def __init__(self, source: Path, program: Program, number: str) -> None:
-        self.where, self.numbers = "an emulated ARM7TDMI (soft float)", number
+        self.where = "an emulated ARM7TDMI (soft float)"
+        self.numbers = number
         self._words = Words(program, number)
         with TemporaryFolder() as folder:
             binary = Path(folder) / "balance.elf"
@@ -68,10 +69,12 @@ class ArmExecutor:
             self.code_bytes = sum(s["sh_size"] for s in sections)
             symbols = elf.get_section_by_name(".symtab").iter_symbols()
             self._functions = {s.name: s["st_value"] for s in symbols if s.name.startswith("upright_")}
-        self._machine, self._every_block = machine, emulator.UC_HOOK_BLOCK
+        self._machine = machine
+        self._every_block = emulator.UC_HOOK_BLOCK
 
     def start(self) -> None:
-        self._ready, self._step = False, Cost()
+        self._ready = False
+        self._step = Cost()
         self._call("reset", (RAM,))
 
     def step(self, raw: Values) -> Values:
@@ -128,7 +131,8 @@ class ArmExecutor:
 
 def cycles(word: int) -> int:  # noqa: PLR0911 (one for each kind of instruction)
     """The most that one ARM instruction takes on an ARM7TDMI with memory that never waits (ARM DDI 0029, chapter 6)."""
-    kind, to_pc = word >> 25 & 7, word >> 12 & 15 == 15
+    kind = word >> 25 & 7
+    to_pc = word >> 12 & 15 == 15
     if kind == 0 and word & 0x0F0 == 0x090:
         return _multiply(word)
     if kind == 0 and word & 0x090 == 0x090:

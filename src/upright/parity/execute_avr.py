@@ -34,7 +34,8 @@ class Chip:
     where = "a simulated ATmega328P"
 
     def __init__(self, source: Path, program: Program, number: str) -> None:
-        self.numbers, self.worst = number, 0
+        self.numbers = number
+        self.worst = 0
         self._words = Words(program, number)
         self._folder = TemporaryFolder()
         folder = Path(self._folder.name)

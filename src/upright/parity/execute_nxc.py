@@ -38,8 +38,11 @@ class NxcExecutor:
     """A program of the brick in the brick's own machine, one period a step; `instructions` is the most in a period."""
 
     def __init__(self, source: Path, program: Program) -> None:
-        self.where, self.numbers, self.instructions = "the NXT's bytecode machine (nbc)", "float", 0
-        self._program, self.wiring = program, nxt_wiring(source.read_text("utf-8"))
+        self.where = "the NXT's bytecode machine (nbc)"
+        self.numbers = "float"
+        self.instructions = 0
+        self._program = program
+        self.wiring = nxt_wiring(source.read_text("utf-8"))
         with TemporaryFolder() as folder:
             self._executable, self._names = compiled(source, Path(folder))
         if missing := [name for name in (*program.results(), "ready") if name not in self._names]:
@@ -52,7 +55,8 @@ class NxcExecutor:
     def step(self, raw: Values) -> Values:
         readings = {channel: raw[name] for name, channel in self._program.channels.items()}
         set_readings(self.hardware, readings, self.wiring)
-        calibrated, before = self._read("ready"), self._machine.executed
+        calibrated = self._read("ready")
+        before = self._machine.executed
         self._until_it_rests()
         if not calibrated:
             return {}
@@ -63,7 +67,9 @@ class NxcExecutor:
         """Nothing is left behind."""
 
     def _until_it_rests(self) -> None:
-        machine, began, naps = self._machine, self._machine.time, self._machine.naps
+        machine = self._machine
+        began = self._machine.time
+        naps = self._machine.naps
         while machine.naps == naps and not machine.ended:
             machine.run(machine.time + LOOK)
             if machine.time - began > LONGEST:

@@ -16,10 +16,13 @@ class PythonExecutor:
     is whether the brick's button is down, `duties` [%] what its motors got last."""
 
     def __init__(self, source: Path, program: Program, compiled: bool = False) -> None:
-        self._names, micro = program.results(), program.target == "pybricks"
+        self._names = program.results()
+        micro = program.target == "pybricks"
         made = ".mpy by mpy-cross, " if compiled else ""
         self.where = f"MicroPython ({made}floats of 64 bits; a hub's have 32)" if micro else "CPython"
-        self.numbers, self.pressed, self.duties = "double", False, (0.0, 0.0)
+        self.numbers = "double"
+        self.pressed = False
+        self.duties = (0.0, 0.0)
         self._script = Script(program.target)
         copy = self._script.folder / "balance.py"
         write_text(copy, source.read_text("utf-8"))

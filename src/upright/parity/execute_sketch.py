@@ -66,7 +66,8 @@ class SketchExecutor(Chip):
     where = "a simulated Arduino Uno"
 
     def __init__(self, source: Path, program: Program, number: str, real: bool = False) -> None:
-        self.real, self._constants = real, constants(source.read_text("utf-8"))
+        self.real = real
+        self._constants = constants(source.read_text("utf-8"))
         super().__init__(source, program, number)
 
     def build(self, source: Path, folder: Path) -> None:
@@ -116,8 +117,10 @@ class SketchExecutor(Chip):
         return [self._driven(side) for side in ("LEFT", "RIGHT")]
 
     def _driven(self, side: str) -> float:
-        pins, own = self._constants, f"{side}_PWM"
-        strength, back = self._duty(pins[own if own in pins else "ENABLE"]), self._duty(pins[f"{side}_BACK"])
+        pins = self._constants
+        own = f"{side}_PWM"
+        strength = self._duty(pins[own if own in pins else "ENABLE"])
+        back = self._duty(pins[f"{side}_BACK"])
         forward = self._duty(pins[f"{side}_FORWARD"]) if f"{side}_FORWARD" in pins else 255 - back
         return strength * (forward - back) / 255
 

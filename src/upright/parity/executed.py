@@ -42,7 +42,8 @@ class Readings:
         self.channels = dict(program.channels)
         gyro = next(name for name, channel in self.channels.items() if channel == GYRO)
         offset = OFFSET / program.scales[gyro]
-        self.gyro, self.offset = gyro, round(offset) if program.variables[gyro].whole else offset
+        self.gyro = gyro
+        self.offset = round(offset) if program.variables[gyro].whole else offset
 
     def raw(self, channels: Mapping[str, float], offset: float = 0.0) -> dict[str, float]:
         """`channels` by name [SI] as raw readings by input; `offset` [raw] is added to the gyro's."""
@@ -100,7 +101,8 @@ class Executed:
     def __init__(self, executor: Executor, program: Program, kit: Kit, design: Controller) -> None:
         self._executor, self._program, self._kit, self._design = executor, program, kit, design
         self._readings = Readings(program, kit, executor.numbers)
-        self._slack, self._longest = SLACK[executor.numbers], comparable(program, executor.numbers)
+        self._slack = SLACK[executor.numbers]
+        self._longest = comparable(program, executor.numbers)
         reads = tuple(c for c in program.channels.values() if c in kit.sensors)
         self.spec = ControllerSpec(f"{program.kind} on {executor.where}", reads, program.period, program.command_unit)
 

@@ -59,7 +59,8 @@ class HostExecutor:
     """The program's C, built by gcc as a library of this process."""
 
     def __init__(self, source: Path, program: Program, number: str, flags: Sequence[str] = ()) -> None:
-        self.where, self.numbers = "this machine (gcc)", number
+        self.where = "this machine (gcc)"
+        self.numbers = number
         self._words = Words(program, number)
         self._folder = TemporaryFolder()
         library = Path(self._folder.name) / "balance.so"

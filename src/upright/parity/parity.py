@@ -132,7 +132,8 @@ def executed_parity(
     """The parity of a program that `executor` runs; raises `ExecutionFailed` for one that does not answer."""
     program = firmware.program
     fine = replace(kit, motor=replace(kit.motor, quantum=0.0)) if program.full else kit  # its duties are whole already
-    plant, executed = Electronics(make_body(body, robot), fine), Executed(executor, program, kit, controller)
+    plant = Electronics(make_body(body, robot), fine)
+    executed = Executed(executor, program, kit, controller)
     pushes = [Hold(pitch=p, start=start, until=start + HELD) for p, start in PUSHES.values()]
     log = run(plant, executed, pushes, reference=reference, seconds=SECONDS, seed=1, progress=progress)
     plant.close()
@@ -155,7 +156,9 @@ def executed_parity(
 
 def _outcome(push: str, log: Log, stopped: str) -> PushOutcome:
     """The robot's outcome from a push's start until the next one's; `stopped` is why the program ended."""
-    start, half, ended = PUSHES[push][1], SECONDS / len(PUSHES), float(log.t[-1])
+    start = PUSHES[push][1]
+    half = SECONDS / len(PUSHES)
+    ended = float(log.t[-1])
     if ended <= start:
         return PushOutcome(push, False, 0.0, "fell before it")
     peak = float(np.abs(log.between(start, min(start + half, ended))["truth/pitch"]).max())

@@ -92,7 +92,8 @@ def accelerations(
     drag = 2 * p.wheel_friction * wheel_rate
     lever = p.body_mass * p.com_height * p.wheel_radius  # MLR
     weight = p.gravity * p.body_mass * p.com_height  # MgL
-    uphill, downhill = xp.sin(w.slope) * xp.cos(yaw), xp.cos(w.slope)
+    uphill = xp.sin(w.slope) * xp.cos(yaw)
+    downhill = xp.cos(w.slope)
     climb = (p.body_mass + 2 * p.wheel_mass) * p.gravity * p.wheel_radius * uphill
 
     wheel_force = left + right - drag + lever * pitch_rate**2 * sin + w.force * p.wheel_radius - climb

@@ -100,7 +100,9 @@ class LinearModel(Shown):
     f0: Array = field(default_factory=lambda: np.zeros(0))
 
     def __post_init__(self) -> None:
-        n, m, k = len(self.states) or len(self.A), len(self.inputs) or np.shape(self.B)[-1], len(self.disturbances)
+        n = len(self.states) or len(self.A)
+        m = len(self.inputs) or np.shape(self.B)[-1]
+        k = len(self.disturbances)
         every = n > 0 and np.size(self.C) == 0
         p = len(self.outputs) or (n if every else len(self.C if n else self.D))
         shapes = {"A": (n, n), "B": (n, m), "C": (p, n), "D": (p, m), "E": (n, k), "x0": (n,), "u0": (m,), "f0": (n,)}
@@ -181,7 +183,8 @@ class LinearModel(Shown):
         one_period(self, first)
         n, m = len(self.A), len(first.A)
         A = np.block([[self.A, self.B @ first.C], [np.zeros((m, n)), first.A]])
-        B, C = np.vstack([self.B @ first.D, first.B]), np.hstack([self.C, self.D @ first.C])
+        B = np.vstack([self.B @ first.D, first.B])
+        C = np.hstack([self.C, self.D @ first.C])
         return LinearModel(A, B, C, self.D @ first.D, self.dt, inputs=first.inputs, outputs=self.outputs)
 
     def __neg__(self) -> LinearModel:
@@ -189,7 +192,8 @@ class LinearModel(Shown):
 
     def scaled(self, inputs: ArrayLike, outputs: ArrayLike) -> LinearModel:
         """With each input counted in units of `inputs` (m,) and each output in units of `outputs` (p,)."""
-        u, y = np.asarray(inputs, dtype=np.float64), 1 / np.asarray(outputs, dtype=np.float64)
+        u = np.asarray(inputs, dtype=np.float64)
+        y = 1 / np.asarray(outputs, dtype=np.float64)
         return LinearModel(
             self.A, self.B * u, y[:, None] * self.C, y[:, None] * self.D * u, self.dt,
             states=self.states, inputs=self.inputs, outputs=self.outputs,
@@ -259,7 +263,9 @@ class LinearModel(Shown):
 def delay_line(width: int, periods: int, dt: float) -> LinearModel:
     """`width` signals, `periods` periods of `dt` [s] late: what waits is its state, newest first."""
     n = width * periods
-    A, B, C = np.eye(n, k=-width), np.eye(n, width), np.eye(width, n, k=n - width)
+    A = np.eye(n, k=-width)
+    B = np.eye(n, width)
+    C = np.eye(width, n, k=n - width)
     return LinearModel(A, B, C, np.zeros((width, width)) if periods else np.eye(width), dt)
 
 
@@ -352,7 +358,8 @@ def impulse_norm(A: Array, B: Array) -> Array:
     n, m = B.shape
     power, responses = A, B  # (n, count m): A^k B beside one another, many to a product
     for _ in range(_TOGETHER):
-        responses, power = np.hstack([responses, power @ responses]), power @ power
+        responses = np.hstack([responses, power @ responses])
+        power = power @ power
     total = np.zeros((n, m))
     while True:
         total = total + np.abs(responses).reshape(n, 2**_TOGETHER, m).sum(axis=1)

@@ -27,7 +27,8 @@ def sensor_matrix(names: Sequence[str], turn: ArrayLike, sensors: Mapping[str, A
     ratio = np.asarray(turn, dtype=np.float64)
     C = np.zeros((len(names), 6, *ratio.shape))
     for row, name in zip(C, names, strict=True):
-        kind, rate = name.removeprefix("sensor/"), int("_rate" in name)
+        kind = name.removeprefix("sensor/")
+        rate = int("_rate" in name)
         if name in TRUE_STATE:
             row[TRUE_STATE.index(name)] = 1.0
         elif kind in ("gyro", "compass"):

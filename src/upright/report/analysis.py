@@ -123,10 +123,12 @@ def _lead(analysis: Analysis, first: str) -> str:
 
 def _drawn(analysis: Analysis, short: Sequence[str]) -> str:
     """How many of the drawn robots are unstable, and how much their motors differ where that is why."""
-    count, both = len(analysis.radii), analysis.both()
+    count = len(analysis.radii)
+    both = analysis.both()
     if not count:
         return ""
-    unstable, usual = bool((analysis.radii >= 1).any()), float(np.quantile(np.abs(analysis.strengths - 1), 0.95))
+    unstable = bool((analysis.radii >= 1).any())
+    usual = float(np.quantile(np.abs(analysis.strengths - 1), 0.95))
     words = f" {'Yet of' if short and not unstable else 'Of'} {count} simulated robots {analysis.lost}"
     motors = any(name.startswith("motors") for name in short)
     if unstable or not motors or not 0 < usual < min(both.gain_high - 1, 1 - both.gain_low):
@@ -153,7 +155,8 @@ twipr."""
 
 def _targets(analysis: Analysis) -> list[tuple[str, str, str, float]]:
     """Name, value, usual target, and the part of the target that is reached, the least first."""
-    both, delay = analysis.both(), min(analysis.delay, analysis.weakest.delay)
+    both = analysis.both()
+    delay = min(analysis.delay, analysis.weakest.delay)
     shown = {
         "distance from −1": (cell_text(1 / both.Ms, 2), f"{CLOSE:g}"),
         "phase margin": (f"{cell_text(math.degrees(both.phase), 2)}°", f"{PHASE:g}°"),
@@ -222,7 +225,9 @@ SLOW = 6  # poles near 1 that are drawn enlarged: as many as the robot has state
 
 def _where(analysis: Analysis) -> list[Item]:
     """Each margin of both motors with the frequency that sets it, and why a sensor alone bears less delay."""
-    both, first, lead = analysis.both(), analysis.weakest, "lead" if analysis.both().leads else "lag"
+    both = analysis.both()
+    first = analysis.weakest
+    lead = "lead" if analysis.both().leads else "lag"
     rows: list[list[Cell]] = [
         ["motors weaker by [%]", 100 * (1 - both.gain_low), both.gain_low_at],
         ["motors stronger by [%]", 100 * (both.gain_high - 1), both.gain_high_at],
@@ -242,7 +247,8 @@ def _where(analysis: Analysis) -> list[Item]:
 
 def _delayed_first(analysis: Analysis) -> list[Figure]:
     """The loop that a delay makes unstable first, where that is a sensor's."""
-    first, name = analysis.weakest, _weakest(analysis)
+    first = analysis.weakest
+    name = _weakest(analysis)
     if first not in analysis.outputs or name != first.channel or not first.delay_at > 0:
         return []
     title = f"{_delay(analysis)} more delay at the {name} makes the loop unstable"

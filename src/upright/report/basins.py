@@ -132,7 +132,8 @@ def _named_areas(drawing: MplFigure) -> None:
     """Two areas need a key and no scale of colours."""
     ax, beside = drawing.axes
     drawing.delaxes(beside)
-    box, right = ax.get_position(), 1 - RIGHT / drawing.get_size_inches()[0]
+    box = ax.get_position()
+    right = 1 - RIGHT / drawing.get_size_inches()[0]
     ax.set_position((box.x0, box.y0, right - box.x0, box.height))
     x, y = ax.yaxis.label.get_position()
     ax.yaxis.set_label_coords(x * box.width / (right - box.x0), y)
@@ -147,7 +148,8 @@ def _zoom(ax: Axes, x: Array, y: Array, recovered: Array) -> None:
         inside = values[some > 0]
         if len(inside) > 1:
             room = 0.5 * float(np.ptp(inside))
-            low, high = float(values[0]), float(values[-1])
+            low = float(values[0])
+            high = float(values[-1])
             limit(max(low, float(inside.min()) - room), min(high, float(inside.max()) + room))
 
 
@@ -157,7 +159,8 @@ def basin_page(data: Dataset) -> Page:
     across, up = (str(name) for name in data["recovered"].dims)
     words = across.replace("_", " ")
     held = f"{_in_degrees(low, data, across)} to {_in_degrees(high, data, across)}"
-    name, percent = origin["robot"]["name"], f"{100 * float(data['recovered'].values.mean()):.3g} %"
+    name = origin["robot"]["name"]
+    percent = f"{100 * float(data['recovered'].values.mean()):.3g} %"
     known = math.isfinite(low)
     several = _several(data)
     who = f"{name}, let go at rest, recovers" if several == 1 else f"Most robots like {name} recover, let go at rest,"
@@ -248,5 +251,6 @@ def rest_range(data: Dataset) -> tuple[float, float]:
     if not row[middle] or not across[0] <= 0 <= across[-1] or not up[0] <= 0 <= up[-1]:
         return math.nan, math.nan
     lost = np.flatnonzero(~row)
-    low, high = lost[lost < middle].max(initial=-1) + 1, lost[lost > middle].min(initial=len(row)) - 1
+    low = lost[lost < middle].max(initial=-1) + 1
+    high = lost[lost > middle].min(initial=len(row)) - 1
     return float(across[low]), float(across[high])

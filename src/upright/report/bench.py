@@ -100,7 +100,8 @@ def _lead(bench: Bench, take: str, firsts: Sequence[str], held: Sequence[str]) -
     text += f"{_height(bench)}."
     names = list(ranked)
     if len(firsts) == 1 and len(names) > 1 and ranked[names[1]] > 0 and firsts[0] in _quick(bench):
-        lead, step = ranked[names[0]] / ranked[names[1]], 1 + TOLERANCE
+        lead = ranked[names[0]] / ranked[names[1]]
+        step = 1 + TOLERANCE
         least, most = (number(100 * (ratio - 1), 1) for ratio in (lead / step, lead * step))
         text += f" Limits are found to {100 * TOLERANCE:g} %: {names[0]} leads {names[1]} by {least} to {most} %."
     tied = _tied(bench, held)

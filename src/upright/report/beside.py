@@ -105,9 +105,11 @@ def grazes(comparison: Comparison, within: float) -> bool:
 
 def both_runs(comparison: Comparison, name: str, label: str) -> tuple[Array, Array, Array]:
     """Times [s], the reference's state and that of a run at these times, while both last."""
-    reference, log = comparison.logs[comparison.reference], comparison.logs[label]
+    reference = comparison.logs[comparison.reference]
+    log = comparison.logs[label]
     both = (reference.t >= log.t[0]) & (reference.t <= log.t[-1])
-    t, one = reference.t[both], reference[f"{comparison.sources[comparison.reference]}/{name}"][both]
+    t = reference.t[both]
+    one = reference[f"{comparison.sources[comparison.reference]}/{name}"][both]
     return t, one, np.interp(t, log.t, log[f"{comparison.sources[label]}/{name}"])
 
 

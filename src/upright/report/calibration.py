@@ -88,7 +88,8 @@ def _names_of(c: Calibration) -> str:
 
 def _verdict(c: Calibration) -> Verdict:
     """Whether anything speaks against the fit, and so whether a controller may be designed with this robot."""
-    wrong, decision = reservations(c), c.decision
+    wrong = reservations(c)
+    decision = c.decision
     if decision.withheld:
         return Verdict(decision.verdict, "bad" if decision.verdict == REFUSED else "warn")
     if wrong:
@@ -116,7 +117,8 @@ def _numbers(c: Calibration) -> list[tuple[str, str]]:
     """How well it predicts, how fast the robot falls, and how late its gyro is."""
     if c.refused:
         return []
-    pole, numbers = c["unstable_pole"], list[tuple[str, str]]()
+    pole = c["unstable_pole"]
+    numbers = list[tuple[str, str]]()
     held = c.unfitted
     if scores := held or {name: c.segments[name] for name in c.channels}:
         counted = {name: r2 for name, r2 in scores.items() if name in PREDICTED} or scores

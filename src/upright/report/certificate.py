@@ -205,7 +205,8 @@ def _volts(c: Certificate, battery: str) -> str:
     """A battery with its voltage, where that is known: "low, 6.4 V"."""
     if battery not in BATTERIES:
         return battery
-    nominal, end = c.subject["kit"].get("battery/voltage"), "low" if battery == "low" else "high"
+    nominal = c.subject["kit"].get("battery/voltage")
+    end = "low" if battery == "low" else "high"
     volts = c.subject["robot"].get(f"conditions/battery/{end}")
     if volts is None and isinstance(nominal, float):
         volts = BATTERIES[battery] * nominal
@@ -267,7 +268,8 @@ def _sweeps(c: Certificate) -> list[Item]:
 
 
 def _figure(name: str, swept: Sequence[Swept], title: str, note: str, designed: float | None) -> Figure:
-    milliseconds, parts = [1e3 * s.value for s in swept], [100 * s.fell / s.runs for s in swept]
+    milliseconds = [1e3 * s.value for s in swept]
+    parts = [100 * s.fell / s.runs for s in swept]
     figure, (ax,) = panels(["fell [%]"], f"{name} [ms]")
     line(ax, "fell", milliseconds, parts)
     ax.lines[-1].set_marker("o")

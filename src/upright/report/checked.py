@@ -51,7 +51,9 @@ _SYMBOLS = (
 
 def linear_page(model: LinearModel, robot: Robot) -> Page:
     """The page of the linear model of a `robot`, which is named on it."""
-    page, period, rate = _linear(model, robot.command_unit), find_kit(robot.kit).period, _fastest(model)
+    page = _linear(model, robot.command_unit)
+    period = find_kit(robot.kit).period
+    rate = _fastest(model)
     words = f"times its controller acts, every {1e3 * period:g} ms, before a lean doubles"
     numbers = [
         (number(math.log(2) / rate / period, 2), words) if text == _DOUBLES else (value, text)

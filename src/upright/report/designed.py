@@ -66,7 +66,8 @@ def _travel(run: Release) -> str:
 def controller_section(designed: Designed) -> Section:
     """What the controller reads and commands, and the numbers that it was found by."""
     controller = designed.controller
-    spec, linear = controller.spec, near_rest(controller)
+    spec = controller.spec
+    linear = near_rest(controller)
     reads = joined([short(name) for name in spec.reads])
     first = f"It reads {reads} every {1e3 * spec.period:g} ms, and commands each motor in {spec.command_unit}."
     order = f"Near rest it is a linear system of {len(linear.A)} states." if len(linear.A) else ""

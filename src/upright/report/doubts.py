@@ -93,7 +93,8 @@ def _times(e: Estimate) -> str:
 
 def doubts(c: Calibration) -> str:
     """The reservations in a few words, as a sentence with a space before it."""
-    wrong, left_out = c.off, any(not w.white for w in c.whiteness)
+    wrong = c.off
+    left_out = any(not w.white for w in c.whiteness)
     if not wrong:
         return " But the model leaves something out." if left_out else ""
     far = [f"the {spoken(e.name)} {_comes(e) if k == 0 else _comes(e).removeprefix('comes out ')} "

@@ -104,7 +104,8 @@ GIVEN = 3  # parameters named on the first screen
 
 def _next(plan: ExcitationPlan) -> str:
     every = f"every {1e3 * plan.hold * plan.period:g} ms"
-    file, robot = typed("--output"), chosen("--robot", "--kit")
+    file = typed("--output")
+    robot = chosen("--robot", "--kit")
     if not file:
         return f"`{command() or 'upright excite'} -o plan.json` writes the plan as a file."
     law = chosen("--controller")
@@ -225,7 +226,8 @@ def _widths(plan: ExcitationPlan) -> Figure:
         "uncertainty left after the run [% of that before]",
         "parameter",
     )
-    rows, after = np.arange(len(own)), np.array([100 * p.after / p.before for p in own])
+    rows = np.arange(len(own))
+    after = np.array([100 * p.after / p.before for p in own])
     for label, colour in kinds.items():
         kept = np.array([_kind(p) == label for p in own])
         if kept.any():
@@ -258,7 +260,8 @@ def _beside(p: Predicted) -> str:
     """How uncertain a parameter is before and after, or how large it may be at most."""
     if _kind(p) == NOT_VISIBLE:
         return ""
-    low, high = p.value - p.after / 2, p.value + p.after / 2
+    low = p.value - p.after / 2
+    high = p.value + p.after / 2
     if low < ONE_SIDED * high:
         return f"≤ {cell_text(high, 2)} {p.unit}"
     return f"± {number(_per_cent(p, p.before), 2)} → {number(_per_cent(p, p.after), 2)} %"

@@ -157,7 +157,8 @@ def _narrowed(drawing: mpl.Figure) -> Generator[None]:
         across = less if box.width * width > SCALE else 0.0
         left = box.x0 * width - (less - across)
         if ax in rows:
-            across, left = across - (left - plotting.RIGHT), plotting.RIGHT
+            across = across - (left - plotting.RIGHT)
+            left = plotting.RIGHT
         if any(text.axes is ax for text in beside):
             across -= (1 - box.x1) * width - plotting.RIGHT
         inside = (box.width * width - across, box.height * height - lower)
@@ -186,7 +187,8 @@ def _narrowed(drawing: mpl.Figure) -> Generator[None]:
 def _names_above(ax: Any) -> list[Any]:
     """The names of the rows, each between its own row and the one before instead of left of it."""
     ax.tick_params(axis="y", labelleft=False)
-    across, names = ax.get_yaxis_transform(), ax.yaxis.get_major_formatter().format_ticks(ax.get_yticks())
+    across = ax.get_yaxis_transform()
+    names = ax.yaxis.get_major_formatter().format_ticks(ax.get_yticks())
     return [
         ax.annotate(
             name,

@@ -131,7 +131,8 @@ def _run(label: str, log: Log, robot: Robot | None) -> _Run:
 
 def _filled(label: str, values: Array) -> Array:
     """`values` with a straight line over rows that hold no number."""
-    good, rows = np.isfinite(values), np.arange(len(values))
+    good = np.isfinite(values)
+    rows = np.arange(len(values))
     if not good.any():
         raise InvalidLog(f"{_called(label)} has no numbers where its lean and wheels should be")
     return values if good.all() else np.interp(rows, rows[good], values[good])
@@ -180,8 +181,11 @@ class _Artists:
         (self.hand,) = ax.plot([], [], color=colour, linewidth=1.4, **shown)
 
     def place(self, row: int, camera: float) -> list[Artist]:
-        robot, x = self.run.robot, float(self.run.x[row]) - camera
-        lean, turned, radius = float(self.run.lean[row]), float(self.run.wheel[row]), robot.wheel_radius
+        robot = self.run.robot
+        x = float(self.run.x[row]) - camera
+        lean = float(self.run.lean[row])
+        turned = float(self.run.wheel[row])
+        radius = robot.wheel_radius
         self.body.set_xy(outline(robot, lean, x))
         self.wheel.set_center((x, radius))
         self.hand.set_data([x, x + radius * math.sin(turned)], [radius, radius + radius * math.cos(turned)])
@@ -243,7 +247,8 @@ class _Drawing:
 
     def _floor(self, camera: float) -> Artist:
         """Marks on the floor every 5 cm, each second one longer, so that rolling is seen."""
-        first, last = (math.ceil((camera - self.half) / FLOOR), math.floor((camera + self.half) / FLOOR))
+        first = math.ceil((camera - self.half) / FLOOR)
+        last = math.floor((camera + self.half) / FLOOR)
         x = np.repeat(FLOOR * np.arange(first, last + 1) - camera, 3)
         deep = self.scene.get_ylim()[0]
         y = np.array([part for k in range(first, last + 1) for part in (0, deep * (0.35 if k % 2 else 0.6), np.nan)])
@@ -256,8 +261,10 @@ class _Drawing:
             return []
         row = run.at(near[0][0])
         direction = math.copysign(1.0, float(run.force[row]) or 1.0)
-        now, robot = run.at(time), run.robot
-        lean, x = float(run.lean[now]), float(run.x[now]) - camera
+        now = run.at(time)
+        robot = run.robot
+        lean = float(run.lean[now])
+        x = float(run.x[now]) - camera
         tip = (x + robot.com_height * math.sin(lean), robot.wheel_radius + robot.com_height * math.cos(lean))
         self.arrow.xy = tip
         self.arrow.set_position((tip[0] - direction * 0.3 * self.half, tip[1]))
@@ -271,7 +278,8 @@ def scene(labels: tuple[str, str], times: tuple[float, float]) -> tuple[Figure, 
     low = (FOOT + PANEL + HEAD) / HEIGHT
     plane = figure.add_axes((0.0, low, 1.0, 1.0 - low))
     plane.set_axis_off()
-    each, panels = (WIDTH / 2 - LEFT - RIGHT) / WIDTH, list[Axes]()
+    each = (WIDTH / 2 - LEFT - RIGHT) / WIDTH
+    panels = list[Axes]()
     for k, label in enumerate(labels):
         ax = figure.add_axes((k / 2 + LEFT / WIDTH, FOOT / HEIGHT, each, PANEL / HEIGHT))
         ax.set_xlim(times[0], max(times[1], math.nextafter(times[0], math.inf)))

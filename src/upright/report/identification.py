@@ -43,7 +43,8 @@ def page_of(compared: MethodComparison) -> Page:
 
 def _verdict(compared: MethodComparison) -> Verdict:
     """How many regulators hold the robot: green where all, red where none do."""
-    holding, tried = len(_ranked(compared)), len(compared.trials)
+    holding = len(_ranked(compared))
+    tried = len(compared.trials)
     level = "bad" if not holding else "good" if holding == tried else "warn"
     if tried == 1:
         return Verdict("holds the robot" if holding else "does not hold the robot", level)
@@ -57,7 +58,8 @@ PRIOR = "calibrate"  # the method that starts from what is known of the robot
 
 def _title(compared: MethodComparison) -> str:
     """How many models are good for a regulator, and which one is to be taken."""
-    name, ranked = compared.samples.robot.name, _ranked(compared)
+    name = compared.samples.robot.name
+    ranked = _ranked(compared)
     if len(compared.models) < 2 or not compared.trials:
         return f"{name}: a lean doubles in {_doubling(compared)}"
     if not ranked:
@@ -102,7 +104,8 @@ def _ranked(compared: MethodComparison) -> list[str]:
 
 def _pole_figure(compared: MethodComparison) -> Figure:
     """The intervals, under what they have to do with balancing."""
-    title, poles = "The unstable pole by each method, with its 95 % interval", compared.models.items()
+    title = "The unstable pole by each method, with its 95 % interval"
+    poles = compared.models.items()
     inside = [n for n, m in poles if m.pole.low <= compared.true_pole <= m.pole.high]
     holding = [n for n, t in compared.trials.items() if t.holds]
     if inside and set(inside) == set(holding):
@@ -130,7 +133,8 @@ def _numbers(compared: MethodComparison) -> list[tuple[str | Verdict, str]]:
     if not _ranked(compared):
         return [(f"0 of {len(compared.trials)}", "regulators, each from a method's model, hold the robot")]
     best = _best(compared)
-    pole, lean = compared.models[best].pole, compared.trials[best].largest or 0.0
+    pole = compared.models[best].pole
+    lean = compared.trials[best].largest or 0.0
     true = f"; true: {cell_text(compared.true_pole, 3)} 1/s" if math.isfinite(compared.true_pole) else ""
     numbers: list[tuple[str | Verdict, str]] = [
         (f"{cell_text(pole.value, 3)} 1/s", f"unstable pole by {best}, the rate at which a lean grows{true}"),

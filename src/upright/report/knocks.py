@@ -13,7 +13,8 @@ from upright.robots.kit import Battery, Motor
 
 def robot_of(origin: Mapping[str, Any]) -> tuple[Robot, Kit] | None:
     """The nominal robot of an origin and its motors and battery; None without a kit."""
-    kit, numbers = origin.get("kit"), origin.get("robot", {})
+    kit = origin.get("kit")
+    numbers = origin.get("robot", {})
     if not kit or not isinstance(kit, Mapping):
         return None
     robot = Robot(name=numbers["name"], drive=numbers["drive"], **{n: numbers[n] for n in PARAMETERS})

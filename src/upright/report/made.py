@@ -49,7 +49,8 @@ def parsed(line: str) -> Typed:
     Typed(verb='design', arguments=['lqg'], options=[('-o', 'my lqg.json'), ('--json', '')])
     """
     _, verb, *rest = [*shlex.split(line), "", ""]
-    arguments, options = list[str](), list[tuple[str, str]]()
+    arguments = list[str]()
+    options = list[tuple[str, str]]()
     while rest:
         word = rest.pop(0)
         if not word.startswith("-"):

@@ -56,7 +56,8 @@ def _alike(data: Dataset) -> list[str]:
 
 def _map(part: Any, direction: str) -> Figure:
     impulse: Array = part["impulse"].values
-    low, high = float(np.nanmin(impulse)), float(np.nanquantile(impulse, 0.98))
+    low = float(np.nanmin(impulse))
+    high = float(np.nanquantile(impulse, 0.98))
     row, column = np.unravel_index(int(np.nanargmin(impulse)), impulse.shape)
     height, duration = float(part["height"].values[row]), float(part["duration"].values[column])
     title = f"The largest push {direction} that it survives: short pushes high up are worst"
@@ -131,11 +132,13 @@ def _slices(part: Any, direction: str) -> Figure:
 
 def push_map_page(data: Dataset) -> Page:
     origin = origin_of(data)
-    search, name = origin["push_map"], origin["robot"]["name"]
+    search = origin["push_map"]
+    name = origin["robot"]["name"]
     impulse = data["impulse"]
     row, column, way = np.unravel_index(int(np.nanargmin(values := impulse.transpose(
         "height", "duration", "direction").values)), values.shape)  # fmt: skip
-    low, duration = float(values[row, column, way]), float(data["duration"].values[column])
+    low = float(values[row, column, way])
+    duration = float(data["duration"].values[column])
     height = float(data["height"].values[row])
     kind = (origin.get("controller") or {}).get("kind", "")
     at_com = _at_centre(data)
@@ -189,7 +192,9 @@ def _ball(impulse: float) -> str:
 def _at_centre(data: Dataset) -> tuple[float, float, str] | None:
     """The height [m] of the centre of mass above the axle; the smallest impulse [N s] survived there for as long as a
     certificate knocks, between the points of the map; and what a certificate knocks with. None off the map."""
-    known, durations, heights = robot_of(origin_of(data)), data["duration"].values, data["height"].values
+    known = robot_of(origin_of(data))
+    durations = data["duration"].values
+    heights = data["height"].values
     height = float(origin_of(data)["robot"].get("com_height") or math.nan)
     if not (durations[0] <= KNOCK_DURATION <= durations[-1] and heights[0] <= height <= heights[-1]):
         return None

@@ -89,7 +89,8 @@ def how(comparison: Comparison) -> list[str]:
     release = next(iter(times.values())) if same else ", ".join(f"{label} {text}" for label, text in times.items())
     names = [str(row[0]) for row in listed_metrics(comparison).rows]
     given = bool(comparison.pushed) or comparison.release is not None
-    listed, swung = any(name in BANDS for name in names), SPOKEN_NAMES["overshoot"] in names
+    listed = any(name in BANDS for name in names)
+    swung = SPOKEN_NAMES["overshoot"] in names
     texts = [
         f"Settling{' and overshoot are those' if swung else ' is that'} of pitch about zero "
         f"{'after the release of the push' if given else 'from the first sample on,'} at {release}. "
@@ -124,8 +125,10 @@ def around(comparison: Comparison) -> tuple[float, float] | None:
         return None
     settled = max(comparison.releases[label] + seconds for label, seconds in calm.items())
     log = comparison.logs[comparison.reference]
-    start, end = float(log.t[0]), float(log.t[-1])
-    low, high = max(start, comparison.pushed[0][0] - BESIDE), min(end, settled + BESIDE)
+    start = float(log.t[0])
+    end = float(log.t[-1])
+    low = max(start, comparison.pushed[0][0] - BESIDE)
+    high = min(end, settled + BESIDE)
     short = high - low < SMALL * (end - start)
     return (low, high) if short and all(_calm(comparison, label, low, high) for label in calm) else None
 
@@ -134,7 +137,9 @@ def _calm(comparison: Comparison, label: str, low: float, high: float) -> bool:
     """Whether a run moves little before `low` and after `high` [s] in all its states: each stays within `QUIET` of its
     range of where it begins or ends; a rate, which noise drives, may swing after `high` as it does at its very end."""
     log = comparison.logs[label]
-    first, after, last = log.t < low, log.t > high, log.t > log.t[-1] - (log.t[-1] - high) / 3
+    first = log.t < low
+    after = log.t > high
+    last = log.t > log.t[-1] - (log.t[-1] - high) / 3
     for name in comparison.signals:
         y = log[f"{comparison.sources[label]}/{name}"]
         slight = max(QUIET * float(np.ptp(y)), NEGLIGIBLE.get(name, 0.0))

@@ -186,7 +186,8 @@ def _evidence(cause: Cause) -> str:
     """The evidence; of a push only what the lead does not say."""
     if not (push := cause.push):
         return f"{cause.evidence}."
-    counts, largest = f"{push.lean}°", f"{math.degrees(push.largest):.3g}°"
+    counts = f"{push.lean}°"
+    largest = f"{math.degrees(push.largest):.3g}°"
     return (
         f"that push alone explains {100 * min(push.explained, 0.999):.3g} % of the squared innovations. The speed that "
         f"it gives is as hard to stop as a lean at rest of {counts}; the motors bring back {largest} at most (a push "
@@ -241,7 +242,8 @@ def _figure(result: PostMortem) -> Figure:
         reach.plot(lost, 1.0, "o", color=INK, markersize=6)
         last_half = lost > (result.onset + result.fell_at) / 2
         beside = (-8, -12) if last_half else (8, -12)
-        words, side = f"after {lost - result.onset:.2g} s", "right" if last_half else "left"
+        words = f"after {lost - result.onset:.2g} s"
+        side = "right" if last_half else "left"
         reach.annotate(words, (lost, 1.0), beside, textcoords="offset points", ha=side)
     if push:
         _dot(reach, push)

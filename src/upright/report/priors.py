@@ -44,7 +44,8 @@ def by_name(c: Calibration) -> Figure | None:
         note += " An arrow: the bar goes on."
     if any(e.wider for e in c.parameters):
         note += " Wider: less certain than in the file, for the reason that the notes give."
-    halved, far = len(close) + len(bounded) + len(rough), sum(e.off and e.verdict != VISIBLE for e in drawn)
+    halved = len(close) + len(bounded) + len(rough)
+    far = sum(e.off and e.verdict != VISIBLE for e in drawn)
     title = "The 95 % interval of each parameter after this log, and before: "
     title += f"{halved or 'none'} of {len(c.parameters)} at least halved{f', {far} moved far off' if far else ''}"
     return Figure(title, _bars(c), note)

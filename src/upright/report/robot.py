@@ -28,7 +28,8 @@ def labelled(robot: Robot) -> Figure:
     figure, (side, top) = empty(2, height=2.9)
     R, L = robot.wheel_radius, robot.com_height
     stand(side, robot, LEAN, TURN)
-    height, centre = height_of(robot), (L * math.sin(LEAN), R + L * math.cos(LEAN))
+    height = height_of(robot)
+    centre = (L * math.sin(LEAN), R + L * math.cos(LEAN))
     tip = (height * math.sin(LEAN), R + height * math.cos(LEAN))
     side.plot([0, 0], [R, R + 1.05 * height], linestyle="--", color=INK, linewidth=0.8)
     side.plot([0, tip[0]], [R, tip[1]], linestyle="--", color=INK, linewidth=0.8)
@@ -89,14 +90,19 @@ def stand(ax: Axes, robot: Robot, pitch: float, wheel: float, x: float = 0.0) ->
 
 def outline(robot: Robot, pitch: float, x: float) -> list[tuple[float, float]]:
     """The corners of the body from its side [m], at `pitch` [rad], over an axle at `x` [m]."""
-    R, half, height = robot.wheel_radius, robot.body_depth / 2, height_of(robot)
-    across, up = (math.cos(pitch), -math.sin(pitch)), (math.sin(pitch), math.cos(pitch))
+    R = robot.wheel_radius
+    half = robot.body_depth / 2
+    height = height_of(robot)
+    across = (math.cos(pitch), -math.sin(pitch))
+    up = (math.sin(pitch), math.cos(pitch))
     corners = [(a * half, b) for a, b in ((-1, 0), (1, 0), (1, height), (-1, height))]
     return [(x + a * across[0] + b * up[0], R + a * across[1] + b * up[1]) for a, b in corners]
 
 
 def _above(ax: Axes, robot: Robot) -> None:
-    half, R, thick = robot.track / 2, robot.wheel_radius, 0.25 * robot.wheel_radius
+    half = robot.track / 2
+    R = robot.wheel_radius
+    thick = 0.25 * robot.wheel_radius
     depth = robot.body_depth
     ax.add_patch(Rectangle((-depth / 2, -0.7 * half), depth, 1.4 * half, facecolor=BODY, alpha=0.25, edgecolor=BODY))
     for side in (-1, 1):

@@ -34,7 +34,8 @@ def way(log: Log) -> str:
 
 def leans_into(comparison: Comparison) -> str:
     """That a robot leans against a lasting push, which looks like a wrong sign; with a space before it."""
-    label, log = comparison.reference, comparison.logs[comparison.reference]
+    label = comparison.reference
+    log = comparison.logs[comparison.reference]
     if way(log) != "backward " or len(comparison.pushed) != 1 or comparison.metrics[label].fell:
         return ""
     start, stop = comparison.pushed[0]
@@ -44,7 +45,8 @@ def leans_into(comparison: Comparison) -> str:
 
 def travel(comparison: Comparison, label: str) -> tuple[str, str]:
     """How far the robot rolls, where the radius of its wheels is known, and how far its wheels turn."""
-    turn, ahead = comparison.metrics[label].wheel_travel, _rolls(comparison, label)
+    turn = comparison.metrics[label].wheel_travel
+    ahead = _rolls(comparison, label)
     radius = comparison.logs[label].origin.get("robot", {}).get("wheel_radius")
     if not radius or not math.isfinite(turn):
         return degrees(turn), f"largest turn of the wheels{ahead}"
@@ -71,7 +73,8 @@ def band(comparison: Comparison, ax: Axes) -> None:
     calm, limit = comparison.at_rest(label)
     if math.isfinite(calm):
         for side in (-1, 1):
-            level, start = side * math.degrees(limit), comparison.releases[label]
+            level = side * math.degrees(limit)
+            start = comparison.releases[label]
             ax.hlines(level, start, log.t[-1], linestyle=":", linewidth=1.2, color=AXIS)
         at = comparison.releases[label] + calm
         if at < log.t[-1]:
@@ -96,7 +99,8 @@ def alone(comparison: Comparison, name: str) -> str:
         return f"{sentence(words(name), '')} stays at 0°{log.unit(source).removeprefix('rad')}"
     finite = log[source][np.isfinite(log[source])]
     furthest = float(finite[np.abs(finite).argmax()]) if len(finite) else 0.0
-    size, per = f"{'−' if furthest < 0 else ''}{degrees(furthest)}", log.unit(source).removeprefix("rad")
+    size = f"{'−' if furthest < 0 else ''}{degrees(furthest)}"
+    per = log.unit(source).removeprefix("rad")
     return f"{sentence(words(name), '')} reaches {size}{per}"
 
 
@@ -109,7 +113,8 @@ def untouched(comparison: Comparison) -> bool:
 def untouched_title(comparison: Comparison) -> str:
     """That nothing pushed it, and how far it swayed."""
     ((label, log),) = comparison.logs.items()
-    name, peak = log.origin.get("robot", {}).get("name", "") or "the robot", comparison.metrics[label].pitch_peak
+    name = log.origin.get("robot", {}).get("name", "") or "the robot"
+    peak = comparison.metrics[label].pitch_peak
     did = "stood still for" if motionless(log) else f"swayed by at most {cell_text(math.degrees(abs(peak)), 2)}° in"
     return f"Nothing pushed {name}: it {did} {outcome_of(log).seconds:.4g} s"
 
@@ -117,7 +122,8 @@ def untouched_title(comparison: Comparison) -> str:
 def untouched_lead(comparison: Comparison) -> str:
     """Why the run tests nothing, and the same run with a push."""
     ((label, log),) = comparison.logs.items()
-    kind, what = log.origin.get("controller", {}).get("kind", ""), comparison.kinds[label]
+    kind = log.origin.get("controller", {}).get("kind", "")
+    what = comparison.kinds[label]
     why = motionless(log) or "What its sensors misread is all that moves it."
     began = f"A run of the {what}{f' under {kind}' if kind else ''}, begun exactly upright: it tests nothing."
     command = f"{again('upright simulate', '--push')} {PUSHED}"

@@ -93,7 +93,9 @@ def _starts(log: LogJudged) -> str:
     return f"{text} {'That hardly raises R².' if few else 'So few readings make R² too high.'}"
 
 
-STATES, FEW = len(STATE_NAMES), 0.1  # of the readings, up to which numbers fitted to them hardly show
+# of the readings, up to which numbers fitted to them hardly show
+STATES = len(STATE_NAMES)
+FEW = 0.1
 
 
 def _title(result: Validation) -> str:
@@ -115,7 +117,8 @@ def _title(result: Validation) -> str:
 def _each(log: LogJudged) -> str:
     """R² of each sensor that is judged, of both encoders the smaller."""
     judged = sorted((c for c in log.half_seconds if c.name in PREDICTED), key=lambda c: c.r2)
-    names, least_r2 = {c.name for c in judged}, dict[str, float]()
+    names = {c.name for c in judged}
+    least_r2 = dict[str, float]()
     for c in judged:
         least_r2.setdefault(_called(c.name, names), c.r2)
     return ", ".join(f"{name} {f'≥ {least_of(r2, 3)}' if r2 >= 0 else 'below 0'}" for name, r2 in least_r2.items())

@@ -68,7 +68,8 @@ def conditions_of(table: Mapping[str, Any], where: str) -> Conditions:
     toml.check_keys(inner, UNITS, where, "conditions.")
     ranges: dict[str, Range] = {}
     for name in inner:
-        ends, called = toml.subtable(inner, name, where), f"conditions.{name}"
+        ends = toml.subtable(inner, name, where)
+        called = f"conditions.{name}"
         toml.check_keys(ends, _KEYS, where, f"{called}.")
         if missing := [key for key in _KEYS if key not in ends]:
             hint = f'[{called}] low = …, high = …, unit = "{UNITS[name]}"'

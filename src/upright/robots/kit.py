@@ -222,7 +222,8 @@ def kit_of(table: toml.Table, where: str) -> Kit:
     for side in ("encoder_left", "encoder_right"):
         if (encoder := sensors.get(f"sensor/{side}")) is not None:
             kit.wiring.edges(encoder.quantum, f"{where}: sensors.{side}")
-    drop, most = kit.motor.drop, kit.most("V")
+    drop = kit.motor.drop
+    most = kit.most("V")
     if drop and drop >= most:
         raise InvalidRobot(f"{where}: motor.drop is {drop:g} V", expected=f"less than the {most:g} V of the motors",
                            likely="millivolts")  # fmt: skip

@@ -234,7 +234,8 @@ class _Rule(NamedTuple):
 def unusual(numbers: Mapping[str, float]) -> str:
     """The number that lies furthest from those of the shipped robots, with theirs; "" where none is far off."""
     shipped = [Robot.preset(name).numbers() for name in preset_names()]
-    far, words = _UNUSUAL, ""
+    far = _UNUSUAL
+    words = ""
     for name, value in numbers.items():
         usual = sorted(robot[name] for robot in shipped if robot[name] > 0)
         if usual and value > 0 and (factor := max(value / usual[-1], usual[0] / value)) > far:
@@ -246,7 +247,8 @@ def unusual(numbers: Mapping[str, float]) -> str:
 
 
 def _sign(name: str) -> _Rule:
-    unit, zero = PARAMETERS[name][0], name in MAY_BE_ZERO
+    unit = PARAMETERS[name][0]
+    zero = name in MAY_BE_ZERO
     lower = "zero or more" if zero else "more than zero"
     least, most = LEAST, _MOST
 

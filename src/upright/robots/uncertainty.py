@@ -354,7 +354,8 @@ def roll_bounds(pitch: Any, yaw: Any) -> tuple[Any, Any]:
 
 
 def _spread(robot: Robot, name: str, size: float) -> Spread:
-    value, guess = getattr(robot, name), stated(robot, name) is None
+    value = getattr(robot, name)
+    guess = stated(robot, name) is None
     return Spread(name, "lognormal", value, GUESS) if guess else Spread(name, "normal", value, size)
 
 

@@ -54,7 +54,8 @@ def pushed(setup: TrialSetup, *, blamed: bool = False) -> Runs:
     trials = list[PushTrial]()
     lived, settling, effort = list[float](), list[Array](), list[Array]()
     for one in tried(setup):
-        run, stood = one.run, ~one.run.fell
+        run = one.run
+        stood = ~one.run.fell
         trials.append(one.counted if blamed else one.trial)
         fell |= run.fell
         beyond |= one.beyond if blamed else False

@@ -111,7 +111,8 @@ class Scorer:
         change = SLACK * slack(self.floor)
         if self.floor.radius >= 1:
             return [loop]
-        K, changed = loop.controller, list[Loop]()
+        K = loop.controller
+        changed = list[Loop]()
         for factor in (1 - change, 1 + change):
             for direction in INPUTS.values():
                 gains = _gains(np.array(direction), factor)
@@ -125,7 +126,8 @@ class Scorer:
         """The robot with the floor's delay in its commands, or in one sensor."""
         assert self.floor is not None
         if not self._delayed:
-            reads, more = controller.spec.reads, min(self.floor.delay * SLACK, LATEST)
+            reads = controller.spec.reads
+            more = min(self.floor.delay * SLACK, LATEST)
             kits = [delayed_kit(self.kit, more, at) for at in ("", *(n for n in reads if n in self.kit.sensors))]
             models = [sampled(self.robot, kit, self.period, reads, longest=MOST_PERIODS) for kit in kits]
             self._delayed = [commanded_plant(model) for model in models]

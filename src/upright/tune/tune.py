@@ -209,7 +209,8 @@ def tune(
     """
     require("upright tune", "cma")
     nominal = find_robot(robot)
-    parts, chosen = find_kit(kit or nominal.kit), _method(method)
+    parts = find_kit(kit or nominal.kit)
+    chosen = _method(method)
     check_within("candidates of a search", budget, 1, MOST_BUDGET)
     check_within("robots drawn", samples, FEWEST, MOST_SAMPLES)
     check_within("as a seed", seed, 0, 2**61 - 1)
@@ -267,11 +268,13 @@ class _Task:
 
     def scorer(self) -> Scorer:
         """What scores candidates in the search."""
-        default, seed = self.controller(self.defaults), SEARCHED + self.seed
+        default = self.controller(self.defaults)
+        seed = SEARCHED + self.seed
         drawn = draw(self.robot, DRAWN, seed)
         kernel = kernel_controller(default, self.robot, self.kit)
         order = hardest(TrialSetup(kernel, self.robot, drawn, self.kit, seed, self.threads))
-        hard, rest = order[: ROBOTS // 2], sorted(order[ROBOTS // 2 :])
+        hard = order[: ROBOTS // 2]
+        rest = sorted(order[ROBOTS // 2 :])
         return Scorer(
             self.method, self.robot, self.kit, [drawn[i] for i in rest[: ROBOTS - len(hard)]],
             hard=[drawn[i] for i in hard], period=self.kit.period, seed=seed, threads=1,
@@ -289,7 +292,8 @@ class _Task:
         self, several: Sequence[Mapping[str, float]], samples: int, purpose: int, progress: Progress = unwatched
     ) -> list[Point]:
         """Figures under each of `several` weights, on robots and noise of that `purpose`."""
-        each, points = max(1, self.threads // len(several)), list[Point]()
+        each = max(1, self.threads // len(several))
+        points = list[Point]()
 
         def measured(weights: Mapping[str, float]) -> Figures:
             controller = self.controller(weights)
@@ -329,7 +333,8 @@ def _finalists(candidates: Sequence[Candidate]) -> list[Candidate]:
         lambda s: s.effort,
     ]
     queues = [sorted(kept, key=lambda c, order=order: order(c.score)) for order in orders]
-    best_first, most = list[Candidate](), max(1, min(FINALISTS, len(candidates) // 20))
+    best_first = list[Candidate]()
+    most = max(1, min(FINALISTS, len(candidates) // 20))
     for turn in range(len(queues) * len(kept)):
         queue = queues[turn % len(queues)]
         best = next((c for c in queue if c not in best_first), None)
@@ -362,7 +367,8 @@ def _result(task: _Task, points: Sequence[Point], evaluated: int, budget: int, s
     front = [default, *(p for p in points[1:] if p is picked or not any(_beats(q, p) for q in points))]
     both = [default.weights] if picked is default else [default.weights, picked.weights]
     judged = task.points(both, samples, JUDGED)
-    base, best = judged[0].figures, judged[-1].figures
+    base = judged[0].figures
+    best = judged[-1].figures
     kept = "" if picked is not default else "no candidate was better and nowhere worse"
     if worse := best.worse(base):
         kept = f"on robots that the search never saw, the weights that it found are worse in {' and '.join(worse)}"

@@ -146,7 +146,8 @@ def law_of(log: Log, rows: Sequence[str]) -> LinearLaw | float:
     prefix = "command" if "command/left" in log and "command/right" in log else "applied"
     left, right = log[f"{prefix}/left"], log[f"{prefix}/right"]
     u = np.column_stack([(left + right) / 2, (right - left) / 2])
-    terms, added = _terms(log, rows), _added(log)
+    terms = _terms(log, rows)
+    added = _added(log)
     laws: list[LinearLaw] = []
     for choice in (_forward, _states, _backward):  # states that move together hide each other from one at a time
         laws += [_fitted(u, terms, added, delay, choice) for delay in (0, 1)]
@@ -182,7 +183,8 @@ Choice = Callable[[Array, Mapping[str, Array], Array, Mask], list[str]]
 def _fitted(u: Array, terms: Mapping[str, Array], added: Mapping[str, Array], delay: int, choice: Choice) -> LinearLaw:
     """The shortest law with this delay, of the terms that `choice` finds."""
     n = len(u) - delay
-    y, fitted = u[delay:], np.arange(n) < FITTED * n
+    y = u[delay:]
+    fitted = np.arange(n) < FITTED * n
     known = np.column_stack([np.ones(n), *(values[delay:] for values in added.values())])
     pool = {name: values[:n] for name, values in terms.items()}
     chosen = choice(known, pool, y, fitted)
@@ -200,7 +202,8 @@ def _fitted(u: Array, terms: Mapping[str, Array], added: Mapping[str, Array], de
 
 def _forward(known: Array, pool: Mapping[str, Array], y: Array, fitted: Mask) -> list[str]:
     """One term after the other, each the one that explains most."""
-    chosen, left = list[str](), _of(known, pool, [], y, fitted)[1]
+    chosen = list[str]()
+    left = _of(known, pool, [], y, fitted)[1]
     while pool.keys() - chosen and len(chosen) < MOST_TERMS and left > EXACT:
         tries = {name: _of(known, pool, [*chosen, name], y, fitted)[1] for name in pool if name not in chosen}
         name = min(tries, key=lambda one: tries[one])

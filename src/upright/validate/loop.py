@@ -51,8 +51,12 @@ class _Plant:
         from upright.calibrate.motion import block_of
 
         lanes = problem.lanes(recording, z[:, None])
-        self._w, self._longest, self._reads = block_of(lanes.robots), problem.longest, lanes.reads[:, :, 0]
-        self._offsets, self._now, self._swing = first[6:, None].copy(), np.full(1, np.nan), lanes.swing
+        self._w = block_of(lanes.robots)
+        self._longest = problem.longest
+        self._reads = lanes.reads[:, :, 0]
+        self._offsets = first[6:, None].copy()
+        self._now = np.full(1, np.nan)
+        self._swing = lanes.swing
         self.command = np.zeros(2)
         self._put(first)
 
@@ -84,12 +88,15 @@ class _Plant:
 def closed_loop(problem: Problem, recording: Recording, z: Array, log: Log, kit: Kit, law: CommandLaw) -> FreeLoop:
     """The loop of `law` and the robot at `z` (parameters,), simulated from the log's first state to its end."""
     order, when, start, first = first_state(problem, recording, z)
-    plant, line = _Plant(problem, recording, z, first), _Line(log, kit)
-    names, estimated = recording.rows, [n for n in ESTIMATES if n in log and "body" not in log.origin]
+    plant = _Plant(problem, recording, z, first)
+    line = _Line(log, kit)
+    names = recording.rows
+    estimated = [n for n in ESTIMATES if n in log and "body" not in log.origin]
     shown = (*names, *((PITCH,) if PITCH in log else ()))
     computed = np.column_stack([np.zeros((len(log), 0)), *(log[n] for n in estimated)])
     measured = np.column_stack([log[name] for name in shown])
-    simulated, known = np.full_like(measured, np.nan), measured[:, : len(names)].copy()
+    simulated = np.full_like(measured, np.nan)
+    known = measured[:, : len(names)].copy()
     sample = np.searchsorted(log.t, recording.when - 1e-9)
     odd = np.column_stack([left_out(log, name) for name in names])  # the law gets the simulated ones
     last = order[:start][recording.kind[order[:start]] < 0]
@@ -112,7 +119,8 @@ def closed_loop(problem: Problem, recording: Recording, z: Array, log: Log, kit:
         if not abs(plant.state[0]) < LYING:
             fell = float(when[event])
             break
-        kind, row = int(recording.kind[event]), int(sample[event])
+        kind = int(recording.kind[event])
+        row = int(sample[event])
         if kind >= 0:
             simulated[row, kind] = known[row, kind] = plant.reading(kind)
             of_sensor = [i for i, n in enumerate(estimated) if SOURCE[n] == SENSOR[names[kind]]]

@@ -93,7 +93,8 @@ def _judged(log: Log, robot: Robot, kit: Kit, controller: Controller | None) -> 
     log, left = on_its_wheels(log)
     log, meant = as_driven(log, robot, kit)
     problem, limits = prepared([log], robot, kit, (), 0.0)
-    recording, z = problem.recordings[0], np.zeros(len(problem.parameters))
+    recording = problem.recordings[0]
+    z = np.zeros(len(problem.parameters))
     parts, pushed = unpushed(segments(problem, recording, z), log)
     law, words = _law(log, recording.rows, controller)
     loop: FreeLoop | None = closed_loop(problem, recording, z, log, kit, law) if law else None
@@ -184,7 +185,8 @@ def _shifts(problem: Problem, limits: dict[str, float], log: Log) -> tuple[Shift
     beyond = np.abs(gradient) / np.sqrt(curvature)
     steps = -gradient / curvature
     likely = [i for i, p in enumerate(problem.parameters) if beyond[i] > CHANCE and not p.name.startswith(EQUATION)]
-    before, shifts = _score(problem, z, log), list[Shift]()
+    before = _score(problem, z, log)
+    shifts = list[Shift]()
     for i in sorted(likely, key=lambda i: -beyond[i])[:TRIED]:
         p = problem.parameters[i]
         full = float(np.clip(steps[i], max(p.least, -LARGEST_STEP), LARGEST_STEP))

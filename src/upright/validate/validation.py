@@ -283,7 +283,9 @@ def loop_channels(loop: FreeLoop) -> tuple[ChannelFit, ...]:
     window = max(1, round(SMOOTH / float(np.median(np.diff(loop.t)))))
     for i, name in enumerate(loop.names):
         there = np.isfinite(loop.measured[:, i])
-        y, simulated, t = loop.measured[there, i], loop.simulated[there, i], loop.t[there]
+        y = loop.measured[there, i]
+        simulated = loop.simulated[there, i]
+        t = loop.t[there]
         first = int(np.isfinite(simulated).argmax())
         y, simulated, t = y[first:], simulated[first:], t[first:]
         variance = max(float(y.var()), 1e-30)
