@@ -9,9 +9,9 @@ size of the applied command, the share of samples at the limit, and the chatteri
 
 from __future__ import annotations
 
-import argparse
 from dataclasses import dataclass
 
+import harness
 import numpy as np
 
 from upright.bodies import Electronics, make_body
@@ -41,12 +41,8 @@ class Row:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--body", default="twin")
-    parser.add_argument("--robot", nargs="*", default=preset_names())
-    parser.add_argument("--controller", nargs="*", default=[name for name in CONTROLLERS if name != "lqr-state"])
-    parser.add_argument("--seeds", type=int, default=1)
-    options = parser.parse_args()
+    every = tuple(name for name in CONTROLLERS if name != "lqr-state")
+    options = harness.options(__doc__, body="twin", robot=tuple(preset_names()), controller=every, seeds=1)
     columns = {"hold": 6, "fell": 6, "peak": 7, "settled": 9, "offset": 8, "effort": 8, "limit": 7, "chatter": 9}
     head = f"{'robot':<20}{'controller':<18}" + "".join(f"{name:>{width}}" for name, width in columns.items())
     print(f"{options.body}, {options.seeds} seed(s)", head, sep="\n")
