@@ -64,7 +64,8 @@ def coverage(name: str, seeds: int, facts: bool) -> None:
         f"\n{name} on kit {kit.name}, {seeds} logs; unstable pole {true:.3f} 1/s; {failed} failed; {spent:.1f} s a log"
     )
     table = harness.Table(
-        "  method <22", "mean >8.2f", "scatter >9.2f", "bias >8.2f", "its estimate >17", "truth inside >32", "holds >7.0%",
+        "  method <22", "mean >8.2f", "scatter >9.2f", "bias >8.2f", "its estimate >17", "truth inside >32",
+        "holds >7.0%",
     )  # fmt: skip
     for method in METHODS:
         values = np.array(poles[method])

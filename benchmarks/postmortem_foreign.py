@@ -58,9 +58,8 @@ def main() -> None:
     words = ["named" if t.right else "wrong" if t in wrong else "none" for t in runs]
     calls = Counter(words)
     print(f"{dict(calls)}, refused: {sum(bool(t.robot) for t in told) - len(runs)}")
-    print(
-        f"named: {harness.share(calls['named'], len(runs))}; wrong at 0.8 or more: {sum(t.nats[0] >= 0.8 for t in wrong)}"
-    )
+    sure = sum(t.nats[0] >= 0.8 for t in wrong)
+    print(f"named: {harness.share(calls['named'], len(runs))}; wrong at 0.8 or more: {sure}")
 
 
 if __name__ == "__main__":
