@@ -52,7 +52,7 @@ def asked_of(executable: str, folder: str, case: str) -> Told:
     call = [*shlex.split(executable), truth["command"], *truth["logs"], *robot, "--json"]
     try:
         own = {n: v for n, v in os.environ.items() if n != "PYTHONPATH"}  # of an installed program, not of this one
-        ended = subprocess.run(call, cwd=path.parent, env=own, capture_output=True, text=True, timeout=LONGEST)
+        ended = subprocess.run(call, cwd=path.parent, env=own, capture_output=True, text=True, timeout=LONGEST)  # noqa: PLW1510
         answer = json.loads(ended.stdout)
     except subprocess.TimeoutExpired:
         return Told(case, 0, 1, f"no answer in {LONGEST} s", clock.wall, trouble=True)

@@ -20,6 +20,7 @@ import harness
 import numpy as np
 
 from planted.falls import CAUSES, NO_FALL, ROBOTS, SEED, NoFall, planted
+from upright.diagnose import PostMortem
 from upright.diagnose.evidence import gather
 from upright.diagnose.verdict import ranked
 from upright.errors import UprightError
@@ -28,7 +29,8 @@ from upright.robots import Kit, Robot
 
 @dataclass(frozen=True)
 class Told:
-    """What was planted and what was said of it; `trouble` says why there is no run, or no verdict."""
+    """What was planted and what was said of it, the `first` cause and its likelihood; `trouble` says why there is no
+    run, or no verdict."""
 
     planted: str
     seed: int
@@ -40,13 +42,22 @@ class Told:
     seconds: float = 0.0
     trouble: str = ""
     with_file: str = ""
-    nats: tuple[float, ...] = ()
+    first: str = ""
+    likelihood: float = 0.0
 
     def __str__(self) -> str:
         if self.trouble:
             return f"{self.seed} {self.robot} {self.planted}: {self.trouble}"
         said = f"{'right' if self.right else 'WRONG'}: {self.why or self.verdict} ({self.seconds:.0f} s)"
         return f"{self.seed} {self.robot} {self.planted} {self.how}: {said}"
+
+
+def answered(told: Told, found: PostMortem, clock: harness.Clock) -> Told:
+    """With what a post-mortem says."""
+    odds = ", ".join(f"{c.name} {c.likelihood:.2f}" for c in found.causes[:3]) or found.verdict
+    first = found.causes[0] if found.causes else None
+    told = replace(told, verdict=found.verdict, why=f"{odds}; {first.evidence if first else ''}", seconds=clock.cpu)
+    return replace(told, first=first.name, likelihood=first.likelihood) if first else told
 
 
 def judged(key: tuple[str, int]) -> Told:

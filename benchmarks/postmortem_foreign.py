@@ -14,7 +14,7 @@ from collections import Counter
 from pathlib import Path
 
 import harness
-from postmortem import Told
+from postmortem import Told, answered
 
 from planted import foreign
 from upright.diagnose import post_mortem
@@ -26,7 +26,7 @@ UNKNOWN = ("none of these", "cannot tell", "it did not fall")
 
 
 def judged(key: tuple[str, str, int]) -> Told:
-    """One fall, made and examined; `nats` is the likelihood of the first cause."""
+    """One fall, made and examined."""
     name, cause, seed = key
     case = foreign.fall(name, cause, seed)
     if case is None:
@@ -37,11 +37,8 @@ def judged(key: tuple[str, str, int]) -> Told:
         found = post_mortem(apply(propose(log), log) if isinstance(log, RawTable) else log, case.file)
     except InvalidLog as error:
         return Told(cause, seed, name, how, trouble=f"refused, {error}")
-    odds = ", ".join(f"{one.name} {one.likelihood:.2f}" for one in found.causes[:3]) or found.verdict
-    why = f"{odds}; {found.causes[0].evidence if found.causes else ''}"
-    first = found.causes[0].likelihood if found.causes else 0.0
-    right = found.verdict == foreign.RIGHT[cause]
-    return Told(cause, seed, name, how, found.verdict, right, why, clock.cpu, nats=(first,))
+    told = Told(cause, seed, name, how, right=found.verdict == foreign.RIGHT[cause])
+    return answered(told, found, clock)
 
 
 def main() -> None:
@@ -58,7 +55,7 @@ def main() -> None:
     words = ["named" if t.right else "wrong" if t in wrong else "none" for t in runs]
     calls = Counter(words)
     print(f"{dict(calls)}, refused: {sum(bool(t.robot) for t in told) - len(runs)}")
-    sure = sum(t.nats[0] >= 0.8 for t in wrong)
+    sure = sum(t.likelihood >= 0.8 for t in wrong)
     print(f"named: {harness.share(calls['named'], len(runs))}; wrong at 0.8 or more: {sure}")
 
 
