@@ -25,16 +25,10 @@ from upright.parity import execute_arm, execute_avr, executed_parity
 from upright.parity.execute import execute
 from upright.robots import Kit, Robot
 
-ROWS: tuple[tuple[str, str, str], ...] = (
-    ("c", "float", "arm7"),
-    ("c", "fixed", "arm7"),
-    ("c", "double", "arm7"),
-    ("c", "float", "avr"),
-    ("c", "fixed", "avr"),
-    ("arduino", "float", "avr"),
-    ("arduino", "fixed", "avr"),
-    ("nxc", "float", "nxt"),
-)
+ROWS = (
+    ("c", "float", "arm7"), ("c", "fixed", "arm7"), ("c", "double", "arm7"), ("c", "float", "avr"),
+    ("c", "fixed", "avr"), ("arduino", "float", "avr"), ("arduino", "fixed", "avr"), ("nxc", "float", "nxt"),
+)  # fmt: skip
 
 
 def main() -> None:
