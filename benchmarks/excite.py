@@ -75,7 +75,7 @@ def possible(robot: Robot) -> bool:
     """Whether the twin can be: its wheels' own inertias must leave the body a rigid one."""
     try:
         Twin(robot)
-    except UprightError:
+    except (ValueError, UprightError):  # MuJoCo says the first
         return False
     return True
 
