@@ -9,32 +9,24 @@ not hold.
 
 from __future__ import annotations
 
-import argparse
-import os
-import platform
 import sys
-import time
 from importlib import import_module
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
+import harness
 
 PARTS = ("calls", "flights", "interrupts", "lab", "mutants")
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("part", choices=PARTS)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--minutes", type=float)
-    options = parser.parse_args()
-    print(f"{options.part}, seed {options.seed}; {os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}, "
-          f"Python {platform.python_version()}")  # fmt: skip
-    began, broken = time.monotonic(), 0
+    options = harness.options(__doc__, ("part", str), seed=1, minutes=float)
+    if options.part not in PARTS:
+        raise SystemExit(f"part {options.part!r}; expected one of {', '.join(PARTS)}")
+    harness.machine()
+    clock, broken = harness.Clock(), 0
     for what, value, bar, held in import_module(f"planted.abuse.{options.part}").measure(options.seed, options.minutes):
         broken += not held
         print(f"{'  ' if held else '! '}{what:<64}{value:>18}   (bar {bar})", flush=True)
-    print(f"{broken} not held, {time.monotonic() - began:.0f} s")
+    print(f"{broken} not held, {clock}")
     return min(broken, 1)
 
 

@@ -5,33 +5,27 @@
     python benchmarks/calibrate.py --quiet 100       # coverage on logs that nobody excited: a hold and its release
     python benchmarks/calibrate.py --families 100    # coverage where friction, winding and floor differ between runs
 
-Truth is drawn from what each preset says of its own numbers (value and spread); the controller and the calibration know
-the preset alone. Robots that the preset's controller cannot hold fall, and are left out and counted.
+With `--untimed` the timing is left out, with `--whole` SciPy's fit runs to its end (several minutes). Of a family are
+calibrated: its three runs together, the first alone, and the three where one body is heavier (`--plain`: the first of
+these). Truth is drawn from what each preset says of its own numbers (value and spread), from seed `--first` on; the
+controller and the calibration know the preset alone. Robots that the preset's controller cannot hold fall, and are left
+out and counted. `--results` is a file in which answers are kept, for a run that goes on later.
 """
 
 from __future__ import annotations
 
-import argparse
-import math
-import os
-import platform
-import sys
 import time
-from collections.abc import Callable, Sequence
-from dataclasses import replace
-from importlib.metadata import version
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the command `upright` does
-
+import harness
 import numpy as np
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
 
 from planted.twins import DITHER, FLOOR, RUNS, drawn, runs_of, truth, twin_log
 from upright.calibrate.annealing import annealed
 from upright.calibrate.calibrate import calibrate, prepared
-from upright.calibrate.estimate import VISIBLE
+from upright.calibrate.estimate import VISIBLE, Estimate
 from upright.calibrate.fitting import Problem, events_of
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.parameters import ROLLING
@@ -46,116 +40,96 @@ EIGHT = (
     "com_height", "pitch_inertia", "yaw_inertia", "torque_constant", "motor_friction", "coulomb_friction",
     "delay/encoder", "delay/gyro",
 )  # fmt: skip
-
-
 GAP = "delay/gyro−encoder"  # a difference of two that are counted
 HEAVIER = 1.2  # [1] the body's mass in one run of three, over that in the others
+EXCITED, QUIET = "20 s, excited", "10 s, quiet"
+TOGETHER, ALONE, HEAVY = "three runs", "one of them", "one is heavier"
 
 
-def families(name: str, seeds: Sequence[int], *, plain: bool = False) -> None:
-    """How often the robot's own number lies in the interval of what is called visible, of its three runs together and
-    of the first alone, where friction, winding and floor differ from run to run; and how often a run is said to differ
-    from the others, where none does and where one has another body. With `plain`, of the three runs together alone."""
+@dataclass(frozen=True)
+class Told:
+    """What a calibration of a robot's log, or of its runs, says: how many deviations each visible number is off its
+    truth, 0 where its interval holds it; the error of the pole; and `trouble` where there is no calibration."""
+
+    robot: str
+    kind: str
+    seed: int
+    off: dict[str, float]
+    pole: float = 0.0
+    visible: int = 0
+    supported: int = 0
+    apart: str = ""
+    seconds: float = 0.0
+    trouble: str = ""
+
+    def __str__(self) -> str:
+        missed = ", ".join(f"{name} {by:+.1f} deviations" for name, by in self.off.items() if by)
+        held = f"{sum(not by for by in self.off.values())} of {len(self.off)} hold"
+        said = self.trouble or f"{held}{f' ({missed})' if missed else ''}; {self.seconds:.0f} s"
+        return f"{self.robot}, {self.kind}, seed {self.seed}: {said}"
+
+
+def off(estimates: Iterable[Estimate], right: dict[str, float]) -> dict[str, float]:
+    """By how many deviations each visible number misses its truth; 0 where its interval holds it."""
+    seen = [e for e in estimates if e.verdict == VISIBLE and e.name in right]
+    return {e.name: 0.0 if e.low <= right[e.name] <= e.high else (e.value - right[e.name]) / e.spread for e in seen}
+
+
+def logs_of(name: str, kind: str, true: Robot, seed: int) -> list[Log]:
+    """The logs of a robot for one of the kinds of calibration."""
+    if kind in (EXCITED, QUIET):
+        return [twin_log(name, true, seed, 20.0 if kind == EXCITED else 10.0, quiet=kind == QUIET)]
+    logs = runs_of(name, true, seed)
+    if kind == HEAVY:
+        logs[seed % RUNS] = runs_of(name, true.replace(body_mass=HEAVIER * true.body_mass), seed)[seed % RUNS]
+    return logs[:1] if kind == ALONE else logs
+
+
+def judged(key: tuple[str, str, int]) -> Told:
+    """One robot, drawn, logged and calibrated."""
+    name, kind, seed = key
     robot = Robot.preset(name)
-    held: dict[str, dict[str, list[bool]]] = {"three runs": {}} | ({} if plain else {"one of them": {}})
-    left_out, apart = 0, {"alike": [], "one is heavier": []}
-    for seed in seeds:
-        true = drawn(robot, seed)
-        if ROLLING in robot.provenance:
-            true = true.replace(rolling_friction=FLOOR)
-        logs = runs_of(name, true, seed)
-        if any(log.origin["outcome"]["fell"] for log in logs):
-            left_out += 1
+    true, family = drawn(robot, seed), kind not in (EXCITED, QUIET)
+    if family and ROLLING in robot.provenance:
+        true = true.replace(rolling_friction=FLOOR)
+    logs, clock = logs_of(name, kind, true, seed), harness.Clock()
+    if any(log.origin["outcome"]["fell"] for log in logs):
+        return Told(name, kind, seed, {}, trouble="fell")
+    try:
+        found = calibrate(logs, robot)
+    except UprightError as error:
+        return Told(name, kind, seed, {}, trouble=f"refused: {error}")
+    right = truth(name, true) | {"unstable_pole": rolling_pole(true)}
+    # floors differ between the runs of a family, and the constant command with them
+    besides = (found["asymmetry"], found["unstable_pole"]) if family else found.electronics
+    numbers = (*found.parameters, *found.delays, *besides)
+    visible = {e.name for e in (*numbers, *found.combinations) if e.verdict == VISIBLE} - {GAP}
+    pole = abs(rolling_pole(found.robot) / right["unstable_pole"] - 1)
+    apart = found.apart[0] if found.apart else ""
+    return Told(name, kind, seed, off(numbers, right), pole, len(visible), found.supported, apart, clock.wall)
+
+
+def report(told: Sequence[Told]) -> None:
+    """Coverage, pole and visible numbers of each robot and kind."""
+    for name, kind in dict.fromkeys((t.robot, t.kind) for t in told):
+        every = [t for t in told if (t.robot, t.kind) == (name, kind)]
+        runs, held = [t for t in every if not t.trouble], harness.Held()
+        for number, by in ((n, by) for t in runs for n, by in t.off.items()):
+            held.add(number, not by)
+        fell = sum(t.trouble == "fell" for t in every)
+        print(f"\n{name}, {kind}: {len(runs)} robots ({fell} fell, {len(every) - len(runs) - fell} refused)")
+        if not runs:
             continue
-        if not plain:
-            heavier = runs_of(name, true.replace(body_mass=HEAVIER * true.body_mass), seed)[seed % RUNS]
-            mixed = [heavier if run == seed % RUNS else log for run, log in enumerate(logs)]
-            if not heavier.origin["outcome"]["fell"]:
-                said = calibrate(mixed, robot).apart
-                apart["one is heavier"].append(bool(said) and said[0].startswith(f"Log {seed % RUNS + 1},"))
-        right = truth(name, true) | {"unstable_pole": rolling_pole(true)}
-        for (which, inside), several in zip(held.items(), (logs, logs[:1]), strict=False):
-            started = time.perf_counter()
-            found = calibrate(several, robot)
-            if several is logs:
-                apart["alike"].append(bool(found.apart))
-            told = [e for e in (*found.parameters, *found.delays, found["asymmetry"], found["unstable_pole"])
-                    if e.verdict == VISIBLE]  # fmt: skip
-            for e in told:
-                inside.setdefault(e.name, []).append(e.low <= right[e.name] <= e.high)
-            missed = [f"{e.name} {(e.value - right[e.name]) / e.spread:+.1f} deviations"
-                      for e in told if not inside[e.name][-1]]  # fmt: skip
-            print(f"    seed {seed}, {which}: {len(told) - len(missed)} of {len(told)}"
-                  + (f" ({', '.join(missed)})" if missed else "")
-                  + f"; {time.perf_counter() - started:.0f} s", flush=True)  # fmt: skip
-    for which, inside in held.items():
-        every = [one for several in inside.values() for one in several]
-        rate = np.mean(every) if every else math.nan
-        print(f"\n{name}, {which}, {len(seeds) - left_out} robots ({left_out} with a fall left out): truth inside "
-              f"{sum(every)} of {len(every)} intervals, {rate:.1%}")  # fmt: skip
-        missing = {n: f"{len(v) - sum(v)} of {len(v)}" for n, v in inside.items() if not all(v)}
-        print("  missed:", ", ".join(f"{n} {count}" for n, count in missing.items()) or "none", flush=True)
-    alike, heavier = (f"{sum(several)} of {len(several)}" for several in apart.values())
-    print(f"  a run is said to differ from the others: {alike} where all are alike", flush=True)
-    if not plain:
-        print(f"  the right one in {heavier} where its body weighs {HEAVIER:g} times as much", flush=True)
-
-
-def coverage(name: str, seeds: Sequence[int], *, quiet: bool = False) -> None:
-    """How often the truth lies in the interval of what is called visible, and how far the unstable pole is off; on logs
-    of 20 s, or `quiet` ones of 10 s. Each interval that misses is printed."""
-    robot = Robot.preset(name)
-    held: dict[str, list[bool]] = {}
-    poles: list[float] = []
-    fallen = refused = told = supported = 0
-    for tried, seed in enumerate(seeds, 1):
-        true = drawn(robot, seed)
-        log = twin_log(name, true, seed, 10.0 if quiet else 20.0, quiet=quiet)
-        if log.origin["outcome"]["fell"]:
-            fallen += 1
-        else:
-            try:
-                found = calibrate(log, robot)
-            except UprightError:
-                refused += 1
-            else:
-                right = truth(name, true)
-                numbers = (*found.parameters, *found.delays, *found.electronics)
-                told += len({e.name for e in (*numbers, *found.combinations) if e.verdict == VISIBLE} - {GAP})
-                supported += found.supported
-                for e in numbers:
-                    if e.verdict == VISIBLE:
-                        held.setdefault(e.name, []).append(e.low <= right[e.name] <= e.high)
-                        if not held[e.name][-1]:
-                            off = (e.value - right[e.name]) / e.spread
-                            print(f"    seed {seed}: {e.name} {e.value:.4g} ({e.low:.4g} to {e.high:.4g}), "
-                                  f"truth {right[e.name]:.4g}, {off:+.1f} deviations", flush=True)  # fmt: skip
-                poles.append(abs(rolling_pole(found.robot) / rolling_pole(true) - 1))
-        if poles and (tried % 10 == 0 or tried == len(seeds)):
-            logs = "quiet logs of 10 s" if quiet else "logs of 20 s"
-            print(f"\n{name}: {len(poles)} {logs} ({fallen} of {tried} fell and are left out, {refused} refused)")
-            say(held, poles)
-            print(f"  numbers and combinations called visible: {told}; that a right model's Fisher information halves: "
-                  f"{supported}", flush=True)  # fmt: skip
-
-
-def say(held: dict[str, list[bool]], poles: list[float]) -> None:
-    """The table so far: how far the pole was off, and how often each visible parameter's interval held the truth."""
-    every = [one for inside in held.values() for one in inside]
-    print(f"  truth inside {sum(every)} of {len(every)} intervals ({np.mean(every) if every else math.nan:.1%})")
-    print(f"  unstable pole: median error {np.median(poles):.2%}, worst {max(poles):.2%}")
-    for parameter, inside in held.items():
-        print(f"  {parameter:<18} visible in {len(inside):3d}, truth inside in {np.mean(inside):.0%}", flush=True)
-
-
-def best_of(repeats: int, work: Callable[[], object]) -> tuple[float, float]:
-    """Least time [s] on the clock and of the processor; on a busy machine only the second says something."""
-    times: list[tuple[float, float]] = []
-    for _ in range(repeats):
-        start, busy = time.perf_counter(), time.process_time()
-        work()
-        times.append((time.perf_counter() - start, time.process_time() - busy))
-    return min(t[0] for t in times), min(t[1] for t in times)
+        right = sum(t.apart.startswith(f"Log {t.seed % RUNS + 1},") for t in runs)
+        if kind == HEAVY:
+            print(f"  the heavier run is said to differ in {harness.share(right, len(runs))}")
+            continue
+        poles = [t.pole for t in runs]
+        print(f"  {held}\n  unstable pole: median error {np.median(poles):.2%}, worst {max(poles):.2%}")
+        print(f"  visible: {sum(t.visible for t in runs)}; that a right model's Fisher information halves: "
+              f"{sum(t.supported for t in runs)}")  # fmt: skip
+        if kind == TOGETHER:
+            print(f"  a run is said to differ from the others: {sum(bool(t.apart) for t in runs)}")
 
 
 def timing(whole: bool) -> None:
@@ -176,9 +150,8 @@ def timing(whole: bool) -> None:
     start = time.perf_counter()
     ours()
     print(f"first call, with compiling or loading what was compiled: {time.perf_counter() - start:.1f} s")
-    clock, busy = best_of(5, ours)
-    print(f"optimisation, {len(log)} samples, {len(problem.asked)} parameters: {clock:.3f} s, "
-          f"{busy:.3f} s of processors (best of 5)")  # fmt: skip
+    busy = harness.best({"ours": ours}, 5, time.process_time)["ours"]
+    print(f"optimisation, {len(log)} samples, {len(problem.asked)} parameters: {busy:.3f} s of processors (best of 5)")
     scipy_time(problem, limits, whole)
 
 
@@ -191,7 +164,8 @@ def scipy_time(problem: Problem, limits: dict[str, float], whole: bool) -> None:
 
     found, z, *_ = refined(*annealed(problem, limits), limits)
     settled, z = replace(found, parameters=found.asked), z[: len(found.asked)]  # those that are told, for both alike
-    same, _ = best_of(5, lambda: gauss_newton(settled, np.zeros(len(z)), iterations=20))
+    job = {"ours": lambda: gauss_newton(settled, np.zeros(len(z)), iterations=20)}
+    same = harness.best(job, 5, time.process_time)["ours"]
     print(f"its one fit at known noise from the prior, as SciPy's below: {same:.3f} s")
     recording = settled.recordings[0]
     path = settled.filtered(recording, z)
@@ -254,27 +228,17 @@ def solve_ivp_pass(problem: Problem, z: np.ndarray, gains: np.ndarray) -> np.nda
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--seeds", type=int, default=0, help="logs of each kit for coverage (default: time only)")
-    parser.add_argument("--quiet", type=int, default=0, help="the same on logs that nobody excited")
-    parser.add_argument("--families", type=int, default=0, help="robots of each kit with three runs that differ")
-    parser.add_argument("--plain", action="store_true", help="of a family, its three runs together and no more")
-    parser.add_argument("--first", type=int, default=0, help="the first seed of coverage (default 0)")
-    parser.add_argument("--whole", action="store_true", help="run SciPy's fit to its end too (several minutes)")
-    parser.add_argument("--untimed", action="store_true", help="leave the timing out")
-    parser.add_argument("--robots", nargs="*", default=list(DITHER), help="presets to draw from")
-    asked = parser.parse_args()
-    packages = ", ".join(f"{name} {version(name)}" for name in ("numpy", "scipy", "numba"))
-    processor = platform.processor() or platform.machine()
-    print(f"{processor}, {os.cpu_count()} cores; Python {platform.python_version()}, {packages}")
+    asked = harness.options(
+        __doc__, seeds=0, quiet=0, families=0, plain=False, first=0, whole=False, untimed=False, robots=tuple(DITHER),
+        workers=1, results=Path,
+    )  # fmt: skip
+    harness.machine("numpy", "scipy", "numba")
     if not asked.untimed:
         timing(asked.whole)
-    for name in asked.robots if asked.seeds else ():
-        coverage(name, range(asked.first, asked.first + asked.seeds))
-    for name in asked.robots if asked.quiet else ():
-        coverage(name, range(asked.first, asked.first + asked.quiet), quiet=True)
-    for name in asked.robots if asked.families else ():
-        families(name, range(asked.first, asked.first + asked.families), plain=asked.plain)
+    kinds = {EXCITED: asked.seeds, QUIET: asked.quiet, TOGETHER: asked.families}
+    kinds |= {} if asked.plain else {ALONE: asked.families, HEAVY: asked.families}
+    keys = [(n, k, asked.first + i) for n in asked.robots for k, count in kinds.items() for i in range(count)]
+    report(harness.cases(judged, keys, Told, asked.workers, asked.results))
 
 
 if __name__ == "__main__":

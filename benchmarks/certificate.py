@@ -18,18 +18,11 @@ of `certificate_outside.py`.
 
 from __future__ import annotations
 
-import argparse
-import os
-import sys
-import time
 from collections import Counter
 from collections.abc import Sequence
-from pathlib import Path
+from typing import Any
 
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy loads; many small products gain nothing by threads
-
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
+import harness
 
 from planted.controllers import DESIGNS, FAULTS, FEW, MANY, SEED, Case, plant, right
 from upright.certify.certificate import certify
@@ -47,7 +40,9 @@ from upright.robots.uncertainty import draw
 
 def inside(robots: Sequence[str], first: int, sides: int, samples: int, *, each: bool) -> None:
     """Cases of each robot until there are `sides` on each side, or twelve times as many in all."""
-    print(f"{'':<22}{'≥ 10 %':>8}{'red':>6}{'not':>5}{'≤ 1 %':>9}{'green':>7}{'amber':>7}{'red':>5}{'between':>9}")
+    table = harness.Table(
+        "robot <22", "≥ 10 % >8", "red >6", "not >5", "≤ 1 % >9", "green >7", "amber >7", "red >5", "between >9"
+    )
     rows: list[Case] = []
     for name in robots:
         own: list[Case] = []
@@ -63,21 +58,21 @@ def inside(robots: Sequence[str], first: int, sides: int, samples: int, *, each:
             own.append(case)
             if each:
                 print(case, flush=True)
-        print(counts(name, own), flush=True)
+        table.row(*counts(name, own))
         rows += own
-    print(counts("all", rows))
+    table.row(*counts("all", rows))
     for case in rows:
         if (case.falls >= MANY and case.light != "red") or (case.falls <= FEW and case.light == "red"):
             print(f"    {case}")
 
 
-def counts(name: str, cases: Sequence[Case]) -> str:
+def counts(name: str, cases: Sequence[Case]) -> tuple[Any, ...]:
     """A row of the table of `inside`."""
     many = Counter(c.light for c in cases if c.falls >= MANY)
     few = Counter(c.light for c in cases if c.falls <= FEW)
     between = len(cases) - many.total() - few.total()
-    return (f"{name:<22}{many.total():>8}{many['red']:>6}{many.total() - many['red']:>5}{few.total():>9}"
-            f"{few['green']:>7}{few['amber']:>7}{few['red']:>5}{between:>9}")  # fmt: skip
+    lights = (few[light] for light in ("green", "amber", "red"))
+    return name, many.total(), many["red"], many.total() - many["red"], few.total(), *lights, between
 
 
 def defaults(robots: Sequence[str], samples: int, methods: Sequence[str]) -> None:
@@ -98,7 +93,7 @@ def defaults(robots: Sequence[str], samples: int, methods: Sequence[str]) -> Non
 
 def exactly(robots: Sequence[str], count: int) -> None:
     """Falls of drawn robots under the pushes for the nominal one: the default's, and those of own controllers."""
-    print(f"{'':<22}{'':<10}{'default':>9}{'its own':>9}{'of':>6}")
+    table = harness.Table("robot <22", "method <10", "default >9", "its own >9", "of >6")
     for name in robots:
         robot = Robot.preset(name)
         kit, drawn = find_kit(robot.kit), draw(robot, count, SEED)
@@ -106,7 +101,7 @@ def exactly(robots: Sequence[str], count: int) -> None:
             default = kernel_controller(make_controller(method, robot, kit, kit.period), robot, kit)
             fell = int(trials(TrialSetup(default, robot, drawn, kit, SEED, threads=1)).fell.sum())
             own = sum(_falls_under_its_own(method, robot, one, kit) for one in drawn)
-            print(f"{name:<22}{method:<10}{fell:>9}{own:>9}{count:>6}", flush=True)
+            table.row(name, method, fell, own, count)
 
 
 def _falls_under_its_own(method: str, nominal: Robot, robot: Robot, kit: Kit) -> bool:
@@ -119,24 +114,18 @@ def _falls_under_its_own(method: str, nominal: Robot, robot: Robot, kit: Kit) ->
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--robots", nargs="+", default=list(preset_names()))
-    parser.add_argument("--first", type=int, default=0)
-    parser.add_argument("--sides", type=int, default=40, help="controllers on each side, of each robot")
-    parser.add_argument("--samples", type=int, default=1000)
-    parser.add_argument("--each", action="store_true", help="print every case")
-    parser.add_argument("--defaults", action="store_true", help="instead: the light of every method on every preset")
-    parser.add_argument("--methods", nargs="+", default=[], help="with --defaults: these alone")
-    parser.add_argument("--exactly", type=int, default=0, metavar="COUNT", help="instead: robots known exactly")
-    asked = parser.parse_args()
-    started = time.perf_counter()
+    asked = harness.options(
+        __doc__, robots=tuple(preset_names()), first=0, sides=40, samples=1000, each=False, defaults=False,
+        methods=(), exactly=0,
+    )  # fmt: skip
+    clock = harness.Clock()
     if asked.defaults:
         defaults(asked.robots, asked.samples, asked.methods)
     elif asked.exactly:
         exactly(asked.robots, asked.exactly)
     else:
         inside(asked.robots, asked.first, asked.sides, asked.samples, each=asked.each)
-    print(f"{time.perf_counter() - started:.0f} s")
+    print(clock)
 
 
 if __name__ == "__main__":

@@ -16,17 +16,9 @@ since an amber light is right of it.
 
 from __future__ import annotations
 
-import argparse
-import os
-import sys
-import time
 from collections.abc import Sequence
-from pathlib import Path
 
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy loads; many small products gain nothing by threads
-
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
+import harness
 
 from planted.strangers import NOT_ASKED, OUTSIDE, REFUSED, ROBOTS, Stranger, stranger
 
@@ -40,8 +32,8 @@ def strangers(
         cases.append(stranger(number, samples, plain=plain, robots=robots, scale=scale, fallen=fallen))
         if each and cases[-1].light != NOT_ASKED:
             print(cases[-1], flush=True)
-    headings = ("no log", "fell", "not green", "held", "green", "passes", "refused", "taken")
-    print(f"{'':<12}" + "".join(f"{name:>11}" for name in headings))
+    names = ("no log", "fell", "not green", "held", "green", "passes", "refused", "taken")
+    table = harness.Table("way <12", *(f"{name} >11" for name in names))
     for way in (*OUTSIDE, "all"):
         own = [c for c in cases if way in (c.way, "all")]
         with_log = [c for c in own if c.logged and c.light != NOT_ASKED]
@@ -50,29 +42,22 @@ def strangers(
         passes = sum(bool(c.passes) and c.light not in ("green", REFUSED) for c in held)  # held, amber or red, rightly
         numbers += (sum(c.light == "green" for c in held), passes, sum(c.light == REFUSED for c in held))
         numbers += (sum("as the log shows" in c.reason for c in with_log),)
-        print(f"{way:<12}" + "".join(f"{n:>11}" for n in numbers))
+        table.row(way, *numbers)
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("count", type=int, nargs="?", default=40)
-    parser.add_argument("--first", type=int, default=0)
-    parser.add_argument(
-        "--samples", type=int, default=1000, help="robots of a certificate; 1000 is the default of upright certify"
-    )
-    parser.add_argument("--each", action="store_true", help="print every case")
-    parser.add_argument("--plain", action="store_true", help="no posterior, the log is calibrated")
-    parser.add_argument("--weighed", action="store_true", help="the robot stood on a scale")
-    parser.add_argument("--fallen", action="store_true", help="certify those alone that fall under a push")
-    parser.add_argument("--robots", nargs="+", default=ROBOTS, help="presets to draw from")
-    asked, started = parser.parse_args(), time.perf_counter()
+    asked = harness.options(
+        __doc__, ("count", 40), first=0, samples=1000, each=False, plain=False, weighed=False, fallen=False,
+        robots=ROBOTS,
+    )  # fmt: skip
     if asked.weighed and not asked.plain:
-        parser.error("--weighed is of a robot without a posterior: add --plain")
+        raise SystemExit("--weighed is of a robot without a posterior: add --plain")
+    clock = harness.Clock()
     strangers(
         asked.first, asked.count, asked.samples, each=asked.each, plain=asked.plain, robots=asked.robots,
         scale=asked.weighed, fallen=asked.fallen,
     )  # fmt: skip
-    print(f"{time.perf_counter() - started:.0f} s")
+    print(clock)
 
 
 if __name__ == "__main__":

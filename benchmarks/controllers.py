@@ -9,15 +9,15 @@ size of the applied command, the share of samples at the limit, and the chatteri
 
 from __future__ import annotations
 
-import argparse
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
+from typing import Any
 
+import harness
 import numpy as np
 
 from upright.bodies import Electronics, make_body
 from upright.control import CONTROLLERS, make_controller
 from upright.control.mpc import largest_command
-from upright.control.sliding import chattering
 from upright.errors import UprightError
 from upright.experiment import Hold, run
 from upright.robots import Kit, Robot, preset_names
@@ -41,47 +41,47 @@ class Row:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--body", default="twin")
-    parser.add_argument("--robot", nargs="*", default=preset_names())
-    parser.add_argument("--controller", nargs="*", default=[name for name in CONTROLLERS if name != "lqr-state"])
-    parser.add_argument("--seeds", type=int, default=1)
-    options = parser.parse_args()
-    columns = {"hold": 6, "fell": 6, "peak": 7, "settled": 9, "offset": 8, "effort": 8, "limit": 7, "chatter": 9}
-    head = f"{'robot':<20}{'controller':<18}" + "".join(f"{name:>{width}}" for name, width in columns.items())
-    print(f"{options.body}, {options.seeds} seed(s)", head, sep="\n")
+    every = tuple(name for name in CONTROLLERS if name != "lqr-state")
+    options = harness.options(__doc__, body="twin", robot=tuple(preset_names()), controller=every, seeds=1)
+    print(f"{options.body}, {options.seeds} seed(s)")
+    table = harness.Table(
+        "robot <20", "controller <18", "hold >6.2f", "fell >6", "peak >7.3f", "settled >9.2f", "offset >8.3f",
+        "effort >8.3f", "limit >7.1%", "chatter >9.2f",
+    )  # fmt: skip
     falls: dict[str, list[str]] = {name: [] for name in options.controller}
     for name in options.robot:
         robot = Robot.preset(name)
         for controller in options.controller:
             for pitch in HOLDS:
-                text, fell = line(robot, controller, pitch, options.body, options.seeds)
-                print(text, flush=True)
+                cells, fell = line(robot, controller, pitch, options.body, options.seeds)
+                table.row(name, controller, pitch, *cells)
                 falls[controller] += [f"{name} at {pitch:+.2f} rad"] if fell else []
     print("\nholds all of these:", ", ".join(name for name, where in falls.items() if not where) or "none")
     print(*(f"{name} falls: {', '.join(where)}" for name, where in falls.items() if where), sep="\n")
 
 
-def line(robot: Robot, name: str, pitch: float, body: str, seeds: int) -> tuple[str, bool]:
-    """One row of the table, and whether it fell in any seed; what cannot be designed says why."""
+def line(robot: Robot, name: str, pitch: float, body: str, seeds: int) -> tuple[tuple[Any, ...], bool]:
+    """The numbers of a row of the table, and whether it fell in any seed; what cannot be designed says why."""
     kit = Kit.preset(robot.kit)
-    label = f"{robot.name:<20}{name:<18}{pitch:>6.2f}"
     try:
         controller = make_controller(name, robot, kit, kit.period)
     except UprightError as error:
-        return f"{label}  {error}", False
+        return (f"  {error}",), False
     plant = Electronics(make_body(body, robot), kit)
     hold = Hold(pitch=pitch, until=RELEASE)
     logs = [run(plant, controller, hold, seconds=SECONDS, seed=seed) for seed in range(1, seeds + 1)]
     rows = [row(log, robot, kit, pitch) for log in logs]
     plant.close()
     falls = [r.fell_at for r in rows if np.isfinite(r.fell_at)]
-    fell = f"{min(falls):.1f}s" if falls else "no"
-    worst = [
-        max(getattr(r, field) for r in rows) for field in ("peak", "settling", "offset", "effort", "limited", "chatter")
-    ]
-    numbers = zip(worst, ("7.3f", "9.2f", "8.3f", "8.3f", "7.1%", "9.2f"), strict=True)
-    return f"{label}{fell:>6}" + "".join(format(value, form) for value, form in numbers), bool(falls)
+    worst = (max(column) for column in list(zip(*map(astuple, rows), strict=True))[1:])
+    return (f"{min(falls):.1f}s" if falls else "no", *worst), bool(falls)
+
+
+def chattering(command: np.ndarray, period: float) -> float:
+    """How much a command (n, 2) turns back on itself in a second: |Δu| where Δu changes its sign, over `period` [s]."""
+    steps = np.diff(command, axis=0)
+    turns = steps[1:] * steps[:-1] < 0
+    return float(np.abs(np.where(turns, steps[1:], 0.0)).mean() / period)
 
 
 def row(log: Log, robot: Robot, kit: Kit, pitch: float) -> Row:

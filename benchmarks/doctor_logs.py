@@ -9,13 +9,13 @@ kind or offset, so that none of their parts has one.
 
 from __future__ import annotations
 
-import argparse
 import re
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+import harness
 import numpy as np
 from numpy.typing import NDArray
 
@@ -127,11 +127,7 @@ def cuts(folder: Path, parts: int, seed: int) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--data", type=Path, default=Path(__file__).parents[2] / "shared" / "data")
-    parser.add_argument("--cuts", type=int, default=0, help="parts of each log, instead of the whole")
-    parser.add_argument("--seed", type=int, default=0)
-    asked = parser.parse_args()
+    asked = harness.options(__doc__, data=harness.DATA, cuts=0, seed=0)
     if asked.cuts:
         cuts(asked.data, asked.cuts, asked.seed)
     else:

@@ -19,20 +19,15 @@ kit's electronics; plan, controller and calibration know the preset alone.
 
 from __future__ import annotations
 
-import argparse
 import json
 import os
-import platform
-import time
 from concurrent.futures import ProcessPoolExecutor
 from functools import partial
-from importlib.metadata import version
 from itertools import islice, product
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-
+import harness
 import numpy as np
 
 from upright.bodies import Electronics
@@ -80,7 +75,7 @@ def possible(robot: Robot) -> bool:
     """Whether the twin can be: its wheels' own inertias must leave the body a rigid one."""
     try:
         Twin(robot)
-    except UprightError:
+    except (ValueError, UprightError):  # MuJoCo says the first
         return False
     return True
 
@@ -181,18 +176,20 @@ def table(plans: list[ExcitationPlan], by_kind: dict[str, list[Calibration | Non
         f"  interval widths from calibrations of twin logs, medians over {len(by_kind['plan'])} robots; "
         f"fell or not followed: {lost}"
     )
-    columns = (("visible in", 11), ("plan/dither", 13), ("plan/held", 11), ("100/dither", 12), ("± plan", 12))
-    head = f"  {'parameter':<20}" + "".join(f"{text:>{size}}" for text, size in (*columns, ("± dither", 12)))
-    print(f"{head}  bar (at most half of the dither's)")
+    print("  bar: at most half of the dither's")
+    columns = harness.Table(
+        "  parameter <22", "visible in >11", "plan/dither >13.2f", "plan/held >11.2f", "100/dither >12.2f",
+        "± plan >12.3g", "± dither >12.3g", "bar >13",
+    )  # fmt: skip
     in_all = [c.to_json() for several in by_kind.values() for c in several if c]
     there = {e["name"] for e in (*in_all[0]["parameters"], *in_all[0]["delays"])} if in_all else set()
     for i, p in enumerate(plans[0].predicted):
         if p.name in there:
             least = (plan.predicted[i].least / plan.predicted[i].dither for plan in plans)
-            row(p.name, float(np.median(list(least))), by_kind)
+            row(columns, p.name, float(np.median(list(least))), by_kind)
 
 
-def row(name: str, least: float, by_kind: dict[str, list[Calibration | None]]) -> None:
+def row(columns: harness.Table, name: str, least: float, by_kind: dict[str, list[Calibration | None]]) -> None:
     """One parameter that the plan's logs make visible, in half of them or more, and the `least` ratio that a hundred
     such runs are predicted to reach."""
     seen = [c[name] for c in by_kind["plan"] if c]
@@ -204,11 +201,8 @@ def row(name: str, least: float, by_kind: dict[str, list[Calibration | None]]) -
     }
     ratio, held = (float(np.nanmedian(np.divide(half["plan"], half[kind]))) for kind in ("dither", "held 40 ms"))
     kind = "" if "/" in name else "met" if ratio <= 0.5 else "no run could" if least > 0.5 else "not met"
-    sizes = f"{np.nanmedian(half['plan']):>12.3g}{np.nanmedian(half['dither']):>12.3g}"
-    print(
-        f"  {name:<20}{f'{visible}/{len(seen)}':>11}{ratio:>13.2f}{held:>11.2f}{least:>12.2f}{sizes}  {kind}",
-        flush=True,
-    )
+    sizes = (np.nanmedian(half["plan"]), np.nanmedian(half["dither"]))
+    columns.row(f"  {name}", f"{visible}/{len(seen)}", ratio, held, least, *sizes, kind)
 
 
 def falls(plan: ExcitationPlan, name: str, runs: int, pool: ProcessPoolExecutor) -> None:
@@ -222,28 +216,21 @@ def falls(plan: ExcitationPlan, name: str, runs: int, pool: ProcessPoolExecutor)
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--robots", nargs="*", default=list(PRESETS), help="presets")
-    parser.add_argument("--seeds", type=int, default=5, help="robots whose logs are calibrated")
-    parser.add_argument("--runs", type=int, default=300, help="twin runs for the falls")
-    parser.add_argument("--workers", type=int, default=os.cpu_count() or 1, help="processes")
-    asked = parser.parse_args()
-    packages = ", ".join(f"{name} {version(name)}" for name in ("numpy", "numba", "mujoco"))
-    processor = platform.processor() or platform.machine()
-    print(f"{processor}, {os.cpu_count()} cores; Python {platform.python_version()}, {packages}")
+    asked = harness.options(__doc__, robots=PRESETS, seeds=5, runs=300, workers=os.cpu_count() or 1)
+    harness.machine("numpy", "numba", "mujoco")
     plans: dict[str, ExcitationPlan] = {}
     with ProcessPoolExecutor(asked.workers) as pool:
         for name, measured in product(asked.robots, (False, True)):
             robot = Robot.preset(name)
             known = tuple(n for n in MEASURED if measured and (robot.drive == "voltage" or n != "motor_resistance"))
-            start = time.perf_counter()
+            clock = harness.Clock()
             try:
                 plan = excite(robot, seconds=SECONDS, known=known)
             except UprightError as error:
                 print(f"\n{name}: {error}")
                 continue
             told = f"known: {', '.join(known)}" if known else "as its file has it"
-            print(f"\n{name}, {told}\n{plan}\n\n  designed in {time.perf_counter() - start:.1f} s")
+            print(f"\n{name}, {told}\n{plan}\n\n  designed in {clock.wall:.1f} s")
             plans.setdefault(name, plan)
             print(f"  energy {plan.energy:.3g} ({plan.unit})² s, of the excitation alone {plan.added:.3g}", flush=True)
             if asked.seeds:

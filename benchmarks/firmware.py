@@ -10,11 +10,12 @@ time an estimate, at `COST` each.
 
 from __future__ import annotations
 
-import argparse
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+
+import harness
 
 from upright.bricks.virtual_robot import COST
 from upright.control import CONTROLLERS, make_controller
@@ -24,24 +25,15 @@ from upright.parity import execute_arm, execute_avr, executed_parity
 from upright.parity.execute import execute
 from upright.robots import Kit, Robot
 
-ROWS: tuple[tuple[str, str, str], ...] = (
-    ("c", "float", "arm7"),
-    ("c", "fixed", "arm7"),
-    ("c", "double", "arm7"),
-    ("c", "float", "avr"),
-    ("c", "fixed", "avr"),
-    ("arduino", "float", "avr"),
-    ("arduino", "fixed", "avr"),
-    ("nxc", "float", "nxt"),
-)
+ROWS = (
+    ("c", "float", "arm7"), ("c", "fixed", "arm7"), ("c", "double", "arm7"), ("c", "float", "avr"),
+    ("c", "fixed", "avr"), ("arduino", "float", "avr"), ("arduino", "fixed", "avr"), ("nxc", "float", "nxt"),
+)  # fmt: skip
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--controller", nargs="*", default=["lqr", "lqi", "lqg", "pid", "hinf", "robust", "sliding"])
-    parser.add_argument("--robot", default="nxtway-gs")
-    parser.add_argument("--kit", default="nxt")
-    options = parser.parse_args()
+    names = ("lqr", "lqi", "lqg", "pid", "hinf", "robust", "sliding")
+    options = harness.options(__doc__, controller=names, robot="nxtway-gs", kit="nxt")
     assert set(options.controller) <= set(CONTROLLERS)
     robot, kit = Robot.preset(options.robot), Kit.preset(options.kit)
     print(f"{robot.name} with kit {kit.name}, controllers every {kit.period * 1e3:g} ms")

@@ -4,18 +4,16 @@
     python benchmarks/fleet.py --quick    # fewer repeats
 
 One step is one Runge–Kutta step of 1 ms of one robot; feedback is held over 10 ms; every robot has its own parameters.
-Times are the best of several repeats taken in turns, so that a ratio compares like with like on a busy machine.
+Times are the best of several repeats taken in turns.
 """
 
 # ruff: noqa: E501 (what is printed, and code for other processes, is clearer in one piece)
 
 from __future__ import annotations
 
-import argparse
 import ctypes
 import json
 import os
-import platform
 import shutil
 import subprocess
 import sys
@@ -24,11 +22,11 @@ import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 from unittest.mock import patch
 
+import harness
 import numpy as np
 
 from upright.bodies import NonlinearBody
@@ -143,21 +141,6 @@ def kernel(batch: FleetBatch, periods: int, number: str = "float64", threads: in
     return lambda: simulate(batch, periods * PERIOD, dtype=np.dtype(number), threads=threads) and None
 
 
-def best(
-    jobs: dict[str, Callable[[], None]], repeats: int, clock: Callable[[], float] = time.perf_counter
-) -> dict[str, float]:
-    """The shortest time [s] of each job, taken in turns; `time.thread_time` leaves out what other programs took."""
-    found = dict.fromkeys(jobs, np.inf)
-    for job in jobs.values():
-        job()
-    for _ in range(repeats):
-        for name, job in jobs.items():
-            began = clock()
-            job()
-            found[name] = min(found[name], clock() - began)
-    return found
-
-
 def periods_for(n: int, steps: float = 3e7) -> int:
     """Periods that make about `steps` steps: at least 2 s and at most 30 s of simulated time."""
     return int(np.clip(steps / (n * STRIDE), 200, 3000))
@@ -170,7 +153,7 @@ def against_c(folder: Path, repeats: int) -> None:
         for n in (1_000, 10_000, 100_000):
             periods = periods_for(n)
             jobs = {"kernel": kernel(bare(n), periods, number), "C": roof.job(n, periods)}
-            t = best(jobs, max(3, min(repeats, 300_000 // n)), time.thread_time)
+            t = harness.best(jobs, max(3, min(repeats, 300_000 // n)), time.thread_time)
             rate = n * periods * STRIDE / 1e6
             print(
                 f"  {number} n = {n:7d}: {rate / t['kernel']:6.1f}  {rate / t['C']:6.1f}  {t['C'] / t['kernel']:5.2f}"
@@ -180,7 +163,7 @@ def against_c(folder: Path, repeats: int) -> None:
         roof, n = Roofline(folder, number), 10_000
         periods = periods_for(n)
         jobs = {"kernel": kernel(full(n), periods, number), "late": kernel(full(n, 0.001), periods, number)}
-        t = best(jobs | {"C": roof.job(n, periods)}, repeats, time.thread_time)
+        t = harness.best(jobs | {"C": roof.job(n, periods)}, repeats, time.thread_time)
         rate = n * periods * STRIDE / 1e6
         print(
             f"  {number} n = {n:7d}: {rate / t['kernel']:6.1f}  {t['C'] / t['kernel']:5.2f}"
@@ -189,10 +172,10 @@ def against_c(folder: Path, repeats: int) -> None:
     scalar = Roofline(folder, "float64", lanes=1)
     for periods in (1000, 20_000):
         jobs = {"kernel": kernel(bare(1), periods), "C": scalar.job(1, periods)}
-        t = best(jobs, repeats * (20 if periods == 1000 else 1), time.thread_time)
+        t = harness.best(jobs, repeats * (20 if periods == 1000 else 1), time.thread_time)
         said = f"one robot for {periods * PERIOD:.0f} s: {1e3 * t['kernel']:.2f} ms, scalar C {1e3 * t['C']:.2f} ms"
         print(f"\n{said}: {t['kernel'] / t['C']:.2f} × (bar 1.5)", end="")
-    t = best({"kernel": kernel(bare(1), 1)}, repeats * 20, time.thread_time)
+    t = harness.best({"kernel": kernel(bare(1), 1)}, repeats * 20, time.thread_time)
     print(f"\n  of which a call costs {1e3 * t['kernel']:.2f} ms however short")
 
 
@@ -217,7 +200,7 @@ def laws(repeats: int) -> None:
     for name, controller in every.items():
         batch = FleetBatch(parameters=spread_fleet(n), controller=controller, kit=kit, substeps=1)
         jobs[name] = kernel(batch, periods)
-    t = best(jobs, repeats, time.thread_time)
+    t = harness.best(jobs, repeats, time.thread_time)
     for name, controller in designs.items():
         products, added = program(as_law(controller), 0).operations(), (t[name] - t["nothing"]) / (n * periods)
         cold, warm = first[name]
@@ -233,7 +216,7 @@ def scaling(folder: Path | None, repeats: int) -> None:
     if folder:
         roof = Roofline(folder, "float64")
         jobs |= {f"C {threads}": roof.job(n, periods, threads) for threads in (1, 2)}
-    t = best(jobs, repeats)
+    t = harness.best(jobs, repeats)
     for name in ("kernel", "C") if folder else ("kernel",):
         rate = n * periods * STRIDE / 1e6 / t[f"{name} 2"]
         print(f"  {name:6s} {t[f'{name} 1'] / t[f'{name} 2']:.2f} ×, {rate:.0f} M steps/s on two threads")
@@ -248,7 +231,7 @@ def flatness(repeats: int) -> None:
         # small batches are over before a processor has found its pace
         many = max(1, repeats // 4) if n > 100_000 else max(3, repeats, 40_000 // n)
         job = {"kernel": lambda b=batch: simulate(b, seconds, threads=2) and None}
-        t = best(job, many, time.process_time)
+        t = harness.best(job, many, time.process_time)
         costs.append(1e6 * t["kernel"] / n)
         print(f"  n = {n:8d}: {costs[-1]:.2f}")
     middle = (max(costs) + min(costs)) / 2
@@ -329,11 +312,13 @@ def against_mujoco(repeats: int) -> None:
     state = np.zeros(mujoco.mj_stateSize(model, mujoco.mjtState.mjSTATE_FULLPHYSICS))
     mujoco.mj_getState(model, data[0], state, mujoco.mjtState.mjSTATE_FULLPHYSICS)
     first, steps = np.tile(state, (many, 1)), round(seconds / 0.00025)
-    t_rollout = best({"rollout": lambda: rollout.rollout([model] * many, data, first, nstep=steps) and None}, 2)[
-        "rollout"
-    ]
+    t_rollout = harness.best(
+        {"rollout": lambda: rollout.rollout([model] * many, data, first, nstep=steps) and None}, 2
+    )["rollout"]
     n = 100_000
-    t_kernel = best({"kernel": lambda: simulate(bare(n), seconds, threads=2) and None}, max(2, repeats // 3))["kernel"]
+    t_kernel = harness.best({"kernel": lambda: simulate(bare(n), seconds, threads=2) and None}, max(2, repeats // 3))[
+        "kernel"
+    ]
     ours, theirs = n * seconds / t_kernel, many * seconds / t_rollout
     print(
         "\nrobot-seconds a second on two threads (bar 500 ×): ours in closed loop, RK4 at 1 ms, no contacts to solve (wheels roll);"
@@ -344,13 +329,8 @@ def against_mujoco(repeats: int) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--quick", action="store_true", help="fewer repeats")
-    repeats = 4 if parser.parse_args().quick else 15
-    packages = ", ".join(f"{name} {version(name)}" for name in ("numpy", "numba", "llvmlite", "mujoco"))
-    print(
-        f"{platform.processor() or platform.machine()}, {os.cpu_count()} processors, Python {platform.python_version()}, {packages}"
-    )
+    repeats = 4 if harness.options(__doc__, quick=False).quick else 15
+    harness.machine("numpy", "numba", "llvmlite", "mujoco")
     with tempfile.TemporaryDirectory() as made:
         folder = Path(made) if shutil.which("gcc") else None
         if folder:

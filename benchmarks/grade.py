@@ -5,13 +5,13 @@ python benchmarks/grade.py [COUNT] [--step 0.002]      # 0.01: as a class makes 
 
 from __future__ import annotations
 
-import argparse
 import os
 import sys
 import tempfile
-import time
 from dataclasses import replace
 from pathlib import Path
+
+import harness
 
 from upright.classwork.grading import grade
 from upright.lab.handin import HandIn, RunResult, write_hand_in
@@ -37,17 +37,12 @@ def hand_ins(folder: Path, count: int, step: float) -> None:
 
 def main() -> int:
     """Print the time, and 1 where it is beyond the bar."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("count", type=int, nargs="?", default=500)
-    parser.add_argument("--step", type=float, default=0.002)
-    options = parser.parse_args()
+    options = harness.options(__doc__, ("count", 500), step=0.002)
     with tempfile.TemporaryDirectory() as folder:
         hand_ins(Path(folder), options.count, options.step)
-        wall, cpu = time.perf_counter(), time.process_time()
+        clock = harness.Clock()
         grades = grade(folder)
-        wall, cpu = time.perf_counter() - wall, time.process_time() - cpu
-    children = os.times()
-    computed = cpu + children.children_user + children.children_system
+        wall, computed = clock.wall, clock.cpu
     print(f"{options.count} hand-ins of 10 s in steps of {options.step:g} s on {os.cpu_count()} processors")
     print(f"{wall:.1f} s, of which {computed:.1f} s of computing by all processes")
     print(grades.summary)

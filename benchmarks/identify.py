@@ -10,32 +10,22 @@ else the MuJoCo twin on its kit.
 
 from __future__ import annotations
 
-import argparse
 import math
-import os
-import platform
-import time
 from dataclasses import replace
-from importlib.metadata import version
 
+import harness
 import numpy as np
 
-from upright.bodies import Electronics, NonlinearBody
+from planted.twins import DITHER, twin_log
+from upright.bodies import NonlinearBody
 from upright.bodies.twin import Twin
-from upright.control import Estimated, kalman, lqr, make_controller
-from upright.control.excited import Excited, random_binary
 from upright.errors import UprightError
-from upright.experiment import run
 from upright.identify.identify import identify_one, study_of
 from upright.identify.judge import judge_of, loop_trial
 from upright.physics.linear import rolling, unstable_pole
 from upright.robots import Kit, Robot, Sensor
-from upright.signals import Log
 
-DITHER = {"nxtway-gs": (1.5, 4), "ev3way": (2.5, 4), "twipr": (0.03, 6)}
-"""Amplitude [command unit] and how many periods it is held."""
 METHODS = ("least-squares", "total-least-squares", "instrumental", "subspace")
-SECONDS = 20.0
 
 
 def facts_kit() -> Kit:
@@ -46,19 +36,6 @@ def facts_kit() -> Kit:
     return replace(nxt, name="facts", sensors=sensors, delay=0.0, jitter=0.0)
 
 
-def log_of(name: str, kit: Kit, seed: int, facts: bool) -> Log:
-    """One excited run."""
-    robot = Robot.preset(name)
-    if name == "nxtway-gs":
-        controller = Estimated(lqr(robot, kit.period), kalman(robot, kit, kit.period))
-    else:
-        controller = make_controller("lqg", robot, kit, kit.period)
-    amplitude, hold = DITHER[name]
-    body = Electronics(NonlinearBody(robot) if facts else Twin(robot), kit)
-    dither = random_binary(round(SECONDS / kit.period), amplitude, seed, hold)
-    return run(body, Excited(controller, dither), seconds=SECONDS, seed=seed)
-
-
 def coverage(name: str, seeds: int, facts: bool) -> None:
     robot = Robot.preset(name)
     kit = facts_kit() if facts else Kit.preset(robot.kit)
@@ -67,9 +44,10 @@ def coverage(name: str, seeds: int, facts: bool) -> None:
     inside: dict[str, list[bool]] = {m: [] for m in METHODS}
     biases: dict[str, list[float]] = {m: [] for m in METHODS}
     holds: dict[str, list[bool]] = {m: [] for m in METHODS}
-    failed, busy = 0, time.process_time()
+    failed, clock = 0, harness.Clock()
     for seed in range(seeds):
-        study = study_of(log_of(name, kit, seed, facts), robot, kit)
+        body = NonlinearBody if facts else Twin
+        study = study_of(twin_log(name, robot, seed, kit=kit, body=body), robot, kit)
         judge = judge_of(study.samples)
         for method in METHODS:
             try:
@@ -81,29 +59,24 @@ def coverage(name: str, seeds: int, facts: bool) -> None:
             inside[method].append(found.pole.low <= true <= found.pole.high)
             biases[method].append(found.pole.bias)
             holds[method].append(loop_trial(study.samples, found.halves, judge).holds)
-    spent = (time.process_time() - busy) / seeds
+    spent = clock.cpu / seeds
     print(
         f"\n{name} on kit {kit.name}, {seeds} logs; unstable pole {true:.3f} 1/s; {failed} failed; {spent:.1f} s a log"
     )
-    header = ("mean", 7), ("scatter", 8), ("bias", 7), ("its estimate", 16), ("truth inside", 13), ("holds", 6)
-    print(f"  {'method':<20} " + " ".join(f"{title:>{width}}" for title, width in header))
+    table = harness.Table(
+        "  method <22", "mean >8.2f", "scatter >9.2f", "bias >8.2f", "its estimate >17", "truth inside >32",
+        "holds >7.0%",
+    )  # fmt: skip
     for method in METHODS:
         values = np.array(poles[method])
         estimate = f"{np.mean(biases[method]):.2f} ± {np.std(biases[method]):.2f}"
-        print(
-            f"  {method:<20} {values.mean():>7.2f} {values.std():>8.2f} {values.mean() - true:>7.2f} {estimate:>16} "
-            f"{np.mean(inside[method]):>13.0%} {np.mean(holds[method]):>6.0%}"
-        )
+        held, bias = harness.share(sum(inside[method]), len(values)), values.mean() - true
+        table.row(f"  {method}", values.mean(), values.std(), bias, estimate, held, np.mean(holds[method]))
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--seeds", type=int, default=10, help="logs of each robot")
-    parser.add_argument("--robots", nargs="*", default=list(DITHER), help="presets")
-    parser.add_argument("--facts", action="store_true", help="nxtway-gs with encoders of ½° and a gyro of 1 °/s")
-    asked = parser.parse_args()
-    packages = ", ".join(f"{name} {version(name)}" for name in ("numpy", "scipy"))
-    print(f"{platform.machine()}, {os.cpu_count()} cores; Python {platform.python_version()}, {packages}")
+    asked = harness.options(__doc__, seeds=10, robots=tuple(DITHER), facts=False)
+    harness.machine("numpy", "scipy")
     for name in ["nxtway-gs"] if asked.facts else asked.robots:
         coverage(name, asked.seeds, asked.facts)
 

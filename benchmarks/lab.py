@@ -10,8 +10,6 @@ from __future__ import annotations
 import argparse
 import asyncio
 import json
-import os
-import platform
 import re
 import signal
 import subprocess
@@ -19,10 +17,10 @@ import sys
 import tempfile
 import threading
 import time
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
+import harness
 import numpy as np
 import psutil
 
@@ -40,18 +38,12 @@ EVERY = 4.0  # [s] between two knocks of every client, so that the numbers move
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--seconds", type=float, default=20.0)
-    parser.add_argument("--picture", action="store_true")
-    parser.add_argument("--wall", type=float, metavar="MINUTES")
-    parser.add_argument("--hour", action="store_true")
-    parser.add_argument("--clients", nargs=3, help=argparse.SUPPRESS)
-    options = parser.parse_args()
+    options = harness.options(__doc__, seconds=20.0, picture=False, wall=float, hour=False, clients=())
     if options.clients:
         address, token, count = options.clients
         print(json.dumps(asyncio.run(watched(address, token, int(count), options.seconds))))
         return
-    print(_machine())
+    harness.machine("numpy", "mujoco", "fastapi", "uvicorn", "websockets")
     if options.hour:
         hour()
     if options.wall:
@@ -228,13 +220,6 @@ def hour() -> None:
     print(f"\nan hour of simulated time in {time.process_time() - began:.0f} s of CPU")
     print(f"{'  memory after 2, 30 and 60 minutes':<44}{sizes[2]:.2f}, {sizes[30]:.2f}, {sizes[60]:.2f} MB")
     print(f"{'  largest in the second half, above the first':<44}{max(late) - max(early):.2f} MB      (bar: flat)")
-
-
-def _machine() -> str:
-    packages = ", ".join(f"{name} {version(name)}" for name in ("numpy", "mujoco", "fastapi", "uvicorn", "websockets"))
-    chip = platform.processor() or platform.machine()
-    load = os.getloadavg()[0]
-    return f"{chip}, {os.cpu_count()} cores, load {load:.1f}, Python {platform.python_version()}, {packages}"
 
 
 if __name__ == "__main__":

@@ -7,11 +7,11 @@ it is and throttled by 4, in Chromium's own way.
 
 from __future__ import annotations
 
-import argparse
 import tempfile
-import time
 from pathlib import Path
 from typing import Any
+
+import harness
 
 from upright.lab.export import export
 
@@ -59,15 +59,13 @@ LIVE = """(seconds) => new Promise((done) => {
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--seconds", type=float, default=8.0)
-    seconds = parser.parse_args().seconds
+    seconds = harness.options(__doc__, seconds=8.0).seconds
     from playwright.sync_api import sync_playwright
 
     with tempfile.TemporaryDirectory() as folder:
-        began = time.process_time()
+        clock = harness.Clock()
         page = export(folder)
-        print(f"{'written in (CPU)':<46}{time.process_time() - began:>9.1f} s")
+        print(f"{'written in (CPU)':<46}{clock.cpu:>9.1f} s")
         print(f"{'size':<46}{page.stat().st_size / 1e6:>9.2f} MB   (bar 1.5)")
         with sync_playwright() as driver:
             for title, flags in (("room drawn in software", FLAGS), ("side view, without 3-D", FLAT)):

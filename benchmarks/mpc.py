@@ -10,18 +10,13 @@ certificate's, each under both, and the largest knock; the judge bounds pitch an
 
 from __future__ import annotations
 
-import argparse
 import math
-import sys
-import time
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
+import harness
 import numpy as np
 from numpy.typing import NDArray
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
 
 from planted.exact_mpc import Array, Exact, Watched, exact
 from upright.bodies import Electronics, NonlinearBody
@@ -56,16 +51,13 @@ def gaps(judge: Exact, other: PredictiveController, robot: Robot, kit: Kit) -> t
 def falls(controller: Any, robot: Robot, kit: Kit, runs: int) -> tuple[NDArray[np.int64], float, float]:
     """Falls of each trial of a certificate, the seconds that took, and the worst residual."""
     setup = TrialSetup(kernel_controller(controller, robot, kit), robot, draw(robot, runs, 0, None), kit)
-    start = time.perf_counter()
+    clock = harness.Clock()
     results = trials(setup).trials
-    return np.array([t.fell for t in results]), time.perf_counter() - start, max(t.residual for t in results)
+    return np.array([t.fell for t in results]), clock.wall, max(t.residual for t in results)
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--robot", default="nxtway-gs")
-    parser.add_argument("--runs", type=int, default=500, help="robots of the second table, 0: without it")
-    options = parser.parse_args()
+    options = harness.options(__doc__, robot="nxtway-gs", runs=500)
     robot = Robot.preset(options.robot)
     kit = Kit.preset(robot.kit)
     judge, base = exact(robot, kit), mpc(robot, kit)

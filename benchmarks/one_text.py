@@ -10,15 +10,14 @@ throws the robot: in how many the kernel and the loop say alike whether it fell.
 
 from __future__ import annotations
 
-import argparse
 import ctypes
 import subprocess
 import tempfile
-import time
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
+import harness
 import numpy as np
 
 from upright.bodies import Electronics, NonlinearBody
@@ -138,18 +137,14 @@ def alike(robot: Robot, kit: Kit, controller: Controller, runs: int, seconds: fl
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--runs", type=int, default=100)
-    parser.add_argument("--robot", default="")
-    parser.add_argument("--controllers", nargs="+", default=CONTROLLERS)
-    options = parser.parse_args()
+    options = harness.options(__doc__, runs=100, robot="", controllers=CONTROLLERS)
     print(f"{'':34}{'no quanta, 10 s':>24}{'quanta, 2 s':>24}{'grows by':>12}{'fell alike':>16}")
     print(f"{'':34}{'kernel':>12}{'C':>12}{'kernel':>12}{'C':>12}{'1/s':>12}")
     for name in [options.robot] if options.robot else preset_names():
         robot = Robot.preset(name)
         kit = Kit.preset(robot.kit_name)
         for family in options.controllers:
-            began = time.process_time()
+            clock = harness.Clock()
             try:
                 controller = make_controller(family, robot, kit, kit.period)
             except UprightError as error:
@@ -162,7 +157,7 @@ def main() -> None:
             numbers = "".join(f"{d:12.1e}" for d in found)
             rate = growth(robot, kit, controller)
             print(f"{name:22}{family:12}{numbers}{rate:12.1f}   {same} of {options.runs} ({fell} fell)", end="")
-            print(f"  {time.process_time() - began:.0f} s", flush=True)
+            print(f"  {clock.cpu:.0f} s", flush=True)
 
 
 if __name__ == "__main__":

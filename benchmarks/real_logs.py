@@ -14,20 +14,12 @@ freely from its first state, under the law that its commands show.
 
 from __future__ import annotations
 
-import argparse
-import os
-import sys
-import time
 from collections import Counter
 from collections.abc import Sequence
 from itertools import combinations, permutations
-from pathlib import Path
 
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the command `upright` does
-
+import harness
 import numpy as np
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
 
 from planted.real_runs import DATA, PRESETS, Run, crossed, loops, runs
 from upright.calibrate.calibrate import calibrate, prepared
@@ -125,15 +117,14 @@ def alone(robot: str, model: Robot, swing: float = 0.0) -> list[tuple[Run, Calib
     """Each run calibrated alone, with a line for each; without a `swing` [Hz] where one is named."""
     results: list[tuple[Run, Calibration]] = []
     for one in runs(robot, swing):
-        clock, busy = time.perf_counter(), time.process_time()
+        clock = harness.Clock()
         try:
             found = calibrate(one.log, model)
         except UprightError as error:
             print(f"  {one!s:<18} {error}", flush=True)
             continue
-        took = f"{time.perf_counter() - clock:.1f} s, {time.process_time() - busy:.1f} s of processors"
         widths = f"visible {len(visible(found))}, widths {found.widening:.2f} × Fisher's"
-        print(f"  {one!s:<18} {line(dict(found.segments))}  {widths}, {took}")
+        print(f"  {one!s:<18} {line(dict(found.segments))}  {widths}, {clock}")
         print("".join(f"      refused: {reason}\n" for reason in found.refused), end="", flush=True)
         if swing:
             every = {e.name: e for e in found.combinations}
@@ -151,9 +142,9 @@ def alone(robot: str, model: Robot, swing: float = 0.0) -> list[tuple[Run, Calib
 def together(robot: str, model: Robot, swing: float = 0.0) -> None:
     """One set of numbers for all runs, on each of them; without a `swing` [Hz] where one is named."""
     whole = [one for one in runs(robot, swing) if not one.cut]
-    began = time.perf_counter()
+    clock = harness.Clock()
     found = calibrate([one.log for one in whole], model)
-    print(f"  together: visible {len(visible(found))}, {time.perf_counter() - began:.1f} s")
+    print(f"  together: visible {len(visible(found))}, {clock}")
     print("".join(f"      refused: {reason}\n" for reason in found.refused), end="")
     for one, parts in zip(whole, found.free, strict=True):
         own = {name: parts.r_squared(name) for name in parts.rows}
@@ -161,12 +152,7 @@ def together(robot: str, model: Robot, swing: float = 0.0) -> None:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--only", choices=tuple(PRESETS), nargs="*", default=list(PRESETS))
-    parser.add_argument("--preset", help="calibrate from this preset instead of the robot's own")
-    parser.add_argument("--alone", action="store_true", help="leave the runs together out")
-    parser.add_argument("--swing", type=float, default=0.0, help="take a swing of the EV3's gyro at so many Hz out")
-    asked = parser.parse_args()
+    asked = harness.options(__doc__, only=tuple(PRESETS), preset=str, alone=False, swing=0.0)
     for robot in asked.only:
         if not (DATA / robot).is_dir():
             print(f"{robot}: skipped, since {DATA / robot} is missing")

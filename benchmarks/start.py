@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import subprocess
 import sys
-import time
+
+import harness
 
 COMMANDS = {
     "python -c pass": ["-c", "pass"],
@@ -13,25 +14,18 @@ COMMANDS = {
     "upright robots": ["-m", "upright", "robots"],
     "upright linearise": ["-m", "upright", "linearise"],
 }
-REPEATS = 9
 
 
-def best(arguments: list[str]) -> float:
-    """Shortest of several runs [s]: what the command costs without the machine's other work."""
-    times: list[float] = []
-    for _ in range(REPEATS):
-        before = time.perf_counter()
-        subprocess.run([sys.executable, *arguments], capture_output=True, check=True, timeout=60)
-        times.append(time.perf_counter() - before)
-    return min(times)
+def answered(arguments: list[str]) -> None:
+    subprocess.run([sys.executable, *arguments], capture_output=True, check=True, timeout=60)
 
 
 def main() -> None:
-    took = {name: best(arguments) for name, arguments in COMMANDS.items()}
-    bare = took["python -c pass"]
-    print(f"{'command':<20}{'best of 9 [s]':>15}{'bare interpreters':>20}")
+    repeats = harness.options(__doc__, repeats=9).repeats
+    took = harness.best({name: lambda a=a: answered(a) for name, a in COMMANDS.items()}, repeats)
+    table = harness.Table("command <20", f"best of {repeats} [s] >15.3f", "bare interpreters >20.1f")
     for name, seconds in took.items():
-        print(f"{name:<20}{seconds:>15.3f}{seconds / bare:>20.1f}")
+        table.row(name, seconds, seconds / took["python -c pass"])
 
 
 if __name__ == "__main__":

@@ -6,11 +6,7 @@ python benchmarks/tune.py --robots twipr --methods lqr pid hinf sliding mpc --se
 
 from __future__ import annotations
 
-import argparse
-import os
-import time
-
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy loads
+import harness
 
 from upright.errors import UprightError
 from upright.tune.figures import Figures
@@ -28,26 +24,20 @@ def cells(f: Figures) -> str:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--robots", nargs="+", default=list(ROBOTS))
-    parser.add_argument("--methods", nargs="+", default=["lqr", "lqg"])
-    parser.add_argument("--budget", type=int, default=BUDGET)
-    parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--threads", type=int)
-    asked = parser.parse_args()
+    asked = harness.options(__doc__, robots=ROBOTS, methods=("lqr", "lqg"), budget=BUDGET, seed=0, threads=int)
     head = f"{'light':<6}{'fell':>8}{'knock':>8}{'gains':>11}{'delay':>7}{'settle':>7}{'effort':>9}{'roll':>6}"
     print(f"{'':<32}{head}")
     for robot in asked.robots:
         for method in asked.methods:
-            start, spent = time.perf_counter(), time.process_time()
+            clock = harness.Clock()
             try:
                 found = tune(method, robot, budget=asked.budget, seed=asked.seed, threads=asked.threads)
             except UprightError as error:
                 print(f"{robot} {method}: {error}", flush=True)
                 continue
-            clock, cpu = time.perf_counter() - start, time.process_time() - spent
             print(f"{robot:<20}{method:<8}{'was':<4}{cells(found.default)}")
-            print(f"{'':<20}{f'{clock:.0f} s':<8}{'now':<4}{cells(found.chosen)}  {found.kept or f'{cpu:.0f} s CPU'}")
+            took, why = f"{clock.wall:.0f} s", found.kept or f"{clock.cpu:.0f} s CPU"
+            print(f"{'':<20}{took:<8}{'now':<4}{cells(found.chosen)}  {why}")
             print(" " * 32 + ", ".join(f"{n} {v:.4g}" for n, v in found.weights.items()), flush=True)
 
 

@@ -5,9 +5,9 @@ NXTway-GS drives off to 4.3 rad/s of wheel while it turns, each body under the s
 
 from __future__ import annotations
 
-import time
+import harness
 
-from upright.bodies import Body, NonlinearBody
+from upright.bodies import NonlinearBody
 from upright.bodies.twin import Twin
 from upright.control import lqr
 from upright.experiment import run
@@ -18,38 +18,40 @@ from upright.robots import Robot
 def agreement(robot: Robot) -> None:
     """Complete and published model against the twin, at three yaw rates."""
     feedback = lqr(robot, turning.PERIOD)
-    print(
-        f"{'yaw [rad/s]':>12}{'model':>12}{'pitch RMS [%]':>15}{'max [%]':>10}{'wheel rate RMS [%]':>20}{'max [%]':>10}"
+    table = harness.Table(
+        "yaw [rad/s] >12g",
+        "model >12",
+        "pitch RMS [%] >15.3f",
+        "max [%] >10.3f",
+        "wheel rate RMS [%] >20.3f",
+        "max [%] >10.3f",
     )
     for rate in turning.RATES:
         twin = turning.drive(Twin(robot), feedback, rate)
         for model in ("complete", "published"):
             log = turning.drive(NonlinearBody(robot, model), feedback, rate)
             pitch, wheel = (turning.deviation(log, twin, state) for state in ("pitch", "wheel_rate"))
-            numbers = (pitch.rms, pitch.largest, wheel.rms, wheel.largest)
-            print(
-                f"{rate:>12g}{model:>12}"
-                + "".join(f"{100 * n:>{w}.3f}" for n, w in zip(numbers, (15, 10, 20, 10), strict=True))
-            )
+            table.row(rate, model, *(100 * n for n in (pitch.rms, pitch.largest, wheel.rms, wheel.largest)))
 
 
 def cost(robot: Robot) -> None:
     """Computing time for one simulated second under feedback every 10 ms, beside the nonlinear model's."""
-    bodies: dict[str, Body] = {"nonlinear model": NonlinearBody(robot), "twin": Twin(robot)}
-    took: dict[str, float] = {}
-    for name, body in bodies.items():
-        best = float("inf")
-        for _ in range(3):
-            before = time.perf_counter()
-            run(body, lqr(robot, 0.01), seconds=4.0, start=(0.05, 0, 0, 0, 0, 0))
-            best = min(best, time.perf_counter() - before)
-        took[name] = best / 4.0
-    print(f"\n{'body':<20}{'[s] a simulated second':>25}{'ratio':>8}")
+    bodies = {"nonlinear model": NonlinearBody(robot), "twin": Twin(robot)}
+    start = (0.05, 0, 0, 0, 0, 0)
+    jobs = {n: lambda b=b: run(b, lqr(robot, 0.01), seconds=4.0, start=start) for n, b in bodies.items()}
+    took = harness.best(jobs, 3)
+    print()
+    table = harness.Table("body <20", "[s] a simulated second >25.4f", "ratio >8.2f")
     for name, seconds in took.items():
-        print(f"{name:<20}{seconds:>25.4f}{seconds / took['nonlinear model']:>8.2f}")
+        table.row(name, seconds / 4.0, seconds / took["nonlinear model"])
 
 
-if __name__ == "__main__":
+def main() -> None:
+    harness.options(__doc__)
     nxtway = Robot.preset("nxtway-gs")
     agreement(nxtway)
     cost(nxtway)
+
+
+if __name__ == "__main__":
+    main()

@@ -3,16 +3,11 @@
 from __future__ import annotations
 
 import math
-import os
-import pickle
 from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
-from pathlib import Path
 from typing import Any
-
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy loads; many small products gain nothing by threads
 
 import numpy as np
 
@@ -312,14 +307,3 @@ def _as_real(log: Log, skipped: list[int], rng: np.random.Generator) -> Log:
     names = [n for n in wanted if battery or n != "sensor/battery"]
     keep = np.setdiff1d(np.arange(len(log)), skipped)
     return Log(log.t[keep], {n: log[n][keep] for n in names}, {n: log.units[n] for n in names})
-
-
-def made(cause: str, seed: int, folder: Path | None) -> Planted:
-    """The planted run, from the folder where it was kept before."""
-    path = folder / f"{cause.replace(' ', '-')}-{seed}.pickle" if folder else None
-    if path and path.exists():
-        return pickle.loads(path.read_bytes())  # our own file
-    found = planted(cause, seed)
-    if path:
-        path.write_bytes(pickle.dumps(found))
-    return found

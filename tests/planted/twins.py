@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import math
-import os
-
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the command `upright` does
+from collections.abc import Callable
 
 import numpy as np
 
-from upright.bodies import Electronics
+from upright.bodies import Body, Electronics
 from upright.bodies.twin import Twin
 from upright.calibrate.effects import FRACTIONS
 from upright.control import Estimated, kalman, lqr, make_controller
@@ -49,25 +47,26 @@ def drawn(robot: Robot, seed: int) -> Robot:
 
 
 def twin_log(
-    name: str, true: Robot, seed: int, seconds: float = 20.0, slope: float = 0.0, *, quiet: bool = False
-) -> Log:
-    """The twin of `true` under the preset's controller, excited by a random binary dither, on a floor of that slope
-    [rad]; or `quiet`: held at a tenth of a radian, let go after a second, and then left alone. The log then begins at
-    the release, as a person's does who lets a robot go."""
+    name: str, true: Robot, seed: int, seconds: float = 20.0, slope: float = 0.0, *, quiet: bool = False,
+    kit: Kit | None = None, body: Callable[[Robot], Body] = Twin,
+) -> Log:  # fmt: skip
+    """The twin of `true`, or another `body`, in the preset's kit or another, under the preset's controller, excited by
+    a random binary dither, on a floor of that slope [rad]; or `quiet`: held at a tenth of a radian, let go after a
+    second, and then left alone. The log then begins at the release, as a person's does who lets a robot go."""
     robot = Robot.preset(name)
-    kit = Kit.preset(robot.kit)
+    kit = kit or Kit.preset(robot.kit)
     if name == "nxtway-gs":
         controller = Estimated(lqr(robot, kit.period), kalman(robot, kit, kit.period))
     else:
         controller = make_controller("lqg", robot, kit, kit.period)
+    plant = Electronics(body(true), kit)
     if quiet:
-        body = Electronics(Twin(true), kit)
-        whole = run(body, controller, Hold(pitch=HELD, until=RELEASED), seconds=RELEASED + seconds, seed=seed)
+        whole = run(plant, controller, Hold(pitch=HELD, until=RELEASED), seconds=RELEASED + seconds, seed=seed)
         return whole.between(RELEASED, math.inf)
     amplitude, hold = DITHER[name]
     dither = random_binary(round(seconds / kit.period), amplitude, seed, hold)
     floor = Slope(angle=slope)
-    return run(Electronics(Twin(true), kit), Excited(controller, dither), floor, seconds=seconds, seed=seed)
+    return run(plant, Excited(controller, dither), floor, seconds=seconds, seed=seed)
 
 
 def runs_of(name: str, true: Robot, seed: int) -> list[Log]:

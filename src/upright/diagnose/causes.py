@@ -137,7 +137,7 @@ def _with_error(size: float) -> str:
 
 KNOWN = 0.07
 """How well an impulse is known: planted ones come out between 7 % small and 1 % large (twins of nxtway-gs,
-`benchmarks/push_size.py`, 25 November 2026)."""
+25 November 2026)."""
 
 
 @dataclass(frozen=True)

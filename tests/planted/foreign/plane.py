@@ -9,12 +9,13 @@ period.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from planted.foreign.case import Case
 from upright.calibrate.calibration import Calibration
 from upright.logs.readers import RawTable
 from upright.robots import Robot
@@ -144,11 +145,16 @@ def _held(course: Course, t: float) -> float:
 
 def logged(bot: Bot, course: Course, seed: int = 0) -> dict[str, Array]:
     """Columns in SI units, and ticks of both wheels: `t`, `left`, `right`, `gyro`, `tilt`, `duty` (−1 to 1)."""
+    return flown(bot, course, seed)[0]
+
+
+def flown(bot: Bot, course: Course, seed: int = 0) -> tuple[dict[str, Array], float]:
+    """The columns of `logged`, and when it leaned by 0.7 rad after it was let go [s] (infinite: it stands)."""
     rng = np.random.default_rng(seed)
     state = (course.lean if course.lying else 0.0, 0.0, 0.0, 0.0)
     tilt, last, speed, excited, on_floor = state[0], 0.0, 0.0, 0.0, False
     start = course.lying + (course.raised if course.lying else 0.0) + course.held
-    past, rows = [0.0], list[tuple[float, ...]]()
+    past, rows, fell_at = [0.0], list[tuple[float, ...]](), math.inf
     per_row, late = round(bot.period / STEP), round(bot.late / STEP)
     for k in range(round((start + course.free + (2.0 if course.falls else 0.0)) / bot.period)):
         t = k * bot.period
@@ -179,8 +185,9 @@ def logged(bot: Bot, course: Course, seed: int = 0) -> dict[str, Array]:
             state = _stepped(bot, state, volts, force, goal if hand else None, on_floor)
             on_floor |= not hand and abs(state[0]) > 1.3
             past.append(state[1])
+        fell_at = min(fell_at, t if not hand and abs(state[0]) > 0.7 else math.inf)
     names = ("t", "left", "right", "gyro", "tilt", "duty")
-    return dict(zip(names, np.array(rows).T, strict=True))
+    return dict(zip(names, np.array(rows).T, strict=True)), fell_at
 
 
 def arduino(columns: dict[str, Array], bot: Bot) -> dict[str, Array]:
@@ -238,8 +245,44 @@ def missed(found: Calibration, bot: Bot) -> tuple[int, list[str]]:
     return len(names), [name for name, value in names.items() if not seen[name].low <= value <= seen[name].high]
 
 
-Change = Callable[[dict[str, Array]], dict[str, Array]]
-__all__ = [
-    "DEGREE", "SMALL", "Bot", "Change", "Course", "arduino", "known", "logged", "metric", "missed", "replace",
-    "truth_of",
-]  # fmt: skip
+MIDDLE = Bot(
+    body=0.62, wheels=0.06, radius=0.034, com=0.07, inertia=1.6e-3, wheel_inertia=4e-5, rotor=9e-5, gain=0.045,
+    damping=0.012, dry=0.01, rolling=1.2e-3, ticks=1440.0, late=0.003, battery=8.0, gains=(0.6, 26.0, 0.6, 2.0),
+    period=0.008,
+)  # fmt: skip
+ROBOTS = {"small": (SMALL, 9.0, 1.0), "arduino": (Bot(), 12.0, 1.2), "middle": (MIDDLE, 12.0, 1.2)}
+"""And seconds of balance, amplitude of the excitation [V]."""
+FAULTS = {"push": (0.4, 3.0), "gyro-scale": (0.6, 0.08), "friction": (0.1, 1.5)}
+"""Sizes from mild to bad: [m/s] of the body; of the motion; over the motors' largest torque."""
+LASTS, LOGS_ON, TRIES = 0.1, 1.3, 20  # [s] a push, [s] after a fall
+
+
+def stand(name: str, seed: int, dead_zone: float = 0.0) -> Case:
+    """A robot that is held for half a second and then balances, excited."""
+    bot, free, excitation = ROBOTS[name]
+    bot = replace(bot, dead_zone=dead_zone)
+    table = metric(logged(bot, Course(free=free, held=0.5, excitation=excitation), seed), bot)
+    return Case(table, known(bot), truth_of(bot))
+
+
+def fall(name: str, cause: str, seed: int) -> Case | None:
+    """A robot that falls by this cause, and stands without it; None where no size does that."""
+    bot, (mild, bad) = ROBOTS[name][0], FAULTS[cause]
+    for tried in range(TRIES):
+        rng = np.random.default_rng([seed, tried, *map(ord, name + cause)])
+        onset, size = float(rng.uniform(3.0, 5.0)), mild * (bad / mild) ** min(1.0, rng.uniform(0, 0.5) + 0.05 * tried)
+        shove = (onset, onset + LASTS, float(rng.choice([-1, 1])) * size * bot.body / LASTS)
+        change = {
+            "push": {"pushes": (shove,)},
+            "gyro-scale": {"scale": (onset, size)},
+            "friction": {"stiff": (onset, size * bot.gain * bot.battery)},
+        }[cause]
+        course = Course(free=onset + 4.0, held=0.5, excitation=0.3)
+        columns, fell_at = flown(bot, replace(course, **change), seed)
+        start = course.held
+        if not start + onset + 0.1 < fell_at < math.inf or math.isfinite(flown(bot, course, seed)[1]):
+            continue
+        there = columns["t"] < fell_at + LOGS_ON
+        table = metric({n: v[there] for n, v in columns.items()}, bot)
+        return Case(table, known(bot), truth_of(bot), cause, size, start + onset, fell_at)
+    return None

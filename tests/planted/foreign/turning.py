@@ -1,7 +1,4 @@
-"""Post-mortems of robots that others made: a simulator of its own equations, which shares nothing with upright.
-
-    python benchmarks/postmortem_foreign.py --first-seed 18
-    python benchmarks/postmortem_foreign.py --first-seed 3 --seeds 4 --robots H --causes friction gyro-scale
+"""Robots of other people that turn: a simulator of its own equations, which shares nothing with upright.
 
 Two wheels and a body in the plane, which turn about the vertical as well, by Runge and Kutta's method in steps of
 50 µs; dry friction in both gears and under both wheels; a state feedback of a complementary filter. F has 1.2 kg and
@@ -13,12 +10,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numba
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import expm, solve_discrete_are
 
+from planted.foreign import plane
+from planted.foreign.case import Case
 from upright.robots import Battery, Kit, Robot, Sensor
 from upright.robots.robot import Provenance
 from upright.signals import Log
@@ -158,18 +158,6 @@ class Fault:
     side: int
 
 
-@dataclass(frozen=True)
-class Fall:
-    """A robot that fell, what its owner has of it, and when it leaned by 0.7 rad [s]."""
-
-    fault: Fault
-    bot: Machine
-    file: Robot
-    kit: Kit
-    log: Log
-    fell_at: float
-
-
 def in_steps(angles: Array) -> Array:
     """What an encoder shows of angles [rad]."""
     return np.floor(angles * TICKS / math.tau) * math.tau / TICKS
@@ -265,8 +253,8 @@ def lean_of(bot: Machine) -> float:
     return abs(float(w @ b)) * bot.most / float(values.real[i]) / abs(float(w @ per_force))
 
 
-def owned(bot: Machine, rng: np.random.Generator) -> tuple[Robot, Kit]:
-    """The files that their owner would write, with numbers that are 1 to 4 % off."""
+def owned(bot: Machine, rng: np.random.Generator) -> Robot:
+    """The file that its owner would write, with its kit, of numbers that are 1 to 4 % off."""
     true = {
         "wheel_mass": bot.wheel, "wheel_radius": bot.radius, "wheel_inertia": bot.wheel_inertia, "body_mass": bot.body,
         "track": bot.track, "com_height": bot.com, "pitch_inertia": bot.inertia, "yaw_inertia": bot.inertia,
@@ -291,19 +279,45 @@ def owned(bot: Machine, rng: np.random.Generator) -> tuple[Robot, Kit]:
     if bot.drive == "torque":
         kit = replace(kit, motor=replace(kit.motor, limit=bot.most))
     extra = {"gear_ratio": 1.0, "wheel_friction": 0.0, "stiction_rate": 0.02}
-    file = replace(base, name="own", drive=bot.drive, kit=kit, **values, **extra, provenance=sources)
-    return file, kit
+    return replace(base, name="own", drive=bot.drive, kit=kit, **values, **extra, provenance=sources)
 
 
-def fall(name: str, cause: str, seed: int) -> Fall | None:
+def near(name: str, rng: np.random.Generator) -> Machine:
+    """A machine of that kind: its numbers differ by 15 %."""
+    parts = ("body", "com", "inertia", "gain", "damping", "dry", "rotor", "rolling")
+    usual = MACHINES[name]
+    bot = replace(usual, **{part: getattr(usual, part) * math.exp(rng.normal(0, 0.15)) for part in parts})
+    return replace(bot, gain=1.0) if bot.drive == "torque" else bot
+
+
+def truth_of(bot: Machine) -> dict[str, float]:
+    """Its numbers by the names of a calibration: those of a robot in the plane with both of its wheels in one."""
+    flat = plane.Bot(
+        bot.body, 2 * bot.wheel, bot.radius, bot.com, bot.inertia, 2 * bot.wheel_inertia, 2 * bot.rotor, bot.gain,
+        bot.damping, bot.dry, bot.rolling, late=0.0,
+    )  # fmt: skip
+    return plane.truth_of(flat)
+
+
+def case_of(bot: Machine, columns: dict[str, Array], rng: np.random.Generator, **fault: Any) -> Case:
+    """The log with what its owner has."""
+    channels = {n: v for n, v in columns.items() if n != "t"}
+    return Case(Log(np.maximum.accumulate(columns["t"]), channels), owned(bot, rng), truth_of(bot), **fault)
+
+
+def stand(name: str, seed: int) -> Case:
+    """A robot that is driven to and fro, and knocked twice."""
+    rng = np.random.default_rng([seed, ord(name)])
+    bot = near(name, rng)
+    return case_of(bot, flown(bot, None, seed)[0], rng)
+
+
+def fall(name: str, cause: str, seed: int) -> Case | None:
     """A robot that falls by this cause, and stands without it; None where no size does that."""
     mild, bad = FAULTS[cause]
     for tried in range(TRIES):
         rng = np.random.default_rng([seed, tried, ord(name), *map(ord, cause)])
-        usual = MACHINES[name]
-        parts = ("body", "com", "inertia", "gain", "damping", "dry", "rotor", "rolling")
-        bot = replace(usual, **{part: getattr(usual, part) * math.exp(rng.normal(0, 0.15)) for part in parts})
-        bot = replace(bot, gain=1.0) if bot.drive == "torque" else bot
+        bot = near(name, rng)
         level = min(1.0, float(rng.uniform(0, 0.5)) + 0.05 * tried)
         fault = Fault(
             cause, float(rng.uniform(4.0, 6.0)), mild * (bad / mild) ** level, float(rng.choice([-1.0, 1.0])),
@@ -313,9 +327,7 @@ def fall(name: str, cause: str, seed: int) -> Fall | None:
         run = int(rng.integers(2**31))
         columns, fell_at = flown(bot, fault, run)
         sound = replace(fault, size=1.0) if cause == "let-go" else None
-        if not fault.onset + 0.1 < fell_at < SECONDS - 0.5 or math.isfinite(flown(bot, sound, run)[1]):
-            continue
-        file, kit = owned(bot, rng)
-        channels = {n: v for n, v in columns.items() if n != "t"}
-        return Fall(fault, bot, file, kit, Log(np.maximum.accumulate(columns["t"]), channels), fell_at)
+        if fault.onset + 0.1 < fell_at < SECONDS - 0.5 and math.isinf(flown(bot, sound, run)[1]):
+            told = {"cause": cause, "size": fault.size, "onset": fault.onset, "fell_at": fell_at, "side": fault.side}
+            return case_of(bot, columns, rng, **told)
     return None
