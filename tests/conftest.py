@@ -268,9 +268,13 @@ def _nbc_once_where_needed(request: pytest.FixtureRequest) -> None:
         request.getfixturevalue("nbc_once")
 
 
+EXPORTED = ("nxtway-gs", "twipr")
+
+
 @pytest.fixture(scope="session")
 def exported_lab(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The page that `upright lab --export site` writes, with every preset: 20 s, once for all processes."""
+    """The page that `upright lab --export site` writes, with a robot in volts and one in newton metres: once for all
+    processes."""
     from upright.cli.main import main
 
     folder = common(tmp_path_factory, "exported-lab")
@@ -282,7 +286,7 @@ def exported_lab(tmp_path_factory: pytest.TempPathFactory) -> Path:
             assert not failed.exists()
             time.sleep(0.2)
         return page
-    if main(["lab", "--export", str(page.parent)]) != 0:
+    if main(["lab", "--export", str(page.parent), *(f"--robot={name}" for name in EXPORTED)]) != 0:
         failed.touch()
     return page
 
