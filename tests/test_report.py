@@ -14,10 +14,10 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from upright.certify.design import design
+from upright.certify.design import Designed, design
 from upright.comparison import compare
 from upright.comparison.bench import Bench, BenchRow
-from upright.control import design_of
+from upright.control import design_of, make_controller
 from upright.decimate import decimate
 from upright.errors import InvalidLog, UnknownName, UprightError
 from upright.experiment.pushes import Impulse, Slope
@@ -46,6 +46,7 @@ from upright.report.designed import controller_section
 from upright.report.following import completed
 from upright.report.knocks import harder
 from upright.report.page import cell_text
+from upright.robots import Kit, Robot
 from upright.signals import STATE_NAMES, Log
 from upright.tables import spoken
 
@@ -622,10 +623,16 @@ def test_a_designs_page_has_its_weights_and_gains():
     assert filtered.header[1:] == ["encoder left [unit/rad]", "encoder right [unit/rad]", "gyro [unit/(rad/s)]"]
 
 
+def designed(method, period=None):
+    """A design without its analysis, which takes longer."""
+    robot, kit = Robot.preset("nxtway-gs"), Kit.preset("nxt")
+    return Designed(method, robot, kit, make_controller(method, robot, kit, period or kit.period), None)
+
+
 @pytest.mark.parametrize("period", [0.0085, 0.004])
 def test_a_design_of_any_period_is_let_go(period):
     """8.5 ms is no multiple of a body's usual millisecond."""
-    run_ = design("lqg", "nxtway-gs", period=period).let_go()
+    run_ = designed("lqg", period).let_go()
     assert np.diff(run_.log.t) == pytest.approx(period)
     assert run_.upright < 3.0  # as every 10 ms, 1.3 s, but for noise
     assert run_.fell is None
@@ -633,8 +640,7 @@ def test_a_design_of_any_period_is_let_go(period):
 
 @pytest.mark.parametrize("method", ["lqr", "lqi", "pid", "hinf", "sliding", "mpc"])
 def test_every_method_shows_what_it_was_found_by(method):
-    result = design(method, "nxtway-gs")
-    section = controller_section(result)
+    section = controller_section(designed(method))
     tables = [item for item in section.items if isinstance(item, Table)]
     assert tables
     numbers = [cell for table in tables for row in table.rows for cell in row[1:]]
