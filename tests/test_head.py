@@ -25,7 +25,7 @@ ALL = [
     "simulate -s 1", "compare a.csv b.csv", f"fleet -n 30 -s 2 {KNOCK}", "push-map --points 2 -n 0 --watch 1",
     "grade hand-ins", "design lqg", "bench-controllers -c lqg -c lqr", "certify lqg --samples 100",
     "calibrate excited.csv --until 4", "validate nxtway-gs excited.csv", "post-mortem fall.csv",
-    "tune lqr --budget 4 --samples 100", "identify excited.csv --method all --repeats 2",
+    "tune lqr --budget 4 --samples 100", "identify excited.csv --method instrumental --repeats 2",
     "excite -s 20 --samples 600 --focus com_height",
 ]  # fmt: skip
 COMMANDS = [*QUICK, *(pytest.param(command, marks=pytest.mark.evidence) for command in ALL)]
