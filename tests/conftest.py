@@ -63,10 +63,9 @@ BROWSER = frozenset(("test_lab_page", "test_lab_exported", "test_pages"))
 """Files with a browser, and a lab beside it: two at once take more than two cores."""
 
 FIRST = (
-    "browser", "test_site", "test_reproduce", "test_postmortem", "test_firmware_parity", "test_calibrate",
-    "test_readme", "test_first_robot", "test_support", "test_doctor", "test_foreign_robots", "test_margins",
-    "test_firmware_hub", "test_report", "test_start", "test_firmware_brick", "test_scripts", "test_identify",
-    "test_lab_session", "test_docs",
+    "browser", "test_site", "test_reproduce", "test_postmortem", "test_first_robot", "test_head", "test_calibrate",
+    "test_foreign_robots", "test_readme", "test_designs", "test_firmware_parity", "test_support", "test_doctor",
+    "test_firmware_brick", "test_margins", "test_identify", "test_report", "test_lab_session", "test_docs",
 )  # fmt: skip
 """Units of work that take longest: begun first, so that all processes end at about the same time."""
 

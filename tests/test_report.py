@@ -132,8 +132,14 @@ def comparison():
     return compare({"robot": run("twin"), "linear": run(tau=0.3), "nonlinear": run(tau=0.45)})
 
 
-def test_pages_are_well_formed_and_their_links_lead_to_ids_that_exist_once(comparison):
-    for html in (page().html(), page_of(comparison).html()):
+@pytest.fixture(scope="module")
+def htmls(comparison):
+    """A page of every kind of part, and that of the comparison."""
+    return page().html(), page_of(comparison).html()
+
+
+def test_pages_are_well_formed_and_their_links_lead_to_ids_that_exist_once(htmls):
+    for html in htmls:
         parser = Balanced()
         parser.feed(html)
         assert parser.open == []
@@ -175,14 +181,14 @@ def test_a_column_of_per_cents_keeps_a_decimal_beside_small_ones():
     assert [row[1][0] for row in table.cells()] == ["100.0", "2.8"]
 
 
-def test_pages_fetch_nothing(comparison):
-    for html in (page().html(), page_of(comparison).html()):
+def test_pages_fetch_nothing(htmls):
+    for html in htmls:
         assert not re.search(r"https?://|//[a-z]+\.[a-z]", re.sub(r'xmlns="[^"]*"', "", html))
         assert not re.search(r"@import|url\((?!#)", html)  # url(#…) points into the drawing itself
 
 
-def test_every_drawing_is_xml_with_a_title_a_description_and_units_on_both_axes(comparison):
-    for html in (page().html(), page_of(comparison).html()):
+def test_every_drawing_is_xml_with_a_title_a_description_and_units_on_both_axes(htmls):
+    for html in htmls:
         pictures = [root for root in drawings(html) if root.get("role") == "img"]
         assert pictures
         for root in pictures:
@@ -193,8 +199,8 @@ def test_every_drawing_is_xml_with_a_title_a_description_and_units_on_both_axes(
             assert set(labels) <= set(re.split(r", |: ", root.findtext(f"{SVG}desc")))
 
 
-def test_the_comparison_page_draws_each_state_and_the_commands_and_says_twin(comparison):
-    html = page_of(comparison).html().replace("\u00a0", " ")
+def test_the_comparison_page_draws_each_state_and_the_commands_and_says_twin(htmls):
+    html = htmls[1].replace("\u00a0", " ")
     assert sum(root.get("role") == "img" for root in drawings(html)) == 2 * (
         len(STATE_NAMES) + 1
     )  # for a screen and for a phone
@@ -223,13 +229,13 @@ def test_no_line_breaks_between_a_number_and_its_unit_or_inside_a_unit(text, who
 
 
 def test_the_same_page_is_the_same_bytes(comparison, tmp_path):
-    first, second = (report(comparison, tmp_path / name) for name in ("a.html", "b.html"))
+    first, second = (report(comparison, tmp_path / name) for name in ("a.html", "b.html"))  # each is drawn anew
     assert first.read_bytes() == second.read_bytes()
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.html", "b.html"]  # no temporary file stays
 
 
-def test_a_title_replaces_the_pages_own_and_a_result_without_a_page_says_so(comparison, tmp_path):
-    assert "<title>2 runs beside twin; the worst, linear, fits " in page_of(comparison).html()
+def test_a_title_replaces_the_pages_own_and_a_result_without_a_page_says_so(comparison, htmls, tmp_path):
+    assert "<title>2 runs beside twin; the worst, linear, fits " in htmls[1]
     assert "<title>Two &amp; one</title>" in report(comparison, tmp_path / "a.html", title="Two & one").read_text()
     with pytest.raises(UprightError, match="float has no page; expected a result: Comparison, Calibration") as error:
         report(1.0, tmp_path / "b.html")
