@@ -63,10 +63,9 @@ BROWSER = frozenset(("test_lab_page", "test_lab_exported", "test_pages"))
 """Files with a browser, and a lab beside it: two at once take more than two cores."""
 
 FIRST = (
-    "browser", "test_site", "test_reproduce", "test_postmortem", "test_firmware_parity", "test_calibrate",
-    "test_readme", "test_first_robot", "test_support", "test_doctor", "test_foreign_robots", "test_margins",
-    "test_firmware_hub", "test_report", "test_start", "test_firmware_brick", "test_scripts", "test_identify",
-    "test_lab_session", "test_docs",
+    "browser", "test_site", "test_reproduce", "test_postmortem", "test_first_robot", "test_head", "test_calibrate",
+    "test_foreign_robots", "test_readme", "test_designs", "test_firmware_parity", "test_support", "test_doctor",
+    "test_firmware_brick", "test_margins", "test_identify", "test_report", "test_lab_session", "test_docs",
 )  # fmt: skip
 """Units of work that take longest: begun first, so that all processes end at about the same time."""
 
@@ -268,9 +267,13 @@ def _nbc_once_where_needed(request: pytest.FixtureRequest) -> None:
         request.getfixturevalue("nbc_once")
 
 
+EXPORTED = ("nxtway-gs", "twipr")
+
+
 @pytest.fixture(scope="session")
 def exported_lab(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The page that `upright lab --export site` writes, with every preset: 20 s, once for all processes."""
+    """The page that `upright lab --export site` writes, with a robot in volts and one in newton metres: once for all
+    processes."""
     from upright.cli.main import main
 
     folder = common(tmp_path_factory, "exported-lab")
@@ -282,7 +285,7 @@ def exported_lab(tmp_path_factory: pytest.TempPathFactory) -> Path:
             assert not failed.exists()
             time.sleep(0.2)
         return page
-    if main(["lab", "--export", str(page.parent)]) != 0:
+    if main(["lab", "--export", str(page.parent), *(f"--robot={name}" for name in EXPORTED)]) != 0:
         failed.touch()
     return page
 

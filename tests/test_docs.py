@@ -10,6 +10,7 @@ import re
 import shlex
 import shutil
 import tomllib
+from collections.abc import Collection
 from functools import cache
 from itertools import pairwise
 from pathlib import Path
@@ -89,7 +90,20 @@ def test_every_example_stands_in_a_fence_that_names_its_language(page: Path) -> 
     assert re.findall(r"\n\n {4}(?![-*] ).*", FENCE.sub("", text)) == []
 
 
-@pytest.mark.parametrize("page", with_("python"), ids=lambda page: page.name)
+LONG = {"README.md", "excite.md", "calibrate.md", "identify.md"}
+"""Pages whose Python calibrates, or plans an experiment."""
+
+
+def run_pages(pages: list[Path], long: Collection[str] = ()) -> list[Any]:
+    """The pages whose examples run; those in Spanish give the same ones, which a test below says."""
+    return [
+        pytest.param(page, id=page.name, marks=pytest.mark.evidence if page.name in long else ())
+        for page in pages
+        if ".es." not in page.name
+    ]
+
+
+@pytest.mark.parametrize("page", run_pages(with_("python"), LONG))
 def test_python_in_the_documents_runs(page: Path, bench: Path) -> None:
     names: dict[str, object] = {"__name__": "example"}
     for block in blocks(page, "python"):
@@ -138,9 +152,7 @@ def quick(page: Path) -> list[list[str]]:
     return [words for words in commands(page) if words[0] == "upright" and words[1] in QUICK]
 
 
-@pytest.mark.parametrize(
-    "page", [page for page in PAGES if quick(page) and page not in READ_WHOLE], ids=lambda page: page.name
-)
+@pytest.mark.parametrize("page", run_pages([page for page in PAGES if quick(page) and page not in READ_WHOLE]))
 def test_quick_commands_in_the_documents_run(page: Path, bench: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for words in quick(page):
         inputs = [word for option, word in pairwise(words) if option not in OUTPUTS]

@@ -202,7 +202,7 @@ def test_a_flight_brings_its_log_home(made: tuple[Path, Program], virtual: Virtu
 
 
 @pytest.mark.needs("module:nxt")
-@pytest.mark.parametrize("gain", [0.0, 2.0])
+@pytest.mark.parametrize("gain", [pytest.param(0.0, marks=pytest.mark.evidence), 2.0])
 def test_the_compass_steers_the_robot(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, gain: float) -> None:
     """North moves by 40° while it stands, as beside a magnet; a robot that steers by the compass turns after it."""
     source, made = written(tmp_path, "nxc", controller=steering(gain))
@@ -300,6 +300,7 @@ def test_what_is_not_ready_is_not_driven(
     assert motors_are_off(virtual)
 
 
+@pytest.mark.evidence
 @pytest.mark.needs("module:nxt")
 def test_a_log_that_does_not_fit_is_reported_before_the_start(tmp_path: Path, virtual: VirtualFlight) -> None:
     """60 s are 6000 rows of 8 integers and a head; the hint fits, and what the last log takes counts as free."""
@@ -323,7 +324,10 @@ def test_a_log_that_does_not_fit_is_reported_before_the_start(tmp_path: Path, vi
 
 
 @pytest.mark.needs("module:nxt")
-@pytest.mark.parametrize("name", ["nxtway-gs-measured", "x" * 40, "Ñandú verde 2.0 ñññ"])
+@pytest.mark.parametrize(
+    "name",
+    [*(pytest.param(n, marks=pytest.mark.evidence) for n in ("nxtway-gs-measured", "x" * 40)), "Ñandú verde 2.0 ñññ"],
+)
 def test_the_log_has_a_name_that_a_brick_keeps_whatever_the_robot_is_called(tmp_path: Path, name: str) -> None:
     """A brick's names are 15.3 characters of ASCII (LEGO, "NXT Communication Protocol", appendix 1)."""
     firmware = generate(frozen(), ROBOT.replace(name=name), KIT, "nxc")

@@ -128,7 +128,7 @@ def test_a_hub_out_of_reach_stops_by_itself_and_keeps_its_whole_log(hub: Virtual
     assert at_rest(hub)
 
 
-@pytest.mark.parametrize("connected", [True, False])
+@pytest.mark.parametrize("connected", [pytest.param(True, marks=pytest.mark.evidence), False])
 def test_a_hub_that_falls_keeps_its_log_until_somebody_comes(
     made: tuple[Path, Program], tmp_path: Path, connected: bool
 ) -> None:
@@ -154,6 +154,7 @@ def test_its_button_stops_a_hub_out_of_reach(made: tuple[Path, Program], hub: Vi
     assert at_rest(hub)
 
 
+@pytest.mark.evidence
 def test_a_silent_hub_is_given_up_and_what_it_said_is_kept(made: tuple[Path, Program]) -> None:
     """It answers for two seconds of its own, and no more."""
     for brief in (1.0, 6.0, 36.0):  # [s] it is waited for five times; a busy machine may not fly in the first of them
@@ -242,7 +243,7 @@ def test_a_hub_that_is_not_ready_is_not_driven(
     assert not hub.world.released
 
 
-@pytest.mark.parametrize("port", ["A", "B"])
+@pytest.mark.parametrize("port", ["A", pytest.param("B", marks=pytest.mark.evidence)])
 def test_a_motor_in_another_port_is_reported(made: tuple[Path, Program], port: str) -> None:
     with virtual_hub(ROBOT, KIT, absent=[port]) as hub:
         with pytest.raises(FlightRefused, match="not in the port that the program uses"):
@@ -340,7 +341,13 @@ def test_hostile_commands_never_stop_the_hub(hub: VirtualHub) -> None:
     assert len(hub.read("c5f50003-8280-46da-89f4-6d8051e4aeef")) == 10  # it still tells what it can
 
 
-@pytest.mark.parametrize(("pace", "tells", "most"), [(0.01, False, 0), (0.15, False, 4), (0.15, True, 0)])
+@pytest.mark.parametrize(
+    ("pace", "tells", "most"),
+    [
+        (0.15, False, 4),
+        *(pytest.param(*how, marks=pytest.mark.evidence) for how in ((0.01, False, 0), (0.15, True, 0))),
+    ],
+)
 def test_telemetry_never_holds_a_balancing_robot_up(
     made: tuple[Path, Program], pace: float, tells: bool, most: int
 ) -> None:

@@ -201,7 +201,7 @@ def part(batch, rows):
     return FleetBatch(**{**batch, **cut, "index": np.asarray(rows, dtype=np.uint64)})
 
 
-@pytest.mark.parametrize("dtype", [np.float64, np.float32])
+@pytest.mark.parametrize("dtype", [np.float64, pytest.param(np.float32, marks=pytest.mark.evidence)])
 def test_a_robot_is_the_same_bits_in_any_batch_order_and_number_of_threads(dtype):
     batch = fleet()
     whole = simulate(FleetBatch(**batch), 2.0, dtype=dtype, threads=1)

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from conftest import EXPORTED
 from test_lab_printed import DRIVEN, EXCITED, quiet
 from upright.bodies import Electronics, NonlinearBody
 from upright.classwork.grading import grade_file
@@ -20,13 +21,13 @@ from upright.cli.main import group
 from upright.control import CONTROLLERS
 from upright.experiment import Impulse, run
 from upright.lab.codec import plain
+from upright.lab.export import export
 from upright.lab.handin import read_hand_in
 from upright.lab.rerun import rerun
 from upright.robots import Kit, Robot
 from upright.signals import STATE_NAMES, Log
 
 BROWSER = [pytest.mark.needs("chromium", "module:playwright")]
-ROBOTS = ("nxtway-gs", "twipr")
 LINKED = "#robot=twipr&controller=sliding&noise=0&bodies=nonlinear&push=impulse:0.2"
 
 
@@ -39,7 +40,7 @@ def marked(test: Any) -> Any:
 
 @pytest.fixture(scope="module")
 def site(exported_lab: Path) -> Path:
-    """The page of every preset with every usual controller."""
+    """The page with every usual controller."""
     return exported_lab
 
 
@@ -63,9 +64,9 @@ def send(page: Any, **message: Any) -> None:
     page.evaluate("(message) => upright.store.send(message)", message)
 
 
-@marked
-def test_the_page_is_small(site):
-    assert len(site.read_bytes()) < 1.5e6  # bar 1.5 MB, with every preset
+@pytest.mark.evidence
+def test_the_page_of_every_preset_is_small(tmp_path):
+    assert len(export(tmp_path).read_bytes()) < 1.5e6  # bar 1.5 MB
 
 
 @marked
@@ -191,8 +192,13 @@ def test_traces_are_broken_where_the_robot_does_not_go_on(page):
 
 
 @pytest.mark.parametrize(
-    "part", ["robot=nobody", "controller=__proto__", "gains=1,2", "slope=9", "push=impulse:1e9", "%"]
-)
+    "part",
+    [
+        "robot=nobody", "gains=1,2", "%",
+        *(pytest.param(part, marks=pytest.mark.evidence)
+          for part in ("controller=__proto__", "slope=9", "push=impulse:1e9")),
+    ],
+)  # fmt: skip
 @marked
 def test_a_link_that_makes_no_sense_is_the_usual_page(page, site, part):
     page.goto("about:blank")
@@ -254,6 +260,7 @@ def test_the_tour_has_the_steps_that_need_no_python(page):
     assert page.evaluate("upright.store.changed.setup.payload") == 0
 
 
+@pytest.mark.evidence
 @marked
 def test_a_phone_does_the_tour_where_it_is_read(browser, site, lend):
     """What a step names is in its card, and does what the real control does; a tap makes a curve large."""
@@ -289,6 +296,7 @@ def test_a_phone_does_the_tour_where_it_is_read(browser, site, lend):
     page.wait_for_function("upright.store.last.push?.[0] === 'tilt'")
 
 
+@pytest.mark.evidence
 @marked
 def test_a_robot_that_sets_off_by_itself_is_marked_so(page, site):
     """Once, where the wheels begin to roll; not where somebody has pushed it before, or has changed it."""
@@ -316,7 +324,7 @@ def test_every_controller_of_every_robot_stands_up_again_from_a_lean(page):
     """A lean of 0.05 rad; the one of the true state alone cannot bear TWIPR's dead time of 53 ms, as in Python."""
     fell: list[str] = []
     send(page, kind="Play", paused=True, speed=1)
-    for robot in ROBOTS:
+    for robot in EXPORTED:
         for name in page.evaluate(f"Object.keys(upright.exported.laws['{robot}'])"):
             page.evaluate(f"upright.store.change({{ robot: '{robot}', controller: '{name}', gains: [] }})")
             send(page, kind="StandUp", pitch=0.05)
@@ -365,9 +373,9 @@ def test_two_knocks_are_no_record_and_one_has_the_size_of_the_slider(page):
 @pytest.mark.parametrize(
     ("setup", "lean"),
     [
-        ({"robot": "nxtway-gs", "controller": "lqg"}, 0.05),
+        pytest.param({"robot": "nxtway-gs", "controller": "lqg"}, 0.05, marks=pytest.mark.evidence),
         ({"robot": "nxtway-gs", "controller": "gains", "noise": 3, "delay": 0.01, "slope": 0.02}, 0.0),
-        ({"robot": "twipr", "controller": "hinf", "seed": 5}, 0.05),
+        pytest.param({"robot": "twipr", "controller": "hinf", "seed": 5}, 0.05, marks=pytest.mark.evidence),
         ({"robot": "nxtway-gs", "controller": "lqi", "payload": 0.3, "payload_height": 0.3}, 0.0),
     ],
 )
@@ -439,6 +447,7 @@ def test_a_link_that_is_opened_in_slow_motion_runs_at_full_speed(page):
     page.wait_for_function(LEANT.format(0))  # its push comes after a second
 
 
+@pytest.mark.evidence
 @marked
 def test_what_needs_python_says_so_with_its_command(page):
     for language in ("en", "es"):
@@ -456,7 +465,7 @@ def test_what_needs_python_says_so_with_its_command(page):
                 group().commands[name].make_context(name, arguments)  # raises where it is no such call
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("scheme", ["light", pytest.param("dark", marks=pytest.mark.evidence)])
 @marked
 def test_axe_core_finds_nothing_serious_in_any_tab(browser, site, axe, lend, scheme):
     page = lend(browser, scheme=scheme, offline=True)

@@ -134,6 +134,7 @@ def setup(page: Any) -> dict[str, Any]:
     return page.evaluate("upright.store.setup")
 
 
+@pytest.mark.evidence
 def test_a_mouse_drags_the_robot_and_it_leans_the_right_way(seen):
     """The camera looks from the right side, so that forward is to the right: pulled there, ψ grows at first.
 
@@ -462,6 +463,7 @@ def test_a_link_of_an_exported_page_opens_here(page, chromium, lab):
     assert "'nobody'" in page.locator(".toast.error").last.inner_text()
 
 
+@pytest.mark.evidence
 def test_a_newcomer_is_shown_the_tour(chromium, lab, lend):
     """Open beside the robot on a laptop; on a phone, where it is below, a button in the room leads there. Once."""
     page = lend(chromium, 390, 844)
@@ -562,6 +564,7 @@ def test_the_accessibility_tree_names_everything(page):
 PADS = "window.pad = {connected: true, axes: [0, 0]}; navigator.getGamepads = () => [null, window.pad];"
 
 
+@pytest.mark.evidence
 def test_a_gamepad_drives_and_lets_go(chromium, lab):
     """Stick forward (-1) rolls forward, left (-1) turns anticlockwise; a stick at rest or unplugged does neither."""
     context = chromium.new_context()
@@ -620,6 +623,7 @@ def test_a_calibration_joins_as_the_fourth_trace(page):
     assert "calibrated" in compared(page).read_text("utf-8")
 
 
+@pytest.mark.evidence
 def test_a_log_of_another_robot_is_refused_under_the_button_with_what_to_do(page, tmp_path):
     """In volts, for a robot that takes torques: which job, why and what to press; in both languages, for as long as
     that robot stands there."""
@@ -690,6 +694,7 @@ def test_each_phrase_of_the_server_has_its_own_translation(page):
     assert [(english, got) for (english, spanish), got in zip(filled, shown, strict=True) if got != spanish] == []
 
 
+@pytest.mark.evidence
 def test_a_phone_s_large_curve_shows_the_fall_that_the_tour_asks_about(page):
     """The step asks for the times of 0.1 and 0.2 rad, and the curve is shown up to 0.3: so far."""
     page.set_viewport_size({"width": 390, "height": 844})
@@ -722,7 +727,7 @@ def test_a_fallen_body_leaves_the_scale_to_those_that_stand(page):
     until(page, "upright.page.charts.strips[0].plot.scales.y.max < 0.5")
 
 
-@pytest.mark.parametrize("width", [390, 1366])
+@pytest.mark.parametrize("width", [390, pytest.param(1366, marks=pytest.mark.evidence)])
 def test_the_light_leads_to_its_reasons(page, width):
     page.set_viewport_size({"width": width, "height": 844 if width == 390 else 768})
     until(page, "(upright.store.lit?.light ?? 'none') !== 'none'")
@@ -757,7 +762,7 @@ TOUR = ("lqg", "off", "off", "lqr", "lqg", "lqg", "lqg", "lqr", "robust")
 """Controllers of the eight steps: none twice, then what the paper does, a payload that breaks it, and what mends it."""
 
 
-@pytest.mark.parametrize("language", ["en", "es"])
+@pytest.mark.parametrize("language", ["en", pytest.param("es", marks=pytest.mark.evidence)])
 def test_the_tour_is_walked_by_keys_and_by_buttons(page, language):
     """In English by keys alone, in Spanish by buttons: eight steps, each with what to do, to watch and to ask."""
     texts = json.loads((WEB / "src" / "texts" / f"{language}.json").read_text("utf-8"))
@@ -818,7 +823,14 @@ def test_nothing_moves_for_who_asked_for_less_motion(chromium, lab, lend):
         assert (style != "0s") == moves
 
 
-@pytest.mark.parametrize("size", [(390, 844), (844, 390), (1440, 900), (1920, 1080), (2560, 1440)])
+@pytest.mark.parametrize(
+    "size",
+    [
+        (390, 844),
+        (844, 390),
+        *(pytest.param(size, marks=pytest.mark.evidence) for size in ((1440, 900), (1920, 1080), (2560, 1440))),
+    ],
+)
 def test_from_phone_to_wall_nothing_is_cut_off(page, size):
     """No panel is wider than the screen, no button narrower than its text; on a wall type is half as large again."""
     page.set_viewport_size(dict(zip(("width", "height"), size, strict=True)))
@@ -850,7 +862,7 @@ def test_from_phone_to_wall_nothing_is_cut_off(page, size):
         assert page.locator(".slot .plot").bounding_box()["height"] >= 80  # twice what two curves had
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("scheme", ["light", pytest.param("dark", marks=pytest.mark.evidence)])
 def test_a_phone_shows_all_of_it_without_scrolling_sideways(chromium, lab, lend, scheme):
     page = lend(chromium, 360, 720, scheme, has_touch=True)
     page.goto(lab.url)
@@ -964,7 +976,7 @@ SEEN_AT_ONCE = """[...document.querySelectorAll('.room, .strip:first-child, .tab
 })"""
 
 
-@pytest.mark.parametrize("language", ["en", "es"])
+@pytest.mark.parametrize("language", [pytest.param("en", marks=pytest.mark.evidence), "es"])
 def test_a_laptop_shows_room_pitch_and_the_open_tab_at_once(page, language):
     """1366 × 768, the commonest laptop: nothing scrolls but the inside of a tab."""
     page.set_viewport_size({"width": 1366, "height": 768})
@@ -994,6 +1006,7 @@ def test_nothing_of_the_controller_before_stays_under_the_new_name(page):
     assert page.evaluate("shown.some(([words]) => words === before)") is False
 
 
+@pytest.mark.evidence
 def test_what_is_said_follows_what_was_chosen(page):
     tab(page, "Robot")
     page.click("summary")
@@ -1034,7 +1047,9 @@ LIGHTS = """() => ['none', 'green', 'amber', 'red'].flatMap(light => [0, 1, 2, 3
 }))"""
 
 
-@pytest.mark.parametrize("size", [(1366, 768), (844, 390), (390, 844)])
+@pytest.mark.parametrize(
+    "size", [*((pytest.param(s, marks=pytest.mark.evidence)) for s in ((1366, 768), (844, 390))), (390, 844)]
+)
 def test_no_words_of_the_bar_move_the_page_or_are_cut(page, size):
     """Whatever the certificate says, and while the connection is lost; the whole of it is the light's title."""
     page.set_viewport_size(dict(zip(("width", "height"), size, strict=True)))
@@ -1062,7 +1077,10 @@ UNDER = """() => [...document.querySelectorAll('.toast')].flatMap(toast => {
 })"""
 
 
-@pytest.mark.parametrize("size", [(1366, 768), (768, 1024), (390, 844), (390, 664)])
+@pytest.mark.parametrize(
+    "size",
+    [*((pytest.param(s, marks=pytest.mark.evidence)) for s in ((768, 1024), (390, 844))), (1366, 768), (390, 664)],
+)
 def test_what_the_corner_says_covers_nothing_to_press(page, size):
     """Under a robot that lies, with its button, at the top of the page and in the tour."""
     page.set_viewport_size(dict(zip(("width", "height"), size, strict=True)))
@@ -1076,6 +1094,7 @@ def test_what_the_corner_says_covers_nothing_to_press(page, size):
         until(page, UNDER, lambda under: under == [])  # it scrolls gently
 
 
+@pytest.mark.evidence
 def test_a_slow_page_fills_its_traces_from_the_history(page):
     page.evaluate("""() => {
         const hear = upright.store.hear.bind(upright.store);
@@ -1100,6 +1119,7 @@ def test_a_slow_page_fills_its_traces_from_the_history(page):
     assert len(set(page.evaluate(lengths))) == 1
 
 
+@pytest.mark.evidence
 def test_gains_by_hand_begin_with_those_of_the_present_controller(page):
     gain = until(page, "upright.store.analysed?.gain[0]")
     page.select_option("[data-key=controller]", "gains")
@@ -1144,6 +1164,7 @@ ENGLISH = (
 )
 
 
+@pytest.mark.evidence
 def test_spanish_is_spanish_to_the_last_decimal(page):
     """No English word in any tab but in names of files and robots, and no decimal point."""
     page.select_option("[data-key=language]", "es")
@@ -1258,6 +1279,7 @@ def test_the_full_certificate_stands_under_its_button(page):
     until(page, "!document.querySelector('.certified').textContent")
 
 
+@pytest.mark.evidence
 def test_a_link_runs_at_full_speed(page):
     """Whatever slow motion was chosen before; and a page that is opened again shows the speed that there is."""
     page.select_option("[data-key=speed]", "0.1")
@@ -1274,6 +1296,7 @@ def test_a_link_runs_at_full_speed(page):
     until(page, "upright.store.snapshot.t", lambda now: now - t > max(0.5, 0.1 * (time.monotonic() - began)))
 
 
+@pytest.mark.evidence
 def test_compare_takes_the_opened_log(page, tmp_path):
     page.click("[data-key=impulse]")
     until(page, "upright.store.snapshot.t > 1.5")
@@ -1439,6 +1462,7 @@ def test_no_margin_is_judged_before_every_place_is_known(page):
     assert not re.search(r"\d|suffice|weakest", waiting)
 
 
+@pytest.mark.evidence
 def test_what_has_the_focus_keeps_it(page):
     """While a design comes and goes: a slider goes on by keys, and Tab leads to the next field."""
     page.locator("[data-key=weight-0]").focus()

@@ -662,6 +662,7 @@ def test_a_job_in_a_process_reports_and_can_be_killed(tmp_path):
         desk.close()
 
 
+@pytest.mark.evidence
 def test_what_was_computed_once_costs_no_process_again(tmp_path, monkeypatch):
     """Another session that asks for the same is answered at once, with nothing begun; here by a task that is quick."""
     assert "light" in LASTING
@@ -719,7 +720,7 @@ def test_the_history_is_sent_again_from_a_moment_on(tmp_path):
     assert last == (*shown.x[0][:6], shown.e[0], *shown.x[0][6:8], shown.s)
 
 
-@pytest.mark.parametrize("raw", [False, True])
+@pytest.mark.parametrize("raw", [pytest.param(False, marks=pytest.mark.evidence), True])
 def test_an_opened_log_is_compared_with_the_run(tmp_path, raw):
     """With its states, or with sensors alone as a brick writes them."""
     session, desk = a_session(tmp_path, certified=False)

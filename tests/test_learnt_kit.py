@@ -75,6 +75,7 @@ def test_unequal_motors_turn_a_robot_and_the_log_says_what_was_applied() -> None
     assert dict(zip([c.name for c in body.spec.channels], now.values, strict=True))["truth/yaw"] > 0.001
 
 
+@pytest.mark.evidence
 def test_what_a_log_shows_of_the_electronics_reaches_every_command(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

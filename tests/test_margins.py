@@ -104,7 +104,7 @@ def stable_with(loop, factor):
     return (poles.real.max(axis=-1) < 0) if loop.continuous else (np.abs(poles).max(axis=-1) < 1)
 
 
-@pytest.mark.parametrize("dt", [0.0, 0.05])
+@pytest.mark.parametrize("dt", [0.0, pytest.param(0.05, marks=pytest.mark.evidence)])
 def test_gain_margins_are_where_a_sweep_of_the_gain_turns_unstable(dt):
     # 150 random loops in each time, with one integrator in three: the poles decide, by bisection from a sweep of
     # 1200 gains over eight decades; a loop may return between two of them, which none of these does
@@ -279,7 +279,7 @@ def test_analysis_says_itself_in_words_numbers_and_a_page(analysis, tmp_path):
         assert word in html
 
 
-@pytest.mark.parametrize("channel", ["both motors", "gyro"])
+@pytest.mark.parametrize("channel", [pytest.param("both motors", marks=pytest.mark.evidence), "gyro"])
 def test_the_nyquist_curve_goes_round_as_often_as_the_page_says(channel: str) -> None:
     kit = Kit.preset("nxt")
     result = analyse(NXT, make_controller("lqg", NXT, kit, 0.01), kit, robots=[])
@@ -360,7 +360,7 @@ def test_a_zero_at_the_end_of_an_interval_is_found_where_rounding_gives_it_eithe
     assert places == pytest.approx([1.0])
 
 
-@pytest.mark.parametrize("method", ["hinf", "pid"])
+@pytest.mark.parametrize("method", ["hinf", pytest.param("pid", marks=pytest.mark.evidence)])
 def test_unstable_poles_of_the_opened_loop_have_owners(method: str) -> None:
     """The robot's are those of its linear equations, log z / T = s; the rest is what the controller alone has."""
     kit = Kit.preset("nxt")
@@ -394,7 +394,13 @@ def test_beyond_a_slow_gain_margin_the_robot_rolls_to_and_fro() -> None:
     assert travel > 0.17  # g ψ / ω² at 1 rad/s, and this is slower
 
 
-@pytest.mark.parametrize(("method", "robot"), [("lqg", "nxtway-gs"), ("hinf", "nxtway-gs"), ("lqg", "ev3way")])
+@pytest.mark.parametrize(
+    ("method", "robot"),
+    [
+        ("lqg", "nxtway-gs"),
+        *(pytest.param(*pair, marks=pytest.mark.evidence) for pair in (("hinf", "nxtway-gs"), ("lqg", "ev3way"))),
+    ],
+)
 def test_let_go_the_robot_moves_as_its_linear_loop_does(method: str, robot: str) -> None:
     """From 5° the loop's matrices give the same lean and travel, once noise, resolution and dead zone are left out;
     what is left is sin ψ, at 8° a third of a per cent below ψ, and a motor's dry friction."""

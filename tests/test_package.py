@@ -59,8 +59,8 @@ def test_a_verb_is_a_documented_function(verb: str) -> None:
 
 def test_a_verb_is_the_function_in_every_order_of_imports() -> None:
     """The mechanism on the lightest room, each order in a fresh process forked before `upright` is loaded."""
-    steps = ("import upright", "import upright.doctor.finding", "from upright import doctor", "import upright.doctor",
-             "from upright.doctor.finding import Finding", "import upright; upright.doctor")  # fmt: skip
+    steps = ("import upright.doctor.finding", "from upright import doctor", "import upright; upright.doctor",
+             "from upright.doctor.finding import Finding")  # fmt: skip
     check = "import upright; assert upright.doctor.__name__ == 'doctor' and upright.doctor.__code__"
     codes = ["\n".join([*order, check]) for order in itertools.permutations(steps, 2)]
     fork = (

@@ -102,16 +102,28 @@ def on_kernel(kernel: str, *arguments: str) -> None:
     """A command with the matrix routines of another processor, as OpenBLAS has them."""
     from os import environ
 
-    command = [sys.executable, "-m", "upright", *arguments]
+    command = [sys.executable, *arguments]
     subprocess.run(command, env={**environ, "OPENBLAS_CORETYPE": kernel}, check=True, capture_output=True)
+
+
+WRITTEN = """
+import sys
+from upright.control import make_controller, write_controller
+from upright.robots import Kit, Robot
+kit = Kit.preset("nxt")
+write_controller(make_controller("lqg", Robot.preset("nxtway-gs"), kit, kit.period), sys.argv[1])
+"""
 
 
 @pytest.fixture(scope="module")
 def elsewhere(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with a design, and a program of it, each of another processor."""
     folder = tmp_path_factory.mktemp("elsewhere")
-    on_kernel("Nehalem", "design", "lqg", "-o", str(folder / "nehalem.json"))
-    on_kernel("Sandybridge", "firmware", "lqg", "-t", "nxc", "-o", str(folder / "balance.nxc"))
+    # the design alone: `upright design` analyses it, too
+    on_kernel("Nehalem", "-c", WRITTEN, str(folder / "nehalem.json"))
+    on_kernel(
+        "Sandybridge", "-m", "upright.cli.main", "firmware", "lqg", "-t", "nxc", "-o", str(folder / "balance.nxc")
+    )
     return folder
 
 

@@ -14,10 +14,10 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from upright.certify.design import design
+from upright.certify.design import Designed, design
 from upright.comparison import compare
 from upright.comparison.bench import Bench, BenchRow
-from upright.control import design_of
+from upright.control import design_of, make_controller
 from upright.decimate import decimate
 from upright.errors import InvalidLog, UnknownName, UprightError
 from upright.experiment.pushes import Impulse, Slope
@@ -46,6 +46,7 @@ from upright.report.designed import controller_section
 from upright.report.following import completed
 from upright.report.knocks import harder
 from upright.report.page import cell_text
+from upright.robots import Kit, Robot
 from upright.signals import STATE_NAMES, Log
 from upright.tables import spoken
 
@@ -131,8 +132,14 @@ def comparison():
     return compare({"robot": run("twin"), "linear": run(tau=0.3), "nonlinear": run(tau=0.45)})
 
 
-def test_pages_are_well_formed_and_their_links_lead_to_ids_that_exist_once(comparison):
-    for html in (page().html(), page_of(comparison).html()):
+@pytest.fixture(scope="module")
+def htmls(comparison):
+    """A page of every kind of part, and that of the comparison."""
+    return page().html(), page_of(comparison).html()
+
+
+def test_pages_are_well_formed_and_their_links_lead_to_ids_that_exist_once(htmls):
+    for html in htmls:
         parser = Balanced()
         parser.feed(html)
         assert parser.open == []
@@ -174,14 +181,14 @@ def test_a_column_of_per_cents_keeps_a_decimal_beside_small_ones():
     assert [row[1][0] for row in table.cells()] == ["100.0", "2.8"]
 
 
-def test_pages_fetch_nothing(comparison):
-    for html in (page().html(), page_of(comparison).html()):
+def test_pages_fetch_nothing(htmls):
+    for html in htmls:
         assert not re.search(r"https?://|//[a-z]+\.[a-z]", re.sub(r'xmlns="[^"]*"', "", html))
         assert not re.search(r"@import|url\((?!#)", html)  # url(#…) points into the drawing itself
 
 
-def test_every_drawing_is_xml_with_a_title_a_description_and_units_on_both_axes(comparison):
-    for html in (page().html(), page_of(comparison).html()):
+def test_every_drawing_is_xml_with_a_title_a_description_and_units_on_both_axes(htmls):
+    for html in htmls:
         pictures = [root for root in drawings(html) if root.get("role") == "img"]
         assert pictures
         for root in pictures:
@@ -192,8 +199,8 @@ def test_every_drawing_is_xml_with_a_title_a_description_and_units_on_both_axes(
             assert set(labels) <= set(re.split(r", |: ", root.findtext(f"{SVG}desc")))
 
 
-def test_the_comparison_page_draws_each_state_and_the_commands_and_says_twin(comparison):
-    html = page_of(comparison).html().replace("\u00a0", " ")
+def test_the_comparison_page_draws_each_state_and_the_commands_and_says_twin(htmls):
+    html = htmls[1].replace("\u00a0", " ")
     assert sum(root.get("role") == "img" for root in drawings(html)) == 2 * (
         len(STATE_NAMES) + 1
     )  # for a screen and for a phone
@@ -222,13 +229,13 @@ def test_no_line_breaks_between_a_number_and_its_unit_or_inside_a_unit(text, who
 
 
 def test_the_same_page_is_the_same_bytes(comparison, tmp_path):
-    first, second = (report(comparison, tmp_path / name) for name in ("a.html", "b.html"))
+    first, second = (report(comparison, tmp_path / name) for name in ("a.html", "b.html"))  # each is drawn anew
     assert first.read_bytes() == second.read_bytes()
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.html", "b.html"]  # no temporary file stays
 
 
-def test_a_title_replaces_the_pages_own_and_a_result_without_a_page_says_so(comparison, tmp_path):
-    assert "<title>2 runs beside twin; the worst, linear, fits " in page_of(comparison).html()
+def test_a_title_replaces_the_pages_own_and_a_result_without_a_page_says_so(comparison, htmls, tmp_path):
+    assert "<title>2 runs beside twin; the worst, linear, fits " in htmls[1]
     assert "<title>Two &amp; one</title>" in report(comparison, tmp_path / "a.html", title="Two & one").read_text()
     with pytest.raises(UprightError, match="float has no page; expected a result: Comparison, Calibration") as error:
         report(1.0, tmp_path / "b.html")
@@ -622,10 +629,16 @@ def test_a_designs_page_has_its_weights_and_gains():
     assert filtered.header[1:] == ["encoder left [unit/rad]", "encoder right [unit/rad]", "gyro [unit/(rad/s)]"]
 
 
+def designed(method, period=None):
+    """A design without its analysis, which takes longer."""
+    robot, kit = Robot.preset("nxtway-gs"), Kit.preset("nxt")
+    return Designed(method, robot, kit, make_controller(method, robot, kit, period or kit.period), None)
+
+
 @pytest.mark.parametrize("period", [0.0085, 0.004])
 def test_a_design_of_any_period_is_let_go(period):
     """8.5 ms is no multiple of a body's usual millisecond."""
-    run_ = design("lqg", "nxtway-gs", period=period).let_go()
+    run_ = designed("lqg", period).let_go()
     assert np.diff(run_.log.t) == pytest.approx(period)
     assert run_.upright < 3.0  # as every 10 ms, 1.3 s, but for noise
     assert run_.fell is None
@@ -633,8 +646,7 @@ def test_a_design_of_any_period_is_let_go(period):
 
 @pytest.mark.parametrize("method", ["lqr", "lqi", "pid", "hinf", "sliding", "mpc"])
 def test_every_method_shows_what_it_was_found_by(method):
-    result = design(method, "nxtway-gs")
-    section = controller_section(result)
+    section = controller_section(designed(method))
     tables = [item for item in section.items if isinstance(item, Table)]
     assert tables
     numbers = [cell for table in tables for row in table.rows for cell in row[1:]]

@@ -42,7 +42,15 @@ def test_a_script_is_short_enough_to_be_read_at_once(path: Path) -> None:
     assert 15 <= len(path.read_text("utf-8").splitlines()) <= 45
 
 
-@pytest.mark.parametrize("path", SCRIPTS, ids=lambda path: path.stem)
+LONG = {"tune", "certify", "push_limits", "sweep"}
+"""What tries hundreds of robots, or pushes a robot again and again."""
+
+
+@pytest.mark.parametrize(
+    "path",
+    [pytest.param(path, marks=pytest.mark.evidence if path.stem in LONG else ()) for path in SCRIPTS],
+    ids=lambda path: path.stem,
+)
 def test_a_script_runs_and_says_its_result(
     path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

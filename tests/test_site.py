@@ -122,7 +122,7 @@ def test_the_download_is_what_pip_installs_from(site: Path) -> None:
 
 
 @pytest.mark.needs("chromium", "module:playwright")
-@pytest.mark.parametrize("width", [1280, 390])
+@pytest.mark.parametrize("width", [pytest.param(1280, marks=pytest.mark.evidence), 390])
 def test_in_a_browser_from_a_folder(site: Path, browser: Any, lend: Any, width: int) -> None:
     page = lend(browser, width, 900)
     for name in SHOWN:
@@ -141,13 +141,19 @@ def test_in_a_browser_from_a_folder(site: Path, browser: Any, lend: Any, width: 
 
 
 @pytest.mark.needs("chromium", "module:playwright", "npm")
-@pytest.mark.parametrize(("scheme", "width"), [("light", 1280), ("dark", 390)])
+@pytest.mark.parametrize(
+    ("names", "scheme", "width"),
+    [
+        (SHOWN[-1:], "dark", 390),
+        *(pytest.param(SHOWN, *how, marks=pytest.mark.evidence) for how in (("light", 1280), ("dark", 390))),
+    ],
+)
 def test_axe_core_finds_nothing_serious_on_the_site(
-    site: Path, browser: Any, lend: Any, axe: Path, scheme: str, width: int
+    site: Path, browser: Any, lend: Any, axe: Path, names: tuple[str, ...], scheme: str, width: int
 ) -> None:
     page = lend(browser, width, 900, scheme=scheme)
     found: list[str] = []
-    for name in SHOWN:
+    for name in names:
         page.goto((site / name).as_uri())
         page.add_script_tag(path=str(axe))
         for wrong in page.evaluate("axe.run().then((result) => result.violations)"):

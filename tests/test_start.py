@@ -64,6 +64,7 @@ def test_a_simulated_robot_comes_to_a_verdict_and_goes_on_where_it_stopped(start
     assert "Verdict: green" in third
 
 
+@pytest.mark.evidence
 def test_a_log_is_examined_calibrated_and_certified(started, tmp_path):
     run = started("nxtway-gs\nlog\nno-such.csv\nexample\nnone\nlqr\n", "study")
     assert "there is no file no-such.csv" in run
