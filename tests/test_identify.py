@@ -60,7 +60,7 @@ def sensed(seconds: float = 20.0, seed: int = 1) -> Log:
 
 
 @cache
-def study(seconds: float = 20.0, runs: int = 12) -> Study:
+def study(seconds: float = 20.0, runs: int = 8) -> Study:
     return study_of(sensed(seconds), ROBOT, facts_kit(), runs=runs)
 
 
@@ -293,7 +293,7 @@ def test_every_model_keeps_the_contract(method: str) -> None:
 def test_the_registry_is_complete_and_the_same_seed_gives_the_same_interval() -> None:
     assert set(IDENTIFIERS) == {*LINEAR, "calibrate"}
     first, second = (
-        identify_one(study_of(sensed(), ROBOT, facts_kit(), runs=8, seed=3), "total-least-squares") for _ in range(2)
+        identify_one(study_of(sensed(), ROBOT, facts_kit(), runs=3, seed=3), "total-least-squares") for _ in range(2)
     )
     assert first.to_json() == second.to_json()
     with pytest.raises(UnknownName, match="subspace"):

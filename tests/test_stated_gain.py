@@ -93,6 +93,7 @@ def test_a_run_whose_commands_have_a_factor_is_named_by_it() -> None:
     assert low < 1.6 < high
 
 
+@pytest.mark.evidence
 def test_a_winding_that_no_temperature_makes_is_named() -> None:
     """A log of a body of ours has what was applied, no supply is in doubt: a factor of 1.6 is then a winding."""
     robot = Estimated(lqr(PRIOR, 0.01), kalman(PRIOR, NXT))
