@@ -206,9 +206,13 @@ def test_encoders_that_round_one_motion_in_two_places_show_no_turn(turn: float, 
     assert drives_straight(problem) is straight
 
 
+@cache
+def dithered(seconds: float) -> RawTable:
+    return metric(logged(SMALL, Course(free=seconds, held=0.5, excitation=1.0), seed=7), SMALL)
+
+
 def calibrated(folder: Path, robot: Robot, gyro: float = 1.0, seconds: float = 9.0) -> Calibration:
-    path = folder / "run.csv"
-    table = metric(logged(SMALL, Course(free=seconds, held=0.5, excitation=1.0), seed=7), SMALL)
+    path, table = folder / "run.csv", dithered(seconds)
     table = replace(table, columns={n: gyro * y if "gyro" in n else y for n, y in table.columns.items()})
     rows = np.column_stack(list(table.columns.values()))
     path.write_text(",".join(table.columns) + "\n" + "\n".join(",".join(f"{x:.6g}" for x in r) for r in rows) + "\n")
@@ -224,7 +228,7 @@ def test_a_log_whose_gyro_is_turned_is_refused_before_any_cause_is_looked_for(
         raise AssertionError
 
     monkeypatch.setattr(import_module("upright.calibrate.calibrate"), "refined", never)
-    found = calibrated(tmp_path, known(SMALL), gyro=-1.0)
+    found = calibrated(tmp_path, known(SMALL), gyro=-1.0, seconds=5.5)
     assert "its sign is opposite" in found.refused[0]
     assert not [text for text in (*found.refused, *found.notes) if "the file" in text or "stated value" in text]
 

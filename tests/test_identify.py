@@ -405,7 +405,7 @@ def test_the_command_writes_a_model_like_linearise_and_a_controller(
 
 def test_the_command_compares_all_methods(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log, page = tmp_path / "run.parquet", tmp_path / "page.html"
-    sensed().save(log)
+    sensed(8.0).save(log)  # what is claimed needs no more
     ask = ["identify", str(log), "--robot", "nxtway-gs-measured", "--method", "all", "--repeats", "0"]
     assert main([*ask, "--report", str(page), "--json"]) == 0
     said = json.loads(capsys.readouterr().out)
@@ -422,7 +422,7 @@ def test_the_summary_of_one_method_names_the_one_that_the_page_takes(
     from upright.report.identification import taken
 
     log, page = tmp_path / "run.parquet", tmp_path / "page.html"
-    sensed().save(log)
+    sensed(8.0).save(log)
     ask = ["identify", str(log), "--robot", "nxtway-gs-measured", "--method", "least-squares", "--repeats", "0"]
     assert main([*ask, "--report", str(page)]) == 0
     said, shown = capsys.readouterr().out, page.read_text("utf-8")
