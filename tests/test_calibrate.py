@@ -79,8 +79,8 @@ def short_calibration() -> tuple[Calibration, list[float]]:
 
 @cache
 def spoilt() -> Calibration:
-    """What logs of others have at once: a right motor with 6 % less than the left one, as the applied voltages say it, a
-    tenth of the readings gone, a clock that wavers by half a millisecond, and two numbers that their owner is sure of."""
+    """Spoilt as others' logs are: a right motor with 6 % less than the left one, as the applied voltages say it, a
+    tenth of the readings gone, a clock that wavers by half a millisecond, and two numbers that are not to be fitted."""
     log, rng = twin_log(10.0), np.random.default_rng(0)
     weak = {**log.channels, "applied/left": log["applied/left"] / 1.03, "applied/right": log["applied/right"] / 0.97}
     channels = {

@@ -47,14 +47,21 @@ def test_what_the_floor_does_is_not_usual() -> None:
     assert found.verdict == LOW, str(found)
 
 
+HALF = [CASES / "half-gyro" / f"known_1_5_gyro_scale.{end}" for end in ("csv", "toml")]
+
+
+@pytest.mark.evidence
 @pytest.mark.needs("shared/cases/half-gyro")
 def test_a_gyro_at_half_of_its_scale_is_no_load() -> None:
     """It was "a load of about 3 kg that was added", 87 %: a scale that is no power of two is rare, and this is one."""
-    files = [CASES / "half-gyro" / f"known_1_5_gyro_scale.{end}" for end in ("csv", "toml")]
-    found = post_mortem(*files)
+    found = post_mortem(*HALF)
     assert found.verdict == SCALED, str(found)
     assert "0.5 times the motion" in found.causes[0].evidence
-    soon = post_mortem(*files, seconds=0.0)  # no search at all: what is known is said, and that it is not finished
+
+
+@pytest.mark.needs("shared/cases/half-gyro")
+def test_a_search_that_has_no_time_says_what_is_known_and_that_it_is_not_finished() -> None:
+    soon = post_mortem(*HALF, seconds=0.0)
     assert soon.causes[0].likelihood <= UNFINISHED
     assert "--seconds" in soon.notes[0]
     assert not soon.check()
