@@ -76,7 +76,7 @@ def test_a_known_drop_counts_and_is_not_asked() -> None:
     kit = behind(KEPT)
     left: list[float] = []
     for known in ((DROP,), ()):
-        problem, limits = prepared([logged(KEPT)], ROBOT, kit if known else KIT, known, 0.0)
+        problem, limits = prepared([logged(KEPT, seconds=8.0)], ROBOT, kit if known else KIT, known, 0.0)
         assert DROP not in [p.name for p in problem.asked]
         fitted = of_this_run(problem, limits)
         assert fitted
@@ -104,8 +104,8 @@ def test_a_drop_that_no_file_states_is_found_with_the_robot() -> None:
 
 
 def test_a_sound_driver_and_gyro_get_no_drop_no_tilt_and_no_resonance() -> None:
-    """Dry friction acts against the motion, a drop against the command. Eight seconds tell that nothing is needed."""
-    found = calibrate(logged(0.0, RUBS, seconds=8.0), prior(RUBS))
+    """Dry friction acts against the motion, a drop against the command. Five seconds tell that nothing is needed."""
+    found = calibrate(logged(0.0, RUBS, seconds=5.0), prior(RUBS))
     assert not {DROP, MISALIGNED, FREQUENCY} & {e.name for e in found.electronics}
     assert found.kit
     gyro = found.kit.sensors["sensor/gyro"]

@@ -70,7 +70,7 @@ def test_the_tilt_of_a_kit_judges_another_log() -> None:
     left: list[float] = []
     for kit in (tilted(TILT), KIT):
         names = (MISALIGNED,) if kit is not KIT else ()
-        problem, limits = prepared([logged(TILT, seed=5)], ROBOT, kit, names, 0.0)
+        problem, limits = prepared([logged(TILT, seed=5, seconds=8.0)], ROBOT, kit, names, 0.0)
         assert MISALIGNED not in [p.name for p in problem.asked]
         fitted = of_this_run(problem, limits)
         assert fitted
