@@ -319,6 +319,7 @@ def test_a_back_emf_of_the_motor_before_its_gear_is_named(tmp_path: Path) -> Non
     assert not [e for e in (*found.parameters, *found.combinations) if e.verdict == "visible"]
 
 
+@pytest.mark.evidence
 def test_a_calibration_of_a_foreign_robot_holds_its_truth(tmp_path: Path) -> None:
     """Rolling resistance of a hundredth of the load, which the file does not name: without it 9 of 19 intervals held,
     and the unstable pole was wrong by three deviations. One in twenty may miss."""

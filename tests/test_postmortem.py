@@ -241,6 +241,7 @@ def test_reversed_motors_are_named_from_a_log_of_a_third_of_a_second() -> None:
     assert not found.check()
 
 
+@pytest.mark.evidence
 def test_lost_rows_are_dropped_samples() -> None:
     found = post_mortem(logged("dropped samples", "lost", 0.6), NXT, KIT)
     assert found.verdict == "dropped samples", str(found)
@@ -427,6 +428,7 @@ def test_low_gain_shows_in_the_data_alone() -> None:
     assert mourned().verdict == "gain too low"
 
 
+@pytest.mark.evidence
 def test_high_gain_is_named_with_the_file() -> None:
     twipr = Robot.preset("twipr")
     log = logged("gain too high", "law", 10.0, robot="twipr")

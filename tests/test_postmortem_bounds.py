@@ -38,6 +38,7 @@ def test_a_robot_that_is_let_go_with_too_little_gain_falls_by_its_loop() -> None
     assert not any("gyro" in cause.name for cause in found.causes)
 
 
+@pytest.mark.evidence
 def test_what_the_floor_does_is_not_usual() -> None:
     """A log of 0.8 s and 1.3 s on the floor was "of another robot", since most of its rows lie there."""
     case = bench.fall("F", "let-go", 41)

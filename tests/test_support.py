@@ -132,7 +132,7 @@ def certified(log: Log) -> Certificate:
     "planted",
     [
         "gyro's scale",
-        "delay",
+        pytest.param("delay", marks=pytest.mark.evidence),
         pytest.param("dead zone", marks=pytest.mark.evidence),
         pytest.param("gyro's noise", marks=pytest.mark.evidence),
     ],
