@@ -416,6 +416,7 @@ def test_the_command_compares_all_methods(tmp_path: Path, capsys: pytest.Capture
     assert "calibrate" in page.read_text("utf-8")
 
 
+@pytest.mark.evidence
 def test_the_summary_of_one_method_names_the_one_that_the_page_takes(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

