@@ -119,12 +119,16 @@ def test_a_sliding_mode_is_certified_without_calling_it(monkeypatch: pytest.Monk
     assert math.isclose(found.bound, 1 - 0.05**0.01)
 
 
-def test_where_nothing_linear_is_known_it_says_so() -> None:
+@pytest.mark.evidence
+def test_of_a_law_that_is_not_linear_a_certificate_holds_no_margins() -> None:
     measured = Robot.preset("nxtway-gs-measured")
     controller = make_controller("lqr-complementary", measured, KIT, KIT.period)
     found = certify(controller, measured, KIT, samples=100, posterior=Uncertainty(), sweeps=False)
     assert found.linear is None
     assert Certificate.from_json(json.loads(json.dumps(found.to_json()))) == found
+
+
+def test_where_nothing_linear_is_known_it_says_so() -> None:
     light, reasons = judge(1000, 0, None, [TRIAL], 0.01)
     assert light == GREEN
     assert "no linear margins" in reasons[1]

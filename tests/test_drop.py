@@ -11,12 +11,12 @@ import pytest
 from upright.bodies import Electronics
 from upright.bodies.models import NonlinearBody
 from upright.calibrate.calibrate import calibrate, prepared
-from upright.calibrate.calibration import Calibration
 from upright.calibrate.dropping import in_words
-from upright.calibrate.electronics import DROP
+from upright.calibrate.electronics import DROP, MISALIGNED
 from upright.calibrate.estimate import PRIOR, VISIBLE, Estimate
 from upright.calibrate.motion import block_of, driven
 from upright.calibrate.own_run import of_this_run
+from upright.calibrate.resonance import FREQUENCY
 from upright.calibrate.summary import COMBINATIONS
 from upright.compiled.generated import constants
 from upright.compiled.jit import numba
@@ -55,11 +55,6 @@ def logged(drop: float, friction: float = 0.0, seed: int = 3, seconds: float = 1
     return Log(log.t, kept, {n: log.unit(n) for n in kept}, {})
 
 
-@cache
-def calibration(drop: float, friction: float = 0.0) -> Calibration:
-    return calibrate(logged(drop, friction), prior(friction))
-
-
 @pytest.mark.parametrize("command", [-4.0, -1.5, -1.0, 0.0, 0.5, 1.5, 2.25])
 def test_motors_of_a_calibration_get_what_a_drop_leaves(command: float) -> None:
     """s · sign(u) max(0, |u| − 1.5 V) of a motor of strength s, and 0.125 V more of both; all exact in binary."""
@@ -81,7 +76,7 @@ def test_a_known_drop_counts_and_is_not_asked() -> None:
     kit = behind(KEPT)
     left: list[float] = []
     for known in ((DROP,), ()):
-        problem, limits = prepared([logged(KEPT)], ROBOT, kit if known else KIT, known, 0.0)
+        problem, limits = prepared([logged(KEPT, seconds=8.0)], ROBOT, kit if known else KIT, known, 0.0)
         assert DROP not in [p.name for p in problem.asked]
         fitted = of_this_run(problem, limits)
         assert fitted
@@ -91,7 +86,7 @@ def test_a_known_drop_counts_and_is_not_asked() -> None:
 
 @pytest.mark.evidence
 def test_a_drop_that_no_file_states_is_found_with_the_robot() -> None:
-    found = calibration(KEPT)
+    found = calibrate(logged(KEPT), prior())
     assert found[DROP].low <= KEPT <= found[DROP].high
     assert found[DROP].high - found[DROP].low < 0.2  # [V] half of a dead zone of the kit, within which nothing moves
     assert found[DROP].verdict == VISIBLE
@@ -108,14 +103,14 @@ def test_a_drop_that_no_file_states_is_found_with_the_robot() -> None:
     assert kit.motor.drop == found.kit.motor.drop
 
 
-@pytest.mark.parametrize("friction", [0.0, RUBS])
-def test_a_driver_without_a_drop_gets_none(friction: float) -> None:
-    """Dry friction acts against the motion, a drop against the command."""
-    found = calibration(0.0, friction)
-    assert DROP not in [e.name for e in found.electronics]
+def test_a_sound_driver_and_gyro_get_no_drop_no_tilt_and_no_resonance() -> None:
+    """Dry friction acts against the motion, a drop against the command. Five seconds tell that nothing is needed."""
+    found = calibrate(logged(0.0, RUBS, seconds=5.0), prior(RUBS))
+    assert not {DROP, MISALIGNED, FREQUENCY} & {e.name for e in found.electronics}
     assert found.kit
-    assert found.kit.motor.drop == 0
-    assert not [note for note in found.notes if "off each command" in note]
+    gyro = found.kit.sensors["sensor/gyro"]
+    assert (found.kit.motor.drop, gyro.misalignment, gyro.resonance) == (0.0, 0.0, 0.0)
+    assert not [note for note in found.notes if any(w in note for w in ("off each command", "yaw rate", "Hz"))]
 
 
 def test_nothing_is_said_of_a_drop_that_the_log_leaves_open_or_the_file_states() -> None:

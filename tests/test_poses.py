@@ -178,7 +178,9 @@ def short(*, motors: int, gyro: int, rows: int = 29) -> Log:
     return Log(t, names, {"command/left": "V", "command/right": "V"})
 
 
-@pytest.mark.parametrize(("motors", "gyro", "blamed"), [(-1, 1, "wheels turn against"), (1, 1, "")])
+@pytest.mark.parametrize(
+    ("motors", "gyro", "blamed"), [(-1, 1, "wheels turn against"), pytest.param(1, 1, "", marks=pytest.mark.evidence)]
+)
 def test_a_log_of_29_rows_shows_its_fall(motors: int, gyro: int, blamed: str) -> None:
     log = short(motors=motors, gyro=gyro)
     assert "segment/fall" in doctor(log).codes()

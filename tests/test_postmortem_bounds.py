@@ -33,6 +33,7 @@ def test_a_robot_that_is_let_go_with_too_little_gain_falls_by_its_loop() -> None
     assert not any("gyro" in cause.name for cause in found.causes)
 
 
+@pytest.mark.evidence
 def test_what_the_floor_does_is_not_usual() -> None:
     """A log of 0.8 s and 1.3 s on the floor was "of another robot", since most of its rows lie there."""
     case = bench.fall("F", "let-go", 41)
@@ -42,14 +43,21 @@ def test_what_the_floor_does_is_not_usual() -> None:
     assert found.verdict == LOW, str(found)
 
 
+HALF = [CASES / "half-gyro" / f"known_1_5_gyro_scale.{end}" for end in ("csv", "toml")]
+
+
+@pytest.mark.evidence
 @pytest.mark.needs("shared/cases/half-gyro")
 def test_a_gyro_at_half_of_its_scale_is_no_load() -> None:
     """It was "a load of about 3 kg that was added", 87 %: a scale that is no power of two is rare, and this is one."""
-    files = [CASES / "half-gyro" / f"known_1_5_gyro_scale.{end}" for end in ("csv", "toml")]
-    found = post_mortem(*files)
+    found = post_mortem(*HALF)
     assert found.verdict == SCALED, str(found)
     assert "0.5 times the motion" in found.causes[0].evidence
-    soon = post_mortem(*files, seconds=0.0)  # no search at all: what is known is said, and that it is not finished
+
+
+@pytest.mark.needs("shared/cases/half-gyro")
+def test_a_search_that_has_no_time_says_what_is_known_and_that_it_is_not_finished() -> None:
+    soon = post_mortem(*HALF, seconds=0.0)
     assert soon.causes[0].likelihood <= UNFINISHED
     assert "--seconds" in soon.notes[0]
     assert not soon.check()

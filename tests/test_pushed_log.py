@@ -34,7 +34,7 @@ def of_another_simulator(seed: int, *, pushed: bool) -> Log:
     return apply(propose(table), table)
 
 
-@pytest.mark.parametrize("seed", [811, 812])
+@pytest.mark.parametrize("seed", [811, pytest.param(812, marks=pytest.mark.evidence)])
 def test_soft_pushes_are_found_and_a_dither_is_none(seed: int) -> None:
     robot = known(BOT)
     kit = find_kit(robot.kit)

@@ -259,6 +259,7 @@ def small(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(room, name, value)
 
 
+@pytest.mark.evidence
 @pytest.mark.usefixtures("small")
 def test_an_interrupted_tuning_goes_on_to_the_same_bytes(tmp_path: Path) -> None:
     given: dict[str, Any] = {"budget": 18, "samples": 100, "seed": 5, "threads": 1}

@@ -58,7 +58,9 @@ def test_the_robot_that_made_the_log_predicts_it_and_needs_no_change() -> None:
     assert log.shifts == ()
 
 
-@pytest.mark.parametrize("channel", ["sensor/encoder_right", "sensor/encoder_left"])
+@pytest.mark.parametrize(
+    "channel", ["sensor/encoder_right", pytest.param("sensor/encoder_left", marks=pytest.mark.evidence)]
+)
 def test_a_sensor_that_never_changes_is_named_in_the_verdict(channel: str) -> None:
     """What is left out of a verdict is said in it: the plug of one encoder is out."""
     log = log_of()
