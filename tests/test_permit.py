@@ -121,9 +121,7 @@ def elsewhere(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("elsewhere")
     # the design alone: `upright design` analyses it, too
     on_kernel("Nehalem", "-c", WRITTEN, str(folder / "nehalem.json"))
-    on_kernel(
-        "Sandybridge", "-m", "upright.cli.main", "firmware", "lqg", "-t", "nxc", "-o", str(folder / "balance.nxc")
-    )
+    on_kernel("Sandybridge", "-m", "upright", "firmware", "lqg", "-t", "nxc", "-o", str(folder / "balance.nxc"))
     return folder
 
 
