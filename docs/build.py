@@ -32,7 +32,7 @@ PARTS = {
         "How to": "how-to add-a-robot extend examples/index",
         "Concepts": "model logs calibrate identify excite certificate post-mortem fleet firmware",
         "Studies": "studies/coarse-counts studies/dead-zone studies/resonance studies/gain studies/optima studies/mass "
-        "studies/outside studies/falls",
+        "studies/outside studies/falls studies/likelihood studies/hypotheses",
         "Reference": "api conventions benchmarks/index",
         "The project": "architecture contributing changes",
     },
