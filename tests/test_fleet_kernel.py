@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numba
 import numpy as np
@@ -396,7 +397,7 @@ def test_machine_code_is_kept_and_found_again(tmp_path, monkeypatch):
 def test_a_damaged_file_of_machine_code_is_made_anew(damage, tmp_path, monkeypatch):
     monkeypatch.setenv("UPRIGHT_CACHE", str(tmp_path))
     monkeypatch.setattr(store, "_compiled", lambda *_: b"machine code")
-    monkeypatch.setattr(store, "_load", lambda code, _: code)
+    monkeypatch.setattr(store, "_engine", lambda code: SimpleNamespace(get_function_address=lambda _: code))
     store._address_of.cache_clear()
     assert store._address_of("kernel.run", "entry", ()) == b"machine code"
     (path,) = tmp_path.iterdir()

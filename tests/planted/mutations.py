@@ -1,9 +1,9 @@
 """Does the suite notice a wrong sign? Forty mutations, planted one at a time, and the tests that execute their line.
 
     pip install pytest-cov
-    python benchmarks/mutations.py list                      # the forty, each as one line
-    python benchmarks/mutations.py map --tests tests         # one run of pytest with coverage: which test executes what
-    python benchmarks/mutations.py run --tests tests         # about an hour; goes on where it was stopped
+    python tests/planted/mutations.py list                      # the forty, each as one line
+    python tests/planted/mutations.py map --tests tests         # one run of pytest with coverage: which test executes what
+    python tests/planted/mutations.py run --tests tests         # about an hour; goes on where it was stopped
 
 `--tests` may be the tests of another commit, to compare two suites on the same forty; `--folder` keeps what was found.
 Half of the mutations change a number or a sign, half a condition; which forty is decided by `--seed`. A line that
@@ -27,7 +27,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 ROOMS = ("physics", "control", "robots", "signals", "compiled", "calibrate", "certify", "firmware", "cli")
 SIGNS = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult}
 ORDER = {ast.Lt: ast.GtE, ast.GtE: ast.Lt, ast.Gt: ast.LtE, ast.LtE: ast.Gt, ast.Eq: ast.NotEq, ast.NotEq: ast.Eq}
