@@ -69,9 +69,7 @@ LATE = Kit(name="late", sensors={name: Sensor() for name in RAW} | {"sensor/gyro
 def made(name, preset):
     robot = Robot.preset(preset)
     kit = Kit.preset(robot.kit)
-    if (
-        name == "robust" and preset == USUAL
-    ):  # 20 robots instead of 200, which is enough for a robot that any method holds
+    if name == "robust" and preset == USUAL:  # 20 robots, not 200: any method holds this one
         return robot, kit, robust(robot, kit, kit.period, tried=20)
     return robot, kit, make_controller(name, robot, kit, kit.period)
 

@@ -2,7 +2,7 @@
 
     pip install pytest-cov
     python tests/planted/mutations.py list                      # the forty, each as one line
-    python tests/planted/mutations.py map --tests tests         # one run of pytest with coverage: which test executes what
+    python tests/planted/mutations.py map --tests tests         # one run with coverage: which test executes what
     python tests/planted/mutations.py run --tests tests         # about an hour; goes on where it was stopped
 
 `--tests` may be the tests of another commit, to compare two suites on the same forty; `--folder` keeps what was found.
