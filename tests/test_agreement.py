@@ -70,8 +70,8 @@ def red() -> Certificate:
 
 
 def test_a_controller_that_is_called_falls_where_its_matrices_fall() -> None:
-    # the same lqg once as gains in compiled code and once called for each of 70 robots, more than one block of them
-    family = draw(ROBOT, 70, 3)
+    # the same lqg once as gains in compiled code and once called for each of 66 robots, more than one block of them
+    family = draw(ROBOT, 66, 3)
     trial_setup = TrialSetup(kernel_controller(designed("lqg"), ROBOT, KIT), ROBOT, family, KIT)
     called = dataclasses.replace(
         trial_setup, controller=KernelController(as_law(silent(designed("lqg"))), designed("lqg"))
@@ -307,17 +307,6 @@ def test_command_draws_its_robots_from_what_a_calibration_makes_of_the_log(
     assert robot == ROBOT
     assert np.allclose(log["sensor/gyro"], whole["sensor/gyro"])
     assert (said["robot"], said["light"]) == ("found", GREEN)
-    # a log of this very robot: nothing in it surprises more than the drawn robots do
-    assert all(a["measured"] < 2 * a["expected"] for a in said["agreement"])
-    assert len(said["agreement"]) == 3
-
-
-@pytest.mark.evidence
-def test_command_calibrates_the_log_first(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    recording().between(0.0, 5.0).save(tmp_path / "run.csv")
-    code = main(["certify", "pid", "--log", str(tmp_path / "run.csv"), "-n", "100", "--json"])
-    said = json.loads(capsys.readouterr().out)
-    assert code == (3 if said["light"] == RED else 0)
     # a log of this very robot: nothing in it surprises more than the drawn robots do
     assert all(a["measured"] < 2 * a["expected"] for a in said["agreement"])
     assert len(said["agreement"]) == 3

@@ -500,11 +500,11 @@ def test_a_knock_has_no_overshoot_and_a_hold_has_one() -> None:
 
 
 def test_a_long_run_that_noise_makes_another_one_is_no_poor_fit() -> None:
-    """The same robot twice, with other noise: most of 30 s is sway, so that the fit of the whole is poor."""
+    """The same robot twice, with other noise: most of 15 s is sway, so that the fit of the whole is poor."""
     kit = find_kit("nxt")
     body, law = Electronics(NonlinearBody(NXT), kit), lqg(NXT, kit)
     push = Impulse(impulse=0.05, start=2.0)
-    compared = compare({f"run {seed}": run(body, law, push, seconds=30.0, seed=seed) for seed in (31, 32)})
+    compared = compare({f"run {seed}": run(body, law, push, seconds=15.0, seed=seed) for seed in (31, 32)})
     page = page_of(compared)
     assert compared.fits["run 32"]["pitch"] < 50
     assert page.title == "Run 32: no further from run 31 than by their sway at rest"

@@ -174,7 +174,7 @@ def test_dead_time_is_part_of_the_design():
     # 53 ms: a gain designed without them falls at once; of draws within a fifth of the spreads none is unstable
     robot = Robot.preset("twipr")
     kit = Kit.preset("twipr")
-    found = robust(robot, kit, uncertainty=Uncertainty.of(robot).scaled(0.2), tried=20).design
+    found = robust(robot, kit, uncertainty=Uncertainty.of(robot).scaled(0.2), tried=5).design
     assert found.own.fell == 0
 
 
