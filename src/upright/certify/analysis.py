@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from upright.arrays import Array, Complex
-from upright.certify.diagrams import mark_margins
 from upright.certify.gap import nu_gap, stability_margin
 from upright.certify.loop import Loop, commanded_plant, robot_loop
 from upright.certify.margins import (
@@ -126,6 +125,7 @@ class Analysis(Shown):
 
     def plot(self, channel: str = "both motors") -> Figure:
         """Bode diagram of the loop broken at `channel`, one of the margins, with its gain and phase margins."""
+        from upright.certify.diagrams import mark_margins
         from upright.plotting import AXIS, legend, line, numbered, panels
 
         omega, response = response_of(self._broken(channel))
