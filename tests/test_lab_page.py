@@ -19,7 +19,10 @@ import pytest
 
 from conftest import PATIENCE, patient
 from upright.experiment.examples import example
+from upright.lab.codec import plain
+from upright.lab.messages import Light, Setup
 from upright.lab.page_words import for_page
+from upright.lab.tasks import TASKS, smallest
 from upright.physics.dynamics import accelerations
 from upright.robots import Robot
 from upright.signals import Log
@@ -28,27 +31,28 @@ pytestmark = [pytest.mark.needs("chromium", "module:playwright")]
 
 FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
 WINDOW = (900, 640)  # [px]
+GREEN = Light("green", ())
 WEB = Path(__file__).resolve().parents[1] / "src" / "upright" / "lab" / "web"
 
 
+FEW = """import sys
+from upright.cli.main import main
+from upright.lab import server
+server.ALONE = server.Options(rate=20.0, coarse=True, certified=False)
+sys.exit(main())"""
+"""`upright lab` for tests of its page: fewer pictures of coarser steps, and no certificate that nobody waits for."""
+
+
 class Lab:
-    """`upright lab` as a user starts it, which can be stopped and started again on its port."""
+    """The program `FEW` or, with options, `upright lab` as a user starts it; it can be started again on its port."""
 
     def __init__(self, *options: str) -> None:
         self.options, self.port, self.said = options, 0, ""
         self.start()
 
     def start(self) -> None:
-        command = [
-            sys.executable,
-            "-m",
-            "upright",
-            "lab",
-            "--port",
-            str(self.port),
-            "--no-browser",
-            *self.options,
-        ]
+        program = ["-m", "upright"] if self.options else ["-c", FEW]
+        command = [sys.executable, *program, "lab", "--port", str(self.port), "--no-browser", *self.options]
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
         assert self.process.stdout
         self.said = self.process.stdout.readline()
@@ -111,12 +115,13 @@ def watched(page: Any, lab: Lab) -> Iterator[Any]:
 
 def until(page: Any, expression: str, wanted: Callable[[Any], bool] = bool) -> Any:
     """What the expression gives once it is wanted; the page forbids `eval`, so it is asked again and again."""
-    end, found = time.monotonic() + PATIENCE, None
+    end, found, wait = time.monotonic() + PATIENCE, None, 20.0
     while time.monotonic() < end:
         found = page.evaluate(expression)
         if wanted(found):
             return found
-        page.wait_for_timeout(50)
+        page.wait_for_timeout(wait)
+        wait = min(1.5 * wait, 250.0)  # [ms] what comes late need not be asked for so often
     raise AssertionError(f"{expression} stayed {found}")
 
 
@@ -124,6 +129,12 @@ def ready(page: Any) -> None:
     """The page has heard from its session. A newcomer's has the tour open; here everybody begins with Controller."""
     until(page, "Boolean(window.upright?.store.snapshot && document.querySelector('#panel').firstChild)")
     page.evaluate("upright.page.open('Controller')")
+
+
+def lit(page: Any, light: Light = GREEN) -> None:
+    """The page hears that light of a certificate, after what this lab says of itself: that it computes none."""
+    until(page, "upright.store.settled && upright.store.analysed && upright.store.lit?.reasons.length")
+    page.evaluate("(light) => upright.store.hear(light)", {"kind": "Light", **plain(light)})
 
 
 def tab(page: Any, name: str) -> None:
@@ -215,7 +226,7 @@ def test_at_first_sight(page):
     lines = page.evaluate(key + ".map(l => [l.getAttribute('stroke'), l.getAttribute('stroke-dasharray')])")
     assert len({colour for colour, _ in lines}) == len({dash for _, dash in lines}) == 3  # twice told apart
     assert page.inner_text(".status") == "Live"
-    assert until(page, "upright.store.lit?.light", lambda light: light not in (None, "none")) == "green"
+    lit(page)
     assert "green" in page.inner_text(".headlight")
 
 
@@ -730,7 +741,7 @@ def test_a_fallen_body_leaves_the_scale_to_those_that_stand(page):
 @pytest.mark.parametrize("width", [390, pytest.param(1366, marks=pytest.mark.evidence)])
 def test_the_light_leads_to_its_reasons(page, width):
     page.set_viewport_size({"width": width, "height": 844 if width == 390 else 768})
-    until(page, "(upright.store.lit?.light ?? 'none') !== 'none'")
+    lit(page)
     tab(page, "Keep")
     page.evaluate("scrollTo(0, 0)")
     if width == 390:
@@ -990,7 +1001,7 @@ def test_a_laptop_shows_room_pitch_and_the_open_tab_at_once(page, language):
 
 def test_nothing_of_the_controller_before_stays_under_the_new_name(page):
     """Gains, margins and light go with the choice itself, and none of the old ones comes back."""
-    until(page, "upright.store.analysed && upright.store.lit?.light !== 'none'")
+    lit(page)
     at_once = page.evaluate("""() => {
         window.shown = [];
         const note = () => shown.push([upright.store.analysed?.words, upright.store.lit?.light]);
@@ -1002,7 +1013,7 @@ def test_nothing_of_the_controller_before_stays_under_the_new_name(page):
     }""")
     assert at_once[:2] == [None, "none"]
     assert "computing" in at_once[2]
-    until(page, "upright.store.analysed && upright.store.lit?.light !== 'none'")
+    until(page, "upright.store.analysed && upright.store.lit?.reasons.length")
     assert page.evaluate("shown.some(([words]) => words === before)") is False
 
 
@@ -1053,7 +1064,7 @@ LIGHTS = """() => ['none', 'green', 'amber', 'red'].flatMap(light => [0, 1, 2, 3
 def test_no_words_of_the_bar_move_the_page_or_are_cut(page, size):
     """Whatever the certificate says, and while the connection is lost; the whole of it is the light's title."""
     page.set_viewport_size(dict(zip(("width", "height"), size, strict=True)))
-    until(page, "upright.store.lit && upright.store.changed && upright.store.lit.light !== 'none'")
+    lit(page)
     for language in ("en", "es"):
         page.select_option("[data-key=language]", language)
         tops, cut = zip(*page.evaluate(LIGHTS), strict=True)
@@ -1168,7 +1179,7 @@ ENGLISH = (
 def test_spanish_is_spanish_to_the_last_decimal(page):
     """No English word in any tab but in names of files and robots, and no decimal point."""
     page.select_option("[data-key=language]", "es")
-    until(page, "upright.store.analysed && upright.store.lit?.light !== 'none'")
+    lit(page, TASKS["light"](lambda *_: None, Setup()))  # with all its reasons
     page.click("[data-key=impulse]")
     until(page, "upright.store.snapshot.t > 2")
     for name in ("Controller", "Robot", "Kit", "See", "Identify", "Keep", "Tour"):
@@ -1444,11 +1455,11 @@ def test_no_margin_is_judged_before_every_place_is_known(page):
     from upright.robots import Kit
 
     page.evaluate("upright.store.change({robot: 'twipr', kit: 'twipr', controller: 'lqg'})")
-    until(page, "upright.store.settled && upright.store.lit?.delay_at")
-    said = page.inner_text(".verdict")
     robot, kit = Robot.preset("twipr"), Kit.preset("twipr")
     least = linear_margins(CONTROLLERS["lqg"](robot, kit, kit.period), robot, kit, usual=True)
     assert least
+    lit(page, Light("amber", (), **smallest(least)))
+    said = page.inner_text(".verdict")
     numbers = [float(text) for text in re.findall(r"\d+(?:\.\d+)?(?= ms more| % weaker| % stronger)", said)]
     true = [1e3 * least.delay, 100 * (1 - least.gain_low), 100 * (least.gain_high - 1)]
     assert numbers == pytest.approx(true, rel=0.05)  # two digits are shown
