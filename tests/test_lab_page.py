@@ -232,13 +232,18 @@ def test_at_first_sight(page):
 
 @pytest.mark.evidence
 def test_every_control_of_the_page_is_used(page):
-    """Each is moved or pressed once; every set-up that comes of it runs, and what must follow does."""
+    """Each is moved or pressed once; every set-up that comes of it runs, and what must follow does. Of the jobs the
+    quickest begins: what becomes of the others is tested by itself."""
+    page.evaluate("""() => {
+        const { send } = upright.store;
+        upright.store.send = (message) => ['certify', 'calibrate'].includes(message.job) || send(message);
+    }""")
     used: set[str] = set()
     for name in ("Controller", "Robot", "Kit", "See", "Identify", "Keep", "Tour"):
         tab(page, name)
         if name == "Robot":
             page.click("summary")
-        used |= _work(page)
+        used |= _work(page, "#panel " if used else "")  # the others are the same beside every tab
     page.click("[data-key=tour-set]")  # of the second step: the first needs none
     used.add("tour-set")
     for family in ("gains", "off"):
@@ -1511,6 +1516,7 @@ def test_the_fall_of_the_tour_fills_its_curve(page):
     page.click("[data-key=tour-next]")
     page.click("[data-key=tour-set]")
     until(page, "upright.store.changed.setup.controller === 'off'")
+    page.evaluate("upright.store.send({ kind: 'Play', paused: false, speed: 0.5 })")  # not a tenth, for which one waits
     assert not page.locator(".hint > span").is_visible()
     until(page, "upright.store.lain")
     first, fallen = page.evaluate("[upright.store.traces.t[0], upright.store.lain]")
