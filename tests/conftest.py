@@ -214,15 +214,37 @@ def lend(request: pytest.FixtureRequest) -> Iterator[Any]:
         left.append(page)
 
 
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    """Without 3-D, as on some school machines: charts and buttons do everything but the picture."""
-    from playwright.sync_api import sync_playwright
+OPEN: list[Any] = []
+"""The driver of browsers and the one browser, for all files of a unit of work: to begin them takes seconds."""
 
-    with sync_playwright() as driver:
-        made = driver.chromium.launch(executable_path="/usr/bin/chromium", args=["--no-sandbox", "--disable-3d-apis"])
-        yield patient(made)
-        made.close()
+
+@pytest.fixture
+def driver() -> Any:
+    return _begun()[0]
+
+
+@pytest.fixture
+def browser() -> Any:
+    """Without 3-D, as on some school machines: charts and buttons do everything but the picture."""
+    return _begun()[1]
+
+
+def _begun() -> list[Any]:
+    if not OPEN:
+        from playwright.sync_api import sync_playwright
+
+        OPEN.append(sync_playwright().start())
+        arguments = ["--no-sandbox", "--disable-3d-apis"]
+        OPEN.append(patient(OPEN[0].chromium.launch(executable_path="/usr/bin/chromium", args=arguments)))
+    return OPEN
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_runtest_teardown(item: pytest.Item, nextitem: pytest.Item | None) -> None:
+    """The browser ends with its unit of work: beside its driver no other test has an event loop."""
+    if OPEN and (nextitem is None or unit_of(nextitem.path.name) != unit_of(item.path.name)):
+        OPEN.pop().close()
+        OPEN.pop().stop()
 
 
 def common(factory: pytest.TempPathFactory, name: str) -> Path:
@@ -317,5 +339,6 @@ def axe(tmp_path_factory: pytest.TempPathFactory) -> Path:
     npm = shutil.which("npm") or "npm"
     subprocess.run([npm, "ci", "--ignore-scripts", "--no-audit", "--no-fund"], cwd=folder, check=True, timeout=300)
     kept.parent.mkdir(exist_ok=True)
-    (folder / name / "axe.min.js").replace(kept)
+    copied = shutil.copy(folder / name / "axe.min.js", kept.with_suffix(f".{os.getpid()}"))
+    Path(copied).replace(kept)  # another process may read it at this moment
     return kept

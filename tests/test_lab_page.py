@@ -73,22 +73,6 @@ def lab() -> Iterator[Lab]:
     made.stop()
 
 
-@pytest.fixture(scope="module")
-def driver() -> Iterator[Any]:
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as made:
-        yield made
-
-
-@pytest.fixture(scope="module")
-def chromium(driver: Any) -> Iterator[Any]:
-    """A browser without 3-D, as on some school machines: charts and buttons do everything but the picture."""
-    browser = driver.chromium.launch(executable_path="/usr/bin/chromium", args=["--no-sandbox", "--disable-3d-apis"])
-    yield patient(browser)
-    browser.close()
-
-
 @pytest.fixture
 def seen(driver: Any, lab: Lab, lend: Any) -> Iterator[Any]:
     """A page in a browser that draws the room, in software."""
@@ -98,9 +82,9 @@ def seen(driver: Any, lab: Lab, lend: Any) -> Iterator[Any]:
 
 
 @pytest.fixture
-def page(chromium: Any, lab: Lab, lend: Any) -> Iterator[Any]:
+def page(browser: Any, lab: Lab, lend: Any) -> Iterator[Any]:
     """A fresh page on the lab."""
-    yield from watched(lend(chromium, *WINDOW), lab)
+    yield from watched(lend(browser, *WINDOW), lab)
 
 
 def watched(page: Any, lab: Lab) -> Iterator[Any]:
@@ -409,14 +393,14 @@ def test_a_log_is_uploaded_and_a_report_downloaded(page, tmp_path):
     assert page.locator(".comparison a").count() == 2  # and it stays there
 
 
-def test_a_recording_replays_without_a_server(page, chromium, lend, tmp_path):
+def test_a_recording_replays_without_a_server(page, browser, lend, tmp_path):
     page.click("[data-key=impulse]")
     until(page, "upright.store.snapshot.t > 1.5")
     tab(page, "Keep")
     with page.expect_download() as fetched:
         page.click("[data-key=keep-replay]")
     fetched.value.save_as(tmp_path / "replay.html")
-    alone = lend(chromium, 700, 500, offline=True)
+    alone = lend(browser, 700, 500, offline=True)
     alone.goto((tmp_path / "replay.html").as_uri())
     until(alone, "upright.store.snapshot?.t > 0.3")
     assert alone.inner_text(".status") == "Recording"
@@ -448,7 +432,7 @@ def test_a_reload_and_a_restart_of_the_server_are_survived(page, lab):
     assert setup(page)["controller"] == "lqi"
 
 
-def test_a_link_restores_the_whole_setup(page, chromium, lab, lend):
+def test_a_link_restores_the_whole_setup(page, browser, lab, lend):
     page.evaluate("upright.store.change({controller: 'lqi', payload: 0.05, slope: 0.05, numbers: {body_mass: 0.65}})")
     until(page, "upright.store.changed.setup.controller === 'lqi'")
     tab(page, "Keep")
@@ -456,14 +440,14 @@ def test_a_link_restores_the_whole_setup(page, chromium, lab, lend):
     page.click("[data-key=link]")
     assert "on this computer. For others, start the lab with upright lab --class" in page.inner_text(".toast")
     address = page.input_value(".address")
-    other = lend(chromium)
+    other = lend(browser)
     other.goto(address)
     ready(other)
     until(other, "upright.store.changed.setup", lambda restored: restored == setup(page))
     until(other, "upright.store.last.push?.join()", lambda push: push == "impulse,0.05")  # the knock is repeated
 
 
-def test_a_link_of_an_exported_page_opens_here(page, chromium, lab):
+def test_a_link_of_an_exported_page_opens_here(page, browser, lab):
     """With the robot's own kit, which such a link does not name; what cannot be is said."""
     page.goto("about:blank")
     page.goto(f"{lab.url}#robot=twipr&controller=mpc&bodies=nonlinear&slope=9&push=impulse:0.1")
@@ -480,9 +464,9 @@ def test_a_link_of_an_exported_page_opens_here(page, chromium, lab):
 
 
 @pytest.mark.evidence
-def test_a_newcomer_is_shown_the_tour(chromium, lab, lend):
+def test_a_newcomer_is_shown_the_tour(browser, lab, lend):
     """Open beside the robot on a laptop; on a phone, where it is below, a button in the room leads there. Once."""
-    page = lend(chromium, 390, 844)
+    page = lend(browser, 390, 844)
     page.goto(lab.url)
     until(page, "Boolean(document.querySelector('.tour'))")
     assert page.locator("[role=tab]").first.get_attribute("aria-selected") == "true"
@@ -581,9 +565,9 @@ PADS = "window.pad = {connected: true, axes: [0, 0]}; navigator.getGamepads = ()
 
 
 @pytest.mark.evidence
-def test_a_gamepad_drives_and_lets_go(chromium, lab):
+def test_a_gamepad_drives_and_lets_go(browser, lab):
     """Stick forward (-1) rolls forward, left (-1) turns anticlockwise; a stick at rest or unplugged does neither."""
-    context = chromium.new_context()
+    context = browser.new_context()
     context.add_init_script(PADS)
     page = context.new_page()
     page.goto(lab.url)
@@ -828,8 +812,8 @@ def test_the_equations_with_their_numbers_are_those_of_the_dynamics(page):
         assert left == pytest.approx(right, rel=0.01), line
 
 
-def test_nothing_moves_for_who_asked_for_less_motion(chromium, lab, lend):
-    page = lend(chromium)
+def test_nothing_moves_for_who_asked_for_less_motion(browser, lab, lend):
+    page = lend(browser)
     for wish, moves in (("reduce", False), ("no-preference", True)):
         page.emulate_media(reduced_motion=wish)
         page.goto("about:blank")
@@ -879,8 +863,8 @@ def test_from_phone_to_wall_nothing_is_cut_off(page, size):
 
 
 @pytest.mark.parametrize("scheme", ["light", pytest.param("dark", marks=pytest.mark.evidence)])
-def test_a_phone_shows_all_of_it_without_scrolling_sideways(chromium, lab, lend, scheme):
-    page = lend(chromium, 360, 720, scheme, has_touch=True)
+def test_a_phone_shows_all_of_it_without_scrolling_sideways(browser, lab, lend, scheme):
+    page = lend(browser, 360, 720, scheme, has_touch=True)
     page.goto(lab.url)
     ready(page)
     assert page.evaluate("document.documentElement.dataset.theme") == scheme
@@ -953,18 +937,18 @@ def qr_parts(bits: str) -> Iterator[str]:
 
 
 @pytest.mark.evidence
-def test_a_class_in_the_browser(chromium, lend):
+def test_a_class_in_the_browser(browser, lend):
     lab = Lab("--class", "--host", address())
     try:
         students, teacher = re.findall(r"http://\S+", lab.said)
-        ana = lend(chromium, 500, 500)
+        ana = lend(browser, 500, 500)
         ana.goto(students)
         ana.fill("#name", "=Ana")  # which a spreadsheet must not take for a formula
         ana.keyboard.press("Enter")
         ready(ana)
         assert ana.evaluate("upright.store.changed.bodies") == ["nonlinear", "linear"]
         assert "token" not in ana.url  # a link that is passed on lets nobody in
-        front = lend(chromium, 500, 500)
+        front = lend(browser, 500, 500)
         front.goto(teacher)
         ready(front)
         tab(front, "Class")
