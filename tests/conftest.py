@@ -197,7 +197,7 @@ def lend(request: pytest.FixtureRequest) -> Iterator[Any]:
         given.append((page, left))
         page.asked, page.wrong = [], []
         page.set_viewport_size({"width": width, "height": height})
-        page.emulate_media(color_scheme=scheme, reduced_motion="no-preference")
+        page.emulate_media(color_scheme=scheme, reduced_motion="reduce")  # what glides is drawn again and again
         return page
 
     yield lend
@@ -214,15 +214,37 @@ def lend(request: pytest.FixtureRequest) -> Iterator[Any]:
         left.append(page)
 
 
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    """Without 3-D, as on some school machines: charts and buttons do everything but the picture."""
-    from playwright.sync_api import sync_playwright
+OPEN: list[Any] = []
+"""The driver of browsers and the one browser, for all files of a unit of work: to begin them takes seconds."""
 
-    with sync_playwright() as driver:
-        made = driver.chromium.launch(executable_path="/usr/bin/chromium", args=["--no-sandbox", "--disable-3d-apis"])
-        yield patient(made)
-        made.close()
+
+@pytest.fixture
+def driver() -> Any:
+    return _begun()[0]
+
+
+@pytest.fixture
+def browser() -> Any:
+    """Without 3-D, as on some school machines: charts and buttons do everything but the picture."""
+    return _begun()[1]
+
+
+def _begun() -> list[Any]:
+    if not OPEN:
+        from playwright.sync_api import sync_playwright
+
+        OPEN.append(sync_playwright().start())
+        arguments = ["--no-sandbox", "--disable-3d-apis"]
+        OPEN.append(patient(OPEN[0].chromium.launch(executable_path="/usr/bin/chromium", args=arguments)))
+    return OPEN
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_runtest_teardown(item: pytest.Item, nextitem: pytest.Item | None) -> None:
+    """The browser ends with its unit of work: beside its driver no other test has an event loop."""
+    if OPEN and (nextitem is None or unit_of(nextitem.path.name) != unit_of(item.path.name)):
+        OPEN.pop().close()
+        OPEN.pop().stop()
 
 
 def common(factory: pytest.TempPathFactory, name: str) -> Path:
@@ -273,8 +295,9 @@ EXPORTED = ("nxtway-gs", "twipr")
 @pytest.fixture(scope="session")
 def exported_lab(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The page that `upright lab --export site` writes, with a robot in volts and one in newton metres: once for all
-    processes."""
+    processes. The margins of the second are left out: with its delays of five periods they are half of the work."""
     from upright.cli.main import main
+    from upright.lab import export
 
     folder = common(tmp_path_factory, "exported-lab")
     page, failed = folder / "site" / "index.html", folder / "failed"
@@ -285,8 +308,15 @@ def exported_lab(tmp_path_factory: pytest.TempPathFactory) -> Path:
             assert not failed.exists()
             time.sleep(0.2)
         return page
-    if main(["lab", "--export", str(page.parent), *(f"--robot={name}" for name in EXPORTED)]) != 0:
-        failed.touch()
+    whole = export.linear_margins
+
+    def margins(controller: Any, robot: Any, *kit: Any, **usual: Any) -> Any:
+        return whole(controller, robot, *kit, **usual) if robot.name == EXPORTED[0] else None
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(export, "linear_margins", margins)
+        if main(["lab", "--export", str(page.parent), *(f"--robot={name}" for name in EXPORTED)]) != 0:
+            failed.touch()
     return page
 
 
@@ -296,12 +326,19 @@ def axe(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for web in (LAB, Path(os.environ.get("UPRIGHT_WEB", LAB))):
         if (web / "node_modules/axe-core").is_dir():
             return web / "node_modules/axe-core/axe.min.js"
-    folder, name = tmp_path_factory.mktemp("axe"), "node_modules/axe-core"
+    name = "node_modules/axe-core"
     entry = json.loads((LAB / "package-lock.json").read_text())["packages"][name]
+    kept = CHECKOUT / ".pytest_cache" / f"axe-{entry['version']}.js"  # a run before has fetched it
+    if kept.exists():
+        return kept
+    folder = tmp_path_factory.mktemp("axe")
     asked = {"name": "axe", "dependencies": {"axe-core": entry["version"]}}
     (folder / "package.json").write_text(json.dumps(asked))
     lock = {"name": "axe", "lockfileVersion": 3, "packages": {"": asked, name: {**entry, "dev": False}}}
     (folder / "package-lock.json").write_text(json.dumps(lock))
     npm = shutil.which("npm") or "npm"
     subprocess.run([npm, "ci", "--ignore-scripts", "--no-audit", "--no-fund"], cwd=folder, check=True, timeout=300)
-    return folder / name / "axe.min.js"
+    kept.parent.mkdir(exist_ok=True)
+    copied = shutil.copy(folder / name / "axe.min.js", kept.with_suffix(f".{os.getpid()}"))
+    Path(copied).replace(kept)  # another process may read it at this moment
+    return kept

@@ -119,7 +119,9 @@ def test_a_page_stays(served, monkeypatch):
             made.send(encode(Hello(VERSION)))
             if "Welcome" not in str(made.recv(timeout=WAIT)):
                 continue
-            time.sleep(2 * patience)
+            for _ in range(2):
+                with served.connect() as idle:  # for longer than the patience with who says nothing
+                    assert ended(idle)
             made.send("nonsense")
             assert "Notice" in str(made.recv(timeout=WAIT))
             return
@@ -310,7 +312,7 @@ def test_a_slow_disk_holds_up_nobody_but_the_file(tmp_path, monkeypatch):
 
     async def story() -> Path:
         arriving = asyncio.create_task(receive(chunks(3), tmp_path, "run.csv", "log"))
-        done, _ = await asyncio.wait([arriving], timeout=0.5)  # the loop comes back here, and nothing has arrived
+        done, _ = await asyncio.wait([arriving], timeout=0.05)  # the loop comes back here, and nothing has arrived
         assert not done
         moved.set()
         return await arriving

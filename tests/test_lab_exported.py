@@ -14,6 +14,7 @@ import pytest
 from conftest import EXPORTED
 from test_lab_printed import DRIVEN, EXCITED, quiet
 from upright.bodies import Electronics, NonlinearBody
+from upright.certify.verdict import linear_margins
 from upright.classwork.grading import grade_file
 from upright.classwork.tasks import TASKS
 from upright.classwork.worksheet import fragment
@@ -49,15 +50,26 @@ LEANT = "upright.store.traces.t.some((t, k) => t > {} && upright.store.traces.x[
 
 
 @pytest.fixture
-def page(browser: Any, site: Path, lend: Any) -> Iterator[Any]:
-    """The page, opened from its folder by a browser without network; it asks for nothing but itself."""
+def unopened(browser: Any, site: Path, lend: Any) -> Iterator[Any]:
+    """A browser without network, for the page in its folder, which asks for nothing but itself."""
     made = lend(browser, 1366, 768, offline=True)
-    made.goto(site.as_uri())
-    made.wait_for_function("window.upright?.page.drawnFirst")
-    made.evaluate("upright.page.open('Controller')")  # a newcomer's page begins with the tour
     yield made
     assert [url for url in made.asked if not url.startswith((site.as_uri(), "data:"))] == []
     assert made.wrong == []
+
+
+@pytest.fixture
+def page(unopened: Any, site: Path) -> Any:
+    """The page, opened."""
+    opened(unopened, site)
+    unopened.evaluate("upright.page.open('Controller')")  # a newcomer's page begins with the tour
+    return unopened
+
+
+def opened(page: Any, site: Path, link: str = "") -> None:
+    page.goto("about:blank")
+    page.goto(site.as_uri() + link)
+    page.wait_for_function("window.upright?.page.drawnFirst")
 
 
 def send(page: Any, **message: Any) -> None:
@@ -65,7 +77,12 @@ def send(page: Any, **message: Any) -> None:
 
 
 @pytest.mark.evidence
-def test_the_page_of_every_preset_is_small(tmp_path):
+def test_the_page_of_every_preset_is_small(tmp_path, monkeypatch):
+    """With the margins of one robot for all of them: they are of one length."""
+    kit = Kit.preset("nxt")
+    robot = Robot.preset("nxtway-gs")
+    least = linear_margins(CONTROLLERS["lqg"](robot, kit, kit.period), robot, kit, usual=True)
+    monkeypatch.setattr("upright.lab.export.linear_margins", lambda *_, **__: least)
     assert len(export(tmp_path).read_bytes()) < 1.5e6  # bar 1.5 MB
 
 
@@ -91,10 +108,9 @@ def test_the_page_s_session_is_python_s_run(page):
 
 
 @marked
-def test_a_link_carries_robot_controller_and_push(page, site):
-    page.goto("about:blank")
-    page.goto(site.as_uri() + LINKED)
-    page.wait_for_function("window.upright?.page.drawnFirst")
+def test_a_link_carries_robot_controller_and_push(unopened, site):
+    page = unopened
+    opened(page, site, LINKED)
     setup = page.evaluate("upright.store.setup")
     assert (setup["robot"], setup["controller"], setup["noise"]) == ("twipr", "sliding", 0)
     page.wait_for_function(LEANT.format(0))  # a second later it is pushed
@@ -102,12 +118,11 @@ def test_a_link_carries_robot_controller_and_push(page, site):
 
 
 @marked
-def test_links_of_the_worksheet_set_the_page_up_too(page, site):
+def test_links_of_the_worksheet_set_the_page_up_too(unopened, site):
     """The first opens the page; the others come one after the other into the open one: nothing of the task before
     stays."""
-    page.goto("about:blank")
-    page.goto(site.as_uri() + fragment(TASKS[2]))
-    page.wait_for_function("window.upright?.page.drawnFirst")
+    page = unopened
+    opened(page, site, fragment(TASKS[2]))
     for number, task in enumerate((TASKS[2], TASKS[1], TASKS[2], TASKS[0])):
         if number:
             page.evaluate(f"location.hash = {fragment(task)!r}")
@@ -194,16 +209,15 @@ def test_traces_are_broken_where_the_robot_does_not_go_on(page):
 @pytest.mark.parametrize(
     "part",
     [
-        "robot=nobody", "gains=1,2", "%",
+        "robot=nobody", "gains=1,2",
         *(pytest.param(part, marks=pytest.mark.evidence)
-          for part in ("controller=__proto__", "slope=9", "push=impulse:1e9")),
+          for part in ("%", "controller=__proto__", "slope=9", "push=impulse:1e9")),
     ],
 )  # fmt: skip
 @marked
-def test_a_link_that_makes_no_sense_is_the_usual_page(page, site, part):
-    page.goto("about:blank")
-    page.goto(f"{site.as_uri()}#{part}")
-    page.wait_for_function("window.upright?.page.drawnFirst")
+def test_a_link_that_makes_no_sense_is_the_usual_page(unopened, site, part):
+    page = unopened
+    opened(page, site, f"#{part}")
     assert page.evaluate("[upright.store.setup.robot, upright.store.setup.controller]") == ["nxtway-gs", "lqg"]
     name, _, value = part.partition("=")
     if name in ("robot", "controller"):  # a mistyped name is said, with what there is
@@ -237,10 +251,10 @@ def test_gains_by_hand_begin_with_the_present_ones_and_act_at_once(page):
 
 
 @marked
-def test_a_link_without_a_controller_drops_the_robot(page, site):
+def test_a_link_without_a_controller_drops_the_robot(unopened, site):
     """From a small lean: upright, without noise at its wheels, it would stand for seconds."""
-    page.goto("about:blank")
-    page.goto(site.as_uri() + "#controller=off")
+    page = unopened
+    opened(page, site, "#controller=off")
     page.wait_for_function("upright.store.snapshot?.x[0][8] === 1")
     assert page.evaluate("upright.store.setup.controller") == "off"
     assert not page.locator(".hint").is_visible()  # what balances by itself does not lie there
@@ -314,12 +328,6 @@ def test_a_robot_that_sets_off_by_itself_is_marked_so(page, site):
 
 
 @marked
-def test_a_link_with_a_knock_sets_its_size(page):
-    page.evaluate("location.hash = '#robot=nxtway-gs&controller=lqg&push=impulse:0.3'")
-    page.wait_for_function("document.querySelector('[data-key=knock]').value === '0.3'")
-
-
-@marked
 def test_every_controller_of_every_robot_stands_up_again_from_a_lean(page):
     """A lean of 0.05 rad; the one of the true state alone cannot bear TWIPR's dead time of 53 ms, as in Python."""
     fell: list[str] = []
@@ -381,7 +389,8 @@ def test_two_knocks_are_no_record_and_one_has_the_size_of_the_slider(page):
 )
 def test_what_a_student_hands_in_is_run_again(page, tmp_path, setup, lean):
     """Noise and all: the page counts its random numbers, and the rerun counts the same. Two digits of the peak are the
-    grades' tolerance; a part in ten thousand is what differences in the last bit have become after 5 s, and more."""
+    grades' tolerance; a part in ten thousand is what differences in the last bit have become after 5 s, and more: it
+    is handed in after 3."""
     send(page, kind="Play", paused=True, speed=1)
     page.evaluate("(setup) => upright.store.change({ gains: [], ...setup })", setup)
     page.select_option("[data-key=language]", "en")
@@ -400,7 +409,7 @@ def test_what_a_student_hands_in_is_run_again(page, tmp_path, setup, lean):
     ):
         send(page, kind="Step", periods=periods)
         send(page, **action)
-    send(page, kind="Step", periods=300)
+    send(page, kind="Step", periods=100)
     with page.expect_download() as saved:
         page.click("[data-key=keep-handin]")
     saved.value.save_as(tmp_path / "hand-in.json")
@@ -440,9 +449,11 @@ def test_what_this_page_lacks_is_said_where_it_is_looked_for(page):
 
 @marked
 def test_a_link_that_is_opened_in_slow_motion_runs_at_full_speed(page):
+    """And sets the size of the knock that it has."""
     page.select_option("[data-key=speed]", "0.1")
-    page.evaluate("location.hash = '#robot=nxtway-gs&controller=lqr&push=impulse:0.05'")
+    page.evaluate("location.hash = '#robot=nxtway-gs&controller=lqr&push=impulse:0.06'")
     page.wait_for_function("upright.store.setup.controller === 'lqr'")
+    page.wait_for_function("document.querySelector('[data-key=knock]').value === '0.06'")
     assert page.input_value("[data-key=speed]") == "1"
     page.wait_for_function(LEANT.format(0))  # its push comes after a second
 

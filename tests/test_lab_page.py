@@ -19,7 +19,10 @@ import pytest
 
 from conftest import PATIENCE, patient
 from upright.experiment.examples import example
+from upright.lab.codec import plain
+from upright.lab.messages import Light, Setup
 from upright.lab.page_words import for_page
+from upright.lab.tasks import TASKS, smallest
 from upright.physics.dynamics import accelerations
 from upright.robots import Robot
 from upright.signals import Log
@@ -28,27 +31,28 @@ pytestmark = [pytest.mark.needs("chromium", "module:playwright")]
 
 FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
 WINDOW = (900, 640)  # [px]
+GREEN = Light("green", ())
 WEB = Path(__file__).resolve().parents[1] / "src" / "upright" / "lab" / "web"
 
 
+FEW = """import sys
+from upright.cli.main import main
+from upright.lab import server
+server.ALONE = server.Options(rate=20.0, coarse=True, certified=False)
+sys.exit(main())"""
+"""`upright lab` for tests of its page: fewer pictures of coarser steps, and no certificate that nobody waits for."""
+
+
 class Lab:
-    """`upright lab` as a user starts it, which can be stopped and started again on its port."""
+    """The program `FEW` or, with options, `upright lab` as a user starts it; it can be started again on its port."""
 
     def __init__(self, *options: str) -> None:
         self.options, self.port, self.said = options, 0, ""
         self.start()
 
     def start(self) -> None:
-        command = [
-            sys.executable,
-            "-m",
-            "upright",
-            "lab",
-            "--port",
-            str(self.port),
-            "--no-browser",
-            *self.options,
-        ]
+        program = ["-m", "upright"] if self.options else ["-c", FEW]
+        command = [sys.executable, *program, "lab", "--port", str(self.port), "--no-browser", *self.options]
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
         assert self.process.stdout
         self.said = self.process.stdout.readline()
@@ -69,22 +73,6 @@ def lab() -> Iterator[Lab]:
     made.stop()
 
 
-@pytest.fixture(scope="module")
-def driver() -> Iterator[Any]:
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as made:
-        yield made
-
-
-@pytest.fixture(scope="module")
-def chromium(driver: Any) -> Iterator[Any]:
-    """A browser without 3-D, as on some school machines: charts and buttons do everything but the picture."""
-    browser = driver.chromium.launch(executable_path="/usr/bin/chromium", args=["--no-sandbox", "--disable-3d-apis"])
-    yield patient(browser)
-    browser.close()
-
-
 @pytest.fixture
 def seen(driver: Any, lab: Lab, lend: Any) -> Iterator[Any]:
     """A page in a browser that draws the room, in software."""
@@ -94,9 +82,9 @@ def seen(driver: Any, lab: Lab, lend: Any) -> Iterator[Any]:
 
 
 @pytest.fixture
-def page(chromium: Any, lab: Lab, lend: Any) -> Iterator[Any]:
+def page(browser: Any, lab: Lab, lend: Any) -> Iterator[Any]:
     """A fresh page on the lab."""
-    yield from watched(lend(chromium, *WINDOW), lab)
+    yield from watched(lend(browser, *WINDOW), lab)
 
 
 def watched(page: Any, lab: Lab) -> Iterator[Any]:
@@ -111,12 +99,13 @@ def watched(page: Any, lab: Lab) -> Iterator[Any]:
 
 def until(page: Any, expression: str, wanted: Callable[[Any], bool] = bool) -> Any:
     """What the expression gives once it is wanted; the page forbids `eval`, so it is asked again and again."""
-    end, found = time.monotonic() + PATIENCE, None
+    end, found, wait = time.monotonic() + PATIENCE, None, 20.0
     while time.monotonic() < end:
         found = page.evaluate(expression)
         if wanted(found):
             return found
-        page.wait_for_timeout(50)
+        page.wait_for_timeout(wait)
+        wait = min(1.5 * wait, 250.0)  # [ms] what comes late need not be asked for so often
     raise AssertionError(f"{expression} stayed {found}")
 
 
@@ -124,6 +113,12 @@ def ready(page: Any) -> None:
     """The page has heard from its session. A newcomer's has the tour open; here everybody begins with Controller."""
     until(page, "Boolean(window.upright?.store.snapshot && document.querySelector('#panel').firstChild)")
     page.evaluate("upright.page.open('Controller')")
+
+
+def lit(page: Any, light: Light = GREEN) -> None:
+    """The page hears that light of a certificate, after what this lab says of itself: that it computes none."""
+    until(page, "upright.store.settled && upright.store.analysed && upright.store.lit?.reasons.length")
+    page.evaluate("(light) => upright.store.hear(light)", {"kind": "Light", **plain(light)})
 
 
 def tab(page: Any, name: str) -> None:
@@ -215,19 +210,24 @@ def test_at_first_sight(page):
     lines = page.evaluate(key + ".map(l => [l.getAttribute('stroke'), l.getAttribute('stroke-dasharray')])")
     assert len({colour for colour, _ in lines}) == len({dash for _, dash in lines}) == 3  # twice told apart
     assert page.inner_text(".status") == "Live"
-    assert until(page, "upright.store.lit?.light", lambda light: light not in (None, "none")) == "green"
+    lit(page)
     assert "green" in page.inner_text(".headlight")
 
 
 @pytest.mark.evidence
 def test_every_control_of_the_page_is_used(page):
-    """Each is moved or pressed once; every set-up that comes of it runs, and what must follow does."""
+    """Each is moved or pressed once; every set-up that comes of it runs, and what must follow does. Of the jobs the
+    quickest begins: what becomes of the others is tested by itself."""
+    page.evaluate("""() => {
+        const { send } = upright.store;
+        upright.store.send = (message) => ['certify', 'calibrate'].includes(message.job) || send(message);
+    }""")
     used: set[str] = set()
     for name in ("Controller", "Robot", "Kit", "See", "Identify", "Keep", "Tour"):
         tab(page, name)
         if name == "Robot":
             page.click("summary")
-        used |= _work(page)
+        used |= _work(page, "#panel " if used else "")  # the others are the same beside every tab
     page.click("[data-key=tour-set]")  # of the second step: the first needs none
     used.add("tour-set")
     for family in ("gains", "off"):
@@ -393,14 +393,14 @@ def test_a_log_is_uploaded_and_a_report_downloaded(page, tmp_path):
     assert page.locator(".comparison a").count() == 2  # and it stays there
 
 
-def test_a_recording_replays_without_a_server(page, chromium, lend, tmp_path):
+def test_a_recording_replays_without_a_server(page, browser, lend, tmp_path):
     page.click("[data-key=impulse]")
     until(page, "upright.store.snapshot.t > 1.5")
     tab(page, "Keep")
     with page.expect_download() as fetched:
         page.click("[data-key=keep-replay]")
     fetched.value.save_as(tmp_path / "replay.html")
-    alone = lend(chromium, 700, 500, offline=True)
+    alone = lend(browser, 700, 500, offline=True)
     alone.goto((tmp_path / "replay.html").as_uri())
     until(alone, "upright.store.snapshot?.t > 0.3")
     assert alone.inner_text(".status") == "Recording"
@@ -432,7 +432,7 @@ def test_a_reload_and_a_restart_of_the_server_are_survived(page, lab):
     assert setup(page)["controller"] == "lqi"
 
 
-def test_a_link_restores_the_whole_setup(page, chromium, lab, lend):
+def test_a_link_restores_the_whole_setup(page, browser, lab, lend):
     page.evaluate("upright.store.change({controller: 'lqi', payload: 0.05, slope: 0.05, numbers: {body_mass: 0.65}})")
     until(page, "upright.store.changed.setup.controller === 'lqi'")
     tab(page, "Keep")
@@ -440,14 +440,14 @@ def test_a_link_restores_the_whole_setup(page, chromium, lab, lend):
     page.click("[data-key=link]")
     assert "on this computer. For others, start the lab with upright lab --class" in page.inner_text(".toast")
     address = page.input_value(".address")
-    other = lend(chromium)
+    other = lend(browser)
     other.goto(address)
     ready(other)
     until(other, "upright.store.changed.setup", lambda restored: restored == setup(page))
     until(other, "upright.store.last.push?.join()", lambda push: push == "impulse,0.05")  # the knock is repeated
 
 
-def test_a_link_of_an_exported_page_opens_here(page, chromium, lab):
+def test_a_link_of_an_exported_page_opens_here(page, browser, lab):
     """With the robot's own kit, which such a link does not name; what cannot be is said."""
     page.goto("about:blank")
     page.goto(f"{lab.url}#robot=twipr&controller=mpc&bodies=nonlinear&slope=9&push=impulse:0.1")
@@ -464,9 +464,9 @@ def test_a_link_of_an_exported_page_opens_here(page, chromium, lab):
 
 
 @pytest.mark.evidence
-def test_a_newcomer_is_shown_the_tour(chromium, lab, lend):
+def test_a_newcomer_is_shown_the_tour(browser, lab, lend):
     """Open beside the robot on a laptop; on a phone, where it is below, a button in the room leads there. Once."""
-    page = lend(chromium, 390, 844)
+    page = lend(browser, 390, 844)
     page.goto(lab.url)
     until(page, "Boolean(document.querySelector('.tour'))")
     assert page.locator("[role=tab]").first.get_attribute("aria-selected") == "true"
@@ -565,9 +565,9 @@ PADS = "window.pad = {connected: true, axes: [0, 0]}; navigator.getGamepads = ()
 
 
 @pytest.mark.evidence
-def test_a_gamepad_drives_and_lets_go(chromium, lab):
+def test_a_gamepad_drives_and_lets_go(browser, lab):
     """Stick forward (-1) rolls forward, left (-1) turns anticlockwise; a stick at rest or unplugged does neither."""
-    context = chromium.new_context()
+    context = browser.new_context()
     context.add_init_script(PADS)
     page = context.new_page()
     page.goto(lab.url)
@@ -730,7 +730,7 @@ def test_a_fallen_body_leaves_the_scale_to_those_that_stand(page):
 @pytest.mark.parametrize("width", [390, pytest.param(1366, marks=pytest.mark.evidence)])
 def test_the_light_leads_to_its_reasons(page, width):
     page.set_viewport_size({"width": width, "height": 844 if width == 390 else 768})
-    until(page, "(upright.store.lit?.light ?? 'none') !== 'none'")
+    lit(page)
     tab(page, "Keep")
     page.evaluate("scrollTo(0, 0)")
     if width == 390:
@@ -812,8 +812,8 @@ def test_the_equations_with_their_numbers_are_those_of_the_dynamics(page):
         assert left == pytest.approx(right, rel=0.01), line
 
 
-def test_nothing_moves_for_who_asked_for_less_motion(chromium, lab, lend):
-    page = lend(chromium)
+def test_nothing_moves_for_who_asked_for_less_motion(browser, lab, lend):
+    page = lend(browser)
     for wish, moves in (("reduce", False), ("no-preference", True)):
         page.emulate_media(reduced_motion=wish)
         page.goto("about:blank")
@@ -863,8 +863,8 @@ def test_from_phone_to_wall_nothing_is_cut_off(page, size):
 
 
 @pytest.mark.parametrize("scheme", ["light", pytest.param("dark", marks=pytest.mark.evidence)])
-def test_a_phone_shows_all_of_it_without_scrolling_sideways(chromium, lab, lend, scheme):
-    page = lend(chromium, 360, 720, scheme, has_touch=True)
+def test_a_phone_shows_all_of_it_without_scrolling_sideways(browser, lab, lend, scheme):
+    page = lend(browser, 360, 720, scheme, has_touch=True)
     page.goto(lab.url)
     ready(page)
     assert page.evaluate("document.documentElement.dataset.theme") == scheme
@@ -937,18 +937,18 @@ def qr_parts(bits: str) -> Iterator[str]:
 
 
 @pytest.mark.evidence
-def test_a_class_in_the_browser(chromium, lend):
+def test_a_class_in_the_browser(browser, lend):
     lab = Lab("--class", "--host", address())
     try:
         students, teacher = re.findall(r"http://\S+", lab.said)
-        ana = lend(chromium, 500, 500)
+        ana = lend(browser, 500, 500)
         ana.goto(students)
         ana.fill("#name", "=Ana")  # which a spreadsheet must not take for a formula
         ana.keyboard.press("Enter")
         ready(ana)
         assert ana.evaluate("upright.store.changed.bodies") == ["nonlinear", "linear"]
         assert "token" not in ana.url  # a link that is passed on lets nobody in
-        front = lend(chromium, 500, 500)
+        front = lend(browser, 500, 500)
         front.goto(teacher)
         ready(front)
         tab(front, "Class")
@@ -990,7 +990,7 @@ def test_a_laptop_shows_room_pitch_and_the_open_tab_at_once(page, language):
 
 def test_nothing_of_the_controller_before_stays_under_the_new_name(page):
     """Gains, margins and light go with the choice itself, and none of the old ones comes back."""
-    until(page, "upright.store.analysed && upright.store.lit?.light !== 'none'")
+    lit(page)
     at_once = page.evaluate("""() => {
         window.shown = [];
         const note = () => shown.push([upright.store.analysed?.words, upright.store.lit?.light]);
@@ -1002,7 +1002,7 @@ def test_nothing_of_the_controller_before_stays_under_the_new_name(page):
     }""")
     assert at_once[:2] == [None, "none"]
     assert "computing" in at_once[2]
-    until(page, "upright.store.analysed && upright.store.lit?.light !== 'none'")
+    until(page, "upright.store.analysed && upright.store.lit?.reasons.length")
     assert page.evaluate("shown.some(([words]) => words === before)") is False
 
 
@@ -1053,7 +1053,7 @@ LIGHTS = """() => ['none', 'green', 'amber', 'red'].flatMap(light => [0, 1, 2, 3
 def test_no_words_of_the_bar_move_the_page_or_are_cut(page, size):
     """Whatever the certificate says, and while the connection is lost; the whole of it is the light's title."""
     page.set_viewport_size(dict(zip(("width", "height"), size, strict=True)))
-    until(page, "upright.store.lit && upright.store.changed && upright.store.lit.light !== 'none'")
+    lit(page)
     for language in ("en", "es"):
         page.select_option("[data-key=language]", language)
         tops, cut = zip(*page.evaluate(LIGHTS), strict=True)
@@ -1168,7 +1168,7 @@ ENGLISH = (
 def test_spanish_is_spanish_to_the_last_decimal(page):
     """No English word in any tab but in names of files and robots, and no decimal point."""
     page.select_option("[data-key=language]", "es")
-    until(page, "upright.store.analysed && upright.store.lit?.light !== 'none'")
+    lit(page, TASKS["light"](lambda *_: None, Setup()))  # with all its reasons
     page.click("[data-key=impulse]")
     until(page, "upright.store.snapshot.t > 2")
     for name in ("Controller", "Robot", "Kit", "See", "Identify", "Keep", "Tour"):
@@ -1444,11 +1444,11 @@ def test_no_margin_is_judged_before_every_place_is_known(page):
     from upright.robots import Kit
 
     page.evaluate("upright.store.change({robot: 'twipr', kit: 'twipr', controller: 'lqg'})")
-    until(page, "upright.store.settled && upright.store.lit?.delay_at")
-    said = page.inner_text(".verdict")
     robot, kit = Robot.preset("twipr"), Kit.preset("twipr")
     least = linear_margins(CONTROLLERS["lqg"](robot, kit, kit.period), robot, kit, usual=True)
     assert least
+    lit(page, Light("amber", (), **smallest(least)))
+    said = page.inner_text(".verdict")
     numbers = [float(text) for text in re.findall(r"\d+(?:\.\d+)?(?= ms more| % weaker| % stronger)", said)]
     true = [1e3 * least.delay, 100 * (1 - least.gain_low), 100 * (least.gain_high - 1)]
     assert numbers == pytest.approx(true, rel=0.05)  # two digits are shown
@@ -1500,6 +1500,7 @@ def test_the_fall_of_the_tour_fills_its_curve(page):
     page.click("[data-key=tour-next]")
     page.click("[data-key=tour-set]")
     until(page, "upright.store.changed.setup.controller === 'off'")
+    page.evaluate("upright.store.send({ kind: 'Play', paused: false, speed: 0.5 })")  # not a tenth, for which one waits
     assert not page.locator(".hint > span").is_visible()
     until(page, "upright.store.lain")
     first, fallen = page.evaluate("[upright.store.traces.t[0], upright.store.lain]")

@@ -22,7 +22,7 @@ from upright.signals import STATE_NAMES, Log
 pytestmark = [pytest.mark.needs("chromium", "module:playwright")]
 
 KINDS = ("comparison", "design", "fleet", "basin", "bench")
-WIDTHS = (1280, 390)  # [px] a laptop's window, a phone
+SCREENS = ((1280, 900), (390, 844))  # [px] a laptop's window, a phone
 
 
 def run(decay: float) -> Log:
@@ -102,44 +102,27 @@ def test_lines_and_letters_of_a_drawing_differ_from_the_paper(
     assert not weak
 
 
-@pytest.mark.parametrize("width", WIDTHS)
 @pytest.mark.parametrize("name", KINDS)
-def test_nothing_is_wider_than_the_screen(
-    pages: dict[str, Path], browser: Any, lend: Any, name: str, width: int
-) -> None:
-    page = lend(browser, width, 900)
-    page.goto(pages[name].as_uri())
-    page.evaluate("document.querySelectorAll('details').forEach((item) => { item.open = true })")
-    assert page.evaluate("document.documentElement.scrollWidth") == width
-    wide = "[...document.querySelectorAll('.table')].filter((t) => t.scrollWidth > t.clientWidth + 1).length"
-    assert width < 1280 or page.evaluate(wide) == 0  # a phone scrolls a table by itself
-
-
-@pytest.mark.parametrize("name", KINDS)
-def test_the_first_screen_has_the_picture_and_no_axis_is_a_logarithm(
-    pages: dict[str, Path], browser: Any, lend: Any, name: str
-) -> None:
+def test_a_page_fits_a_laptop_and_a_phone(pages: dict[str, Path], browser: Any, lend: Any, name: str) -> None:
+    """Nothing is wider than the screen, on the first screen are picture, numbers and what to run next, and no axis is
+    a logarithm."""
     page = lend(browser, 1280, 900)
     page.goto(pages[name].as_uri())
     top = page.evaluate("document.querySelector('header figure svg').getBoundingClientRect().top")
     assert top < 450  # half a laptop's screen
     letters = page.evaluate("[...document.querySelectorAll('figure svg text')].map((t) => t.textContent)")
     assert not [text for text in letters if re.search(r"log|power of ten", text)]
-
-
-@pytest.mark.parametrize(("width", "height"), [(1280, 900), (390, 844)])
-def test_the_first_screen_has_the_numbers_and_what_to_run_next(
-    pages: dict[str, Path], browser: Any, lend: Any, width: int, height: int
-) -> None:
-    page = lend(browser, width, height)
-    below: dict[str, float] = {}
-    for name in KINDS:
-        page.goto(pages[name].as_uri())
+    for width, height in SCREENS:
+        page.set_viewport_size({"width": width, "height": height})
         for part in page.query_selector_all("header .numbers, header .next"):
             box = part.bounding_box()
-            if box["y"] + box["height"] > height:
-                below[name] = box["y"] + box["height"]
-    assert not below
+            assert box["y"] + box["height"] <= height
+    page.evaluate("document.querySelectorAll('details').forEach((item) => { item.open = true })")
+    for width, height in SCREENS:
+        page.set_viewport_size({"width": width, "height": height})
+        assert page.evaluate("document.documentElement.scrollWidth") == width
+        wide = "[...document.querySelectorAll('.table')].filter((t) => t.scrollWidth > t.clientWidth + 1).length"
+        assert width < 1280 or page.evaluate(wide) == 0  # a phone scrolls a table by itself
 
 
 def test_a_pointer_over_a_figure_reads_its_lines(pages: dict[str, Path], browser: Any, lend: Any) -> None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import multiprocessing
 import os
 import pickle
+import sys
 import threading
 import time
 import warnings
@@ -37,6 +38,8 @@ MODEST = 15  # of nice in a class: three jobs together leave nine tenths to the 
 # tasks nobody presses a button for, whose results are kept, and how many of them
 LASTING = ("light",)
 REMEMBERED = 64
+READY = ["upright.lab.tasks", "upright.certify"]
+"""What most jobs load, for a second: on Linux clerks are copies of a process that has, and that ends with this one."""
 MEMORY = 4 << 30  # [bytes] of addresses for one job: a hostile file must not take the machine
 
 
@@ -64,7 +67,7 @@ class InlineDesk:
         """Do all that was submitted, and say what came of it."""
         asked = self._asked
         self._asked = []
-        return [(key, *_done(task, args, _unheard)) for key, task, args in asked]
+        return [(key, *_done(task, args, lambda *_: None)) for key, task, args in asked]
 
 
 class ProcessDesk:
@@ -140,12 +143,14 @@ class ProcessDesk:
 
     def _recalled(self) -> list[Word]:
         """The answers to requests that wait and were answered before: they cost no process."""
-        lasting = {key: pickle.dumps(job) for key, job in self._queue.items() if job[0] in LASTING}
-        known = [(key, asked) for key, asked in lasting.items() if asked in self._known]
-        for key, asked in known:
-            del self._queue[key]
-            self._known[asked] = self._known.pop(asked)
-        return [(key, "done", self._known[asked]) for key, asked in known]
+        words = list[Word]()
+        for key, job in list(self._queue.items()):
+            asked = pickle.dumps(job) if job[0] in LASTING else b""
+            if asked in self._known:
+                del self._queue[key]
+                self._known[asked] = self._known.pop(asked)
+                words.append((key, "done", self._known[asked]))
+        return words
 
     def _begin(self) -> None:
         if self._waiting and (self._quick is None or self._quick.idle):
@@ -221,7 +226,9 @@ class _Clerk:
             self._process.kill()
 
     def _attend(self) -> None:
-        context = multiprocessing.get_context("spawn")
+        os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # a copy has no threads of its library
+        context: Any = multiprocessing.get_context("forkserver" if sys.platform == "linux" else "spawn")
+        context.set_forkserver_preload(READY)
         pipe, theirs = context.Pipe()
         process = context.Process(target=_work, args=(theirs,), daemon=True)
         try:
@@ -273,7 +280,6 @@ def _work(pipe: Connection) -> None:
             shown[0] = round(fraction, 2)
             pipe.send(("progress", (fraction, runs)))
 
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     warnings.simplefilter("ignore")  # of a student's numbers: the result says what is wrong
     limit_memory(MEMORY)
     while True:
@@ -284,10 +290,6 @@ def _work(pipe: Connection) -> None:
             pipe.send((status, result))
         except (EOFError, OSError, KeyboardInterrupt):
             return
-
-
-def _unheard(fraction: float, runs: int = 0) -> None:
-    """A report that nobody hears of the `fraction` done, of so many `runs`."""
 
 
 def _done(task: str, args: tuple[Any, ...], report: Callable[..., None]) -> tuple[str, Any]:
