@@ -431,7 +431,7 @@ def test_help_is_in_short_sentences() -> None:
 def test_errors_are_short_sentences() -> None:
     """What stands in every `raise` of the sources."""
     lengths: list[int] = []
-    for file in SOURCES.rglob("*.py"):
+    for file in (file for file in SOURCES.rglob("*.py") if "raise " in file.read_text(encoding="utf-8")):
         for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call):
                 values = [*node.exc.args, *(keyword.value for keyword in node.exc.keywords)]
