@@ -26,12 +26,12 @@ QUICK = [
 LONGER = [
     "simulate -s 1", "compare a.csv b.csv", f"fleet -n 30 -s 2 {KNOCK}", "push-map --points 2 -n 0 --watch 1",
     "grade hand-ins", "bench-controllers -c lqr", "tune lqr --budget 2 --samples 100",
-    "identify excited.csv --method instrumental --repeats 1",
+    "identify excited.csv --method instrumental --repeats 1", "post-mortem fall.csv",
 ]  # fmt: skip
 """What `test_first_robot.py` does not walk past, which asks the same of its commands."""
 
 COMMANDS = [*QUICK, *(pytest.param(command, marks=pytest.mark.evidence) for command in LONGER)]
-EXAMPLES = {"excited.csv": "excited", "hand-ins": "handed-in"}
+EXAMPLES = {"excited.csv": "excited", "fall.csv": "fall", "hand-ins": "handed-in"}
 SPEC = """
 robots = ["nxtway-gs"]
 n = 20
