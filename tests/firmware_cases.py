@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from upright.control import LinearController, make_controller, read_controller
 from upright.control.controller import Controller
 from upright.firmware import Firmware, generate
+from upright.parity import Parity
 from upright.robots import Kit, Robot
 
 GOLDEN = Path(__file__).parent / "golden" / "firmware"
@@ -50,3 +53,21 @@ def written(
     made = generate(controller or frozen(), ROBOT, kit, target, **options)  # type: ignore[arg-type]
     suffix = next(iter(made.files))
     return made.write(folder / f"balance{suffix}")[0], made
+
+
+SHORT = 5.0
+"""[s] of a parity in tests: each of its two pushes holds the robot for 1.5 s, and it has 1 s to recover."""
+
+
+def shorten(monkeypatch: pytest.MonkeyPatch, seconds: float = SHORT) -> None:
+    """Make a parity that short, with the same pushes."""
+    parity = sys.modules[Parity.__module__]  # whose name is also that of a function
+    monkeypatch.setattr(parity, "SECONDS", seconds)
+    monkeypatch.setattr(parity, "HELD", 0.3 * seconds)
+    monkeypatch.setattr(parity, "PUSHES", {"front": (0.1, 0.0), "back": (-0.12, seconds / 2)})
+
+
+@pytest.fixture
+def short(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A parity of `SHORT` instead of 20 s."""
+    shorten(monkeypatch)

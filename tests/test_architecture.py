@@ -7,7 +7,7 @@ import re
 import subprocess
 import sys
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache
 from importlib.metadata import packages_distributions
@@ -97,6 +97,12 @@ class Import:
 @cache
 def trees() -> dict[str, ast.Module]:
     return {p.relative_to(SOURCE).as_posix(): ast.parse(p.read_text("utf-8")) for p in sorted(SOURCE.rglob("*.py"))}
+
+
+@cache
+def nodes() -> dict[str, list[ast.AST]]:
+    """Every node of each file: walking the trees takes longer than what is asked of them."""
+    return {file: list(ast.walk(tree)) for file, tree in trees().items()}
 
 
 @cache
@@ -235,9 +241,9 @@ def test_no_module_is_too_long() -> None:
 def test_no_function_is_too_long() -> None:
     functions = [
         (f"{file}:{node.lineno} {node.name}", (node.end_lineno or 0) - node.lineno + 1)
-        for file, tree in trees().items()
+        for file, inside in nodes().items()
         if by_hand(SOURCE / file)
-        for node in ast.walk(tree)
+        for node in inside
         if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
     ]
     assert {name: n for name, n in functions if n > MOST_LINES_OF_A_FUNCTION} == {}
@@ -292,8 +298,8 @@ def test_no_files_import_in_a_circle() -> None:
 
 def test_a_class_name_means_one_thing() -> None:
     homes: dict[str, set[str]] = {}
-    for file, tree in trees().items():
-        for node in ast.walk(tree):
+    for file, inside in nodes().items():
+        for node in inside:
             if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
                 homes.setdefault(node.name, set()).add(file)
     assert {n: files for n, files in homes.items() if len(files) > 1} == {}
@@ -314,18 +320,18 @@ def positional(node: ast.AST) -> int:
 
 def test_nothing_takes_many_arguments_by_position() -> None:
     wide: dict[str, list[str]] = {}
-    for file, tree in trees().items():
+    for file, inside in nodes().items():
         if by_hand(SOURCE / file):
-            for node in ast.walk(tree):
+            for node in inside:
                 if positional(node) > MOST_POSITIONAL and (file, getattr(node, "name", "")) != ENTRY:
                     name = f"{file}:{node.lineno} {node.name} ({positional(node)})"  # type: ignore[attr-defined]
                     wide.setdefault(room(file), []).append(name)
     assert {name: where for name, where in wide.items() if where} == {}
 
 
-def bound(tree: ast.AST) -> Iterator[str]:
-    """Every name that a file gives to something."""
-    for node in ast.walk(tree):
+def bound(inside: Iterable[ast.AST]) -> Iterator[str]:
+    """Every name that the nodes of a file give to something."""
+    for node in inside:
         if isinstance(node, ast.Name | ast.Attribute) and isinstance(node.ctx, ast.Store):
             yield node.id if isinstance(node, ast.Name) else node.attr
         elif isinstance(node, ast.arg):
@@ -336,6 +342,7 @@ def bound(tree: ast.AST) -> Iterator[str]:
             yield node.asname
 
 
+@cache
 def words(name: str) -> set[str]:
     split = name if name.isupper() else re.sub(r"([A-Z])", r"_\1", name)
     return set(re.findall(r"[a-z]+", split.lower()))
@@ -343,8 +350,8 @@ def words(name: str) -> set[str]:
 
 def test_names_are_the_words_of_the_textbook() -> None:
     retired: dict[str, list[str]] = {}
-    for file, tree in trees().items():
-        names = [name for name in bound(tree) if words(name) & RETIRED] if by_hand(SOURCE / file) else []
+    for file, inside in nodes().items():
+        names = [name for name in bound(inside) if words(name) & RETIRED] if by_hand(SOURCE / file) else []
         retired.setdefault(room(file), []).extend(f"{file}: {name}" for name in names)
     assert {where: names for where, names in retired.items() if names} == {}
 
@@ -352,7 +359,7 @@ def test_names_are_the_words_of_the_textbook() -> None:
 def test_names_are_read_word_by_word() -> None:
     source = "class FoundIt:\n    def f(self, was_told): self.late_by, relate = 1, 2\nimport a as share\nNOT_SEEN = 0"
     names = ("FoundIt", "was_told", "late_by", "share", "NOT_SEEN")
-    assert {name for name in bound(ast.parse(source)) if words(name) & RETIRED} == set(names)
+    assert {name for name in bound(ast.walk(ast.parse(source))) if words(name) & RETIRED} == set(names)
 
 
 @pytest.mark.parametrize(
@@ -407,7 +414,7 @@ def test_only_one_module_opens_files_for_writing() -> None:
 
     bare = {
         f"{file}:{node.lineno}"
-        for file, tree in trees().items() for node in ast.walk(tree)
+        for file, inside in nodes().items() for node in inside
         if file != "atomic.py" and isinstance(node, ast.Call) and writes(node)
     }  # fmt: skip
     assert not bare, "through upright.atomic, so that a file is written whole: " + ", ".join(sorted(bare))

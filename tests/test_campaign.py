@@ -26,8 +26,8 @@ from upright.fleet.tally import Moments
 
 SPEC = """
 robots = ["nxtway-gs"]
-n = 120
-chunk = 20
+n = 24
+chunk = 4
 seed = 3
 seconds = 1.0
 vary = ["spread", "delay=0..0.004"]
@@ -39,7 +39,7 @@ vary = ["spread", "delay=0..0.004"]
 name = "knock"
 push = [{ kind = "impulse", impulse = 0.25, start = 0.2 }]
 """
-CHUNKS = 12  # two cases of 120 robots, 20 at a time
+CHUNKS = 12  # two cases of 24 robots, 4 at a time
 
 
 @pytest.fixture(scope="module")
@@ -183,7 +183,7 @@ def table_of_another(path: Path, _: Path) -> None:
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    pq.write_table(pa.table({"fell": [0.0] * 20}), path)
+    pq.write_table(pa.table({"fell": [0.0] * 4}), path)
 
 
 @pytest.fixture(scope="module")
@@ -243,18 +243,18 @@ def test_a_full_disk_is_one_line_and_the_campaign_goes_on_from_there(spec, alone
 
 
 def test_the_size_of_a_chunk_changes_no_robot(alone):
-    table = {"n": 120, "seed": 3, "seconds": 1.0, "vary": ["spread", "delay=0..0.004"], "chunk": 120}
+    table = {"n": 24, "seed": 3, "seconds": 1.0, "vary": ["spread", "delay=0..0.004"], "chunk": 24}
     table["scenario"] = [{"name": "knock", "push": [{"kind": "impulse", "impulse": 0.25, "start": 0.2}]}]
     ensemble = campaign_of(table).cases[0].ensemble  # without the grid: the kit's own dead zone
-    at_once = ensemble.run(range(120))
-    in_parts = [ensemble.run(range(start, start + 40)) for start in (0, 40, 80)]
+    at_once = ensemble.run(range(24))
+    in_parts = [ensemble.run(range(start, start + 8)) for start in (0, 8, 16)]
     for name, values in at_once.items():
         np.testing.assert_array_equal(values, np.concatenate([part[name] for part in in_parts]))
 
 
 def test_all_runs_come_together_and_the_tally_is_theirs(spec, alone):
     data = collect(alone)
-    assert data.sizes["robot"] == 240
+    assert data.sizes["robot"] == 48
     cases = run_campaign(read_campaign(spec), alone, workers=0)  # nothing left to do
     for number, case in enumerate(cases):
         mine = data.isel(robot=data["case"].values == number)
@@ -304,8 +304,8 @@ def test_an_address_without_a_scheduler_is_reported(spec, tmp_path):
 @pytest.mark.parametrize(
     ("old", "new", "error", "says"),
     [
-        ("n = 120", "n = 0", InvalidScenario, "without robots"),
-        ("n = 120", 'n = "many"', InvalidScenario, "n is 'many'"),
+        ("n = 24", "n = 0", InvalidScenario, "without robots"),
+        ("n = 24", 'n = "many"', InvalidScenario, "n is 'many'"),
         ('["nxtway-gs"]', "[1]", InvalidScenario, "texts in quotes"),
         ("seed = 3", "seed = -3", InvalidScenario, "seed of -3"),
         ("seed", "sead", UnknownName, "seed"),
@@ -328,7 +328,7 @@ def test_what_is_wrong_with_a_campaign_is_reported(tmp_path, old, new, error, sa
 
 def test_only_what_is_asked_for_is_kept(tmp_path, capsys):
     path = tmp_path / "c.toml"
-    path.write_text(SPEC.replace("n = 120", "n = 20").replace("seed = 3", "seed = 3\nkeep = ['fell', 'effort']"))
+    path.write_text(SPEC.replace("n = 24", "n = 20").replace("seed = 3", "seed = 3\nkeep = ['fell', 'effort']"))
     sweep(path, workers=0)
     assert capsys.readouterr().out.startswith("Verdict: ")
     assert set(collect(tmp_path / "c").data_vars) == {"fell", "effort", "case"}

