@@ -80,7 +80,7 @@ def test_a_planted_fault_is_named(case: object) -> None:
 
 
 # All five settings, with and without excitation, pushes and drives, model and twin; the benchmark runs 50.
-@pytest.mark.parametrize("seed", [30, *(pytest.param(n, marks=pytest.mark.evidence) for n in (31, 32, 33, 34))])
+@pytest.mark.parametrize("seed", [30, pytest.param(33, marks=pytest.mark.evidence)])
 def test_a_clean_log_raises_no_alarm(seed: int) -> None:
     name, log = bench.standing(seed)
     diagnosis = doctor(log)
@@ -272,7 +272,6 @@ CUT = ["twipr/run1.csv", "ev3way/nn_v17_005.csv", "ev3way/nn_v7_000.csv", MEASUR
     [
         (CUT[0], 140),
         *(pytest.param(log, 140, marks=pytest.mark.evidence) for log in CUT[1:]),
-        *(pytest.param(log, 400, marks=pytest.mark.evidence) for log in CUT),
     ],
 )
 def test_a_real_log_that_is_cut_anywhere_has_no_wrong_sign_unit_or_offset(shared: Path, log: str, rows: int) -> None:

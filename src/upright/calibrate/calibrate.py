@@ -101,7 +101,8 @@ def calibrate(
     hidden = parts.delay + parts.jitter / 2 - _dead_time(parts, several)
     notes = [*meant, *filter(None, left), *knocked, *([STRAIGHT] if straight else [])]
     notes += [f"{pace}." for pace in map(pace_of, several) if pace and not pace.kept]
-    result = untold(result, _unknown(result, several, knocked, cut=between_knocks))
+    known_wrong = wrong and result.refused  # which is mended first, whatever else the log cannot tell
+    result = untold(result, None if known_wrong else _unknown(result, several, knocked, cut=between_knocks))
     result = replace(result, kit=learnt_kit(result, parts, problem.delays, hidden), notes=(*result.notes, *notes))
     if problem.temper < 1 and not result.decision.withheld:  # else the noise of the kit is that of the filter
         own = result.kit or parts

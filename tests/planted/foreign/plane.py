@@ -109,7 +109,9 @@ def _flight(bot: Bot) -> Callable[[State, float, float, float | None, bool], Sta
     lever, weight, arm = bot.body * bot.com * bot.radius, bot.body * GRAVITY * bot.com, bot.com
     gain, damping, dry, radius, rotor, twice = bot.gain, bot.damping, bot.dry, bot.radius, bot.rotor, 2 * bot.rolling
 
-    def rates(psi: float, rate: float, turn: float, volts: float, force: float, goal: float | None, floor: bool) -> State:
+    def rates(
+        psi: float, rate: float, turn: float, volts: float, force: float, goal: float | None, floor: bool
+    ) -> State:
         slip, tilted = turn - rate, cos(psi)
         a12 = lever * tilted - rotor
         torque = 2 * (gain * volts - damping * slip - dry * tanh(slip / SHARP))
