@@ -248,6 +248,16 @@ def test_a_late_gyro_is_found_from_a_wrong_prior() -> None:
     assert found["delay/gyro−encoder"].value == pytest.approx(0.022, abs=0.001)
 
 
+def test_a_gyro_that_is_turned_is_said_before_what_looks_like_pushes_under_another_robot_s_file() -> None:
+    """That file explains no motion, so that all of it looks pushed: who dithers as was advised turns no gyro."""
+    log = twin_log(5.0)
+    turned = {n: -v if n == "sensor/gyro" else v for n, v in log.channels.items() if n.startswith(("sens", "appl"))}
+    found = calibrate(Log(log.t, turned, log.units), "ev3way")
+    assert "its sign is opposite" in found.refused[0]
+    assert found.decision.verdict == "refused"
+    assert any("looks like a push" in note for note in found.notes)
+
+
 def test_noise_is_found() -> None:
     """An encoder of one degree has an error of 1°/√12; the gyro's is its own 0.5 °/s and its step's."""
     found = calibration()
