@@ -38,6 +38,7 @@ from upright.control.excited import Excited, random_binary
 from upright.doctor.wheels import on_its_wheels
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import run
+from upright.experiment.examples import example
 from upright.experiment.pushes import Hold
 from upright.logs.marks import known_fraction
 from upright.logs.recording import reading_matrix, record
@@ -250,7 +251,7 @@ def test_a_late_gyro_is_found_from_a_wrong_prior() -> None:
 
 def test_a_gyro_that_is_turned_is_said_before_what_looks_like_pushes_under_another_robot_s_file() -> None:
     """That file explains no motion, so that all of it looks pushed: who dithers as was advised turns no gyro."""
-    log = twin_log(5.0)
+    log = example("excited").between(0.0, 4.0)
     turned = {n: -v if n == "sensor/gyro" else v for n, v in log.channels.items() if n.startswith(("sens", "appl"))}
     found = calibrate(Log(log.t, turned, log.units), "ev3way")
     assert "its sign is opposite" in found.refused[0]
