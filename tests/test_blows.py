@@ -76,7 +76,7 @@ def test_commands_in_a_repair_name_the_robot_and_the_log(tmp_path: Path) -> None
     path, toml = tmp_path / "my fall.csv", tmp_path / "robot.toml"
     weakened().save(path)
     NXT.save(toml)
-    causes = post_mortem(str(path), str(toml), KIT).causes
+    causes = post_mortem(str(path), str(toml), KIT, seconds=0.0).causes
     assert any(f"`upright design lqg --robot {toml}`" in cause.repair for cause in causes)
     assert not any("ROBOT" in cause.repair for cause in causes)
     for words, typed in (
