@@ -813,7 +813,7 @@ def test_another_robots_file_is_never_taken_in_silence(shared: Path) -> None:
     these wheels predicts half seconds better as it stands, and is named."""
     from upright.logs.raw import raw_log
 
-    found = calibrate(raw_log(shared / "data/ev3way/tilt_000.csv").between(0.0, 7.4), Robot.preset("ev3way"))
+    found = calibrate(raw_log(shared / "data/ev3way/tilt_000.csv").between(0.0, 4.0), Robot.preset("ev3way"))
     assert "--robot ev3way-large-wheels" in " ".join((*found.refused, *found.notes))
 
 
