@@ -172,10 +172,11 @@ def _moving(values: Array) -> float:
 def trimmed(y: Array, X: Array, positive: bool = False) -> tuple[Array, float, NDArray[Any]]:
     """Trimmed least squares with an intercept, R² on the rows kept, and these rows."""
     keep = np.ones(len(y), dtype=bool)
-    values, columns = np.zeros(X.shape[1]), np.ascontiguousarray(X.T)
+    values = np.zeros(X.shape[1])
+    columns = X.T
     r2 = 0.0
     for last in (False, False, True):
-        some = columns if keep.all() else columns[:, keep]
+        some = columns[:, keep]
         centre, middle = some.mean(axis=1), y[keep].mean()
         Z, z = some - centre[:, None], y[keep] - middle
         squares = Z @ Z.T
@@ -192,10 +193,10 @@ def trimmed(y: Array, X: Array, positive: bool = False) -> tuple[Array, float, N
 
 
 def lagged(
-    m: Resampled, width: float, target: Array, shifted: list[Array], fixed: list[Array], *, positive: bool = False,
+    m: Resampled, width: float, target: Array, shifted: list[Array], *, positive: bool = False,
     reach: tuple[float, float] = (-REACH, REACH),
 ) -> LaggedFit:  # fmt: skip
-    """The fit of `target` on `shifted` (read `lag` later, to a fraction of a row) and `fixed` with the best lag.
+    """The fit of `target` on `shifted` (read `lag` later, to a fraction of a row) with the best lag.
 
     Rows are trimmed at the best lag of a first pass, so that the second compares all lags on the same rows.
     """
@@ -205,7 +206,7 @@ def lagged(
     shifts = np.arange(round(reach[0] / m.period), round(reach[1] / m.period) + 1)
 
     def design(kept: NDArray[np.intp], shift: int) -> Array:
-        return np.stack([*(x[kept + shift] for x in shifted), *(x[kept] for x in fixed)])
+        return np.stack([x[kept + shift] for x in shifted])
 
     def quick(kept: NDArray[np.intp]) -> Array:
         return _r_squared(target[kept], (design(kept, shift) for shift in shifts), positive)
@@ -236,14 +237,11 @@ def _r_squared(y: Array, designs: Iterable[Array], positive: bool) -> Array:
     """R² of y (n,) on each of the designs (m, n), no coefficient below zero if `positive`."""
     z = y - y.mean()
     power = float(z @ z)
-    grams, sides = list[Array](), list[Array]()
-    for X in designs:
-        centred = X - X.mean(axis=1, keepdims=True)
-        grams.append(centred @ centred.T)
-        sides.append(centred @ z)
+    centred = [X - X.mean(axis=1, keepdims=True) for X in designs]
     if power <= 0:
-        return np.zeros(len(grams))
-    gram, side = np.stack(grams), np.stack(sides)
+        return np.zeros(len(centred))
+    gram = np.stack([X @ X.T for X in centred])
+    side = np.stack([X @ z for X in centred])
     scale = np.sqrt(np.diagonal(gram, axis1=1, axis2=2) / len(y))
     scale = np.where(scale > 0, scale, 1.0)  # of what never changes, as wheels that stand
     gram, side = gram / (scale[:, :, None] * scale[:, None, :]), side / scale
@@ -283,7 +281,7 @@ def pendulum(m: Resampled, wheel: Array, *, gyro_order: int = 0, positive: bool 
         target = smooth(wheel, m.period, width, 3)
         change = -smooth(m.gyro, m.period, width, 2 + gyro_order)
         level = smooth(m.gyro, m.period, width, gyro_order)
-        fits.append(lagged(m, width, target, [change, level], [], positive=positive))
+        fits.append(lagged(m, width, target, [change, level], positive=positive))
     return max(fits, key=lambda fit: fit.r2)
 
 
@@ -303,7 +301,7 @@ def motor(
         if gyro is not None:
             aligned = np.interp(m.t + gyro_lag, m.t, gyro)
             parts.append(smooth(aligned, m.period, width, 1))
-        fits.append(lagged(m, width, half, parts, [], positive=True, reach=(-0.02, REACH)))
+        fits.append(lagged(m, width, half, parts, positive=True, reach=(-0.02, REACH)))
     return max(fits, key=lambda fit: fit.r2)
 
 
@@ -385,7 +383,7 @@ def gyro_by_gravity(record: Record, m: Resampled) -> float:
     even = np.interp(m.t, record.t, lean)
     width = widths(m.period)[-1]
     parts = [smooth(m.gyro, m.period, width), smooth(m.gyro, m.period, width, 2), smooth(m.wheel, m.period, width, 3)]
-    fit = lagged(m, width, smooth(even, m.period, width, 1), parts, [], reach=(-0.05, 0.05))
+    fit = lagged(m, width, smooth(even, m.period, width, 1), parts, reach=(-0.05, 0.05))
     return 1 / fit.values[0] if fit.r2 > 0.7 and fit.values and fit.values[0] else 0.0
 
 
@@ -394,5 +392,5 @@ def pitch_slope(record: Record, m: Resampled) -> tuple[float, float]:
     if PITCH not in record or m.gyro is None or m.gyro_name != GYRO or not np.isfinite(record[PITCH]).all():
         return 0.0, 0.0
     even, width = np.interp(m.t, record.t, record[PITCH]), widths(m.period)[-1]
-    fit = lagged(m, width, smooth(even, m.period, width, 1), [smooth(m.gyro, m.period, width)], [], reach=(-0.06, 0.06))
+    fit = lagged(m, width, smooth(even, m.period, width, 1), [smooth(m.gyro, m.period, width)], reach=(-0.06, 0.06))
     return (fit.values[0], fit.r2) if fit.values else (0.0, 0.0)
