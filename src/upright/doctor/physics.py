@@ -209,7 +209,7 @@ def lagged(
         return np.stack([x[kept + shift] for x in shifted])
 
     def quick(kept: NDArray[np.intp]) -> Array:
-        return _r_squared(target[kept], (design(kept, shift) for shift in shifts), positive)
+        return _r_squared(target[kept], (design(kept, shift) for shift in shifts.tolist()), positive)
 
     best = int(shifts[int(np.argmax(quick(rows)))])
     keep = trimmed(target[rows], design(rows, best).T, positive)[2]
