@@ -19,14 +19,10 @@ from upright.signals import Log
 HIT = 3.0  # [s] long after the start, in ordinary balance
 BLOWS = (
     ("ev3way", "lqg", "nonlinear", 0.8),
-    ("ev3way", "lqg", "nonlinear", -1.2),
     ("ev3way-large-wheels", "pid", "twin", -3.0),
-    ("nxtway-gs", "lqi", "nonlinear", 2.0),
-    ("nxtway-gs", "pid", "twin", -8.0),
     ("twipr", "lqg", "nonlinear", 4.0),
-    ("twipr", "pid", "twin", -15.0),
 )
-"""Robot, controller, body and impulse [N s] of blows of 2 to 16 times what the controller survives: gyros stand at the
+"""Robot, controller, body and impulse [N s] of blows of several times what the controller survives: gyros stand at the
 ends of their ranges, wheels slide, and the log ends on the floor within 30 to 230 ms."""
 
 
@@ -80,7 +76,7 @@ def test_commands_in_a_repair_name_the_robot_and_the_log(tmp_path: Path) -> None
     path, toml = tmp_path / "my fall.csv", tmp_path / "robot.toml"
     weakened().save(path)
     NXT.save(toml)
-    causes = post_mortem(str(path), str(toml), KIT).causes
+    causes = post_mortem(str(path), str(toml), KIT, seconds=0.0).causes
     assert any(f"`upright design lqg --robot {toml}`" in cause.repair for cause in causes)
     assert not any("ROBOT" in cause.repair for cause in causes)
     for words, typed in (

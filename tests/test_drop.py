@@ -76,7 +76,7 @@ def test_a_known_drop_counts_and_is_not_asked() -> None:
     kit = behind(KEPT)
     left: list[float] = []
     for known in ((DROP,), ()):
-        problem, limits = prepared([logged(KEPT, seconds=8.0)], ROBOT, kit if known else KIT, known, 0.0)
+        problem, limits = prepared([logged(KEPT, seconds=5.0)], ROBOT, kit if known else KIT, known, 0.0)
         assert DROP not in [p.name for p in problem.asked]
         fitted = of_this_run(problem, limits)
         assert fitted

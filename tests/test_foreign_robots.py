@@ -6,7 +6,6 @@ import math
 import re
 from dataclasses import replace
 from functools import cache
-from importlib import import_module
 from pathlib import Path
 
 import numpy as np
@@ -179,8 +178,8 @@ def test_without_names_a_command_is_no_gyro(course: Course) -> None:
 
 
 def test_a_column_that_never_changes_fits_nothing() -> None:
-    X = np.zeros((2, 50, 2))
-    X[1, :, 0] = np.arange(50.0)
+    X = np.zeros((2, 2, 50))
+    X[1, 0] = np.arange(50.0)
     assert _r_squared(np.arange(50.0), X, positive=False) == pytest.approx([0.0, 1.0])
 
 
@@ -218,27 +217,11 @@ def dithered(seconds: float) -> RawTable:
     return metric(logged(SMALL, Course(free=seconds, held=0.5, excitation=1.0), seed=7), SMALL)
 
 
-def calibrated(folder: Path, robot: Robot, gyro: float = 1.0, seconds: float = 9.0) -> Calibration:
+def calibrated(folder: Path, robot: Robot, seconds: float = 9.0) -> Calibration:
     path, table = folder / "run.csv", dithered(seconds)
-    table = replace(table, columns={n: gyro * y if "gyro" in n else y for n, y in table.columns.items()})
     rows = np.column_stack(list(table.columns.values()))
     path.write_text(",".join(table.columns) + "\n" + "\n".join(",".join(f"{x:.6g}" for x in r) for r in rows) + "\n")
     return calibrate(path, robot)
-
-
-@pytest.mark.evidence
-def test_a_log_whose_gyro_is_turned_is_refused_before_any_cause_is_looked_for(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """The search of 40 to 70 s found nothing that the doctor does not know in one, and accused an inertia beside it."""
-
-    def never(*_: object) -> None:
-        raise AssertionError
-
-    monkeypatch.setattr(import_module("upright.calibrate.calibrate"), "refined", never)
-    found = calibrated(tmp_path, known(SMALL), gyro=-1.0, seconds=5.5)
-    assert "its sign is opposite" in found.refused[0]
-    assert not [text for text in (*found.refused, *found.notes) if "the file" in text or "stated value" in text]
 
 
 @pytest.mark.evidence
@@ -246,7 +229,7 @@ def test_a_dead_zone_that_the_robot_does_not_have_is_no_gain() -> None:
     """The kit of a LEGO NXT has motors with a dead zone of 0.25 V. The gain that the file states is that of an
     amplifier, and no command reaches full duty: nothing tells a gain from another motor."""
     bot = Bot(body=1.3, com=0.08, radius=0.04, inertia=4e-3)
-    table = metric(logged(bot, Course(free=10.0, excitation=1.0), seed=21), bot)
+    table = metric(logged(bot, Course(free=5.0, excitation=1.0), seed=21), bot)
     log = apply(propose(table), replace(table, comments=("gain=2.0 (gyro amplifier)",)))
     assert np.abs(log["command/left"]).max() < 4.0  # of 8 V
     (words,) = (note for note in calibrate(log, known(bot)).notes if "states gain" in note)
@@ -258,7 +241,6 @@ def test_a_dead_zone_that_the_robot_does_not_have_is_no_gain() -> None:
     [
         (0.6, 42, 3.0),
         pytest.param(0.0, 41, 6.0, marks=pytest.mark.evidence),
-        pytest.param(1.2, 43, 6.0, marks=pytest.mark.evidence),
     ],
 )
 def test_a_dead_zone_is_found_among_several(planted: float, seed: int, seconds: float) -> None:
@@ -299,24 +281,13 @@ def test_rolling_friction_that_is_sharper_than_in_the_file_bends_no_inertia() ->
     """That of this simulator changes sign within 0.02 rad/s, files have 0.2: pitch inertia was 11 % too large, and the
     pole missed by 3.6 deviations. Below 0.06 rad/s, their geometric mean, it is nearer to the simulator's."""
     bot = Bot()
-    table = metric(logged(bot, Course(free=12.0, held=0.5, excitation=1.2), seed=67), bot)
+    table = metric(logged(bot, Course(free=8.0, held=0.5, excitation=1.2), seed=67), bot)
     found = calibrate(apply(propose(table), table), known(bot))
     assert found.robot.stiction_rate < 0.06
     assert "calibrated from" in found.robot.provenance["stiction_rate"].source
     assert found["pitch_inertia"].value == pytest.approx(bot.inertia, rel=0.05)
     (pole,) = (e for e in found.combinations if e.name == "unstable_pole")
     assert pole.low < bot.pole < pole.high
-
-
-@pytest.mark.evidence
-def test_a_back_emf_of_the_motor_before_its_gear_is_named(tmp_path: Path) -> None:
-    """A fiftieth of what brakes the wheel: friction stood for the rest, 28 deviations of its guess, and the page
-    blamed the wheel's radius."""
-    robot = known(SMALL)
-    found = calibrated(tmp_path, robot.replace(back_emf=robot.back_emf / 50))
-    (reason,) = found.refused
-    assert "would agree if back_emf were" in reason
-    assert not [e for e in (*found.parameters, *found.combinations) if e.verdict == "visible"]
 
 
 @pytest.mark.evidence
@@ -334,22 +305,14 @@ def test_a_calibration_of_a_foreign_robot_holds_its_truth(tmp_path: Path) -> Non
     assert not [note for note in found.notes if "would agree" in note]  # no number of the file is wrong
 
 
-@pytest.mark.parametrize(
-    ("name", "factor", "seconds"),
-    [
-        pytest.param("com_height", 0.75, 9.0, marks=pytest.mark.evidence),
-        ("wheel_radius", 1.35, 5.5),  # which a shorter log shows as well
-    ],
-)
-def test_a_number_that_its_owner_measured_wrong_is_named_and_spoils_no_other(
-    tmp_path: Path, name: str, factor: float, seconds: float
-) -> None:
-    """A number that is stated to 5 % and is off by five and seven times that: the other stated numbers were bent, and
+@pytest.mark.evidence
+def test_a_number_that_its_owner_measured_wrong_is_named_and_spoils_no_other(tmp_path: Path) -> None:
+    """A number that is stated to 5 % and is off by seven times that: the other stated numbers were bent, and
     8 of 13 visible intervals missed. One in twenty may."""
-    robot = known(SMALL)
-    wrong = factor * getattr(robot, name)
+    robot, name = known(SMALL), "wheel_radius"
+    wrong = 1.35 * robot.wheel_radius
     source = {**robot.provenance, name: Provenance("on an edge", 0.05 * wrong)}
-    found = calibrated(tmp_path, robot.replace(**{name: wrong}, provenance=source), seconds=seconds)
+    found = calibrated(tmp_path, robot.replace(**{name: wrong}, provenance=source), seconds=5.5)
     judged, out = missed(found, SMALL)
     assert judged >= 10
     assert len(out) <= 1, out
@@ -377,16 +340,15 @@ def test_a_file_that_a_log_contradicts_is_doubted_in_every_number(tmp_path: Path
 
 
 @pytest.mark.evidence
-@pytest.mark.parametrize(("name", "factor"), [("wheel_radius", 2.0), ("com_height", 0.1)])
-def test_a_number_of_another_unit_or_place_is_named_alone(tmp_path: Path, name: str, factor: float) -> None:
-    """A diameter for a radius, and a slipped point. The fit bends other numbers by more than six deviations and is
+def test_a_number_of_another_unit_is_named_alone(tmp_path: Path) -> None:
+    """A slipped point. The fit bends other numbers by more than six deviations and is
     refused, and these were accused."""
-    robot = known(SMALL)
+    robot, name, factor = known(SMALL), "com_height", 0.1
     true = getattr(robot, name)
     spread = robot.provenance[name].spread
     assert spread
     source = {**robot.provenance, name: Provenance("mine", factor * spread)}
-    found = calibrated(tmp_path, robot.replace(**{name: factor * true}, provenance=source))
+    found = calibrated(tmp_path, robot.replace(**{name: factor * true}, provenance=source), seconds=5.5)
     (reason,) = found.refused
     told = re.search(rf"would agree if {name} were ([0-9.]+)", reason)
     assert told

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import inspect
+import math
 
 import numpy as np
 import pytest
 from scipy.linalg import expm, solve_discrete_are
 
 from upright.calibrate.coefficients import LEVEL, ROLLING_DRY
-from upright.calibrate.motion import STATES, block_of
-from upright.calibrate.predictor import PADDED, WIDE, Events, Noise, RobotLanes, _Flow, _flow, innovations, kalman_path
+from upright.calibrate.predictor import WIDE, Events, Noise, RobotLanes, innovations, kalman_path
 from upright.compiled.generated import Constants, constants
 from upright.compiled.generated_motion import rk4_free
 from upright.physics.linear import linearise
@@ -127,16 +127,22 @@ def test_the_flow_of_wheels_that_stick_is_smooth() -> None:
     a yaw rate is gone. Rolling friction changes that by its own slope at rest alone, 2τ_w/(a ω_c) h = 0.02."""
     robot = Robot.preset("twipr").replace(rolling_friction=0.001)
     numbers = np.array([*constants(list(robot.numbers().values()), 1.0), 1.0, 1.0, 0.0, 0.0, 0.0])
-    room = _Flow(
-        block_of(np.repeat(numbers[:, None], WIDE, axis=1)),
-        np.zeros((2, WIDE)), np.zeros((STATES, STATES)), np.zeros((SIZE, PADDED)), np.zeros((SIZE, PADDED)),
-    )  # fmt: skip
-    _flow(room, np.zeros(SIZE), np.array([0.002, 0.002]), 0.0, 0.004, 0.004)
-    body, wheels, turn = room.phi[1, [1, 3, 5]]
-    assert room.phi[3, [1, 3, 5]] == pytest.approx([body, wheels, turn], abs=1e-4)  # one motion
-    assert body + wheels == pytest.approx(1.0, abs=0.03)
-    assert min(body, wheels) > 0
-    assert abs(turn) < 1e-4
+    pitch_rate = np.repeat(np.eye(SIZE)[[1]], 3, axis=0)  # is what each reading is of
+    lanes = RobotLanes(*(np.repeat(a[..., None], WIDE, axis=-1) for a in (pitch_rate, np.zeros(3), numbers)))
+    events = Events(np.arange(2), np.array([-1, 2]), np.array([0.0, 0.004]), np.zeros(2), np.full((1, 2), 0.002))
+
+    def answers(state: int) -> np.ndarray:
+        """What pitch rate and wheel rate make of one in `state`, times what the pitch rate makes of it: the filter that
+        is unsure of that state alone has just this between them."""
+        noise = Noise(np.diag(np.eye(SIZE)[state]), np.zeros((2, SIZE, SIZE)), 0.0, R, np.inf)
+        _, s, gains, _ = kalman_path(events, lanes, np.zeros(SIZE), noise, 0.004, True)
+        return gains[1, [1, 3]] * s[1]
+
+    (body, of_body), (wheels, of_wheels), turn = (answers(state) for state in (1, 3, 5))
+    assert (of_body, of_wheels) == pytest.approx((body, wheels), abs=1e-4)  # one motion
+    assert math.sqrt(body) + math.sqrt(wheels) == pytest.approx(1.0, abs=0.03)
+    assert min(body, wheels) > 0.01
+    assert np.abs(turn).max() < 1e-6
 
 
 def test_innovations_at_the_filter_s_gains_are_the_filter_s() -> None:

@@ -101,7 +101,8 @@ def calibrate(
     hidden = parts.delay + parts.jitter / 2 - _dead_time(parts, several)
     notes = [*meant, *filter(None, left), *knocked, *([STRAIGHT] if straight else [])]
     notes += [f"{pace}." for pace in map(pace_of, several) if pace and not pace.kept]
-    result = untold(result, _unknown(result, several, knocked, cut=between_knocks))
+    if not (wrong and result.refused):  # what is wrong is mended first, whatever else the log cannot tell
+        result = untold(result, _unknown(result, several, knocked, cut=between_knocks))
     result = replace(result, kit=learnt_kit(result, parts, problem.delays, hidden), notes=(*result.notes, *notes))
     if problem.temper < 1 and not result.decision.withheld:  # else the noise of the kit is that of the filter
         own = result.kit or parts
@@ -114,8 +115,10 @@ def _unknown(result: Calibration, logs: Sequence[Log], knocked: Sequence[str], *
     """Why these logs cannot tell the robot, and what to try; None where they can. With pushes that were `cut` out, a
     fit that is refused is bent by softer ones, and of no other robot."""
     if knocked and (not cut or result.refused or any("bends" in text for text in knocked)):
-        when = knocked[0].partition(" s ")[0]
-        return f"{when} s is in no channel of the log: inertias and pole are not told", f"dither, do not push: {EXCITE}"
+        return (
+            f"{knocked[0].partition(' s ')[0]} s is in no channel of the log: inertias and pole are not told",
+            f"dither, do not push: {EXCITE}",
+        )
     dropped = any(e.name == DROP for e in result.electronics)  # by a driver, which absorbs small commands too
     for finding in (f for log in logs for f in faster_controller(record_of(log)) if not dropped):
         return f"the log lacks commands: {finding.evidence}", "log every row of the controller; " + EXCITE
@@ -148,7 +151,7 @@ def prepared(
     logs: Sequence[Log], robot: Robot, kit: Kit, known: Sequence[str], held_out: float
 ) -> tuple[Problem, dict[str, float]]:
     """The problem at its prior, and each sensor's variance as its kit has it."""
-    delay = max([kit.delay, *(kit.delay + s.delay for s in kit.sensors.values())])
+    delay = kit.delay + max([0.0, *(s.delay for s in kit.sensors.values())])
     for log in logs:
         check_complete(log, robot)
     if any(_idle(log) for log in logs):

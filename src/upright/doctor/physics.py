@@ -13,7 +13,7 @@ linear equations valid and attenuates quantisation.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from typing import Any
@@ -173,17 +173,19 @@ def trimmed(y: Array, X: Array, positive: bool = False) -> tuple[Array, float, N
     """Trimmed least squares with an intercept, R² on the rows kept, and these rows."""
     keep = np.ones(len(y), dtype=bool)
     values = np.zeros(X.shape[1])
+    columns = X.T
     r2 = 0.0
     for last in (False, False, True):
-        centre, middle = X[keep].mean(axis=0), y[keep].mean()
-        Z, z = X[keep] - centre, y[keep] - middle
-        scale = np.maximum(np.sqrt((Z**2).mean(axis=0)), 1e-300)
+        some = columns[:, keep]
+        centre, middle = some.mean(axis=1), y[keep].mean()
+        Z, z = some - centre[:, None], y[keep] - middle
+        squares = Z @ Z.T
         power = float(z @ z)
-        if power <= 0 or not np.isfinite(Z).all():
+        if power <= 0 or not np.isfinite(squares).all():
             return values, 0.0, keep
-        unit = Z / scale
-        values = _solved(unit.T @ unit, unit.T @ z, positive) / scale
-        residual = y - middle - (X - centre) @ values
+        scale = np.maximum(np.sqrt(np.diagonal(squares) / len(z)), 1e-300)
+        values = _solved(squares / np.outer(scale, scale), (Z @ z) / scale, positive) / scale
+        residual = y - middle - values @ (columns - centre[:, None])
         r2 = 1 - float(residual[keep] @ residual[keep]) / power
         if not last:
             keep = np.abs(residual) <= np.quantile(np.abs(residual), _TRIM)
@@ -191,10 +193,10 @@ def trimmed(y: Array, X: Array, positive: bool = False) -> tuple[Array, float, N
 
 
 def lagged(
-    m: Resampled, width: float, target: Array, shifted: list[Array], fixed: list[Array], *, positive: bool = False,
+    m: Resampled, width: float, target: Array, shifted: list[Array], *, positive: bool = False,
     reach: tuple[float, float] = (-REACH, REACH),
 ) -> LaggedFit:  # fmt: skip
-    """The fit of `target` on `shifted` (read `lag` later, to a fraction of a row) and `fixed` with the best lag.
+    """The fit of `target` on `shifted` (read `lag` later, to a fraction of a row) with the best lag.
 
     Rows are trimmed at the best lag of a first pass, so that the second compares all lags on the same rows.
     """
@@ -202,22 +204,19 @@ def lagged(
     if len(rows) < LEAST_ROWS // 2 or not target[rows].any():
         return LaggedFit((), 0.0)
     shifts = np.arange(round(reach[0] / m.period), round(reach[1] / m.period) + 1)
-    X0 = np.column_stack([x[rows] for x in fixed]) if fixed else np.empty((len(rows), 0))
 
-    def design(shift: int) -> Array:
-        return np.column_stack([*(x[rows + shift] for x in shifted), X0])
+    def design(kept: NDArray[np.intp], shift: int) -> Array:
+        return np.stack([x[kept + shift] for x in shifted])
 
     def quick(kept: NDArray[np.intp]) -> Array:
-        at = kept + shifts[:, None]
-        columns = [*(x[at] for x in shifted), *(np.broadcast_to(x[kept], at.shape) for x in fixed)]
-        return _r_squared(target[kept], np.stack(columns, axis=2), positive)
+        return _r_squared(target[kept], (design(kept, shift) for shift in shifts.tolist()), positive)
 
     best = int(shifts[int(np.argmax(quick(rows)))])
-    keep = trimmed(target[rows], design(best), positive)[2]
+    keep = trimmed(target[rows], design(rows, best).T, positive)[2]
     r2s = quick(rows[keep])
     i = int(np.argmax(r2s))
     part = _vertex(r2s, i)
-    X = design(int(shifts[i]))
+    X = design(rows, int(shifts[i])).T
     values, r2, _ = trimmed(target[rows], X, positive)
     if _moving((X - X.mean(axis=0)) @ values) * m.period < _LEAST_KERNELS * width:
         return LaggedFit((), 0.0)
@@ -234,15 +233,15 @@ def _centred(values: Array) -> Array:
     return values - np.median(values)
 
 
-def _r_squared(y: Array, X: Array, positive: bool) -> Array:
-    """R² of y (n,) on each of the designs X (k, n, m), no coefficient below zero if `positive`."""
+def _r_squared(y: Array, designs: Iterable[Array], positive: bool) -> Array:
+    """R² of y (n,) on each of the designs (m, n), no coefficient below zero if `positive`."""
     z = y - y.mean()
     power = float(z @ z)
+    centred = [X - X.mean(axis=1, keepdims=True) for X in designs]
     if power <= 0:
-        return np.zeros(len(X))
-    centred = X - X.mean(axis=1, keepdims=True)
-    gram = centred.swapaxes(1, 2) @ centred
-    side = z @ centred
+        return np.zeros(len(centred))
+    gram = np.stack([X @ X.T for X in centred])
+    side = np.stack([X @ z for X in centred])
     scale = np.sqrt(np.diagonal(gram, axis1=1, axis2=2) / len(y))
     scale = np.where(scale > 0, scale, 1.0)  # of what never changes, as wheels that stand
     gram, side = gram / (scale[:, :, None] * scale[:, None, :]), side / scale
@@ -282,7 +281,7 @@ def pendulum(m: Resampled, wheel: Array, *, gyro_order: int = 0, positive: bool 
         target = smooth(wheel, m.period, width, 3)
         change = -smooth(m.gyro, m.period, width, 2 + gyro_order)
         level = smooth(m.gyro, m.period, width, gyro_order)
-        fits.append(lagged(m, width, target, [change, level], [], positive=positive))
+        fits.append(lagged(m, width, target, [change, level], positive=positive))
     return max(fits, key=lambda fit: fit.r2)
 
 
@@ -302,7 +301,7 @@ def motor(
         if gyro is not None:
             aligned = np.interp(m.t + gyro_lag, m.t, gyro)
             parts.append(smooth(aligned, m.period, width, 1))
-        fits.append(lagged(m, width, half, parts, [], positive=True, reach=(-0.02, REACH)))
+        fits.append(lagged(m, width, half, parts, positive=True, reach=(-0.02, REACH)))
     return max(fits, key=lambda fit: fit.r2)
 
 
@@ -384,7 +383,7 @@ def gyro_by_gravity(record: Record, m: Resampled) -> float:
     even = np.interp(m.t, record.t, lean)
     width = widths(m.period)[-1]
     parts = [smooth(m.gyro, m.period, width), smooth(m.gyro, m.period, width, 2), smooth(m.wheel, m.period, width, 3)]
-    fit = lagged(m, width, smooth(even, m.period, width, 1), parts, [], reach=(-0.05, 0.05))
+    fit = lagged(m, width, smooth(even, m.period, width, 1), parts, reach=(-0.05, 0.05))
     return 1 / fit.values[0] if fit.r2 > 0.7 and fit.values and fit.values[0] else 0.0
 
 
@@ -393,5 +392,5 @@ def pitch_slope(record: Record, m: Resampled) -> tuple[float, float]:
     if PITCH not in record or m.gyro is None or m.gyro_name != GYRO or not np.isfinite(record[PITCH]).all():
         return 0.0, 0.0
     even, width = np.interp(m.t, record.t, record[PITCH]), widths(m.period)[-1]
-    fit = lagged(m, width, smooth(even, m.period, width, 1), [smooth(m.gyro, m.period, width)], [], reach=(-0.06, 0.06))
+    fit = lagged(m, width, smooth(even, m.period, width, 1), [smooth(m.gyro, m.period, width)], reach=(-0.06, 0.06))
     return (fit.values[0], fit.r2) if fit.values else (0.0, 0.0)

@@ -9,7 +9,7 @@ period.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -101,38 +101,44 @@ State = tuple[float, float, float, float]
 """Pitch, pitch rate, wheel, wheel rate [rad, rad/s]."""
 
 
-def _rates(bot: Bot, x: State, volts: float, force: float, goal: float | None, on_floor: bool) -> State:
-    """The state's time derivative under a voltage and a push, the body led by a hand to `goal`, or on the floor."""
-    psi, rate, _, turn = x
+def _flight(bot: Bot) -> Callable[[State, float, float, float | None, bool], State]:
+    """One step of Runge and Kutta of a robot's state under a voltage and a push, the body led by a hand to a goal, or
+    on the floor. It is called for each quarter of a millisecond: what does not change is computed once."""
+    sin, cos, tanh = math.sin, math.cos, math.tanh
     a11, _, a22 = bot.masses
-    lever, slip = bot.body * bot.com * bot.radius, turn - rate
-    a12 = lever * math.cos(psi) - bot.rotor
-    torque = 2 * (bot.gain * volts - bot.damping * slip - bot.dry * math.tanh(slip / SHARP))
-    floor = torque - 2 * bot.rolling * math.tanh(turn / SHARP) + force * bot.radius
-    g1 = floor + lever * rate**2 * math.sin(psi)
-    g2 = -torque + bot.body * GRAVITY * bot.com * math.sin(psi) + force * bot.com * math.cos(psi)
-    if on_floor:
-        return 0.0, -rate / STEP, turn, g1 / a11
-    if goal is not None:
-        bent = 400 * (goal - psi) - 40 * rate
-        return rate, bent, turn, (g1 - a12 * bent) / a11
-    det = a11 * a22 - a12 * a12
-    return rate, (a11 * g2 - a12 * g1) / det, turn, (a22 * g1 - a12 * g2) / det
+    lever, weight, arm = bot.body * bot.com * bot.radius, bot.body * GRAVITY * bot.com, bot.com
+    gain, damping, dry, radius, rotor, twice = bot.gain, bot.damping, bot.dry, bot.radius, bot.rotor, 2 * bot.rolling
 
+    def rates(
+        psi: float, rate: float, turn: float, volts: float, force: float, goal: float | None, floor: bool
+    ) -> State:
+        slip, tilted = turn - rate, cos(psi)
+        a12 = lever * tilted - rotor
+        torque = 2 * (gain * volts - damping * slip - dry * tanh(slip / SHARP))
+        held = torque - twice * tanh(turn / SHARP) + force * radius
+        g1 = held + lever * rate**2 * sin(psi)
+        if floor:
+            return 0.0, -rate / STEP, turn, g1 / a11
+        if goal is not None:
+            bent = 400 * (goal - psi) - 40 * rate
+            return rate, bent, turn, (g1 - a12 * bent) / a11
+        g2 = -torque + weight * sin(psi) + force * arm * tilted
+        det = a11 * a22 - a12 * a12
+        return rate, (a11 * g2 - a12 * g1) / det, turn, (a22 * g1 - a12 * g2) / det
 
-def _stepped(bot: Bot, x: State, volts: float, force: float, goal: float | None, on_floor: bool) -> State:
-    def at(k: State, h: float) -> State:
-        return x[0] + h * k[0], x[1] + h * k[1], x[2] + h * k[2], x[3] + h * k[3]
+    def stepped(x: State, volts: float, force: float, goal: float | None, floor: bool) -> State:
+        p, q, w, r = x
+        u, half = (volts, force, goal, floor), STEP / 2
+        a0, a1, a2, a3 = rates(p, q, r, *u)
+        b0, b1, b2, b3 = rates(p + half * a0, q + half * a1, r + half * a3, *u)
+        c0, c1, c2, c3 = rates(p + half * b0, q + half * b1, r + half * b3, *u)
+        d0, d1, d2, d3 = rates(p + STEP * c0, q + STEP * c1, r + STEP * c3, *u)
+        return (
+            p + STEP * ((a0 + 2 * b0 + 2 * c0 + d0) / 6), q + STEP * ((a1 + 2 * b1 + 2 * c1 + d1) / 6),
+            w + STEP * ((a2 + 2 * b2 + 2 * c2 + d2) / 6), r + STEP * ((a3 + 2 * b3 + 2 * c3 + d3) / 6),
+        )  # fmt: skip
 
-    def rates(y: State) -> State:
-        return _rates(bot, y, volts, force, goal, on_floor)
-
-    a = rates(x)
-    b = rates(at(a, STEP / 2))
-    c = rates(at(b, STEP / 2))
-    d = rates(at(c, STEP))
-    mean = [(p + 2 * q + 2 * r + s) / 6 for p, q, r, s in zip(a, b, c, d, strict=True)]
-    return at((mean[0], mean[1], mean[2], mean[3]), STEP)
+    return stepped
 
 
 def _held(course: Course, t: float) -> float:
@@ -155,12 +161,13 @@ def flown(bot: Bot, course: Course, seed: int = 0) -> tuple[dict[str, Array], fl
     tilt, last, speed, excited, on_floor = state[0], 0.0, 0.0, 0.0, False
     start = course.lying + (course.raised if course.lying else 0.0) + course.held
     past, rows, fell_at = [0.0], list[tuple[float, ...]](), math.inf
-    per_row, late = round(bot.period / STEP), round(bot.late / STEP)
+    per_row, late, stepped = round(bot.period / STEP), round(bot.late / STEP), _flight(bot)
     for k in range(round((start + course.free + (2.0 if course.falls else 0.0)) / bot.period)):
         t = k * bot.period
         free = t - start
         if free >= course.stiff[0]:
             bot, course = replace(bot, dry=bot.dry + course.stiff[1]), replace(course, stiff=Course.stiff)
+            stepped = _flight(bot)
         shown = course.scale[1] if free >= course.scale[0] else 1.0
         gyro = shown * past[max(-len(past), -1 - late)] + bot.offset + rng.normal(0, bot.noise)
         psi, _, wheel, _ = state
@@ -182,7 +189,7 @@ def flown(bot: Bot, course: Course, seed: int = 0) -> tuple[dict[str, Array], fl
         volts = duty * bot.battery
         volts = volts if abs(volts) > bot.dead_zone else 0.0
         for _ in range(per_row):
-            state = _stepped(bot, state, volts, force, goal if hand else None, on_floor)
+            state = stepped(state, volts, force, goal if hand else None, on_floor)
             on_floor |= not hand and abs(state[0]) > 1.3
             past.append(state[1])
         fell_at = min(fell_at, t if not hand and abs(state[0]) > 0.7 else math.inf)
