@@ -62,7 +62,6 @@ def calibrate(
     """Physical parameters, dead times and noise of `robot` from one or several logs of raw sensors and commands.
 
     Logs are `Log`s or files, which `mapping` reads (default: the one that fits); robot and kit may be names or files.
-
     `robot` gives the prior: each number with the spread of its provenance, a guess with a factor of two. `kit`
     (default: the robot's own) gives first delays and noise. `known` names parameters taken for exact. The last fraction
     `held_out` of each log is not fitted; predictions are tested on it. Knocks in a log are named, and left out with
@@ -99,8 +98,8 @@ def calibrate(
     show(0.77)
     result = summarised(best, several, reason, began, stated=stated, wrong=wrong)
     hidden = parts.delay + parts.jitter / 2 - _dead_time(parts, several)
-    notes = [*meant, *filter(None, left), *knocked, *([STRAIGHT] if straight else [])]
-    notes += [f"{pace}." for pace in map(pace_of, several) if pace and not pace.kept]
+    paces = [f"{pace}." for pace in map(pace_of, several) if pace and not pace.kept]
+    notes = [*meant, *filter(None, left), *knocked, *([STRAIGHT] if straight else []), *paces]
     if not (wrong and result.refused):  # what is wrong is mended first, whatever else the log cannot tell
         result = untold(result, _unknown(result, several, knocked, cut=between_knocks))
     result = replace(result, kit=learnt_kit(result, parts, problem.delays, hidden), notes=(*result.notes, *notes))
