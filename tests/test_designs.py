@@ -69,8 +69,8 @@ LATE = Kit(name="late", sensors={name: Sensor() for name in RAW} | {"sensor/gyro
 def made(name, preset):
     robot = Robot.preset(preset)
     kit = Kit.preset(robot.kit)
-    if name == "robust":  # designed for 20 robots, not 200: it holds the file's robot all the more
-        return robot, kit, robust(robot, kit, kit.period, tried=20)
+    if name == "robust":  # designed for 5 robots, not 200: it holds the file's robot all the more
+        return robot, kit, robust(robot, kit, kit.period, tried=5)
     return robot, kit, make_controller(name, robot, kit, kit.period)
 
 

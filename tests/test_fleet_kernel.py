@@ -261,14 +261,14 @@ def test_another_seed_is_another_noise():
 
 def test_noise_spreads_robots_as_in_the_obvious_loop():
     kit = replace(smooth(NOISY), sensors={n: replace(s, quantum=0.0) for n, s in NOISY.sensors.items()}, jitter=0.0005)
-    n, seconds = 60, 0.5
+    n, seconds = 30, 0.5
     logs = [run(Electronics(NonlinearBody(NXT), kit), FILTERED, seed=seed, seconds=seconds) for seed in range(n)]
     obvious = np.array([[log["truth/pitch"][-1], log["truth/wheel"][-1]] for log in logs])
     many = FleetBatch(parameters=parameters_of([NXT] * 4000), controller=FILTERED, kit=kit)
     result = simulate(many, seconds, record=1, channels=("truth/pitch", "truth/wheel"))
     ours = result.trace[:, -1]
-    # the spread of 60 draws is known to 9 %; four times that is a chance of 1 in 10⁴
-    assert np.abs(obvious.std(axis=0) / ours.std(axis=0) - 1).max() < 4 * 0.09
+    # the spread of 30 draws is known to 13 %; four times that is a chance of 1 in 10⁴
+    assert np.abs(obvious.std(axis=0) / ours.std(axis=0) - 1).max() < 4 * 0.13
     assert np.abs(obvious.mean(axis=0)).max() < 4 * obvious.std(axis=0).max() / math.sqrt(n)
 
 
@@ -355,8 +355,8 @@ def sines(x, wide):
 
 @pytest.mark.parametrize(("dtype", "bound"), [(np.float64, 1.3e-15), (np.float32, 1.8e-7)])  # as lane_math states
 def test_sine_and_cosine_keep_to_their_stated_error(dtype, bound):
-    near = np.linspace(-lane_math.REACH, lane_math.REACH, 200_001).astype(dtype)
-    far = np.linspace(-200.0, 200.0, 200_001).astype(dtype)
+    near = np.linspace(-lane_math.REACH, lane_math.REACH, 50_001).astype(dtype)
+    far = np.linspace(-200.0, 200.0, 50_001).astype(dtype)
     for x, wide in ((near, False), (far, True)):
         exact = x.astype(np.longdouble)
         assert np.abs(sines(x, wide) - np.stack([np.sin(exact), np.cos(exact)])).max() <= bound

@@ -282,6 +282,7 @@ def test_the_search_finds_a_gain_that_is_there(monkeypatch: pytest.MonkeyPatch) 
     P = solve_discrete_are(A, B, np.diag(diagonal), R)
     planted = np.linalg.solve(R + B.T @ P @ B, B.T @ P @ A)[0]
     monkeypatch.setattr(printed, "KU1", planted)
+    monkeypatch.setattr(regulator, "PRICES", (0.3 * price, price, 3.0 * price))
     distance, order, r = regulator.nearest_gain()
     assert distance < 1e-6  # two Riccati solvers' residues
     assert (order, r) == (diagonal, pytest.approx(price))
