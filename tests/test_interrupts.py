@@ -205,8 +205,25 @@ def test_workers_never_get_ctrl_c(tmp_path: Path) -> None:
     from upright.fleet.workers import connected
 
     with connected(workers=1) as (worker,):
-        process = worker.submit(os.getpid).result()
-        blocked = re.search(r"SigBlk:\s*(\w+)", Path(f"/proc/{process}/status").read_text("utf-8"))
-        assert blocked
-        assert int(blocked[1], 16) & 1 << (signal.SIGINT - 1)
+        assert blocks_ctrl_c(worker.submit(os.getpid).result())
     assert signal.SIGINT not in signal.pthread_sigmask(signal.SIG_BLOCK, ())
+
+
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="only Linux tells which signals a process blocks")
+def test_processes_of_the_lab_never_get_ctrl_c() -> None:
+    """Ctrl-C while `upright lab` starts printed the traceback of a stage, which was still importing."""
+    from upright.lab.stage import Options
+    from upright.lab.stage_process import StageProcess
+
+    stage = StageProcess(Options(certified=False))
+    try:
+        assert stage._process.pid
+        assert blocks_ctrl_c(stage._process.pid)
+    finally:
+        stage.close()
+
+
+def blocks_ctrl_c(process: int) -> bool:
+    blocked = re.search(r"SigBlk:\s*(\w+)", Path(f"/proc/{process}/status").read_text("utf-8"))
+    assert blocked
+    return bool(int(blocked[1], 16) & 1 << (signal.SIGINT - 1))

@@ -12,8 +12,8 @@ import signal
 import sys
 import threading
 import time
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import Callable, Generator
+from contextlib import contextmanager, suppress
 from typing import NoReturn
 
 GRACE = 0.5  # [s] for the exception to end the run
@@ -63,6 +63,23 @@ def complete() -> None:
     """Say that the run is complete: a signal that comes now comes too late. Raises as `check`."""
     check()
     Run.complete = True
+
+
+@contextmanager
+def without_ctrl_c() -> Generator[None]:
+    """Threads and processes that start here never get SIGINT: a terminal sends Ctrl-C to all, and a process that is
+    just importing would print a traceback. This process gets it by another thread, and ends them."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    from multiprocessing import resource_tracker
+
+    resource_tracker.ensure_running()  # the first process that is spawned starts it, and then unblocks signals
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def exit_code() -> int:

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import multiprocessing
 import os
-import signal
 import threading
 from collections import Counter
 from collections.abc import Callable, Generator, Iterable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
-from multiprocessing import resource_tracker
 from typing import Any, Protocol, TypeVar
 
 from upright.errors import UprightError
+from upright.interrupts import without_ctrl_c
 
 T = TypeVar("T")
 
@@ -35,7 +34,7 @@ class Process:
         self._pool = _new_pool()
 
     def submit(self, work: Callable[..., Any], /, *given: Any) -> Future[Any]:
-        with _not_interrupted():
+        with without_ctrl_c():
             try:
                 return self._pool.submit(work, *given)
             except BrokenProcessPool:
@@ -116,21 +115,6 @@ def _end_with_parent() -> None:
         os._exit(1)
 
     threading.Thread(target=watch, daemon=True).start()
-
-
-@contextmanager
-def _not_interrupted() -> Generator[None]:
-    """Threads and processes that start here never get SIGINT: a terminal sends Ctrl-C to all, and a worker that is
-    just importing would print a traceback. This process gets it by another thread, and ends them."""
-    if not hasattr(signal, "pthread_sigmask"):
-        yield
-        return
-    resource_tracker.ensure_running()  # the first process that is spawned starts it, and then unblocks signals
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 @contextmanager

@@ -23,6 +23,7 @@ from queue import SimpleQueue
 from typing import Any, Protocol
 
 from upright.errors import UprightError
+from upright.interrupts import without_ctrl_c
 from upright.reading import limit_memory
 
 Key = tuple[str, str]
@@ -232,7 +233,8 @@ class _Clerk:
         pipe, theirs = context.Pipe()
         process = context.Process(target=_work, args=(theirs,), daemon=True)
         try:
-            process.start()
+            with without_ctrl_c():
+                process.start()
             self._process = process
             theirs.close()
             if hasattr(os, "setpriority") and process.pid:

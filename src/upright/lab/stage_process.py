@@ -15,6 +15,7 @@ from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
 from typing import Any, Protocol
 
+from upright.interrupts import without_ctrl_c
 from upright.lab.stage import Options, perform
 
 Words = Sequence[tuple[str, str, Any]]
@@ -57,7 +58,8 @@ class StageProcess:
         ready()
         self._at_work = context.RawArray("c", 64)
         self._process = context.Process(target=perform, args=(theirs, self._options, self._at_work))
-        self._process.start()
+        with without_ctrl_c():
+            self._process.start()
         theirs.close()
         self._silent = 0
         self._began = time.monotonic()
