@@ -52,6 +52,16 @@ def test_a_name_beside_a_log_is_no_new_controller_in_the_name_of_the_old(
 
 
 @pytest.mark.evidence
+@pytest.mark.needs("shared/cases/late-loop")
+def test_a_robot_that_falls_with_what_flew_is_red_by_its_name_too() -> None:
+    """Commands that act 22 ms late: 12 of 12 simulations fall, and so did its file. Five seconds of it tell."""
+    log = Log.load(SHARED / "cases" / "late-loop" / "run.csv").between(0.0, 5.0)
+    given = certify("hinf", "ev3way", samples=100, sweeps=False, log=log)
+    assert given.light == "red"
+    assert "unstable" in given.reasons[0]
+
+
+@pytest.mark.evidence
 @pytest.mark.needs("shared/data/twipr/run2_all.csv")
 def test_a_robot_that_lies_and_then_balances_is_followed_where_it_balances() -> None:
     """The doctor finds it balancing from 12.1 s on; `calibrate` a level floor (-.03°, -.14 to .07)."""
