@@ -18,7 +18,7 @@ from upright.bodies.twin import Twin
 from upright.control import lqg, make_controller
 from upright.doctor.doctor import Diagnosis, contradictions, doctor
 from upright.doctor.finding import during
-from upright.doctor.physics import _r_squared, _solved
+from upright.doctor.physics import _r_squared, _solved, trimmed
 from upright.errors import InvalidLog
 from upright.experiment import Drive, Hold, Impulse, run
 from upright.experiment.examples import example
@@ -123,6 +123,9 @@ def test_wheels_that_stand_explain_nothing() -> None:
     """Two regressors that never change; their product of scales ended a calibration in a traceback."""
     y = np.sin(np.arange(50.0))
     assert _r_squared(y, np.ones((3, 2, 50)), positive=True).tolist() == [0.0, 0.0, 0.0]
+    values, r2, _ = trimmed(y, np.column_stack([2.0 * y, np.ones(50)]), positive=True)
+    assert values == pytest.approx([0.5, 0.0])
+    assert r2 == pytest.approx(1.0)
 
 
 def test_truth_is_not_read() -> None:

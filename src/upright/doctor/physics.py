@@ -183,7 +183,8 @@ def trimmed(y: Array, X: Array, positive: bool = False) -> tuple[Array, float, N
         power = float(z @ z)
         if power <= 0 or not np.isfinite(squares).all():
             return values, 0.0, keep
-        scale = np.maximum(np.sqrt(np.diagonal(squares) / len(z)), 1e-300)
+        size = np.sqrt(np.diagonal(squares) / len(z))
+        scale = np.where(size > 0, size, 1.0)  # of what never changes, as wheels that stand
         values = _solved(squares / np.outer(scale, scale), (Z @ z) / scale, positive) / scale
         residual = y - middle - values @ (columns - centre[:, None])
         r2 = 1 - float(residual[keep] @ residual[keep]) / power
@@ -243,7 +244,7 @@ def _r_squared(y: Array, designs: Iterable[Array], positive: bool) -> Array:
     gram = np.stack([X @ X.T for X in centred])
     side = np.stack([X @ z for X in centred])
     scale = np.sqrt(np.diagonal(gram, axis1=1, axis2=2) / len(y))
-    scale = np.where(scale > 0, scale, 1.0)  # of what never changes, as wheels that stand
+    scale = np.where(scale > 0, scale, 1.0)
     gram, side = gram / (scale[:, :, None] * scale[:, None, :]), side / scale
     values = (np.linalg.pinv(gram, rcond=1e-12, hermitian=True) @ side[:, :, None])[:, :, 0]
     for i in np.flatnonzero((values < 0).any(axis=1)) if positive else ():
