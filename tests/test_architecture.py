@@ -10,11 +10,12 @@ import tomllib
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache
-from importlib.metadata import packages_distributions
+from importlib import metadata
 from pathlib import Path
 
 import pytest
 
+import budget
 from conftest import PATIENCE
 
 CHECKOUT = Path(__file__).resolve().parents[1]
@@ -95,14 +96,13 @@ class Import:
 
 
 @cache
-def trees() -> dict[str, ast.Module]:
-    return {p.relative_to(SOURCE).as_posix(): ast.parse(p.read_text("utf-8")) for p in sorted(SOURCE.rglob("*.py"))}
-
-
-@cache
 def nodes() -> dict[str, list[ast.AST]]:
-    """Every node of each file: walking the trees takes longer than what is asked of them."""
-    return {file: list(ast.walk(tree)) for file, tree in trees().items()}
+    """Every node of each file: making and walking the trees takes longer than what is asked of them."""
+    return {path.relative_to(SOURCE).as_posix(): inside for path, inside in budget.nodes().items()}
+
+
+def trees() -> dict[str, ast.Module]:
+    return {file: inside[0] for file, inside in nodes().items()}  # type: ignore[misc]
 
 
 @cache
@@ -119,8 +119,8 @@ def walk(file: str, node: ast.AST, at_once: bool) -> Iterator[Import]:
             yield from (Import(file, child.lineno, f"{child.module}.{name.name}", at_once) for name in child.names)
         elif isinstance(child, ast.If) and "TYPE_CHECKING" in ast.unparse(child.test):
             yield from walk(file, child, at_once=False)
-        else:
-            function = isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda)
+        elif not isinstance(child, ast.expr):  # which holds no import
+            function = isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef)
             yield from walk(file, child, at_once and not function)
 
 
@@ -196,16 +196,25 @@ def test_what_only_unix_has_is_no_import_of_a_module() -> None:
     assert named == []
 
 
+def packages_of(distribution: str) -> set[str]:
+    """What a distribution can be imported as: its name, where it is not installed here."""
+    try:
+        files = metadata.files(distribution) or []
+    except metadata.PackageNotFoundError:
+        return {distribution}
+    return {file.parts[0].partition(".")[0] for file in files}
+
+
 def test_every_imported_package_is_a_declared_dependency() -> None:
     project = tomllib.loads((CHECKOUT / "pyproject.toml").read_text("utf-8"))["project"]
     extras = [line for lines in project["optional-dependencies"].values() for line in lines]
     declared = {re.split(r"[<>=!~;\[ ]", line)[0].lower() for line in [*project["dependencies"], *extras]}
-    homes = packages_distributions()
+    brought = {package for name in declared for package in packages_of(name)}
     outside = {i.target.split(".")[0]: i for i in imports()}
     outside = {
         name: i for name, i in outside.items() if name not in sys.stdlib_module_names | {"upright", "__future__"}
     }
-    wrong = [i for name, i in outside.items() if not declared & {home.lower() for home in homes.get(name, [name])}]
+    wrong = [i for name, i in outside.items() if name not in brought]
     assert not wrong, "\n".join(map(str, wrong))
 
 
