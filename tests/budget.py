@@ -57,8 +57,10 @@ def inside(tree: ast.AST) -> list[ast.AST]:
     found = [tree]
     for node in found:
         for value in vars(node).values():
-            several = value if isinstance(value, list) else (value,)
-            found += [one for one in several if isinstance(one, ast.AST) and not isinstance(one, ast.expr_context)]
+            if isinstance(value, list):
+                found += [one for one in value if isinstance(one, ast.AST)]
+            elif isinstance(value, ast.AST) and not isinstance(value, ast.expr_context):
+                found.append(value)
     return found
 
 
