@@ -11,11 +11,13 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 
 import pytest
 
 from conftest import PATIENCE
+from upright.certify import certificate
 from upright.cli import guide
 from upright.cli.guide import STATE
 from upright.cli.main import main
@@ -26,7 +28,7 @@ START = (sys.executable, "-m", "upright", "start")
 @pytest.fixture
 def started(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Callable[..., str]:
     """`started(answers, folder)`: what `upright start` prints in that folder, with its steps in this process, which has
-    imported all, and not in processes of their own."""
+    imported all, and not in processes of their own; less is simulated and drawn."""
 
     def here(command: Sequence[str], folder: Path) -> int:
         with contextlib.chdir(folder):
@@ -39,6 +41,8 @@ def started(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.Capt
 
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(guide, "_executed", here)
+    monkeypatch.setattr(guide, "PUSH", ("--push", "hold:0.1,until=1", "--seconds", "2"))
+    monkeypatch.setattr(certificate, "certify", partial(certificate.certify, sweeps=False))
     return started
 
 
