@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
+import statistics
 import subprocess
 import sys
 import tomllib
@@ -363,6 +364,42 @@ def test_names_are_the_words_of_the_textbook() -> None:
         names = [name for name in bound(inside) if words(name) & RETIRED] if by_hand(SOURCE / file) else []
         retired.setdefault(room(file), []).extend(f"{file}: {name}" for name in names)
     assert {where: names for where, names in retired.items() if names} == {}
+
+
+def sentences(text: str) -> list[list[str]]:
+    """The words of each sentence."""
+    parts = re.split(r"(?<=[.;:!?])\s+", text)
+    return [words for part in parts if (words := [word for word in part.split() if re.search(r"\w", word)])]
+
+
+def test_help_is_in_short_sentences() -> None:
+    """Half of them of at most 14 words, none of more than 25."""
+    from upright.cli.main import group
+
+    commands = group().commands.values()  # type: ignore[attr-defined]
+    texts = [text for command in commands for text in (command.help, *(option.help for option in command.params))]
+    lengths = [len(words) for text in texts for words in sentences(text or "")]
+    assert statistics.median(lengths) <= 14
+    assert max(lengths) <= 25
+
+
+def test_errors_are_short_sentences() -> None:
+    """What stands in every `raise` of the sources."""
+    lengths: list[int] = []
+    for inside in nodes().values():
+        for node in inside:
+            if isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call):
+                values = [*node.exc.args, *(keyword.value for keyword in node.exc.keywords)]
+                lengths += [len(words) for value in values for words in sentences(literal(value))]
+    assert statistics.median(lengths) <= 14
+    assert max(lengths) <= 25
+
+
+def literal(node: ast.expr) -> str:
+    """The text of a string, with X for what is put in."""
+    if isinstance(node, ast.JoinedStr):
+        return "".join(str(part.value) if isinstance(part, ast.Constant) else "X" for part in node.values)
+    return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else ""
 
 
 def test_names_are_read_word_by_word() -> None:
