@@ -170,7 +170,7 @@ def test_a_campaign_puts_its_robot_at_the_medians_of_a_posterior_as_a_fleet_does
 
 
 def test_a_chunk_cut_off_by_a_crash_is_run_again(spec, alone, tmp_path):
-    run_campaign(read_campaign(spec), tmp_path, workers=0)
+    shutil.copytree(alone, tmp_path, dirs_exist_ok=True)
     whole = chunk_path(tmp_path, 5).read_bytes()
     chunk_path(tmp_path, 5).write_bytes(whole[: len(whole) // 2])
     chunk_path(tmp_path, 6).write_bytes(b"")
@@ -225,15 +225,13 @@ def test_a_damaged_chunk_is_not_collected(alone, tmp_path):
         collect(tmp_path)
 
 
-def test_a_campaign_that_fails_writes_nothing(spec, alone, tmp_path):
+def test_a_campaign_that_fails_writes_nothing(tmp_path):
     wrong = tmp_path / "wrong.toml"
     wrong.write_text(SPEC.replace("seconds = 1.0", "seconds = -1.0"))
     folder = tmp_path / "c"
     with pytest.raises(UprightError):
         run_campaign(read_campaign(wrong), folder, workers=0)
     assert not folder.exists()
-    run_campaign(read_campaign(spec), folder, workers=0)
-    assert files(folder) == files(alone)
 
 
 def test_a_full_disk_is_one_line_and_the_campaign_goes_on_from_there(spec, alone, tmp_path, capfd):

@@ -165,8 +165,9 @@ STOPS = {
 
 
 @on_an_uno
-@SKETCHES
-@pytest.mark.parametrize("stop", STOPS)
+@pytest.mark.parametrize(
+    ("stop", "driver"), [*((stop, "one-pin") for stop in STOPS), ("time", "two-pin"), ("time", "pwm-enable")]
+)
 def test_every_stop_leaves_every_pin_of_a_driver_low(tmp_path: Path, driver: str, stop: str) -> None:
     edits, what, value = STOPS[stop]
     kit = counting(360, driver=driver)
