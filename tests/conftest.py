@@ -70,9 +70,15 @@ FIRST = (
 """Units of work that take longest: begun first, so that all processes end at about the same time."""
 
 
+SOURCES = frozenset(("test_architecture", "test_budget"))
+"""Files that look at the syntax tree of every source."""
+
+
 def unit_of(path: str) -> str:
     """The unit of work that a file belongs to: one process runs it whole, and computes once what its tests share."""
     stem = Path(path).stem
+    if stem in SOURCES:
+        return "sources"
     return "browser" if stem in BROWSER else stem
 
 

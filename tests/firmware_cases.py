@@ -55,6 +55,20 @@ def written(
     return made.write(folder / f"balance{suffix}")[0], made
 
 
+STILL = 10
+"""Periods after which a program of `brief` knows its gyro's offset."""
+
+
+def brief(
+    folder: Path, target: str, kit: Kit = NXT, controller: Controller | None = None, **options: object
+) -> tuple[Path, Firmware]:
+    """A program whose start averages its gyro over `STILL` periods instead of a second, to be executed in a tenth of
+    the time."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("upright.firmware.readings.CALIBRATION_TIME", 0.01 * STILL)
+        return written(folder, target, kit, controller, **options)
+
+
 SHORT = 5.0
 """[s] of a parity in tests: each of its two pushes holds the robot for 1.5 s, and it has 1 s to recover."""
 

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import ast
 import re
+import statistics
 import subprocess
 import sys
 import tomllib
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache
-from importlib.metadata import packages_distributions
+from importlib import metadata
 from pathlib import Path
 
 import pytest
 
+import budget
 from conftest import PATIENCE
 
 CHECKOUT = Path(__file__).resolve().parents[1]
@@ -95,14 +97,13 @@ class Import:
 
 
 @cache
-def trees() -> dict[str, ast.Module]:
-    return {p.relative_to(SOURCE).as_posix(): ast.parse(p.read_text("utf-8")) for p in sorted(SOURCE.rglob("*.py"))}
-
-
-@cache
 def nodes() -> dict[str, list[ast.AST]]:
-    """Every node of each file: walking the trees takes longer than what is asked of them."""
-    return {file: list(ast.walk(tree)) for file, tree in trees().items()}
+    """Every node of each file: making and walking the trees takes longer than what is asked of them."""
+    return {path.relative_to(SOURCE).as_posix(): inside for path, inside in budget.nodes().items()}
+
+
+def trees() -> dict[str, ast.Module]:
+    return {file: inside[0] for file, inside in nodes().items()}  # type: ignore[misc]
 
 
 @cache
@@ -119,8 +120,8 @@ def walk(file: str, node: ast.AST, at_once: bool) -> Iterator[Import]:
             yield from (Import(file, child.lineno, f"{child.module}.{name.name}", at_once) for name in child.names)
         elif isinstance(child, ast.If) and "TYPE_CHECKING" in ast.unparse(child.test):
             yield from walk(file, child, at_once=False)
-        else:
-            function = isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda)
+        elif not isinstance(child, ast.expr):  # which holds no import
+            function = isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef)
             yield from walk(file, child, at_once and not function)
 
 
@@ -196,16 +197,25 @@ def test_what_only_unix_has_is_no_import_of_a_module() -> None:
     assert named == []
 
 
+def packages_of(distribution: str) -> set[str]:
+    """What a distribution can be imported as: its name, where it is not installed here."""
+    try:
+        files = metadata.files(distribution) or []
+    except metadata.PackageNotFoundError:
+        return {distribution}
+    return {file.parts[0].partition(".")[0] for file in files}
+
+
 def test_every_imported_package_is_a_declared_dependency() -> None:
     project = tomllib.loads((CHECKOUT / "pyproject.toml").read_text("utf-8"))["project"]
     extras = [line for lines in project["optional-dependencies"].values() for line in lines]
     declared = {re.split(r"[<>=!~;\[ ]", line)[0].lower() for line in [*project["dependencies"], *extras]}
-    homes = packages_distributions()
+    brought = {package for name in declared for package in packages_of(name)}
     outside = {i.target.split(".")[0]: i for i in imports()}
     outside = {
         name: i for name, i in outside.items() if name not in sys.stdlib_module_names | {"upright", "__future__"}
     }
-    wrong = [i for name, i in outside.items() if not declared & {home.lower() for home in homes.get(name, [name])}]
+    wrong = [i for name, i in outside.items() if name not in brought]
     assert not wrong, "\n".join(map(str, wrong))
 
 
@@ -354,6 +364,42 @@ def test_names_are_the_words_of_the_textbook() -> None:
         names = [name for name in bound(inside) if words(name) & RETIRED] if by_hand(SOURCE / file) else []
         retired.setdefault(room(file), []).extend(f"{file}: {name}" for name in names)
     assert {where: names for where, names in retired.items() if names} == {}
+
+
+def sentences(text: str) -> list[list[str]]:
+    """The words of each sentence."""
+    parts = re.split(r"(?<=[.;:!?])\s+", text)
+    return [words for part in parts if (words := [word for word in part.split() if re.search(r"\w", word)])]
+
+
+def test_help_is_in_short_sentences() -> None:
+    """Half of them of at most 14 words, none of more than 25."""
+    from upright.cli.main import group
+
+    commands = group().commands.values()  # type: ignore[attr-defined]
+    texts = [text for command in commands for text in (command.help, *(option.help for option in command.params))]
+    lengths = [len(words) for text in texts for words in sentences(text or "")]
+    assert statistics.median(lengths) <= 14
+    assert max(lengths) <= 25
+
+
+def test_errors_are_short_sentences() -> None:
+    """What stands in every `raise` of the sources."""
+    lengths: list[int] = []
+    for inside in nodes().values():
+        for node in inside:
+            if isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call):
+                values = [*node.exc.args, *(keyword.value for keyword in node.exc.keywords)]
+                lengths += [len(words) for value in values for words in sentences(literal(value))]
+    assert statistics.median(lengths) <= 14
+    assert max(lengths) <= 25
+
+
+def literal(node: ast.expr) -> str:
+    """The text of a string, with X for what is put in."""
+    if isinstance(node, ast.JoinedStr):
+        return "".join(str(part.value) if isinstance(part, ast.Constant) else "X" for part in node.values)
+    return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else ""
 
 
 def test_names_are_read_word_by_word() -> None:

@@ -6,10 +6,9 @@ import json
 import os
 import shutil
 import signal
-import subprocess
-import sys
 import tempfile
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +16,7 @@ import pytest
 
 from conftest import PATIENCE
 from upright.cli.fleet import sweep
+from upright.cli.main import main
 from upright.errors import InvalidScenario, UnknownName, UprightError
 from upright.fleet import workers
 from upright.fleet.campaign import chunk_path, collect, run_campaign
@@ -59,6 +59,19 @@ def alone(spec, tmp_path_factory):
 
 def files(folder: Path) -> dict[str, bytes]:
     return {path.name: path.read_bytes() for path in sorted((folder / "chunks").iterdir())}
+
+
+def forked(act: Callable[[], int | object]) -> int:
+    """A process that does this and ends with its exit code, a copy of this one, which has imported all."""
+    child = os.fork()
+    if child:
+        return child
+    code = 70
+    try:
+        result = act()
+        code = result if isinstance(result, int) else 0
+    finally:
+        os._exit(code)
 
 
 def worker_processes() -> list[int]:
@@ -116,19 +129,19 @@ def test_a_cluster_elsewhere_is_used_by_its_address(spec, alone, tmp_path):
 
 def test_a_campaign_killed_half_way_goes_on_from_what_is_on_disk(spec, alone, tmp_path):
     folder = tmp_path / "c"
-    code = (
-        "import sys; from upright.fleet.campaign import run_campaign; from upright.fleet.sweep import read_campaign; "
-        "import time; stop = lambda done, total, left: done < 4 or time.sleep(600); "
-        "run_campaign(read_campaign(sys.argv[1]), sys.argv[2], workers=0, progress=stop)"
-    )
-    process = subprocess.Popen([sys.executable, "-c", code, str(spec), str(folder)])
+
+    def stop(done, total, left):
+        if done == 4:
+            signal.pause()
+
+    child = forked(lambda: run_campaign(read_campaign(spec), folder, workers=0, progress=stop))
     deadline = time.monotonic() + PATIENCE
     while not chunk_path(folder, 3).exists():
         assert time.monotonic() < deadline
-        assert process.poll() is None
+        assert os.waitpid(child, os.WNOHANG) == (0, 0)
         time.sleep(0.02)
-    process.send_signal(signal.SIGKILL)
-    process.wait()
+    os.kill(child, signal.SIGKILL)
+    os.waitpid(child, 0)
     before = {name: (folder / "chunks" / name).stat().st_mtime_ns for name in files(folder)}
     assert 4 <= len(before) < CHUNKS
     told = []
@@ -157,7 +170,7 @@ def test_a_campaign_puts_its_robot_at_the_medians_of_a_posterior_as_a_fleet_does
 
 
 def test_a_chunk_cut_off_by_a_crash_is_run_again(spec, alone, tmp_path):
-    run_campaign(read_campaign(spec), tmp_path, workers=0)
+    shutil.copytree(alone, tmp_path, dirs_exist_ok=True)
     whole = chunk_path(tmp_path, 5).read_bytes()
     chunk_path(tmp_path, 5).write_bytes(whole[: len(whole) // 2])
     chunk_path(tmp_path, 6).write_bytes(b"")
@@ -212,32 +225,32 @@ def test_a_damaged_chunk_is_not_collected(alone, tmp_path):
         collect(tmp_path)
 
 
-def test_a_campaign_that_fails_writes_nothing(spec, alone, tmp_path):
+def test_a_campaign_that_fails_writes_nothing(tmp_path):
     wrong = tmp_path / "wrong.toml"
     wrong.write_text(SPEC.replace("seconds = 1.0", "seconds = -1.0"))
     folder = tmp_path / "c"
     with pytest.raises(UprightError):
         run_campaign(read_campaign(wrong), folder, workers=0)
     assert not folder.exists()
-    run_campaign(read_campaign(spec), folder, workers=0)
-    assert files(folder) == files(alone)
 
 
-def test_a_full_disk_is_one_line_and_the_campaign_goes_on_from_there(spec, alone, tmp_path):
+def test_a_full_disk_is_one_line_and_the_campaign_goes_on_from_there(spec, alone, tmp_path, capfd):
     largest = max(len(data) for data in files(alone).values())
-    code = (
-        "import resource, sys; resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv[1]),) * 2); "
-        "from upright.cli.main import main; sys.exit(main(sys.argv[2:]))"
-    )
     command = ["sweep", str(spec), "-o", str(tmp_path / "c"), "--workers", "0"]
-    done = subprocess.run(
-        [sys.executable, "-c", code, str(largest - 1), *command], capture_output=True, text=True, check=False
-    )
-    assert done.returncode == 2
-    lines = [line for line in done.stderr.splitlines() if line.startswith("upright:")]
+
+    def on_full_disk():
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_FSIZE, (largest - 1, largest - 1))
+        return main(command)
+
+    _, status = os.waitpid(forked(on_full_disk), 0)
+    complaints = capfd.readouterr().err
+    assert os.waitstatus_to_exitcode(status) == 2
+    lines = [line for line in complaints.splitlines() if line.startswith("upright:")]
     assert len(lines) == 1
     assert "cannot write" in lines[0]
-    assert "Traceback" not in done.stderr
+    assert "Traceback" not in complaints
     run_campaign(read_campaign(spec), tmp_path / "c", workers=0)
     assert files(tmp_path / "c") == files(alone)
 
@@ -295,7 +308,11 @@ def test_another_campaign_keeps_out_of_the_folder(spec, alone, tmp_path):
 
 
 @pytest.mark.needs("module:distributed")
-def test_an_address_without_a_scheduler_is_reported(spec, tmp_path):
+def test_an_address_without_a_scheduler_is_reported(spec, tmp_path, monkeypatch):
+    import distributed
+
+    client = distributed.Client
+    monkeypatch.setattr(distributed, "Client", lambda address, timeout: client(address, timeout=timeout / 10))
     with pytest.raises(UprightError, match="no scheduler"):
         # port 1 is reserved and nobody listens there
         run_campaign(read_campaign(spec), tmp_path / "far", cluster="tcp://127.0.0.1:1")

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import ast
 import json
 import math
 import os
 import re
 import shlex
-import statistics
 import subprocess
 import sys
 from pathlib import Path
@@ -27,7 +25,6 @@ from upright.control import CONTROLLERS, make_controller, write_controller
 from upright.errors import InvalidLog
 from upright.robots import PARAMETERS, Kit, Robot, kit_names
 
-SOURCES = Path(cli.__file__).parents[1]
 TIME = "t,truth/pitch,truth/pitch_rate,truth/wheel,truth/wheel_rate,truth/yaw,truth/yaw_rate\n"
 ROW = ",0,0,0,0,0,0\n"
 
@@ -411,40 +408,6 @@ def test_the_examples_of_the_help_are_calls_that_the_command_takes(line):
     name, *arguments = shlex.split(line)[1:]
     assert len(line) + 4 <= 80  # a terminal's width, indented as help is
     group().commands[name].make_context(name, arguments)  # raises where an option or an argument is wrong
-
-
-def sentences(text: str) -> list[list[str]]:
-    """The words of each sentence."""
-    parts = re.split(r"(?<=[.;:!?])\s+", text)
-    return [words for part in parts if (words := [word for word in part.split() if re.search(r"\w", word)])]
-
-
-def test_help_is_in_short_sentences() -> None:
-    """Half of them of at most 14 words, none of more than 25."""
-    commands = group().commands.values()  # type: ignore[attr-defined]
-    texts = [text for command in commands for text in (command.help, *(option.help for option in command.params))]
-    lengths = [len(words) for text in texts for words in sentences(text or "")]
-    assert statistics.median(lengths) <= 14
-    assert max(lengths) <= 25
-
-
-def test_errors_are_short_sentences() -> None:
-    """What stands in every `raise` of the sources."""
-    lengths: list[int] = []
-    for file in (file for file in SOURCES.rglob("*.py") if "raise " in file.read_text(encoding="utf-8")):
-        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
-            if isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call):
-                values = [*node.exc.args, *(keyword.value for keyword in node.exc.keywords)]
-                lengths += [len(words) for value in values for words in sentences(literal(value))]
-    assert statistics.median(lengths) <= 14
-    assert max(lengths) <= 25
-
-
-def literal(node: ast.expr) -> str:
-    """The text of a string, with X for what is put in."""
-    if isinstance(node, ast.JoinedStr):
-        return "".join(str(part.value) if isinstance(part, ast.Constant) else "X" for part in node.values)
-    return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else ""
 
 
 @pytest.mark.parametrize("spelling", ["--report {}", "--report={}"])

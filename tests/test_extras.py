@@ -130,7 +130,5 @@ def test_what_a_plain_installation_brings_designs_and_flies_without_any_extra(
 ) -> None:
     for module in EXTRAS:
         hidden(module)
-    controller = tmp_path / "lqg.json"
-    assert main(["design", "lqg", "--robot", "nxtway-gs", "-o", str(controller)]) == 0
-    run = ["simulate", "--controller", str(controller), "--seconds", "0.5", "-o", str(tmp_path / "run.parquet")]
-    assert main(run) == 0
+    run = ["simulate", "--robot", "nxtway-gs", "--controller", "lqg", "--seconds", "0.5"]
+    assert main([*run, "-o", str(tmp_path / "run.parquet")]) == 0

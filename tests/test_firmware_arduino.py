@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from firmware_cases import NXT, written
+from firmware_cases import NXT, STILL, brief
 from upright.firmware import Firmware
 from upright.firmware.setup import SENSOR_FAILED
 from upright.parity.execute_sketch import (
@@ -35,7 +35,7 @@ LATEST = 0.1  # [s] until the motors are off: ten periods
 
 @pytest.fixture(scope="module")
 def sketch(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Firmware]:
-    return written(tmp_path_factory.mktemp("sketch"), "arduino")
+    return brief(tmp_path_factory.mktemp("sketch"), "arduino")
 
 
 def edited(sketch: tuple[Path, Firmware], folder: Path, old: str, new: str) -> tuple[Path, Firmware]:
@@ -50,7 +50,7 @@ def balancing(sketch: tuple[Path, Firmware]) -> SketchExecutor:
     """A sketch whose motors run: calibrated, leaning, its time not leapt over from then on."""
     source, made = sketch
     executor, readings = SketchExecutor(source, made.program, made.number), Readings(made.program, NXT)
-    for raw in readings.still(100):
+    for raw in readings.still(STILL):
         executor.step(raw)
     for k in range(1, 6):
         executor.step(readings.raw({"sensor/encoder_left": 0.02 * k, "sensor/encoder_right": 0.02 * k}))
@@ -75,12 +75,12 @@ def test_a_missing_sensor_never_balances(sketch: tuple[Path, Firmware], what: in
     executor = SketchExecutor(sketch[0], sketch[1].program, sketch[1].number, real=True)
     executor.set_input(what, value)
     executor.set_input(GYRO, -1)
-    executor.run(1.3)  # a start takes a second
+    executor.run(0.4)  # more than a start takes
     assert not executor.level(LED)
     assert executor.pwm() == [0, 0]
     assert last_words(executor) == f"E {SENSOR_FAILED}"
     executor.set_input(what, 0x68 if what == IDENTITY else PRESENT)
-    executor.run(1.3)
+    executor.run(0.4)
     assert not executor.level(LED)  # until somebody presses RESET
     executor.close()
 
@@ -175,7 +175,7 @@ def test_a_sketch_is_executed_with_the_pins_that_it_names(sketch: tuple[Path, Fi
     outputs: list[object] = []
     for path in (sketch[0], other):
         executor, readings = SketchExecutor(path, sketch[1].program, "float"), Readings(sketch[1].program, NXT)
-        for raw in readings.still(100):
+        for raw in readings.still(STILL):
             executor.step(raw)
         turned = [readings.raw({"sensor/encoder_left": -0.02 * k, "sensor/gyro": 0.1}, 3.0) for k in range(12)]
         outputs.append([(dict(executor.step(raw)), executor.pwm()) for raw in turned])

@@ -88,11 +88,10 @@ def test_the_known_fault_of_the_compiler_is_seen_by_running_what_it_made(tmp_pat
     """After a function that returns a float nbc 1.2.1 loses the battery in `float w = BatteryLevel()/1000.0`, without a
     word; typed temporaries keep it."""
     other = "float r; float f() { float v = 2.0; return v; }"
-    lost = saved(tmp_path, other, "r = f(); float w = BatteryLevel()/1000.0;", "w", charged())
-    divided = "r = f(); mv = BatteryLevel(); asm { mov w, mv\n mov k, 1000\n div w, w, k }"
-    kept = saved(tmp_path, f"{other} int mv; float w, k;", divided, "w", charged())
-    assert struct.unpack("<f", lost)[0] == pytest.approx(0.002)  # what f left behind, over 1000
-    assert struct.unpack("<f", kept)[0] == pytest.approx(7.9, rel=1e-7)
+    lost = "r = f(); float w = BatteryLevel()/1000.0; Write(handle, w);"
+    divided = "r = f(); mv = BatteryLevel(); asm { mov v, mv\n mov k, 1000\n div v, v, k }"
+    both = saved(tmp_path, f"{other} int mv; float v, k;", lost + divided, "v", charged())
+    assert struct.unpack("<ff", both) == pytest.approx((0.002, 7.9), rel=1e-6)  # first what f left behind, over 1000
 
 
 def charged() -> Hardware:
@@ -102,12 +101,28 @@ def charged() -> Hardware:
 
 
 def test_what_the_manual_leaves_open_stops_the_machine(tmp_path: Path) -> None:
-    with pytest.raises(InvalidProgram, match="divides 5 by zero"):
-        run_nxc("task main() { int a, b; a = 5; b = 0; a = a / b; }", tmp_path)
-    with pytest.raises(InvalidProgram, match="stored as an integer"):
-        run_nxc("float f, g; long a; task main() { asm { mov f, 1\n mov g, 2\n div f, f, g\n mov a, f } }", tmp_path)
-    with pytest.raises(InvalidProgram, match="element 4 of 3"):
-        run_nxc("task main() { byte s[]; ArrayInit(s, 0, 3); s[4] = 1; }", tmp_path)
+    text = """
+        float f, g; int a, b; long c; byte s[];
+        task main() {
+            switch (BatteryLevel()) {
+                case 1: a = 5; b = 0; a = a / b; break;
+                case 2: asm { mov f, 1\n mov g, 2\n div f, f, g\n mov c, f } break;
+                case 3: ArrayInit(s, 0, 3); s[4] = 1; break;
+            }
+        }
+    """
+    (tmp_path / "try.nxc").write_text(text)
+    program = read_rxe(compile_nxc(tmp_path / "try.nxc", tmp_path))
+    for battery, says in enumerate(("", "divides 5 by zero", "stored as an integer", "element 4 of 3")):
+        hardware = Hardware()
+        hardware.battery = battery
+        machine = Machine(program, hardware, cost=1)
+        if says:
+            with pytest.raises(InvalidProgram, match=says):
+                machine.run(10_000_000)
+        else:
+            machine.run(10_000_000)
+            assert machine.ended
 
 
 @pytest.mark.parametrize("data", [b"", b"MZ" + bytes(100), b"MindstormsNXT\0\0\6" + bytes(10)])
@@ -332,14 +347,17 @@ def test_a_log_that_does_not_fit_is_reported_before_the_start(tmp_path: Path, vi
     "name",
     [*(pytest.param(n, marks=pytest.mark.evidence) for n in ("nxtway-gs-measured", "x" * 40)), "Ñandú verde 2.0 ñññ"],
 )
-def test_the_log_has_a_name_that_a_brick_keeps_whatever_the_robot_is_called(tmp_path: Path, name: str) -> None:
+def test_the_log_has_a_name_that_a_brick_keeps_whatever_the_robot_is_called(
+    tmp_path: Path, name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """A brick's names are 15.3 characters of ASCII (LEGO, "NXT Communication Protocol", appendix 1)."""
+    monkeypatch.setattr("upright.firmware.readings.CALIBRATION_TIME", 0.1)  # it balances sooner
     firmware = generate(frozen(), ROBOT.replace(name=name), KIT, "nxc")
     source = firmware.write(tmp_path / "a program with a long name.nxc")[0]
     brick = VirtualBrick()
     brick.hardware.inputs[0].raw = 600
     with Line(brick) as line:
-        flight = fly_nxt(source, firmware.program, line.path, 1.2, clock=lambda: brick.seconds)
+        flight = fly_nxt(source, firmware.program, line.path, 0.4, clock=lambda: brick.seconds)
     assert all(re.fullmatch(r"[\w-]{1,15}\.\w{1,3}", stored, re.ASCII) for stored in brick.hardware.flash.files)
     assert flight.log is not None
     assert flight.log.log.origin["robot"]["name"] == name

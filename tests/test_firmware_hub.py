@@ -352,18 +352,18 @@ def test_telemetry_never_holds_a_balancing_robot_up(
     made: tuple[Path, Program], pace: float, tells: bool, most: int
 ) -> None:
     """A hub's output goes through a ring of 40 bytes, a note of 19 every `pace` [s], and whoever prints into a full one
-    waits: 300 ms for each line where one comes every 100 ms. Without a look at the room 26 periods of 600 are late;
+    waits: 300 ms for each line where one comes every 100 ms. Without a look at the room 13 periods of 300 are late;
     a firmware that does not tell is found out by one line or two that wait."""
     output: list[bytes] = []
     with virtual_hub(ROBOT, KIT, pace=pace, tells=tells) as hub:
         hub.garbled = lambda piece: (output.append(piece), piece)[1]
-        flight = flown(made, hub, 7.0)
+        flight = flown(made, hub, 4.0)
         assert flight.log is not None
         assert not hub.world.fallen
     text = b"".join(output).decode()
     log = flight.log.log
     assert log.origin["outcome"]["late"] == (np.diff(log.t) > 0.0115).sum() <= most  # each row has its own time
-    assert len(re.findall("^T ", text, re.MULTILINE)) >= 10  # telemetry goes on all the same
+    assert len(re.findall("^T ", text, re.MULTILINE)) >= 5  # telemetry goes on all the same
 
 
 def test_a_battery_that_is_nearly_empty_is_refused_before_the_hub_switches_off(
@@ -519,7 +519,6 @@ def test_monitor_wants_to_know_what_a_virtual_hub_runs(capsys: pytest.CaptureFix
 
 def test_a_virtual_flight_of_one_second_ends(designed: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Its still start takes all of it: there is no log, and the reason is said."""
-    assert main(shlex.split("fly balance.py controller.json --yes --seconds 1 -o short.csv")) in (0, 2)
     assert main(shlex.split("fly balance.py controller.json --yes --seconds 0.5")) == 2
     assert "before it balanced" in capsys.readouterr().err
 

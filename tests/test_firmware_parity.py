@@ -13,13 +13,25 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from firmware_cases import NXT, ROBOT, SHORT, SPIKE, designed, frozen, short, shorten, steering, written
+from firmware_cases import (
+    NXT,
+    ROBOT,
+    SHORT,
+    SPIKE,
+    STILL,
+    brief,
+    designed,
+    frozen,
+    short,
+    shorten,
+    steering,
+    written,
+)  # fmt: skip
 from interpreter import Interpreter
 from upright.control import controller_hash
-from upright.control.controller import Controller
 from upright.errors import InvalidController, InvalidLog, MissingTool
 from upright.experiment import Drive, Turn
-from upright.firmware import Firmware, generate, longest_run
+from upright.firmware import generate, longest_run
 from upright.firmware.tools import ExecutionFailed, run_tool, tool
 from upright.flight.program_logs import read_lines
 from upright.links.brick import LEFT, RIGHT
@@ -199,6 +211,13 @@ def test_a_program_that_falls_stops_its_motors_and_keeps_its_log(tmp_path: Path)
     executor.close()
 
 
+def held(executor: Executor, readings: Readings) -> None:
+    """Start a program of `brief`, and hold the robot still until it knows its gyro's offset."""
+    executor.start()
+    for raw in readings.still(STILL):
+        executor.step(raw)
+
+
 def duties_now(executor: Executor) -> list[float]:
     """What both motors get at this moment, as the brick's own parts have it."""
     if isinstance(executor, NxcExecutor):
@@ -221,9 +240,9 @@ LOOPS = [
 @pytest.mark.parametrize("seconds", [1, pytest.param(0, marks=pytest.mark.evidence)])
 def test_a_longest_run_ends_with_the_motors_off(tmp_path: Path, target, kit, seconds):
     """The robot rolls and does not fall, so that the clock alone can end it; without a limit it goes on."""
-    source, made = written(tmp_path, target, kit, seconds=seconds)
+    source, made = brief(tmp_path, target, kit, seconds=seconds)
     executor, readings = execute(source, made.program, made.number, ""), Readings(made.program, kit)
-    calibrated(executor, readings, 0.01)
+    held(executor, readings)
     still, driven = readings.raw({}, readings.offset), list[bool]()
     while len(driven) < 120:
         rolled = {f"raw_encoder_{side}": float(len(driven) // 3) for side in ("left", "right")}
@@ -253,9 +272,9 @@ def test_whoever_changes_the_longest_run_is_understood(tmp_path: Path):
 
 @pytest.mark.parametrize("said", [signal.SIGHUP, signal.SIGTERM])
 def test_an_ev3dev_program_whose_terminal_hangs_up_stops_its_motors(tmp_path: Path, said):
-    source, made = written(tmp_path, "ev3dev")
+    source, made = brief(tmp_path, "ev3dev")
     executor, readings = PythonExecutor(source, made.program), Readings(made.program, NXT)
-    calibrated(executor, readings, 0.01)
+    held(executor, readings)
     leaning = readings.raw({}, readings.offset) | {"raw_encoder_left": 20.0}
     executor.step(readings.raw({}, readings.offset))
     for _ in range(9):
@@ -423,46 +442,39 @@ def test_the_sketch_on_an_atmega328p(tmp_path: Path):
 
 @pytest.mark.needs("avr-gcc", "simavr", "module:elftools")
 def test_fixed_point_on_an_atmega328p_is_the_host_s_to_the_bit(tmp_path: Path):
-    source, made = written(tmp_path, "c", number="fixed")
+    source, made = brief(tmp_path, "c", number="fixed")
     chips = [AvrExecutor(source, made.program, "fixed"), HostExecutor(source, made.program, "fixed")]
     rng = np.random.default_rng(5)
     for chip in chips:
         chip.start()
-    for k in range(160):
-        quiet = 0.001 if k < 105 else 0.05  # [rad], [rad/s] still for the second of calibration
+    for k in range(STILL + 55):
+        quiet = 0.001 if k < STILL + 5 else 0.05  # [rad], [rad/s] still while it calibrates
         raw = dict(zip(made.program.channels, [*rng.normal(0, quiet, 3), 8.0], strict=True))
         one, other = (chip.step(raw) for chip in chips)
         assert one == other
     assert one  # by then it balances
 
 
-@pytest.fixture(scope="module")
-def compass(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Firmware, Controller]:
-    """A program for the NXT whose controller reads the compass beside the encoders and the gyro."""
-    controller = steering()
-    return *written(tmp_path_factory.mktemp("compass"), "nxc", controller=controller), controller
-
-
 @pytest.mark.evidence
 @pytest.mark.needs("nbc")
 @pytest.mark.usefixtures("short")
-def test_nxc_in_the_brick_s_machine_with_its_compass(compass):
-    source, made, controller = compass
+def test_nxc_in_the_brick_s_machine_with_its_compass(tmp_path: Path):
+    source, made = written(tmp_path, "nxc", controller=steering())
     executor = NxcExecutor(source, made.program)
-    passed(executed_parity(executor, controller, made, ROBOT, NXT))
+    passed(executed_parity(executor, steering(), made, ROBOT, NXT))
     # at least an instruction a product; at the 5 µs of the virtual brick still well within 10 ms
     assert made.program.operations() < executor.instructions < 2000
 
 
 @pytest.mark.needs("nbc")
-def test_a_compass_that_passes_north_is_followed(compass):
+def test_a_compass_that_passes_north_is_followed(tmp_path: Path):
     """The program knows how far it has turned, not where north is: 20° are the same across 0 and elsewhere."""
-    source, made, _ = compass
+    source, made = brief(tmp_path, "nxc", controller=steering())
 
     def turned(start: int) -> list[float]:
         executor = NxcExecutor(source, made.program)
         executor.start()
-        for raw in Readings(made.program, NXT).still(100):  # the second in which it calibrates
+        for raw in Readings(made.program, NXT).still(STILL):
             executor.step({**raw, "raw_compass": float(start)})
         resting = {"raw_encoder_left": 0.0, "raw_encoder_right": 0.0, "raw_gyro": 0.0, "raw_battery": 8000.0}
         steps = [executor.step({**resting, "raw_compass": float((start + k // 2) % 360)}) for k in range(40)]

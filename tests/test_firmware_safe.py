@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from firmware_cases import NXT, ROBOT, SPIKE, frozen, steering, written
+from firmware_cases import NXT, ROBOT, SPIKE, STILL, brief, frozen, steering, written
 from interpreter import Interpreter
 from upright.compiled.program import Program
 from upright.errors import InvalidController
@@ -161,10 +161,10 @@ def test_the_representation_stops_for_any_reading_that_is_no_number(target: str)
 @pytest.mark.parametrize("value", [NAN, INF, -INF, 1e30, -1e30])
 def test_a_hub_s_gyro_may_say_anything(tmp_path: Path, value: float) -> None:
     """The hub's gyro gives fractions, so that it could give what is no number; the program ends by itself."""
-    source, made = written(tmp_path, "pybricks", SPIKE)
+    source, made = brief(tmp_path, "pybricks", SPIKE)
     executor, readings = execute(source, made.program, made.number), Readings(made.program, SPIKE)
     executor.start()
-    for raw in readings.still(100):
+    for raw in readings.still(STILL):
         executor.step(raw)
     out = executor.step(readings.raw({}) | {"raw_gyro": value})
     if math.isnan(value):
@@ -177,7 +177,7 @@ def test_a_hub_s_gyro_may_say_anything(tmp_path: Path, value: float) -> None:
 @pytest.mark.needs("nbc")
 def test_an_nxt_s_sensors_may_say_anything(tmp_path: Path) -> None:
     """What the brick's own integers can hold: the machine stops a program that goes beyond them."""
-    source, made = written(tmp_path, "nxc", controller=steering())
+    source, made = brief(tmp_path, "nxc", controller=steering())
     readings = Readings(made.program, NXT)
     resting = readings.raw({})
     ends = {"raw_encoder_left": (2**31 - 1, -(2**31)), "raw_encoder_right": (2**31 - 1, -(2**31))}
@@ -186,7 +186,7 @@ def test_an_nxt_s_sensors_may_say_anything(tmp_path: Path) -> None:
     for name, values in ends.items():
         for value in values:
             executor.start()
-            for raw in readings.still(100):
+            for raw in readings.still(STILL):
                 executor.step(raw)
             executor.step(resting)  # its counts begin here
             out = executor.step(resting | {name: float(value)})
@@ -198,10 +198,10 @@ def test_an_nxt_s_sensors_may_say_anything(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("raw_battery", [-5.0, 0.0, 70.0e3])
 def test_an_ev3_s_battery_may_say_anything(tmp_path: Path, raw_battery: float) -> None:
-    source, made = written(tmp_path, "ev3dev")
+    source, made = brief(tmp_path, "ev3dev")
     executor, readings = execute(source, made.program, made.number), Readings(made.program, NXT)
     executor.start()
-    for raw in readings.still(100):
+    for raw in readings.still(STILL):
         executor.step(raw)
     out = executor.step(readings.raw({}) | {"raw_battery": raw_battery})
     assert max(abs(out["duty_left"]), abs(out["duty_right"])) <= 100
@@ -252,13 +252,13 @@ WIRINGS = [
 def test_a_robot_with_other_ports_is_executed_with_them(tmp_path: Path, target: str) -> None:
     """The stand-ins are wired as the program's first constants say, so that edited ones compute the same."""
     kit = SPIKE if target == "pybricks" else NXT
-    source, made = written(tmp_path, target, kit, **({"controller": steering()} if target == "nxc" else {}))
+    source, made = brief(tmp_path, target, kit, **({"controller": steering()} if target == "nxc" else {}))
     readings = Readings(made.program, kit)
     outputs: list[list[dict[str, float]]] = []
     for path in (source, rewired(source, WIRED[target])):
         executor = execute(path, made.program, made.number)
         executor.start()
-        for raw in readings.still(100):
+        for raw in readings.still(STILL):
             executor.step(raw)
         rolled = [readings.raw({"sensor/encoder_left": 0.02 * k, "sensor/gyro": 0.1}, 3) for k in range(30)]
         outputs.append([dict(executor.step(raw)) for raw in rolled])
@@ -271,11 +271,11 @@ def test_a_robot_with_other_ports_is_executed_with_them(tmp_path: Path, target: 
 @pytest.mark.parametrize("edits", [{}, WIRED["nxc"]])
 def test_an_nxt_switches_off_the_motors_that_it_drives(tmp_path: Path, edits: dict[str, str]) -> None:
     """After a fall, while its display still says so: in the second before the firmware would do it."""
-    source, made = written(tmp_path, "nxc", controller=steering())
+    source, made = brief(tmp_path, "nxc", controller=steering())
     executor, readings = execute(rewired(source, edits), made.program, made.number), Readings(made.program, NXT)
     assert isinstance(executor, NxcExecutor)
     executor.start()
-    for raw in readings.still(100):
+    for raw in readings.still(STILL):
         executor.step(raw)
     falling, driven = readings.raw({"sensor/gyro": 4.0}), False
     while not executor.step(falling)["status"]:
@@ -306,13 +306,13 @@ CLOCKS = {
 @pytest.mark.parametrize("target", WIRINGS[1:])
 def test_after_a_stall_no_period_is_short(tmp_path: Path, target: str) -> None:
     kit = SPIKE if target == "pybricks" else NXT
-    source, made = written(tmp_path, target, kit)
+    source, made = brief(tmp_path, target, kit)
     first, shown, stall = CLOCKS[target]
     edits = {first: f"{shown}\n            if count == 8:\n                {stall}\n            {first}"}
     executor, readings = execute(rewired(source, edits), made.program, made.number), Readings(made.program, kit)
     assert isinstance(executor, PythonExecutor)
     executor.start()
-    for raw in [*readings.still(100), *[readings.raw({}, readings.offset)] * 20]:
+    for raw in [*readings.still(STILL), *[readings.raw({}, readings.offset)] * 20]:
         executor.step(raw)
     begun = [float(line.split()[1]) for line in executor.lines if line.startswith("at")]
     periods = [b - a for a, b in pairwise(begun)]
@@ -325,12 +325,12 @@ def test_after_a_stall_no_period_is_short(tmp_path: Path, target: str) -> None:
 @pytest.mark.needs("nbc")
 def test_after_a_stall_no_period_of_an_nxt_is_short(tmp_path: Path) -> None:
     """By the times of its log's rows."""
-    source, made = written(tmp_path, "nxc")
+    source, made = brief(tmp_path, "nxc")
     clocked = rewired(source, {"  row.battery = level;\n": "  row.battery = level;\n  if (rows == 8) Wait(26);\n"})
     executor, readings = execute(clocked, made.program, made.number), Readings(made.program, NXT)
     assert isinstance(executor, NxcExecutor)
     executor.start()
-    for raw in [*readings.still(100), *[readings.raw({}, readings.offset)] * 20]:
+    for raw in [*readings.still(STILL), *[readings.raw({}, readings.offset)] * 20]:
         executor.step(raw)
     _, _, rows = bytes(next(iter(executor.hardware.flash.files.values()))).partition(b"\r\n")
     begun = [row[-1] for row in struct.iter_unpack("<7hH", rows)]

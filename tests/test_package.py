@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import ast
+import importlib
 import inspect
-import itertools
 import re
 import subprocess
 import sys
@@ -58,13 +58,14 @@ def test_a_verb_is_a_documented_function(verb: str) -> None:
 
 
 def test_a_verb_is_the_function_in_every_order_of_imports() -> None:
-    """The mechanism on the lightest room, each order in a fresh process forked before `upright` is loaded."""
+    """The mechanism on the lightest room, as a module and as a verb, each order in a fresh process forked before
+    `upright` is loaded."""
     steps = ("import upright.doctor.finding", "from upright import doctor", "import upright; upright.doctor",
              "from upright.doctor.finding import Finding")  # fmt: skip
     check = "import upright; assert upright.doctor.__name__ == 'doctor' and upright.doctor.__code__"
-    codes = ["\n".join([*order, check]) for order in itertools.permutations(steps, 2)]
+    codes = ["\n".join([*order, check]) for pair in (steps[:2], steps[2:]) for order in (pair, pair[::-1])]
     fork = (
-        "import os, numpy, scipy.signal\n"
+        "import os, numpy\n"
         "def failed(code):\n"
         "    if not (child := os.fork()):\n"
         "        try: exec(code, {})\n"
@@ -76,9 +77,9 @@ def test_a_verb_is_the_function_in_every_order_of_imports() -> None:
 
 
 def test_every_verb_is_a_function_after_all_rooms_are_imported() -> None:
-    rooms = "".join(f"import {room}\n" for room in ROOMS.values())
-    kinds = f"{{type(getattr(upright, name)).__name__ for name in {VERBS}}}"
-    assert executed(f"{rooms}import upright\nprint({kinds})") == "{'function'}"
+    for room in ROOMS.values():
+        importlib.import_module(room)
+    assert {type(getattr(up, name)).__name__ for name in VERBS} == {"function"}
 
 
 def test_a_room_is_importable_from_under_a_verb() -> None:

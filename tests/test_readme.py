@@ -6,11 +6,7 @@ import json
 import os
 import re
 import shlex
-import signal
-import subprocess
-import sys
 import time
-import urllib.request
 from pathlib import Path
 from typing import Any
 
@@ -116,20 +112,3 @@ def test_the_notebook_runs_and_shows_the_lab(folder: Path) -> None:
     assert any('<iframe src="lab/index.html#robot=nxtway-gs' in text for text in shown)
     assert len(nbformat.writes(notebook)) < 500_000  # with its figures: the page itself is a file beside it
     assert "uprightExport" in (folder / "lab" / "index.html").read_text("utf-8")
-
-
-def test_a_class_is_served_at_the_address_that_is_printed(tmp_path: Path) -> None:
-    """On any free port, since tests run side by side."""
-    (line,) = lines_of("lab --class")
-    command = [sys.executable, "-m", "upright", *shlex.split(line)[1:], "--port", "0", "--no-browser"]
-    lab = subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, text=True)
-    try:
-        assert lab.stdout is not None
-        addresses = dict(lab.stdout.readline().split() for _ in range(2))
-        assert set(addresses) == {"students:", "teacher:"}
-        for _ in range(3):
-            with urllib.request.urlopen(addresses["students:"].partition("#")[0], timeout=PATIENCE) as page:
-                assert page.status == 200
-    finally:
-        lab.send_signal(signal.SIGINT)
-        assert lab.wait(timeout=PATIENCE) in (0, 130)

@@ -42,8 +42,8 @@ def test_a_script_is_short_enough_to_be_read_at_once(path: Path) -> None:
     assert 15 <= len(path.read_text("utf-8").splitlines()) <= 45
 
 
-LONG = {"tune", "certify", "push_limits", "sweep"}
-"""What tries hundreds of robots, or pushes a robot again and again."""
+LONG = {"tune", "certify", "push_limits", "sweep", "calibrate"}
+"""What tries hundreds of robots, pushes a robot again and again, or fits all its parameters."""
 
 
 @pytest.mark.parametrize(

@@ -11,14 +11,19 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 
 import pytest
 
 from conftest import PATIENCE
+from upright.certify import certificate
 from upright.cli import guide
 from upright.cli.guide import STATE
 from upright.cli.main import main
+from upright.control import make_controller, write_controller
+from upright.robots import find_robot
+from upright.robots.kit import find_kit
 
 START = (sys.executable, "-m", "upright", "start")
 
@@ -26,11 +31,17 @@ START = (sys.executable, "-m", "upright", "start")
 @pytest.fixture
 def started(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Callable[..., str]:
     """`started(answers, folder)`: what `upright start` prints in that folder, with its steps in this process, which has
-    imported all, and not in processes of their own."""
+    imported all, and not in processes of their own; less is simulated and drawn."""
 
     def here(command: Sequence[str], folder: Path) -> int:
         with contextlib.chdir(folder):
-            return main(command)
+            if command[0] != "design":
+                return main(command)
+            _, method, _, name, _, file = command  # without its analysis, which takes longest
+            robot = find_robot(name)
+            kit = find_kit(robot.kit_name)
+            write_controller(make_controller(method, robot, kit, kit.period), file)
+            return 0
 
     def started(answers: str, folder: str = ".") -> str:
         monkeypatch.setattr("sys.stdin", io.StringIO(answers))
@@ -39,6 +50,8 @@ def started(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.Capt
 
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(guide, "_executed", here)
+    monkeypatch.setattr(guide, "PUSH", ("--push", "hold:0.1,until=1", "--seconds", "2"))
+    monkeypatch.setattr(certificate, "certify", partial(certificate.certify, sweeps=False))
     return started
 
 

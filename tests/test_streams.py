@@ -14,10 +14,11 @@ from typing import Any
 import pytest
 
 from conftest import PATIENCE
+from upright.robots import Robot
 
 COMMAND = [sys.executable, "-m", "upright"]
-PRINTS = ["linearise"]  # prints Greek letters
-SHOWS = ["robots", "show", "nxtway-gs"]  # prints them too, and computes nothing
+SHOWS = ["robots", "show", "nxtway-gs"]  # prints Greek letters, and computes nothing
+NOBODY = ["robots", "show", "nobody"]
 
 
 def run(arguments: list[str], **options: Any) -> subprocess.CompletedProcess[bytes]:
@@ -63,11 +64,11 @@ def close(*numbers: int) -> Callable[[], None]:
 @pytest.mark.parametrize("numbers", [(1,), (0, 1, 2)], ids=str)
 def test_a_closed_stream_is_nothing_to_a_command(numbers: tuple[int, ...], tmp_path: Path) -> None:
     inherited = {"stdin": None, "stdout": None, "stderr": None}
-    done = run([*PRINTS, "-o", str(tmp_path / "m.json")], preexec_fn=close(*numbers), **inherited)
+    done = run([*SHOWS, "-o", str(tmp_path / "m.toml")], preexec_fn=close(*numbers), **inherited)
     assert done.returncode == 0
-    assert set(json.loads((tmp_path / "m.json").read_text())) >= {"A", "B"}, "nothing else in its place"
-    assert [p.name for p in tmp_path.iterdir()] == ["m.json"]
-    assert run(["linearise", "--robot", "nobody"], preexec_fn=close(*numbers), **inherited).returncode == 2
+    assert Robot.load(tmp_path / "m.toml").wheel_radius == 0.04, "nothing else in its place"
+    assert [p.name for p in tmp_path.iterdir()] == ["m.toml"]
+    assert run(NOBODY, preexec_fn=close(*numbers), **inherited).returncode == 2
 
 
 @pytest.fixture
@@ -93,7 +94,7 @@ def test_a_full_stdout_is_one_line(full: Path) -> None:
 
 def test_a_full_stderr_changes_no_exit_code(full: Path) -> None:
     with full.open("wb") as stream:
-        assert run(["linearise", "--robot", "nobody"], stderr=stream).returncode == 2
+        assert run(NOBODY, stderr=stream).returncode == 2
         assert run(SHOWS, stderr=stream).returncode == 0
 
 
@@ -101,12 +102,12 @@ def test_a_reader_that_leaves_has_what_it_wants(tmp_path: Path) -> None:
     reader, writer = os.pipe()
     os.close(reader)
     try:
-        done = run([*PRINTS, "-o", str(tmp_path / "m.json")], stdout=writer)
+        done = run([*SHOWS, "-o", str(tmp_path / "m.toml")], stdout=writer)
     finally:
         os.close(writer)
     assert done.returncode == 0
     assert done.stderr == b""
-    assert (tmp_path / "m.json").exists()
+    assert (tmp_path / "m.toml").exists()
 
 
 def test_head_ends_nothing_badly() -> None:
@@ -119,6 +120,6 @@ def test_head_ends_nothing_badly() -> None:
 
 def test_a_name_in_no_alphabet_is_printed_and_written(tmp_path: Path) -> None:
     odd = os.fsencode(tmp_path) + b"/\xff.json"
-    done = run([*PRINTS, "-o", odd.decode("utf-8", "surrogateescape")])
+    done = run(["linearise", "-o", odd.decode("utf-8", "surrogateescape")])
     assert done.returncode == 0
     assert os.path.exists(odd)
