@@ -7,6 +7,7 @@ import math
 import re
 import time
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -59,6 +60,7 @@ from upright.signals import Log
 
 ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
 MODEL = Setup(bodies=("nonlinear",))
+LIGHT = TASKS["light"]
 
 
 def a_session(tmp_path: Path, setup: Setup = MODEL, **options: object) -> tuple[Session, InlineDesk]:
@@ -209,7 +211,15 @@ def test_weights_and_gains_reach_the_controller(tmp_path):
     assert f" {analysed.delay * 1e3:.0f} ms more delay" in analysed.words  # the table's number and the sentence's
 
 
-def test_the_light_follows_and_a_spoilt_gain_is_red(tmp_path):
+@cache
+def light_of(setup: Setup) -> tuple[Light, list[tuple[float, int]]]:
+    """Its light, and what was told of it meanwhile."""
+    told: list[tuple[float, int]] = []
+    return LIGHT(lambda fraction, runs=0: told.append((fraction, runs)), setup), told
+
+
+def test_the_light_follows_and_a_spoilt_gain_is_red(tmp_path, monkeypatch):
+    monkeypatch.setitem(TASKS, "light", lambda _, setup: light_of(setup)[0])
     session, desk = a_session(tmp_path)
     lit = only(Light, attended(session, desk))[-1]
     assert lit.light == "green"
@@ -271,8 +281,7 @@ def test_the_tour_says_truly_that_the_payload_makes_the_ghost_fall(tmp_path, wai
 
 def test_the_light_counts_its_runs():
     """300 robots under each of three pushes on each of two batteries (docs/certificate.md); all are done at the end."""
-    told: list[tuple[float, int]] = []
-    TASKS["light"](lambda fraction, runs=0: told.append((fraction, runs)), Setup())
+    _, told = light_of(MODEL)
     assert {runs for _, runs in told} == {300 * 3 * 2}
     assert [fraction for fraction, _ in told] == pytest.approx([k / 6 for k in range(7)])
 
