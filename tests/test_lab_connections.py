@@ -5,8 +5,6 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import os
-import resource
-import signal
 import socket
 import subprocess
 import sys
@@ -153,14 +151,15 @@ def _open(sock: socket.socket) -> bool:
 
 def test_three_hundred_idle_connections_leave_room_for_a_newcomer():
     """At the 256 files that some systems give a process: the server alone in one, without a stage."""
-    program = "import sys, test_lab_connections as t; s = t.Served(); print(s.lab.port, flush=True); sys.stdin.read()"
-    command = [sys.executable, "-c", f"{program}; s.close()"]
-
-    def few_files() -> None:
-        resource.setrlimit(resource.RLIMIT_NOFILE, (256, 256))
-
+    program = """import resource, sys
+resource.setrlimit(resource.RLIMIT_NOFILE, (256, 256))
+from test_lab_connections import Served
+served = Served()
+print(served.lab.port, flush=True)
+sys.stdin.read()
+served.close()"""
     pipes: Any = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.PIPE)
-    process = subprocess.Popen(command, text=True, cwd=Path(__file__).parent, preexec_fn=few_files, **pipes)
+    process = subprocess.Popen([sys.executable, "-c", program], text=True, cwd=Path(__file__).parent, **pipes)
     try:
         assert process.stdout
         port = int(process.stdout.readline())
