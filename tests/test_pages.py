@@ -49,7 +49,7 @@ def bench() -> Bench:
 RESULTS: dict[str, Callable[[], Any]] = {
     "comparison": lambda: compare({"twin": run(0.5), "nonlinear model": run(0.4), "linear": run(0.3)}),
     "design": lambda: design("lqg", "nxtway-gs"),
-    "fleet": lambda: fleet("nxtway-gs", 20, vary={"com_height": "±10%"}, pushes=(Impulse(impulse=0.1),), seconds=1.0),
+    "fleet": lambda: fleet("nxtway-gs", 20, vary={"com_height": "±10%"}, pushes=(Impulse(impulse=0.1),), seconds=2.0),
     "basin": lambda: basin(ensemble_of("nxtway-gs", seconds=1.0), Axis("pitch", -1.0, 1.0, 5), Axis("wheel", -1, 1, 3)),
     "bench": bench,
 }
