@@ -142,7 +142,7 @@ def test_everybody_hears_of_a_stage_that_died_and_who_ended_it_gets_the_usual_ro
 
 
 def test_a_stage_that_is_killed_or_hangs_is_replaced(monkeypatch):
-    """Killed by the system, as for want of memory; then stopped, as by an endless computation outside Python. How
+    """Stopped, as by an endless computation outside Python; then killed by the system, as for want of memory. How
     soon, within a second on a quiet machine, is measured by `benchmarks/abuse.py lab`.
 
     Linux gives each session an equal part of the machine: in one of its own, a job's `nice` would count beside its
@@ -178,11 +178,12 @@ def test_a_stage_that_is_killed_or_hangs_is_replaced(monkeypatch):
         pid = link._process.pid or 0
         assert os.getsid(pid) == os.getsid(0)
         assert os.getpgid(pid) == pid
-        strike(signal.SIGKILL)
-        await until("Notice")
-        await until("Snapshot")
         strike(signal.SIGSTOP)
         await until("Notice", hub.check)
+        while link._process.pid in (None, pid):
+            await asyncio.sleep(0.02)
+        strike(signal.SIGKILL)  # the next one, while it still begins: that costs nothing
+        await until("Notice")
         await until("Snapshot")
 
     try:
@@ -238,8 +239,7 @@ def test_thousand_steps_of_hostile_students_starve_nobody(classroom, monkeypatch
                 classroom.hub.receive(client, encode(Step(1000)))
 
     work.second(honest)
-    for _ in range(2):
-        assert min(work.second(honest, attack).values()) >= 25
+    assert min(work.second(honest, attack).values()) >= 25
     classroom.hub.receive(honest[0], encode(Drag(0.5, 0.1)))
     assert min(work.second(honest).values()) >= 25
     seats = classroom.stage.stage._seats
@@ -287,7 +287,7 @@ def test_a_setup_that_computes_for_ever_is_stopped(classroom, monkeypatch):
     """A planted endless loop ends in a message, when its computing time has run out."""
     ana = student(classroom, "Ana")
     stage = classroom.stage.stage
-    monkeypatch.setattr(stage, "_options", replace(stage._options, longest=0.5))
+    monkeypatch.setattr(stage, "_options", replace(stage._options, longest=0.25))
     change = session_module.Session._change
 
     def endless(self: Any, message: Any) -> None:
@@ -300,7 +300,7 @@ def test_a_setup_that_computes_for_ever_is_stopped(classroom, monkeypatch):
     classroom.hub.receive(ana, encode(Change(replace(MODEL, payload=0.5))))
     classroom.stage.pump(0.04)
     (notice,) = [m for m in heard(ana) if m["kind"] == "Notice"]
-    assert "longer than 0.5 s" in notice["text"]
+    assert "longer than 0.25 s" in notice["text"]
     monkeypatch.undo()  # what follows has as much time as a busy machine needs
     assert goes_on(classroom, ana)
 

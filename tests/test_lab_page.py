@@ -17,7 +17,7 @@ from typing import Any
 
 import pytest
 
-from conftest import PATIENCE, patient
+from conftest import PATIENCE, listening, patient
 from upright.experiment.examples import example
 from upright.lab.codec import plain
 from upright.lab.messages import Light, Setup
@@ -87,11 +87,78 @@ def page(browser: Any, lab: Lab, lend: Any) -> Iterator[Any]:
     yield from watched(lend(browser, *WINDOW), lab)
 
 
+BEFORE = """() => {
+    const { store } = upright;
+    window.whole = { send: store.send, now: performance.now, setup: JSON.stringify(store.setup) };
+}"""
+"""What a test may have replaced on a page that stays open."""
+
+AS_NEW = """() => {
+    const { store } = upright;
+    const { send, now, setup } = window.whole;
+    [store.send, performance.now] = [send, now];
+    document.querySelectorAll('.toast').forEach((toast) => toast.remove());
+    for (const kept of [localStorage, sessionStorage]) kept.clear();
+    if (JSON.stringify(store.setup) !== setup) store.change(JSON.parse(setup));
+    store.send({ kind: 'StandUp', pitch: 0 });
+    store.send({ kind: 'Play', paused: false, speed: 1 });
+    scrollTo(0, 0);
+}"""
+
+
+class Kept:
+    """The page that stays open."""
+
+    page: Any = None
+
+
+@pytest.fixture(scope="module")
+def kept() -> Iterator[Kept]:
+    made = Kept()
+    yield made
+    if made.page:
+        made.page.context.close()
+
+
+@pytest.fixture
+def open_page(request: pytest.FixtureRequest, browser: Any, lab: Lab, kept: Kept) -> Iterator[Any]:
+    """One page on the lab for all tests that tell it something and see what it shows: to load one takes a second. Each
+    finds it with the usual set-up, language, size and tab; one on which a test failed is left to nobody."""
+    failed = request.session.testsfailed
+    if not kept.page:
+        kept.page = listening(browser.new_context().new_page())
+        kept.page.asked, kept.page.wrong = list[str](), list[str]()
+        kept.page.emulate_media(color_scheme="light", reduced_motion="reduce")
+        kept.page.goto(lab.url)
+        ready(kept.page)
+        until(kept.page, "upright.store.settled && upright.store.analysed")
+        kept.page.evaluate(BEFORE)
+    page = kept.page
+    page.asked.clear(), page.wrong.clear()
+    page.set_viewport_size(dict(zip(("width", "height"), WINDOW, strict=True)))
+    page.select_option("[data-key=language]", "en")
+    page.evaluate(AS_NEW)
+    page.evaluate("upright.page.open('Controller')")
+    until(page, "upright.store.settled && upright.store.analysed && !upright.store.snapshot.paused")
+    yield page
+    if request.session.testsfailed > failed:
+        page.context.close()
+        kept.page = None
+    else:
+        page.evaluate("upright.store.send({ kind: 'Play', paused: true, speed: 1 })")  # it costs the lab no time
+    orderly(page, lab)
+
+
 def watched(page: Any, lab: Lab) -> Iterator[Any]:
-    """A page that has heard from its session; it may ask no other host and log no error."""
+    """A page that has heard from its session."""
     page.goto(lab.url)
     ready(page)
     yield page
+    orderly(page, lab)
+
+
+def orderly(page: Any, lab: Lab) -> None:
+    """A page may ask no other host and log no error."""
     assert [url for url in page.asked if not url.startswith((lab.url, "data:", "blob:"))] == []
     harmless = ("WebSocket", "ERR_CONNECTION", "WebGL")
     assert [text for text in page.wrong if not any(word in text for word in harmless)] == []
@@ -194,7 +261,8 @@ def test_the_side_view_of_a_browser_without_3d_can_be_pushed_too(page):
     page.mouse.up()
 
 
-def test_at_first_sight(page):
+def test_at_first_sight(open_page):
+    page = open_page
     assert page.title() == "upright lab"
     captions = page.locator(".strip figcaption b")
     assert [text.split()[0] for text in captions.all_inner_texts()] == ["ψ", "θ"]  # what a push is seen by, and large
@@ -532,7 +600,8 @@ def test_the_keyboard_alone_does_it(page):
     assert page.locator("#tab-Robot").get_attribute("aria-selected") == "true"
 
 
-def test_everything_has_a_name_for_who_does_not_see_it(page):
+def test_everything_has_a_name_for_who_does_not_see_it(open_page):
+    page = open_page
     nameless = """[...document.querySelectorAll('button, input, select, canvas, progress, [role=tab], [role=img]')]
         .filter(e => e.offsetParent && !e.closest('[aria-hidden=true]')
             && !(e.getAttribute('aria-label') || e.textContent.trim()
@@ -547,8 +616,9 @@ def test_everything_has_a_name_for_who_does_not_see_it(page):
     assert page.evaluate(nameless) == []
 
 
-def test_the_accessibility_tree_names_everything(page):
+def test_the_accessibility_tree_names_everything(open_page):
     """As a screen reader is told it, by the browser itself."""
+    page = open_page
     spoken = {"button", "checkbox", "combobox", "slider", "spinbutton", "textbox", "tab", "tablist", "image", "img"}
     spoken |= {"progressbar", "dialog", "region", "tabpanel", "link", "figure"}
     session = page.context.new_cdp_session(page)
@@ -650,8 +720,9 @@ def test_a_log_of_another_robot_is_refused_under_the_button_with_what_to_do(page
     until(page, "!document.querySelector('.failed').textContent")
 
 
-def test_the_notes_of_a_calibration_are_in_spanish_too(page):
+def test_the_notes_of_a_calibration_are_in_spanish_too(open_page):
     """As `calibrate` writes them."""
+    page = open_page
     notes = (
         "What looks like a push at 3.1, 8.24 s bends the numbers, since no push is known; try --between-knocks.",
         "Outside of what was known before: com_height (1.2 times the file), track (0.99 times the file). "
@@ -678,8 +749,9 @@ def test_the_notes_of_a_calibration_are_in_spanish_too(page):
     assert "altura del centro de masa (1,2 veces el archivo)" in lines.nth(1).inner_text()
 
 
-def test_each_phrase_of_the_server_has_its_own_translation(page):
+def test_each_phrase_of_the_server_has_its_own_translation(open_page):
     """No pattern takes another's sentence: "{0} by {1}" made "drives por voltage" of "drives by voltage"."""
+    page = open_page
     web = Path(__file__).parents[1] / "src/upright/lab/web"
     phrases = json.loads((web / "src/texts/phrases.es.json").read_text(encoding="utf-8"))
     filled = [[re.sub(r"\{\d\}", "7", text) for text in pair] for pair in phrases]
@@ -715,8 +787,9 @@ def test_a_phone_s_large_curve_shows_the_fall_that_the_tour_asks_about(page):
     until(page, f"Math.abs({scale}[1] - {scale}[0] - 1) < 1e-3")
 
 
-def test_a_fallen_body_leaves_the_scale_to_those_that_stand(page):
+def test_a_fallen_body_leaves_the_scale_to_those_that_stand(open_page):
     """It lies at π/2; the others stand within 0.1 rad."""
+    page = open_page
     page.evaluate("upright.store.send({ kind: 'Play', paused: true, speed: 1 })")
     until(page, "upright.store.snapshot.paused")
     page.evaluate("""() => {
@@ -728,7 +801,8 @@ def test_a_fallen_body_leaves_the_scale_to_those_that_stand(page):
 
 
 @pytest.mark.parametrize("width", [390, pytest.param(1366, marks=pytest.mark.evidence)])
-def test_the_light_leads_to_its_reasons(page, width):
+def test_the_light_leads_to_its_reasons(open_page, width):
+    page = open_page
     page.set_viewport_size({"width": width, "height": 844 if width == 390 else 768})
     lit(page)
     tab(page, "Keep")
@@ -790,8 +864,9 @@ def test_the_tour_is_walked_by_keys_and_by_buttons(page, language):
     assert page.inner_text(".tour h3") == texts["tour"][7]["title"]
 
 
-def test_the_equations_with_their_numbers_are_those_of_the_dynamics(page):
+def test_the_equations_with_their_numbers_are_those_of_the_dynamics(open_page):
     """Both sides of each, with the accelerations of `physics.dynamics`; numbers are shown to two digits and more."""
+    page = open_page
     page.evaluate("upright.store.change({numbers: {coulomb_friction: 0, wheel_friction: 0}})")
     until(page, "upright.store.changed.setup.numbers.coulomb_friction === 0")
     tab(page, "See")
@@ -831,8 +906,9 @@ def test_nothing_moves_for_who_asked_for_less_motion(browser, lab, lend):
         *(pytest.param(size, marks=pytest.mark.evidence) for size in ((1440, 900), (1920, 1080), (2560, 1440))),
     ],
 )
-def test_from_phone_to_wall_nothing_is_cut_off(page, size):
+def test_from_phone_to_wall_nothing_is_cut_off(open_page, size):
     """No panel is wider than the screen, no button narrower than its text; on a wall type is half as large again."""
+    page = open_page
     page.set_viewport_size(dict(zip(("width", "height"), size, strict=True)))
     cut = "[...document.querySelectorAll('button, label, th, .strip figcaption')].filter(e => e.offsetParent)"
     cut += ".filter(e => e.scrollWidth > e.clientWidth + 1 && getComputedStyle(e).display !== 'inline')"
@@ -977,8 +1053,9 @@ SEEN_AT_ONCE = """[...document.querySelectorAll('.room, .strip:first-child, .tab
 
 
 @pytest.mark.parametrize("language", [pytest.param("en", marks=pytest.mark.evidence), "es"])
-def test_a_laptop_shows_room_pitch_and_the_open_tab_at_once(page, language):
+def test_a_laptop_shows_room_pitch_and_the_open_tab_at_once(open_page, language):
     """1366 × 768, the commonest laptop: nothing scrolls but the inside of a tab."""
+    page = open_page
     page.set_viewport_size({"width": 1366, "height": 768})
     page.select_option("[data-key=language]", language)
     for name in ("Controller", "Robot", "Kit", "See", "Identify", "Keep", "Tour"):
@@ -988,8 +1065,9 @@ def test_a_laptop_shows_room_pitch_and_the_open_tab_at_once(page, language):
     assert page.locator(".room").bounding_box()["height"] > 768 / 3  # and the robot is no stamp
 
 
-def test_nothing_of_the_controller_before_stays_under_the_new_name(page):
+def test_nothing_of_the_controller_before_stays_under_the_new_name(open_page):
     """Gains, margins and light go with the choice itself, and none of the old ones comes back."""
+    page = open_page
     lit(page)
     at_once = page.evaluate("""() => {
         window.shown = [];
@@ -1050,8 +1128,9 @@ LIGHTS = """() => ['none', 'green', 'amber', 'red'].flatMap(light => [0, 1, 2, 3
 @pytest.mark.parametrize(
     "size", [*((pytest.param(s, marks=pytest.mark.evidence)) for s in ((1366, 768), (844, 390))), (390, 844)]
 )
-def test_no_words_of_the_bar_move_the_page_or_are_cut(page, size):
+def test_no_words_of_the_bar_move_the_page_or_are_cut(open_page, size):
     """Whatever the certificate says, and while the connection is lost; the whole of it is the light's title."""
+    page = open_page
     page.set_viewport_size(dict(zip(("width", "height"), size, strict=True)))
     lit(page)
     for language in ("en", "es"):
@@ -1081,8 +1160,9 @@ UNDER = """() => [...document.querySelectorAll('.toast')].flatMap(toast => {
     "size",
     [*((pytest.param(s, marks=pytest.mark.evidence)) for s in ((768, 1024), (390, 844))), (1366, 768), (390, 664)],
 )
-def test_what_the_corner_says_covers_nothing_to_press(page, size):
+def test_what_the_corner_says_covers_nothing_to_press(open_page, size):
     """Under a robot that lies, with its button, at the top of the page and in the tour."""
+    page = open_page
     page.set_viewport_size(dict(zip(("width", "height"), size, strict=True)))
     page.evaluate("upright.store.change({ controller: 'off' }); upright.store.send({ kind: 'StandUp', pitch: 0.1 })")
     until(page, "upright.store.snapshot.x[0][8] && document.querySelector('.fell button')")
@@ -1133,8 +1213,9 @@ def test_gains_by_hand_begin_with_those_of_the_present_controller(page):
     assert page.locator("[data-key=gain-0]").get_attribute("aria-valuetext") != "0"
 
 
-def test_a_calibration_that_is_done_is_no_red_toast(page):
+def test_a_calibration_that_is_done_is_no_red_toast(open_page):
     """Whatever it found: red is for what went wrong."""
+    page = open_page
     page.evaluate("""upright.store.hear({kind: 'JobResult', job: 'calibrate', title: 'nxtway-gs from 900 samples',
         text: '', header: [], rows: [], ok: false})""")
     toast = page.locator(".toast").last
@@ -1142,8 +1223,9 @@ def test_a_calibration_that_is_done_is_no_red_toast(page):
     assert "error" not in toast.get_attribute("class")
 
 
-def test_a_job_says_what_it_computes_and_how_long_it_still_takes(page):
+def test_a_job_says_what_it_computes_and_how_long_it_still_takes(open_page):
     """A third of what is left was done in 1.2 s: two thirds take twice as long."""
+    page = open_page
     tab(page, "Identify")
     tell = "upright.store.hear({{kind: 'Progress', job: 'calibrate', fraction: {}}})"
     page.evaluate(tell.format(0))
@@ -1251,8 +1333,9 @@ def test_each_push_is_named_at_its_own_line(page, width):
     assert named >= {"impulse", "stood"} if width == 390 else named == set(known)  # a phone has room for few
 
 
-def test_the_full_certificate_stands_under_its_button(page):
+def test_the_full_certificate_stands_under_its_button(open_page):
     """In the same tab, in both languages, and no longer than its controller."""
+    page = open_page
     from upright.certify.pushes import standard_pushes
     from upright.robots import Kit
 
@@ -1327,8 +1410,9 @@ def test_a_hand_in_of_the_page_is_graded(page, tmp_path):
     assert (graded.student, graded.task, graded.verdict) == ("Ana", "push", "ok"), graded.why
 
 
-def test_a_calibration_of_a_loaded_run_says_what_to_do_first(page):
+def test_a_calibration_of_a_loaded_run_says_what_to_do_first(open_page):
     """What "refused" means stands there, and what the log does not separate is folded."""
+    page = open_page
     page.evaluate("upright.store.change({ payload: 0.2 })")
     tab(page, "Identify")
     page.evaluate("""() => {  // no job begins, whose own result would come at any time
@@ -1357,7 +1441,8 @@ def test_a_calibration_of_a_loaded_run_says_what_to_do_first(page):
 UNLIT = "upright.store.hear({ kind: 'Light', light: 'none', reasons: [], delay: null, delay_at: '' })"
 
 
-def test_a_certificate_that_waits_for_a_job_says_so(page):
+def test_a_certificate_that_waits_for_a_job_says_so(open_page):
+    page = open_page
     tab(page, "Controller")
     waits, computes = page.evaluate(f"""() => {{ // at once: a light of the session's own comes at any time
         const calibrated = (fraction) => {{
@@ -1517,8 +1602,9 @@ def test_the_fall_of_the_tour_fills_its_curve(page):
     until(page, f"{top} > 1")  # the next one shows the fall down to the floor
 
 
-def test_what_is_said_follows_the_language(page):
+def test_what_is_said_follows_the_language(open_page):
     """Messages that stand there when the language is changed, in the room, in the corner and in a tab not open then."""
+    page = open_page
     tab(page, "Keep")
     page.click("[data-key=link]")
     page.click("[data-key=keep-robot]")

@@ -135,7 +135,7 @@ def test_a_page_moves_a_robot_as_python_does(tmp_path, name):
     cases = [
         (quiet(kit, exact), CONTROLLERS[family](robot, kit, kit.period), seconds)
         for family in ("lqg", "sliding", "lqi" if name == "twipr" else "mpc")
-        for exact, seconds in ((True, 4.0), (False, 1.5))
+        for exact, seconds in ((True, 2.5), (False, 1.5))
     ]
     parts = [part(robot, some, printed_law(c, some), push, seconds) for some, c, seconds in cases]
     pages = pages_of(tmp_path, *parts)
@@ -209,8 +209,8 @@ def test_the_present_gains_by_hand_are_the_design(tmp_path, name):
 @pytest.mark.needs("node")
 def test_margins_of_gains_by_hand_are_python_s(tmp_path):
     """Of the LQR's gains, of others that balance, and of ones that do not; delays of half a period and of five."""
-    cases = [("ev3way", (1.5, 0.8, 1.3, 0.9, 1, 1)), ("nxtway-gs", (0.7, 1.2, 0.8, 1.1, 1.4, 0.6)),
-             ("nxtway-gs", (0.1, 1, 1, 1, 1, 1)), ("twipr", (1, 1, 1, 1, 1, 1))]  # fmt: skip
+    cases = [("nxtway-gs", (0.7, 1.2, 0.8, 1.1, 1.4, 0.6)), ("nxtway-gs", (0.1, 1, 1, 1, 1, 1)),
+             ("twipr", (1, 1, 1, 1, 1, 1))]  # fmt: skip
     code, python = f"import {{ analysed }} from {json.dumps(str(WEB / 'src' / 'margins.js'))};const all = [];", []
     for name, factors in cases:
         robot = Robot.preset(name)
@@ -223,7 +223,7 @@ def test_margins_of_gains_by_hand_are_python_s(tmp_path):
         law = JavaScriptPrinter(gains_program(robot, kit)).text()
         code += f"all.push(analysed({json.dumps(linear_plant(robot, kit))}, {law}, {list(gains)}));"
     page = node(tmp_path, code + "console.log(JSON.stringify(all));")
-    assert [a.stable for a in python] == [True, True, False, True]
+    assert [a.stable for a in python] == [True, False, True]
     for mine, its in zip(python, page, strict=True):
         assert (mine.stable, mine.words) == (its["stable"], its["words"])
         assert len(mine.poles) == len(its["poles"])
@@ -337,7 +337,8 @@ def test_another_page_is_never_written_over(tmp_path, capsys):
     assert (tmp_path / "index.html").read_text("utf-8") == "<h1>mine</h1>"
 
 
-def test_other_files_of_the_folder_stay(tmp_path):
+def test_other_files_of_the_folder_stay(tmp_path, monkeypatch):
+    monkeypatch.setattr("upright.lab.export.linear_margins", lambda *_, **__: None)  # whatever stands in the page
     (tmp_path / "notes.txt").write_text("mine", "utf-8")
     said, done = list[str](), list[float]()
     export(tmp_path, ["nxtway-gs", "ev3way"], ["lqr"], say=said.append, progress=done.append)

@@ -14,7 +14,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from upright.certify.design import Designed, design
+from upright.certify.design import Designed
 from upright.comparison import compare
 from upright.comparison.bench import Bench, BenchRow
 from upright.control import design_of, make_controller
@@ -228,15 +228,16 @@ def test_no_line_breaks_between_a_number_and_its_unit_or_inside_a_unit(text, who
         assert whole in shown
 
 
-def test_the_same_page_is_the_same_bytes(comparison, tmp_path):
-    first, second = (report(comparison, tmp_path / name) for name in ("a.html", "b.html"))  # each is drawn anew
+def test_the_same_page_is_the_same_bytes(tmp_path):
+    first, second = (page().write(tmp_path / name) for name in ("a.html", "b.html"))  # each is drawn anew
     assert first.read_bytes() == second.read_bytes()
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.html", "b.html"]  # no temporary file stays
 
 
-def test_a_title_replaces_the_pages_own_and_a_result_without_a_page_says_so(comparison, htmls, tmp_path):
+def test_a_title_replaces_the_pages_own_and_a_result_without_a_page_says_so(htmls, tmp_path):
     assert "<title>2 runs beside twin; the worst, linear, fits " in htmls[1]
-    assert "<title>Two &amp; one</title>" in report(comparison, tmp_path / "a.html", title="Two & one").read_text()
+    cases = Cases((CaseSummary({"robot": "a"}, 100, 0, clopper_pearson(0, 100), {}),))
+    assert "<title>Two &amp; one</title>" in report(cases, tmp_path / "a.html", title="Two & one").read_text()
     with pytest.raises(UprightError, match="float has no page; expected a result: Comparison, Calibration") as error:
         report(1.0, tmp_path / "b.html")
     assert "\n" not in str(error.value)
@@ -411,9 +412,10 @@ def test_the_unit_circle_is_round_and_poles_stand_where_they_are():
 def test_a_state_without_motion_is_a_sentence_and_no_figure_of_rounding():
     still = run()
     quiet = Log(still.t, {**still.channels, "truth/yaw": 1e-17 * np.sin(still.t)}, origin=still.origin)
-    html = page_of(compare({"a": quiet, "b": quiet})).html()
-    assert "No motion of yaw." in html
-    assert ">yaw [rad]<" not in html
+    others = next(s for s in page_of(compare({"a": quiet, "b": quiet})).sections if s.heading == "Other states").items
+    assert "No motion of yaw." in others
+    assert not [item for item in others if isinstance(item, Figure) and item.title.startswith("Yaw,")]
+    assert [item for item in others if isinstance(item, Figure) and item.title.startswith("Yaw rate,")]
 
 
 def test_a_campaign_is_ranked_by_falls_and_what_nobody_survived_has_a_dash():
@@ -535,8 +537,9 @@ def test_a_bench_takes_of_tied_controllers_the_one_with_the_least_effort():
 def test_a_run_that_dwarfs_the_reference_is_cut_and_named():
     base = run()
     wild = Log(base.t, {**base.channels, "truth/yaw": np.exp(base.t)}, origin=base.origin)
-    html = page_of(compare({"a": base, "wild": wild})).html()
-    assert "Cut at the frame: wild." in html
+    items = [item for section in page_of(compare({"a": base, "wild": wild})).sections for item in section.items]
+    (cut,) = [item for item in items if isinstance(item, Figure) and item.note == "Cut at the frame: wild."]
+    html = cut.svg()
     clips = set(re.findall(r'<clipPath id="([\w-]+)"', html))
     assert clips >= set(re.findall(r'clip-path="url\(#([\w-]+)\)"', html)) != set()
 
@@ -615,9 +618,8 @@ def test_words_that_only_folded_parts_use_are_folded_too():
 
 def test_a_designs_page_has_its_weights_and_gains():
     """Bryson's rule: 1/0.15² of pitch, 1/4² of a volt (`LARGEST_STATE`, `LARGEST_COMMAND`)."""
-    result = design("lqg", "nxtway-gs")
-    page = page_of(result)
-    section = next(section for section in page.sections if section.heading == "The controller")
+    result = designed("lqg")
+    section = controller_section(result)
     assert section.folded
     words, cost, weights, _, filtered = section.items
     assert words.startswith("It reads encoder left, encoder right and gyro every 10 ms, and commands each motor in V.")
