@@ -33,7 +33,7 @@ from upright.signals import Log
 NXT = Robot.preset("nxtway-gs")
 KIT = Kit.preset("nxt")
 LQG = make_controller("lqg", NXT, KIT, 0.01)
-SECONDS = 5.0
+SECONDS = 3.0
 FEW = Limits(falls=0.05, travel=0.4)
 """A hundred robots without a fall prove 2.95 %, not 1 %."""
 
@@ -235,7 +235,7 @@ def test_what_cannot_be_designed_gets_one_line() -> None:
         ({"enough": 0.5}, InvalidScenario, "enough"),
     ]
     for changes, error, says in wrong:
-        options = {"controller": LQG, "seconds": 2.0, "samples": 100} | changes
+        options = {"controller": LQG, "seconds": 1.0, "samples": 100} | changes
         with pytest.raises(error, match=says) as caught:
             excite(NXT, KIT, **options)
         assert "\n" not in str(caught.value)
