@@ -235,7 +235,7 @@ def test_what_cannot_be_designed_gets_one_line() -> None:
         ({"enough": 0.5}, InvalidScenario, "enough"),
     ]
     for changes, error, says in wrong:
-        options = {"controller": LQG, "seconds": 1.0, "samples": 100} | changes
+        options = {"controller": LQG, "seconds": 2.0, "samples": 100} | changes
         with pytest.raises(error, match=says) as caught:
             excite(NXT, KIT, **options)
         assert "\n" not in str(caught.value)
