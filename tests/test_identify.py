@@ -403,7 +403,13 @@ def test_the_command_writes_a_model_like_linearise_and_a_controller(
     assert not held.origin["outcome"]["fell"]
 
 
-def test_the_command_compares_all_methods(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_compares_all_methods(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With a calibration that found the robot, as `test_calibrate` claims of it."""
+    numbers = {"value": POLE, "low": POLE - 0.1, "high": POLE + 0.1, "prior": POLE, "prior_spread": 1.0}
+    pole = Estimate(name="unstable_pole", unit="1/s", verdict="visible", shift=0.0, shrink=0.1, **numbers)
+    monkeypatch.setattr(Study, "calibration", Calibrated(ROBOT, pole))
     log, page = tmp_path / "run.parquet", tmp_path / "page.html"
     sensed(5.0).save(log)  # what is claimed needs no more
     ask = ["identify", str(log), "--robot", "nxtway-gs-measured", "--method", "all", "--repeats", "0"]
@@ -412,7 +418,7 @@ def test_the_command_compares_all_methods(tmp_path: Path, capsys: pytest.Capture
     assert set(said["models"]) == set(IDENTIFIERS)
     assert said["in_the_loop"]["calibrate"]["holds"]
     low, high = (said["models"]["calibrate"]["unstable_pole"][side] for side in ("low", "high"))
-    assert low - 0.1 < POLE < high + 0.1  # 95 %, and the kit's gyro has a grain that this one has not
+    assert (low, high) == pytest.approx((POLE - 0.1, POLE + 0.1))
     assert "calibrate" in page.read_text("utf-8")
 
 

@@ -40,7 +40,7 @@ from upright.diagnose.causes import (
 )
 from upright.diagnose.chances import EARLIER, toppled
 from upright.diagnose.changes import frictions
-from upright.diagnose.evidence import gather
+from upright.diagnose.evidence import _match, gather
 from upright.diagnose.fall import fall_time, lost_lately, stuck_sensor
 from upright.diagnose.fault_fits import FaultFit, PushEstimate, exceeding, fits, least_squares
 from upright.diagnose.forces import sliding
@@ -405,10 +405,15 @@ def test_a_charge_for_every_row_is_what_the_electronics_make_of_each() -> None:
         assert np.allclose(driven(asked, KIT, "V", charge, pwm=pwm), one_by_one)
 
 
-def test_changed_gain_is_named_with_its_number_with_the_file() -> None:
-    found = post_mortem(weakened(), NXT, KIT, designed())
-    assert found.verdict == "gain too low"
-    assert "0.25 times" in found.causes[0].evidence  # what was planted; the replay is exact
+def test_with_the_file_a_changed_gain_has_its_number() -> None:
+    run = follow(weakened(), NXT, KIT)
+    fell_at = fall_time(run)
+    assert fell_at is not None
+    match, stable, _ = _match(run, designed(), fell_at)
+    assert match is not None
+    assert match.explained > 0.99
+    assert stable
+    assert match.gain == pytest.approx(0.25, abs=0.005)  # what was planted; the replay is exact
 
 
 def test_low_gain_shows_in_the_data_alone() -> None:
