@@ -256,7 +256,7 @@ def test_a_gyro_that_is_turned_is_said_before_what_looks_like_pushes_under_anoth
     """That file explains no motion, so that all of it looks pushed: who dithers as was advised turns no gyro. No cause
     is looked for, in a minute, of what the doctor knows in a second."""
     monkeypatch.delattr(import_module("upright.calibrate.calibrate"), "refined")
-    log = example("excited").between(0.0, 3.0)
+    log = example("excited").between(0.0, 4.0)
     turned = {n: -v if n == "sensor/gyro" else v for n, v in log.channels.items() if n.startswith(("sens", "appl"))}
     found = calibrate(Log(log.t, turned, log.units), "ev3way")
     assert "its sign is opposite" in found.refused[0]

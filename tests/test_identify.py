@@ -410,16 +410,15 @@ def test_the_command_compares_all_methods(
     numbers = {"value": POLE, "low": POLE - 0.1, "high": POLE + 0.1, "prior": POLE, "prior_spread": 1.0}
     pole = Estimate(name="unstable_pole", unit="1/s", verdict="visible", shift=0.0, shrink=0.1, **numbers)
     monkeypatch.setattr(Study, "calibration", Calibrated(ROBOT, pole))
-    log, page = tmp_path / "run.parquet", tmp_path / "page.html"
+    log = tmp_path / "run.parquet"
     sensed(5.0).save(log)  # what is claimed needs no more
     ask = ["identify", str(log), "--robot", "nxtway-gs-measured", "--method", "all", "--repeats", "0"]
-    assert main([*ask, "--report", str(page), "--json"]) == 0
+    assert main([*ask, "--json"]) == 0
     said = json.loads(capsys.readouterr().out)
     assert set(said["models"]) == set(IDENTIFIERS)
     assert said["in_the_loop"]["calibrate"]["holds"]
     low, high = (said["models"]["calibrate"]["unstable_pole"][side] for side in ("low", "high"))
     assert (low, high) == pytest.approx((POLE - 0.1, POLE + 0.1))
-    assert "calibrate" in page.read_text("utf-8")
 
 
 @pytest.mark.evidence
