@@ -16,7 +16,7 @@ from upright.experiment import Impulse, run
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
-HIT = 3.0  # [s] long after the start, in ordinary balance
+HIT = 2.0  # [s] long after the start, in ordinary balance
 BLOWS = (
     ("ev3way", "lqg", "nonlinear", 0.8),
     ("ev3way-large-wheels", "pid", "twin", -3.0),

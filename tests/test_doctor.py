@@ -490,9 +490,9 @@ def test_a_slow_motion_tells_no_lag_and_a_quiet_gyro_no_range() -> None:
     """A robot held and let go rolls so slowly that any lag fits its commands; one at rest reads only −1, 0 and 1 step
     of its gyro. Neither is a fault."""
     robot, spike, ev3 = Robot.preset("nxtway-gs"), Kit.preset("spike"), Kit.preset("ev3")
-    held = run(Electronics(Twin(robot), spike), lqg(robot, spike), [Hold(pitch=0.1, until=3.0)], seconds=9.0)
+    held = run(Electronics(Twin(robot), spike), lqg(robot, spike), [Hold(pitch=0.1, until=2.0)], seconds=6.0)
     assert "samples/controller" not in doctor(bench.stripped(held)).codes()
-    still = run(Electronics(Twin(robot), ev3), lqg(robot, ev3), seconds=10.0)
+    still = run(Electronics(Twin(robot), ev3), lqg(robot, ev3), seconds=5.0)
     assert "saturation" not in doctor(bench.stripped(still)).codes()
 
 
@@ -514,9 +514,9 @@ def test_what_a_law_asks_for_beyond_the_battery_is_no_per_cent(knock: float) -> 
     robot = Robot.preset("ev3way")
     kit = find_kit(robot.kit)
     law = make_controller("hinf", robot, kit, kit.period)
-    pushes = [Impulse(impulse=knock * robot.body_mass, start=t, duration=0.02) for t in (2.0, 6.5)]
-    drives = [Drive(speed=0.08, start=3.0), Drive(speed=-0.16, start=5.0), Drive(speed=0.08, start=9.0)]
-    log = run(Electronics(NonlinearBody(robot), kit), law, pushes, reference=drives, seconds=12, seed=3)
+    pushes = [Impulse(impulse=knock * robot.body_mass, start=t, duration=0.02) for t in (2.0, 5.5)]
+    drives = [Drive(speed=0.08, start=3.0), Drive(speed=-0.16, start=4.5), Drive(speed=0.08, start=6.0)]
+    log = run(Electronics(NonlinearBody(robot), kit), law, pushes, reference=drives, seconds=8, seed=3)
     logged = ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro", "sensor/battery", "command/left")
     raw = Log(log.t, {name: log[name] for name in (*logged, "command/right")})
     assert np.abs(raw["command/left"]).max() > 2 * raw["sensor/battery"].max()

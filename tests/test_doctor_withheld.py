@@ -74,7 +74,7 @@ def test_pushes_tell_no_delay(bot: Bot, seed: int) -> None:
 def test_a_dither_tells_a_delay() -> None:
     """Four periods of 5 ms late."""
     bot = replace(Bot(), late=0.02)
-    diagnosis = doctor(metric(logged(bot, Course(free=9.0, excitation=1.0), seed=6), bot))
+    diagnosis = doctor(metric(logged(bot, Course(free=6.0, excitation=1.0), seed=6), bot))
     late = next(f for f in diagnosis.findings if f.code == "delay/sensor")
     assert late.fixes[0].numbers[0] == pytest.approx(0.02, abs=0.003)
 
@@ -86,7 +86,7 @@ def table(columns: dict[str, np.ndarray]) -> RawTable:
 @pytest.mark.parametrize(("bot", "factor", "digits"), [(SMALL, -3.3, 2)])
 def test_a_wheels_speed_that_is_the_gyro_times_a_number_is_no_wheel(bot: Bot, factor: float, digits: int) -> None:
     """The pendulum equation then holds exactly, with q the number: no sign is wrong."""
-    columns = dict(metric(logged(bot, Course(free=9.0, excitation=0.6), seed=31), bot).columns)
+    columns = dict(metric(logged(bot, Course(free=6.0, excitation=0.6), seed=31), bot).columns)
     for side in ("l", "r"):
         del columns[f"enc_{side}_rad"]
         columns[f"v_{side}_radps"] = np.round(factor * columns["gyro_radps"], digits)
@@ -98,14 +98,14 @@ def test_a_wheels_speed_that_is_the_gyro_times_a_number_is_no_wheel(bot: Bot, fa
 
 @pytest.mark.parametrize(("bot", "seed"), [(SMALL, 32)])
 def test_readings_of_their_own_are_no_copies(bot: Bot, seed: int) -> None:
-    columns = logged(bot, Course(free=9.0, excitation=0.6), seed)
+    columns = logged(bot, Course(free=6.0, excitation=0.6), seed)
     values = {**metric(columns, bot).columns, "pitch_rad": columns["tilt"]}
     assert "columns/copied" not in doctor(table(values)).codes()
 
 
 def test_a_sign_is_repaired_only_where_a_third_witness_decides() -> None:
     """A gyro in raw sign: commands or a tilt that agree with the wheels tell that it is the gyro."""
-    columns = logged(TALL, Course(free=9.0, excitation=0.6), seed=34)
+    columns = logged(TALL, Course(free=6.0, excitation=0.6), seed=34)
     turned = dict(metric(columns, TALL).columns)
     turned["gyro_radps"] = -turned["gyro_radps"]
     silent = {name: x for name, x in turned.items() if not name.startswith("u_")}
@@ -120,7 +120,7 @@ def test_a_sign_is_repaired_only_where_a_third_witness_decides() -> None:
 @pytest.mark.parametrize(("bot", "seed", "factor"), [(SMALL, 42, 2.0), (TALL, 43, 0.5)])
 def test_a_scale_of_two_against_the_robots_file_is_asked(bot: Bot, seed: int, factor: float) -> None:
     """q of these robots is known from their masses to 0.1; 2 is far outside."""
-    columns = dict(metric(logged(bot, Course(free=9.0, excitation=1.0), seed), bot).columns)
+    columns = dict(metric(logged(bot, Course(free=6.0, excitation=1.0), seed), bot).columns)
     right = doctor(table(columns), robot=known(bot))
     assert "units/scale" not in right.codes()
     assert "not told" in str(right)  # the clock
@@ -135,7 +135,7 @@ def test_a_scale_of_two_against_the_robots_file_is_asked(bot: Bot, seed: int, fa
 
 def test_a_tilt_that_the_gyro_contradicts_by_two_or_by_the_clock_is_not_divided() -> None:
     """Which of both has another scale is not told: the gyro's range, or the clock, is as likely as the tilt's unit."""
-    columns = logged(TALL, Course(free=9.0, excitation=1.0), seed=44)
+    columns = logged(TALL, Course(free=6.0, excitation=1.0), seed=44)
     values = {**metric(columns, TALL).columns, "pitch_rad": columns["tilt"]}
     for wrong in ({"gyro_radps": 2 * values["gyro_radps"]}, {"time_s": values["time_s"] / 1.3}):
         found = [f for f in doctor(table({**values, **wrong})).findings if f.channel == PITCH]

@@ -65,7 +65,8 @@ def test_motors_of_a_calibration_get_what_a_drop_leaves(command: float) -> None:
 
 
 def test_a_stated_drop_is_asked_with_half_of_itself() -> None:
-    for log, asked in ((logged(0.0), True), (replace(logged(0.0), origin={"body": {"kind": "twin"}}), False)):
+    foreign = logged(0.0, seconds=4.0)
+    for log, asked in ((foreign, True), (replace(foreign, origin={"body": {"kind": "twin"}}), False)):
         problem, _ = prepared([log], ROBOT, behind(0.8), (), 0.0)
         drops = [p for p in problem.asked if p.name == DROP]
         assert bool(drops) == asked  # a body of ours logs what was applied
@@ -76,7 +77,7 @@ def test_a_known_drop_counts_and_is_not_asked() -> None:
     kit = behind(KEPT)
     left: list[float] = []
     for known in ((DROP,), ()):
-        problem, limits = prepared([logged(KEPT, seconds=5.0)], ROBOT, kit if known else KIT, known, 0.0)
+        problem, limits = prepared([logged(KEPT, seconds=4.0)], ROBOT, kit if known else KIT, known, 0.0)
         assert DROP not in [p.name for p in problem.asked]
         fitted = of_this_run(problem, limits)
         assert fitted

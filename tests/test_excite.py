@@ -33,7 +33,7 @@ from upright.signals import Log
 NXT = Robot.preset("nxtway-gs")
 KIT = Kit.preset("nxt")
 LQG = make_controller("lqg", NXT, KIT, 0.01)
-SECONDS = 5.0
+SECONDS = 3.0
 FEW = Limits(falls=0.05, travel=0.4)
 """A hundred robots without a fall prove 2.95 %, not 1 %."""
 

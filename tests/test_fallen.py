@@ -24,12 +24,12 @@ KNOCK = Impulse(impulse=0.9, start=1.0, duration=0.02)  # [N s] leans some of th
 
 
 def program_ends(executor: HostExecutor, readings: Readings, robot: Robot, seed: int) -> bool:
-    """Whether the robot lies within 4 s after the knock, under a program that stops its motors by itself."""
+    """Whether the robot lies within 2 s after the knock, under a program that stops its motors by itself."""
     body = Electronics(NonlinearBody(robot), KIT)
     now, names = body.reset(seed=seed), [signal.name for signal in body.spec.channels]
     calibrated(executor, readings, KIT.period)
     status = 0
-    for _ in range(round(5.0 / KIT.period)):
+    for _ in range(round(3.0 / KIT.period)):
         out = executor.step(readings.raw(dict(zip(names, now.numbers, strict=True)), readings.offset))
         status = status or int(out["status"])
         command = (0.0, 0.0) if status else (out["applied_left"], out["applied_right"])
@@ -54,7 +54,7 @@ def test_who_falls_is_who_falls_under_the_generated_program(tmp_path: Path) -> N
     executor.close()
     pushes = [[KNOCK.impulse / KNOCK.duration, math.nan, KNOCK.start, KNOCK.duration]]
     batch = FleetBatch(parameters=parameters_of(robots), controller=controller, kit=KIT, pushes=pushes)
-    result = simulate(batch, 5.0)
+    result = simulate(batch, 3.0)
     assert 2 < ends.sum() < 10  # the knock parts them
     assert (ends != result.fell).sum() <= 2
 

@@ -43,7 +43,7 @@ PUSHES = ((2.0, 2.1, 1.0), (4.0, 4.1, -1.0), (6.0, 6.1, 1.0))  # [s, s, N] 0.1 m
 
 
 @cache
-def moved(excitation: float = 1.2, seconds: float = 8.0) -> dict[str, np.ndarray]:
+def moved(excitation: float = 1.2, seconds: float = 4.0) -> dict[str, np.ndarray]:
     return logged(Bot(), Course(free=seconds, excitation=excitation), seed=2)
 
 
@@ -92,7 +92,7 @@ def test_a_size_and_a_direction_make_a_command() -> None:
 def test_pushes_under_a_plain_regulator_turn_no_sign_and_make_no_delay() -> None:
     """No excitation: what is unpredictable in a command is then what the regulator does of pushes. The commands were
     called backwards (t = 18), the gyro 24 ms late (true 5 ms, below what is told)."""
-    found = doctor(metric(logged(Bot(), Course(free=9.0, pushes=PUSHES), seed=6), Bot()))
+    found = doctor(metric(logged(Bot(), Course(free=7.0, pushes=PUSHES), seed=6), Bot()))
     assert not {line for line in serious(found) if line.startswith(("motion/", "delay/"))}
 
 
@@ -239,7 +239,7 @@ def test_a_dead_zone_that_the_robot_does_not_have_is_no_gain() -> None:
 @pytest.mark.parametrize(
     ("planted", "seed", "seconds"),
     [
-        (0.6, 42, 3.0),
+        (0.6, 42, 2.0),
         pytest.param(0.0, 41, 6.0, marks=pytest.mark.evidence),
     ],
 )
@@ -360,23 +360,23 @@ def test_a_number_of_another_unit_is_named_alone(tmp_path: Path) -> None:
 
 def test_a_battery_in_per_cent_or_counts_is_no_voltage() -> None:
     table = metric(moved(), Bot())
-    for reading, words in ((np.full(1600, 64.0), "per cent of its charge"), (np.full(1600, 829.0), "counts of a conv")):
+    for reading, words in ((np.full(800, 64.0), "per cent of its charge"), (np.full(800, 829.0), "counts of a conv")):
         found = doctor(RawTable({**table.columns, "vbat": reading}))
         assert words in next(f.evidence for f in found.findings if f.code == "units/battery")
     assert "units/battery" not in doctor(table).codes()
-    millivolts = doctor(RawTable({**table.columns, "vbat": np.full(1600, 11700.0)}))
+    millivolts = doctor(RawTable({**table.columns, "vbat": np.full(800, 11700.0)}))
     assert "units/scale sensor/battery" in serious(millivolts)
 
 
 def test_encoders_that_were_set_to_zero_and_unequal_ones_are_named() -> None:
-    """A jump of 3 rad in both at 5 s, where a row turns them by 0.2 at most; and one wheel that counts twice."""
+    """A jump of 3 rad in both at 2.5 s, where a row turns them by 0.2 at most; and one wheel that counts twice."""
     columns = metric(moved(), Bot()).columns
-    later = columns["time_s"] >= 5.0
+    later = columns["time_s"] >= 2.5
     jumped = {n: x + 3.0 * later if n.startswith("enc") else x for n, x in columns.items()}
     found = doctor(RawTable(jumped))
     (jump,) = [f for f in found.findings if f.code == "encoder/jump"]
-    assert "5 s" in jump.evidence
-    assert found.repaired().t[-1] == pytest.approx(5.0, abs=0.02)  # its longest part, without the rest
+    assert "2.5 s" in jump.evidence
+    assert found.repaired().t[-1] == pytest.approx(2.5, abs=0.02)  # its longest part, without the rest
     assert "encoder/unequal" in doctor(RawTable({**columns, "enc_r_rad": 2 * columns["enc_r_rad"]})).codes()
     assert not {"encoder/jump", "encoder/unequal"} & {*doctor(RawTable(columns)).codes()}
 

@@ -70,7 +70,7 @@ def test_the_tilt_of_a_kit_judges_another_log() -> None:
     left: list[float] = []
     for kit in (tilted(TILT), KIT):
         names = (MISALIGNED,) if kit is not KIT else ()
-        problem, limits = prepared([logged(TILT, seed=5, seconds=8.0)], ROBOT, kit, names, 0.0)
+        problem, limits = prepared([logged(TILT, seed=5, seconds=4.0)], ROBOT, kit, names, 0.0)
         assert MISALIGNED not in [p.name for p in problem.asked]
         fitted = of_this_run(problem, limits)
         assert fitted
@@ -81,7 +81,7 @@ def test_the_tilt_of_a_kit_judges_another_log() -> None:
 def test_the_filter_of_a_known_robot_reads_the_tilt() -> None:
     """Of logs of another program; a body of ours has a level gyro, whatever its kit says."""
     for origin, part in (({}, TILT), ({"body": {"kind": "twin"}}, 0.0)):
-        log = replace(logged(TILT), origin=origin)
+        log = replace(logged(TILT, seconds=4.0), origin=origin)
         problem = known(log, ROBOT, tilted(TILT), 0.0)
         recording = problem.recordings[0]
         C = problem.lanes(recording, np.zeros((len(problem.parameters), 1))).reads[:, :, 0]

@@ -146,7 +146,7 @@ def test_no_scale_of_a_gyro_is_searched_where_pushes_leave_nothing_to_explain(mo
     monkeypatch.setattr(gathering, "sharpened", stop)
     for name in ("searched", "with_commands", "mis_scaled_angles"):
         monkeypatch.setattr(gathering, name, lambda *_: [])
-    columns = logged(bot, Course(free=4.6, pushes=((4.0, 4.1, 9.0),), falls=True), seed=1)
+    columns = logged(bot, Course(free=2.6, pushes=((2.0, 2.1, 9.0),), falls=True), seed=1)
     log = apply(propose(table := metric(columns, bot)), table)
     for searched in (0, 1):
         monkeypatch.setattr(gathering, "_unexplained", lambda *_, more=bool(searched): more)

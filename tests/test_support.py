@@ -305,12 +305,12 @@ def with_channels(log: Log, prefixes: tuple[str, ...]) -> Log:
 
 def test_what_was_sent_is_examined_where_the_log_also_tells_what_the_motors_got() -> None:
     """Of commands that arrive late those at the motors say nothing: the log of `upright simulate` has both."""
-    late = Electronics(NonlinearBody(ROBOT), kit_with(delay=KIT.delay + 0.02))
-    log = run(late, designed(), KNOCKS, reference=DRIVEN, seconds=9.0, seed=5)
+    log = run(Electronics(NonlinearBody(ROBOT), KIT), designed(), seconds=0.1)
     assert {"command/left", "applied/left"} <= set(log.channels)
-    _, _, taken = as_logged(as_sent(log), trial_setup())
-    found = next(s.value for s in taken if s.name == "further delay")
-    assert found == pytest.approx(0.02, abs=0.00125)  # half a step of the delays that are tried
+    assert "command/left" in as_sent(log)
+    assert "applied/left" not in as_sent(log)
+    only = with_channels(log, ("sensor/", "applied/"))
+    assert as_sent(only) is only
 
 
 @pytest.mark.evidence
@@ -508,10 +508,14 @@ def test_no_log_is_asked_the_mass_of_a_robot_that_was_weighed(monkeypatch: pytes
     assert (result.contradicted, taken) == ((), ())
 
 
-def test_a_weighed_robot_is_pushed_like_that_of_its_file(monkeypatch: pytest.MonkeyPatch) -> None:
-    """And its certificate holds the weight, of the robot with its wheels."""
+def test_a_weighed_robot_is_pushed_like_that_of_its_file_whatever_a_calibration_makes_of_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A body of half the mass would be pushed half as much; and with slower sensors less can be survived. And its
+    certificate holds the weight, of the robot with its wheels."""
     module, asked = import_module("upright.certify.certificate"), list[TrialSetup]()
-    own = Learnt(loaded(ROBOT, 0.8), KIT, Uncertainty.of(ROBOT).scaled(0.1))
+    light, slow = loaded(ROBOT, 0.5), {n: dataclasses.replace(s, delay=s.delay + 0.02) for n, s in KIT.sensors.items()}
+    own = Learnt(light, kit_with(sensors=slow), Uncertainty.of(light).scaled(0.1))
     monkeypatch.setattr(module, "calibrated", lambda _, given, __: asked.append(given) or (own, ()))
     weight = 0.8 * ROBOT.body_mass + 2 * ROBOT.wheel_mass
     given = certify(designed(), ROBOT, KIT, samples=100, sweeps=False, log=plain_log(), weighed=weight)
@@ -519,24 +523,9 @@ def test_a_weighed_robot_is_pushed_like_that_of_its_file(monkeypatch: pytest.Mon
     assert setup.is_weighed
     assert setup.robot.body_mass == pytest.approx(0.8 * ROBOT.body_mass)
     sizes = {p.size for volts in batteries(ROBOT, KIT) or () for p in standard_pushes(ROBOT, KIT, volts).values()}
-    assert {t.size for t in given.trials} <= sizes
+    assert {t.size for t in given.trials} == sizes
     assert Certificate.from_json(json.loads(json.dumps(given.to_json()))).weighed == weight
     assert "on the scale" in str(given)
-
-
-def test_pushes_have_the_sizes_of_the_file_s_robot_whatever_a_calibration_makes_of_it(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    """A body of half the mass would be pushed half as much; and with slower sensors less can be survived."""
-    module = import_module("upright.certify.certificate")
-    light, slow = loaded(ROBOT, 0.5), {n: dataclasses.replace(s, delay=s.delay + 0.02) for n, s in KIT.sensors.items()}
-    own = Learnt(light, kit_with(sensors=slow), Uncertainty.of(light).scaled(0.1))
-    monkeypatch.setattr(module, "calibrated", lambda *_: (own, ()))
-    given = certify(designed(), ROBOT, KIT, samples=100, sweeps=False, log=plain_log())
-    stated = [
-        push.size for volts in batteries(ROBOT, KIT) or () for push in standard_pushes(ROBOT, KIT, volts).values()
-    ]
-    assert sorted({t.size for t in given.trials}) == sorted(set(stated))
 
 
 def test_a_robot_stands_on_the_slope_that_its_motors_bore() -> None:
