@@ -223,6 +223,20 @@ def test_processes_of_the_lab_never_get_ctrl_c() -> None:
         stage.close()
 
 
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="only Linux tells which signals a process blocks")
+def test_processes_that_grade_never_get_ctrl_c(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Ctrl-C in `upright grade` printed the tracebacks of processes that were importing, or waiting for a hand-in."""
+    from upright.classwork import grading
+
+    monkeypatch.setattr(grading, "grade_file", blocks_ctrl_c_here)
+    with grading.new_pool(1, grading._modest) as pool:
+        assert grading._begun(pool, Path("hand-in.json")).result()
+
+
+def blocks_ctrl_c_here(_: Path) -> bool:
+    return blocks_ctrl_c(os.getpid())
+
+
 def blocks_ctrl_c(process: int) -> bool:
     blocked = re.search(r"SigBlk:\s*(\w+)", Path(f"/proc/{process}/status").read_text("utf-8"))
     assert blocked

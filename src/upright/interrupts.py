@@ -72,14 +72,25 @@ def without_ctrl_c() -> Generator[None]:
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
-    from multiprocessing import resource_tracker
-
-    resource_tracker.ensure_running()  # the first process that is spawned starts it, and then unblocks signals
+    _begin_tracker()
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _begin_tracker() -> None:
+    """Start the process that removes what this one leaves of its locks: else the first process that is spawned starts
+    it, and then unblocks signals. That an interrupted run has left some is no news to anybody."""
+    from multiprocessing import resource_tracker
+
+    given = os.environ.get("PYTHONWARNINGS", "")
+    os.environ["PYTHONWARNINGS"] = f"{given},ignore::UserWarning:multiprocessing.resource_tracker"
+    try:
+        resource_tracker.ensure_running()
+    finally:
+        os.environ["PYTHONWARNINGS"] = given
 
 
 def exit_code() -> int:

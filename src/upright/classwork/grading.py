@@ -15,6 +15,8 @@ from typing import TYPE_CHECKING, Any
 from upright.atomic import write_text
 from upright.classwork.tasks import task_of
 from upright.errors import InvalidLog, UprightError, one_line
+from upright.fleet.workers import end_with_parent, new_pool
+from upright.interrupts import without_ctrl_c
 from upright.lab.handin import HandIn, RunResult, read_hand_in
 from upright.lab.rerun import rerun
 from upright.lab.seat import TookTooLong, within
@@ -196,8 +198,8 @@ def _files(folder: Path) -> list[Path]:
 def _graded(files: Sequence[Path], workers: int) -> Iterator[tuple[Path, Grade]]:
     """Grades as they come. Where a process dies, those that it leaves are run one by one."""
     left = list(files)
-    with _pool(min(workers, len(files))) as pool:
-        waiting: dict[Future[Grade], Path] = {pool.submit(grade_file, path): path for path in files}
+    with new_pool(min(workers, len(files)), _modest) as pool:
+        waiting: dict[Future[Grade], Path] = {_begun(pool, path): path for path in files}
         while waiting:
             ended, _ = wait(waiting, return_when=FIRST_COMPLETED)
             for future in ended:
@@ -207,23 +209,23 @@ def _graded(files: Sequence[Path], workers: int) -> Iterator[tuple[Path, Grade]]
                 left.remove(path)
                 yield path, future.result()
     for path in left:
-        with _pool(1) as alone:
+        with new_pool(1, _modest) as alone:
             try:
-                yield path, alone.submit(grade_file, path).result()
+                yield path, _begun(alone, path).result()
             except BrokenProcessPool:
                 yield path, Grade(file=path.name, why="the process that ran it died")
 
 
-def _pool(workers: int) -> ProcessPoolExecutor:
-    import multiprocessing
-
-    return ProcessPoolExecutor(workers, multiprocessing.get_context("spawn"), initializer=_modest)
+def _begun(pool: ProcessPoolExecutor, path: Path) -> Future[Grade]:
+    with without_ctrl_c():
+        return pool.submit(grade_file, path)
 
 
 def _modest() -> None:
     """What a file from anywhere may take of this machine, and no warning of its numbers."""
     import warnings
 
+    end_with_parent()
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     warnings.simplefilter("ignore")
     limit_memory(MEMORY)

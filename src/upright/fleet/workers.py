@@ -31,14 +31,14 @@ class Process:
     """One process, so that it is known which piece killed it; the next piece then gets a new one."""
 
     def __init__(self) -> None:
-        self._pool = _new_pool()
+        self._pool = new_pool(1, end_with_parent)
 
     def submit(self, work: Callable[..., Any], /, *given: Any) -> Future[Any]:
         with without_ctrl_c():
             try:
                 return self._pool.submit(work, *given)
             except BrokenProcessPool:
-                self._pool = _new_pool()
+                self._pool = new_pool(1, end_with_parent)
                 return self._pool.submit(work, *given)
 
     def end(self) -> None:
@@ -46,8 +46,10 @@ class Process:
         self._pool.shutdown(wait=False, cancel_futures=True)
 
 
-def _new_pool() -> ProcessPoolExecutor:
-    return ProcessPoolExecutor(1, multiprocessing.get_context("spawn"), initializer=_end_with_parent)
+def new_pool(count: int, initializer: Callable[[], None]) -> ProcessPoolExecutor:
+    """A pool of `count` new processes that each call `initializer` first; submit to it under `without_ctrl_c`."""
+    with without_ctrl_c():
+        return ProcessPoolExecutor(count, multiprocessing.get_context("spawn"), initializer=initializer)
 
 
 def run_all(
@@ -105,7 +107,7 @@ def connected(workers: int | None = None, cluster: str | None = None) -> Generat
             process.end()
 
 
-def _end_with_parent() -> None:
+def end_with_parent() -> None:
     """A worker waits for work, and would for ever where its parent was killed."""
     parent = multiprocessing.parent_process()
     assert parent is not None
