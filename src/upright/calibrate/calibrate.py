@@ -62,6 +62,7 @@ def calibrate(
     """Physical parameters, dead times and noise of `robot` from one or several logs of raw sensors and commands.
 
     Logs are `Log`s or files, which `mapping` reads (default: the one that fits); robot and kit may be names or files.
+
     `robot` gives the prior: each number with the spread of its provenance, a guess with a factor of two. `kit`
     (default: the robot's own) gives first delays and noise. `known` names parameters taken for exact. The last fraction
     `held_out` of each log is not fitted; predictions are tested on it. Knocks in a log are named, and left out with
@@ -100,8 +101,7 @@ def calibrate(
     hidden = parts.delay + parts.jitter / 2 - _dead_time(parts, several)
     paces = [f"{pace}." for pace in map(pace_of, several) if pace and not pace.kept]
     notes = [*meant, *filter(None, left), *knocked, *([STRAIGHT] if straight else []), *paces]
-    if not (wrong and result.refused):  # what is wrong is mended first, whatever else the log cannot tell
-        result = untold(result, _unknown(result, several, knocked, cut=between_knocks))
+    result = untold(result, _unknown(result, several, knocked, cut=between_knocks, wrong=bool(wrong)))
     result = replace(result, kit=learnt_kit(result, parts, problem.delays, hidden), notes=(*result.notes, *notes))
     if problem.temper < 1 and not result.decision.withheld:  # else the noise of the kit is that of the filter
         own = result.kit or parts
@@ -110,14 +110,16 @@ def calibrate(
     return result if reason or result.untold else replace(result, apart=apart(problem, z, result.sources))
 
 
-def _unknown(result: Calibration, logs: Sequence[Log], knocked: Sequence[str], *, cut: bool) -> tuple[str, str] | None:
+def _unknown(
+    result: Calibration, logs: Sequence[Log], knocked: Sequence[str], *, cut: bool, wrong: bool = False
+) -> tuple[str, str] | None:
     """Why these logs cannot tell the robot, and what to try; None where they can. With pushes that were `cut` out, a
-    fit that is refused is bent by softer ones, and of no other robot."""
+    fit that is refused is bent by softer ones, and of no other robot. What is `wrong` in the logs is mended first."""
+    if wrong and result.refused:
+        return None
     if knocked and (not cut or result.refused or any("bends" in text for text in knocked)):
-        return (
-            f"{knocked[0].partition(' s ')[0]} s is in no channel of the log: inertias and pole are not told",
-            f"dither, do not push: {EXCITE}",
-        )
+        when = knocked[0].partition(" s ")[0]
+        return f"{when} s is in no channel of the log: inertias and pole are not told", f"dither, do not push: {EXCITE}"
     dropped = any(e.name == DROP for e in result.electronics)  # by a driver, which absorbs small commands too
     for finding in (f for log in logs for f in faster_controller(record_of(log)) if not dropped):
         return f"the log lacks commands: {finding.evidence}", "log every row of the controller; " + EXCITE

@@ -183,8 +183,7 @@ def trimmed(y: Array, X: Array, positive: bool = False) -> tuple[Array, float, N
         power = float(z @ z)
         if power <= 0 or not np.isfinite(squares).all():
             return values, 0.0, keep
-        size = np.sqrt(np.diagonal(squares) / len(z))
-        scale = np.where(size > 0, size, 1.0)  # of what never changes, as wheels that stand
+        scale = _sizes(squares, len(z))
         values = _solved(squares / np.outer(scale, scale), (Z @ z) / scale, positive) / scale
         residual = y - middle - values @ (columns - centre[:, None])
         r2 = 1 - float(residual[keep] @ residual[keep]) / power
@@ -234,6 +233,12 @@ def _centred(values: Array) -> Array:
     return values - np.median(values)
 
 
+def _sizes(gram: Array, rows: int) -> Array:
+    """RMS of each centred column by the products (…, m, m) of all; 1 for what never changes, as wheels that stand."""
+    size = np.sqrt(np.diagonal(gram, axis1=-2, axis2=-1) / rows)
+    return np.where(size > 0, size, 1.0)
+
+
 def _r_squared(y: Array, designs: Iterable[Array], positive: bool) -> Array:
     """R² of y (n,) on each of the designs (m, n), no coefficient below zero if `positive`."""
     z = y - y.mean()
@@ -243,8 +248,7 @@ def _r_squared(y: Array, designs: Iterable[Array], positive: bool) -> Array:
         return np.zeros(len(centred))
     gram = np.stack([X @ X.T for X in centred])
     side = np.stack([X @ z for X in centred])
-    scale = np.sqrt(np.diagonal(gram, axis1=1, axis2=2) / len(y))
-    scale = np.where(scale > 0, scale, 1.0)
+    scale = _sizes(gram, len(y))
     gram, side = gram / (scale[:, :, None] * scale[:, None, :]), side / scale
     values = (np.linalg.pinv(gram, rcond=1e-12, hermitian=True) @ side[:, :, None])[:, :, 0]
     for i in np.flatnonzero((values < 0).any(axis=1)) if positive else ():
