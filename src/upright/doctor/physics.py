@@ -215,7 +215,6 @@ def lagged(
     keep = trimmed(target[rows], design(rows, best).T, positive)[2]
     r2s = quick(rows[keep])
     i = int(np.argmax(r2s))
-    part = _vertex(r2s, i)
     X = design(rows, int(shifts[i])).T
     values, r2, _ = trimmed(target[rows], X, positive)
     if _moving((X - X.mean(axis=0)) @ values) * m.period < _LEAST_KERNELS * width:
@@ -226,7 +225,7 @@ def lagged(
     most = float(miss.max())
     usual = float(np.median(np.abs(_centred(target[rows])))) / 0.6745
     off = most / max(float(np.median(miss)) / 0.6745, 1e-300) if most > LOUD * usual else 0.0
-    return LaggedFit(tuple(values.tolist()), r2, float((shifts[i] + part) * m.period), sharp, off)
+    return LaggedFit(tuple(values.tolist()), r2, float((shifts[i] + _vertex(r2s, i)) * m.period), sharp, off)
 
 
 def _centred(values: Array) -> Array:
