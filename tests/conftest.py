@@ -253,6 +253,22 @@ def pytest_runtest_teardown(item: pytest.Item, nextitem: pytest.Item | None) -> 
         OPEN.pop().stop()
 
 
+@pytest.fixture
+def paged(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
+    """What commands print the head of: that of `--json` can be printed as text without computing it again."""
+    from upright.cli import output
+
+    printed: list[Any] = []
+    page_of = output._page_of
+
+    def noted(result: Any) -> Any:
+        printed.append(result)
+        return page_of(result)
+
+    monkeypatch.setattr(output, "_page_of", noted)
+    return printed
+
+
 def common(factory: pytest.TempPathFactory, name: str) -> Path:
     """A temporary folder of that name for all processes of this run."""
     base = factory.getbasetemp()
@@ -315,17 +331,18 @@ def exported_lab(tmp_path_factory: pytest.TempPathFactory) -> Path:
             assert not failed.exists()
             time.sleep(0.2)
         return page
-    whole, analysed, second = export.linear_margins, export.analysed, list[Any]()
+    margins_of, analysed, kept = export.linear_margins, export.analysed, dict[str, Any]()
 
     def margins(controller: Any, robot: Any, *kit: Any, **usual: Any) -> Any:
         read = robot.name == EXPORTED[0] and controller.spec.kind == "lqg"
-        return whole(controller, robot, *kit, **usual) if read else None
+        return margins_of(controller, robot, *kit, **usual) if read else None
 
     def analysis(controller: Any, robot: Any, kit: Any) -> Any:
-        if robot.name == EXPORTED[0] or not second:
-            found = analysed(controller, robot, kit)
-            return found if robot.name == EXPORTED[0] else (second.append(found), found)[1]
-        return second[0]
+        if robot.name == EXPORTED[0]:
+            return analysed(controller, robot, kit)
+        if robot.name not in kept:
+            kept[robot.name] = analysed(controller, robot, kit)
+        return kept[robot.name]
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(export, "linear_margins", margins)

@@ -79,9 +79,3 @@ def shorten(monkeypatch: pytest.MonkeyPatch, seconds: float = SHORT) -> None:
     monkeypatch.setattr(parity, "SECONDS", seconds)
     monkeypatch.setattr(parity, "HELD", 0.3 * seconds)
     monkeypatch.setattr(parity, "PUSHES", {"front": (0.1, 0.0), "back": (-0.12, seconds / 2)})
-
-
-@pytest.fixture
-def short(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A parity of `SHORT` instead of 20 s."""
-    shorten(monkeypatch)

@@ -6,11 +6,6 @@ import html
 import re
 from typing import Any
 
-import pytest
-
-from upright.cli import output
-from upright.report import Page
-
 
 def plain(text: str) -> str:
     """Words as they are read: without tags, code's backticks, and one space between them."""
@@ -40,17 +35,3 @@ def begins_as(printed: str, head: dict[str, Any], page: str) -> None:
     assert [n for n in numbers if f" {n[0]} {n[1]}" not in top] == []
     after = after.replace(" --json", "")  # of a page that was written beside JSON
     assert top.endswith(f"Next: {after}" if after else " ".join(numbers[-1]))
-
-
-@pytest.fixture
-def paged(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
-    """What commands print the head of: that of `--json` can be printed as text without computing it again."""
-    printed: list[Any] = []
-    page_of = output._page_of
-
-    def noted(result: Any) -> Page | None:
-        printed.append(result)
-        return page_of(result)
-
-    monkeypatch.setattr(output, "_page_of", noted)
-    return printed

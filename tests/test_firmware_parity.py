@@ -22,7 +22,6 @@ from firmware_cases import (
     brief,
     designed,
     frozen,
-    short,
     shorten,
     steering,
     written,
@@ -46,12 +45,17 @@ from upright.parity.executed import Readings, calibrated
 from upright.parity.executor import Executor, HostExecutor
 from upright.parity.parity import SECONDS
 
-__all__ = ["short"]  # a fixture
 STEPS = round(SHORT / 0.01)
 ALLOWED = {"double": 1e-6, "float": 1e-4, "fixed": 0.08 / 4}
 """[V] the largest difference of a command. Below a step of the NXT's duty, 8 V / 100: 80 000, 800 and 4 times."""
 TRAPS = ("-fsanitize=undefined", "-fsanitize-undefined-trap-on-error")
 """An overflow of a signed number then ends the process, and with it the test."""
+
+
+@pytest.fixture
+def short(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A parity of `SHORT` instead of 20 s."""
+    shorten(monkeypatch)
 
 
 def passed(found: Parity, steps: int = STEPS) -> None:

@@ -10,11 +10,10 @@ from typing import Any
 
 import pytest
 
-from heads import begins_as, paged
+from heads import begins_as
 from upright.cli.main import main
 from upright.report import finished
 
-__all__ = ["paged"]  # a fixture
 TUTORIAL = Path(__file__).parents[1] / "docs" / "first-robot.md"
 
 

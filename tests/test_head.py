@@ -8,14 +8,13 @@ from typing import Any
 
 import pytest
 
-from heads import begins_as, first_screen, paged, plain
+from heads import begins_as, first_screen, plain
 from upright.cli import output
 from upright.cli.main import main
 from upright.errors import UnknownName
 from upright.report import Page, Verdict
 from upright.report.head import MOST, WIDTH, Head
 
-__all__ = ["paged"]  # a fixture
 KNOCK = "--push impulse:0.1"
 QUICK = [
     "linearise", "linearise --period 0.01", f"simulate {KNOCK} -s 2", "doctor a.csv",
