@@ -14,7 +14,7 @@ from upright.compiled.program import Block
 from upright.physics.electronics import awake, driven, largest, loaded, measured, slackened, turned, walked
 from upright.robots import Sensor
 
-_NOT_COMPILED = ("delay", "period", "resonance", "damping", "misalignment")
+_NOT_COMPILED = ("delay", "period", "resonance", "damping", "misalignment", "offset", "time_constant")
 SENSOR_NUMBERS = tuple(f.name for f in fields(Sensor) if f.name not in _NOT_COMPILED)
 """What formulas know of a sensor, in this order."""
 

@@ -12,7 +12,7 @@ from upright.errors import InvalidRobot, SpecMismatch
 from upright.robots import toml
 from upright.robots.wiring import UNITS as WIRING_UNITS
 from upright.robots.wiring import BoardWiring, wiring_of
-from upright.signals.signal import SENSORS
+from upright.signals.signal import FUSED, SENSORS
 
 PRESETS = "kits"
 _TIMING = ("period", "delay", "jitter")
@@ -21,7 +21,7 @@ _MOTOR_UNITS = {
 }  # fmt: skip
 _BATTERY_UNITS = {"voltage": ("V",), "sag": ("1",)}
 _KEYS = ("name", "title", "period", "delay", "jitter", "drive", "battery", "motor", "sensors", "wiring")
-_SENSOR_UNITS = {signal.name.removeprefix("sensor/"): signal.unit for signal in SENSORS}
+_SENSOR_UNITS = {signal.name.removeprefix("sensor/"): signal.unit for signal in (*SENSORS, *FUSED)}
 
 
 LONGEST_DELAY = 1.0
@@ -67,11 +67,13 @@ class Sensor:
     damping: float = 0.7  # [1] of that resonance: little of what swings, 0.7 of a filter
     gain: float = 1.0  # reading over what is measured; 1 but for a scale error
     misalignment: float = 0.0  # [1] part of the yaw rate that a gyro reads beside the pitch rate: it is tilted
+    offset: float = 0.0  # what it reads where the truth is zero: an angle's error of mounting
+    time_constant: float = 0.0  # [s] of the filter that makes a fused angle; 0 for the angle itself
 
     def __post_init__(self) -> None:
         for f in fields(self):
             size = getattr(self, f.name)
-            _check_size(f"sensor {f.name}", abs(size) if f.name == "misalignment" else size)
+            _check_size(f"sensor {f.name}", abs(size) if f.name in ("misalignment", "offset") else size)
         if abs(self.misalignment) > 1:
             raise InvalidRobot(f"sensor misalignment is {self.misalignment:g}", expected="-1 to 1",
                                likely="degrees instead of their sine")  # fmt: skip
@@ -236,11 +238,12 @@ def _sensor(listed: toml.Table, name: str, where: str) -> dict[str, float]:
 
 def _sensor_units(name: str) -> dict[str, tuple[str, ...]]:
     unit = _SENSOR_UNITS[name]
-    units = dict.fromkeys(("quantum", "noise", "bias", "range"), (unit,))
+    units = dict.fromkeys(("quantum", "noise", "bias", "range", "offset"), (unit,))
     return (
         units
         | {"bias_walk": (f"{unit}/√s",), "delay": ("s",), "period": ("s",), "gain": ("1",)}
         | ({"resonance": ("Hz",), "damping": ("1",), "misalignment": ("1",)} if name == "gyro" else {})
+        | ({"time_constant": ("s",)} if name == "pitch" else {})
     )
 
 

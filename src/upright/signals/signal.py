@@ -39,6 +39,9 @@ SENSORS = (
 )
 """What a kit can measure, in our signs: positive forward, heading anticlockwise from above."""
 
+FUSED = (Signal("sensor/pitch", "rad", "ψ"),)
+"""What a chip, or a filter beside the controller, makes of gyro and accelerometer. No body offers it: a kit does."""
+
 
 def _prefixed(prefix: str) -> tuple[Signal, ...]:
     return tuple(Signal(f"{prefix}/{s.name}", s.unit, s.symbol) for s in STATE)
@@ -71,5 +74,5 @@ RATES = (
 )
 """What robots log that know only their wheels' speeds."""
 
-KNOWN = {s.name: s for s in (*RATES, *TRUTH, *ESTIMATE, *REFERENCE, *SENSORS, *command_signals("V"), *PUSH)}
+KNOWN = {s.name: s for s in (*RATES, *TRUTH, *ESTIMATE, *REFERENCE, *SENSORS, *FUSED, *command_signals("V"), *PUSH)}
 """Every channel name this package writes, with its usual unit."""
