@@ -15,7 +15,7 @@ from upright.certify.design import design
 from upright.certify.margins import broken_at, disk_gain, disk_phase, sign_changes
 from upright.certify.release import UPRIGHT, let_go
 from upright.certify.scaling import balanced, best_scaling
-from upright.certify.verdict import judge, linear_margins
+from upright.certify.verdict import Examined, judge, linear_margins
 from upright.control import Controller, make_controller
 from upright.control.delay import RAW, sampled
 from upright.control.linear_controller import as_linear
@@ -443,6 +443,6 @@ def test_design_certificate_and_lab_judge_one_controller_s_margins_alike() -> No
     assert least.met < 5
     assert smallest(least)["met"] == least.met
     trial = PushTrial("hold", "low", 1000, 0, saturated=0.0, travel=0.2, peak=0.1, cycle=0.01)
-    _, reasons = judge(1000, 0, least, [trial], kit.period)
+    _, reasons = judge(Examined(1000, 0, least, [trial], kit.period))
     assert reasons[1].endswith(f"; {least.met} of 5 margins reach the usual targets")
     assert linear_margins(controller, robot, kit) == replace(least, met=None)

@@ -31,7 +31,7 @@ from upright.certify.mass import on_the_scale
 from upright.certify.pushes import standard_pushes
 from upright.certify.recovery import _rest
 from upright.certify.support import LOAD_KNOWN, Support, slope, supported
-from upright.certify.verdict import AMBER, LinearMargins, judge
+from upright.certify.verdict import AMBER, Examined, LinearMargins, judge
 from upright.control import Controller, make_controller
 from upright.control.delay import sampled
 from upright.errors import InvalidLog, InvalidRobot, InvalidScenario
@@ -362,7 +362,7 @@ def test_a_number_that_the_file_states_and_the_log_contradicts_makes_the_light_a
     (found,) = learnt(calibration, KIT).contradicted
     assert Support.from_json(json.loads(json.dumps(dataclasses.asdict(found)))) == found
     trial = PushTrial("hold", "low", 1000, 0, saturated=0.0, travel=0.2, peak=0.1, cycle=0.01)
-    light, reasons = judge(1000, 0, LinearMargins(0.99, 0.5, 2.0, 0.02), [trial], 0.01, support=[found])
+    light, reasons = judge(Examined(1000, 0, LinearMargins(0.99, 0.5, 2.0, 0.02), [trial], 0.01, support=[found]))
     assert light == AMBER
     assert reasons[0] == "outside what the log supports: wheel radius 23 mm, file 21 ± 0.5 mm"
 

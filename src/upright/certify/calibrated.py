@@ -12,16 +12,17 @@ from upright.calibrate.calibration import Calibration
 from upright.calibrate.estimate import HELD
 from upright.calibrate.knocks import unpushed
 from upright.certify.actual import as_logged, doubted, is_beyond
-from upright.certify.checks import TrialSetup
+from upright.certify.checks import FEWEST, TrialSetup, kernel_controller
 from upright.certify.logged import LOADED
 from upright.certify.support import LOAD_KNOWN, MASS, Support, body_mass, slope
+from upright.control.controller import Controller
 from upright.doctor.doctor import contradictions
 from upright.errors import InvalidLog
 from upright.logs.recording import SENSOR
 from upright.progress import Progress
 from upright.robots import PARAMETERS, Kit, Robot
 from upright.robots.robot import MAY_BE_ZERO
-from upright.robots.uncertainty import Spread, Uncertainty
+from upright.robots.uncertainty import Spread, Uncertainty, draw
 from upright.signals import Log
 
 WHITER = 1.25
@@ -202,3 +203,15 @@ def learnt(calibration: Calibration, kit: Kit, others: Sequence[Support] = ()) -
 def _lognormal(s: Spread) -> Spread:
     """As a calibration takes what must be positive: its logarithm is normal."""
     return Spread(s.name, "lognormal", s.low, s.high / s.low)
+
+
+def calibrated_first(
+    log: Log, controller: Controller, robot: Robot, kit: Kit, seed: int, progress: Progress | None, *,
+    weighed: bool,
+) -> tuple[Learnt, tuple[Support, ...]]:  # fmt: skip
+    """The robot of the file, or as it was `weighed`, as `log` shows it, and what was taken over before."""
+    rubs = robot.coulomb_friction > 0
+    some = draw(robot, FEWEST, seed)
+    driven = kernel_controller(controller, robot, kit)
+    setup = TrialSetup(driven, robot, some, kit, seed, dry_friction=rubs, is_weighed=weighed)
+    return calibrated(log, setup, progress)

@@ -9,34 +9,45 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from upright.atomic import finite, write_json
 from upright.certify.actual import as_logged
 from upright.certify.agreement import RED, Agreement, agreement
-from upright.certify.calibrated import Learnt, calibrated, doubtful_mass
-from upright.certify.checks import (
-    PushTrial,
-    RunCounter,
-    Swept,
-    TrialSetup,
-    delay_sweep,
-    kernel_controller,
-    period_sweep,
-    trials,
-)
+from upright.certify.calibrated import calibrated_first, doubtful_mass
+from upright.certify.checks import PushTrial, RunCounter, TrialSetup, enough_robots, kernel_controller, trials
 from upright.certify.logged import as_sent
-from upright.certify.mass import on_the_scale
-from upright.certify.narrowing import Narrowing, NeededSpread, narrowing, red
+from upright.certify.mass import as_weighed
+from upright.certify.narrowing import Guessed, Narrowing, NeededSpread, guessed, narrowing, red
+from upright.certify.standing import (
+    Endured,
+    Standing,
+    Strength,
+    Swept,
+    delay_sweep,
+    endured,
+    period_sweep,
+    runs_of,
+    standing,
+    strong_enough,
+)
 from upright.certify.support import MASS, Support, contradictions
-from upright.certify.verdict import CONFIDENCE, MOST_FALLS, LinearMargins, judge, linear_margins
+from upright.certify.verdict import (
+    CONFIDENCE,
+    MOST_FALLS,
+    UNKNOWN,
+    Examined,
+    LinearMargins,
+    judge,
+    linear_margins,
+)
 from upright.control import find_controller
 from upright.control.controller import Controller
 from upright.control.identity import Identity, identity
 from upright.doctor.wheels import on_its_wheels
-from upright.errors import InvalidController, InvalidScenario, SpecMismatch
+from upright.errors import InvalidController, InvalidScenario
 from upright.fleet.binomial import upper_bound
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
@@ -52,15 +63,13 @@ from upright.tables import Shown, in_degrees
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-FEWEST = 100
-"""Number of robots below which no certificate is given: even without a fall the bound would exceed 3 %."""
-
 UNLIKE = "mend what the log shows, or measure it and write it into the file of the robot or its kit; then certify again"
 UNWEIGHED = "a scale tells the mass: put the robot on one, and certify it again with --weighed KG"
 
 KIND = "upright certificate"
-VERSION = 5
-"""5: a log that shows what was not assumed, or leaves it open, is amber at most;
+VERSION = 6
+"""6: it answers whether the robot stands, how hard it may be pushed, and which guess decides;
+5: a log that shows what was not assumed, or leaves it open, is amber at most;
 4: an unstable loop is the first reason, a free position none for red;
 3: pushes are scaled to what any controller could survive; 2: robot and kit are named by their numbers."""
 
@@ -72,8 +81,11 @@ class Certificate(Shown):
     It belongs to that controller, by its `hash`, or by the request of its design, `asked`, and its `response` (see
     `control.identity`). Its `subject` is every number of robot and kit, by name; `robot` and `kit` are their names.
     Of `samples` robots `fell` fell in at least one of the `trials`. `bound` is the upper bound of that probability,
-    with 95 % confidence. Of those that fell no controller could save `beyond`. `linear` is None for a controller that
-    is not linear, even near rest. `delayed` and `slower` count falls with additional dead time and with other periods.
+    with 95 % confidence. Of those that fell no controller could save `beyond`; what motors would need is `strength`.
+    Left alone, robots stand or fall as in `standing`; what the file's robot endures is `endured`. `guessed` counts
+    falls with the guesses as the file has them (None: few fall, or nothing is guessed). `linear` is None for a
+    controller that is not linear, even near rest. `delayed` and `slower` count those that fall, left alone, with
+    additional dead time and with other periods.
     `agreement` compares the innovations of a log with these assumptions, `support` what the log shows of each number
     that is taken as given. What was `taken` from the log, and tried, stands beside what had been assumed. `narrowing`
     says of a red light what would have to be known better (None: not examined). The robot `weighed` so much [kg] on a
@@ -94,6 +106,10 @@ class Certificate(Shown):
     beyond: int
     linear: LinearMargins | None
     trials: tuple[PushTrial, ...]
+    standing: Standing
+    endured: tuple[Endured, ...] = ()
+    guessed: Guessed | None = None
+    strength: Strength | None = None
     delayed: tuple[Swept, ...] = ()
     slower: tuple[Swept, ...] = ()
     agreement: tuple[Agreement, ...] = ()
@@ -109,36 +125,27 @@ class Certificate(Shown):
     def check(self) -> tuple[str, ...]:
         """Contradictions among this certificate's own numbers, as sentences; none where it is consistent."""
         bound = upper_bound(self.fell, self.samples, CONFIDENCE)
-        light, reasons = judge(
-            self.samples,
-            self.fell,
-            self.linear,
-            self.trials,
-            self.period,
-            self.agreement,
-            self.support,
-            beyond=self.beyond,
-            taken=self.taken,
-        )
+        light, reasons = judge(Examined(**{f.name: getattr(self, f.name) for f in fields(Examined)}))
         wrong = (
             [f"the bound is {self.bound:g}; its numbers give {bound:g}"] if not math.isclose(bound, self.bound) else []
         )
         wrong += [f"the light is {self.light}; its numbers give {light}"] if light != self.light else []
         wrong += ["the reasons do not follow from its numbers"] if reasons != self.reasons else []
-        most, hardest = (max(getattr(t, n) for t in self.trials) for n in ("fell", "beyond"))
+        most = max(t.fell for t in self.trials)
         fallen, hopeless = (sum(getattr(t, n) for t in self.trials) for n in ("fell", "beyond"))
-        fits = most <= self.fell <= fallen and hardest <= self.beyond <= min(self.fell, hopeless)
+        fits = most <= self.fell <= fallen and self.beyond <= min(self.fell, hopeless)
         fits &= {t.runs for t in self.trials} == {self.samples}
         return (*wrong, *(() if fits else ("the trials and the number of falls disagree",)))
 
     def refuses(self, controller: Controller | None = None, robot: Robot | None = None, kit: Kit | None = None) -> str:
-        """Why a robot should not be driven with this certificate, as a sentence; empty where it may. It is red,
-        contradicts itself, or is of another controller, robot, kit or period than these, each as far as it is known.
+        """Why a robot should not be driven with this certificate, as a sentence; empty where it may. It is red or
+        unknown, contradicts itself, or is of another controller, robot, kit or period than these, each as far as it is
+        known.
         """
         if wrong := self.check():
             return f"the certificate contradicts itself: {wrong[0]}"
-        if self.light == RED:
-            return f"red: {self.reasons[0]}"
+        if self.light in (RED, UNKNOWN):
+            return f"{self.light}: {self.reasons[0]}"
         others = [self._period_and_controller(controller)] if controller else []
         others += [self._other("robot", self.robot, robot.name, robot_facts(robot))] if robot else []
         others += [self._other("kit", self.kit, kit.name, kit_facts(kit))] if kit else []
@@ -154,6 +161,14 @@ class Certificate(Shown):
         if not (others := differences(facts, self.subject[what])):
             return ""
         return f"another {what}: {f'{what} {name} instead of {certified}, ' if name != certified else ''}{others}"
+
+    def answers(self) -> list[str]:
+        """The answers to three questions: does it stand, how hard may it be pushed, and which numbers are guesses."""
+        pushed = [f"How hard may I push it? {'; '.join(map(str, self.endured))}."] if self.endured else []
+        weak = f"Motors too weak in {self.beyond} of the {self.fell} that fell: {self.strength}."
+        names = ", ".join(self.guessed.names) if self.guessed else "none"
+        guesses = f"Which numbers are guesses? {names}."
+        return [f"Does it stand? {self.standing}.", *pushed, *([weak] if self.strength else []), guesses]
 
     def worst_first(self) -> list[PushTrial]:
         """The trials in the order of the figure: most falls first, or the longest travel where nothing fell."""
@@ -220,11 +235,9 @@ class Certificate(Shown):
         columns += f"{'saturated':>10}{'travel':>9}{'peak':>11}{'sway':>11}"
         sweeps = [_sweep("dead time +", self.delayed), _sweep("period ", self.slower)]
         first = [f"  {line}" for line in (self.designed, *self.reasons) if line]
-        lines = [head, *first, "", columns, *(_row(t, wide) for t in self.trials)]
+        lines = [head, *first, "", *self.answers(), "", columns, *(_row(t, wide) for t in self.trials)]
         if worst := max((t.residual for t in self.trials), default=0.0):
             sweeps.append(f"the last iteration moved a command by {worst:.2%} of its limit at most")
-        if self.beyond:
-            sweeps.append(f"no controller could save {self.beyond} of the {self.fell} that fell")
         if self.narrowing:
             sweeps += [str(self.narrowing), *self.narrowing.ways(self.robot)]
         sweeps += [f"the log: {'; '.join(map(str, self.agreement))}"] if self.agreement else []
@@ -251,18 +264,20 @@ def certify(
     mapping: Columns | str | None = None,
     posterior: Uncertainty | str | Path | None = None,
     weighed: float | None = None,
+    period: float | None = None,
     progress: Progress | None = None,
 ) -> Certificate:
     """The certificate of `controller` for `robot` with `kit`, over `robots` or `samples` draws.
 
-    `posterior` is an `Uncertainty`, or a file by `upright calibrate --save`; its medians are then the nominal robot. By
-    default robots are drawn from the spreads in the robot's file. `log` is a recording of this robot, read through
-    `mapping`. Without a `posterior` the robot is first calibrated from it. What it contradicts of the assumptions is
-    tried as the log shows it. Body and wheels `weighed` so much [kg] together on a scale as the robot stands: then no
-    log is asked the mass. `sweeps` adds further dead times and other periods, on which the light does not depend.
-    Controller, robot and kit may be names or files; a controller's name is its design for the robot as stated, whatever
-    a log shows. One of your own is called for each robot: 1000 samples take minutes. `progress` receives the fraction
-    done. Raises `SpecMismatch`, `InvalidScenario`, `InvalidLog` and `InvalidRobot` for what does not fit.
+    A named method is designed for a `period` [s] (None: the kit's). `posterior` is an `Uncertainty`, or a file by
+    `upright calibrate --save`; its medians are then the nominal robot. By default robots are drawn from the spreads in
+    the robot's file. `log` is a recording of this robot, read through `mapping`. Without a `posterior` the robot is
+    first calibrated from it. What it contradicts of the assumptions is tried as the log shows it. Body and wheels
+    `weighed` so much [kg] together on a scale as the robot stands: then no log is asked the mass. `sweeps` adds further
+    dead times and other periods, on which the light does not depend. Controller, robot and kit may be names or files; a
+    controller's name is its design for the robot as stated, whatever a log shows. One of your own is called for each
+    robot: 1000 samples take minutes. `progress` receives the fraction done. Raises `SpecMismatch`, `InvalidScenario`,
+    `InvalidLog` and `InvalidRobot` for what does not fit.
     """
     given = refuse_energy(find_robot(robot))
     nominal, unknown = at_medians(given, posterior)
@@ -270,72 +285,64 @@ def certify(
     recording = None if log is None else on_its_wheels(as_sent(raw_log(log, mapping)))[0]
     rubs, stated, own, wrong = nominal.coulomb_friction > 0, (nominal, parts), None, tuple[Support, ...]()
     bare = recording if unknown is None and robots is None else None
-    design = find_controller(controller, *stated, parts.period)
-    nominal = _weighed(nominal, weighed, alone=posterior is None and robots is None, logged=bool(bare))
+    design = _controller(controller, *stated, period)
+    nominal = as_weighed(nominal, weighed, alone=posterior is None and robots is None, logged=bool(bare))
     if bare:
-        own, wrong = _calibrated(bare, design, nominal, parts, seed, progress, weighed=weighed is not None)
+        own, wrong = calibrated_first(bare, design, nominal, parts, seed, progress, weighed=weighed is not None)
         nominal, parts, unknown = own.robot, own.kit, own.uncertainty
-    family = _checked(draw(nominal, samples, seed, unknown) if robots is None else list(robots), nominal)
+    family = enough_robots(draw(nominal, samples, seed, unknown) if robots is None else list(robots), nominal)
     setup = TrialSetup(kernel_controller(design, nominal, parts), nominal, family, parts, seed, threads,
                        dry_friction=rubs, is_weighed=bool(bare), stated=stated, floor=own and own.floor)  # fmt: skip
     setup, shown, taken = as_logged(recording, setup) if recording else (setup, (), ())
     doubts = doubtful_mass(recording, setup, taken) if recording and posterior else own.contradicted if own else ()
     taken = (*taken, *(s for s in wrong if s.name not in {t.name for t in taken}))
-    setup = replace(setup, progress=progress and RunCounter(setup.runs if sweeps else setup.runs_of_trials, progress))
-    runs, fallen, beyond = trials(setup)
-    linear, period = linear_margins(design, setup.actual_robot, setup.actual_kit, usual=True), design.spec.period
-    fell, hopeless, who = int(fallen.sum()), int(beyond.sum()), identity(design)
-    compared, shown = agreement(recording, setup) if recording else (), (*shown, *doubts)
-    light, reasons = judge(len(family), fell, linear, runs, period, compared, shown, beyond=hopeless, taken=taken)
-    examined = sweeps and robots is None and not setup.controller.called and red(fell, len(family))
+    setup = replace(setup, progress=progress and RunCounter(runs_of(setup, sweeps=sweeps), progress))
+    drawn = (unknown or Uncertainty.of(nominal)) if robots is None else None
+    judged = _examined(setup, design, recording, support=(*shown, *doubts), taken=taken, unknown=drawn, sweeps=sweeps)
+    light, reasons = judge(judged)
+    who = identity(design)
     return Certificate(
-        light=light, reasons=reasons, bound=upper_bound(fell, len(family), CONFIDENCE), robot=nominal.name,
-        kit=parts.name, controller=design.spec.kind, hash=who.hash, period=period, seed=seed, samples=len(family),
-        fell=fell, beyond=hopeless, linear=linear, trials=runs, agreement=compared, support=shown, taken=taken,
+        **vars(judged), light=light, reasons=reasons, bound=upper_bound(judged.fell, judged.samples, CONFIDENCE),
+        robot=nominal.name, kit=parts.name, controller=design.spec.kind, hash=who.hash, seed=seed,
         subject={"robot": robot_facts(given), "kit": kit_facts(stated[1])}, asked=who.asked, response=who.response,
+        endured=endured(setup) if sweeps else (),
+        strength=strong_enough(setup) if judged.beyond > MOST_FALLS * len(family) else None,
         delayed=delay_sweep(setup) if sweeps else (), slower=period_sweep(setup) if sweeps else (),
-        narrowing=narrowing(setup, unknown or Uncertainty.of(nominal), fallen) if examined else None, weighed=weighed,
-        given=controller if isinstance(controller, str) else "",
+        weighed=weighed, given=controller if isinstance(controller, str) else "",
     )  # fmt: skip
 
 
-def _calibrated(
-    log: Log, controller: Controller, robot: Robot, kit: Kit, seed: int, progress: Progress | None, *,
-    weighed: bool,
-) -> tuple[Learnt, tuple[Support, ...]]:  # fmt: skip
-    """The robot of the file, or as it was `weighed`, as `log` shows it, and what was taken over before."""
-    rubs = robot.coulomb_friction > 0
-    some = draw(robot, FEWEST, seed)
-    driven = kernel_controller(controller, robot, kit)
-    setup = TrialSetup(driven, robot, some, kit, seed, dry_friction=rubs, is_weighed=weighed)
-    return calibrated(log, setup, progress)
+def _controller(controller: Controller | str, robot: Robot, kit: Kit, period: float | None) -> Controller:
+    """The controller itself, or the one of that name, for a `period` [s] (None: the kit's)."""
+    design = find_controller(controller, robot, kit, period or kit.period)
+    if period and not math.isclose(design.spec.period, period):
+        raise InvalidScenario(f"a period of {period:g} s for a controller of {design.spec.period:g} s",
+                              expected="a name, or a controller of this period",
+                              hint="the table of periods tells how its gains fare at others")  # fmt: skip
+    return design
 
 
-def _weighed(robot: Robot, weighed: float | None, *, alone: bool, logged: bool) -> Robot:
-    """The robot of a file on a scale, or as it is (None). Of robots that are drawn from elsewhere, not from this file
-    `alone`, a scale says nothing."""
-    if weighed is None:
-        return robot
-    if not alone:
-        raise InvalidScenario("a weight beside a posterior or a list of robots", expected="a weight and the robot's "
-                              "file", hint="calibrate again from the robot's file with this mass")  # fmt: skip
-    return on_the_scale(robot, weighed, logged=logged)
+def _examined(
+    setup: TrialSetup, design: Controller, recording: Log | None, *, support: tuple[Support, ...],
+    taken: tuple[Support, ...], unknown: Uncertainty | None, sweeps: bool,
+) -> Examined:  # fmt: skip
+    """The trials of `setup`, and what its robots do alone; what is guessed, of robots drawn from `unknown`."""
+    runs, fallen, beyond = trials(setup)
+    linear = linear_margins(design, setup.actual_robot, setup.actual_kit, usual=True)
+    alone = standing(setup, sweeps=sweeps)
+    many = red(int(fallen.sum()), len(fallen)) or red(alone.lost, alone.runs)
+    narrowed = sweeps and many and not setup.controller.called
+    return Examined(
+        len(fallen), int(fallen.sum()), linear, runs, setup.controller.law.period,
+        agreement(recording, setup) if recording else (), support, beyond=int(beyond.sum()), taken=taken,
+        standing=alone, guessed=guessed(setup, unknown, tried=many) if unknown else None,
+        narrowing=narrowing(setup, unknown, fallen) if unknown and narrowed else None,
+    )  # fmt: skip
 
 
 def read_certificate(path: str | Path) -> Certificate:
     """The certificate in a file by `upright certify -o`; raises `InvalidController` for what is none."""
     return Certificate.from_json(read_json(path, InvalidController, "a certificate, JSON by upright certify"))
-
-
-def _checked(family: Sequence[Robot], robot: Robot) -> Sequence[Robot]:
-    if len(family) < FEWEST:
-        raise InvalidScenario(
-            f"{len(family)} robots are too few to bound the probability of a fall", expected=f"{FEWEST} or more"
-        )
-    if stranger := next((r for r in family if r.command_unit != robot.command_unit), None):
-        raise SpecMismatch(f"'{stranger.name}' among the robots is commanded in {stranger.command_unit}",
-                           expected=f"{robot.command_unit}, as '{robot.name}'")  # fmt: skip
-    return family
 
 
 def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
@@ -358,11 +365,17 @@ def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
         "trials": tuple(PushTrial(**row) for row in given["trials"]),
         "subject": {what: dict(given["subject"][what]) for what in ("robot", "kit")},
         "response": tuple(map(float, given["response"])),
+        "standing": Standing(**given["standing"]),
+        "endured": tuple(Endured(**row) for row in given["endured"]),
     }
     swept: dict[str, Any] = {name: tuple(Swept(**row) for row in given[name]) for name in ("delayed", "slower")}
     if needed := given.get("narrowing"):
         spreads = tuple(NeededSpread(**row) for row in needed["spreads"])
-        parts["narrowing"] = Narrowing(spreads, needed["runs"], needed["fell"], needed["everything"])
+        parts["narrowing"] = Narrowing(**{**needed, "spreads": spreads})
+    if guesses := given["guessed"]:
+        parts["guessed"] = Guessed(**{**guesses, "names": tuple(guesses["names"])})
+    if strength := given["strength"]:
+        parts["strength"] = Strength(**strength)
     certificate = cls(**{**given, **parts, **swept})
     if wrong := certificate.check():
         raise ValueError(wrong[0])

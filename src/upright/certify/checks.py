@@ -15,13 +15,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from upright.arrays import Array, Mask
-from upright.certify.logged import Logged, delaying, loaded
+from upright.certify.logged import Logged, loaded
 from upright.certify.pushes import StandardPush, standard_pushes
 from upright.certify.recovery import means, recoverable
 from upright.control.controller import Controller
 from upright.control.law import Law, as_law
 from upright.control.mpc import Splitting
-from upright.errors import InvalidController, SpecMismatch
+from upright.errors import InvalidController, InvalidScenario, SpecMismatch
 from upright.fleet.binomial import upper_bound
 from upright.fleet.ensemble import SETTLED, tables
 from upright.kernel.batch import NAMES, FleetBatch, FleetResult, joined, parameters_of, silent
@@ -35,16 +35,12 @@ BATTERIES = {"low": 0.85, "full": 1.12}
 """Over the kit's voltage: six AA cells under load give 7 to 9 V for 8, two lithium cells 6.4 to 8.4 V for 7.5. The
 robot's file may state others (`Robot.conditions`)."""
 
-DELAYS = (0.25, 0.5, 1.0, 1.5, 2.0)
-"""Additional dead times that are tried, in periods."""
-
-SLOWER = (0.5, 0.8, 1.0, 1.25, 1.5, 2.0)
-"""Periods that are tried, as multiples of the controller's own, which is among them for comparison."""
-
 CONFIDENCE = 0.95
+MOST_CYCLE = 0.1  # [rad] of a sway at rest: as far as the paper's pushes lean a robot
 MOST_FALLS = 0.05  # red above: with one such robot in twenty, a class of students breaks one
 
-SWEPT = 100  # drawn robots in the sweeps
+FEWEST = 100
+"""Number of robots below which no certificate is given: even without a fall the bound would exceed 3 %."""
 
 CALLED = 128
 """Robots in one batch where the controller is called for each of them: about a second of work."""
@@ -52,7 +48,7 @@ TOGETHER = 512  # runs of several pushes in one batch: the kernel moves 64 robot
 
 PITCH = ("truth/pitch",)
 BANDS = (SETTLED, math.inf, math.inf)
-_STEP = 0.001  # [s] of the body, as everywhere
+STEP = 0.001  # [s] of the body, as everywhere
 _MOST = 95  # per cent: what one run in twenty exceeds
 
 
@@ -81,15 +77,6 @@ class PushTrial:
     beyond: int = 0
 
 
-@dataclass(frozen=True)
-class Swept:
-    """`fell` of `runs` fell with `value` [s] of additional dead time, or with `value` as the period."""
-
-    value: float
-    runs: int
-    fell: int
-
-
 class KernelController(NamedTuple):
     """A controller as the kernel runs it: as its compiled `law`, or `called` for each robot where no law describes it,
     which takes a hundred times as long."""
@@ -113,6 +100,18 @@ def kernel_controller(controller: Controller, robot: Robot, kit: Kit) -> KernelC
         return KernelController(as_law(controller))
     except InvalidController:
         return KernelController(as_law(silent(controller)), controller)
+
+
+def enough_robots(family: Sequence[Robot], robot: Robot) -> Sequence[Robot]:
+    """The `family`; raises `InvalidScenario` for fewer than `FEWEST`, `SpecMismatch` for one of another drive."""
+    if len(family) < FEWEST:
+        raise InvalidScenario(
+            f"{len(family)} robots are too few to bound the probability of a fall", expected=f"{FEWEST} or more"
+        )
+    if stranger := next((r for r in family if r.command_unit != robot.command_unit), None):
+        raise SpecMismatch(f"'{stranger.name}' among the robots is commanded in {stranger.command_unit}",
+                           expected=f"{robot.command_unit}, as '{robot.name}'")  # fmt: skip
+    return family
 
 
 PUSHES = 3  # number of standard pushes
@@ -186,12 +185,6 @@ class TrialSetup:
         return self.logged.weighed(parameters) if self.logged else parameters
 
     @property
-    def runs(self) -> int:
-        """Number of runs in all trials and sweeps."""
-        some = min(SWEPT, len(self.robots))
-        return self.runs_of_trials + PUSHES * (len(_extra(self)) + len(_periods(self))) * some
-
-    @property
     def runs_of_trials(self) -> int:
         """Number of runs in all trials."""
         return PUSHES * len(conditions(self.robot, self.kit, self.logged)) * len(self.robots)
@@ -226,12 +219,13 @@ def conditions(robot: Robot, kit: Kit, logged: Logged | None = None) -> list[Con
 
 class PlannedPush(NamedTuple):
     """A `push` of all robots at one battery of that `voltage` [V] (None: the kit's), each on a slope of `angles` (·,)
-    [rad]. By its `number` every robot has noise of its own under every push."""
+    [rad], which begin at rest at a `lean` [rad]. By its `number` every robot has noise of its own under every push."""
 
     number: int
     push: Any
     angles: Any = 0.0
     voltage: float | None = None
+    lean: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -258,7 +252,7 @@ class TriedPush:
 
 
 class Trials(NamedTuple):
-    """The trials, which robots (n,) fell in any of them, and which of these no controller could save in one."""
+    """The trials, which robots (n,) fell in any, and which of these fell only where no controller could help."""
 
     trials: tuple[PushTrial, ...]
     fell: Mask
@@ -267,13 +261,13 @@ class Trials(NamedTuple):
 
 def trials(setup: TrialSetup) -> Trials:
     """Every standard push at every battery on all robots."""
-    fell, beyond = (np.zeros(len(setup.robots), dtype=np.bool_) for _ in range(2))
+    fell, avoidable = (np.zeros(len(setup.robots), dtype=np.bool_) for _ in range(2))
     results = list[PushTrial]()
     for one in tried(setup):
         results.append(one.counted)
         fell |= one.run.fell
-        beyond |= one.beyond
-    return Trials(tuple(results), fell, beyond)
+        avoidable |= one.run.fell & ~one.beyond
+    return Trials(tuple(results), fell, fell & ~avoidable)
 
 
 def tried(setup: TrialSetup) -> Iterator[TriedPush]:
@@ -284,7 +278,7 @@ def tried(setup: TrialSetup) -> Iterator[TriedPush]:
     plan, at_once = _plan(setup), max(1, TOGETHER // len(setup.robots))
     for first in range(0, len(plan), at_once):
         some = plan[first : first + at_once]
-        runs = _runs(setup, [one for one, *_ in some], setup.controller, channels)
+        runs = simulated(setup, [one for one, *_ in some], setup.controller, channels)
         for (planned, standard, called, battery), run in zip(some, runs, strict=True):
             trial = replace(
                 _trial(called, battery, run, setup.parameters, law.period), size=standard.size,
@@ -306,50 +300,22 @@ def _plan(setup: TrialSetup) -> list[tuple[PlannedPush, StandardPush, str, str]]
     return plan
 
 
-def delay_sweep(setup: TrialSetup) -> tuple[Swept, ...]:
-    """Falls under every standard push with `DELAYS` periods of additional dead time, unknown to the controller."""
-    kit, known = setup.actual_kit, setup.logged or Logged.alone(setup.kit)
-    slowed = {more: replace(setup, logged=replace(known, kit=delaying(kit, more))) for more in _extra(setup)}
-    return tuple(_swept(one, more, setup.controller) for more, one in slowed.items())
-
-
-def period_sweep(setup: TrialSetup) -> tuple[Swept, ...]:
-    """Falls under every standard push with the same gains at `SLOWER` times the period."""
-    law, called = setup.controller
-    return tuple(_swept(setup, p, KernelController(law.with_period(p), called)) for p in _periods(setup))
-
-
 def watched(setup: TrialSetup, push: Any, number: int, channels: Sequence[str]) -> FleetResult:
     """One run of each robot of `setup` under `push`, with `channels` recorded; `number` is that of the trial."""
-    return _runs(setup, [PlannedPush(number, push)], setup.controller, channels)[0]
+    return simulated(setup, [PlannedPush(number, push)], setup.controller, channels)[0]
 
 
-def _extra(setup: TrialSetup) -> list[float]:
-    return sorted({round(fraction * setup.controller.law.period / _STEP) * _STEP for fraction in DELAYS} - {0.0})
-
-
-def _periods(setup: TrialSetup) -> list[float]:
-    """In the kernel no command may be delayed beyond the next one, so that jitter limits the period from below."""
-    tried = sorted({max(1, round(fraction * setup.controller.law.period / _STEP)) * _STEP for fraction in SLOWER})
-    return [period for period in tried if period >= setup.actual_kit.jitter]
-
-
-def _swept(setup: TrialSetup, value: float, controller: KernelController) -> Swept:
-    pushes = [PlannedPush(i, standard.push) for i, standard in enumerate(setup.pushes().values())]
-    runs = _runs(replace(setup, robots=setup.robots[:SWEPT]), pushes, controller)
-    return Swept(value, sum(len(run.fell) for run in runs), sum(int(run.fell.sum()) for run in runs))
-
-
-def _runs(
-    setup: TrialSetup, pushes: Sequence[PlannedPush], controller: KernelController, channels: Sequence[str] = ()
-) -> list[FleetResult]:
-    """One run of each robot under each push, push by push."""
+def simulated(
+    setup: TrialSetup, pushes: Sequence[PlannedPush], controller: KernelController, channels: Sequence[str] = (),
+    *, seconds: float = SECONDS,
+) -> list[FleetResult]:  # fmt: skip
+    """One run of `seconds` of each robot under each push, push by push."""
     batch = _batch(setup, pushes, controller.law)
     part, results = CALLED if controller.called else batch.n, list[FleetResult]()
     for first in range(0, batch.n, part):
         some = batch if part >= batch.n else batch.part(slice(first, first + part))
         results.append(simulate(
-            some, SECONDS, record=int(bool(channels)), channels=channels, bands=BANDS, threads=setup.threads,
+            some, seconds, record=int(bool(channels)), channels=channels, bands=BANDS, threads=setup.threads,
             called=controller.called,
         ))  # fmt: skip
         if setup.progress:
@@ -364,6 +330,8 @@ def _batch(setup: TrialSetup, pushes: Sequence[PlannedPush], law: Law) -> FleetB
     n, count = len(parameters), len(pushes)
     slope = np.zeros((count * n, 2))
     slope[:, 0] = np.concatenate([np.broadcast_to(one.angles, n) for one in pushes])
+    start = np.zeros((count * n, 6))
+    start[:, 0] = np.repeat([one.lean for one in pushes], n)
     given = [np.broadcast_to(tables([one.push], (), parameters).pushes, (n, 1, 4)) for one in pushes]
     changes = {name: np.tile(values, count) for name, values in (logged.drawn(n) if logged else {}).items()}
     if any(one.voltage is not None for one in pushes):
@@ -371,7 +339,7 @@ def _batch(setup: TrialSetup, pushes: Sequence[PlannedPush], law: Law) -> FleetB
         changes["battery.voltage"] = np.repeat(volts, n)
     return FleetBatch(
         parameters=np.tile(parameters, (count, 1)), controller=law, kit=kit, seed=setup.seed, kit_changes=changes,
-        pushes=np.concatenate(given), slope=slope, period=_STEP,
+        start=start, pushes=np.concatenate(given), slope=slope, period=STEP,
         index=np.concatenate([np.arange(n, dtype=np.uint64) + np.uint64(one.number * n) for one in pushes]),
     )  # fmt: skip
 

@@ -6,7 +6,7 @@ import math
 
 from upright.certify.logged import LOADED, loaded
 from upright.certify.support import LOAD
-from upright.errors import InvalidRobot
+from upright.errors import InvalidRobot, InvalidScenario
 from upright.robots import Provenance, Robot
 from upright.robots.uncertainty import deviations
 
@@ -47,3 +47,14 @@ def on_the_scale(robot: Robot, weighed: float, *, logged: bool) -> Robot:
     sizes["body_mass"] = math.hypot(SCALE * weighed, 2 * before.get("wheel_mass", 0.0))
     scaled = {name: Provenance("the robot on a scale", size) for name, size in sizes.items()}
     return known.replace(provenance={**robot.provenance, **scaled})
+
+
+def as_weighed(robot: Robot, weighed: float | None, *, alone: bool, logged: bool) -> Robot:
+    """The robot of a file on a scale, or as it is (None). Of robots that are drawn from elsewhere, not from this file
+    `alone`, a scale says nothing."""
+    if weighed is None:
+        return robot
+    if not alone:
+        raise InvalidScenario("a weight beside a posterior or a list of robots", expected="a weight and the robot's "
+                              "file", hint="calibrate again from the robot's file with this mass")  # fmt: skip
+    return on_the_scale(robot, weighed, logged=logged)

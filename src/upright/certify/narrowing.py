@@ -12,18 +12,34 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from upright.arrays import Array, Mask
-from upright.certify.checks import TrialSetup, red, tried
+from upright.certify.checks import TrialSetup, red
+from upright.certify.checks import tried as pushed
+from upright.certify.standing import left_alone
 from upright.kernel.batch import NAMES, parameters_of
 from upright.robots.robot import PARAMETERS
-from upright.robots.uncertainty import Spread, Uncertainty, draw
+from upright.robots.uncertainty import GUESS, Spread, Uncertainty, draw
 
 TRIED = 300  # robots: without a fall they bound it to 1 %
+FEW = 100  # where the controller is called for each, which takes a hundred times as long
 FACTORS = (0.1, 0.2, 0.35, 0.5, 0.7)
 """How well a number may have to be known, over how well it is: a tenth is what a good calibration reaches."""
 WELL = 0.2  # of the spread as it is: where robots fall that are near the nominal one, half as wide helps little
 MOST_NAMES = 3
-WEIGHED = ("wheel_mass", "body_mass")
-MEASURED = ("wheel_radius", "track", "body_depth", "body_height")
+BY_HAND = {
+    "wheel_mass": "put a wheel on a scale",
+    "body_mass": "put the robot on a scale and take off both wheels",
+    "wheel_radius": "roll the robot by ten turns and divide the way by 20 π",
+    "track": "measure between the middles of the tyres",
+    "com_height": "lay the robot on a table's edge across its axle: where it tips is its centre of mass",
+    "pitch_inertia": "hang the robot by its axle, let it swing and time ten swings",
+    "motor_resistance": "hold a wheel and divide a small voltage by its current",
+    "back_emf": "turn a wheel at a known speed and read the open motor's voltage",
+    "torque_constant": "it is the back-EMF constant, or less: turn a wheel at a known speed and read the voltage",
+    "coulomb_friction": "raise the voltage until a wheel in the air begins to turn",
+}
+"""How to measure a parameter in some minutes. A time T of a swing about the axle is 2π √((J + M L²)/(M g L))."""
+LOGGED = tuple(name for name in PARAMETERS if name not in ("wheel_mass", "body_mass", "wheel_radius", "track"))
+"""What a log tells: neither a mass (docs/studies/mass.md) nor a length."""
 
 
 @dataclass(frozen=True)
@@ -56,19 +72,45 @@ class Narrowing:
         if not self.spreads:
             return f"no {MOST_NAMES} parameters decide: the robot has to be known better in more of them"
         names = " and ".join(map(str, self.spreads))
-        return f"it would not be red if you knew {names}: then {self.fell} of {self.runs} robots fall"
+        return f"measure {names}: then {self.fell} of {self.runs} robots fall"
 
     def ways(self, robot: str) -> tuple[str, ...]:
         """What tells these parameters, a sentence each."""
         names = [spread.name for spread in self.spreads]
-        weighed, measured = ([n for n in names if n in some] for some in (WEIGHED, MEASURED))
-        logged = [n for n in names if n not in (*WEIGHED, *MEASURED)]
-        ways = [f"A scale tells {' and '.join(weighed)}."] if weighed else []
-        ways += [f"A ruler tells {' and '.join(measured)}."] if measured else []
+        ways = [f"{name}: {BY_HAND[name]}." for name in names if name in BY_HAND]
+        logged = [name for name in names if name in LOGGED]
         if logged:
             plan = f"upright excite --robot {robot} --focus {','.join(logged)} -o plan.json"
             ways.append(f"A run tells {' and '.join(logged)}: {plan}, then upright calibrate on its log.")
         return tuple(ways)
+
+
+@dataclass(frozen=True)
+class Guessed:
+    """The parameters that nobody measured: with these `names` as the file has them `fell` of `runs` robots fall (0 of
+    0: not tried, since few fall with them varied)."""
+
+    names: tuple[str, ...]
+    runs: int
+    fell: int
+
+
+def guessed(setup: TrialSetup, unknown: Uncertainty, *, tried: bool) -> Guessed | None:
+    """What is only guessed in `unknown`; where it is to be `tried`, how many robots of `setup` fall with the guesses as
+    the file has them. None without a guess."""
+    names = tuple(s.name for s in unknown.spreads if s.kind == "lognormal" and s.high == GUESS)
+    if not names:
+        return None
+    if not tried:
+        return Guessed(names, 0, 0)
+    spreads = tuple(s.scaled(0.0 if s.name in names else 1.0) for s in unknown.spreads)
+    runs = FEW if setup.controller.called else TRIED
+    robots = draw(setup.robot, runs, setup.seed + 1, Uncertainty(spreads, unknown.correlation))
+    known = replace(setup, robots=robots, progress=None)
+    lost = left_alone(known).fell.copy()
+    for one in pushed(known):
+        lost |= one.run.fell & ~one.beyond
+    return Guessed(names, runs, int(lost.sum()))
 
 
 def narrowing(setup: TrialSetup, unknown: Uncertainty, fell: Mask) -> Narrowing:
@@ -80,7 +122,7 @@ def narrowing(setup: TrialSetup, unknown: Uncertainty, fell: Mask) -> Narrowing:
         known = Uncertainty(spreads, unknown.correlation)
         robots = draw(setup.robot, TRIED, setup.seed + 1, known)
         lost = np.zeros(TRIED, dtype=np.bool_)
-        for one in tried(replace(setup, robots=robots, progress=None)):
+        for one in pushed(replace(setup, robots=robots, progress=None)):
             lost |= one.run.fell
             if red(int(lost.sum()), TRIED) and not all_pushes:
                 break

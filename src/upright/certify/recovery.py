@@ -73,6 +73,16 @@ def largest_knock(robot: Robot, kit: Kit, side: int = 1, *, battery: float | Non
     return _largest(numbers, able, slope, "knock", side) if math.isfinite(able.most) else math.inf
 
 
+def largest_slope(robot: Robot, kit: Kit, battery: float | None = None) -> float:
+    """The steepest floor [rad] on which the robot can rest, from statics: the wheels bear (M + 2m) g R sin γ, which
+    neither both motors nor a body that lies level, M g L, may exceed."""
+    able = means(robot, kit, battery).most
+    body = robot.body_mass * robot.gravity * robot.com_height
+    torque = min(2 * motor_gain(robot) * able, body)
+    weight = (robot.body_mass + 2 * robot.wheel_mass) * robot.gravity * robot.wheel_radius
+    return math.asin(min(1.0, torque / weight))
+
+
 def recoverable(
     parameters: Array, able: Means, push: Hold | Impulse, slope: float | Array = 0.0, threads: int | None = None
 ) -> Mask:

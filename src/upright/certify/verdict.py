@@ -10,22 +10,23 @@ import numpy as np
 
 from upright.certify.agreement import AMBER, RED, Agreement, disagreements
 from upright.certify.analysis import INPUTS, ROUNDED, instability, loop_margins
-from upright.certify.checks import CONFIDENCE, MOST_FALLS, PushTrial, red
+from upright.certify.checks import CONFIDENCE, MOST_CYCLE, MOST_FALLS, PushTrial, red
 from upright.certify.loop import robot_loop
 from upright.certify.margins import Margins, margins
+from upright.certify.narrowing import Guessed, Narrowing
+from upright.certify.standing import Standing
 from upright.certify.support import Support, contradictions
 from upright.control.controller import Controller
 from upright.errors import InvalidController
 from upright.fleet.binomial import upper_bound
 from upright.robots import Kit, Robot
 
-GREEN = "green"
+GREEN, UNKNOWN = "green", "unknown"
 
 LEAST_GAIN = 0.04  # amber below: copper that warms by 10 K takes 4 % of the motor's gain
 LEAST_DELAY = 0.25  # [periods] amber below: a loop that runs in time still jitters by a tenth or two of its period
 MOST_SATURATED = 0.25  # amber above: a motor at its end this often is no longer the one the design assumed
 MOST_TRAVEL = 1.0  # [m] amber above: it leaves the table
-MOST_CYCLE = 0.1  # [rad] amber above: at rest it sways as far as the paper's pushes lean it
 
 CLOSE = 0.5
 """Distance of the Nyquist curve from −1 below which margins are small: the usual rule, Ms at most 2."""
@@ -97,32 +98,55 @@ def linear_margins(controller: Controller, robot: Robot, kit: Kit, *, usual: boo
     return LinearMargins(radius, low.gain_low, high.gain_high, first.delay, *at, met=met)
 
 
-def judge(
-    samples: int,
-    fell: int,
-    linear: LinearMargins | None,
-    runs: Sequence[PushTrial],
-    period: float,
-    compared: Sequence[Agreement] = (),
-    support: Sequence[Support] = (),
-    *,
-    beyond: int = 0,
-    taken: Sequence[Support] = (),
-) -> tuple[str, tuple[str, ...]]:
-    """The light and its one or two reasons, the gravest first. No controller could save `beyond` of those that fell.
-    Numbers that were `taken` from the log, outside what was assumed, are a reason besides: they are a fault to mend, or
-    to be measured, so that the light is amber at most."""
-    logged = [f"tried as the log shows it: {s}" for s in sorted(taken, key=lambda s: -s.excess) if s.excess > 0]
-    loop = [instability(linear.radius, period)] if linear and not linear.stable else []
+@dataclass(frozen=True)
+class Examined:
+    """What the light is judged by: `fell` of `samples` robots under the standard pushes, `beyond` of them only where no
+    controller could help; the `linear` loop every `period` [s]; the `trials`; what a log shows (`agreement`, `support`,
+    what was `taken` from it); robots left alone (`standing`); those with the guesses as the file has them (`guessed`),
+    and what would have to be measured (`narrowing`). None: not examined."""
+
+    samples: int
+    fell: int
+    linear: LinearMargins | None
+    trials: Sequence[PushTrial]
+    period: float
+    agreement: Sequence[Agreement] = ()
+    support: Sequence[Support] = ()
+    _: KW_ONLY
+    beyond: int = 0
+    taken: Sequence[Support] = ()
+    standing: Standing | None = None
+    guessed: Guessed | None = None
+    narrowing: Narrowing | None = None
+
+
+def judge(e: Examined) -> tuple[str, tuple[str, ...]]:
+    """The light and its one or two reasons, the gravest first.
+
+    Numbers that were taken from the log, outside what was assumed, are a reason besides: they are a fault to mend, or
+    to be measured, so that the light is amber at most. Falls that end with the guesses as the file has them leave it
+    unknown.
+    """
+    linear = e.linear
+    logged = [f"tried as the log shows it: {s}" for s in sorted(e.taken, key=lambda s: -s.excess) if s.excess > 0]
+    loop = [instability(linear.radius, e.period)] if linear and not linear.stable else []
     free, unstable = (loop, []) if linear and linear.free else ([], loop)
-    if grave := unstable + _falls(samples, fell, beyond, runs) + disagreements(compared, RED):
+    drawn = _drawn(e)
+    unmeasured = bool(e.guessed and e.guessed.runs and not red(e.guessed.fell, e.guessed.runs))
+    certain = unstable + _file(e.standing) + disagreements(e.agreement, RED)
+    grave = certain + ([] if unmeasured else drawn + _weak(e)[: len(drawn)])
+    if grave:
         return RED, tuple((grave[:1] + logged[:1] + grave[1:] + free)[:2])
-    thin = free or (_thin(linear, period) if linear else [])
-    amber = disagreements(compared, AMBER) + contradictions(support) + thin + _laborious(runs)
+    if drawn and e.guessed:
+        known = f"with the guesses as the file has them {e.guessed.fell} of {e.guessed.runs} fall"
+        ask = str(e.narrowing) if e.narrowing and e.narrowing.spreads else f"measure {', '.join(e.guessed.names[:3])}"
+        return UNKNOWN, (f"{drawn[0]}; {known}", ask)
+    thin = free or (_thin(linear, e.period) if linear else [])
+    amber = disagreements(e.agreement, AMBER) + contradictions(e.support) + thin + _weak(e) + _laborious(e.trials)
     if amber or logged:
         return AMBER, tuple((amber[:1] + logged[:1] + amber[1:])[:2])
-    chance = _per_cent(upper_bound(fell, samples, CONFIDENCE))
-    message = f"{fell} of {samples} robots fell: the probability of a fall is below {chance}"
+    chance = _per_cent(upper_bound(e.fell, e.samples, CONFIDENCE))
+    message = f"{e.fell} of {e.samples} robots fell: the probability of a fall is below {chance}"
     if linear is None:
         return GREEN, (message, "no linear margins are known")
     delay = "with any delay" if math.isinf(linear.delay) else f"up to {linear.delay * 1e3:.1f} ms more delay"
@@ -130,22 +154,34 @@ def judge(
     return GREEN, (message, f"stable {delay}{placed(linear.delay_at)}{met}")
 
 
-def _falls(samples: int, fell: int, beyond: int, runs: Sequence[PushTrial]) -> list[str]:
-    if not red(fell, samples):
+def _file(standing: Standing | None) -> list[str]:
+    """That the file's robot falls by itself."""
+    if standing is None or standing.fell is None:
         return []
-    bound = upper_bound(fell, samples, CONFIDENCE)
-    worst = max(runs, key=lambda t: t.fell)
-    where = f", {worst.fell} of them after a {worst.push} at {worst.battery} battery" if fell else ""
+    return [f"left alone, the robot of the file falls after {standing.fell:.2g} s"]
+
+
+def _drawn(e: Examined) -> list[str]:
+    """The falls of drawn robots that the controller could have avoided."""
+    lost = []
+    if e.standing and e.standing.fell is None and red(e.standing.lost, e.standing.runs):
+        lost = [f"left alone, {e.standing.lost} of {e.standing.runs} robots fall within the uncertainty of the file"]
+    if not red(e.fell - e.beyond, e.samples):
+        return lost
+    bound = upper_bound(e.fell, e.samples, CONFIDENCE)
+    worst = max(e.trials, key=lambda t: t.fell)
+    where = f", {worst.fell} of them after a {worst.push} at {worst.battery} battery" if e.fell else ""
     message = f"the probability of a fall may be {_per_cent(bound)}, more than {100 * MOST_FALLS:g} %"
-    fallen = f"{fell} of {samples} robots fell{where}: {message}"
-    if beyond <= MOST_FALLS * samples:
-        return [fallen]
-    hardest = max(runs, key=lambda t: t.beyond)
-    weak = (
-        f"no controller could: {beyond} of {samples} robots have motors too weak, {hardest.beyond} of them for a "
-        f"{hardest.push} at {hardest.battery} battery"
-    )
-    return [fallen, weak] if red(fell - beyond, samples) else [weak, fallen]  # those that it could have saved first
+    return [*lost, f"{e.fell} of {e.samples} robots fell{where}: {message}"]
+
+
+def _weak(e: Examined) -> list[str]:
+    """That motors are too weak for what the standard pushes ask: a property of the robot, not of its controller."""
+    if not red(e.fell, e.samples) or e.beyond <= MOST_FALLS * e.samples:
+        return []
+    hardest = max(e.trials, key=lambda t: t.beyond)
+    where = f"{hardest.beyond} of them for a {hardest.push} at {hardest.battery} battery"
+    return [f"no controller could: {e.beyond} of {e.samples} robots have motors too weak, {where}"]
 
 
 def _thin(linear: LinearMargins, period: float) -> list[str]:

@@ -13,6 +13,7 @@ from upright.cli.options import (
     KitOption,
     MappingOption,
     OutputOption,
+    PeriodOption,
     PosteriorOption,
     ReportOption,
     RobotOption,
@@ -35,25 +36,26 @@ def certify(
     weighed: Annotated[
         float | None, typer.Option(help="What the robot weighs on a scale [kg]: no log is asked the mass then.")
     ] = None,
+    period: PeriodOption = None,
     samples: SamplesOption = 1000,
     seed: SeedOption = 0,
     output: OutputOption = None,
     report: ReportOption = None,
     as_json: JsonOption = False,
 ) -> None:
-    """Certify a controller for a robot: green, amber or red.
+    """Certify a controller for a robot: green, amber, red or unknown.
 
-    Pushes many robots drawn from the uncertainty of the parameters, and bounds the probability of a fall. Exit code 0
-    for green and amber, 3 for red.
+    Does it stand? How hard may I push it? Which of its numbers are guesses, and which decides? Exit code 0 for green
+    and amber, 3 for red and unknown.
     """
     from upright.certify.certificate import certify as examine
 
     check_targets(output, report)
     with progress("certifying") as show:
         certificate = examine(
-            controller, robot, kit, log=log, mapping=mapping, posterior=posterior, weighed=weighed, samples=samples,
-            seed=seed, progress=show,
+            controller, robot, kit, log=log, mapping=mapping, posterior=posterior, weighed=weighed, period=period,
+            samples=samples, seed=seed, progress=show,
         )  # fmt: skip
     finish(certificate, as_json, output=output, page=report)
-    if certificate.light == "red":
+    if certificate.light in ("red", "unknown"):
         raise typer.Exit(AGAINST)

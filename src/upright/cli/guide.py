@@ -141,7 +141,7 @@ def _parts(study: GuidedStudy, samples: int) -> Iterator[Question | GuidedStep]:
     certify = ("certify", "controller.json", *chosen, "--samples", str(samples), "-o", "certificate.json")
     why = "Many robots, as uncertain as this one, are pushed: may the controller drive?"
     yield GuidedStep(why, (*certify, "--report", "certificate.html"), ("method",))
-    if answers["where"] == "here" and _light(study) != "red":
+    if answers["where"] == "here" and _light(study) not in ("red", "unknown"):
         yield from _onto_a_brick(answers, chosen)
 
 
@@ -253,7 +253,7 @@ def _conclude(study: GuidedStudy) -> None:
     where = study.answers["where"]
     words = {
         "green": "green: the controller may drive this robot", "amber": "amber: it may drive, with care",
-        "red": "red: it must not drive",
+        "red": "red: it must not drive", "unknown": "unknown: measure what the certificate names",
     }  # fmt: skip
     typer.echo(f"\nVerdict: {words.get(light, light)}. The pages (.html) in {study.folder.resolve()} show why.")
     if light == "red":

@@ -9,26 +9,31 @@ from itertools import groupby
 
 from upright.certify.agreement import AMBER, RED
 from upright.certify.certificate import Certificate
-from upright.certify.checks import BATTERIES, PushTrial, Swept
+from upright.certify.checks import BATTERIES, PushTrial
 from upright.certify.pushes import HELD, KNOCKED, RELEASE
 from upright.certify.recovery import KNOCK_DURATION
-from upright.certify.verdict import GREEN, MOST_FALLS, LinearMargins, placed
+from upright.certify.standing import Swept
+from upright.certify.verdict import GREEN, MOST_FALLS, UNKNOWN, LinearMargins, placed
 from upright.plotting import AXIS, line, number, panels
 from upright.report.figure import Figure
 from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
 from upright.tables import in_degrees, joined, sentence
 
-LEVEL = {GREEN: "good", AMBER: "warn", RED: "bad"}
-HEADINGS = {GREEN: "{0} may drive {1}", RED: "{0} must not drive {1}"}
+LEVEL = {GREEN: "good", AMBER: "warn", RED: "bad", UNKNOWN: "warn"}
+HEADINGS = {
+    GREEN: "{0} may drive {1}", RED: "{0} must not drive {1}",
+    UNKNOWN: "{1} is not known well enough for {0}",
+}  # fmt: skip
 """What a light means; amber: it may, if somebody has read the reasons."""
 
 
 def page_of(certificate: Certificate) -> Page:
     """The certificate's page, not yet written."""
-    verdict = Verdict(f"{certificate.light} light", LEVEL.get(certificate.light, "info"))
+    light = certificate.light
+    verdict = Verdict(light if light == UNKNOWN else f"{light} light", LEVEL.get(light, "info"))
     green = certificate.light == GREEN
     reasons = Section("Reasons", [*(sentence(reason) for reason in certificate.reasons)], folded=green)
-    sections = [reasons]
+    sections = [reasons, Section("Three questions", certificate.answers())]
     if certificate.narrowing:
         learn = [sentence(str(certificate.narrowing)), *certificate.narrowing.ways(certificate.robot)]
         sections.append(Section("What would have to be known better", learn))
@@ -289,7 +294,7 @@ def _figure(name: str, swept: Sequence[Swept], title: str, note: str, designed: 
         f"limit, {100 * MOST_FALLS:g} %", (1, 100 * MOST_FALLS), (-4, 4), xycoords=("axes fraction", "data"),
         ha="right", textcoords="offset points",
     )  # fmt: skip
-    runs = f"{swept[0].runs} runs each: some of the robots, every push, the nominal battery."
+    runs = f"{swept[0].runs} runs each: some of the robots, left alone, the nominal battery."
     return Figure(
         f"{title}: {fallen(milliseconds, parts)}",
         figure,

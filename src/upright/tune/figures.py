@@ -13,7 +13,7 @@ from upright.arrays import Array
 from upright.atomic import finite
 from upright.certify.checks import SECONDS, PushTrial, TrialSetup, kernel_controller, tried
 from upright.certify.recovery import KNOCK_DURATION
-from upright.certify.verdict import LinearMargins, judge
+from upright.certify.verdict import Examined, LinearMargins, judge
 from upright.control.controller import Controller
 from upright.fleet.ensemble import release
 from upright.kernel.batch import FleetBatch, parameters_of
@@ -183,7 +183,9 @@ def figures(
     robots = draw(robot, samples, seed)
     setup = TrialSetup(kernel_controller(controller, robot, kit), robot, robots, kit, seed, threads)
     runs = pushed(setup, blamed=True)
-    light, reasons = judge(samples, runs.fell, linear, runs.trials, controller.spec.period, beyond=runs.beyond)
+    light, reasons = judge(
+        Examined(samples, runs.fell, linear, runs.trials, controller.spec.period, beyond=runs.beyond)
+    )
     return Figures(
         samples=samples, fell=runs.fell, knock=knock(setup), settling=runs.settling, effort=runs.effort,
         saturated=max(t.saturated for t in runs.trials), travel=max(t.travel for t in runs.trials),

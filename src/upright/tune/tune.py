@@ -17,8 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from upright.atomic import place_of
 from upright.certify.agreement import AMBER, RED
-from upright.certify.certificate import FEWEST
-from upright.certify.checks import TrialSetup, kernel_controller
+from upright.certify.checks import FEWEST, TrialSetup, kernel_controller
 from upright.certify.verdict import GREEN, LinearMargins, linear_margins
 from upright.control import CONTROLLERS, Controller, controller_hash, write_controller
 from upright.control.identity import request_hash
