@@ -27,7 +27,7 @@ ROOMS = (
     "plugins",
     "signals", "robots",
     "physics", "compiled", "links", "bodies", "control", "logs", "doctor", "experiment", "kernel", "calibrate", "fleet",
-    "firmware", "bricks", "parity", "excite", "identify", "validate", "certify", "tune", "diagnose", "flight",
+    "gym", "firmware", "bricks", "parity", "excite", "identify", "validate", "certify", "tune", "diagnose", "flight",
     "comparison", "report", "paper", "lab", "classwork", "cli", "__main__",
 )  # fmt: skip
 """From the ground up."""
@@ -36,14 +36,15 @@ STRANGERS = {("control", "bodies")}
 """Rooms that do not know each other although the order would allow it: a controller must not see inside a body."""
 
 HEAVY = {
-    "cma", "control", "cvxpy", "dask", "distributed", "fastapi", "jinja2", "matplotlib", "mcap", "mujoco", "numba",
-    "pandas", "pyarrow", "rich", "scipy.signal", "slycot", "sympy", "uvicorn", "xarray", "zarr",
+    "cma", "control", "cvxpy", "dask", "distributed", "fastapi", "gymnasium", "jinja2", "matplotlib", "mcap", "mujoco",
+    "numba", "pandas", "pyarrow", "rich", "scipy.signal", "slycot", "sympy", "uvicorn", "xarray", "zarr",
 }  # fmt: skip
 AT_ONCE = {
     ("bodies/twin.py", "mujoco"), ("paper/derivation.py", "sympy"), ("paper/errata.py", "sympy"),
     ("compiled/generate.py", "sympy"), ("compiled/trace.py", "sympy"),
     ("compiled/trace_constants.py", "sympy"), ("compiled/trace_print.py", "sympy"),
     ("compiled/trace_motion.py", "sympy"),
+    ("gym/balance.py", "gymnasium"), ("gym/task.py", "gymnasium"), ("gym/vector.py", "gymnasium"),
     ("calibrate/motion.py", "numba"), ("lab/app.py", "fastapi"), ("plotting.py", "matplotlib"),
     ("report/figure.py", "matplotlib"), ("report/robot.py", "matplotlib"), ("report/film.py", "matplotlib"),
 }  # fmt: skip

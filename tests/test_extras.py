@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import re
 import sys
 import tomllib
@@ -87,6 +88,15 @@ def test_hardware_and_converters_without_their_extra_say_what_to_install(hidden:
             ask()
     with pytest.raises(MissingTool, match="to_control needs control"):
         up.linearise("nxtway-gs").to_control()
+
+
+def test_the_environment_without_gymnasium_says_what_to_install(
+    hidden: Callable[[str], None], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    hidden("gymnasium")
+    monkeypatch.delitem(sys.modules, "upright.gym", raising=False)
+    with pytest.raises(MissingTool, match=re.escape("upright.gym needs gymnasium: pip install 'upright[gym]'")):
+        importlib.import_module("upright.gym")
 
 
 def test_the_bench_and_the_lab_leave_out_what_needs_an_extra(

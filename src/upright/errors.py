@@ -11,8 +11,8 @@ LONGEST_SHOWN = 80
 LONGEST_REASON = 200
 """Letters of another library's message that ours repeats."""
 EXTRAS = {
-    "cma": "tune", "control": "control", "cvxpy": "robust", "distributed": "cluster", "imageio_ffmpeg": "film",
-    "mcap": "mcap", "nxt": "nxt", "pybricksdev": "pybricks", "zarr": "zarr",
+    "cma": "tune", "control": "control", "cvxpy": "robust", "distributed": "cluster", "gymnasium": "gym",
+    "imageio_ffmpeg": "film", "mcap": "mcap", "nxt": "nxt", "pybricksdev": "pybricks", "zarr": "zarr",
 }  # fmt: skip
 """Modules that a plain installation lacks, and the extra of this package that brings each."""
 

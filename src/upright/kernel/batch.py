@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from upright.arrays import Array, Mask, Whole
 from upright.control import Controller
+from upright.control.controller import ControllerSpec
 from upright.control.law import Law, as_law
 from upright.control.linear_controller import LinearController
 from upright.errors import InvalidModel, InvalidRobot, InvalidScenario, SpecMismatch
@@ -100,9 +101,13 @@ class FleetBatch:
 
 def silent(like: Controller) -> LinearController:
     """A linear controller that commands nothing and reads what `like` reads, which is called in its place."""
-    spec = like.spec
+    return idle(like.spec)
+
+
+def idle(spec: ControllerSpec) -> LinearController:
+    """A linear controller that commands nothing, with the readings, period and unit of `spec`."""
     none = np.zeros((0, 0))
-    m = len(like.spec.reads)
+    m = len(spec.reads)
     return LinearController(
         none, none, none, none, none, np.zeros((2, m)), np.zeros((2, 6)),
         reads=spec.reads, period=spec.period, command_unit=spec.command_unit,

@@ -29,7 +29,8 @@ _SAME_TIME = 1e-9  # [s] as in `experiment.pushes`
 @dataclass(eq=False, kw_only=True)
 class Packed:
     """`common` (r,) holds each row of a block as all robots have it; `rows` (v,) are overwritten by the rows of
-    `table` (v, n). `truth` and `sensors` are those of `run.entry`; what is applied stands in rows from `applied` on."""
+    `table` (v, n). `truth` and `sensors` are those of `run.entry`; what is applied stands in rows from `applied` on.
+    `alike`: all robots have one dead time, without jitter."""
 
     at: Rows
     common: NDArray[Any]
@@ -39,6 +40,7 @@ class Packed:
     sensors: Whole
     program: CompiledLaw
     applied: int
+    alike: bool
 
 
 class _Block:
@@ -107,6 +109,7 @@ def pack(batch: FleetBatch, kit: KitTables, h: float, dtype: Any) -> Packed:
     return Packed(
         at=at, common=common, rows=rows, table=table, truth=np.array(truth, dtype=np.int64).reshape(-1, 2),
         sensors=sensors, program=program, applied=applied,
+        alike=len(kit.dead_time) == 1 and not kit.dead_time[0, 2],
     )  # fmt: skip
 
 

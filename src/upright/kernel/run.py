@@ -199,6 +199,13 @@ def decide(block: RobotBlock, plan: Any, times: Any, constants: Any, k: int) -> 
     control(item(plan, DECIDE), w, count, plan, constants)
     if item(plan, CALLED) != 0:
         call_on_block(item(plan, CALLED), w, count, k)
+    return send(block, plan, k)
+
+
+@njit
+def send(block: RobotBlock, plan: Any, k: int) -> int:
+    """The command of period `k` through the drive into the delay line; returns as `decide`."""
+    w, count = block.w, block.robots
     call_program(item(plan, DRIVE), w, count, 0 * k, w)
     slots = item(plan, SLOTS)
     slot = item(plan, RING) + 2 * (k % slots) if slots else item(plan, APPLIED_ROW)

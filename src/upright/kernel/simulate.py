@@ -86,13 +86,23 @@ def _pieces(batch: FleetBatch, workers: int) -> list[Piece]:
     the others."""
     even = max(PIECE // _PARTS, batch.n // (_PARTS * workers))
     size = batch.n if batch.n <= PIECE else min(PIECE, -(-even // LANES) * LANES)
-    slips, rolls = (batch.parameters[:, NAMES.index(f"{name}_friction")] != 0 for name in ("coulomb", "rolling"))
-    kinds = np.where(rolls, 2, slips) + 3 * (batch.slope[:, 0] != 0) + len(VARIANTS) * (steps_of(batch) - 1)
+    kinds = _terms(batch) + len(VARIANTS) * (steps_of(batch) - 1)
     if len(kinds) == 1 or (kinds == kinds[0]).all():
         starts = range(0, batch.n, size)
         return [_piece(int(kinds[0]), slice(start, min(batch.n, start + size))) for start in starts]
     groups = [(k, np.flatnonzero(kinds == k)) for k in np.unique(kinds).tolist()]
     return [_piece(k, rows[start : start + size]) for k, rows in groups for start in range(0, len(rows), size)]
+
+
+def _terms(batch: FleetBatch) -> Whole:
+    """The number in `VARIANTS` (·,) of the terms that the equations of each robot have."""
+    slips, rolls = (batch.parameters[:, NAMES.index(f"{name}_friction")] != 0 for name in ("coulomb", "rolling"))
+    return np.where(rolls, 2, slips) + 3 * (batch.slope[:, 0] != 0)
+
+
+def undivided(batch: FleetBatch) -> Piece:
+    """All robots as one piece, with the terms and the steps of the one that needs most."""
+    return Piece(slice(0, batch.n), VARIANTS[int(_terms(batch).max())], int(steps_of(batch).max()))
 
 
 def _piece(kind: int, rows: Selection) -> Piece:
@@ -143,6 +153,14 @@ def _jacobian(parameters: Array, model: str) -> Array:
 
 
 def _times(step: float, period: float, seconds: float) -> tuple[int, int]:
+    stride = stride_of(step, period)
+    if not (math.isfinite(seconds) and seconds > 0):
+        raise InvalidScenario(f"a run of {seconds:g} s", expected="more than zero")
+    return stride, round(seconds / period)
+
+
+def stride_of(step: float, period: float) -> int:
+    """How many of a body's steps [s] make a controller's `period` [s]; raises `SpecMismatch`."""
     stride = round(period / step)
     if stride < 1 or not math.isclose(stride * step, period, rel_tol=1e-9):
         raise SpecMismatch(
@@ -150,6 +168,4 @@ def _times(step: float, period: float, seconds: float) -> tuple[int, int]:
             expected="a period that divides it",
             hint="change one of the two periods",
         )
-    if not (math.isfinite(seconds) and seconds > 0):
-        raise InvalidScenario(f"a run of {seconds:g} s", expected="more than zero")
-    return stride, round(seconds / period)
+    return stride

@@ -104,21 +104,15 @@ def run_piece(batch: FleetBatch, piece: Piece, order: Order, out: Outcome, threa
 
     Raises `SpecMismatch` for what the kit or the channels do not have, `InvalidScenario` for impossible times.
     """
-    rows, variant, substeps = piece
+    rows, _, substeps = piece
     whole = isinstance(rows, slice) and rows.stop - rows.start == batch.n
     some = batch if whole else batch.part(rows)
     h = batch.period / substeps
-    kit = kit_tables(some, order.stride)
-    packed = pack(some, kit, h, order.dtype)
+    packed = pack(some, kit_tables(some, order.stride), h, order.dtype)
     before, after = recorded(order.channels, packed, some.form)
     lanes = Lanes(order.called, packed) if order.called else None
-    plan = Plan(
-        order.periods, order.stride, substeps, order.record, packed.program.command, packed.program.update,
-        int(len(some.laws) > 1), int("slope" in variant),
-        int(len(kit.dead_time) == 1 and not kit.dead_time[0, 2]), *_motion(batch, variant, order.dtype),
-        packed.applied, *functions(_name(order.dtype)), lanes.address if lanes else 0,
-        int(np.uint64(batch.seed).astype(np.int64)),
-    )  # fmt: skip
+    move = "step" if batch.n == 1 else "advance"
+    plan = planned(some, piece, packed, order, move)._replace(called=lanes.address if lanes else 0)
     here = out if whole else out.part(rows)
     extra = (np.array(order.bands, order.dtype), before, after)
     _run(some, packed, plan, Times(batch.period, h, STOP), extra, here, threads)
@@ -128,14 +122,18 @@ def run_piece(batch: FleetBatch, piece: Piece, order: Order, out: Outcome, threa
         out.take(rows, here)
 
 
-def _motion(batch: FleetBatch, variant: str, dtype: Any) -> tuple[int, int]:
-    """Addresses of the compiled step and, where it is read, of the accelerometer (else 0)."""
-    number = _name(dtype)
-    move = "step" if batch.n == 1 else "advance"
-    advance = address_of(MOTION, f"{move}_{variant}", (f"*{number}", "int64", number, number))
-    if not any("accel" in name for name in batch.form.reads):
-        return advance, 0
-    return advance, address_of(MOTION, f"specific_force_{variant}", (f"*{number}", "int64", "int64"))
+def planned(batch: FleetBatch, piece: Piece, packed: Packed, order: Order, move: str) -> Plan:
+    """What is common to the robots of a `piece`, which `move` moves: "advance", or "step" for a robot alone."""
+    number = _name(order.dtype)
+    advance = address_of(MOTION, f"{move}_{piece.variant}", (f"*{number}", "int64", number, number))
+    accelerometer = 0
+    if any("accel" in name for name in batch.form.reads):
+        accelerometer = address_of(MOTION, f"specific_force_{piece.variant}", (f"*{number}", "int64", "int64"))
+    return Plan(
+        order.periods, order.stride, piece.substeps, order.record, packed.program.command, packed.program.update,
+        int(len(batch.laws) > 1), int("slope" in piece.variant), int(packed.alike), advance, accelerometer,
+        packed.applied, *functions(number), called=0, seed=int(np.uint64(batch.seed).astype(np.int64)),
+    )  # fmt: skip
 
 
 def _run(
@@ -157,7 +155,7 @@ def _run(
     size_of_part = LANES * (blocks if threads == 1 else max(1, -(-blocks // (threads * _PARTS))))
 
     def work(start: int) -> None:
-        memory = _aligned(size * ROW, packed.common.dtype)
+        memory = aligned(size * ROW, packed.common.dtype)
         addresses = [array.ctypes.data for array in (memory, *arrays)]  # here, so that a thread alone keeps them alive
         call(entry, [addresses[0], start, min(batch.n, start + size_of_part), *addresses[1:]])
 
@@ -182,7 +180,7 @@ def _name(dtype: Any) -> str:
     return np.dtype(dtype).name
 
 
-def _aligned(size: int, dtype: Any) -> NDArray[Any]:
+def aligned(size: int, dtype: Any) -> NDArray[Any]:
     raw = np.zeros(size * dtype.itemsize + 64, np.uint8)
     skip = -raw.ctypes.data % 64
     return raw[skip : skip + size * dtype.itemsize].view(dtype)
