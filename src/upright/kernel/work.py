@@ -112,7 +112,7 @@ def run_piece(batch: FleetBatch, piece: Piece, order: Order, out: Outcome, threa
     before, after = recorded(order.channels, packed, some.form)
     lanes = Lanes(order.called, packed) if order.called else None
     move = "step" if batch.n == 1 else "advance"
-    plan = planned(some, piece, packed, order, move)._replace(called=lanes.address if lanes else 0)
+    plan = planned(some, piece, packed, order, move, lanes.address if lanes else 0)
     here = out if whole else out.part(rows)
     extra = (np.array(order.bands, order.dtype), before, after)
     _run(some, packed, plan, Times(batch.period, h, STOP), extra, here, threads)
@@ -122,7 +122,7 @@ def run_piece(batch: FleetBatch, piece: Piece, order: Order, out: Outcome, threa
         out.take(rows, here)
 
 
-def planned(batch: FleetBatch, piece: Piece, packed: Packed, order: Order, move: str) -> Plan:
+def planned(batch: FleetBatch, piece: Piece, packed: Packed, order: Order, move: str, called: int = 0) -> Plan:
     """What is common to the robots of a `piece`, which `move` moves: "advance", or "step" for a robot alone."""
     number = _name(order.dtype)
     advance = address_of(MOTION, f"{move}_{piece.variant}", (f"*{number}", "int64", number, number))
@@ -132,7 +132,7 @@ def planned(batch: FleetBatch, piece: Piece, packed: Packed, order: Order, move:
     return Plan(
         order.periods, order.stride, piece.substeps, order.record, packed.program.command, packed.program.update,
         int(len(batch.laws) > 1), int("slope" in piece.variant), int(packed.alike), advance, accelerometer,
-        packed.applied, *functions(number), called=0, seed=int(np.uint64(batch.seed).astype(np.int64)),
+        packed.applied, *functions(number), called, int(np.uint64(batch.seed).astype(np.int64)),
     )  # fmt: skip
 
 
