@@ -25,7 +25,8 @@ def begin(w: Any, count: int, clock: Any, plan: Any, times: Any, sensors: Any, i
 
 def advance(w: Any, robots: int, clock: Any, plan: Any, times: Any, sensors: Any, index: Any) -> None:
     """The clock's period of every block: the commands in its rows act, and the readings are those at its end."""
-    k, stride = item(clock, K), item(plan, STRIDE)
+    k = item(clock, K)
+    stride = item(plan, STRIDE)
     end = (k + 1) * stride
     sensed = item(clock, SENSED)
     for first in range(0, robots, LANES):

@@ -205,7 +205,8 @@ def decide(block: RobotBlock, plan: Any, times: Any, constants: Any, k: int) -> 
 @njit
 def send(block: RobotBlock, plan: Any, k: int) -> int:
     """The command of period `k` through the drive into the delay line; returns as `decide`."""
-    w, count = block.w, block.robots
+    w = block.w
+    count = block.robots
     call_program(item(plan, DRIVE), w, count, 0 * k, w)
     slots = item(plan, SLOTS)
     slot = item(plan, RING) + 2 * (k % slots) if slots else item(plan, APPLIED_ROW)
