@@ -13,15 +13,16 @@ from gymnasium.spaces import Box
 from upright.arrays import Array
 from upright.bodies import Body, Electronics, NonlinearBody
 from upright.bodies.body import checked
+from upright.bodies.electronics import BATTERY
 from upright.control.controller import ControllerSpec
 from upright.fleet.ensemble import Ensemble
 from upright.fleet.sweep import electronics
 from upright.fleet.vary import Vary, varied, with_number
 from upright.kernel.batch import FleetBatch, idle
-from upright.kernel.kit import KINDS
 from upright.robots import PARAMETERS, Kit, Robot, find_robot
 from upright.robots.kit import STOP
 from upright.robots.uncertainty import BLOCK, Family, Uncertainty, at_medians
+from upright.signals.signal import SENSORS
 
 LEAN = 0.05
 """[rad] The largest pitch that an episode begins with: 3°, from which the controllers here recover every preset."""
@@ -96,11 +97,12 @@ def task_of(
 ) -> BalanceTask:
     """Balancing `robot` with `kit` (None: its own); `vary` and `posterior` are those of `upright.fleet`.
 
-    All sensors of the kit but its battery's are observed.
+    All sensors of the kit are observed but its battery's, which the kernel does not read.
     """
     nominal, unknown = at_medians(find_robot(robot), posterior)
     parts = electronics(kit or nominal.kit)
-    channels = tuple(name for name in KINDS if parts is None or name in parts.sensors)
+    read = parts.sensors if parts else [signal.name for signal in SENSORS]
+    channels = tuple(name for name in read if name != BATTERY)
     family = Family(nominal, parts, varied(vary, nominal, parts, unknown))
     return BalanceTask(family, channels, parts.period if parts else Kit.preset("ideal").period, lean)
 
