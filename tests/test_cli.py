@@ -356,6 +356,13 @@ def test_a_robot_that_cannot_stand_up_says_why_in_one_line(capsys: pytest.Captur
         assert len(said.splitlines()) == 1
 
 
+def test_a_robot_that_lies_stands_up(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["simulate", "--robot", "twipr", "--lying", "1.57", "--seconds", "2", "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert told["outcome"]["fell"] is False
+    assert told["logs"]["nonlinear"]["metrics"]["pitch_peak"] == pytest.approx(1.57, abs=0.1)  # where it begins
+
+
 def test_a_push_reads_like_its_class(files: Path, capsys: pytest.CaptureFixture[str]) -> None:
     pushed = "--push hold:0.05,until=0.1 --push force:0.1,start=0.1 --slope 0.01 --turn 0.5"
     assert main(f"simulate --kit ideal --seconds 0.2 {pushed} --json".split()) == 0

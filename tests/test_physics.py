@@ -134,6 +134,14 @@ def test_model_survives_json_and_is_read_only():
     assert np.array_equal(back.C, np.eye(6))
 
 
+@pytest.mark.parametrize(("inputs", "names"), [(1, ("u[0]",)), (2, ("left", "right")), (3, ("u[0]", "u[1]", "u[2]"))])
+def test_six_states_with_two_inputs_are_those_of_the_robot(inputs, names):
+    """Other numbers of inputs are named as python-control names them."""
+    model = LinearModel(np.zeros((6, 6)), np.zeros((6, inputs)))
+    assert model.states == STATE_NAMES
+    assert model.inputs == names
+
+
 def test_wrong_sizes_are_named():
     with pytest.raises(InvalidModel, match=r"B has shape \(2, 6\).*transpose"):
         LinearModel(np.eye(6), np.zeros((2, 6)))
