@@ -33,7 +33,7 @@ def page_of(certificate: Certificate) -> Page:
     verdict = Verdict(light if light == UNKNOWN else f"{light} light", LEVEL.get(light, "info"))
     green = certificate.light == GREEN
     reasons = Section("Reasons", [*(sentence(reason) for reason in certificate.reasons)], folded=green)
-    sections = [reasons, Section("Three questions", certificate.answers())]
+    sections = [Section("Three questions", certificate.answers()), reasons]
     if certificate.narrowing:
         learn = [sentence(str(certificate.narrowing)), *certificate.narrowing.ways(certificate.robot)]
         sections.append(Section("What would have to be known better", learn))
