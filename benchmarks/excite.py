@@ -125,7 +125,7 @@ def next_run(name: str, energy: float, job: tuple[int, Robot]) -> tuple[Excitati
         file.write_text(json.dumps(first.to_json()), encoding="utf-8")
         posterior = read_posterior(file)
     try:
-        plan = excite(first.robot, seconds=SECONDS, posterior=posterior)
+        plan = excite("lqg", first.robot, seconds=SECONDS, posterior=posterior)
     except UprightError:
         return None
     later = UNSEEN + seed
@@ -225,7 +225,7 @@ def main() -> None:
             known = tuple(n for n in MEASURED if measured and (robot.drive == "voltage" or n != "motor_resistance"))
             clock = harness.Clock()
             try:
-                plan = excite(robot, seconds=SECONDS, known=known)
+                plan = excite("lqg", robot, seconds=SECONDS, known=known)
             except UprightError as error:
                 print(f"\n{name}: {error}")
                 continue

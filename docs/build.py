@@ -48,10 +48,11 @@ OUTSIDE = {
 
 REFERENCE = {
     "From a robot to a run": "Robot Kit run Log Signal compare report example",
-    "Bodies": "NonlinearBody LinearBody Twin Electronics",
+    "Bodies": "Body Sample NonlinearBody LinearBody Twin Electronics",
     "Pushes and references": "Hold Impulse Push Slope Drive Turn",
     "Models": "linearise LinearModel",
-    "Controllers": "design lqr lqi lqg pid hinf mpc sliding robust kalman complementary StateFeedback Estimated tune",
+    "Controllers": "design lqr lqi lqg pid hinf mpc sliding robust kalman complementary tune",
+    "What controllers are": "Controller StateFeedback LinearController Estimated",
     "From a log": "doctor calibrate identify validate excite post_mortem",
     "Before it drives": "certify parity",
     "Many robots": "fleet push_map",

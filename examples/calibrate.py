@@ -11,5 +11,5 @@ motor = calibration["torque_constant"]
 print(f"torque constant: {motor.low:.4f} to {motor.high:.4f} N m/A, {motor.verdict}")
 
 calibration.known_robot().save("calibrated.toml")  # for every other command: --robot calibrated.toml
-print(up.validate("calibrated.toml", example("pushed")))
+print(up.validate(example("pushed"), "calibrated.toml"))
 up.report(calibration, "calibration.html")

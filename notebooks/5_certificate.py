@@ -106,7 +106,7 @@ print(
 # Un modelo que se ajusta a su propio registro no ha demostrado nada. Por eso preguntamos por un registro que no ha visto.
 
 # %%
-validation = up.validate(known, up.example("pushed"))
+validation = up.validate(up.example("pushed"), known)
 print(validation)
 validation.plot()
 

@@ -41,7 +41,7 @@ FEW = Limits(falls=0.05, travel=0.4)
 @cache
 def plan() -> ExcitationPlan:
     """A short run tried on few robots: what is claimed of it holds for every plan."""
-    return excite(NXT, KIT, LQG, seconds=SECONDS, limits=FEW, samples=100)
+    return excite(LQG, NXT, KIT, seconds=SECONDS, limits=FEW, samples=100)
 
 
 def test_the_kernel_adds_what_the_wrapper_adds() -> None:
@@ -237,7 +237,7 @@ def test_what_cannot_be_designed_gets_one_line() -> None:
     for changes, error, says in wrong:
         options = {"controller": LQG, "seconds": 2.0, "samples": 100} | changes
         with pytest.raises(error, match=says) as caught:
-            excite(NXT, KIT, **options)
+            excite(robot=NXT, kit=KIT, **options)
         assert "\n" not in str(caught.value)
     with pytest.raises(InvalidScenario, match="travel"):
         Limits(travel=0.0)

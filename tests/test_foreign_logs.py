@@ -221,7 +221,7 @@ def test_a_command_has_the_unit_that_somebody_stated_or_none() -> None:
     ours = RawTable({"t": T, "applied/left": VOLTS, "applied/right": VOLTS}, {"applied/left": "N m"})
     assert apply(propose(ours), ours).unit("applied/left") == "N m"
     channels = {"applied/left": VOLTS, "applied/right": VOLTS, SENSORS[0]: WHEEL, SENSORS[2]: GYRO}
-    for judge in (lambda log: validate("twipr", log), lambda log: post_mortem(log, "twipr")):
+    for judge in (lambda log: validate(log, "twipr"), lambda log: post_mortem(log, "twipr")):
         with pytest.raises(InvalidLog, match="in V; expected N m, as those of 'twipr'"):
             judge(Log(T, channels, origin={"file": "run.csv"}))
 

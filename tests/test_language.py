@@ -144,7 +144,7 @@ def test_no_figure_of_the_course_keeps_an_english_word() -> None:
         "comparison": compared.plot(), "commands": compared.plot_commands(), "bode": analysis.plot(),
         "nyquist": analysis.plot_nyquist(), "poles": analysis.plot_poles(), "calibration": calibration.plot(),
         "prediction": calibration.plot_prediction(), "doctor": up.doctor(up.example("fall"), NXT).plot(),
-        "validation": up.validate(NXT, up.example("pushed")).plot(), "log": log.plot("sensor/gyro", "command/left"),
+        "validation": up.validate(up.example("pushed"), NXT).plot(), "log": log.plot("sensor/gyro", "command/left"),
         "identification": up.identify(log, NXT, method="all", runs=4).plot(),
         "certificate": up.certify(law, NXT, samples=100, sweeps=False).plot(),
         "fleet": up.fleet(NXT, n=40, controller=law, vary="spread", pushes=(push,), seconds=1.0).plot(),

@@ -91,9 +91,9 @@ def test_what_a_log_shows_of_the_electronics_reaches_every_command(
     motors = learnt.motor
     assert (motors.right - motors.left) / (motors.right + motors.left) * 2 == pytest.approx(STRONGER, abs=0.03)
     assert find_robot(posterior).kit == learnt
-    before = up.validate(ROBOT, log).logs[0].worst.r2
-    assert up.validate(mine, log).logs[0].worst.r2 > before
-    assert up.validate(posterior, log).logs[0].worst.r2 > before
+    before = up.validate(log, ROBOT).logs[0].worst.r2
+    assert up.validate(log, mine).logs[0].worst.r2 > before
+    assert up.validate(log, posterior).logs[0].worst.r2 > before
     assert (
         main(
             [

@@ -75,7 +75,7 @@ SIZES = {
     "a fleet": lambda: up.fleet("nxtway-gs", n=10**9),
     "a long fleet": lambda: up.fleet("nxtway-gs", seconds=1e9, n=10),
     "a certificate": lambda: up.certify("lqr", ROBOT, samples=10**9),
-    "an excitation": lambda: up.excite("nxtway-gs", seconds=1e9),
+    "an excitation": lambda: up.excite("lqg", "nxtway-gs", seconds=1e9),
     "repeats": lambda: study_of(TINY, ROBOT, runs=10**9),
     "a negative seed": lambda: up.fleet("nxtway-gs", n=10, seed=-1),
     "a seed of 400 digits": lambda: up.run(up.NonlinearBody(ROBOT), up.lqr(ROBOT, 0.01), seconds=1.0, seed=10**400),

@@ -47,7 +47,7 @@ def log_of(kind: str = "") -> up.Log:
 
 @cache
 def judged(kind: str = "") -> LogJudged:
-    return up.validate(ROBOT, log_of(kind), KIT).logs[0]
+    return up.validate(log_of(kind), ROBOT, KIT).logs[0]
 
 
 def test_the_robot_that_made_the_log_predicts_it_and_needs_no_change() -> None:
@@ -63,7 +63,7 @@ def test_a_sensor_that_never_changes_is_named_in_the_verdict() -> None:
     channel = "sensor/encoder_right"
     log = log_of()
     dead = up.Log(log.t, {**log.channels, channel: np.zeros(len(log))}, log.units, log.origin)
-    result, name = up.validate(ROBOT, dead, KIT), channel.removeprefix("sensor/").replace("_", " ")
+    result, name = up.validate(dead, ROBOT, KIT), channel.removeprefix("sensor/").replace("_", " ")
     assert result.verdict != "predicts"
     assert f"{name} never changes" in result.sentence
     assert any(f"{name} never changes" in note for note in result.logs[0].notes)
@@ -90,13 +90,13 @@ def test_the_page_names_what_is_not_predicted_and_draws_it_first() -> None:
 def test_a_loop_of_a_law_that_reads_estimates_is_not_taken_for_the_programs() -> None:
     """The program's Kalman filter reads coarse encoders and a noisy gyro: the true states are not what it computed."""
     foreign = replace_origin(log_of("excited"))
-    log = up.validate(ROBOT, foreign, KIT).logs[0]
+    log = up.validate(foreign, ROBOT, KIT).logs[0]
     assert log.estimates
     assert "--controller" in log.caution
     assert "--controller" in str(Validation(robot="", kit="", logs=(log,)))
     whole = report_page(Validation(robot="", kit="", logs=(log,)))
     assert not any("whole run" in label for _, label in whole.numbers)
-    given = up.validate(ROBOT, foreign, KIT, lqg(ROBOT, KIT, KIT.period)).logs[0]
+    given = up.validate(foreign, ROBOT, KIT, lqg(ROBOT, KIT, KIT.period)).logs[0]
     assert given.caution == ""
 
 
@@ -108,7 +108,7 @@ def test_the_free_loop_reads_nothing_of_the_log_where_one_encoder_stands_for_bot
     log = up.run(body, controller, up.Impulse(impulse=0.06, start=3.0), seconds=5.0, seed=2)
     both = log["sensor/encoder_left"]
     log = up.Log(log.t, {**log.channels, "sensor/encoder_right": both}, log.units, log.origin)
-    result = up.validate(ROBOT, log, KIT, controller)
+    result = up.validate(log, ROBOT, KIT, controller)
     loop = result.logs[0].simulated
     assert loop is not None
     assert loop.fell is None  # without noise and push a designed loop stands
@@ -126,7 +126,7 @@ def test_the_free_loop_gets_no_odd_reading_of_the_log() -> None:
     gyro[[150, 330]] = 8.0
     odd = up.Log(log.t, {**log.channels, "sensor/gyro": gyro}, log.units, log.origin)
     controller = lqg(ROBOT, KIT, KIT.period)
-    whole, broken = (up.validate(ROBOT, one, KIT, controller).logs[0] for one in (log, odd))
+    whole, broken = (up.validate(one, ROBOT, KIT, controller).logs[0] for one in (log, odd))
     assert whole.simulated is not None
     assert broken.simulated is not None
     assert any("2 of gyro" in note for note in broken.notes)
@@ -141,7 +141,7 @@ def test_half_seconds_that_hold_a_push_are_left_out_and_counted() -> None:
     log = log_of()
     force = np.where((log.t >= 2.2) & (log.t < 2.21), 5.0, 0.0)
     pushed = up.Log(log.t, {**log.channels, "push/force": force}, log.units, log.origin)
-    result = up.validate(ROBOT, pushed, KIT).logs[0]
+    result = up.validate(pushed, ROBOT, KIT).logs[0]
     parts = result.segments
     ends = [parts.when[parts.segment == n][[0, -1]] for n in np.unique(parts.segment)]
     assert not any(start <= 2.2 <= stop for start, stop in ends)
@@ -156,7 +156,7 @@ def fitted_to(part: str) -> Validation:
     log = log_of("gyro" if part == "another" else "")
     rows = log.between(0.0, 3.75)
     robot = replace(ROBOT, fitted=(FittedLog("run.csv", 0.0, 3.75, marks_of(rows)),))
-    return up.validate(robot, log_of(), KIT)
+    return up.validate(log_of(), robot, KIT)
 
 
 def test_a_log_of_the_robots_own_fit_is_said_to_be_no_test() -> None:
@@ -232,7 +232,7 @@ def test_the_law_is_read_from_the_log_or_from_its_file(tmp_path: Path) -> None:
     assert read.explained > 0.9999  # u = −K x̂ + excitation, and x̂ is in the log
     assert not isinstance(law_of(log, ("sensor/gyro",)), LinearLaw)  # without the excitation, which nobody logged
     path = write_controller(controller, tmp_path / "c.json")
-    given = up.validate(ROBOT, whole, KIT, path).logs[0]
+    given = up.validate(whole, ROBOT, KIT, path).logs[0]
     assert min(c.r2 for c in given.loop if "gyro" in c.name) > 0.8
 
 
@@ -273,7 +273,7 @@ def test_a_law_reads_an_estimate_as_late_as_the_sensors_that_it_is_made_of() -> 
     in the law that is read, and drift.) With the present pitch, which is 30 ms younger, R² would be 0.7 and 0.4."""
     sensors = {n: replace(s, delay=LATE, noise=0.0, quantum=0.0, bias=0.0) for n, s in KIT.sensors.items()}
     kit = replace(KIT, sensors=sensors, delay=0.0, jitter=0.0, motor=Motor())
-    log = up.validate(ROBOT, log_of_late_estimates(), kit).logs[0]
+    log = up.validate(log_of_late_estimates(), ROBOT, kit).logs[0]
     assert "estimate/pitch" in log.law
     assert log.simulated is not None
     assert log.simulated.fell is None
@@ -287,7 +287,7 @@ def test_a_law_that_is_not_linear_is_said_to_be_unknown() -> None:
     rng = np.random.default_rng(1)
     signs = np.sign(rng.standard_normal((len(log), 2)))
     channels = {n: log[n] for n in names} | {"command/left": signs[:, 0], "command/right": signs[:, 1]}
-    result = up.validate(ROBOT, up.Log(log.t, channels, log.units), KIT).logs[0]
+    result = up.validate(up.Log(log.t, channels, log.units), ROBOT, KIT).logs[0]
     assert not result.loop
     assert "unknown" in result.law
 
@@ -307,12 +307,12 @@ def test_the_command_gives_a_verdict_a_page_and_json(tmp_path: Path, capsys: pyt
 def test_a_controller_of_another_period_is_refused(tmp_path: Path) -> None:
     slow = write_controller(lqg(ROBOT, KIT, 0.02), tmp_path / "slow.json")
     with pytest.raises(UprightError, match="20 ms"):
-        up.validate(ROBOT, log_of(), KIT, slow)
+        up.validate(log_of(), ROBOT, KIT, slow)
 
 
 @pytest.mark.needs("shared/data/twipr")
 def test_the_free_closed_loop_of_a_real_robot(shared: Path) -> None:
     """The law is in the log (k1 v + k2 pitch + k3 rate ± k4 yaw rate + excitation); the robot is the preset."""
-    result = up.validate("twipr", shared / "data" / "twipr" / "run1.csv").logs[0]
+    result = up.validate(shared / "data" / "twipr" / "run1.csv", "twipr").logs[0]
     assert "estimate/pitch" in result.law
     assert result.loop

@@ -1,12 +1,16 @@
+from .bodies import Body as Body
 from .bodies import Electronics as Electronics
 from .bodies import LinearBody as LinearBody
 from .bodies import NonlinearBody as NonlinearBody
+from .bodies import Sample as Sample
 from .bodies.twin import Twin as Twin
 from .calibrate.calibrate import calibrate as calibrate
 from .certify.certificate import certify as certify
 from .certify.design import design as design
 from .comparison import compare as compare
+from .control import Controller as Controller
 from .control import Estimated as Estimated
+from .control import LinearController as LinearController
 from .control import StateFeedback as StateFeedback
 from .control import complementary as complementary
 from .control import hinf as hinf

@@ -56,7 +56,7 @@ def excite(
     names = [name.strip() for name in focus.split(",")] if focus else []
     with progress("designing") as show:
         plan = design(
-            robot, kit, controller, seconds=seconds, focus=names, limits=Limits(falls, saturated, travel),
+            controller, robot, kit, seconds=seconds, focus=names, limits=Limits(falls, saturated, travel),
             enough=enough, known=known or (), posterior=posterior, samples=samples, seed=seed, progress=show,
         )  # fmt: skip
     finish(plan, as_json, output=output, page=report)

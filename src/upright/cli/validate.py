@@ -48,6 +48,6 @@ def validate(
     check_targets(output, report, logs=logs)
     with progress("predicting") as show:
         result = judge(
-            robot, [part_of_log(path, mapping, start, until) for path in logs], kit, controller, progress=show
+            [part_of_log(path, mapping, start, until) for path in logs], robot, kit, controller, progress=show
         )
     finish(result, as_json, output=output, page=report)

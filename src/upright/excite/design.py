@@ -1,6 +1,6 @@
 """Designs the next experiment: the excitation of a balancing robot's commands whose log is most informative.
 
-    excite(robot) → ExcitationPlan
+    excite(controller, robot) → ExcitationPlan
 
 Every way of exciting is a set of signals. One energy is divided among them by the information that each gives to the
 predictor of `calibrate`. How large the excitation may be follows from robots drawn from their uncertainty, run by the
@@ -30,9 +30,9 @@ LONGEST = 600.0
 
 
 def excite(
+    controller: Controller | str,
     robot: Robot | str,
     kit: Kit | str | None = None,
-    controller: Controller | str | None = None,
     *,
     seconds: float = 20.0,
     focus: Sequence[str] = (),
@@ -44,7 +44,7 @@ def excite(
     seed: int = 0,
     progress: Progress | None = None,
 ) -> ExcitationPlan:
-    """The plan of a run of `seconds` for `robot` with `kit` (None: its own) under `controller` (None: lqg).
+    """The plan of a run of `seconds` for `robot` with `kit` (None: its own) under `controller`.
 
     `focus` names the parameters in question (none: all), `known` those that are exact. Of what the `limits` allow no
     more is used than is `enough` for intervals at most so many times as wide (1: all of it). `samples` robots are drawn
@@ -59,7 +59,7 @@ def excite(
     show = progress or unwatched
     nominal, unknown = at_medians(find_robot(robot), posterior)
     parts = find_kit(kit or nominal.kit)
-    holding = find_controller(controller or "lqg", nominal, parts, parts.period)
+    holding = find_controller(controller, nominal, parts, parts.period)
     check_within("seconds of excitation", seconds, 0, LONGEST)
     design = Search(ExcitedLoop(nominal, parts, holding, seconds, seed), limits or Limits(), tuple(known), tuple(focus))
     design.draw(Family(nominal, parts, unknown or Uncertainty.of(nominal, known)), samples)

@@ -1,6 +1,6 @@
 """What is known of a robot, judged on other logs of it.
 
-    validate(robot, logs) → Validation
+    validate(logs, robot) → Validation
 
 Nothing is fitted but the state from which a prediction starts: half a second of free simulation under the logged
 commands, and the whole log under its law. Where that predicts only in part, half seconds are told again with what
@@ -61,8 +61,8 @@ SAME_PERIOD = 0.02  # [1] by which a log's period and its controller's may diffe
 
 
 def validate(
-    robot: Robot | str | Path,
     logs: LogSource | Sequence[LogSource],
+    robot: Robot | str | Path,
     kit: Kit | str | None = None,
     controller: Controller | str | Path | None = None,
     *,
