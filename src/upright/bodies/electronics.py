@@ -7,9 +7,8 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-import numpy as np
-
 from upright.bodies.body import REST, Body, Sample, checked, sample
+from upright.compiled.counter import FOR_BIAS, FOR_JITTER, FOR_NOISE, FOR_WALK, KINDS, Normals, walk_steps, whole
 from upright.compiled.electronics import SENSOR_NUMBERS, formulas
 from upright.errors import SpecMismatch
 from upright.physics.dynamics import CALM, Disturbance
@@ -26,7 +25,8 @@ class Electronics:
     """`body` behind the electronics of `kit`: quantisation, noise, bias, delay, dead zone, drop, backlash, battery.
 
     Truth channels of the body are passed on, so that a log shows both; a controller for a real robot must
-    not read them. Times are rounded to the body's period. Everything random is drawn from the seed of `reset`.
+    not read them. Times are rounded to the body's period. Everything random is drawn from the seed of `reset`, as
+    `compiled.counter` says: the kernel draws the same.
     """
 
     def __init__(self, body: Body, kit: Kit) -> None:
@@ -58,13 +58,13 @@ class Electronics:
         self._alike = kit.motor.left == kit.motor.right == 1.0
 
     def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:
-        rng = np.random.Generator(np.random.Philox(seed))
         first = self.body.reset(start, seed)
-        self._line.reset(rng)
+        self._now = 0
+        self._line.reset(seed)
         self._voltage = self.kit.battery.voltage
         self._driven = None
         for index, channel in self._sensors:
-            channel.reset(rng, self._voltage if index is None else first.numbers[index])
+            channel.reset(seed, self._voltage if index is None else first.numbers[index])
         return self._sample(first)
 
     def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
@@ -79,12 +79,13 @@ class Electronics:
             inner = self._moved(numbers, disturbance(t))
             t = inner.t
             for index, channel in self._lasting:
-                channel.skip(self._voltage if index is None else inner.numbers[index])
+                channel.skip(self._now, self._voltage if index is None else inner.numbers[index])
         return self._sample(self._moved(numbers, disturbance(t)))
 
     def _moved(self, command: tuple[float, ...], disturbance: Disturbance) -> Sample:
         """The sample of the body itself."""
-        arrived = self._line.step(command)
+        arrived = self._line.step(self._now, command)
+        self._now += 1
         if arrived is not self._driven:  # one command lasts many steps
             self._driven = arrived
             self._applied, self._voltage = drive(arrived, self.kit, self.spec.command_unit)
@@ -102,7 +103,8 @@ class Electronics:
     def _sample(self, inner: Sample) -> Sample:
         raw = inner.numbers
         truth = [raw[i] for i in self._truth]
-        readings = [channel.read(self._voltage if i is None else raw[i]) for i, channel in self._sensors]
+        now = self._now
+        readings = [channel.read(now, self._voltage if i is None else raw[i]) for i, channel in self._sensors]
         return sample(inner.t, (*truth, *readings), inner.applied, inner.fallen)
 
 
@@ -134,53 +136,53 @@ class _CommandLine:
     def __init__(self, kit: Kit, period: float) -> None:
         self._delay, self._jitter = round(kit.delay / period), round(kit.jitter / period)
 
-    def reset(self, rng: np.random.Generator) -> None:
-        self._rng = rng
-        self._now = 0
+    def reset(self, seed: int) -> None:
+        self._seed = seed
         self._latest = self._current = (0.0, 0.0)
         self._waiting: deque[tuple[int, tuple[float, ...]]] = deque()
 
-    def step(self, command: tuple[float, ...]) -> tuple[float, ...]:
+    def step(self, now: int, command: tuple[float, ...]) -> tuple[float, ...]:
+        """What arrives in the body's step `now`, in which this is commanded."""
         if command != self._latest:
-            jitter = int(self._rng.integers(0, self._jitter + 1)) if self._jitter else 0
-            self._waiting.append((self._now + self._delay + jitter, command))
+            jitter = whole(now, FOR_JITTER, self._jitter + 1, self._seed) if self._jitter else 0
+            self._waiting.append((now + self._delay + jitter, command))
             self._latest = command
-        while self._waiting and self._waiting[0][0] <= self._now:
+        while self._waiting and self._waiting[0][0] <= now:
             self._current = self._waiting.popleft()[1]
-        self._now += 1
         return self._current
 
 
 class _Channel:
-    """One sensor: play, delay, bias, noise, quantum, range, sample and hold, in this order."""
+    """One sensor: play, delay, bias, noise, quantum, range, sample and hold, in this order. Times are the body's steps,
+    one after another."""
 
     def __init__(self, sensor: Sensor, name: str, period: float, kit: Kit) -> None:
         self._sensor = sensor
+        self._kind = KINDS.index(name)
         self._numbers = [getattr(sensor, name) for name in SENSOR_NUMBERS]
         self._play = kit.motor.backlash / 2 if "encoder" in name else 0.0
         self._delay = round(sensor.delay / period)
         self._every = max(1, round(sensor.period / period))
-        self._root = math.sqrt(period * self._every)
-        self._walks, self._noisy = bool(sensor.bias_walk), bool(sensor.noise)
-        self._alone = self._every == 1 and not self._walks  # no reading depends on an earlier one
-        self.lasts = bool(not self._alone or self._play or self._delay or self._noisy)
+        self._walks = walk_steps(self._every, kit.period / period)
+        self._root = math.sqrt(period * self._walks)
+        self._delayed = bool(self._play or self._delay)
+        self.lasts = self._delayed or self._every > 1
 
-    def reset(self, rng: np.random.Generator, first: float) -> None:
-        self._random = rng.standard_normal
-        self._wait = 0
+    def reset(self, seed: int, first: float) -> None:
+        sensor = self._sensor
         self._line = deque([first] * (self._delay + 1), maxlen=self._delay + 1)
         self._touch = first
-        self._bias = self._sensor.bias * float(self._random()) if self._sensor.bias else 0.0
+        self._noise = Normals(FOR_NOISE, self._kind, seed) if sensor.noise else None
+        self._walk = Normals(FOR_WALK, self._kind, seed) if sensor.bias_walk else None
+        self._walked = -1
+        self._bias = sensor.bias * Normals(FOR_BIAS, self._kind, seed).at(0) if sensor.bias else 0.0
 
-    def skip(self, value: float) -> None:
+    def skip(self, now: int, value: float) -> None:
         """What `read` leaves behind for the next reading."""
-        if not self._alone:
-            self.read(value)
-            return
-        if self._play or self._delay:
+        if self._every > 1:
+            self.read(now, value)
+        elif self._delayed:
             self._arrived(value)
-        if self._noisy:
-            self._random()
 
     def _arrived(self, value: float) -> float:
         """The value after play and delay."""
@@ -192,14 +194,18 @@ class _Channel:
             value = self._line[0]
         return value
 
-    def read(self, value: float) -> float:
-        if self._play or self._delay:
+    def read(self, now: int, value: float) -> float:
+        if self._delayed:
             value = self._arrived(value)
-        if self._wait:
-            self._wait -= 1
+        if now % self._every:
             return self._held
-        self._wait = self._every - 1
-        step = self._root * self._random() if self._walks else 0.0
-        normal = self._random() if self._noisy else 0.0
+        step = self._stepped(now) if self._walk else 0.0
+        normal = self._noise.at(now) if self._noise else 0.0
         self._held, self._bias = _MEASURE(value, self._bias, normal, step, *self._numbers)
         return self._held
+
+    def _stepped(self, now: int) -> float:
+        """The walk, over its size in a second, since the last reading."""
+        assert self._walk
+        before, self._walked = self._walked, now // self._walks
+        return self._root * sum(self._walk.at(k * self._walks) for k in range(before + 1, self._walked + 1))

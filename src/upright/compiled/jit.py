@@ -29,6 +29,9 @@ njit: Any = partial(
 inlined: Any = partial(njit, forceinline=True)
 """The same, put into its callers, where it is vectorised across robots."""
 
+taken: Any = numba.extending.register_jitable(**inlined.keywords)
+"""The same of a function that plain Python calls too."""
+
 
 class RobotBlock(NamedTuple):
     """The rows `w` of so many `robots`, the first of which is number `first` of the batch's `index`."""

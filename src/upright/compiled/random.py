@@ -1,8 +1,5 @@
-"""Random numbers by counting: what a robot draws depends on seed, index, period and purpose, and on nothing else.
-
-Philox 4×32-10 (Salmon et al. 2011) turns a counter into four independent words; Box and Muller (1958) turn two words
-into two normal numbers. No state is kept, so order, batch size and number of threads do not matter.
-"""
+"""The random numbers of `counter` in compiled code, for many robots at once: order, batch size and number of threads do
+not matter."""
 
 from __future__ import annotations
 
@@ -10,49 +7,19 @@ from typing import Any
 
 import numpy as np
 
-from upright.compiled.jit import RobotBlock, bits, fma, from_bits, inlined, item, njit, put, sqrt
+from upright.compiled import counter
+from upright.compiled.counter import LOW, SHIFT
+from upright.compiled.jit import RobotBlock, bits, fma, from_bits, inlined, item, njit, put, sqrt, taken
 from upright.compiled.lane_math import sincos_any
 
-_LOW = np.uint64(0xFFFFFFFF)
-_SHIFT = np.uint64(32)
-_M0, _M1 = np.uint64(0xD2511F53), np.uint64(0xCD9E8D57)  # multipliers and Weyl steps of Salmon et al. (2011), table 2
-_W0, _W1 = np.uint64(0x9E3779B9), np.uint64(0xBB67AE85)
 _WORD = 2.0**-32
 _PI = 3.141592653589793
 _LN2 = 0.6931471805599453
 _MANTISSA = (1 << 52) - 1
 _SQRT2 = 1.4142135623730951
 
-
-@inlined
-def _two_rounds(c0: Any, c1: Any, c2: Any, c3: Any, k0: Any, k1: Any) -> Any:
-    """Counter and key two rounds on."""
-    p0, p1 = _M0 * c0, _M1 * c2
-    c0 = (p1 >> _SHIFT) ^ c1 ^ k0
-    c1 = p1 & _LOW
-    c2 = (p0 >> _SHIFT) ^ c3 ^ k1
-    c3 = p0 & _LOW
-    k0, k1 = (k0 + _W0) & _LOW, (k1 + _W1) & _LOW
-    p0, p1 = _M0 * c0, _M1 * c2
-    c0 = (p1 >> _SHIFT) ^ c1 ^ k0
-    c1 = p1 & _LOW
-    c2 = (p0 >> _SHIFT) ^ c3 ^ k1
-    c3 = p0 & _LOW
-    return c0, c1, c2, c3, (k0 + _W0) & _LOW, (k1 + _W1) & _LOW
-
-
-@inlined
-def philox(c0: Any, c1: Any, c2: Any, c3: Any, k0: Any, k1: Any) -> Any:
-    """Four words of 32 bits, each in 64, from four words of counter and two of key.
-
-    Its ten rounds are written out, since a loop inside would keep the loop over robots from being vectorised.
-    """
-    c0, c1, c2, c3, k0, k1 = _two_rounds(c0, c1, c2, c3, k0, k1)
-    c0, c1, c2, c3, k0, k1 = _two_rounds(c0, c1, c2, c3, k0, k1)
-    c0, c1, c2, c3, k0, k1 = _two_rounds(c0, c1, c2, c3, k0, k1)
-    c0, c1, c2, c3, k0, k1 = _two_rounds(c0, c1, c2, c3, k0, k1)
-    c0, c1, c2, c3, _, _ = _two_rounds(c0, c1, c2, c3, k0, k1)
-    return c0, c1, c2, c3
+taken(counter.two_rounds)
+philox = taken(counter.philox)
 
 
 @inlined
@@ -86,12 +53,12 @@ def fill_normals(block: RobotBlock, out: int, time: int, purpose: int, half: int
     """Rows `out` and `out` + 1 of a block: two normal numbers for each robot, at whole `time`. Of the four that a
     purpose has, `half` 0 gives the first two and 1 the others."""
     c0, c3, key = np.uint64(time), np.uint64(purpose), np.uint64(seed)
-    k0 = key & _LOW
-    k1 = key >> _SHIFT
+    k0 = key & LOW
+    k1 = key >> SHIFT
     second = half > 0
     for i in range(block.robots):
         robot = item(block.index, block.first + i)
-        r0, r1, r2, r3 = philox(c0, robot & _LOW, robot >> _SHIFT, c3, k0, k1)
+        r0, r1, r2, r3 = philox(c0, robot & LOW, robot >> SHIFT, c3, k0, k1)
         a, b = normal_pair(r2 if second else r0, r3 if second else r1)
         put(block.w, out, i, a)
         put(block.w, out + 1, i, b)
@@ -101,5 +68,5 @@ def fill_normals(block: RobotBlock, out: int, time: int, purpose: int, half: int
 def whole(index: Any, time: int, purpose: int, seed: Any, below: int) -> Any:
     """A whole number from 0 to `below` − 1 for robot `index`, evenly to within 2⁻³² of each."""
     time_word, purpose_word, key = np.uint64(time), np.uint64(purpose), np.uint64(seed)
-    word = philox(time_word, index & _LOW, index >> _SHIFT, purpose_word, key & _LOW, key >> _SHIFT)[0]
-    return np.int64((word * np.uint64(below)) >> _SHIFT)
+    word = philox(time_word, index & LOW, index >> SHIFT, purpose_word, key & LOW, key >> SHIFT)[0]
+    return np.int64((word * np.uint64(below)) >> SHIFT)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
+from upright.compiled.counter import FOR_JITTER
 from upright.compiled.generated import (
     FORCE,
     HALF_TRACK,
@@ -46,7 +47,6 @@ from upright.kernel.rows import (
     FLOOR,
     GYRO,
     HOLD,
-    JITTER,
     NEVER,
     OUTSIDE,
     PEAK_PITCH,
@@ -106,8 +106,8 @@ def arrive(block: RobotBlock, ring: int, slots: int, k: int, stride: int, seed: 
         jitter = int(get(w, DEAD_TIME + 2, i))
         if jitter > 0:
             robot = item(block.index, block.first + i)
-            one += whole(robot, j - 1, JITTER, seed, jitter + 1)
-            two = max(one, two + whole(robot, j, JITTER, seed, jitter + 1))
+            one += whole(robot, (j - 1) * stride, FOR_JITTER, seed, jitter + 1)
+            two = max(one, two + whole(robot, j * stride, FOR_JITTER, seed, jitter + 1))
         for m in range(3):
             slot = ring + 2 * ((j - 2 + m) % slots)
             put(w, HOLD + 2 * m, i, get(w, slot, i))
@@ -219,10 +219,17 @@ def sense(w: Any, count: int, kind: int, out: int) -> None:
 
 
 @njit
-def multiply(w: Any, out: int, source: int, count: int, factor: float) -> None:
-    """Row `out`: that many times row `source`."""
+def add(w: Any, out: int, source: int, count: int, factor: float) -> None:
+    """To row `out` that many times row `source`."""
     for i in range(count):
-        put(w, out, i, mul(get(w, source, i), factor))
+        put(w, out, i, fma(like(w, factor), get(w, source, i), get(w, out, i)))
+
+
+@njit
+def clear(w: Any, out: int, count: int) -> None:
+    """Row `out`: zeros."""
+    for i in range(count):
+        put(w, out, i, 0.0)
 
 
 @njit

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from upright.arrays import Array, Whole
+from upright.compiled.counter import KINDS, walk_steps
 from upright.compiled.electronics import SENSOR_NUMBERS
 from upright.errors import InvalidScenario, SpecMismatch, UnknownName
 from upright.kernel.batch import FleetBatch
@@ -18,10 +19,8 @@ from upright.kernel.rows import SENSOR_SIZE
 from upright.robots import Kit, Sensor
 
 BARE = Kit(name="bare")
-KINDS = tuple(
-    f"sensor/{name}" for name in ("encoder_left", "encoder_right", "gyro", "compass", "accel_forward", "accel_up")
-)
-"""Sensors in the order of the kinds in `block`."""
+READ = KINDS[:6]
+"""Sensors that a controller can read here."""
 
 _MOTOR = (
     "motor.limit", "motor.dead_zone", "motor.quantum", "motor.drop", "battery.voltage", "battery.sag", "motor.left",
@@ -32,7 +31,7 @@ _MOTOR = (
 @dataclass(frozen=True, eq=False)
 class KitTables:
     """`motor` (·, 8) and `sensor` (·, s, numbers) as in `block`; `dead_time` (·, 3) as in `block.arrive`;
-    `times` (s, 3): kind, delay and period [steps] of each sensor."""
+    `times` (s, 4): kind, delay, period and that of its walk [steps] of each sensor."""
 
     motor: Array
     dead_time: Whole
@@ -66,20 +65,21 @@ def kit_tables(batch: FleetBatch, stride: int) -> KitTables:
         _stack([*(numbers[f"sensors.{name[7:]}.{f}"] for f in SENSOR_NUMBERS), _play(numbers, name)]) for name in reads
     ]
     table = _stack(rows) if rows else np.zeros((1, 0, SENSOR_SIZE))
-    times = [
-        (KINDS.index(name), round(s.delay / batch.period), max(1, round(s.period / batch.period)))
-        for name, s in zip(reads, sensors, strict=True)
-    ]
+    times = list[tuple[int, ...]]()
+    for name, sensor in zip(reads, sensors, strict=True):
+        every = max(1, round(sensor.period / batch.period))
+        walks = walk_steps(every, kit.period / batch.period)
+        times.append((KINDS.index(name), round(sensor.delay / batch.period), every, walks))
     dead_time = _dead_time(numbers, batch.period, stride)
     numbers.check()
-    return KitTables(motor, dead_time, table, np.array(times, dtype=np.int64).reshape(-1, 3))
+    return KitTables(motor, dead_time, table, np.array(times, dtype=np.int64).reshape(-1, 4))
 
 
 @cache
 def _bare(voltage: bool) -> KitTables:
     """The tables without a kit, made once: they would take half of the time to start a single robot."""
     motor = [[BARE.motor.limit, 0.0, 0.0, 0.0, BARE.battery.voltage if voltage else math.inf, 0.0, 1.0, 1.0]]
-    dead_time, times = np.zeros((1, 3), dtype=np.int64), np.zeros((0, 3), dtype=np.int64)
+    dead_time, times = np.zeros((1, 3), dtype=np.int64), np.zeros((0, 4), dtype=np.int64)
     return KitTables(np.array(motor), dead_time, np.zeros((1, 0, SENSOR_SIZE)), times)
 
 
@@ -118,8 +118,8 @@ def _play(numbers: _Numbers, name: str) -> Array:
 
 
 def _sensor(kit: Kit | None, name: str) -> Sensor:
-    if name not in KINDS:
-        raise SpecMismatch(f"the controller reads {name}", expected="one of " + ", ".join(KINDS))
+    if name not in READ:
+        raise SpecMismatch(f"the controller reads {name}", expected="one of " + ", ".join(READ))
     if kit is None:
         return Sensor()
     if name not in kit.sensors:

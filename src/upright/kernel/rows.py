@@ -10,7 +10,6 @@ from typing import NamedTuple
 from upright.compiled.electronics import SENSOR_NUMBERS
 from upright.compiled.generated import WORK, WORK_ROWS
 
-FOR_NOISE, FOR_WALK, FOR_BIAS, JITTER = 0, 2, 4, 6  # purposes of random numbers, the first three for four sensors each
 NEVER = 1 << 60  # [steps] longer than any run
 
 S_PLAY = len(SENSOR_NUMBERS)  # comes after a sensor's own numbers, and after it:
@@ -19,9 +18,9 @@ S_NOISE, S_BIAS, S_WALK = map(SENSOR_NUMBERS.index, ("noise", "bias", "bias_walk
 S_OFFSET, S_VALUE, S_TOUCH, S_WHEEL, S_IDEAL, S_NORMAL, S_STEP, S_LINE = range(SENSOR_SIZE, SENSOR_SIZE + 8)
 """Offset, reading, encoder, wheel, delayed reading, normal numbers of noise and of the offset's walk, delay line."""
 ENCODER_LEFT, ENCODER_RIGHT, GYRO, COMPASS, ACCEL_FORWARD, ACCEL_UP = range(6)  # kinds of sensors
-S_KIND, S_DELAY, S_EVERY, S_ROW, S_PLACES, S_READING, S_SLACK, S_LOUD, SENSOR_COLUMNS = range(9)
-"""Columns of the table of sensors: kind, delay and period [steps], first row, places in the delay line, row of the
-reading, 1 for backlash, and the sum of its random parts:"""
+S_KIND, S_DELAY, S_EVERY, S_WALKS, S_ROW, S_PLACES, S_READING, S_SLACK, S_LOUD, SENSOR_COLUMNS = range(10)
+"""Columns of the table of sensors: kind, delay, period and that of its walk [steps], first row, places in the delay
+line, row of the reading, 1 for backlash, and the sum of its random parts:"""
 LOUD_NOISE, LOUD_WALK, LOUD_BIAS = 1, 2, 4
 
 KIT = WORK + WORK_ROWS  # rows that every block has, after those of the motion
@@ -33,9 +32,9 @@ COMMAND = REFERENCE + 6  # 2: of the controller; the reference has 6
 DRIVEN = COMMAND + 2  # 2: after the electronics
 HOLD = DRIVEN + 2  # 8: see `block.arrive`
 DEAD_TIME = HOLD + 8  # 3: see `block.arrive`
-NOISE = DEAD_TIME + 3  # 6: one for each kind of sensor
-WALK = NOISE + 6  # 6
-SPECIFIC_FORCE = WALK + 6  # 2: accelerometer
+NOISE = DEAD_TIME + 3  # 8: one for each kind of sensor
+WALK = NOISE + 8  # 8
+SPECIFIC_FORCE = WALK + 8  # 2: accelerometer
 FLOOR = SPECIFIC_FORCE + 2  # 3: see `block.tilt`
 APPLIED = FLOOR + 3  # 2: what is applied to motors that make more or less of it; else the motors' own rows have it
 BEYOND = APPLIED + 2  # 1 where a motor could not give what was commanded

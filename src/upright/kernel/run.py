@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
+from upright.compiled.counter import FOR_BIAS, FOR_NOISE, FOR_WALK
 from upright.compiled.generated import LANES, LEFT, LIVED, PITCH
 from upright.compiled.jit import (
     RobotBlock,
@@ -38,9 +39,6 @@ from upright.kernel.rows import (
     DRIVEN,
     EVERY,
     FALLEN_AT,
-    FOR_BIAS,
-    FOR_NOISE,
-    FOR_WALK,
     H_STEP,
     HELD,
     LOUD_BIAS,
@@ -73,6 +71,7 @@ from upright.kernel.rows import (
     S_STEP,
     S_TOUCH,
     S_VALUE,
+    S_WALKS,
     S_WHEEL,
     SEED,
     SENSOR_COLUMNS,
@@ -100,11 +99,11 @@ class Ahead(NamedTuple):
 
 
 @njit
-def draw(block: RobotBlock, plan: Any, k: int, purpose: int, pair: int) -> None:
-    """Normal numbers of period `k` for sensors of the kinds 2 `pair` and 2 `pair` + 1, in their rows from NOISE on, or
-    from WALK on."""
+def draw(block: RobotBlock, plan: Any, time: int, purpose: int, pair: int) -> None:
+    """Normal numbers of body step `time` for sensors of the kinds 2 `pair` and 2 `pair` + 1, in their rows from NOISE
+    on, or from WALK on."""
     out = (WALK if purpose == FOR_WALK else NOISE) + 2 * pair
-    fill_normals(block, out, k, purpose + pair // 2, pair % 2, item(plan, SEED))
+    fill_normals(block, out, time, purpose + pair // 2, pair % 2, item(plan, SEED))
 
 
 @njit
@@ -120,7 +119,7 @@ def sense_first(block: RobotBlock, plan: Any, sensors: Any) -> None:
         for k in range(item(sensors, t + S_PLACES)):
             b.copy(w, row + S_LINE + k, row + S_TOUCH, count)
         if item(sensors, t + S_LOUD) & LOUD_BIAS:
-            draw(block, plan, 0 * kind, FOR_BIAS + 0 * kind, kind // 2)
+            draw(block, plan, 0, FOR_BIAS, kind // 2)
             for i in range(count):
                 put(w, row + S_OFFSET, i, get(w, row + S_BIAS, i) * get(w, NOISE + kind, i))
 
@@ -158,26 +157,29 @@ def read(block: RobotBlock, plan: Any, times: Any, sensors: Any, k: int) -> None
     """Rows `reading`: the readings at the start of period `k`; a sensor without a new sample holds its last reading."""
     w, count = block.w, block.robots
     stride = item(plan, STRIDE)
-    drawn = 0
     now = k * stride
+    before = now - stride if k > 0 else -1
+    drawn_pair, drawn_at = -1, -1
     for s in range(item(plan, SENSORS)):
         t = s * SENSOR_COLUMNS
         kind, row, every = item(sensors, t + S_KIND), item(sensors, t + S_ROW), item(sensors, t + S_EVERY)
-        if k > 0 and now // every == (now - stride) // every:
+        sample = now // every
+        if sample == before // every:
             continue
         loud = item(sensors, t + S_LOUD)
         pair = kind // 2
-        passed = max(every, stride) if k > 0 else every
-        for part, purpose in ((LOUD_NOISE, FOR_NOISE), (LOUD_WALK, FOR_WALK)):
-            done = 1 << (2 * pair + (purpose == FOR_WALK))
-            if loud & part and not drawn & done:
-                drawn |= done
-                draw(block, plan, k, purpose, pair)
         if loud & LOUD_NOISE:
+            if drawn_pair != pair or drawn_at != sample * every:
+                drawn_pair, drawn_at = pair, sample * every
+                draw(block, plan, drawn_at, FOR_NOISE, pair)
             b.copy(w, row + S_NORMAL, NOISE + kind, count)
         if loud & LOUD_WALK:
-            b.multiply(w, row + S_STEP, WALK + kind, count, (passed * item(times, STEP)) ** 0.5)
-        b.copy(w, row + S_IDEAL, row + S_LINE + (now // every) % item(sensors, t + S_PLACES), count)
+            walks = item(sensors, t + S_WALKS)
+            b.clear(w, row + S_STEP, count)
+            for step in range(before // walks + 1, now // walks + 1):
+                draw(block, plan, step * walks, FOR_WALK, pair)
+                b.add(w, row + S_STEP, WALK + kind, count, (walks * item(times, STEP)) ** 0.5)
+        b.copy(w, row + S_IDEAL, row + S_LINE + sample % item(sensors, t + S_PLACES), count)
         call_program(item(plan, MEASURE), w, count, row, w)
         b.copy(w, item(sensors, t + S_READING), row + S_VALUE, count)
 

@@ -29,9 +29,9 @@ from upright.errors import UprightError
 llvm: Any = import_module("llvmlite.binding")
 
 SOURCES = (
-    "compiled/generated.py", "compiled/generated_motion.py", "compiled/jit.py", "compiled/lane_math.py",
-    "compiled/random.py", "kernel/block.py", "kernel/rows.py", "kernel/run.py", "kernel/store.py",
-    "kernel/period.py", "compiled/electronics.py", "robots/kit.py",
+    "compiled/counter.py", "compiled/generated.py", "compiled/generated_motion.py", "compiled/jit.py",
+    "compiled/lane_math.py", "compiled/random.py", "kernel/block.py", "kernel/period.py", "kernel/rows.py",
+    "kernel/run.py", "kernel/store.py", "compiled/electronics.py", "robots/kit.py",
 )  # fmt: skip
 """What decides about compiled functions; the last two about the rows of a sensor's numbers."""
 ALSO = (

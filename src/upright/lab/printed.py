@@ -10,6 +10,7 @@ from typing import Any
 from upright.atomic import finite
 from upright.bodies import NonlinearBody
 from upright.bodies.models import CHANNELS
+from upright.compiled.counter import KINDS, walk_steps
 from upright.compiled.electronics import SENSOR_NUMBERS
 from upright.compiled.print_javascript import JavaScriptPrinter, motion
 from upright.control import Controller
@@ -41,15 +42,23 @@ def kit_numbers(kit: Kit, robot: Robot, period: float) -> dict[str, Any] | None:
     if is_bare(kit):
         return None
     m = kit.motor
-    sensors = [
-        {
-            "from": _IDEAL.index(name) if name in _IDEAL else -1, "play": m.backlash / 2 if "encoder" in name else 0.0,
-            "delay": round(s.delay / period), "every": (every := max(1, round(s.period / period))),
-            **{number: min(getattr(s, number), sys.float_info.max) for number in SENSOR_NUMBERS},
-            "bias_walk": s.bias_walk * math.sqrt(period * every),
-        }
-        for name, s in kit.sensors.items()
-    ]  # fmt: skip
+    sensors = list[dict[str, float]]()
+    for name, s in kit.sensors.items():
+        every = max(1, round(s.period / period))
+        walks = walk_steps(every, kit.period / period)
+        numbers = {number: min(getattr(s, number), sys.float_info.max) for number in SENSOR_NUMBERS}
+        sensors.append(
+            {
+                **numbers,
+                "from": _IDEAL.index(name) if name in _IDEAL else -1,
+                "kind": KINDS.index(name),
+                "play": m.backlash / 2 if "encoder" in name else 0.0,
+                "delay": round(s.delay / period),
+                "every": every,
+                "walks": walks,
+                "bias_walk": s.bias_walk * math.sqrt(period * walks),
+            }
+        )
     return {
         "limit": finite(m.limit), "dead_zone": m.dead_zone, "quantum": m.quantum, "drop": m.drop,
         "left": m.left, "right": m.right,

@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Any
 
 from upright.errors import InvalidScenario
-from upright.lab.counted import behind_counted
 from upright.lab.desk import InlineDesk
 from upright.lab.handin import HandIn, RunResult
 from upright.lab.messages import StandUp, Step
@@ -17,21 +16,13 @@ from upright.lab.session import Session
 AT_ONCE = 1000  # periods that one message may ask for
 
 
-class Exported(Session):
-    """A session with the random numbers of a page without Python."""
-
-    electronics = staticmethod(behind_counted)
-
-
 def rerun(done: HandIn) -> RunResult:
     """What comes of the hand-in on this machine; raises an `UprightError` for a set-up that cannot be."""
     setup = replace(done.setup, bodies=done.setup.bodies[:1])
     desk = InlineDesk()
-    kind, known = Session, setup
-    if done.step == EXPORTED:  # its controllers know the kit's own noise and dead time, whatever the page adds
-        kind = Exported
-        known = replace(setup, noise=1.0, delay=-1.0)
-    session = kind(known, desk, Path(), fine=done.step, certified=False)
+    # a page's controllers know the kit's own noise and dead time, whatever the page adds
+    known = replace(setup, noise=1.0, delay=-1.0) if done.step == EXPORTED else setup
+    session = Session(known, desk, Path(), fine=done.step, certified=False)
     try:
         if is_slow(setup.controller):
             _designed(session, desk)

@@ -65,8 +65,6 @@ class Session:
     period; `certified`: the light follows every change. Raises an `UprightError` where the first set-up cannot be.
     """
 
-    electronics: Any = staticmethod(behind)
-
     def __init__(
         self, setup: Setup, desk: Desk, folder: Path, *, name: str = "", fine: float = FINE, certified: bool = True
     ) -> None:
@@ -188,7 +186,7 @@ class Session:
         length, lanes = round(KEPT / self.plant.kit.period), list[Lane]()
         for name in self._names():
             inner = body_of(name, self.plant, self.setup, self._fine, self.calibrated)
-            body = self.electronics(inner, self.plant.kit)
+            body = behind(inner, self.plant.kit)
             at = (states or {}).get(name, start)
             own = copy.deepcopy(self._designed)
             lanes.append(Lane(name, inner, body, own, start=at, seed=self.setup.seed, length=length))

@@ -16,11 +16,13 @@ import { driveTorque, driveVolts, measure, slacken, turn } from "./electronics.j
  *
  * @typedef {object} Sensor its numbers by name, times in steps of the body; `from` is its place among the ideal sensors, −1 for the battery
  * @property {number} from
+ * @property {number} kind its place in `KINDS` of compiled/counter.py
  * @property {number} play
  * @property {number} delay
  * @property {number} every
+ * @property {number} walks from one draw of its walk to the next
  * @property {number} bias
- * @property {number} bias_walk over one period of the sensor
+ * @property {number} bias_walk from one draw to the next
  * @property {number} noise
  * @property {number} quantum
  *
@@ -48,6 +50,7 @@ import { driveTorque, driveVolts, measure, slacken, turn } from "./electronics.j
 export const FALLEN = 1.4;
 const STOP = 0.8; // [rad] at which every program stops the motors, as robots.kit.STOP
 const SAME_TIME = 1e-9;
+const [FOR_NOISE, FOR_WALK, FOR_BIAS, FOR_JITTER] = [0, 2, 4, 6]; // as in compiled/counter.py
 
 /**
  * What several pushes make together at time t: forces add, at the height that gives the same moment.
@@ -81,7 +84,7 @@ function high(a, b) {
 }
 
 /**
- * Philox 4×32-10 (Salmon et al. 2011), as compiled/random.py: four words of a counter and a key.
+ * Philox 4×32-10 (Salmon et al. 2011), as compiled/counter.py: four words of a counter and a key.
  * @param {[number, number, number, number]} counter
  * @param {[number, number]} key
  * @returns {[number, number, number, number]}
@@ -99,36 +102,41 @@ export function philox([c0, c1, c2, c3], [k0, k1]) {
 }
 
 /**
- * Two normal numbers at a whole time for a purpose (Box and Muller 1958).
+ * A normal number for a kind of sensor at a whole time (Box and Muller 1958).
  * @param {number} time
  * @param {number} purpose
- * @param {number} seed
+ * @param {number} kind
+ * @param {number} seed of 32 bits
  */
-export function normals(time, purpose, seed) {
-  const [first, second] = philox([time, 0, 0, purpose], [seed >>> 0, 0]);
+export function normal(time, purpose, kind, seed) {
+  const words = philox([time, 0, 0, purpose + (kind >> 2)], [seed, 0]);
+  const [first, second] = kind & 2 ? words.slice(2) : words;
   const radius = Math.sqrt(-2 * Math.log((first + 0.5) / 2 ** 32));
   const angle = Math.PI * (second / 2 ** 31 - 1);
-  return [radius * Math.cos(angle), radius * Math.sin(angle)];
+  return radius * (kind & 1 ? Math.sin(angle) : Math.cos(angle));
 }
 
 /** One sensor: play, delay, bias, noise, quantum, range, sample and hold, in this order. */
 class Channel {
   /**
    * @param {Sensor} sensor
-   * @param {number} purpose
    * @param {number} seed
    * @param {number} first
    */
-  constructor(sensor, purpose, seed, first) {
+  constructor(sensor, seed, first) {
     this.sensor = sensor;
-    this.purpose = purpose;
     this.seed = seed;
     this.count = 0;
     this.held = 0;
     this.touch = first;
     this.line = new Float64Array(sensor.delay + 1).fill(first);
-    this.bias = sensor.bias ? sensor.bias * normals(0, purpose + 64, seed)[0] : 0;
+    this.bias = sensor.bias * this.normal(FOR_BIAS);
     this.out = new Float64Array(2);
+  }
+
+  /** @param {number} purpose */
+  normal(purpose) {
+    return normal(this.count, purpose, this.sensor.kind, this.seed);
   }
 
   /** @param {number} value */
@@ -146,9 +154,9 @@ class Channel {
 
   /** @param {number} value */
   fresh(value) {
-    const { bias_walk, noise } = this.sensor;
-    const [one, two] = bias_walk || noise ? normals(this.count, this.purpose, this.seed) : [0, 0];
-    measure(value, this.bias, one, two, this.sensor, this.out);
+    const { bias_walk, noise, walks } = this.sensor;
+    const step = bias_walk && this.count % walks === 0 ? this.normal(FOR_WALK) : 0;
+    measure(value, this.bias, noise ? this.normal(FOR_NOISE) : 0, step, this.sensor, this.out);
     this.bias = this.out[1];
     return this.out[0];
   }
@@ -187,7 +195,7 @@ export class Loop {
     this.latest = [0, 0];
     this.arrived = [0, 0];
     this.seed = seed;
-    this.channels = (body.kit?.sensors ?? []).map((s, i) => new Channel(s, i, seed, this.raw(s.from)));
+    this.channels = (body.kit?.sensors ?? []).map((s) => new Channel(s, seed, this.raw(s.from)));
     this.values = new Float64Array(6 + (body.kit ? this.channels.length : 6));
     this.sense();
   }
@@ -262,7 +270,8 @@ export class Loop {
   delayed(kit) {
     const [left, right] = this.sent;
     if (left !== this.latest[0] || right !== this.latest[1]) {
-      const jitter = kit.jitter ? philox([this.steps, 0, 0, 128], [this.seed >>> 0, 0])[0] % (kit.jitter + 1) : 0;
+      const [word] = philox([this.steps, 0, 0, FOR_JITTER], [this.seed, 0]);
+      const jitter = Math.floor((word * (kit.jitter + 1)) / 2 ** 32);
       this.waiting.push([this.steps + kit.delay + jitter, left, right]);
       this.latest = [left, right];
     }
