@@ -158,7 +158,7 @@ def test_a_hundred_runs_leave_what_other_numbers_leave() -> None:
     """Ten times less of the difference of two motors, which a log tells alone; hardly less of the height of the centre
     of mass, which follows from a product with a mass that is known to a hundredth."""
     assert all(p.least <= p.after * (1 + 1e-9) for p in plan().predicted)
-    assert plan()["asymmetry"].after / plan()["asymmetry"].least == pytest.approx(10, rel=0.05)
+    assert 9 < plan()["asymmetry"].after / plan()["asymmetry"].least < 10  # less what is known before
     assert plan()["body_mass"].least == pytest.approx(plan()["body_mass"].before, rel=0.05)
     assert plan()["com_height"].after / plan()["com_height"].least < 2
 

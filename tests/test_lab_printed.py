@@ -15,6 +15,7 @@ import pytest
 
 from conftest import PATIENCE
 from interpreter import Interpreter
+from test_sensor_dynamics import also
 from upright.bodies import Electronics, NonlinearBody, make_body
 from upright.calibrate.calibrate import prepared
 from upright.calibrate.informativity import too_quiet
@@ -170,6 +171,23 @@ def test_every_fault_of_a_kit_is_in_the_page(tmp_path):
     push = Push(force=1.0, start=0.1, duration=LASTS)
     page = pages_of(tmp_path, part(robot, kit, printed_law(controller, kit), push, 0.5))[0]
     python = states(robot, kit, controller, push, 0.5)
+    assert np.abs(python - np.array(page)[: len(python)]).max() < 1e-9
+
+
+@pytest.mark.needs("node")
+def test_a_gyro_that_swings_and_a_fused_angle_are_in_the_page(tmp_path):
+    """On a tilted gyro with a scale error, and a filter with its own rate, both late and noisy."""
+    robot, usual = Robot.preset("ev3way"), Kit.preset("ev3")
+    faults = {"noise": 0.002, "offset": 0.01, "delay": 0.003}
+    gyro = Sensor(resonance=11.0, damping=0.1, misalignment=-0.2, gain=1.05, **faults)
+    angle = Sensor(time_constant=0.3, period=0.004, bias=0.01, **faults)
+    kit = replace(usual, sensors={**usual.sensors, "sensor/gyro": gyro, "sensor/pitch": angle})
+    linear = CONTROLLERS["lqg"](robot, usual, usual.period)
+    controller = also(linear, {"sensor/pitch": 2.0})
+    push = Push(force=0.5, start=0.1, duration=LASTS)
+    page = pages_of(tmp_path, part(robot, kit, printed_law(controller, kit), push, 1.0))[0]
+    python = states(robot, kit, controller, push, 1.0)
+    assert np.abs(python).max() > 0.03
     assert np.abs(python - np.array(page)[: len(python)]).max() < 1e-9
 
 

@@ -34,7 +34,7 @@ def still(kit: Kit) -> Kit:
     return replace(kit, jitter=0.0, sensors=sensors, motor=replace(kit.motor, quantum=0.0, dead_zone=0.0))
 
 
-@pytest.mark.parametrize("name", ["drive", "turn", "slacken", "measure"])
+@pytest.mark.parametrize("name", ["drive", "turn", "slacken", "settle", "swing", "fuse", "measure"])
 def test_the_printed_formulas_are_their_statements(name: str) -> None:
     """Python's text of each formula, and its statements one by one: the same bits."""
     formula, rng = formulas()[name], np.random.default_rng(1)

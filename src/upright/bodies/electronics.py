@@ -7,18 +7,21 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from upright.bodies.body import REST, Body, Sample, checked, sample
+from upright.bodies.body import REST, Body, BodySpec, Sample, checked, sample
 from upright.compiled.counter import FOR_BIAS, FOR_JITTER, FOR_NOISE, FOR_WALK, KINDS, Normals, walk_steps, whole
-from upright.compiled.electronics import SENSOR_NUMBERS, formulas
+from upright.compiled.electronics import SENSOR_NUMBERS, formulas, gyro_numbers
 from upright.errors import SpecMismatch
 from upright.physics.dynamics import CALM, Disturbance
 from upright.robots import Kit, Sensor
-from upright.signals.signal import KNOWN, TRUTH
+from upright.signals.signal import FUSED, KNOWN, TRUTH
 
 BATTERY = "sensor/battery"
+ANGLE = FUSED[0].name
 
 _DRIVE = [formulas(volts=volts)["drive"].function() for volts in (False, True)]
-_TURN, _SLACKEN, _MEASURE = (formulas()[name].function() for name in ("turn", "slacken", "measure"))
+_TURN, _SLACKEN, _SETTLE, _SWING, _FUSE, _MEASURE = (
+    formulas()[name].function() for name in ("turn", "slacken", "settle", "swing", "fuse", "measure")
+)
 
 
 class Electronics:
@@ -36,7 +39,8 @@ class Electronics:
                 f"a {inner.kind} has electronics of its own", expected="a model or the twin", hint="upright fly"
             )
         have = {signal.name: i for i, signal in enumerate(inner.channels)}
-        missing = sorted(set(kit.sensors) - have.keys() - {BATTERY})
+        sources = {name: _sources(name, sensor) for name, sensor in kit.sensors.items()}
+        missing = sorted({source for several in sources.values() for source in several} - have.keys())
         if missing:
             raise SpecMismatch(
                 f"kit '{kit.name}' needs {', '.join(missing)}, which a {inner.kind} does not offer",
@@ -50,9 +54,16 @@ class Electronics:
         channels = tuple(KNOWN[name] for name in names)
         limit = kit.most(inner.command_unit)
         self.spec = replace(inner, kind=f"{inner.kind} with {kit.name} electronics", channels=channels, limit=limit)
-        self._sensors = [
-            (have.get(name), _Channel(sensor, name, inner.period, kit)) for name, sensor in kit.sensors.items()
-        ]
+        self._felt = list[_Gyro | _FusedAngle]()
+        self._sensors = list[tuple[int | None, _Channel]]()
+        for name, sensor in kit.sensors.items():
+            places = [have[source] for source in sources[name]]
+            index = places[0] if places else None
+            if len(places) > 1:  # what it feels stands behind what the body reads
+                index = len(have) + len(self._felt)
+                felt = _FusedAngle(sensor, places, inner) if name == ANGLE else _Gyro(sensor, places, inner.period)
+                self._felt.append(felt)
+            self._sensors.append((index, _Channel(sensor, name, inner.period, kit)))
         self._lasting = [(index, channel) for index, channel in self._sensors if channel.lasts]
         self._line = _CommandLine(kit, inner.period)
         self._alike = kit.motor.left == kit.motor.right == 1.0
@@ -63,6 +74,7 @@ class Electronics:
         self._line.reset(seed)
         self._voltage = self.kit.battery.voltage
         self._driven = None
+        first = self._with_felt(first, [felt.reset(first.numbers) for felt in self._felt])
         for index, channel in self._sensors:
             channel.reset(seed, self._voltage if index is None else first.numbers[index])
         return self._sample(first)
@@ -90,8 +102,14 @@ class Electronics:
             self._driven = arrived
             self._applied, self._voltage = drive(arrived, self.kit, self.spec.command_unit)
         if self._alike:
-            return self.body.step(self._applied, disturbance)
-        return self.body.step(self._turned(self._applied), disturbance)._replace(applied=self._applied)
+            moved = self.body.step(self._applied, disturbance)
+        else:
+            moved = self.body.step(self._turned(self._applied), disturbance)._replace(applied=self._applied)
+        return self._with_felt(moved, [felt.step(self._now, moved.numbers) for felt in self._felt])
+
+    def _with_felt(self, moved: Sample, felt: Sequence[float]) -> Sample:
+        """The body's sample with what those sensors feel that have states of their own."""
+        return moved._replace(numbers=(*moved.numbers, *felt)) if felt else moved
 
     def _turned(self, applied: tuple[float, float]) -> tuple[float, ...]:
         """What each motor makes of what is applied to it."""
@@ -150,6 +168,53 @@ class _CommandLine:
         while self._waiting and self._waiting[0][0] <= now:
             self._current = self._waiting.popleft()[1]
         return self._current
+
+
+def _sources(name: str, sensor: Sensor) -> tuple[str, ...]:
+    """The channels of a body that a sensor is made of."""
+    if name == BATTERY:
+        return ()
+    if name == ANGLE:
+        made = ("sensor/gyro", "sensor/accel_forward", "sensor/accel_up") if sensor.time_constant else ()
+        return "truth/pitch", *made
+    tilted = sensor.misalignment or sensor.resonance
+    return (name, "truth/yaw_rate") if tilted else (name,)
+
+
+class _Gyro:
+    """What a gyro feels that swings against the frame, or is tilted; `places` are those of pitch rate and yaw rate."""
+
+    def __init__(self, sensor: Sensor, places: Sequence[int], step: float) -> None:
+        self._rate, self._yaw_rate = places
+        self._numbers = gyro_numbers(sensor, step)
+
+    def reset(self, numbers: Sequence[float]) -> float:
+        felt, *self._memory = _SETTLE(numbers[self._rate], numbers[self._yaw_rate], *self._numbers)
+        return felt
+
+    def step(self, now: int, numbers: Sequence[float]) -> float:  # noqa: ARG002 (it swings at every step)
+        felt, *self._memory = _SWING(numbers[self._rate], numbers[self._yaw_rate], *self._memory, *self._numbers)
+        return felt
+
+
+class _FusedAngle:
+    """The angle of a filter that begins at the true one; `places` are those of pitch, gyro and accelerometer."""
+
+    def __init__(self, sensor: Sensor, places: Sequence[int], body: BodySpec) -> None:
+        self._pitch, *self._places = places
+        self._every = max(1, round(sensor.period / body.period))
+        self._numbers = (body.robot.gravity, sensor.time_constant, self._every * body.period)
+
+    def reset(self, numbers: Sequence[float]) -> float:
+        self._angle = numbers[self._pitch]
+        return self._angle
+
+    def step(self, now: int, numbers: Sequence[float]) -> float:
+        if now % self._every == 0:
+            direction = math.cos(self._angle), math.sin(self._angle)
+            motion = [numbers[place] for place in self._places]
+            (self._angle,) = _FUSE(self._angle, *direction, *motion, *self._numbers)
+        return self._angle
 
 
 class _Channel:

@@ -5,18 +5,54 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, fields
+from functools import cache
 from types import SimpleNamespace
 from typing import Any
 
 from upright.compiled.formula_tracer import FormulaTracer
 from upright.compiled.print_python import PythonStatements
 from upright.compiled.program import Block
-from upright.physics.electronics import awake, driven, largest, loaded, measured, slackened, turned, walked
+from upright.physics.electronics import (
+    awake,
+    driven,
+    fused,
+    largest,
+    loaded,
+    measured,
+    settled,
+    slackened,
+    swung,
+    tilted,
+    turned,
+    walked,
+)
 from upright.robots import Sensor
 
-_NOT_COMPILED = ("delay", "period", "resonance", "damping", "misalignment", "offset", "time_constant")
+_NOT_COMPILED = ("delay", "period", "resonance", "damping", "misalignment", "time_constant")
 SENSOR_NUMBERS = tuple(f.name for f in fields(Sensor) if f.name not in _NOT_COMPILED)
-"""What formulas know of a sensor, in this order."""
+"""What formulas know of every sensor, in this order."""
+
+GYRO_NUMBERS, FUSED_NUMBERS = ("tilt", "b0", "b1", "b2", "a1", "a2"), ("time_constant", "spell")
+"""What they know besides of a gyro, and of a fused angle."""
+
+
+@cache
+def resonance_numbers(frequency: float, damping: float, step: float) -> tuple[float, ...]:
+    """b0, b1, b2, a1, a2 of `physics.electronics.swung` for a resonance [Hz, 1], 0 for none, in steps of `step` [s]."""
+    if not frequency:
+        return 1.0, 0.0, 0.0, 0.0, 0.0
+    from scipy.signal import cont2discrete
+
+    omega = 2 * math.pi * frequency
+    transfer = [omega**2], [1.0, 2 * damping * omega, omega**2]
+    (b,), a, _ = cont2discrete(transfer, step, method="foh")
+    return *b.tolist(), -float(a[1]), -float(a[2])
+
+
+def gyro_numbers(sensor: Sensor, step: float) -> tuple[float, ...]:
+    """`GYRO_NUMBERS` in steps of `step` [s]. The gain does not act on the part of the yaw rate, as a calibration finds
+    it."""
+    return sensor.misalignment / (sensor.gain or 1.0), *resonance_numbers(sensor.resonance, sensor.damping, step)
 
 
 @dataclass(frozen=True)
@@ -42,7 +78,8 @@ class TracedFormula:
 
 def formulas(*, volts: bool = True) -> dict[str, TracedFormula]:
     """By name: what reaches the motors (`drive`; commands in `volts` end at the battery's voltage) and 1 where that is
-    less than was commanded, what motors make of it (`turn`), a sensor's play (`slacken`), its reading (`measure`)."""
+    less than was commanded, what motors make of it (`turn`), a sensor's play (`slacken`), its reading (`measure`), what
+    a gyro feels that swings or is tilted (`swing`; `settle` where its motion begins), and a fused angle (`fuse`)."""
 
     def drive(t: FormulaTracer, v: Any) -> dict[str, Any]:
         command = v.command_left, v.command_right
@@ -58,7 +95,10 @@ def formulas(*, volts: bool = True) -> dict[str, TracedFormula]:
             ("drive", "command_left command_right limit dead_zone quantum drop voltage sag", drive),
             ("turn", "applied_left applied_right left right", _turn),
             ("slacken", "touch wheel play", _slacken),
-            ("measure", f"ideal offset normal step {' '.join(SENSOR_NUMBERS)}", _measure),
+            ("measure", f"ideal drift normal step {' '.join(SENSOR_NUMBERS)}", _measure),
+            ("settle", f"rate yaw_rate {' '.join(GYRO_NUMBERS)}", _settle),
+            ("swing", f"rate yaw_rate first second {' '.join(GYRO_NUMBERS)}", _swing),
+            ("fuse", f"angle cosine sine rate forward up gravity {' '.join(FUSED_NUMBERS)}", _fuse),
         )
     }
 
@@ -73,8 +113,22 @@ def _slacken(t: FormulaTracer, v: Any) -> dict[str, Any]:
 
 
 def _measure(t: FormulaTracer, v: Any) -> dict[str, Any]:
-    offset = walked(v.offset, v.step, v)
-    return {"reading": measured(v.ideal, offset, v.normal, v, t), "offset": offset}
+    drift = walked(v.drift, v.step, v)
+    return {"reading": measured(v.ideal, drift, v.normal, v, t), "drift": drift}
+
+
+def _settle(_: FormulaTracer, v: Any) -> dict[str, Any]:
+    first, second = settled(v.rate, v)
+    return {"felt": tilted(v.rate, v.yaw_rate, v), "first": first, "second": second}
+
+
+def _swing(_: FormulaTracer, v: Any) -> dict[str, Any]:
+    z, first, second = swung(v.rate, v.first, v.second, v)
+    return {"felt": tilted(z, v.yaw_rate, v), "first": first, "second": second}
+
+
+def _fuse(_: FormulaTracer, v: Any) -> dict[str, Any]:
+    return {"angle": fused(v.angle, (v.cosine, v.sine), (v.rate, v.forward, v.up), v.gravity, v)}
 
 
 def _recorded(name: str, inputs: list[str], record: Callable[[FormulaTracer, Any], dict[str, Any]]) -> TracedFormula:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from importlib import resources
 
-from upright.compiled.electronics import SENSOR_NUMBERS, TracedFormula
+from upright.compiled.electronics import FUSED_NUMBERS, GYRO_NUMBERS, SENSOR_NUMBERS, TracedFormula
 from upright.compiled.printer import Printer
 from upright.compiled.program import Kind, Program, Repeat
 from upright.compiled.straight_line import blocks
@@ -92,7 +92,8 @@ def function(name: str, formula: TracedFormula) -> str:
     """An exported function of the inputs, those of a sensor by name, which writes what the formula gives into the array
     after them."""
     printer = JavaScriptStatements({})
-    numbers = SENSOR_NUMBERS if {*SENSOR_NUMBERS} <= {*formula.inputs} else ()
+    several = (SENSOR_NUMBERS, GYRO_NUMBERS, FUSED_NUMBERS)
+    numbers = next((names for names in several if {*names} <= {*formula.inputs}), ())
     alone = [name for name in formula.inputs if name not in numbers]
     sensor = [name for name in numbers if name in formula.block.reads()]
     given = ", ".join([*alone, *(["{ " + ", ".join(sensor) + " }"] if sensor else []), "out"])

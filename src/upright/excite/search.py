@@ -13,7 +13,7 @@ from upright.calibrate.summary import NORMAL
 from upright.control.excited import random_binary
 from upright.errors import DesignFailed, InvalidScenario, UnknownName
 from upright.excite.information import added, best_division, fisher, problem_of, quiet, score, shrunk
-from upright.excite.loop import APPLIED, ExcitedLoop, stacked
+from upright.excite.loop import ExcitedLoop, stacked
 from upright.excite.plan import Checked, ExcitationPlan, Limits, Predicted, Tried
 from upright.excite.signals import mixture, signals
 from upright.kernel.batch import NAMES, FleetResult, parameters_of
@@ -190,9 +190,9 @@ class Search:
         return shape * (self._largest(shape, low * FINE) if low else 0.0)
 
     def _at_rest(self) -> Array:
-        """Information of a run without excitation; none where its commands never change, as in a dead zone."""
+        """Information of a run without excitation; none where no encoder moves, as in a dead zone."""
         (log,) = self._logs(np.zeros((1, self.loop.rows, 2)))
-        moves = any(np.ptp(log[name]) > 0 for name in APPLIED)
+        moves = any(np.ptp(log[name]) > 0 for name in log.channels if "encoder" in name)
         return self.information(log) if moves else np.zeros((len(self.weights),) * 2)
 
     def information(self, log: Log) -> Array:

@@ -34,10 +34,12 @@ from upright.compiled.jit import (
     put,
     store,
 )
+from upright.compiled.lane_math import sincos_any
 from upright.compiled.random import whole
 from upright.kernel.rows import (
     ACCEL_FORWARD,
     ALL_ROWS,
+    ANGLE,
     BEYOND,
     COMPASS,
     DEAD_TIME,
@@ -214,8 +216,18 @@ def sense(w: Any, count: int, kind: int, out: int) -> None:
             turn = mul(get(w, HALF_TRACK, i), side)
             put(w, out, i, fma(turn, get(w, YAW, i), get(w, WHEEL, i)) - get(w, PITCH, i))
     else:
-        source = PITCH_RATE if kind == GYRO else YAW if kind == COMPASS else SPECIFIC_FORCE + kind - ACCEL_FORWARD
-        copy(w, out, source, count)
+        state = PITCH_RATE if kind == GYRO else YAW if kind == COMPASS else PITCH
+        measures_state = kind in (GYRO, COMPASS, ANGLE)
+        copy(w, out, state if measures_state else SPECIFIC_FORCE + kind - ACCEL_FORWARD, count)
+
+
+@njit
+def direct(w: Any, count: int, out: int, angle: int) -> None:
+    """Rows `out` and `out` + 1: cosine and sine of row `angle`."""
+    for i in range(count):
+        sine, cosine = sincos_any(get(w, angle, i))
+        put(w, out, i, cosine)
+        put(w, out + 1, i, sine)
 
 
 @njit

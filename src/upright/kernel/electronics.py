@@ -5,8 +5,8 @@ from __future__ import annotations
 from functools import cache
 from typing import NamedTuple
 
-from upright.compiled.electronics import SENSOR_NUMBERS, formulas
-from upright.compiled.generated import LEFT, RIGHT
+from upright.compiled.electronics import FUSED_NUMBERS, GYRO_NUMBERS, SENSOR_NUMBERS, formulas
+from upright.compiled.generated import GRAVITY, LEFT, PITCH_RATE, RIGHT, YAW_RATE
 from upright.compiled.print_lanes import LanesPrinter, RowOf
 from upright.kernel import rows as b
 from upright.kernel.law import NUMBERS
@@ -21,12 +21,24 @@ _TURN = {
     "applied_left": b.APPLIED, "applied_right": b.APPLIED + 1, "left": b.STRENGTH,
     "right": b.STRENGTH + 1, "motor_left": LEFT, "motor_right": RIGHT,
 }  # fmt: skip
-_SENSOR = {name: row for row, name in enumerate(SENSOR_NUMBERS)} | {
-    "play": b.S_PLAY, "offset": b.S_OFFSET, "reading": b.S_VALUE, "touch": b.S_TOUCH, "wheel": b.S_WHEEL,
-    "ideal": b.S_IDEAL, "normal": b.S_NORMAL, "step": b.S_STEP,
+_MOTION = {
+    "rate": PITCH_RATE, "yaw_rate": YAW_RATE, "forward": b.SPECIFIC_FORCE, "up": b.SPECIFIC_FORCE + 1,
+    "gravity": GRAVITY,
 }  # fmt: skip
-ROWS = {"drive": _DRIVE, "turn": _TURN, "slacken": _SENSOR, "measure": _SENSOR}
+_OWN = (*SENSOR_NUMBERS, *GYRO_NUMBERS)
+_SENSOR = {name: row for row, name in enumerate(_OWN)} | {
+    "play": b.S_OWN, **{name: b.S_OWN + row for row, name in enumerate(FUSED_NUMBERS)}, "drift": b.S_DRIFT,
+    "reading": b.S_VALUE, "touch": b.S_FELT, "felt": b.S_FELT, "angle": b.S_FELT, "wheel": b.S_MEMORY,
+    "first": b.S_MEMORY, "second": b.S_MEMORY + 1, "cosine": b.S_MEMORY, "sine": b.S_MEMORY + 1, "ideal": b.S_IDEAL,
+    "normal": b.S_NORMAL, "step": b.S_STEP,
+}  # fmt: skip
+PLACES = {
+    "drive": {name: RowOf(row) for name, row in _DRIVE.items()},
+    "turn": {name: RowOf(row) for name, row in _TURN.items()},
+}
 """Of each formula's variables; those of a sensor count from its own first row."""
+for _name in ("slacken", "settle", "swing", "fuse", "measure"):
+    PLACES[_name] = {n: RowOf(row) for n, row in _MOTION.items()} | {n: RowOf(row, True) for n, row in _SENSOR.items()}
 
 
 class Functions(NamedTuple):
@@ -35,6 +47,9 @@ class Functions(NamedTuple):
     drive: int
     turn: int
     slacken: int
+    settle: int
+    swing: int
+    fuse: int
     measure: int
 
 
@@ -44,6 +59,5 @@ def functions(dtype: str) -> Functions:
     known = formulas()
     texts = list[str]()
     for name in Functions._fields:
-        places = {variable: RowOf(row, ROWS[name] is _SENSOR) for variable, row in ROWS[name].items()}
-        texts.append(LanesPrinter((known[name].block,), NUMBERS[dtype], places, table=False).text())
+        texts.append(LanesPrinter((known[name].block,), NUMBERS[dtype], PLACES[name], table=False).text())
     return Functions(*(functions_of(text, name)[0] for text, name in zip(texts, Functions._fields, strict=True)))

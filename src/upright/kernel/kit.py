@@ -12,14 +12,14 @@ import numpy as np
 
 from upright.arrays import Array, Whole
 from upright.compiled.counter import KINDS, walk_steps
-from upright.compiled.electronics import SENSOR_NUMBERS
+from upright.compiled.electronics import GYRO_NUMBERS, SENSOR_NUMBERS, resonance_numbers
 from upright.errors import InvalidScenario, SpecMismatch, UnknownName
 from upright.kernel.batch import FleetBatch
-from upright.kernel.rows import SENSOR_SIZE
+from upright.kernel.rows import FUSED, PLAIN, SENSOR_SIZE, SLACK, SWUNG
 from upright.robots import Kit, Sensor
 
 BARE = Kit(name="bare")
-READ = KINDS[:6]
+READ = KINDS[:-1]
 """Sensors that a controller can read here."""
 
 _MOTOR = (
@@ -31,7 +31,8 @@ _MOTOR = (
 @dataclass(frozen=True, eq=False)
 class KitTables:
     """`motor` (·, 8) and `sensor` (·, s, numbers) as in `block`; `dead_time` (·, 3) as in `block.arrive`;
-    `times` (s, 4): kind, delay, period and that of its walk [steps] of each sensor."""
+    `times` (s, 6): of each sensor its kind, its delay, its period and that of its walk [steps], how it feels, and in
+    which steps."""
 
     motor: Array
     dead_time: Whole
@@ -61,25 +62,26 @@ def kit_tables(batch: FleetBatch, stride: int) -> KitTables:
     motor = _stack([numbers[n] if voltage or n not in ideal else np.array([ideal[n]]) for n in _MOTOR])
     reads = [name for name in controller.reads if name.startswith("sensor/")]
     sensors = [_sensor(batch.kit, name) for name in reads]
-    rows = [
-        _stack([*(numbers[f"sensors.{name[7:]}.{f}"] for f in SENSOR_NUMBERS), _play(numbers, name)]) for name in reads
-    ]
-    table = _stack(rows) if rows else np.zeros((1, 0, SENSOR_SIZE))
+    rows = list[Array]()
     times = list[tuple[int, ...]]()
     for name, sensor in zip(reads, sensors, strict=True):
         every = max(1, round(sensor.period / batch.period))
         walks = walk_steps(every, kit.period / batch.period)
-        times.append((KINDS.index(name), round(sensor.delay / batch.period), every, walks))
+        own, feels, pace = _own(numbers, name, sensor, every, batch.period)
+        own += [np.zeros(1)] * (len(GYRO_NUMBERS) - len(own))
+        rows.append(_stack([*(numbers[f"sensors.{name[7:]}.{f}"] for f in SENSOR_NUMBERS), *own]))
+        times.append((KINDS.index(name), round(sensor.delay / batch.period), every, walks, feels, pace))
+    table = _stack(rows) if rows else np.zeros((1, 0, SENSOR_SIZE))
     dead_time = _dead_time(numbers, batch.period, stride)
     numbers.check()
-    return KitTables(motor, dead_time, table, np.array(times, dtype=np.int64).reshape(-1, 4))
+    return KitTables(motor, dead_time, table, np.array(times, dtype=np.int64).reshape(-1, 6))
 
 
 @cache
 def _bare(voltage: bool) -> KitTables:
     """The tables without a kit, made once: they would take half of the time to start a single robot."""
     motor = [[BARE.motor.limit, 0.0, 0.0, 0.0, BARE.battery.voltage if voltage else math.inf, 0.0, 1.0, 1.0]]
-    dead_time, times = np.zeros((1, 3), dtype=np.int64), np.zeros((0, 4), dtype=np.int64)
+    dead_time, times = np.zeros((1, 3), dtype=np.int64), np.zeros((0, 6), dtype=np.int64)
     return KitTables(np.array(motor), dead_time, np.zeros((1, 0, SENSOR_SIZE)), times)
 
 
@@ -113,8 +115,18 @@ def _stack(columns: list[Array]) -> Array:
     return np.stack([np.broadcast_to(column, (n, *column.shape[1:])) for column in columns], axis=1)
 
 
-def _play(numbers: _Numbers, name: str) -> Array:
-    return numbers["motor.backlash"] / 2 if "encoder" in name else np.zeros(1)
+def _own(numbers: _Numbers, name: str, sensor: Sensor, every: int, step: float) -> tuple[list[Array], int, int]:
+    """The numbers (·,) of a sensor that only its kind has, how it feels, and in which of the steps of `step` [s]."""
+    if "encoder" in name:
+        play = numbers["motor.backlash"] / 2
+        return [play], *((SLACK, 1) if play.any() else (PLAIN, 0))
+    if name == "sensor/gyro":
+        tilt = numbers["sensors.gyro.misalignment"] / numbers["sensors.gyro.gain"]
+        swing = [np.array([n]) for n in resonance_numbers(sensor.resonance, sensor.damping, step)]
+        return [tilt, *swing], SWUNG if sensor.resonance or tilt.any() else PLAIN, int(sensor.resonance > 0)
+    if name == "sensor/pitch" and sensor.time_constant:
+        return [np.array([sensor.time_constant]), np.array([every * step])], FUSED, every
+    return [], PLAIN, 0
 
 
 def _sensor(kit: Kit | None, name: str) -> Sensor:

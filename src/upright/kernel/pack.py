@@ -163,14 +163,14 @@ def _sensors(controller: LinearController, kit: KitTables, at: Rows, block: _Blo
     """The table of sensors of `run.entry`, their rows taken from the block."""
     readings = [at.reading + i for i, name in enumerate(controller.reads) if name.startswith("sensor/")]
     table = list[tuple[int, ...]]()
-    for s, (reading, (kind, delay, every, walks)) in enumerate(zip(readings, kit.times.tolist(), strict=True)):
+    for s, (reading, times) in enumerate(zip(readings, kit.times.tolist(), strict=True)):
+        _, delay, every, *_ = times
         places = delay // every + 3
         row = block.take(b.SENSOR_SIZE, kit.sensor[:, s])
         block.take(b.S_LINE - b.SENSOR_SIZE + places)
-        play = int(kit.sensor[:, s, b.S_PLAY].any())
         random = ((b.S_NOISE, b.LOUD_NOISE), (b.S_WALK, b.LOUD_WALK), (b.S_BIAS, b.LOUD_BIAS))
         loud = sum(sign for column, sign in random if kit.sensor[:, s, column].any())
-        table.append((kind, delay, every, walks, row, places, reading, play, loud))
+        table.append((*times, row, places, reading, loud))
     return np.array(table, dtype=np.int64).reshape(-1, b.SENSOR_COLUMNS)
 
 

@@ -7,20 +7,27 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from upright.compiled.electronics import SENSOR_NUMBERS
+from upright.compiled.electronics import GYRO_NUMBERS, SENSOR_NUMBERS
 from upright.compiled.generated import WORK, WORK_ROWS
 
 NEVER = 1 << 60  # [steps] longer than any run
 
-S_PLAY = len(SENSOR_NUMBERS)  # comes after a sensor's own numbers, and after it:
-SENSOR_SIZE = S_PLAY + 1
+S_OWN = len(SENSOR_NUMBERS)  # those of every sensor; from here on those of its kind
+SENSOR_SIZE = S_OWN + len(GYRO_NUMBERS)
 S_NOISE, S_BIAS, S_WALK = map(SENSOR_NUMBERS.index, ("noise", "bias", "bias_walk"))
-S_OFFSET, S_VALUE, S_TOUCH, S_WHEEL, S_IDEAL, S_NORMAL, S_STEP, S_LINE = range(SENSOR_SIZE, SENSOR_SIZE + 8)
-"""Offset, reading, encoder, wheel, delayed reading, normal numbers of noise and of the offset's walk, delay line."""
-ENCODER_LEFT, ENCODER_RIGHT, GYRO, COMPASS, ACCEL_FORWARD, ACCEL_UP = range(6)  # kinds of sensors
-S_KIND, S_DELAY, S_EVERY, S_WALKS, S_ROW, S_PLACES, S_READING, S_SLACK, S_LOUD, SENSOR_COLUMNS = range(10)
-"""Columns of the table of sensors: kind, delay, period and that of its walk [steps], first row, places in the delay
-line, row of the reading, 1 for backlash, and the sum of its random parts:"""
+S_DRIFT, S_VALUE, S_FELT, S_MEMORY, S_IDEAL, S_NORMAL, S_STEP, S_LINE = (
+    SENSOR_SIZE + place for place in (0, 1, 2, 3, 5, 6, 7, 8)
+)
+"""Bias, reading, what is felt (of an encoder what it touches, of a filter its angle), 2: wheel, memory of a gyro, or
+cosine and sine of that angle; delayed reading, normal numbers of noise and of the bias's walk, delay line."""
+ENCODER_LEFT, ENCODER_RIGHT, GYRO, COMPASS, ACCEL_FORWARD, ACCEL_UP, ANGLE = range(7)  # kinds of sensors
+PLAIN, SLACK, SWUNG, FUSED = range(4)  # what a sensor feels, besides of what its kind says
+(
+    S_KIND, S_DELAY, S_EVERY, S_WALKS, S_FEELS, S_PACE, S_ROW, S_PLACES, S_READING, S_LOUD, SENSOR_COLUMNS,
+) = range(11)  # fmt: skip
+"""Columns of the table of sensors: kind, delay, period and that of its walk [steps], how it feels, in which steps it
+has to (0: only where it is sampled), first row, places in the delay line, row of the reading, and the sum of its random
+parts:"""
 LOUD_NOISE, LOUD_WALK, LOUD_BIAS = 1, 2, 4
 
 KIT = WORK + WORK_ROWS  # rows that every block has, after those of the motion
@@ -72,6 +79,9 @@ class Plan(NamedTuple):
     drive: int  # addresses of the functions of `electronics`
     turn: int
     slacken: int
+    settle: int
+    swing: int
+    fuse: int
     measure: int
     called: int  # address of the controller that is called instead (see `lanes`), 0: none
     seed: int  # its 64 bits as a signed number
@@ -100,8 +110,8 @@ class Times(NamedTuple):
 
 PUSHES, PUSH_COUNT, RAMPS, RAMP_COUNT, READING, CONSTANTS, RING, SLOTS = range(8)
 PERIODS, STRIDE, SUBSTEPS, EVERY, DECIDE, UPDATE, OWN, SLOPE, ALIKE, ADVANCE, ACCELEROMETER = range(8, 19)
-APPLIED_ROW, DRIVE, TURN, SLACKEN, MEASURE, CALLED, SEED = range(19, 26)
-ROBOTS, ALL_ROWS, VARIED, HELD, TRUTHS, SENSORS, BEFORE, AFTER = range(26, 34)
+APPLIED_ROW, DRIVE, TURN, SLACKEN, SETTLE, SWING, FUSE, MEASURE, CALLED, SEED = range(19, 29)
+ROBOTS, ALL_ROWS, VARIED, HELD, TRUTHS, SENSORS, BEFORE, AFTER = range(29, 37)
 """Places of the fields of `Rows`, `Plan` and `Sizes` in the one array that compiled functions get."""
 STEP, H_STEP, FALLEN_AT = range(3)
 """Places of the fields of `Times`."""

@@ -39,6 +39,7 @@ from upright.kernel.rows import (
     DRIVEN,
     EVERY,
     FALLEN_AT,
+    FUSE,
     H_STEP,
     HELD,
     LOUD_BIAS,
@@ -49,6 +50,7 @@ from upright.kernel.rows import (
     NOISE,
     OWN,
     PERIODS,
+    PLAIN,
     PUSH_COUNT,
     PUSHES,
     RAMP_COUNT,
@@ -57,25 +59,28 @@ from upright.kernel.rows import (
     RING,
     S_BIAS,
     S_DELAY,
+    S_DRIFT,
     S_EVERY,
+    S_FEELS,
+    S_FELT,
     S_IDEAL,
     S_KIND,
     S_LINE,
     S_LOUD,
+    S_MEMORY,
     S_NORMAL,
-    S_OFFSET,
+    S_PACE,
     S_PLACES,
     S_READING,
     S_ROW,
-    S_SLACK,
     S_STEP,
-    S_TOUCH,
     S_VALUE,
     S_WALKS,
-    S_WHEEL,
     SEED,
     SENSOR_COLUMNS,
     SENSORS,
+    SETTLE,
+    SLACK,
     SLACKEN,
     SLOPE,
     SLOTS,
@@ -83,6 +88,8 @@ from upright.kernel.rows import (
     STEP,
     STRIDE,
     SUBSTEPS,
+    SWING,
+    SWUNG,
     TRUTHS,
     TURN,
     UPDATE,
@@ -115,13 +122,28 @@ def sense_first(block: RobotBlock, plan: Any, sensors: Any) -> None:
     for s in range(item(plan, SENSORS)):
         t = s * SENSOR_COLUMNS
         kind, row = item(sensors, t + S_KIND), item(sensors, t + S_ROW)
-        b.sense(w, count, kind, row + S_TOUCH)
+        b.sense(w, count, kind, row + S_FELT)
+        if item(sensors, t + S_FEELS) == SWUNG:
+            call_program(item(plan, SETTLE), w, count, row, w)
         for k in range(item(sensors, t + S_PLACES)):
-            b.copy(w, row + S_LINE + k, row + S_TOUCH, count)
+            b.copy(w, row + S_LINE + k, row + S_FELT, count)
         if item(sensors, t + S_LOUD) & LOUD_BIAS:
             draw(block, plan, 0, FOR_BIAS, kind // 2)
             for i in range(count):
-                put(w, row + S_OFFSET, i, get(w, row + S_BIAS, i) * get(w, NOISE + kind, i))
+                put(w, row + S_DRIFT, i, get(w, row + S_BIAS, i) * get(w, NOISE + kind, i))
+
+
+@njit
+def feel(w: Any, count: int, plan: Any, feels: int, kind: int, row: int) -> None:
+    """What a sensor feels after a step that feels not only what its kind says; `row` is its first."""
+    if feels == SLACK:
+        b.sense(w, count, kind, row + S_MEMORY)
+        call_program(item(plan, SLACKEN), w, count, row, w)
+    elif feels == SWUNG:
+        call_program(item(plan, SWING), w, count, row, w)
+    else:
+        b.direct(w, count, row + S_MEMORY, row + S_FELT)
+        call_program(item(plan, FUSE), w, count, row, w)
 
 
 @njit
@@ -137,18 +159,20 @@ def sense_all(w: Any, count: int, plan: Any, sensors: Any, now: int) -> int:
         every, delay = item(sensors, t + S_EVERY), item(sensors, t + S_DELAY)
         fresh = now + delay
         sampled = fresh % every == 0 and -(-fresh // stride) * stride < fresh + every
-        slack = item(sensors, t + S_SLACK) != 0
-        if slack and now > 0:
-            b.sense(w, count, kind, row + S_WHEEL)
-            call_program(item(plan, SLACKEN), w, count, row, w)
+        feels, pace = item(sensors, t + S_FEELS), item(sensors, t + S_PACE)
+        if feels != PLAIN:
+            if now > 0 and (now % pace == 0 if pace > 0 else sampled):
+                feel(w, count, plan, feels, kind, row)
         elif sampled:
-            b.sense(w, count, kind, row + S_TOUCH)
+            b.sense(w, count, kind, row + S_FELT)
         if sampled:
-            b.copy(w, row + S_LINE + (fresh // every) % item(sensors, t + S_PLACES), row + S_TOUCH, count)
+            b.copy(w, row + S_LINE + (fresh // every) % item(sensors, t + S_PLACES), row + S_FELT, count)
         fresh = (fresh // every + 1) * every
         while -(-fresh // stride) * stride >= fresh + every:
             fresh += every
-        following = min(following, now + 1 if slack else fresh - delay)
+        following = min(following, fresh - delay)
+        if pace > 0:
+            following = min(following, now + pace - now % pace)
     return following
 
 

@@ -127,7 +127,7 @@ def planned(batch: FleetBatch, piece: Piece, packed: Packed, order: Order, move:
     number = _name(order.dtype)
     advance = address_of(MOTION, f"{move}_{piece.variant}", (f"*{number}", "int64", number, number))
     accelerometer = 0
-    if any("accel" in name for name in batch.form.reads):
+    if any("accel" in name or name == "sensor/pitch" for name in batch.form.reads):
         accelerometer = address_of(MOTION, f"specific_force_{piece.variant}", (f"*{number}", "int64", "int64"))
     return Plan(
         order.periods, order.stride, piece.substeps, order.record, packed.program.command, packed.program.update,

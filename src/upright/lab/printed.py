@@ -9,9 +9,10 @@ from typing import Any
 
 from upright.atomic import finite
 from upright.bodies import NonlinearBody
+from upright.bodies.electronics import ANGLE
 from upright.bodies.models import CHANNELS
 from upright.compiled.counter import KINDS, walk_steps
-from upright.compiled.electronics import SENSOR_NUMBERS
+from upright.compiled.electronics import GYRO_NUMBERS, SENSOR_NUMBERS, gyro_numbers
 from upright.compiled.print_javascript import JavaScriptPrinter, motion
 from upright.control import Controller
 from upright.control.delay import RAW
@@ -21,10 +22,10 @@ from upright.lab.plant import EXPORTED, is_bare
 from upright.physics.dynamics import turn_ratio
 from upright.physics.linear import linearise, rolling
 from upright.physics.sensing import sensor_matrix
-from upright.robots import Kit, Robot
+from upright.robots import Kit, Robot, Sensor
 from upright.signals.signal import TRUTH
 
-_IDEAL = [signal.name for signal in CHANNELS[len(TRUTH) :]]
+_IDEAL = [*(signal.name for signal in CHANNELS[len(TRUTH) :]), ANGLE]
 
 
 def printed_robot(robot: Robot, kit: Kit, period: float = EXPORTED) -> tuple[str, dict[str, Any]]:
@@ -34,7 +35,8 @@ def printed_robot(robot: Robot, kit: Kit, period: float = EXPORTED) -> tuple[str
     model = linearise(rolling(robot)).c2d(period)
     linear = {name: getattr(model, name).tolist() for name in "ABE"}
     linear |= {"turn": turn_ratio(robot), "radius": robot.wheel_radius, "gravity": robot.gravity, "period": period}
-    return text, {"period": period, "kit": kit_numbers(kit, robot, period), "linear": linear}
+    facts = {"period": period, "gravity": robot.gravity, "kit": kit_numbers(kit, robot, period), "linear": linear}
+    return text, facts
 
 
 def kit_numbers(kit: Kit, robot: Robot, period: float) -> dict[str, Any] | None:
@@ -57,6 +59,7 @@ def kit_numbers(kit: Kit, robot: Robot, period: float) -> dict[str, Any] | None:
                 "every": every,
                 "walks": walks,
                 "bias_walk": s.bias_walk * math.sqrt(period * walks),
+                **_own_numbers(name, s, every * period, period),
             }
         )
     return {
@@ -65,6 +68,13 @@ def kit_numbers(kit: Kit, robot: Robot, period: float) -> dict[str, Any] | None:
         "voltage": finite(kit.battery.voltage), "sag": kit.battery.sag, "volts": robot.command_unit == "V",
         "delay": round(kit.delay / period), "jitter": round(kit.jitter / period), "sensors": sensors,
     }  # fmt: skip
+
+
+def _own_numbers(name: str, sensor: Sensor, spell: float, step: float) -> dict[str, float]:
+    """Those of a gyro that swings or is tilted, or of a fused angle in steps of `spell` [s]."""
+    if name == "sensor/gyro" and (sensor.resonance or sensor.misalignment):
+        return dict(zip(GYRO_NUMBERS, gyro_numbers(sensor, step), strict=True))
+    return {"time_constant": sensor.time_constant, "spell": spell} if sensor.time_constant else {}
 
 
 def linear_plant(robot: Robot, kit: Kit) -> dict[str, Any]:

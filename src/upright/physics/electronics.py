@@ -64,9 +64,45 @@ def slackened(touch: Any, value: Any, play: Any, xp: Any) -> Any:
     return limited(touch, value - play, value + play, xp)
 
 
-def walked(offset: Any, normal: Any, sensor: Any) -> Any:
-    """A sensor's offset after a walk that lasts t, for a `normal` number times √t."""
-    return offset + sensor.bias_walk * normal
+def swung(rate: Any, first: Any, second: Any, gyro: Any) -> tuple[Any, Any, Any]:
+    """z, which a gyro that swings or is filtered makes of the pitch `rate` v, and its two memories after a step:
+    z̈ = ω² (v − z) − 2ζω ż, exactly for a v that is straight over each step.
+
+    `gyro` has the coefficients of its transfer function (b0 + b1 q + b2 q²) / (1 − a1 q − a2 q²), q being a step back;
+    the memories are those of its transposed direct form II (Oppenheim and Schafer, Discrete-time signal processing).
+    """
+    z = gyro.b0 * rate + first
+    return z, gyro.b1 * rate + gyro.a1 * z + second, gyro.b2 * rate + gyro.a2 * z
+
+
+def settled(rate: Any, gyro: Any) -> tuple[Any, Any]:
+    """Both memories of `swung` after a long time at this `rate`."""
+    second = gyro.b2 * rate + gyro.a2 * rate
+    return gyro.b1 * rate + gyro.a1 * rate + second, second
+
+
+def tilted(rate: Any, yaw_rate: Any, gyro: Any) -> Any:
+    """What a gyro shows that is tilted: `gyro.tilt` of the yaw rate beside the pitch rate."""
+    return rate + gyro.tilt * yaw_rate
+
+
+def fused(angle: Any, direction: Sequence[Any], motion: Sequence[Any], gravity: Any, sensor: Any) -> Any:
+    """The angle that a filter makes of gyro and accelerometer, after one of its steps of `sensor.spell` [s]:
+    angle + h (ψ̇ + sin(α − angle) |f| / (g τ)), with α the direction of the specific force f.
+
+    `direction` is cosine and sine of `angle` before it, `motion` the pitch rate and the specific force forward and up.
+    Where the robot accelerates, f is not along gravity, and the angle leans. Mahony, Hamel and Pflimlin (2008), section
+    II, in the plane; to first order the complementary filter of this time constant.
+    """
+    cosine, sine = direction
+    rate, forward, up = motion
+    error = forward * cosine + up * sine
+    return angle + sensor.spell * (rate - error / (gravity * sensor.time_constant))
+
+
+def walked(drift: Any, normal: Any, sensor: Any) -> Any:
+    """A sensor's bias after a walk that lasts t, for a `normal` number times √t."""
+    return drift + sensor.bias_walk * normal
 
 
 def response(value: Any, sensor: Any) -> Any:
@@ -74,7 +110,7 @@ def response(value: Any, sensor: Any) -> Any:
     return sensor.gain * value
 
 
-def measured(value: Any, offset: Any, normal: Any, sensor: Any, xp: Any) -> Any:
-    """A fresh reading of the ideal `value`: response, offset, noise (a `normal` number), quantum, range."""
-    reading = response(value, sensor) + offset + sensor.noise * normal
+def measured(value: Any, drift: Any, normal: Any, sensor: Any, xp: Any) -> Any:
+    """A fresh reading of the ideal `value`: response, offset, bias, noise (a `normal` number), quantum, range."""
+    reading = response(value, sensor) + sensor.offset + drift + sensor.noise * normal
     return limited(stepped(reading, sensor.quantum, xp.nearest, xp), -sensor.range, sensor.range, xp)

@@ -117,23 +117,71 @@ export const slacken = (touch, wheel, play, out) => {
   out[0] = t3;
 };
 
-/** @type {(ideal: number, offset: number, normal: number, step: number, sensor: Record<string, any>, out: Float64Array) => void} */
-export const measure = (ideal, offset, normal, step, { quantum, noise, bias_walk, range, gain }, out) => {
+/** @type {(ideal: number, drift: number, normal: number, step: number, sensor: Record<string, any>, out: Float64Array) => void} */
+export const measure = (ideal, drift, normal, step, { quantum, noise, bias_walk, range, gain, offset }, out) => {
   const t0 = bias_walk * step;
-  const t1 = offset + t0;
+  const t1 = drift + t0;
   const t2 = gain * ideal;
-  const t3 = t2 + t1;
-  const t4 = noise * normal;
-  const t5 = t3 + t4;
-  const t6 = -quantum;
-  const t7 = t6 < 0 ? quantum : 1;
-  const t8 = t5 / t7;
-  const t9 = nearest(t8);
-  const t10 = t9 * t7;
-  const t11 = t6 < 0 ? t10 : t5;
-  const t12 = -range;
-  const t13 = range < t11 ? range : t11;
-  const t14 = t11 < t12 ? t12 : t13;
-  out[0] = t14;
+  const t3 = t2 + offset;
+  const t4 = t3 + t1;
+  const t5 = noise * normal;
+  const t6 = t4 + t5;
+  const t7 = -quantum;
+  const t8 = t7 < 0 ? quantum : 1;
+  const t9 = t6 / t8;
+  const t10 = nearest(t9);
+  const t11 = t10 * t8;
+  const t12 = t7 < 0 ? t11 : t6;
+  const t13 = -range;
+  const t14 = range < t12 ? range : t12;
+  const t15 = t12 < t13 ? t13 : t14;
+  out[0] = t15;
   out[1] = t1;
+};
+
+/** @type {(rate: number, yaw_rate: number, sensor: Record<string, any>, out: Float64Array) => void} */
+export const settle = (rate, yaw_rate, { tilt, b1, b2, a1, a2 }, out) => {
+  const t0 = b2 * rate;
+  const t1 = a2 * rate;
+  const t2 = t0 + t1;
+  const t3 = b1 * rate;
+  const t4 = a1 * rate;
+  const t5 = t3 + t4;
+  const t6 = t5 + t2;
+  const t7 = tilt * yaw_rate;
+  const t8 = rate + t7;
+  out[0] = t8;
+  out[1] = t6;
+  out[2] = t2;
+};
+
+/** @type {(rate: number, yaw_rate: number, first: number, second: number, sensor: Record<string, any>, out: Float64Array) => void} */
+export const swing = (rate, yaw_rate, first, second, { tilt, b0, b1, b2, a1, a2 }, out) => {
+  const t0 = b0 * rate;
+  const t1 = t0 + first;
+  const t2 = b1 * rate;
+  const t3 = a1 * t1;
+  const t4 = t2 + t3;
+  const t5 = t4 + second;
+  const t6 = b2 * rate;
+  const t7 = a2 * t1;
+  const t8 = t6 + t7;
+  const t9 = tilt * yaw_rate;
+  const t10 = t1 + t9;
+  out[0] = t10;
+  out[1] = t5;
+  out[2] = t8;
+};
+
+/** @type {(angle: number, cosine: number, sine: number, rate: number, forward: number, up: number, gravity: number, sensor: Record<string, any>, out: Float64Array) => void} */
+export const fuse = (angle, cosine, sine, rate, forward, up, gravity, { time_constant, spell }, out) => {
+  const t0 = forward * cosine;
+  const t1 = up * sine;
+  const t2 = t0 + t1;
+  const t3 = gravity * time_constant;
+  const t4 = t2 / t3;
+  const t5 = rate - t4;
+  const t6 = spell * t5;
+  const t7 = angle + t6;
+  out[0] = t7;
 };

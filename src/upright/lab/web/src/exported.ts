@@ -36,6 +36,7 @@ export interface Facts extends Shown {
   title: string;
   kit_name: string;
   period: number;
+  gravity: number;
   every: number;
   delay_own: number;
   setup: Partial<Setup> | null; // what makes this robot in the live lab; null where its kit is a file
@@ -84,7 +85,7 @@ class Lane {
   constructor(facts: Facts, motion: Motion, kit: Kit | null, control: ConstructorParameters<typeof Loop>[1], start: number[], seed: number) {
     this.offset = [0, 0, start[2], 0, start[4], 0];
     const from = [start[0], start[1], 0, start[3], 0, start[5]];
-    this.loop = new Loop({ motion, period: facts.period, kit }, control, from, seed);
+    this.loop = new Loop({ motion, period: facts.period, gravity: facts.gravity, kit }, control, from, seed);
   }
 
   state(): number[] {

@@ -2,7 +2,7 @@
 // the motion, the programs and the electronics that compiled/print_javascript.py prints. Plain JavaScript, so that a
 // test runs it beside Python. Arrays are doubles: x the state, u a command, w force, height and slope, y readings.
 
-import { driveTorque, driveVolts, measure, slacken, turn } from "./electronics.js";
+import { driveTorque, driveVolts, fuse, measure, settle, slacken, swing, turn } from "./electronics.js";
 
 /**
  * @typedef {object} Motion what moves a state by one of the body's periods, and the six ideal sensors
@@ -14,7 +14,8 @@ import { driveTorque, driveVolts, measure, slacken, turn } from "./electronics.j
  * @property {(z: Float64Array, y: Float64Array, r: Float64Array, u: Float64Array, k: ArrayLike<number>) => void} command
  * @property {(z: Float64Array, y: Float64Array, r: Float64Array, u: Float64Array, k: ArrayLike<number>, a: Float64Array) => void} update
  *
- * @typedef {object} Sensor its numbers by name, times in steps of the body; `from` is its place among the ideal sensors, −1 for the battery
+ * @typedef {object} Sensor its numbers by name, times in steps of the body; `from` is its place among the ideal sensors,
+ *   −1 for the battery; one of a gyro that swings or is tilted has `b0` and more, one of a filter `time_constant` and more
  * @property {number} from
  * @property {number} kind its place in `KINDS` of compiled/counter.py
  * @property {number} play
@@ -25,6 +26,8 @@ import { driveTorque, driveVolts, measure, slacken, turn } from "./electronics.j
  * @property {number} bias_walk from one draw to the next
  * @property {number} noise
  * @property {number} quantum
+ * @property {number} [b0]
+ * @property {number} [time_constant]
  *
  * @typedef {object} Kit null stands for no limit
  * @property {number | null} limit
@@ -116,15 +119,46 @@ export function normal(time, purpose, kind, seed) {
   return radius * (kind & 1 ? Math.sin(angle) : Math.cos(angle));
 }
 
+/**
+ * What a sensor feels: of a gyro that swings or is tilted, and of a fused angle, another number than the ideal one.
+ * @param {Sensor} sensor
+ * @param {Loop} loop
+ * @returns {() => number}
+ */
+function feeling(sensor, loop) {
+  const { from, every, b0, time_constant } = sensor;
+  const { x, ideal } = loop;
+  const felt = new Float64Array(3); // and the two memories of a gyro
+  if (b0 !== undefined) {
+    settle(x[1], x[5], sensor, felt);
+    return () => {
+      if (loop.steps) swing(x[1], x[5], felt[1], felt[2], sensor, felt);
+      return felt[0];
+    };
+  }
+  if (time_constant !== undefined) {
+    felt[0] = x[0];
+    return () => {
+      const [cosine, sine] = [Math.cos(felt[0]), Math.sin(felt[0])];
+      if (loop.steps && loop.steps % every === 0)
+        fuse(felt[0], cosine, sine, x[1], ideal[4], ideal[5], loop.body.gravity, sensor, felt);
+      return felt[0];
+    };
+  }
+  return () => (from < 0 ? loop.voltage : ideal[from]);
+}
+
 /** One sensor: play, delay, bias, noise, quantum, range, sample and hold, in this order. */
 class Channel {
   /**
    * @param {Sensor} sensor
    * @param {number} seed
-   * @param {number} first
+   * @param {Loop} loop
    */
-  constructor(sensor, seed, first) {
+  constructor(sensor, seed, loop) {
     this.sensor = sensor;
+    this.feels = feeling(sensor, loop);
+    const first = this.feels();
     this.seed = seed;
     this.count = 0;
     this.held = 0;
@@ -139,9 +173,9 @@ class Channel {
     return normal(this.count, purpose, this.sensor.kind, this.seed);
   }
 
-  /** @param {number} value */
-  read(value) {
+  read() {
     const { play, delay, every } = this.sensor;
+    let value = this.feels();
     if (play) {
       slacken(this.touch, value, play, this.out);
       this.touch = value = this.out[0];
@@ -165,7 +199,7 @@ class Channel {
 /** Body, electronics and controller together, from the state `start` on. */
 export class Loop {
   /**
-   * @param {{motion: Motion, period: number, kit: Kit | null}} body
+   * @param {{motion: Motion, period: number, gravity: number, kit: Kit | null}} body
    * @param {{law: Law | null, reads: number[], stride: number, gains?: ArrayLike<number>}} control `reads` are places
    *   among the six true states and the sensors behind them; without a law nothing is commanded
    * @param {ArrayLike<number>} start
@@ -185,18 +219,19 @@ export class Loop {
     this.driven = new Float64Array(2);
     this.out = new Float64Array(4);
     this.w = new Float64Array(3);
-    this.ideal = new Float64Array(6);
+    this.ideal = new Float64Array(7); // the last is the true pitch, the angle of an ideal filter
     this.stopped = false;
     this.twist = 0; // of a pull at one wheel
     body.motion.read(this.x, this.applied, this.w, this.ideal);
+    this.ideal[6] = this.x[0];
     this.voltage = body.kit?.voltage ?? Infinity;
     /** @type {[number, number, number][]} */
     this.waiting = [];
     this.latest = [0, 0];
     this.arrived = [0, 0];
     this.seed = seed;
-    this.channels = (body.kit?.sensors ?? []).map((s) => new Channel(s, seed, this.raw(s.from)));
-    this.values = new Float64Array(6 + (body.kit ? this.channels.length : 6));
+    this.channels = (body.kit?.sensors ?? []).map((s) => new Channel(s, seed, this));
+    this.values = new Float64Array(6 + (body.kit ? this.channels.length : 7));
     this.sense();
   }
 
@@ -208,15 +243,10 @@ export class Loop {
     return Math.abs(this.x[0]) > FALLEN;
   }
 
-  /** @param {number} from */
-  raw(from) {
-    return from < 0 ? this.voltage : this.ideal[from];
-  }
-
   sense() {
     this.values.set(this.x);
     if (!this.body.kit) this.values.set(this.ideal, 6);
-    this.channels.forEach((channel, i) => (this.values[6 + i] = channel.read(this.raw(channel.sensor.from))));
+    this.channels.forEach((channel, i) => (this.values[6 + i] = channel.read()));
   }
 
   /**
@@ -247,6 +277,7 @@ export class Loop {
     this.driven[0] += this.twist;
     this.driven[1] -= this.twist;
     motion.step(this.x, this.driven, this.w, this.ideal);
+    this.ideal[6] = this.x[0];
     this.steps += 1;
     this.sense();
   }
