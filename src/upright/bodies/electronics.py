@@ -54,15 +54,15 @@ class Electronics:
         channels = tuple(KNOWN[name] for name in names)
         limit = kit.most(inner.command_unit)
         self.spec = replace(inner, kind=f"{inner.kind} with {kit.name} electronics", channels=channels, limit=limit)
-        self._felt = list[_Gyro | _FusedAngle]()
+        self._own = list[_Gyro | _FusedAngle]()
         self._sensors = list[tuple[int | None, _Channel]]()
         for name, sensor in kit.sensors.items():
             places = [have[source] for source in sources[name]]
             index = places[0] if places else None
-            if len(places) > 1:  # what it feels stands behind what the body reads
-                index = len(have) + len(self._felt)
-                felt = _FusedAngle(sensor, places, inner) if name == ANGLE else _Gyro(sensor, places, inner.period)
-                self._felt.append(felt)
+            if len(places) > 1:  # what it senses stands behind what the body reads
+                index = len(have) + len(self._own)
+                own = _FusedAngle(sensor, places, inner) if name == ANGLE else _Gyro(sensor, places, inner.period)
+                self._own.append(own)
             self._sensors.append((index, _Channel(sensor, name, inner.period, kit)))
         self._lasting = [(index, channel) for index, channel in self._sensors if channel.lasts]
         self._line = _CommandLine(kit, inner.period)
@@ -74,7 +74,7 @@ class Electronics:
         self._line.reset(seed)
         self._voltage = self.kit.battery.voltage
         self._driven = None
-        first = self._with_felt(first, [felt.reset(first.numbers) for felt in self._felt])
+        first = self._with_own(first, [one.reset(first.numbers) for one in self._own])
         for index, channel in self._sensors:
             channel.reset(seed, self._voltage if index is None else first.numbers[index])
         return self._sample(first)
@@ -105,11 +105,11 @@ class Electronics:
             moved = self.body.step(self._applied, disturbance)
         else:
             moved = self.body.step(self._turned(self._applied), disturbance)._replace(applied=self._applied)
-        return self._with_felt(moved, [felt.step(self._now, moved.numbers) for felt in self._felt])
+        return self._with_own(moved, [one.step(self._now, moved.numbers) for one in self._own])
 
-    def _with_felt(self, moved: Sample, felt: Sequence[float]) -> Sample:
-        """The body's sample with what those sensors feel that have states of their own."""
-        return moved._replace(numbers=(*moved.numbers, *felt)) if felt else moved
+    def _with_own(self, moved: Sample, own: Sequence[float]) -> Sample:
+        """The body's sample with what those sensors sense that have states of their own."""
+        return moved._replace(numbers=(*moved.numbers, *own)) if own else moved
 
     def _turned(self, applied: tuple[float, float]) -> tuple[float, ...]:
         """What each motor makes of what is applied to it."""
@@ -182,19 +182,19 @@ def _sources(name: str, sensor: Sensor) -> tuple[str, ...]:
 
 
 class _Gyro:
-    """What a gyro feels that swings against the frame, or is tilted; `places` are those of pitch rate and yaw rate."""
+    """What a gyro senses that swings against the frame, or is tilted; `places` are those of pitch rate and yaw rate."""
 
     def __init__(self, sensor: Sensor, places: Sequence[int], step: float) -> None:
         self._rate, self._yaw_rate = places
         self._numbers = gyro_numbers(sensor, step)
 
     def reset(self, numbers: Sequence[float]) -> float:
-        felt, *self._memory = _SETTLE(numbers[self._rate], numbers[self._yaw_rate], *self._numbers)
-        return felt
+        sensed, *self._memory = _SETTLE(numbers[self._rate], numbers[self._yaw_rate], *self._numbers)
+        return sensed
 
     def step(self, now: int, numbers: Sequence[float]) -> float:  # noqa: ARG002 (it swings at every step)
-        felt, *self._memory = _SWING(numbers[self._rate], numbers[self._yaw_rate], *self._memory, *self._numbers)
-        return felt
+        sensed, *self._memory = _SWING(numbers[self._rate], numbers[self._yaw_rate], *self._memory, *self._numbers)
+        return sensed
 
 
 class _FusedAngle:

@@ -79,7 +79,7 @@ class TracedFormula:
 def formulas(*, volts: bool = True) -> dict[str, TracedFormula]:
     """By name: what reaches the motors (`drive`; commands in `volts` end at the battery's voltage) and 1 where that is
     less than was commanded, what motors make of it (`turn`), a sensor's play (`slacken`), its reading (`measure`), what
-    a gyro feels that swings or is tilted (`swing`; `settle` where its motion begins), and a fused angle (`fuse`)."""
+    a gyro senses that swings or is tilted (`swing`; `settle` where its motion begins), and a fused angle (`fuse`)."""
 
     def drive(t: FormulaTracer, v: Any) -> dict[str, Any]:
         command = v.command_left, v.command_right
@@ -119,12 +119,12 @@ def _measure(t: FormulaTracer, v: Any) -> dict[str, Any]:
 
 def _settle(_: FormulaTracer, v: Any) -> dict[str, Any]:
     first, second = settled(v.rate, v)
-    return {"felt": tilted(v.rate, v.yaw_rate, v), "first": first, "second": second}
+    return {"sensed": tilted(v.rate, v.yaw_rate, v), "first": first, "second": second}
 
 
 def _swing(_: FormulaTracer, v: Any) -> dict[str, Any]:
     z, first, second = swung(v.rate, v.first, v.second, v)
-    return {"felt": tilted(z, v.yaw_rate, v), "first": first, "second": second}
+    return {"sensed": tilted(z, v.yaw_rate, v), "first": first, "second": second}
 
 
 def _fuse(_: FormulaTracer, v: Any) -> dict[str, Any]:

@@ -28,7 +28,7 @@ _MOTION = {
 _OWN = (*SENSOR_NUMBERS, *GYRO_NUMBERS)
 _SENSOR = {name: row for row, name in enumerate(_OWN)} | {
     "play": b.S_OWN, **{name: b.S_OWN + row for row, name in enumerate(FUSED_NUMBERS)}, "drift": b.S_DRIFT,
-    "reading": b.S_VALUE, "touch": b.S_FELT, "felt": b.S_FELT, "angle": b.S_FELT, "wheel": b.S_MEMORY,
+    "reading": b.S_VALUE, "touch": b.S_SENSED, "sensed": b.S_SENSED, "angle": b.S_SENSED, "wheel": b.S_MEMORY,
     "first": b.S_MEMORY, "second": b.S_MEMORY + 1, "cosine": b.S_MEMORY, "sine": b.S_MEMORY + 1, "ideal": b.S_IDEAL,
     "normal": b.S_NORMAL, "step": b.S_STEP,
 }  # fmt: skip

@@ -31,7 +31,7 @@ _MOTOR = (
 @dataclass(frozen=True, eq=False)
 class KitTables:
     """`motor` (·, 8) and `sensor` (·, s, numbers) as in `block`; `dead_time` (·, 3) as in `block.arrive`;
-    `times` (s, 6): of each sensor its kind, its delay, its period and that of its walk [steps], how it feels, and in
+    `times` (s, 6): of each sensor its kind, its delay, its period and that of its walk [steps], how it senses, and in
     which steps."""
 
     motor: Array
@@ -67,10 +67,10 @@ def kit_tables(batch: FleetBatch, stride: int) -> KitTables:
     for name, sensor in zip(reads, sensors, strict=True):
         every = max(1, round(sensor.period / batch.period))
         walks = walk_steps(every, kit.period / batch.period)
-        own, feels, pace = _own(numbers, name, sensor, every, batch.period)
+        own, senses, pace = _own(numbers, name, sensor, every, batch.period)
         own += [np.zeros(1)] * (len(GYRO_NUMBERS) - len(own))
         rows.append(_stack([*(numbers[f"sensors.{name[7:]}.{f}"] for f in SENSOR_NUMBERS), *own]))
-        times.append((KINDS.index(name), round(sensor.delay / batch.period), every, walks, feels, pace))
+        times.append((KINDS.index(name), round(sensor.delay / batch.period), every, walks, senses, pace))
     table = _stack(rows) if rows else np.zeros((1, 0, SENSOR_SIZE))
     dead_time = _dead_time(numbers, batch.period, stride)
     numbers.check()
@@ -116,7 +116,7 @@ def _stack(columns: list[Array]) -> Array:
 
 
 def _own(numbers: _Numbers, name: str, sensor: Sensor, every: int, step: float) -> tuple[list[Array], int, int]:
-    """The numbers (·,) of a sensor that only its kind has, how it feels, and in which of the steps of `step` [s]."""
+    """The numbers (·,) of a sensor that only its kind has, how it senses, and in which of the steps of `step` [s]."""
     if "encoder" in name:
         play = numbers["motor.backlash"] / 2
         return [play], *((SLACK, 1) if play.any() else (PLAIN, 0))

@@ -15,17 +15,17 @@ NEVER = 1 << 60  # [steps] longer than any run
 S_OWN = len(SENSOR_NUMBERS)  # those of every sensor; from here on those of its kind
 SENSOR_SIZE = S_OWN + len(GYRO_NUMBERS)
 S_NOISE, S_BIAS, S_WALK = map(SENSOR_NUMBERS.index, ("noise", "bias", "bias_walk"))
-S_DRIFT, S_VALUE, S_FELT, S_MEMORY, S_IDEAL, S_NORMAL, S_STEP, S_LINE = (
+S_DRIFT, S_VALUE, S_SENSED, S_MEMORY, S_IDEAL, S_NORMAL, S_STEP, S_LINE = (
     SENSOR_SIZE + place for place in (0, 1, 2, 3, 5, 6, 7, 8)
 )
-"""Bias, reading, what is felt (of an encoder what it touches, of a filter its angle), 2: wheel, memory of a gyro, or
+"""Bias, reading, what is sensed (of an encoder what it touches, of a filter its angle), 2: wheel, memory of a gyro, or
 cosine and sine of that angle; delayed reading, normal numbers of noise and of the bias's walk, delay line."""
 ENCODER_LEFT, ENCODER_RIGHT, GYRO, COMPASS, ACCEL_FORWARD, ACCEL_UP, ANGLE = range(7)  # kinds of sensors
-PLAIN, SLACK, SWUNG, FUSED = range(4)  # what a sensor feels, besides of what its kind says
+PLAIN, SLACK, SWUNG, FUSED = range(4)  # what a sensor senses, besides of what its kind says
 (
-    S_KIND, S_DELAY, S_EVERY, S_WALKS, S_FEELS, S_PACE, S_ROW, S_PLACES, S_READING, S_LOUD, SENSOR_COLUMNS,
+    S_KIND, S_DELAY, S_EVERY, S_WALKS, S_SENSES, S_PACE, S_ROW, S_PLACES, S_READING, S_LOUD, SENSOR_COLUMNS,
 ) = range(11)  # fmt: skip
-"""Columns of the table of sensors: kind, delay, period and that of its walk [steps], how it feels, in which steps it
+"""Columns of the table of sensors: kind, delay, period and that of its walk [steps], how it senses, in which steps it
 has to (0: only where it is sampled), first row, places in the delay line, row of the reading, and the sum of its random
 parts:"""
 LOUD_NOISE, LOUD_WALK, LOUD_BIAS = 1, 2, 4

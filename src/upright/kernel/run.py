@@ -61,8 +61,6 @@ from upright.kernel.rows import (
     S_DELAY,
     S_DRIFT,
     S_EVERY,
-    S_FEELS,
-    S_FELT,
     S_IDEAL,
     S_KIND,
     S_LINE,
@@ -73,6 +71,8 @@ from upright.kernel.rows import (
     S_PLACES,
     S_READING,
     S_ROW,
+    S_SENSED,
+    S_SENSES,
     S_STEP,
     S_VALUE,
     S_WALKS,
@@ -122,11 +122,11 @@ def sense_first(block: RobotBlock, plan: Any, sensors: Any) -> None:
     for s in range(item(plan, SENSORS)):
         t = s * SENSOR_COLUMNS
         kind, row = item(sensors, t + S_KIND), item(sensors, t + S_ROW)
-        b.sense(w, count, kind, row + S_FELT)
-        if item(sensors, t + S_FEELS) == SWUNG:
+        b.sense(w, count, kind, row + S_SENSED)
+        if item(sensors, t + S_SENSES) == SWUNG:
             call_program(item(plan, SETTLE), w, count, row, w)
         for k in range(item(sensors, t + S_PLACES)):
-            b.copy(w, row + S_LINE + k, row + S_FELT, count)
+            b.copy(w, row + S_LINE + k, row + S_SENSED, count)
         if item(sensors, t + S_LOUD) & LOUD_BIAS:
             draw(block, plan, 0, FOR_BIAS, kind // 2)
             for i in range(count):
@@ -134,15 +134,15 @@ def sense_first(block: RobotBlock, plan: Any, sensors: Any) -> None:
 
 
 @njit
-def feel(w: Any, count: int, plan: Any, feels: int, kind: int, row: int) -> None:
-    """What a sensor feels after a step that feels not only what its kind says; `row` is its first."""
-    if feels == SLACK:
+def sense_own(w: Any, count: int, plan: Any, senses: int, kind: int, row: int) -> None:
+    """What a sensor senses after a step that senses not only what its kind says; `row` is its first."""
+    if senses == SLACK:
         b.sense(w, count, kind, row + S_MEMORY)
         call_program(item(plan, SLACKEN), w, count, row, w)
-    elif feels == SWUNG:
+    elif senses == SWUNG:
         call_program(item(plan, SWING), w, count, row, w)
     else:
-        b.direct(w, count, row + S_MEMORY, row + S_FELT)
+        b.direct(w, count, row + S_MEMORY, row + S_SENSED)
         call_program(item(plan, FUSE), w, count, row, w)
 
 
@@ -159,14 +159,14 @@ def sense_all(w: Any, count: int, plan: Any, sensors: Any, now: int) -> int:
         every, delay = item(sensors, t + S_EVERY), item(sensors, t + S_DELAY)
         fresh = now + delay
         sampled = fresh % every == 0 and -(-fresh // stride) * stride < fresh + every
-        feels, pace = item(sensors, t + S_FEELS), item(sensors, t + S_PACE)
-        if feels != PLAIN:
+        senses, pace = item(sensors, t + S_SENSES), item(sensors, t + S_PACE)
+        if senses != PLAIN:
             if now > 0 and (now % pace == 0 if pace > 0 else sampled):
-                feel(w, count, plan, feels, kind, row)
+                sense_own(w, count, plan, senses, kind, row)
         elif sampled:
-            b.sense(w, count, kind, row + S_FELT)
+            b.sense(w, count, kind, row + S_SENSED)
         if sampled:
-            b.copy(w, row + S_LINE + (fresh // every) % item(sensors, t + S_PLACES), row + S_FELT, count)
+            b.copy(w, row + S_LINE + (fresh // every) % item(sensors, t + S_PLACES), row + S_SENSED, count)
         fresh = (fresh // every + 1) * every
         while -(-fresh // stride) * stride >= fresh + every:
             fresh += every

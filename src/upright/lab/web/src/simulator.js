@@ -120,29 +120,29 @@ export function normal(time, purpose, kind, seed) {
 }
 
 /**
- * What a sensor feels: of a gyro that swings or is tilted, and of a fused angle, another number than the ideal one.
+ * What a sensor senses: of a gyro that swings or is tilted, and of a fused angle, another number than the ideal one.
  * @param {Sensor} sensor
  * @param {Loop} loop
  * @returns {() => number}
  */
-function feeling(sensor, loop) {
+function sensing(sensor, loop) {
   const { from, every, b0, time_constant } = sensor;
   const { x, ideal } = loop;
-  const felt = new Float64Array(3); // and the two memories of a gyro
+  const own = new Float64Array(3); // and the two memories of a gyro
   if (b0 !== undefined) {
-    settle(x[1], x[5], sensor, felt);
+    settle(x[1], x[5], sensor, own);
     return () => {
-      if (loop.steps) swing(x[1], x[5], felt[1], felt[2], sensor, felt);
-      return felt[0];
+      if (loop.steps) swing(x[1], x[5], own[1], own[2], sensor, own);
+      return own[0];
     };
   }
   if (time_constant !== undefined) {
-    felt[0] = x[0];
+    own[0] = x[0];
     return () => {
-      const [cosine, sine] = [Math.cos(felt[0]), Math.sin(felt[0])];
+      const [cosine, sine] = [Math.cos(own[0]), Math.sin(own[0])];
       if (loop.steps && loop.steps % every === 0)
-        fuse(felt[0], cosine, sine, x[1], ideal[4], ideal[5], loop.body.gravity, sensor, felt);
-      return felt[0];
+        fuse(own[0], cosine, sine, x[1], ideal[4], ideal[5], loop.body.gravity, sensor, own);
+      return own[0];
     };
   }
   return () => (from < 0 ? loop.voltage : ideal[from]);
@@ -157,8 +157,8 @@ class Channel {
    */
   constructor(sensor, seed, loop) {
     this.sensor = sensor;
-    this.feels = feeling(sensor, loop);
-    const first = this.feels();
+    this.sense = sensing(sensor, loop);
+    const first = this.sense();
     this.seed = seed;
     this.count = 0;
     this.held = 0;
@@ -175,7 +175,7 @@ class Channel {
 
   read() {
     const { play, delay, every } = this.sensor;
-    let value = this.feels();
+    let value = this.sense();
     if (play) {
       slacken(this.touch, value, play, this.out);
       this.touch = value = this.out[0];
