@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +11,7 @@ import numpy as np
 import pytest
 
 from conftest import EXPORTED
-from test_lab_printed import DRIVEN, EXCITED, quiet
+from test_lab_printed import DRIVEN, EXCITED
 from upright.bodies import Electronics, NonlinearBody
 from upright.certify.verdict import linear_margins
 from upright.classwork.grading import grade_file
@@ -88,23 +87,21 @@ def test_the_page_of_every_preset_is_small(tmp_path, monkeypatch):
 
 @marked
 def test_the_page_s_session_is_python_s_run(page):
-    """Without quanta and noise, at rest under a knock: what the page shows after 3 s is what `run` computes."""
+    """At rest under a knock, with all its noise: what the page shows after 3 s is what `run` computes."""
     robot = Robot.preset("nxtway-gs")
-    kit = quiet(Kit.preset("nxt"), exact=True)
-    kit = replace(kit, motor=Kit.preset("nxt").motor)  # the page's slider scales the sensors alone
+    kit = Kit.preset("nxt")
     send(page, kind="Play", paused=True, speed=1)
-    page.evaluate("upright.exported.facts.robots['nxtway-gs'].kit.sensors.forEach((s) => { s.bias_walk = 0; })")
-    page.evaluate("upright.store.change({ noise: 0, controller: 'lqg' })")
+    page.evaluate("upright.store.change({ noise: 1, controller: 'lqg' })")
     send(page, kind="StandUp", pitch=0)
     send(page, kind="Strike", what="impulse", size=0.05)
     send(page, kind="Step", periods=300)
     shown = page.evaluate("upright.store.snapshot.x[0].slice(0, 6)")
-    controller = CONTROLLERS["lqg"](robot, Kit.preset("nxt"), kit.period)
+    controller = CONTROLLERS["lqg"](robot, kit, kit.period)
     log = run(Electronics(NonlinearBody(robot), kit), controller, Impulse(impulse=0.05, start=0.0, duration=0.02),
               seconds=3.01)  # fmt: skip
     python = [log[f"truth/{name}"][-1] for name in STATE_NAMES]
     assert log.t[-1] == pytest.approx(3.0)
-    assert np.abs(np.array(shown) - python).max() < 1e-6  # the driver's quantum is on: differences are not forgotten
+    assert np.abs(np.array(shown) - python).max() < 1e-6  # quanta are on: differences are not forgotten
 
 
 @marked
