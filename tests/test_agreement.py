@@ -38,7 +38,7 @@ from upright.experiment.examples import example
 from upright.kernel.batch import silent
 from upright.physics.dynamics import CALM
 from upright.robots import Kit, Robot
-from upright.robots.conditions import Conditions
+from upright.robots.sections import Conditions
 from upright.robots.uncertainty import Uncertainty, draw
 from upright.signals import Log
 

@@ -20,8 +20,8 @@ from upright.experiment import Drive, Impulse, Slope, run
 from upright.fleet.ensemble import Ensemble
 from upright.fleet.vary import varied
 from upright.robots import Kit, Robot
-from upright.robots.conditions import Conditions
 from upright.robots.facts import differences, robot_facts
+from upright.robots.sections import Conditions
 from upright.robots.uncertainty import Family, Uncertainty, draw
 from upright.signals import Log
 

@@ -187,8 +187,8 @@ def pitch_model(p: Robot) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
 
 
 def grows(inertia: list[list[float]], weight: float, brake: float, drag: float) -> float:
-    """The rate [1/s] at which a lean grows, with `brake` between body and wheels, `drag` of the wheels on the floor, and
-    `inertia` of [wheel, body]: largest root of |E s² + D s − G|."""
+    """The rate [1/s] at which a lean grows: largest root of |E s² + D s − G|, E of [wheel, body], with a `brake`
+    between body and wheels and a `drag` of the floor."""
     E, G = np.array(inertia), np.diag([0.0, weight])
     D = brake * np.array([[1, -1], [-1, 1]]) + np.diag([drag, 0])
     first = np.block([[np.zeros((2, 2)), np.eye(2)], [np.linalg.solve(E, G), -np.linalg.solve(E, D)]])
@@ -225,6 +225,26 @@ def test_a_robot_written_and_read_again_is_the_same_with_the_same_sources(name: 
     again = Robot.load(robot.save(tmp_path / "robot.toml"))
     assert again == robot
     assert dict(again.provenance) == dict(robot.provenance)
+
+
+@pytest.mark.parametrize("name", preset_names())
+def test_what_is_changed_loses_its_source_and_nothing_else_is_lost(name: str, tmp_path: Path) -> None:
+    robot = Robot.preset(name)
+    changed = robot.replace(body_mass=1.1 * robot.body_mass)
+    again = Robot.load(changed.save(tmp_path / "robot.toml"))
+    assert again == changed
+    assert again.provenance == {key: source for key, source in robot.provenance.items() if key != "body_mass"}
+    assert (again.title, again.kit, again.weights) == (robot.title, robot.kit, robot.weights)
+
+
+def test_a_robot_saved_elsewhere_finds_its_kit_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for folder in ("here", "there", "elsewhere"):
+        (tmp_path / folder).mkdir()
+    (tmp_path / "here" / "kit.toml").write_text(Kit.preset("nxt").to_toml())
+    path = Robot.preset("nxtway-gs").replace(kit="kit.toml").save(tmp_path / "here" / "mine.toml")
+    saved = Robot.load(path).replace(track=0.15).save(tmp_path / "there" / "mine.toml")
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    assert find_kit(Robot.load(saved).kit) == Kit.preset("nxt")
 
 
 def test_correlations_are_written_and_read_again_and_go_with_a_number_that_is_changed(tmp_path: Path) -> None:

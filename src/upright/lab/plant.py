@@ -230,9 +230,10 @@ class Pulled:
         self.body.close()
 
 
-def body_of(name: str, plant: Plant, setup: Setup, period: float, calibrated: Robot | None = None) -> Pulled:
-    """The body of that name, not yet behind its electronics. Raises `InvalidRobot` for a robot so stiff that it cannot
-    be simulated while it is watched."""
+def body_of(name: str, plant: Plant, setup: Setup, fine: float, calibrated: Robot | None = None) -> Pulled:
+    """The body of that name, not yet behind its electronics, whose period is at most `fine` [s] and divides the kit's.
+    Raises `InvalidRobot` for a robot so stiff that it cannot be simulated while it is watched."""
+    period = plant.kit.period / math.ceil(plant.kit.period / fine * (1 - 1e-9))
     if name == "twin":
         from upright.bodies.twin import Twin
 

@@ -7,7 +7,6 @@ desk has done by `reported`; snapshots and events come out. The same sequence gi
 from __future__ import annotations
 
 import copy
-import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -62,9 +61,8 @@ LONGEST = 1.0  # [s] of simulated time in one go
 
 class Session:
     """One robot, its bodies and their controllers, from the set-up on.
-    `folder` is where files are made; `desk` does what takes longer than a frame, under `name`; a body's
-    period, at most `fine` [s], divides the kit's; `certified`: the light follows every change. Raises an `UprightError`
-    where the first set-up cannot be.
+    `folder` is where files are made; `desk` does what takes longer than a frame, under `name`; `fine` [s] is a body's
+    period; `certified`: the light follows every change. Raises an `UprightError` where the first set-up cannot be.
     """
 
     def __init__(
@@ -185,17 +183,15 @@ class Session:
 
     def _build(self, start: Sequence[float], states: dict[str, list[float]] | None = None) -> None:
         """New lanes, each from its own body's state where it had one."""
-        period = self.plant.kit.period
-        length, lanes = round(KEPT / period), list[Lane]()
-        step = period / math.ceil(period / self._fine * (1 - 1e-9))
+        length, lanes = round(KEPT / self.plant.kit.period), list[Lane]()
         for name in self._names():
-            inner = body_of(name, self.plant, self.setup, step, self.calibrated)
+            inner = body_of(name, self.plant, self.setup, self._fine, self.calibrated)
             body = behind(inner, self.plant.kit)
             at = (states or {}).get(name, start)
             own = copy.deepcopy(self._designed)
             lanes.append(Lane(name, inner, body, own, start=at, seed=self.setup.seed, length=length))
         self.lanes = lanes
-        self._display.show(lanes, period)
+        self._display.show(lanes, self.plant.kit.period)
         self._target, self._owed, self._back = np.zeros(6), 0.0, 0.0
         self._built += 1
         self.score.exchanged()

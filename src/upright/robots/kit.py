@@ -3,26 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, fields
 from pathlib import Path
-from typing import Any
 
 from upright.errors import InvalidRobot, SpecMismatch
 from upright.robots import toml
-from upright.robots.wiring import UNITS as WIRING_UNITS
-from upright.robots.wiring import BoardWiring, wiring_of
+from upright.robots.toml import quantity
+from upright.robots.wiring import BoardWiring
 from upright.signals.signal import FUSED, SENSORS
 
 PRESETS = "kits"
-_TIMING = ("period", "delay", "jitter")
-_MOTOR_UNITS = {
-    "limit": "V", "dead_zone": "V", "quantum": "V", "drop": "V", "backlash": "rad", "left": "1", "right": "1",
-}  # fmt: skip
-_BATTERY_UNITS = {"voltage": ("V",), "sag": ("1",)}
-_KEYS = ("name", "title", "period", "delay", "jitter", "drive", "battery", "motor", "sensors", "wiring")
-_SENSOR_UNITS = {signal.name.removeprefix("sensor/"): signal.unit for signal in (*SENSORS, *FUSED)}
-
+_CHANNELS = {signal.name.removeprefix("sensor/"): signal for signal in (*SENSORS, *FUSED)}
 
 LONGEST_DELAY = 1.0
 """[s] of a dead time, a jitter or a sensor's period: what comes a second late balances nothing."""
@@ -56,19 +48,23 @@ class Sensor:
     The defaults mean ideal: no quantum, no noise, no bias, unlimited range, no delay, sampled at every step.
     """
 
-    quantum: float = 0.0  # step between two readings
-    noise: float = 0.0  # standard deviation of white noise, each sample
-    bias: float = 0.0  # standard deviation of the constant offset, drawn at reset
-    bias_walk: float = 0.0  # standard deviation of the offset's random walk, per √s
-    range: float = math.inf  # largest absolute reading
-    delay: float = 0.0  # [s] from the physics to the reading
-    period: float = 0.0  # [s] between two fresh readings, held between
-    resonance: float = 0.0  # [Hz] where it swings against the frame, or its filter ends; 0 for neither
-    damping: float = 0.7  # [1] of that resonance: little of what swings, 0.7 of a filter
-    gain: float = 1.0  # reading over what is measured; 1 but for a scale error
-    misalignment: float = 0.0  # [1] part of the yaw rate that a gyro reads beside the pitch rate: it is tilted
-    offset: float = 0.0  # what it reads where the truth is zero: an angle's error of mounting
-    time_constant: float = 0.0  # [s] of the filter that makes a fused angle; 0 for the angle itself
+    quantum: float = quantity("{}", 0.0, "step between two readings")
+    noise: float = quantity("{}", 0.0, "standard deviation of white noise, each sample")
+    bias: float = quantity("{}", 0.0, "standard deviation of the constant offset, drawn at reset")
+    bias_walk: float = quantity("{}/√s", 0.0, "standard deviation of the offset's random walk, per √s")
+    range: float = quantity("{}", math.inf, "largest absolute reading")
+    delay: float = quantity("s", 0.0, "from the physics to the reading")
+    period: float = quantity("s", 0.0, "between two fresh readings, held between")
+    resonance: float = quantity(
+        "Hz", 0.0, "where it swings against the frame, or its filter ends; 0 for neither", only="gyro"
+    )
+    damping: float = quantity("1", 0.7, "of that resonance: little of what swings, 0.7 of a filter", only="gyro")
+    gain: float = quantity("1", 1.0, "reading over what is measured; 1 but for a scale error")
+    misalignment: float = quantity("1", 0.0, "part of the yaw rate that it reads, since it is tilted", only="gyro")
+    offset: float = quantity("{}", 0.0, "what it reads where the truth is zero: an angle's error of mounting")
+    time_constant: float = quantity(
+        "s", 0.0, "of the filter that makes a fused angle; 0 for the angle itself", only="pitch"
+    )
 
     def __post_init__(self) -> None:
         for f in fields(self):
@@ -85,13 +81,13 @@ class Sensor:
 class Motor:
     """What a motor and its driver do to a command, besides the physics in `Robot`."""
 
-    limit: float = math.inf  # largest command the driver gives (V or N m)
-    dead_zone: float = 0.0  # commands up to this size do nothing (V or N m)
-    quantum: float = 0.0  # step between two commands (V or N m)
-    drop: float = 0.0  # [V] that the driver keeps of each command, as bridges of bipolar transistors do
-    backlash: float = 0.0  # [rad] play between wheel and encoder
-    left: float = 1.0  # [1] fraction of a command that the left motor turns into torque
-    right: float = 1.0  # [1] the same of the right motor
+    limit: float = quantity("V or N m", math.inf, "largest command that the driver gives")
+    dead_zone: float = quantity("V or N m", 0.0, "commands up to this size do nothing")
+    quantum: float = quantity("V or N m", 0.0, "step between two commands")
+    drop: float = quantity("V", 0.0, "what the driver keeps of each command, as bridges of bipolar transistors do")
+    backlash: float = quantity("rad", 0.0, "play between wheel and encoder")
+    left: float = quantity("1", 1.0, "part of a command that the left motor turns into torque")
+    right: float = quantity("1", 1.0, "the same of the right motor")
 
     def __post_init__(self) -> None:
         for f in fields(self):
@@ -102,8 +98,8 @@ class Motor:
 class Battery:
     """Open-circuit `voltage` [V] and the `sag` [V per V commanded to both motors together]."""
 
-    voltage: float = math.inf
-    sag: float = 0.0
+    voltage: float = quantity("V", math.inf, "at rest")
+    sag: float = quantity("1", 0.0, "volts lost for each volt commanded to both motors")
 
     def __post_init__(self) -> None:
         _check_size("battery sag", self.sag)
@@ -132,9 +128,9 @@ class Kit:
     sensors: dict[str, Sensor] = field(default_factory=dict)
     motor: Motor = Motor()
     battery: Battery = Battery()
-    period: float = 0.01
-    delay: float = 0.0
-    jitter: float = 0.0
+    period: float = quantity("s", 0.01, "of the control loop")
+    delay: float = quantity("s", 0.0, "from a command to the motor")
+    jitter: float = quantity("s", 0.0, "width of the delay's random addition")
     wiring: BoardWiring = field(default_factory=BoardWiring)
 
     def __post_init__(self) -> None:
@@ -174,20 +170,16 @@ class Kit:
     def to_toml(self, table: str = "") -> str:
         """The text that `load` reads back as this kit, or the part of a robot's file in the `table` of this name."""
         prefix = f"{table}." if table else ""
-        head = [f"[{table}]\n"] if table else []
-        head += [f"{key} = {toml.quoted(getattr(self, key))}\n" for key in ("name", "drive") if getattr(self, key)]
-        parts: list[tuple[str, Any, Mapping[str, str]]] = [
-            ("", self, dict.fromkeys(_TIMING, "s")), ("motor.", self.motor, _MOTOR_UNITS),
-            ("battery.", self.battery, {name: units[0] for name, units in _BATTERY_UNITS.items()}),
-            ("wiring.", self.wiring, dict.fromkeys(WIRING_UNITS, "1")),
-        ]  # fmt: skip
-        for name, sensor in self.sensors.items():
-            units = {key: several[0] for key, several in _sensor_units(name.removeprefix("sensor/")).items()}
-            parts.append((f"sensors.{name.removeprefix('sensor/')}.", sensor, units))
-        tables = [text for where, part, units in parts for text in _numbers(f"{prefix}{where}", part, units)]
-        empty = [f"\n[{prefix}sensors.{n.removeprefix('sensor/')}]\n" for n, s in self.sensors.items() if s == Sensor()]
-        driver = f"\n[{prefix}wiring]\ndriver = {toml.quoted(self.wiring.driver)}\n" if self.wiring.driver else ""
-        return "".join([*head, *tables, *empty, driver])
+        parts = [toml.part_text(getattr(self, name), prefix + name) for name in _PARTS]
+        for channel, sensor in self.sensors.items():
+            name = channel.removeprefix("sensor/")
+            called = f"{prefix}sensors.{name}"
+            text = toml.part_text(sensor, called, channel=name, unit=_CHANNELS[name].unit)
+            parts.append(text or f"\n[{called}]\n")
+        return "".join([toml.part_text(self, table), *parts])
+
+
+_PARTS = {"motor": Motor, "battery": Battery, "wiring": BoardWiring}
 
 
 def kit_names() -> tuple[str, ...]:
@@ -204,23 +196,19 @@ def find_kit(kit: Kit | str | Path) -> Kit:
 
 def kit_of(table: toml.Table, where: str) -> Kit:
     """The kit in a table of TOML, which messages call `where`; raises `InvalidRobot`."""
-    toml.check_keys(table, _KEYS, where)
-    if "name" not in table:
-        raise InvalidRobot(f"{where} lacks name", expected="the kit's name", hint='name = "my-kit"')
-    timing = {key: toml.number(table[key], key, ("s",), where) for key in _TIMING if key in table}
-    battery = toml.numbers(table, "battery", _BATTERY_UNITS, where)
-    command = ("V", "N m")  # a kit serves voltage and torque drives alike
-    units = {key: command if unit == "V" and key != "drop" else (unit,) for key, unit in _MOTOR_UNITS.items()}
-    motor = toml.numbers(table, "motor", units, where)
+    given, _ = toml.read_part(Kit, table, where, others=("title", "sensors", *_PARTS))
+    for name, kind in _PARTS.items():
+        numbers, _ = toml.read_part(kind, toml.subtable(table, name, where), where, f"{name}.")
+        given[name] = kind(**numbers)
     listed = toml.subtable(table, "sensors", where)
-    toml.check_keys(listed, _SENSOR_UNITS, where, "sensors.")
-    sensors = {f"sensor/{name}": Sensor(**_sensor(listed, name, where)) for name in _SENSOR_UNITS if name in listed}
-    name = toml.word(table, "name", where)
-    drive = toml.word(table, "drive", where) if "drive" in table else ""
-    kit = Kit(
-        name=name, drive=drive, sensors=sensors, motor=Motor(**motor), battery=Battery(**battery),
-        wiring=wiring_of(table, where), **timing,
-    )  # fmt: skip
+    toml.check_keys(listed, _CHANNELS, where, "sensors.")
+    sensors: dict[str, Sensor] = {}
+    for name, signal in _CHANNELS.items():
+        if name in listed:
+            own = toml.subtable(listed, name, where)
+            numbers, _ = toml.read_part(Sensor, own, where, f"sensors.{name}.", channel=name, unit=signal.unit)
+            sensors[signal.name] = Sensor(**numbers)
+    kit = Kit(**given, sensors=sensors)
     for side in ("encoder_left", "encoder_right"):
         if (encoder := sensors.get(f"sensor/{side}")) is not None:
             kit.wiring.edges(encoder.quantum, f"{where}: sensors.{side}")
@@ -230,27 +218,3 @@ def kit_of(table: toml.Table, where: str) -> Kit:
         raise InvalidRobot(f"{where}: motor.drop is {drop:g} V", expected=f"less than the {most:g} V of the motors",
                            likely="millivolts")  # fmt: skip
     return kit
-
-
-def _sensor(listed: toml.Table, name: str, where: str) -> dict[str, float]:
-    return toml.numbers(listed, name, _sensor_units(name), where, "sensors.")
-
-
-def _sensor_units(name: str) -> dict[str, tuple[str, ...]]:
-    unit = _SENSOR_UNITS[name]
-    units = dict.fromkeys(("quantum", "noise", "bias", "range", "offset"), (unit,))
-    return (
-        units
-        | {"bias_walk": (f"{unit}/√s",), "delay": ("s",), "period": ("s",), "gain": ("1",)}
-        | ({"resonance": ("Hz",), "damping": ("1",), "misalignment": ("1",)} if name == "gyro" else {})
-        | ({"time_constant": ("s",)} if name == "pitch" else {})
-    )
-
-
-def _numbers(where: str, part: Any, units: Mapping[str, str]) -> Iterator[str]:
-    """The numbers of a part that differ from its default, each as a table of TOML."""
-    default = {f.name: f.default for f in fields(part)}
-    for key, unit in units.items():
-        value = float(getattr(part, key))
-        if value != default[key] and math.isfinite(value):
-            yield f"\n[{where}{key}]\nvalue = {value!r}\nunit = {toml.quoted(unit)}\n"

@@ -16,19 +16,16 @@ from upright.atomic import write_text
 from upright.errors import InvalidRobot
 from upright.reading import read_json, understood
 from upright.robots import toml
-from upright.robots.conditions import Conditions, conditions_of
 from upright.robots.kit import Kit, kit_of
-from upright.robots.learnt import FittedLog, correlation_of, fitted_of, learnt, noise_of
+from upright.robots.sections import Conditions, FittedLog, TunedWeights, sections
 from upright.robots.toml import Provenance
-from upright.robots.weights import TunedWeights, weights_of
 from upright.tables import Listing
 
 PRESETS = "presets"
 
 
 def _number(unit: str, symbol: str, default: float | None = None) -> Any:
-    metadata = {"unit": unit, "symbol": symbol}
-    return field(metadata=metadata) if default is None else field(default=default, metadata=metadata)
+    return toml.quantity(unit, default, symbol=symbol)
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
@@ -98,30 +95,33 @@ class Robot:
     @classmethod
     def load(cls, path: str | Path) -> Robot:
         """A robot from a TOML file (docs/add-a-robot.md); raises `InvalidRobot` for a file without a valid robot. A
-        kit's file may lie where the command runs, or beside the robot's file."""
+        kit's file may lie beside the robot's file, or where the command runs."""
         robot = _read(*toml.read("robot", path))
-        kit = robot.kit if isinstance(robot.kit, str) else ""
-        beside = Path(os.path.expanduser(path)).parent / kit  # `~` of nobody stays as it is
-        there = kit.endswith(".toml") and not Path(kit).is_file() and beside.is_file()
-        return robot.replace(kit=str(beside)) if there else robot
+        beside = _folder(path) / robot.kit_file
+        return robot.replace(kit=str(beside)) if robot.kit_file and beside.is_file() else robot
 
     def save(self, path: str | Path) -> Path:
-        """Write as TOML with units, sources and spreads; `load` gives back an equal robot with equal provenance.
+        """Write as TOML with units, sources and spreads; `load` gives back an equal robot with equal provenance, whose
+        kit is the same also where its file lies elsewhere.
 
         Raises `UprightError` where the file cannot be written.
         """
-        return write_text(path, self.to_toml())
+        there = self.kit_file and Path(self.kit_file).is_file()
+        robot = self.replace(kit=os.path.relpath(self.kit_file, _folder(path))) if there else self
+        return write_text(path, robot.to_toml())
 
     def to_toml(self) -> str:
         """The text that `load` reads back."""
-        words = ("name", "title", "drive", *(("kit",) if isinstance(self.kit, str) else ()))
-        head = [f"{key} = {toml.quoted(getattr(self, key))}\n" for key in words]
-        unused = set(_ELECTRICAL) - self.provenance.keys() if self.drive == "torque" else set[str]()
-        tables = [_written(name, self) for name in PARAMETERS if name not in unused]
-        kit = [] if isinstance(self.kit, str) else ["\n", self.kit.to_toml("kit")]
-        tuned = [weights.to_toml(method) for method, weights in self.weights.items()]
-        known = learnt(self.noise, self.correlation, self.fitted)
-        return "".join([*head, *tables, known, self.conditions.to_toml(), *tuned, *kit])
+        parts = [toml.part_text(self, sources=self.provenance)]
+        parts += [section.text(getattr(self, name)) for name, section in _SECTIONS.items()]
+        if isinstance(self.kit, Kit):
+            parts.append(f"\n{self.kit.to_toml('kit').lstrip()}")
+        return "".join(parts)
+
+    @property
+    def kit_file(self) -> str:
+        """The file of its electronics; "" where that is a preset or the kit itself."""
+        return self.kit if isinstance(self.kit, str) and self.kit.endswith(".toml") else ""
 
     @property
     def kit_name(self) -> str:
@@ -176,10 +176,11 @@ class Robot:
 
 
 PARAMETERS: dict[str, tuple[str, str]] = {
-    f.name: (f.metadata["unit"], f.metadata["symbol"]) for f in dataclasses.fields(Robot) if "unit" in f.metadata
+    f.name: (f.metadata["unit"], f.metadata["symbol"]) for f in dataclasses.fields(Robot) if f.metadata
 }
 """Field name → (unit, symbol) of every physical parameter, in order."""
 
+_SECTIONS = sections(PARAMETERS)
 _ELECTRICAL = ("motor_resistance", "torque_constant", "back_emf")
 MAY_BE_ZERO = ("rotor_inertia", "back_emf", "motor_friction", "wheel_friction", "coulomb_friction", "rolling_friction")
 _LARGEST = 3.0  # [m] no balancing robot is larger
@@ -345,34 +346,18 @@ def _check_numbers(robot: Robot) -> None:
         robot.kit.check_drive(robot.drive)
 
 
-def _written(name: str, robot: Robot) -> str:
-    lines = ["", f"[{name}]", f"value = {getattr(robot, name)!r}", f"unit = {toml.quoted(PARAMETERS[name][0])}"]
-    if name in robot.provenance:
-        known = robot.provenance[name]
-        spread = '"guess"' if known.spread is None else repr(float(known.spread))
-        lines += [f"source = {toml.quoted(known.source)}", f"spread = {spread}"]
-    return "\n".join(lines) + "\n"
+def _folder(path: str | Path) -> Path:
+    """The folder of a file; `~` of nobody stays as it is."""
+    return Path(os.path.expanduser(path)).parent
 
 
 def _read(table: toml.Table, where: str) -> Robot:
-    tables = ("kit", "correlation", "conditions", "weights", "noise", "fitted")
-    toml.check_keys(table, {"name", "title", "drive", *tables, *PARAMETERS}, where)
-    words: dict[str, Any] = {k: toml.word(table, k, where) for k in ("name", "drive", "title") if k in table}
-    if "kit" in table:
-        own = isinstance(table["kit"], dict)
-        words["kit"] = kit_of(table["kit"], f"{where}, kit") if own else toml.word(table, "kit", where)
-    required = {f.name for f in dataclasses.fields(Robot) if f.default is f.default_factory is dataclasses.MISSING}
-    missing = sorted(required - table.keys())
-    if missing:
-        unit = PARAMETERS[missing[0]][0] if missing[0] in PARAMETERS else ""
-        hint = f'[{missing[0]}] value = …, unit = "{unit}"' if unit else f'{missing[0]} = "my-robot"'
-        raise InvalidRobot(f"{where} lacks {', '.join(missing)}", expected="every required parameter", hint=hint)
-    given = [name for name in PARAMETERS if name in table]
-    numbers = {name: toml.number(table[name], name, (PARAMETERS[name][0],), where) for name in given}
-    sources = {name: toml.provenance(table[name], name, where) for name in given}
-    provenance = {name: source for name, source in sources.items() if source is not None}
-    pairs = correlation_of(toml.subtable(table, "correlation", where), where, PARAMETERS)
-    noise = noise_of(toml.subtable(table, "noise", where), where)
-    rest = {"correlation": pairs, "conditions": conditions_of(table, where), "weights": weights_of(table, where),
-            "noise": noise, "fitted": fitted_of(table, where)}  # fmt: skip
-    return Robot(**words, **cast(dict[str, Any], numbers), provenance=provenance, **cast(dict[str, Any], rest))
+    own = ["kit"] if isinstance(table.get("kit"), dict) else []
+    given, sources = toml.read_part(Robot, table, where, others=(*_SECTIONS, *own))
+    if own:
+        given["kit"] = kit_of(table["kit"], f"{where}, kit")
+    for name, section in _SECTIONS.items():
+        if name in table:
+            stated = table[name] if name == "fitted" else toml.subtable(table, name, where)
+            given[name] = section.read(stated, where)
+    return Robot(**given, provenance=sources)

@@ -5,10 +5,11 @@ from __future__ import annotations
 import json
 import math
 import unicodedata
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import MISSING, dataclass, field, fields
 from importlib import resources
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, NoReturn, cast
 
 from upright.errors import InvalidRobot, UnknownName, meant
@@ -16,6 +17,7 @@ from upright.reading import parse_toml, read_toml
 
 Table = Mapping[str, Any]
 
+NONE: Mapping[str, Any] = MappingProxyType({})
 LONGEST_NAME = 40
 
 _ONE_NUMBER = {"value", "unit", "source", "spread"}
@@ -78,15 +80,91 @@ def is_path(name_or_path: str | Path) -> bool:
     return False
 
 
-def numbers(
-    table: Table, name: str, units: Mapping[str, tuple[str, ...]], where: str, prefix: str = ""
+def quantity(unit: str, default: float | None = None, meaning: str = "", *, only: str = "", symbol: str = "") -> Any:
+    """A field of a part, whose number a file states as a table in this `unit`, or in the other one of "V or N m".
+
+    A number without `default` is required. "{}" in the unit is that of the sensor's channel, and `only` the one sensor
+    that has this number. `meaning` says what the number is, and is written above it in a file for its owner.
+    """
+    metadata = {"unit": unit, "meaning": meaning, "only": only, "symbol": symbol}
+    return field(metadata=metadata) if default is None else field(default=default, metadata=metadata)
+
+
+def quantities(kind: Any, channel: str = "", unit: str = "") -> dict[str, tuple[str, ...]]:
+    """The numbers of a part by name, each with its units; of a sensor, those that `channel` has, in its `unit`."""
+    return {
+        f.name: tuple(f.metadata["unit"].format(unit).split(" or "))
+        for f in fields(kind)
+        if f.metadata and f.metadata["only"] in ("", channel)
+    }
+
+
+def read_part(
+    kind: Any, table: Table, where: str, prefix: str = "", *,
+    channel: str = "", unit: str = "", others: Iterable[str] = (),
+) -> tuple[dict[str, Any], dict[str, Provenance]]:  # fmt: skip
+    """The words and numbers of a part by name, as its `table` states them, and where the numbers come from.
+
+    `prefix` is what messages put before a name. The part has the `quantities` of its class, and its words are the
+    fields that may be text; the table may have keys that somebody else reads, the `others`. Raises `InvalidRobot`.
+    """
+    units = quantities(kind, channel, unit)
+    words = [f.name for f in fields(kind) if f.type.startswith("str") and f.name not in others]
+    check_keys(table, (*words, *units, *others), where, prefix)
+    required = {f.name for f in fields(kind) if f.default is f.default_factory is MISSING}
+    if missing := sorted(required - table.keys()):
+        first = missing[0]
+        hint = f'[{first}] value = …, unit = "{units[first][0]}"' if first in units else f'{first} = "my-own"'
+        raise InvalidRobot(f"{where} lacks {', '.join(missing)}", expected="every required entry", hint=hint)
+    values: dict[str, Any] = {key: word(table, key, where) for key in words if key in table}
+    sources: dict[str, Provenance] = {}
+    for key in units:
+        if key in table:
+            values[key] = number(table[key], prefix + key, units[key], where)
+            source = provenance(table[key], prefix + key, where)
+            sources |= {key: source} if source else {}
+    return values, sources
+
+
+def part_text(
+    part: Any, name: str = "", *, channel: str = "", unit: str = "", sources: Mapping[str, Provenance] = NONE
+) -> str:
+    """The text of which `read_part` makes this part, as the table `name`: its words, and the numbers that differ from
+    their defaults or have a source."""
+    words = {f.name: getattr(part, f.name) for f in fields(part) if isinstance(getattr(part, f.name), str)}
+    text = rows(f"[{name}]" if name else "", {key: value for key, value in words.items() if value})
+    defaults = {f.name: f.default for f in fields(part)}
+    for key, units in quantities(part, channel, unit).items():
+        value = getattr(part, key)
+        if value != defaults[key] or key in sources:
+            text += number_text(f"{name}.{key}" if name else key, value, units[0], sources.get(key))
+    return text
+
+
+def number_text(name: str, value: float, unit: str, source: Provenance | None = None) -> str:
+    """One number as a table."""
+    entries: dict[str, Any] = {"value": float(value), "unit": unit}
+    if source is not None:
+        entries |= {"source": source.source, "spread": "guess" if source.spread is None else float(source.spread)}
+    return rows(f"[{name}]", entries)
+
+
+def rows(head: str, entries: Mapping[str, Any]) -> str:
+    """A table with this `head`, "" for the file's own begin; nothing where it has no entries."""
+    lines = [f"{key} = {quoted(v) if isinstance(v, str) else repr(v)}\n" for key, v in entries.items()]
+    return "".join([f"\n{head}\n" if head else "", *lines]) if lines else ""
+
+
+def values(
+    table: Table, name: str, where: str, fits: Callable[[float], bool], expected: str, known: Iterable[str] = ()
 ) -> dict[str, float]:
-    """The numbers of the table `name` by key; `units` has every possible key with its units."""
-    inner = subtable(table, name, where)
-    check_keys(inner, units, where, f"{prefix}{name}.")
-    for key in inner:
-        provenance(inner[key], f"{prefix}{name}.{key}", where)
-    return {key: number(inner[key], f"{prefix}{name}.{key}", units[key], where) for key in inner}
+    """Bare numbers of the table `name` by their own names, of which each `fits`; `known` are all that there may be."""
+    if known:
+        check_keys(table, known, where, f"{name}.")
+    for key, value in table.items():
+        if not is_number(value) or not fits(value):
+            raise InvalidRobot(f"{where}: {name}.{key} is {value!r}", expected=expected)
+    return {key: float(value) for key, value in table.items()}
 
 
 def subtable(table: Table, name: str, where: str) -> Table:

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 from upright.errors import InvalidRobot
-from upright.robots import toml
+from upright.robots.toml import quantity
 
 DRIVERS = ("one-pin", "two-pin", "pwm-enable")
 """PWM and one direction pin a motor; PWM and two of them (TB6612, L298N); two PWM and an enable pin (BTS7960)."""
@@ -14,7 +14,6 @@ DECODINGS = (1, 2, 4)
 """Edges that count, of the four that two channels have in one pulse."""
 ROUNDED = 0.005
 """Largest relative difference of a step from its counts a turn: it was written with three digits."""
-UNITS: dict[str, tuple[str, ...]] = dict.fromkeys(("pulses_per_turn", "decoding", "battery_divider"), ("1",))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -26,9 +25,9 @@ class BoardWiring:
     """
 
     driver: str = ""
-    pulses_per_turn: float = 0.0
-    decoding: float = 0.0
-    battery_divider: float = 0.0
+    pulses_per_turn: float = quantity("1", 0.0, "pulses of one encoder channel in a turn of the wheel")
+    decoding: float = quantity("1", 0.0, "edges that count, of the four of a pulse")
+    battery_divider: float = quantity("1", 0.0, "the battery's voltage over that at the pin")
 
     def __post_init__(self) -> None:
         if self.driver not in ("", *DRIVERS):
@@ -53,11 +52,3 @@ class BoardWiring:
         right = " or ".join(f"{math.tau / (edges * self.pulses_per_turn):.6g} (x{edges})" for edges in choices)
         raise InvalidRobot(f"{name}.quantum is {quantum:g} rad", expected=f"{right} of {self.pulses_per_turn:g} pulses",
                            hint="mend the quantum or [wiring]")  # fmt: skip
-
-
-def wiring_of(table: toml.Table, where: str) -> BoardWiring:
-    """The wiring in a kit's table of TOML, which messages call `where`; raises `InvalidRobot`."""
-    inner = toml.subtable(table, "wiring", where)
-    driver = toml.word(inner, "driver", where) if "driver" in inner else ""
-    rest = {key: inner[key] for key in inner if key != "driver"}
-    return BoardWiring(driver=driver, **toml.numbers({"wiring": rest}, "wiring", UNITS, where))
