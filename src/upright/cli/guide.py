@@ -78,7 +78,7 @@ class GuidedStudy:
         write_json(self.folder / STATE, data, at_once=True)
 
 
-class _Ended(Exception):
+class EndOfAnswers(Exception):
     """There are no more answers."""
 
 
@@ -111,7 +111,7 @@ def start(
                 _ask(part, study)
             else:
                 _run(part, study)
-    except _Ended:
+    except EndOfAnswers:
         again_with = shlex.join(["upright", "start", *([str(folder)] if folder != Path() else [])])
         typer.echo(f"\nno more answers; `{again_with}` goes on from here")
         return
@@ -176,12 +176,18 @@ def _ask(question: Question, study: GuidedStudy) -> None:
     if question.name in study.answers:
         typer.echo(f"{question.text}: {study.answers[question.name]} (answered before)")
         return
+    study.answers[question.name] = _from_folder(answered(question), study.folder)
+    study.save()
+
+
+def answered(question: Question) -> str:
+    """What stdin answers, for an empty line the usual answer; raises `UprightError` after too many that cannot be."""
     for _ in range(PATIENCE):
         typer.echo(f"{question.text} [{question.usual}]: ", nl=False)
         sys.stdout.flush()
         line = sys.stdin.readline(1000)
         if not line:
-            raise _Ended
+            raise EndOfAnswers
         answer = line.strip() or question.usual
         if not sys.stdin.isatty():
             typer.echo(answer)
@@ -190,10 +196,8 @@ def _ask(question: Question, study: GuidedStudy) -> None:
         except UprightError as error:
             typer.echo(f"  {error}")
             continue
-        study.answers[question.name] = _from_folder(answer, study.folder)
-        study.save()
-        return
-    raise UprightError(f"no answer to '{question.name}' after {PATIENCE} attempts", hint="upright start, once more")
+        return answer
+    raise UprightError(f"no answer to '{question.name}' after {PATIENCE} attempts", hint="the same command, once more")
 
 
 def _from_folder(answer: str, folder: Path) -> str:

@@ -19,7 +19,7 @@ GROUPS = {
         "compare": ("upright compare run.csv twin.parquet", "upright compare a=run1.csv b=run2.csv --report page.html"),
         "linearise": ("upright linearise", "upright linearise -r ev3way --period 0.01"),
         "reproduce": ("upright reproduce", "upright reproduce --log run.csv --robot mine.toml -o study"),
-        "robots": ("upright robots", "upright robots show ev3way"),
+        "robots": ("upright robots show ev3way", "upright robots new mine --gear 30 --encoder none"),
     },
     "Learn": {
         "example": ("upright example", "upright example excited -o run.csv"),

@@ -1,4 +1,4 @@
-"""`upright robots`: the robots that come with the package, and every number of one."""
+"""`upright robots`: the robots that come with the package, every number of one, and one of one's own."""
 
 from __future__ import annotations
 
@@ -9,16 +9,18 @@ import typer
 
 from upright.cli.options import ROBOT_HELP, JsonOption, complete_robot
 from upright.cli.output import check_targets, print_json, print_table
+from upright.cli.robots_new import new
 
 if TYPE_CHECKING:
     from upright.robots import Robot
 
 robots = typer.Typer(add_completion=False, rich_markup_mode=None)
+robots.command()(new)
 
 
 @robots.callback(invoke_without_command=True)
 def every(context: typer.Context, *, as_json: JsonOption = False) -> None:
-    """List the robots, or `show` the parameters of one."""
+    """List the robots, `show` the parameters of one, or write a `new` one."""
     if context.invoked_subcommand is not None:
         return
     from upright.robots import Robot, preset_names

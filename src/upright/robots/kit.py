@@ -194,6 +194,14 @@ def find_kit(kit: Kit | str | Path) -> Kit:
     return Kit.load(kit) if toml.is_path(kit) else Kit.preset(str(kit))
 
 
+def unit_of(number: str) -> str:
+    """The unit in which a file states a `number` of a kit, such as `motor.limit` or `sensors.gyro.noise`."""
+    *place, name = number.split(".")
+    if place[:1] == ["sensors"]:
+        return toml.quantities(Sensor, place[1], _CHANNELS[place[1]].unit)[name][0]
+    return toml.quantities(_PARTS[place[0]] if place else Kit)[name][0]
+
+
 def kit_of(table: toml.Table, where: str) -> Kit:
     """The kit in a table of TOML, which messages call `where`; raises `InvalidRobot`."""
     given, _ = toml.read_part(Kit, table, where, others=("title", "sensors", *_PARTS))

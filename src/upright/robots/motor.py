@@ -62,8 +62,12 @@ def converted_gain(
     of `COMMAND_UNITS`. Duty is of the `kit`'s battery, and `full_pwm` the count of full duty. Raises `InvalidRobot` for
     a torque drive, a kit without a battery, or a gain of another shape.
     """
-    volts_of = {"V": 1.0, "duty": kit.battery.voltage, "%": kit.battery.voltage / 100,
-                "PWM": kit.battery.voltage / full_pwm}  # fmt: skip
+    volts_of = {
+        "V": 1.0,
+        "duty": kit.battery.voltage,
+        "%": kit.battery.voltage / 100,
+        "PWM": kit.battery.voltage / full_pwm,
+    }
     for name in (was, unit):
         if name not in COMMAND_UNITS:
             raise UnknownName("unit of a command", name, COMMAND_UNITS)

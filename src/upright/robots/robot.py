@@ -90,13 +90,13 @@ class Robot:
     @classmethod
     def preset(cls, name: str) -> Robot:
         """The robot of that name among the presets; `UnknownName` lists them."""
-        return _read(*toml.shipped("robot", PRESETS, name))
+        return robot_of(*toml.shipped("robot", PRESETS, name))
 
     @classmethod
     def load(cls, path: str | Path) -> Robot:
         """A robot from a TOML file (docs/add-a-robot.md); raises `InvalidRobot` for a file without a valid robot. A
         kit's file may lie beside the robot's file, or where the command runs."""
-        robot = _read(*toml.read("robot", path))
+        robot = robot_of(*toml.read("robot", path))
         beside = _folder(path) / robot.kit_file
         return robot.replace(kit=str(beside)) if robot.kit_file and beside.is_file() else robot
 
@@ -214,7 +214,7 @@ def _calibrated(path: Path) -> Robot:
         )  # fmt: skip
     with understood(f"the posterior {path}", InvalidRobot, expected):
         text = data["file"]
-    return _read(toml.parse_toml(text, str(path), InvalidRobot, expected), str(path))
+    return robot_of(toml.parse_toml(text, str(path), InvalidRobot, expected), str(path))
 
 
 def possible(p: Any) -> Any:
@@ -351,7 +351,8 @@ def _folder(path: str | Path) -> Path:
     return Path(os.path.expanduser(path)).parent
 
 
-def _read(table: toml.Table, where: str) -> Robot:
+def robot_of(table: toml.Table, where: str) -> Robot:
+    """The robot in a table of TOML, which messages call `where`; raises `InvalidRobot`."""
     own = ["kit"] if isinstance(table.get("kit"), dict) else []
     given, sources = toml.read_part(Robot, table, where, others=(*_SECTIONS, *own))
     if own:

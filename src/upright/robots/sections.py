@@ -51,8 +51,9 @@ class Conditions:
             if not (math.isfinite(low) and math.isfinite(high) and least <= low <= high <= most):
                 raise InvalidRobot(
                     f"conditions.{name} from {low:g} to {high:g} {unit}",
-                    expected=f"low not above high, {least:g} to {most:g} {unit}", likely=likely,
-                )  # fmt: skip
+                    expected=f"low not above high, {least:g} to {most:g} {unit}",
+                    likely=likely,
+                )
             object.__setattr__(self, name, (float(low), float(high)))
 
     def stated(self) -> dict[str, Range]:

@@ -100,9 +100,15 @@ def quantities(kind: Any, channel: str = "", unit: str = "") -> dict[str, tuple[
 
 
 def read_part(
-    kind: Any, table: Table, where: str, prefix: str = "", *,
-    channel: str = "", unit: str = "", others: Iterable[str] = (),
-) -> tuple[dict[str, Any], dict[str, Provenance]]:  # fmt: skip
+    kind: Any,
+    table: Table,
+    where: str,
+    prefix: str = "",
+    *,
+    channel: str = "",
+    unit: str = "",
+    others: Iterable[str] = (),
+) -> tuple[dict[str, Any], dict[str, Provenance]]:
     """The words and numbers of a part by name, as its `table` states them, and where the numbers come from.
 
     `prefix` is what messages put before a name. The part has the `quantities` of its class, and its words are the

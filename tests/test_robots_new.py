@@ -1,0 +1,141 @@
+"""`upright robots new`: what an owner tells becomes the numbers of two files, and what nobody tells is a guess."""
+
+from __future__ import annotations
+
+import io
+import math
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from upright.cli.main import main
+from upright.cli.robots_new import QUESTIONS
+from upright.robots import Kit, Robot
+from upright.robots.motor import makes_energy
+from upright.signals import Log
+
+TOLD = {
+    "wheel": "80", "wheel-mass": "40", "body-mass": "900", "track": "160", "com": "70", "height": "180", "depth": "50",
+    "gear": "34", "motor-voltage": "12", "no-load": "250", "stall-current": "1.5", "stall-torque": "4", "battery": "11",
+    "full-duty": "1023", "driver": "L298N", "encoder": "374", "decoding": "4", "gyro": "500", "accelerometer": "4",
+    "fused": "0.49", "mounting": "-2", "divider": "3.2", "period": "5",
+}  # fmt: skip
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def new(name: str, **told: str) -> int:
+    return main(["robots", "new", name, *(f"--{key}={value}" for key, value in told.items())])
+
+
+def test_every_answer_becomes_its_number() -> None:
+    """By hand: a turn of 374 pulses of four edges, 1.5 A at 12 V, 4 kg cm at 9.81 N/kg, ±500 degree/s, …"""
+    assert new("mine", **TOLD) == 0
+    robot, kit = Robot.load("mine.toml"), Kit.load("mine-kit.toml")
+    assert robot.kit == "mine-kit.toml"
+    n = pytest.approx
+    assert (robot.wheel_radius, robot.wheel_mass, robot.body_mass) == (0.04, 0.04, 0.9)
+    assert (robot.track, robot.com_height, robot.body_height, robot.body_depth) == (0.16, 0.07, 0.18, 0.05)
+    assert robot.wheel_inertia == n(0.04 * 0.04**2 / 2)
+    assert robot.pitch_inertia == n(0.9 * (0.18**2 + 0.05**2) / 12, rel=1e-5)  # six digits
+    assert robot.yaw_inertia == n(0.9 * (0.16**2 + 0.05**2) / 12, rel=1e-5)
+    assert (robot.gear_ratio, robot.motor_resistance) == (34, 8)
+    assert robot.back_emf == n(12 / (250 * 2 * math.pi / 60), rel=1e-5)
+    assert 34 * robot.torque_constant * 1.5 == n(0.04 * 9.81, rel=1e-5)
+    assert makes_energy(robot) == ""
+    assert (kit.battery.voltage, kit.motor.drop, kit.period, kit.wiring.driver) == (11, 1.8, 0.005, "two-pin")
+    assert kit.motor.quantum == n(11 / 1023, rel=1e-5)
+    assert (kit.wiring.pulses_per_turn, kit.wiring.decoding, kit.wiring.battery_divider) == (374, 4, 3.2)
+    left, gyro, up, pitch = (kit.sensors[f"sensor/{name}"] for name in ("encoder_left", "gyro", "accel_up", "pitch"))
+    assert left.quantum == n(2 * math.pi / (374 * 4), rel=1e-5)
+    assert (gyro.range, gyro.quantum) == (n(math.radians(500), rel=1e-5), n(math.radians(500) / 32768, rel=1e-5))
+    assert up.range == n(4 * 9.81)
+    assert (pitch.time_constant, pitch.offset) == (0.49, n(math.radians(-2), rel=1e-5))
+
+
+def numbers(path: str) -> dict[str, dict[str, Any]]:
+    def inner(table: dict[str, Any], name: str) -> dict[str, dict[str, Any]]:
+        found: dict[str, dict[str, Any]] = {}
+        for key, value in table.items():
+            if isinstance(value, dict):
+                found |= {name + key: value} if "value" in value else inner(value, f"{name}{key}.")
+        return found
+
+    return inner(tomllib.loads(Path(path).read_text("utf-8")), "")
+
+
+def test_what_nobody_tells_is_a_guess_and_each_number_is_explained() -> None:
+    assert new("mine", gear="34", encoder="none", battery="11.1") == 0
+    assert {k for k, v in numbers("mine.toml").items() if v["spread"] != "guess"} == {"gear_ratio"}
+    kit = numbers("mine-kit.toml")
+    assert {k for k, v in kit.items() if v["spread"] != "guess"} == {"battery.voltage"}
+    assert not any("encoder" in key or key.startswith("wiring.") for key in kit)  # of what the robot lacks
+    lines = Path("mine.toml").read_text("utf-8").splitlines() + Path("mine-kit.toml").read_text("utf-8").splitlines()
+    tables = [i for i, line in enumerate(lines) if line.startswith("[")]
+    assert len(tables) > 20
+    assert all(lines[i - 1].startswith("# ") for i in tables)
+    assert "# Gear: turns of the motor in one of the wheel: 34" in lines
+
+
+def test_it_runs_and_is_never_written_over(capsys: pytest.CaptureFixture[str]) -> None:
+    assert new("mine") == 0
+    assert "guesses" in capsys.readouterr().out
+    assert main(["simulate", "--robot", "mine.toml", "--seconds", "2", "-o", "run.csv"]) == 0
+    assert Log.load("run.csv").t[-1] > 1.9
+    capsys.readouterr()
+    before = Path("mine.toml").read_bytes()
+    assert new("mine", gear="50") == 2
+    assert "exists already" in capsys.readouterr().err
+    assert Path("mine.toml").read_bytes() == before
+
+
+@pytest.mark.parametrize(
+    ("told", "word"),
+    [
+        ({"gear": "x"}, "'x'; expected a number above zero"),
+        ({"encoder": "0"}, "expected a number above zero, or none"),
+        ({"mounting": "nan", "fused": "0.5"}, "expected a number"),
+        ({"mounting": "1"}, "without fused"),
+        ({"driver": "L29N"}, "did you mean 'L298N'"),
+        ({"decoding": "3"}, "one of 1, 2, 4"),
+        ({"period": "5000"}, "likely milliseconds"),
+    ],
+)
+def test_an_answer_that_cannot_be_is_named_and_nothing_is_written(
+    told: dict[str, str], word: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert new("mine", **told) == 2
+    assert word in capsys.readouterr().err
+    assert list(folder.iterdir()) == []
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+def test_at_a_terminal_it_asks_one_question_a_line(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Enter takes the guess; what cannot be is asked again; what hangs on an absent part is not asked."""
+    told = {"wheel": "abc\n70", "encoder": "none"}
+    lines = [told.get(name, "") for name in QUESTIONS if name not in ("gear", "decoding", "mounting")]
+    monkeypatch.setattr("sys.stdin", Terminal("\n".join(lines) + "\n"))
+    assert new("mine", gear="20") == 0
+    said = capsys.readouterr().out
+    assert "Wheel with its tyre, across [mm] [65, a guess]: " in said
+    assert "expected a number" in said
+    assert "Gear" not in said
+    robot = Robot.load("mine.toml")
+    assert (robot.wheel_radius, robot.gear_ratio) == (0.035, 20)
+    assert robot.provenance["wheel_radius"].spread == pytest.approx(0.00035)  # 1 % of a ruler
+    assert robot.provenance["body_mass"].spread is None
+    monkeypatch.setattr("sys.stdin", Terminal("70\n"))
+    assert new("other") == 2
+    assert "no more answers" in capsys.readouterr().err
