@@ -257,20 +257,24 @@ def _answer(name: str, given: str | None, *, lacks: bool) -> str:
 def _entry(number: str, answers: Mapping[str, str]) -> str:
     """The number as its file has it, under the questions that it is from; nothing where the robot lacks the part."""
     from upright.robots import PARAMETERS, toml
-    from upright.robots.kit import unit_of
+    from upright.robots.kit import quantity_of
 
     row = NUMBERS[number]
     used = Answers(answers)
     value = row.formula(used) if callable(row.formula) else row.formula
     if NONE in map(_plain, (*used.read.values(), answers.get(row.needs, ""))):
         return ""
-    comment = "".join(f"\n# {QUESTIONS[key].text}: {answer}" for key, answer in used.read.items())
-    comment = comment or f"\n# A guess: {row.why}"
+    comments = [f"{QUESTIONS[key].text}: {answer}" for key, answer in used.read.items()] or [f"A guess: {row.why}"]
     if isinstance(value, str):
         table, _, key = number.rpartition(".")
-        return comment + toml.rows(f"[{table}]", {key: value}) if value else ""
+        return f"\n# {comments[0]}" + toml.rows(f"[{table}]", {key: value}) if value else ""
+    if number in PARAMETERS:
+        unit = PARAMETERS[number][0]
+    else:
+        (unit, *_), meaning = quantity_of(number)
+        comments.insert(0, f"{number}: {meaning}")
     guessed = not used.read or any(answer.endswith(A_GUESS) for answer in used.read.values())
     source = ": ".join(filter(None, ("a guess" if guessed else "as its owner says", row.why)))
     spread = None if guessed else float(f"{row.error * abs(value):.2g}")
-    unit = PARAMETERS[number][0] if number in PARAMETERS else unit_of(number)
-    return comment + toml.number_text(number, float(f"{value:.6g}"), unit, toml.Provenance(source, spread))
+    entry = toml.number_text(number, float(f"{value:.6g}"), unit, toml.Provenance(source, spread))
+    return "".join(f"\n# {comment}" for comment in comments) + entry

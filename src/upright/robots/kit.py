@@ -194,12 +194,12 @@ def find_kit(kit: Kit | str | Path) -> Kit:
     return Kit.load(kit) if toml.is_path(kit) else Kit.preset(str(kit))
 
 
-def unit_of(number: str) -> str:
-    """The unit in which a file states a `number` of a kit, such as `motor.limit` or `sensors.gyro.noise`."""
+def quantity_of(number: str) -> toml.Quantity:
+    """Unit and meaning of a `number` as a kit's file names it, such as `motor.limit` or `sensors.gyro.noise`."""
     *place, name = number.split(".")
     if place[:1] == ["sensors"]:
-        return toml.quantities(Sensor, place[1], _CHANNELS[place[1]].unit)[name][0]
-    return toml.quantities(_PARTS[place[0]] if place else Kit)[name][0]
+        return toml.quantities(Sensor, place[1], _CHANNELS[place[1]].unit)[name]
+    return toml.quantities(_PARTS[place[0]] if place else Kit)[name]
 
 
 def kit_of(table: toml.Table, where: str) -> Kit:

@@ -10,7 +10,7 @@ from dataclasses import MISSING, dataclass, field, fields
 from importlib import resources
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, NoReturn, cast
+from typing import Any, NamedTuple, NoReturn, cast
 
 from upright.errors import InvalidRobot, UnknownName, meant
 from upright.reading import parse_toml, read_toml
@@ -90,10 +90,17 @@ def quantity(unit: str, default: float | None = None, meaning: str = "", *, only
     return field(metadata=metadata) if default is None else field(default=default, metadata=metadata)
 
 
-def quantities(kind: Any, channel: str = "", unit: str = "") -> dict[str, tuple[str, ...]]:
-    """The numbers of a part by name, each with its units; of a sensor, those that `channel` has, in its `unit`."""
+class Quantity(NamedTuple):
+    """The units in which a number may be stated, the first when it is written, and what it means."""
+
+    units: tuple[str, ...]
+    meaning: str
+
+
+def quantities(kind: Any, channel: str = "", unit: str = "") -> dict[str, Quantity]:
+    """The numbers of a part by name; of a sensor, those that `channel` has, in its `unit`."""
     return {
-        f.name: tuple(f.metadata["unit"].format(unit).split(" or "))
+        f.name: Quantity(tuple(f.metadata["unit"].format(unit).split(" or ")), f.metadata["meaning"])
         for f in fields(kind)
         if f.metadata and f.metadata["only"] in ("", channel)
     }
@@ -114,19 +121,19 @@ def read_part(
     `prefix` is what messages put before a name. The part has the `quantities` of its class, and its words are the
     fields that may be text; the table may have keys that somebody else reads, the `others`. Raises `InvalidRobot`.
     """
-    units = quantities(kind, channel, unit)
+    numbers = quantities(kind, channel, unit)
     words = [f.name for f in fields(kind) if f.type.startswith("str") and f.name not in others]
-    check_keys(table, (*words, *units, *others), where, prefix)
+    check_keys(table, (*words, *numbers, *others), where, prefix)
     required = {f.name for f in fields(kind) if f.default is f.default_factory is MISSING}
     if missing := sorted(required - table.keys()):
         first = missing[0]
-        hint = f'[{first}] value = …, unit = "{units[first][0]}"' if first in units else f'{first} = "my-own"'
+        hint = f'[{first}] value = …, unit = "{numbers[first].units[0]}"' if first in numbers else f'{first} = "my-own"'
         raise InvalidRobot(f"{where} lacks {', '.join(missing)}", expected="every required entry", hint=hint)
     values: dict[str, Any] = {key: word(table, key, where) for key in words if key in table}
     sources: dict[str, Provenance] = {}
-    for key in units:
+    for key, (units, _) in numbers.items():
         if key in table:
-            values[key] = number(table[key], prefix + key, units[key], where)
+            values[key] = number(table[key], prefix + key, units, where)
             source = provenance(table[key], prefix + key, where)
             sources |= {key: source} if source else {}
     return values, sources
@@ -140,7 +147,7 @@ def part_text(
     words = {f.name: getattr(part, f.name) for f in fields(part) if isinstance(getattr(part, f.name), str)}
     text = rows(f"[{name}]" if name else "", {key: value for key, value in words.items() if value})
     defaults = {f.name: f.default for f in fields(part)}
-    for key, units in quantities(part, channel, unit).items():
+    for key, (units, _) in quantities(part, channel, unit).items():
         value = getattr(part, key)
         if value != defaults[key] or key in sources:
             text += number_text(f"{name}.{key}" if name else key, value, units[0], sources.get(key))
