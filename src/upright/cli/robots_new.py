@@ -18,8 +18,6 @@ from upright.errors import InvalidRobot, UnknownName, UprightError
 NONE = "none"
 A_GUESS = ", a guess"
 G = 9.81  # [m/s²], in which accelerometers state their range
-DEGREE = math.tau / 360  # [rad]
-ADC_STEP = 5 / 1023  # [V] of the converter of an Arduino
 DRIVERS = {"L298N": ("two-pin", 1.8), "TB6612": ("two-pin", 0.0), "BTS7960": ("pwm-enable", 0.0), "other": ("", 0.0)}
 """How a sketch drives each chip (`robots.wiring`), and the volts that it keeps: the data sheet's, at part load."""
 
@@ -154,8 +152,8 @@ NUMBERS = {
     "sensors.encoder_right.quantum": FileNumber(
         lambda a: math.tau / (a.encoder * a.decoding), 0.0, "a turn over its counts"
     ),
-    "sensors.gyro.range": FileNumber(lambda a: a.gyro * DEGREE, 0.0),
-    "sensors.gyro.quantum": FileNumber(lambda a: a.gyro * DEGREE / 2**15, 0.0, "16 bits with sign"),
+    "sensors.gyro.range": FileNumber(lambda a: math.radians(a.gyro), 0.0),
+    "sensors.gyro.quantum": FileNumber(lambda a: math.radians(a.gyro) / 2**15, 0.0, "16 bits with sign"),
     "sensors.gyro.noise": FileNumber(
         0.002, why="of an MPU-6050; measured: the standard deviation of ten still seconds"
     ),
@@ -167,8 +165,8 @@ NUMBERS = {
     "sensors.accel_up.quantum": FileNumber(lambda a: a.accelerometer * G / 2**15, 0.0, "16 bits with sign"),
     "sensors.accel_up.noise": FileNumber(0.04, why="of an MPU-6050", needs="accelerometer"),
     "sensors.pitch.time_constant": FileNumber(lambda a: a.fused, 0.0),
-    "sensors.pitch.offset": FileNumber(lambda a: a.mounting * DEGREE),
-    "sensors.battery.quantum": FileNumber(lambda a: a.divider * ADC_STEP, 0.02, "a step of a converter of 10 bits"),
+    "sensors.pitch.offset": FileNumber(lambda a: math.radians(a.mounting)),
+    "sensors.battery.quantum": FileNumber(lambda a: a.divider * 5 / 1023, 0.02, "a step of 5 V in 10 bits"),
     "wiring.driver": FileNumber(lambda a: DRIVERS[a.driver][0]),
     "wiring.pulses_per_turn": FileNumber(lambda a: a.encoder, 0.0),
     "wiring.decoding": FileNumber(lambda a: a.decoding, 0.0),

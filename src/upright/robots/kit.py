@@ -56,14 +56,16 @@ class Sensor:
     delay: float = quantity("s", 0.0, "from the physics to the reading")
     period: float = quantity("s", 0.0, "between two fresh readings, held between")
     resonance: float = quantity(
-        "Hz", 0.0, "where it swings against the frame, or its filter ends; 0 for neither", only="gyro"
+        "Hz", 0.0, "where it swings against the frame, or its filter ends; 0 for neither", only="sensor/gyro"
     )
-    damping: float = quantity("1", 0.7, "of that resonance: little of what swings, 0.7 of a filter", only="gyro")
+    damping: float = quantity("1", 0.7, "of that resonance: little of what swings, 0.7 of a filter", only="sensor/gyro")
     gain: float = quantity("1", 1.0, "reading over what is measured; 1 but for a scale error")
-    misalignment: float = quantity("1", 0.0, "part of the yaw rate that it reads, since it is tilted", only="gyro")
+    misalignment: float = quantity(
+        "1", 0.0, "part of the yaw rate that it reads, since it is tilted", only="sensor/gyro"
+    )
     offset: float = quantity("{}", 0.0, "what it reads where the truth is zero: an angle's error of mounting")
     time_constant: float = quantity(
-        "s", 0.0, "of the filter that makes a fused angle; 0 for the angle itself", only="pitch"
+        "s", 0.0, "of the filter that makes a fused angle; 0 for the angle itself", only="sensor/pitch"
     )
 
     def __post_init__(self) -> None:
@@ -174,7 +176,7 @@ class Kit:
         for channel, sensor in self.sensors.items():
             name = channel.removeprefix("sensor/")
             called = f"{prefix}sensors.{name}"
-            text = toml.part_text(sensor, called, channel=name, unit=_CHANNELS[name].unit)
+            text = toml.part_text(sensor, called, _CHANNELS[name])
             parts.append(text or f"\n[{called}]\n")
         return "".join([toml.part_text(self, table), *parts])
 
@@ -198,7 +200,7 @@ def quantity_of(number: str) -> toml.Quantity:
     """Unit and meaning of a `number` as a kit's file names it, such as `motor.limit` or `sensors.gyro.noise`."""
     *place, name = number.split(".")
     if place[:1] == ["sensors"]:
-        return toml.quantities(Sensor, place[1], _CHANNELS[place[1]].unit)[name]
+        return toml.quantities(Sensor, _CHANNELS[place[1]])[name]
     return toml.quantities(_PARTS[place[0]] if place else Kit)[name]
 
 
@@ -206,15 +208,15 @@ def kit_of(table: toml.Table, where: str) -> Kit:
     """The kit in a table of TOML, which messages call `where`; raises `InvalidRobot`."""
     given, _ = toml.read_part(Kit, table, where, others=("title", "sensors", *_PARTS))
     for name, kind in _PARTS.items():
-        numbers, _ = toml.read_part(kind, toml.subtable(table, name, where), where, f"{name}.")
+        numbers, _ = toml.read_part(kind, toml.as_table(table.get(name, {}), name, where), where, f"{name}.")
         given[name] = kind(**numbers)
-    listed = toml.subtable(table, "sensors", where)
+    listed = toml.as_table(table.get("sensors", {}), "sensors", where)
     toml.check_keys(listed, _CHANNELS, where, "sensors.")
     sensors: dict[str, Sensor] = {}
     for name, signal in _CHANNELS.items():
         if name in listed:
-            own = toml.subtable(listed, name, where)
-            numbers, _ = toml.read_part(Sensor, own, where, f"sensors.{name}.", channel=name, unit=signal.unit)
+            own = toml.as_table(listed[name], f"sensors.{name}", where)
+            numbers, _ = toml.read_part(Sensor, own, where, f"sensors.{name}.", signal=signal)
             sensors[signal.name] = Sensor(**numbers)
     kit = Kit(**given, sensors=sensors)
     for side in ("encoder_left", "encoder_right"):

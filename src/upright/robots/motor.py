@@ -35,9 +35,6 @@ def refuse_energy(robot: Robot) -> Robot:
     return robot
 
 
-FULL_PWM = 255.0
-"""Counts of full duty of Arduino's `analogWrite`."""
-
 COMMAND_UNITS = ("N m", "V", "duty", "%", "PWM")
 """Torque of a motor at its wheel, behind the gear; volts at the motor; parts of the battery's voltage, of 1, of 100 or
 of the counts of full PWM."""
@@ -51,7 +48,7 @@ class ConvertedGain(NamedTuple):
 
 
 def converted_gain(
-    gain: ArrayLike, robot: Robot, kit: Kit, was: str, unit: str, full_pwm: float = FULL_PWM
+    gain: ArrayLike, robot: Robot, kit: Kit, was: str, unit: str, full_pwm: float = 255.0
 ) -> ConvertedGain:
     """The gain by which commands in `unit` move the robot as `gain` does by commands in the unit that it `was` in.
 
@@ -59,8 +56,8 @@ def converted_gain(
     needs u = R_m/(n K_t) τ + K_b ω: a gain in N m becomes one in volts with a term on ω that no scale replaces.
 
     `gain` (2, 6), from the state in SI units to [left, right] as u = −K x, or the left motor's row (6,); both units are
-    of `COMMAND_UNITS`. Duty is of the `kit`'s battery, and `full_pwm` the count of full duty. Raises `InvalidRobot` for
-    a torque drive, a kit without a battery, or a gain of another shape.
+    of `COMMAND_UNITS`. Duty is of the `kit`'s battery, and `full_pwm` the count of full duty, 255 of an Arduino. Raises
+    `InvalidRobot` for a torque drive, a kit without a battery, or a gain of another shape.
     """
     volts_of = {
         "V": 1.0,

@@ -10,7 +10,7 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple
 
 from upright.atomic import write_text
 from upright.errors import InvalidRobot
@@ -113,7 +113,8 @@ class Robot:
     def to_toml(self) -> str:
         """The text that `load` reads back."""
         parts = [toml.part_text(self, sources=self.provenance)]
-        parts += [section.text(getattr(self, name)) for name, section in _SECTIONS.items()]
+        for name, section in _SECTIONS.items():
+            parts += [toml.rows(head, entries) for head, entries in section.rows(getattr(self, name))]
         if isinstance(self.kit, Kit):
             parts.append(f"\n{self.kit.to_toml('kit').lstrip()}")
         return "".join(parts)
@@ -162,13 +163,11 @@ class Robot:
 
     def parameters(self) -> list[dict[str, Any]]:
         """Name, symbol, value, unit, source and spread of every parameter; a spread of None is a guess."""
-        unknown = Provenance("not stated")
-        origins = {name: self.provenance.get(name, unknown) for name in PARAMETERS}
-        return [
-            {"name": name, "symbol": symbol, "value": getattr(self, name), "unit": unit,
-             "source": origins[name].source, "spread": origins[name].spread}
-            for name, (unit, symbol) in PARAMETERS.items()
-        ]  # fmt: skip
+        rows: list[dict[str, Any]] = []
+        for name, (unit, symbol) in PARAMETERS.items():
+            origin = self.provenance.get(name, Provenance("not stated"))
+            rows.append({"name": name, "symbol": symbol, "value": getattr(self, name), "unit": unit, **vars(origin)})
+        return rows
 
     def numbers(self) -> dict[str, float]:
         """Every physical parameter by field name, in SI units."""
@@ -207,14 +206,17 @@ def _calibrated(path: Path) -> Robot:
     """The robot in a posterior by `upright calibrate --save`; raises `InvalidRobot` where it holds none."""
     expected = "a posterior by upright calibrate --save"
     data = read_json(path, InvalidRobot, expected)
-    if isinstance(data, dict) and (refused := cast("dict[str, Any]", data).get("refused")):
-        raise InvalidRobot(
-            f"{path} is of a fit that does not describe its robot: {str(refused[0])[:300]}",
-            hint="calibrate from another log, or with the robot that the log is of",
-        )  # fmt: skip
     with understood(f"the posterior {path}", InvalidRobot, expected):
+        refuse_misfit(data, path)
         text = data["file"]
     return robot_of(toml.parse_toml(text, str(path), InvalidRobot, expected), str(path))
+
+
+def refuse_misfit(posterior: Mapping[str, Any], path: Path) -> None:
+    """Raise `InvalidRobot` for the posterior of a fit that was refused."""
+    if refused := posterior.get("refused"):
+        why = f"{path} is of a fit that does not describe its robot: {str(refused[0])[:300]}"
+        raise InvalidRobot(why, hint="calibrate from another log, or with the robot that the log is of")
 
 
 def possible(p: Any) -> Any:
@@ -288,7 +290,7 @@ def _triangle(p: Any) -> Any:
 
 
 def _not_rigid(robot: Robot) -> InvalidRobot:
-    inertias = {"pitch": robot.pitch_inertia, "yaw": robot.yaw_inertia, "roll": robot.roll_inertia}
+    inertias = {axis: getattr(robot, f"{axis}_inertia") for axis in ("pitch", "yaw", "roll")}
     largest = max(inertias, key=lambda axis: inertias[axis])
     others = sum(inertias.values()) - inertias[largest]
     return InvalidRobot(
@@ -359,6 +361,5 @@ def robot_of(table: toml.Table, where: str) -> Robot:
         given["kit"] = kit_of(table["kit"], f"{where}, kit")
     for name, section in _SECTIONS.items():
         if name in table:
-            stated = table[name] if name == "fitted" else toml.subtable(table, name, where)
-            given[name] = section.read(stated, where)
+            given[name] = section.read(table[name], where)
     return Robot(**given, provenance=sources)

@@ -4,7 +4,8 @@ for it, and what a calibration learnt (how errors go together, a filter's noise,
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Mapping
+import re
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, NamedTuple, cast
@@ -16,7 +17,16 @@ Range = tuple[float, float]
 
 STEEPEST = 0.5  # [rad] of a floor: on a steeper one wheels slip, which no model here has
 NOISES = ("encoder", "gyro", "compass", "motor", "push")
-_ENDS = ("low", "high", "unit")
+_ENDS = {"low": toml.NUMBER, "high": toml.NUMBER, "unit": toml.TEXT}
+_NOISE = toml.BareEntry("a positive standard deviation", toml.POSITIVE.fits)
+_RELATED = toml.BareEntry(
+    "a number from −1 to 1 of two names", lambda value: toml.is_number(value) and -1 <= value <= 1
+)
+_ITSELF = toml.BareEntry(_RELATED.expected, lambda value: False)  # noqa: ARG005
+_WRITTEN = "tables [[fitted]] with log, start, stop and marks, as upright calibrate writes them"
+_TIME = toml.BareEntry(_WRITTEN, toml.NUMBER.fits)
+_MARKS = toml.BareEntry("hexadecimal numbers", lambda value: re.fullmatch(r"[0-9a-fA-F ]*", str(value)) is not None)
+_FITTED = {"log": toml.TEXT, "start": _TIME, "stop": _TIME, "marks": _MARKS}
 
 
 class _Condition(NamedTuple):
@@ -95,127 +105,101 @@ class FittedLog:
         return f"{self.name} ({self.start:.4g} to {self.stop:.4g} s)"
 
 
+Rows = Iterable[tuple[str, Mapping[str, Any]]]
+
+
 class FileSection(NamedTuple):
-    """How a section is read from what a file states under its name, called so by messages, and written again."""
+    """How a section is read from what a file, called so by messages, states under its name; and the tables, each with
+    its head, that say it again."""
 
     read: Callable[[Any, str], Any]
-    text: Callable[[Any], str]
+    rows: Callable[[Any], Rows]
 
 
 def sections(parameters: Collection[str]) -> dict[str, FileSection]:
     """The sections of a robot's file by name; `parameters` are what may be correlated."""
     return {
-        "noise": FileSection(_noise, partial(toml.rows, "[noise]")),
-        "correlation": FileSection(partial(_correlation, known=parameters), _correlation_text),
-        "fitted": FileSection(_fitted, _fitted_text),
-        "conditions": FileSection(_conditions, _conditions_text),
-        "weights": FileSection(_weights, _weights_text),
+        "noise": FileSection(_noise, _noise_rows),
+        "correlation": FileSection(partial(_correlation, known=parameters), _correlation_rows),
+        "fitted": FileSection(_fitted, _fitted_rows),
+        "conditions": FileSection(_conditions, _conditions_rows),
+        "weights": FileSection(_weights, _weights_rows),
     }
 
 
-def _positive(value: float) -> bool:
-    return 0 < value < math.inf
+def _noise(table: Any, where: str) -> dict[str, float]:
+    return toml.row(table, "noise", where, dict.fromkeys(NOISES, _NOISE))
 
 
-def _noise(table: toml.Table, where: str) -> dict[str, float]:
-    return toml.values(table, "noise", where, _positive, "a positive standard deviation", NOISES)
+def _noise_rows(noise: Mapping[str, float]) -> Rows:
+    return [("[noise]", noise)]
 
 
-def _correlation(table: toml.Table, where: str, known: Collection[str]) -> dict[tuple[str, str], float]:
+def _correlation(table: Any, where: str, known: Collection[str]) -> dict[tuple[str, str], float]:
     """`[correlation.one] other = 0.3`, of pairs of the `known` names."""
-    toml.check_keys(table, known, where, "correlation.")
-    expected = "a number from −1 to 1 of two names"
+    firsts = toml.as_table(table, "correlation", where)
+    toml.check_keys(firsts, known, where, "correlation.")
     pairs: dict[tuple[str, str], float] = {}
-    for first in table:
-        called = f"correlation.{first}"
-        row = toml.subtable(table, first, where)
-        for second, value in toml.values(row, called, where, lambda r: -1 <= r <= 1, expected, known).items():
-            if second == first:
-                raise InvalidRobot(f"{where}: {called}.{second} is {value!r}", expected=expected)
-            pairs[first, second] = value
+    for first, others in firsts.items():
+        seconds = dict.fromkeys(known, _RELATED) | {first: _ITSELF}
+        row = toml.row(others, f"correlation.{first}", where, seconds)
+        pairs |= {(first, second): value for second, value in row.items()}
     return pairs
 
 
-def _correlation_text(pairs: Mapping[tuple[str, str], float]) -> str:
+def _correlation_rows(pairs: Mapping[tuple[str, str], float]) -> Rows:
     table: dict[str, dict[str, float]] = {}
     for (first, second), value in pairs.items():
-        table.setdefault(first, {})[second] = value
-    return "".join(toml.rows(f"[correlation.{first}]", row) for first, row in table.items())
+        table.setdefault(f"[correlation.{first}]", {})[second] = value
+    return table.items()
 
 
 def _fitted(tables: Any, where: str) -> tuple[FittedLog, ...]:
     several = cast("list[Any]", tables) if isinstance(tables, list) else [tables]
-    return tuple(_fitted_log(one, where) for one in several)
+    logs: list[FittedLog] = []
+    for table in several:
+        row = toml.row(table, "fitted", where, _FITTED, complete=_WRITTEN)
+        marks = tuple(int(mark, 16) for mark in row["marks"].split())
+        logs.append(FittedLog(row["log"], row["start"], row["stop"], marks))
+    return tuple(logs)
 
 
-def _fitted_log(table: Any, where: str) -> FittedLog:
-    expected = "tables [[fitted]] with log, start, stop and marks, as upright calibrate writes them"
-    if not isinstance(table, dict):
-        raise InvalidRobot(f"{where}: fitted is {table!r:.80}", expected=expected)
-    entry = cast(toml.Table, table)
-    toml.check_keys(entry, ("log", "start", "stop", "marks"), where, "fitted.")
-    name, (start, stop) = entry.get("log"), (entry.get(key, math.nan) for key in ("start", "stop"))
-    if not (isinstance(name, str) and toml.is_number(start) and toml.is_number(stop) and math.isfinite(stop - start)):
-        raise InvalidRobot(f"{where}: fitted is {dict(entry)!r:.80}", expected=expected)
-    try:
-        marks = tuple(int(mark, 16) for mark in str(entry.get("marks", "")).split())
-    except ValueError:
-        raise InvalidRobot(f"{where}: fitted.marks is {entry['marks']!r:.80}", expected="hexadecimal numbers") from None
-    return FittedLog(name, float(start), float(stop), marks)
-
-
-def _fitted_text(logs: Collection[FittedLog]) -> str:
-    text = ""
+def _fitted_rows(logs: Collection[FittedLog]) -> Rows:
     for log in logs:
         marks = " ".join(f"{mark:08x}" for mark in log.marks)
-        text += toml.rows("[[fitted]]", {"log": log.name, "start": log.start, "stop": log.stop, "marks": marks})
-    return text
+        yield "[[fitted]]", {"log": log.name, "start": log.start, "stop": log.stop, "marks": marks}
 
 
-def _conditions(table: toml.Table, where: str) -> Conditions:
+def _conditions(table: Any, where: str) -> Conditions:
     """`[conditions.battery]` and `[conditions.slope]`, each with low, high and unit."""
-    toml.check_keys(table, _CONDITIONS, where, "conditions.")
+    inner = toml.as_table(table, "conditions", where)
+    toml.check_keys(inner, _CONDITIONS, where, "conditions.")
     ranges: dict[str, Range] = {}
-    for name in table:
+    for name, ends in inner.items():
         unit = _CONDITIONS[name].unit
         called = f"conditions.{name}"
-        ends = toml.subtable(table, name, where)
-        toml.check_keys(ends, _ENDS, where, f"{called}.")
-        if missing := [key for key in _ENDS if key not in ends]:
-            hint = f'[{called}] low = …, high = …, unit = "{unit}"'
-            raise InvalidRobot(
-                f"{where}: {called} lacks {', '.join(missing)}", expected="low, high and unit", hint=hint
-            )
-        low, high = (
-            toml.number({"value": ends[key], "unit": ends["unit"]}, f"{called}.{key}", (unit,), where)
-            for key in ("low", "high")
-        )
-        ranges[name] = (low, high)
+        row = toml.row(ends, called, where, _ENDS, complete=f'low = …, high = …, unit = "{unit}"')
+        toml.check_unit(row["unit"], (unit,), f"{where}: {called}")
+        ranges[name] = (row["low"], row["high"])
     return Conditions(**ranges)
 
 
-def _conditions_text(conditions: Conditions) -> str:
-    text = ""
+def _conditions_rows(conditions: Conditions) -> Rows:
     for name, (low, high) in conditions.stated().items():
-        text += toml.rows(f"[conditions.{name}]", {"low": low, "high": high, "unit": _CONDITIONS[name].unit})
-    return text
+        yield f"[conditions.{name}]", {"low": low, "high": high, "unit": _CONDITIONS[name].unit}
 
 
-def _weights(table: toml.Table, where: str) -> dict[str, TunedWeights]:
+def _weights(table: Any, where: str) -> dict[str, TunedWeights]:
     """`[weights.lqg] pitch = 0.2, …, source = "…"`, by method."""
     result: dict[str, TunedWeights] = {}
-    for method in table:
-        row = dict(toml.subtable(table, method, where))
-        if "source" not in row:
-            raise InvalidRobot(f"{where}: weights.{method} lacks source", expected="the run that the weights are from")
-        source = toml.word(row, "source", where)
-        del row["source"]
-        numbers = toml.values(row, f"weights.{method}", where, _positive, "a positive number")
+    for method, stated in toml.as_table(table, "weights", where).items():
+        complete = "the run that the weights are from"
+        numbers = toml.row(stated, f"weights.{method}", where, {"source": toml.TEXT}, toml.POSITIVE, complete)
+        source = numbers.pop("source")
         result[method] = TunedWeights(numbers, source)
     return result
 
 
-def _weights_text(weights: Mapping[str, TunedWeights]) -> str:
-    return "".join(
-        toml.rows(f"[weights.{method}]", {**tuned.numbers, "source": tuned.source}) for method, tuned in weights.items()
-    )
+def _weights_rows(weights: Mapping[str, TunedWeights]) -> Rows:
+    for method, tuned in weights.items():
+        yield f"[weights.{method}]", {**tuned.numbers, "source": tuned.source}

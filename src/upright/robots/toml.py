@@ -10,10 +10,11 @@ from dataclasses import MISSING, dataclass, field, fields
 from importlib import resources
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, NamedTuple, NoReturn, cast
+from typing import Any, NamedTuple, cast
 
 from upright.errors import InvalidRobot, UnknownName, meant
 from upright.reading import parse_toml, read_toml
+from upright.signals.signal import Signal
 
 Table = Mapping[str, Any]
 
@@ -97,8 +98,9 @@ class Quantity(NamedTuple):
     meaning: str
 
 
-def quantities(kind: Any, channel: str = "", unit: str = "") -> dict[str, Quantity]:
-    """The numbers of a part by name; of a sensor, those that `channel` has, in its `unit`."""
+def quantities(kind: Any, signal: Signal | None = None) -> dict[str, Quantity]:
+    """The numbers of a part by name; of a sensor, those that there are of its `signal`."""
+    channel, unit = (signal.name, signal.unit) if signal else ("", "")
     return {
         f.name: Quantity(tuple(f.metadata["unit"].format(unit).split(" or ")), f.metadata["meaning"])
         for f in fields(kind)
@@ -112,8 +114,7 @@ def read_part(
     where: str,
     prefix: str = "",
     *,
-    channel: str = "",
-    unit: str = "",
+    signal: Signal | None = None,
     others: Iterable[str] = (),
 ) -> tuple[dict[str, Any], dict[str, Provenance]]:
     """The words and numbers of a part by name, as its `table` states them, and where the numbers come from.
@@ -121,7 +122,7 @@ def read_part(
     `prefix` is what messages put before a name. The part has the `quantities` of its class, and its words are the
     fields that may be text; the table may have keys that somebody else reads, the `others`. Raises `InvalidRobot`.
     """
-    numbers = quantities(kind, channel, unit)
+    numbers = quantities(kind, signal)
     words = [f.name for f in fields(kind) if f.type.startswith("str") and f.name not in others]
     check_keys(table, (*words, *numbers, *others), where, prefix)
     required = {f.name for f in fields(kind) if f.default is f.default_factory is MISSING}
@@ -129,7 +130,7 @@ def read_part(
         first = missing[0]
         hint = f'[{first}] value = …, unit = "{numbers[first].units[0]}"' if first in numbers else f'{first} = "my-own"'
         raise InvalidRobot(f"{where} lacks {', '.join(missing)}", expected="every required entry", hint=hint)
-    values: dict[str, Any] = {key: word(table, key, where) for key in words if key in table}
+    values: dict[str, Any] = {key: _entry(table[key], TEXT, prefix + key, where) for key in words if key in table}
     sources: dict[str, Provenance] = {}
     for key, (units, _) in numbers.items():
         if key in table:
@@ -139,15 +140,13 @@ def read_part(
     return values, sources
 
 
-def part_text(
-    part: Any, name: str = "", *, channel: str = "", unit: str = "", sources: Mapping[str, Provenance] = NONE
-) -> str:
+def part_text(part: Any, name: str = "", signal: Signal | None = None, sources: Mapping[str, Provenance] = NONE) -> str:
     """The text of which `read_part` makes this part, as the table `name`: its words, and the numbers that differ from
     their defaults or have a source."""
     words = {f.name: getattr(part, f.name) for f in fields(part) if isinstance(getattr(part, f.name), str)}
     text = rows(f"[{name}]" if name else "", {key: value for key, value in words.items() if value})
     defaults = {f.name: f.default for f in fields(part)}
-    for key, (units, _) in quantities(part, channel, unit).items():
+    for key, (units, _) in quantities(part, signal).items():
         value = getattr(part, key)
         if value != defaults[key] or key in sources:
             text += number_text(f"{name}.{key}" if name else key, value, units[0], sources.get(key))
@@ -168,31 +167,56 @@ def rows(head: str, entries: Mapping[str, Any]) -> str:
     return "".join([f"\n{head}\n" if head else "", *lines]) if lines else ""
 
 
-def values(
-    table: Table, name: str, where: str, fits: Callable[[float], bool], expected: str, known: Iterable[str] = ()
-) -> dict[str, float]:
-    """Bare numbers of the table `name` by their own names, of which each `fits`; `known` are all that there may be."""
-    if known:
-        check_keys(table, known, where, f"{name}.")
-    for key, value in table.items():
-        if not is_number(value) or not fits(value):
-            raise InvalidRobot(f"{where}: {name}.{key} is {value!r}", expected=expected)
-    return {key: float(value) for key, value in table.items()}
+@dataclass(frozen=True)
+class BareEntry:
+    """What a bare entry of a table has to be, in words and as a test."""
+
+    expected: str
+    fits: Callable[[Any], bool]
 
 
-def subtable(table: Table, name: str, where: str) -> Table:
-    """The table `name` inside a table; empty where there is none."""
-    inner = table.get(name, {})
-    if not isinstance(inner, dict):
-        raise InvalidRobot(f"{where}: {name} is {inner!r}", expected=f"a table [{name}]")
-    return cast(Table, inner)
+def is_number(value: Any) -> bool:
+    """Whether a value of TOML is a number and not a truth value."""
+    return isinstance(value, int | float) and not isinstance(value, bool)
 
 
-def word(table: Table, key: str, where: str) -> str:
-    """The text under `key`."""
-    if not isinstance(table[key], str):
-        raise InvalidRobot(f"{where}: {key} is {table[key]!r}", expected="text in quotes")
-    return table[key]
+TEXT = BareEntry("text in quotes", lambda value: isinstance(value, str))
+NUMBER = BareEntry("a finite number", lambda value: is_number(value) and math.isfinite(value))
+POSITIVE = BareEntry("a positive number", lambda value: is_number(value) and 0 < value < math.inf)
+
+
+def row(
+    table: Any,
+    name: str,
+    where: str,
+    entries: Mapping[str, BareEntry],
+    rest: BareEntry | None = None,
+    complete: str = "",
+) -> dict[str, Any]:
+    """The bare entries of the table `name`: what `entries` says, and any others as `rest` does.
+
+    None of the `entries` may be absent where `complete` says in words what is expected. Raises `InvalidRobot`.
+    """
+    inner = as_table(table, name, where)
+    if rest is None:
+        check_keys(inner, entries, where, f"{name}.")
+    missing = [key for key in entries if key not in inner]
+    if missing and complete:
+        raise InvalidRobot(f"{where}: {name} lacks {', '.join(missing)}", expected=complete)
+    return {key: _entry(value, entries.get(key, rest), f"{name}.{key}", where) for key, value in inner.items()}
+
+
+def _entry(value: Any, entry: BareEntry | None, name: str, where: str) -> Any:
+    if entry is not None and not entry.fits(value):
+        raise InvalidRobot(f"{where}: {name} is {value!r:.80}", expected=entry.expected)
+    return float(value) if is_number(value) else value
+
+
+def as_table(value: Any, name: str, where: str) -> Table:
+    """The value of the name, which has to be a table."""
+    if not isinstance(value, dict):
+        raise InvalidRobot(f"{where}: {name} is {value!r:.80}", expected=f"a table [{name}]")
+    return cast(Table, value)
 
 
 def checked_name(name: Any, kind: str) -> str:
@@ -221,18 +245,19 @@ def number(table: Any, name: str, units: tuple[str, ...], where: str) -> float:
     for key in ("value", "unit"):
         if key not in entry:
             raise InvalidRobot(f"{where}: {name} has no {key}", expected=f"value and unit {expected}")
-    if not isinstance(entry["unit"], str) or _spelt(entry["unit"]) not in units:
-        _wrong_unit(entry["unit"], f"{where}: {name}", expected)
+    check_unit(entry["unit"], units, f"{where}: {name}")
     if not is_number(entry["value"]) or math.isnan(entry["value"]):
         raise InvalidRobot(f"{where}: {name} is {entry['value']!r}", expected=f"a number {expected}")
     return float(entry["value"])
 
 
-def _wrong_unit(unit: Any, subject: str, expected: str) -> NoReturn:
-    likely = _LIKELY.get(_spelt(unit), "") if isinstance(unit, str) else ""
-    raise InvalidRobot(
-        f"{subject} has unit {unit!r}", expected=expected, likely=likely, hint="convert the value by hand"
-    )
+def check_unit(unit: Any, units: tuple[str, ...], subject: str) -> None:
+    """Raise `InvalidRobot` for a `unit` that is no spelling of one of the `units`."""
+    spelt = _spelt(unit) if isinstance(unit, str) else ""
+    if spelt not in units:
+        expected = " or ".join(f"[{one}]" for one in units)
+        hint = "convert the value by hand"
+        raise InvalidRobot(f"{subject} has unit {unit!r}", expected=expected, likely=_LIKELY.get(spelt, ""), hint=hint)
 
 
 def _spelt(unit: str) -> str:
@@ -249,19 +274,13 @@ def provenance(table: Any, name: str, where: str) -> Provenance | None:
     if "source" not in entry and "spread" not in entry:
         return None
     source, spread = entry.get("source", ""), entry.get("spread", "guess")
-    if not isinstance(source, str):
-        raise InvalidRobot(f"{where}: the source of {name} is {source!r}", expected="text in quotes")
+    _entry(source, TEXT, f"the source of {name}", where)
     if spread == "guess":
         return Provenance(source)
     if not is_number(spread) or not 0 <= spread < math.inf:
         expected = 'one standard deviation in the unit of the value, or "guess"'
         raise InvalidRobot(f"{where}: the spread of {name} is {spread!r}", expected=expected)
     return Provenance(source, float(spread))
-
-
-def is_number(value: Any) -> bool:
-    """Whether a value of TOML is a number and not a truth value."""
-    return isinstance(value, int | float) and not isinstance(value, bool)
 
 
 def check_keys(table: Table, known: Iterable[str], where: str, prefix: str = "") -> None:

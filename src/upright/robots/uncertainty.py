@@ -30,7 +30,7 @@ from upright.arrays import Array, Mask, read_only
 from upright.errors import InvalidRobot, InvalidScenario, UnknownName, check_within
 from upright.reading import read_json, understood
 from upright.robots.kit import Kit
-from upright.robots.robot import PARAMETERS, Robot, possible
+from upright.robots.robot import PARAMETERS, Robot, possible, refuse_misfit
 
 GUESS = math.log(2.0)
 """Standard deviation of the logarithm of a number that is a guess: right within a factor of two."""
@@ -336,9 +336,7 @@ def read_posterior(path: str | PathLike[str]) -> Uncertainty:
     expected = '{"parameters": [names], "mean": [numbers], "covariance": [[numbers]]}'
     data = read_json(Path(path), InvalidRobot, expected)
     with understood(f"the posterior {path}", InvalidRobot, expected):
-        if data.get("refused"):
-            why = f"{path} is of a fit that does not describe its robot: {str(data['refused'][0])[:300]}"
-            raise InvalidRobot(why, hint="calibrate from another log, or with the robot that the log is of")
+        refuse_misfit(data, Path(path))
         if "mean" in data:
             return Uncertainty.joint(data["parameters"], data["mean"], data["covariance"])
         names: Sequence[str] = data["names"]
