@@ -118,6 +118,11 @@ class FileNumber:
     needs: str = ""
 
 
+_COUNT = FileNumber(lambda a: math.tau / (a.encoder * a.decoding), 0.0, "a turn over its counts")
+_ACCEL_RANGE = FileNumber(lambda a: a.accelerometer * G, 0.0)
+_ACCEL_STEP = FileNumber(lambda a: a.accelerometer * G / 2**15, 0.0, "16 bits with sign")
+_ACCEL_NOISE = FileNumber(0.04, why="of an MPU-6050", needs="accelerometer")
+
 NUMBERS = {
     "wheel_radius": FileNumber(lambda a: a.wheel / 2000, 0.01, "half of it"),
     "wheel_mass": FileNumber(lambda a: a.wheel_mass / 1000, 0.03),
@@ -146,24 +151,20 @@ NUMBERS = {
     "battery.voltage": FileNumber(lambda a: a.battery),
     "motor.quantum": FileNumber(lambda a: a.battery / a.full_duty, why="one step of the duty"),
     "motor.drop": FileNumber(lambda a: DRIVERS[a.driver][1], 0.2, "volts that the chip keeps, as its data sheet says"),
-    "sensors.encoder_left.quantum": FileNumber(
-        lambda a: math.tau / (a.encoder * a.decoding), 0.0, "a turn over its counts"
-    ),
-    "sensors.encoder_right.quantum": FileNumber(
-        lambda a: math.tau / (a.encoder * a.decoding), 0.0, "a turn over its counts"
-    ),
+    "sensors.encoder_left.quantum": _COUNT,
+    "sensors.encoder_right.quantum": _COUNT,
     "sensors.gyro.range": FileNumber(lambda a: math.radians(a.gyro), 0.0),
     "sensors.gyro.quantum": FileNumber(lambda a: math.radians(a.gyro) / 2**15, 0.0, "16 bits with sign"),
     "sensors.gyro.noise": FileNumber(
         0.002, why="of an MPU-6050; measured: the standard deviation of ten still seconds"
     ),
     "sensors.gyro.bias": FileNumber(0.0035, why="0.2 degree/s, what the mean of a still second leaves"),
-    "sensors.accel_forward.range": FileNumber(lambda a: a.accelerometer * G, 0.0),
-    "sensors.accel_forward.quantum": FileNumber(lambda a: a.accelerometer * G / 2**15, 0.0, "16 bits with sign"),
-    "sensors.accel_forward.noise": FileNumber(0.04, why="of an MPU-6050", needs="accelerometer"),
-    "sensors.accel_up.range": FileNumber(lambda a: a.accelerometer * G, 0.0),
-    "sensors.accel_up.quantum": FileNumber(lambda a: a.accelerometer * G / 2**15, 0.0, "16 bits with sign"),
-    "sensors.accel_up.noise": FileNumber(0.04, why="of an MPU-6050", needs="accelerometer"),
+    "sensors.accel_forward.range": _ACCEL_RANGE,
+    "sensors.accel_forward.quantum": _ACCEL_STEP,
+    "sensors.accel_forward.noise": _ACCEL_NOISE,
+    "sensors.accel_up.range": _ACCEL_RANGE,
+    "sensors.accel_up.quantum": _ACCEL_STEP,
+    "sensors.accel_up.noise": _ACCEL_NOISE,
     "sensors.pitch.time_constant": FileNumber(lambda a: a.fused, 0.0),
     "sensors.pitch.offset": FileNumber(lambda a: math.radians(a.mounting)),
     "sensors.battery.quantum": FileNumber(lambda a: a.divider * 5 / 1023, 0.02, "a step of 5 V in 10 bits"),
