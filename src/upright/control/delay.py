@@ -1,30 +1,33 @@
 """The robot sampled once a period, as the controller has it: dead time and sensor delays become states.
 
 Between two samples the motors get the older command and, after the fraction of a period in the dead time, a newer one
-(Åström and Wittenmark 1997, section 2.3). A delayed sensor reads an earlier state, between samples too.
+(Åström and Wittenmark 1997, section 2.3). A delayed sensor reads an earlier state, between samples too. What no reading
+shows, such as the wheels' position without encoders, is left out.
 """
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, cached_property, lru_cache
 
 import numpy as np
 
 from upright.arrays import Array
 from upright.errors import DesignFailed, SpecMismatch
-from upright.physics.dynamics import turn_ratio
 from upright.physics.linear import LinearModel, delay_line, linearise_rolling
-from upright.physics.sensing import sensor_matrix
+from upright.physics.sensing import FORWARD, PITCH, sensed
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import SIDES, STATE_NAMES, TRUE_STATE
 
 RAW = ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro")
 GYRO = RAW[2]
 
+_FREE = STATE_NAMES[2:]  # of these a robot may know nothing and stand
 _SAME = 1e-9  # of a period: equal times may differ by rounding
+_ZERO = 1e-12  # [1] of a row's largest entry, to rounding
 _FINEST = 1e-10  # [unit²] variance of a sensor said to be perfect, so that the filter stays defined
 LONGEST = 50  # periods of delay: beyond, the states of a filter would be many and the loop hopeless
 MOST_PERIODS = 1000  # of delay, for the poles of a loop: a filter of so many states is never asked for
@@ -35,8 +38,9 @@ class SampledRobot:
     """`robot` once a period, between `delay` whole periods (and a fraction) of dead time and delayed sensors.
 
     `linear` is the model of the estimator: p⁺ = A p + B [a, a⁻] + E F, y = C p. Here a is the command that was really
-    applied at the end of the period, a⁻ that of the period before, and F [N] a push of one period. The states p are the
-    robot's six, a gyro's bias [rad/s] where one is read, a push at the centre of mass [N], and readings still on their
+    applied at the end of the period, a⁻ that of the period before, and F [N] a push of one period. The states p are
+    those of the robot's six that are not `hidden`, those that sensors have of their own, a gyro's bias [rad/s] where
+    one is read, a push at the centre of mass [N] where the readings tell it from a lean, and readings still on their
     way. `noise` (p, p) is the covariance of the readings.
 
     `plant` is the model of the regulator: x⁺ = A x + B u, of the six states and the commands sent before, newest first.
@@ -72,6 +76,16 @@ class SampledRobot:
         return self.linear.outputs
 
     @property
+    def shown(self) -> list[int]:
+        """Which of the six states the readings show."""
+        return [i for i, name in enumerate(STATE_NAMES) if name in self.linear.states]
+
+    @property
+    def hidden(self) -> tuple[str, ...]:
+        """The states of which they tell nothing, and which do not move what they show."""
+        return tuple(name for name in STATE_NAMES if name not in self.linear.states)
+
+    @property
     def now(self) -> Array:
         """What the command applied at the end of a period adds to p (n, 2)."""
         return self.linear.B[:, :2]
@@ -87,10 +101,20 @@ class SampledRobot:
         return (len(self.plant.states) - 6) // 2
 
 
+def readable(kit: Kit) -> tuple[str, ...]:
+    """The channels that a controller reads by default: both encoders and the gyro. Without all of these it reads the
+    fused angle, or else the accelerometer, and what there is of them, so that something shows a lean."""
+    if all(name in kit.sensors for name in RAW) or not {PITCH, GYRO} & kit.sensors.keys():
+        return RAW
+    encoders = RAW[:2] if all(name in kit.sensors for name in RAW[:2]) else ()
+    lean = PITCH if PITCH in kit.sensors else FORWARD
+    return (*encoders, *(name for name in (lean, GYRO) if name in kit.sensors))
+
+
 def sampled(
-    robot: Robot, kit: Kit, dt: float | None = None, reads: Sequence[str] = RAW, *, longest: int = LONGEST
+    robot: Robot, kit: Kit, dt: float | None = None, reads: Sequence[str] | None = None, *, longest: int = LONGEST
 ) -> SampledRobot:
-    """`robot` under `kit` every `dt` [s] (None: the kit's period), measured by the channels `reads`.
+    """`robot` under `kit` every `dt` [s] (None: the kit's period), measured by the channels `reads` (None: `readable`).
 
     Raises `SpecMismatch` for a channel that the kit does not have. Raises `DesignFailed` for a period outside (0, 1] s
     or a delay of more than `longest` periods.
@@ -98,23 +122,56 @@ def sampled(
     period = kit.period if dt is None else dt
     if not (math.isfinite(period) and 0 < period <= 1):
         raise DesignFailed(f"a period of {period} s", expected="between 0 and 1 s", likely="milliseconds")
-    C = sensor_matrix(reads, turn_ratio(robot), kit.sensors)
-    rows = list(zip([_sensor(kit, name) for name in reads], C, strict=True))
-    delay = max([kit.delay + kit.jitter / 2, *(sensor.delay for sensor, _ in rows)])
+    reads = readable(kit) if reads is None else tuple(reads)
+    sensors = [_sensor(kit, name) for name in reads]
+    delay = max([kit.delay + kit.jitter / 2, *(sensor.delay for sensor in sensors)])
     if delay > longest * period:
         raise DesignFailed(
             f"a delay of {delay:g} s at a period of {period:g} s", expected=f"at most {longest} periods",
             hint="lengthen the period",
         )  # fmt: skip
-    between = _Between(robot, period, kit.delay + kit.jitter / 2)
-    return _assembled(robot, kit, tuple(reads), between, rows)
+    prompt = tuple(replace(sensor, delay=0.0) for sensor in sensors)  # one model for all delays that a margin tries
+    between = _Between(_senses(robot, reads, prompt), period, kit.delay + kit.jitter / 2)
+    return _assembled(robot, kit, between, sensors)
+
+
+@dataclass(frozen=True, eq=False)
+class _Senses:
+    """The robot in continuous time on its sensors, `model`. A push at the centre of mass, at that `height` [m], is `felt`
+    by the readings (p,) at once. `shown` of the states are told by them, and a lasting push where `tells_push`."""
+
+    model: LinearModel
+    height: float
+    felt: Array
+    shown: list[bool]
+    tells_push: bool
+
+
+@lru_cache(maxsize=1024)
+def _senses(robot: Robot, reads: tuple[str, ...], sensors: tuple[Sensor, ...]) -> _Senses:
+    model, felt = sensed(linearise_rolling(robot), reads, robot, dict(zip(reads, sensors, strict=True)))
+    push, felt = (matrix[:, 0] + robot.com_height * matrix[:, 1] for matrix in (model.E, felt))
+    told = np.abs(model.C).max(axis=0, initial=0.0) > 0
+    moves = np.abs(model.A) > _ZERO * np.abs(model.A).max(axis=1, keepdims=True)
+    for _ in model.states:
+        told = told | moves[told].any(axis=0)
+    standing = told[STATE_NAMES.index("pitch")]  # without its lean all is hopeless, and nothing is left out
+    shown = [bool(told[i]) or name not in _FREE or not standing for i, name in enumerate(model.states)]
+    steady = np.block([[model.A[shown][:, shown], push[shown, None]], [model.C[:, shown], felt[:, None]]])
+    if GYRO in reads:
+        bias = np.zeros((len(steady), 1))
+        bias[sum(shown) + reads.index(GYRO)] = 1.0
+        steady = np.hstack([steady, bias])
+    steady = steady / np.maximum(np.linalg.norm(steady, axis=0), _ZERO)
+    # the push is told where no lean, rate and bias together look like one that lasts (Hautus's test at frequency zero)
+    return _Senses(model, robot.com_height, felt, shown, bool(np.linalg.matrix_rank(steady, tol=_SAME) == steady.shape[1]))
 
 
 class _Between:
     """x(t + h) for 0 ≤ h ≤ dt: Φ(h) x + Γ⁻(h) a⁻ + Γ(h) a + ε(h) F."""
 
-    def __init__(self, robot: Robot, dt: float, dead: float) -> None:
-        self.robot, self.dt = robot, dt
+    def __init__(self, senses: _Senses, dt: float, dead: float) -> None:
+        self.senses, self.dt = senses, dt
         self.delay = math.floor(dead / dt + _SAME)
         rest = dead - self.delay * dt
         self.rest = rest if rest > _SAME * dt else 0.0
@@ -123,76 +180,87 @@ class _Between:
     def __call__(self, h: float) -> tuple[Array, Array, Array, Array]:
         first = min(h, self.rest)
         second = max(h - self.rest, 0.0)
-        phi, old, push = _held(self.robot, first)
-        phi2, new, push2 = _held(self.robot, second)
+        phi, old, push = _held(self.senses, first)
+        phi2, new, push2 = _held(self.senses, second)
         return phi2 @ phi, phi2 @ old, new, phi2 @ push + push2
 
 
 @lru_cache(maxsize=1024)  # delays at which a margin is tried, and robots a log is compared with, have parts in common
-def _held(robot: Robot, h: float) -> tuple[Array, Array, Array]:
+def _held(senses: _Senses, h: float) -> tuple[Array, Array, Array]:
     """Φ, Γ and ε of one command over `h` [s]."""
+    model = senses.model
+    n = len(model.states)
     if h <= 0:
-        return np.eye(6), np.zeros((6, 2)), np.zeros(6)
-    held = linearise_rolling(robot).c2d(h)
-    return held.A, held.B, held.E[:, 0] + robot.com_height * held.E[:, 1]
+        return np.eye(n), np.zeros((n, 2)), np.zeros(n)
+    held = model.c2d(h)
+    return held.A, held.B, held.E[:, 0] + senses.height * held.E[:, 1]
 
 
-def _assembled(
-    robot: Robot, kit: Kit, reads: tuple[str, ...], between: _Between, rows: list[tuple[Sensor, Array]]
-) -> SampledRobot:
+def _assembled(robot: Robot, kit: Kit, between: _Between, sensors: Sequence[Sensor]) -> SampledRobot:
+    senses = between.senses
+    model = senses.model
+    reads = model.outputs
     extra = ["gyro_bias"] * (GYRO in reads) + ["push"]
-    lines = [_line(sensor.delay, between.dt) for sensor, _ in rows]
+    lines = [_line(sensor.delay, between.dt, at_once=d.any()) for sensor, d in zip(sensors, model.D, strict=True)]
     waiting = [f"{name}@{i + 1}" for name, (count, _) in zip(reads, lines, strict=True) for i in range(count)]
-    names = (*STATE_NAMES, *extra, *waiting)
+    names = (*model.states, *extra, *waiting)
     n = len(names)
-    push = len(STATE_NAMES) + len(extra) - 1
+    m = len(model.states)
+    push = m + len(extra) - 1
     A = np.zeros((n, n))
     B = np.zeros((n, 4))
     E = np.zeros((n, 1))
-    C = np.zeros((len(rows), n))
-
-    def moves(row: int, c: Array, h: float) -> None:
-        phi, old, new, force = between(h)
-        A[row, :6], A[row, push], B[row], E[row] = c @ phi, c @ force, np.concatenate([c @ new, c @ old]), c @ force
+    C = np.zeros((len(reads), n))
 
     phi, old, new, force = between(between.dt)
-    A[:6, :6], A[:6, push], B[:6], E[:6, 0] = phi, force, np.hstack([new, old]), force
-    A[range(6, push + 1), range(6, push + 1)] = 1.0
+    A[:m, :m], A[:m, push], B[:m], E[:m, 0] = phi, force, np.hstack([new, old]), force
+    A[range(m, push + 1), range(m, push + 1)] = 1.0
     place = push + 1
-    for i, ((_, c), (count, h)) in enumerate(zip(rows, lines, strict=True)):
+    for i, (count, h) in enumerate(lines):
+        c, d = model.C[i], model.D[i]
         if count:
-            moves(place, c, h)
+            phi, old, new, force = between(h)
+            felt = c @ force + senses.felt[i]
+            commands = np.concatenate([c @ new, c @ old])
+            commands[:2] += d * (h > between.rest)  # what the motors get at that moment shows at once
+            commands[2:] += d * (h <= between.rest)
+            A[place, :m], A[place, push], B[place], E[place] = c @ phi, felt, commands, felt
             A[place + 1 : place + count, place : place + count] = delay_line(1, count, between.dt).A[1:]
             C[i, place + count - 1] = 1.0
         else:
-            C[i, :6] = c
+            C[i, :m] = c
         place += count
     if GYRO in reads:
-        C[reads.index(GYRO), 6] = 1.0
-    noise = np.diag([max(s.noise**2 + s.quantum**2 / 12, _FINEST) for s, _ in rows])
+        C[reads.index(GYRO), m] = 1.0
+    keep = [name != "push" or senses.tells_push for name in names]
+    keep[:m] = senses.shown
+    noise = np.diag([max(s.noise**2 + s.quantum**2 / 12, _FINEST) for s in sensors])
     linear = LinearModel(
-        A, B, C, dt=between.dt, states=names, inputs=(*SIDES, *(f"{side}_before" for side in SIDES)), outputs=reads,
-        E=E, disturbances=("push",),
+        A[keep][:, keep], B[keep], C[:, keep], dt=between.dt, states=tuple(itertools.compress(names, keep)),
+        inputs=(*SIDES, *(f"{side}_before" for side in SIDES)), outputs=reads, E=E[keep], disturbances=("push",),
     )  # fmt: skip
     return SampledRobot(robot=robot, kit=kit, delay=between.delay, linear=linear, noise=noise, between=between)
 
 
-def _line(delay: float, dt: float) -> tuple[int, float]:
-    """How many states a reading waits in, and how long into the period the state is that enters the first."""
+def _line(delay: float, dt: float, *, at_once: bool) -> tuple[int, float]:
+    """How many states a reading waits in, and how long into the period the state is that enters the first. One that
+    shows a command `at_once` is taken at the end of a period, before the next command."""
     whole = math.floor(delay / dt + _SAME)
     rest = delay - whole * dt
-    return (whole, 0.0) if rest <= _SAME * dt else (whole + 1, dt - rest)
+    if rest > _SAME * dt:
+        return whole + 1, dt - rest
+    return (whole + 1, dt) if at_once else (whole, 0.0)
 
 
 def _plant(between: _Between) -> LinearModel:
     d = between.delay
     h = between.delay + (between.rest > 0)
-    phi, old, new, push = between(between.dt)
+    phi, old, new, push = (part[:6] for part in between(between.dt))
     n = 6 + 2 * h
     A = np.zeros((n, n))
     B = np.zeros((n, 2))
     E = np.zeros((n, 1))
-    A[:6, :6], E[:6, 0] = phi, push
+    A[:6, :6], E[:6, 0] = phi[:, :6], push
     if between.rest > 0:
         A[:6, 6 + 2 * d : 8 + 2 * d] = old
     if d:
@@ -211,9 +279,9 @@ def _ahead(between: _Between, plant: LinearModel) -> Array:
     whole: Array = np.linalg.matrix_power(plant.A, between.delay)[:6]
     if not between.rest:
         return whole
-    phi, held, _ = _held(between.robot, between.rest)
-    arrived = phi @ whole
-    arrived[:, 6:8] += held
+    phi, held, _ = _held(between.senses, between.rest)
+    arrived = phi[:6, :6] @ whole
+    arrived[:, 6:8] += held[:6]
     return arrived
 
 

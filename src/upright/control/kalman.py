@@ -51,7 +51,9 @@ class Disturbed:
         names = model.linear.states
         n = len(model.linear.A)
         root = math.sqrt(model.dt)
-        walks = {"push": self.push_walk * robot.body_mass * robot.gravity / NXTWAY_WEIGHT * root}
+        walks = dict[str, float]()
+        if "push" in names:
+            walks["push"] = self.push_walk * robot.body_mass * robot.gravity / NXTWAY_WEIGHT * root
         if "gyro_bias" in names:
             walks["gyro_bias"] = max(self.bias_walk, model.kit.sensors[GYRO].bias_walk) * root
         columns = [

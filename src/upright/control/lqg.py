@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from upright.arrays import Array
-from upright.control.delay import RAW, SampledRobot, sampled
+from upright.control.delay import SampledRobot, sampled
 from upright.control.design import Design
 from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
-from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson, riccati, riccati_residual, weight_matrix
+from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, among, bryson, riccati, riccati_residual, weight_matrix
 from upright.control.observer import output_feedback
 from upright.errors import DesignFailed
 from upright.robots import Kit, Robot, find_kit, find_robot
@@ -46,7 +46,7 @@ def lqg(
     Q: ArrayLike | None = None,
     R: ArrayLike | None = None,
     *,
-    reads: tuple[str, ...] = RAW,
+    reads: tuple[str, ...] | None = None,
     disturbed: Disturbed = RECOVERED,
 ) -> LinearController:
     """The linear quadratic Gaussian regulator (Anderson and Moore 1979, ch. 8) for `robot` on the sensors of `kit`.
@@ -64,12 +64,18 @@ def regulated(estimator: Filter, Q: ArrayLike | None = None, R: ArrayLike | None
     model = estimator.sampled
     weight = state_weight(model, Q)
     price = command_weight(model.robot, R)
-    return Lqg(estimator, weight, price, *riccati(model.plant, weight, price))
+    return Lqg(estimator, weight, price, *riccati(model.plant, weight, price, regulated_states(model)))
+
+
+def regulated_states(model: SampledRobot) -> list[int]:
+    """Of the plant: those of the robot that readings show, and the commands on their way."""
+    return [*model.shown, *range(6, len(model.plant.states))]
 
 
 def state_weight(model: SampledRobot, Q: ArrayLike | None, largest: ArrayLike = LARGEST_STATE) -> Array:
-    """Q (6, 6), or its diagonal, or Bryson's rule, padded with zeros for the commands on their way."""
-    weight = weight_matrix(bryson(largest) if Q is None else Q, 6, "Q")
+    """Q (6, 6), or its diagonal, or Bryson's rule, padded with zeros for the commands on their way; zero for what no
+    reading shows."""
+    weight = among(weight_matrix(bryson(largest) if Q is None else Q, 6, "Q"), model.shown)
     return np.pad(weight, (0, len(model.plant.states) - 6))
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -13,6 +14,7 @@ from upright.control.feedback import StateFeedback
 from upright.errors import DesignFailed
 from upright.physics.linear import LinearModel, linearise_rolling
 from upright.robots import Robot, find_robot
+from upright.signals import STATE_NAMES
 
 # Bryson's rule: a deviation or a command of this size costs one.
 LARGEST_STATE = (0.15, 1.5, 4.0, 15.0, 0.5, 3.0)  # [rad, rad/s, rad, rad/s, rad, rad/s]
@@ -53,33 +55,59 @@ def bryson(largest: ArrayLike) -> Array:
     return np.diag(weights)
 
 
-def lqr(robot: Robot | str, dt: float, Q: ArrayLike | None = None, R: ArrayLike | None = None) -> Lqr:
+def lqr(
+    robot: Robot | str,
+    dt: float,
+    Q: ArrayLike | None = None,
+    R: ArrayLike | None = None,
+    *,
+    shown: Sequence[int] = range(len(STATE_NAMES)),
+) -> Lqr:
     """The regulator of the robot linearised upright, its Coulomb friction as `rolling` has it, and held over `dt` [s].
 
     Q (6, 6) or its diagonal (6,), R (2, 2) or (2,); without them Bryson's rule on `LARGEST_STATE` and
-    `LARGEST_COMMAND`. Raises `DesignFailed` for weights of the wrong size or sign, or when no gain stabilises.
+    `LARGEST_COMMAND`. Only the states `shown` are regulated. Raises `DesignFailed` for weights of the wrong size or
+    sign, or when no gain stabilises.
     """
     robot = find_robot(robot)
     state_weight = bryson(LARGEST_STATE) if Q is None else Q
     command_weight = bryson([LARGEST_COMMAND[robot.command_unit]] * 2) if R is None else R
-    return dlqr(linearise_rolling(robot).c2d(dt), state_weight, command_weight, robot.command_unit)
+    return dlqr(linearise_rolling(robot).c2d(dt), state_weight, command_weight, robot.command_unit, shown=shown)
 
 
-def dlqr(model: LinearModel, Q: ArrayLike, R: ArrayLike, command_unit: str = "V") -> Lqr:
-    """The regulator of a discrete linear model (Åström and Wittenmark 1997, theorem 11.2)."""
+def dlqr(
+    model: LinearModel, Q: ArrayLike, R: ArrayLike, command_unit: str = "V", *, shown: Sequence[int] | None = None
+) -> Lqr:
+    """The regulator of a discrete linear model (Åström and Wittenmark 1997, theorem 11.2), of the states `shown` (None:
+    all), which the others do not move."""
     if model.continuous:
         raise DesignFailed("the model is continuous", expected="a discrete one", hint="call model.c2d(dt)")
     weight, price = weight_matrix(Q, len(model.states), "Q"), weight_matrix(R, len(model.inputs), "R")
+    weight = among(weight, range(len(weight)) if shown is None else shown)
     if np.linalg.eigvalsh(price)[0] <= 0:
         raise DesignFailed("R is not positive definite", expected="a price on every command", hint="raise its diagonal")
-    cost, gain = riccati(model, weight, price)
+    cost, gain = riccati(model, weight, price, shown)
     return Lqr(gain, model.dt, command_unit, "lqr", model=model, Q=weight, R=price, cost=cost)
 
 
-def riccati(model: LinearModel, Q: Array, R: Array) -> tuple[Array, Array]:
-    """The stabilising solution P of the discrete Riccati equation and its gain K; `DesignFailed` where none is."""
+def among(matrix: Array, kept: Sequence[int]) -> Array:
+    """The matrix, zero in all rows and columns but those `kept`."""
+    result = np.zeros_like(matrix)
+    chosen = np.ix_(kept, kept)
+    result[chosen] = matrix[chosen]
+    return result
+
+
+def riccati(model: LinearModel, Q: Array, R: Array, kept: Sequence[int] | None = None) -> tuple[Array, Array]:
+    """The stabilising solution P of the discrete Riccati equation and its gain K; `DesignFailed` where none is. Both are
+    zero but for the states `kept` (None: all), which the others neither move nor burden by Q."""
     from scipy.linalg import LinAlgError, solve_discrete_are
 
+    if kept is not None and len(kept) < len(model.A):
+        part = LinearModel(model.A[np.ix_(kept, kept)], model.B[kept], dt=model.dt)
+        cost, gain = np.zeros_like(model.A), np.zeros_like(model.B.T)
+        cost[np.ix_(kept, kept)], gain[:, kept] = riccati(part, Q[np.ix_(kept, kept)], R)
+        return cost, gain
     A, B = model.A, model.B
     cost: Array = np.full_like(A, np.nan)
     with contextlib.suppress(LinAlgError, ValueError):

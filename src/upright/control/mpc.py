@@ -29,7 +29,7 @@ from numpy.typing import ArrayLike
 
 from upright.arrays import Array
 from upright.control.controller import ControllerSpec, ShortRepr
-from upright.control.delay import RAW, sampled
+from upright.control.delay import sampled
 from upright.control.kalman import Disturbed, kalman_filter, offset_free
 from upright.control.linear_controller import LinearController, finite_matrix
 from upright.control.lqg import Lqg, regulated
@@ -195,7 +195,7 @@ def mpc(
     travel: float = 1.0,
     iterations: int = 6,
     blocks: Sequence[int] | None = None,
-    reads: tuple[str, ...] = RAW,
+    reads: tuple[str, ...] | None = None,
     disturbed: Disturbed | None = None,
 ) -> PredictiveController:
     """The predictive controller of `robot` on the sensors of `kit`, over `horizon` periods.

@@ -38,15 +38,15 @@ def observer(estimator: Filter) -> LinearController:
     A[n : n + 2 * d, n : n + 2 * d], Bu[n : n + 2 * d] = line.A, line.B
     if h > d:
         A[:n, n + 2 * d :], Ba[n + 2 * d :] = model.before, np.eye(2)
-    X, Xy = np.zeros((6 + 2 * h, size)), np.zeros((6 + 2 * h, m))
-    X[:6, :n], Xy[:6], X[6:, n:] = after[:6], gain[:6], np.eye(2 * h)
-    push = model.linear.states.index("push")
-    f = np.concatenate([after[push], np.zeros(2 * h)])
-    C = np.vstack([X, f])
-    Dy = np.vstack([Xy, gain[push]])
+    C, Dy = np.zeros((7 + 2 * h, size)), np.zeros((7 + 2 * h, m))  # zero for what no reading shows
+    k = len(model.shown)
+    C[model.shown, :n], Dy[model.shown], C[6:-1, n:] = after[:k], gain[:k], np.eye(2 * h)
+    if "push" in model.linear.states:
+        push = model.linear.states.index("push")
+        C[-1, :n], Dy[-1] = after[push], gain[push]
     none = np.zeros((size, 6))
     return LinearController(
-        A, By, none, Ba, C, Dy, np.zeros((len(C), 6)), reads=model.reads, period=model.dt, S=X[:6], Sy=Xy[:6], Bu=Bu,
+        A, By, none, Ba, C, Dy, np.zeros((len(C), 6)), reads=model.reads, period=model.dt, S=C[:6], Sy=Dy[:6], Bu=Bu,
         command_unit=model.robot.command_unit, kind="observer",
     )  # fmt: skip
 

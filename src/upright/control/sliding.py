@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from upright.arrays import Array, Complex
 from upright.control.controller import ControllerSpec, ShortRepr
-from upright.control.delay import RAW, sampled
+from upright.control.delay import sampled
 from upright.control.design import Design
 from upright.control.kalman import RECOVERED, Disturbed, kalman_filter
 from upright.control.linear_controller import LinearController
@@ -111,7 +111,7 @@ def sliding(
     time: float = TIME,
     reach: float = REACH,
     layer: float = LAYER,
-    reads: tuple[str, ...] = RAW,
+    reads: tuple[str, ...] | None = None,
     disturbed: Disturbed = RECOVERED,
 ) -> SlidingMode:
     """The sliding mode controller of `robot` on the sensors of `kit`, on the surface s = (BᵀPB)⁻¹BᵀP ξ (Utkin 1992).

@@ -267,7 +267,7 @@ def reading_matrix(
         C[alone[0], STATE_NAMES.index("yaw")] = 0.0
     for i, name in enumerate(rows):
         if SENSOR[name] == "gyro":
-            C[i, STATE_NAMES.index("yaw_rate")] += misaligned
+            C[i, STATE_NAMES.index("yaw_rate")] = misaligned
         if SENSOR[name] != "encoder":
             C[i, 6 if SENSOR[name] == "gyro" else 7] = 1.0  # its bias
         if swings and SENSOR[name] == "gyro":
