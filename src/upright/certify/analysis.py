@@ -47,7 +47,8 @@ NEAR_ZERO = 1e-5  # beyond 1: nearer to frequency zero than any motion of a robo
 SHOWN_GAIN = 0.01  # a smaller loop gain sets no margin, and is not drawn
 FINEST = 1e-3  # [s] steps of delay: a loop that is unstable between two of them alone is not found
 DRAWN = 200
-COMPARABLE = {"sensor/gyro": 1.5, "sensor/compass": 0.5}  # [rad/s], [rad]: Bryson's sizes of the readings
+COMPARABLE = {"sensor/gyro": 1.5, "sensor/compass": 0.5, "sensor/pitch": 0.15, "sensor/accel_forward": 1.5}
+"""[rad/s, rad, rad, m/s²] Bryson's sizes of the readings; an accelerometer shows g times a lean."""
 _ANGLE = 1.0  # [rad] of an encoder
 
 
@@ -59,7 +60,7 @@ class Analysis(Shown):
     `delay` [s] is the delay margin, found by increasing the dead time of the sampled robot itself. `coprime` is b(P,
     C), and `gap` the largest ν-gap of the drawn robots, both with inputs and outputs in comparable units. `radii` (n,)
     are the largest |pole| of each drawn robot, `drawn` (n, states) their poles, and `strengths` (n,) how strong their
-    motors are, over the nominal ones.
+    motors are, over the nominal ones. `hidden` are the states that no reading shows, whose poles are left out.
     """
 
     robot: str
@@ -77,6 +78,7 @@ class Analysis(Shown):
     strengths: Array
     loop: Loop
     mu: Mu | None = None
+    hidden: tuple[str, ...] = ()
 
     @property
     def stable(self) -> bool:
@@ -110,8 +112,9 @@ class Analysis(Shown):
 
     def words(self) -> list[str]:
         """The result, in sentences."""
+        unseen = [unseen_in_words(self.hidden)] if self.hidden else []
         if not self.stable:
-            return [sentence(instability(self.radius, self.period))]
+            return [sentence(instability(self.radius, self.period)), *unseen]
         low, high = disk_gain(self.disk)
         first = self.weakest
         sentences = [
@@ -121,6 +124,7 @@ class Analysis(Shown):
             f"or phases up to {math.degrees(disk_phase(self.disk)):.0f}°.",
             f"Of {len(self.radii)} simulated robots, as different as the robot's file allows, {self.lost}.",
         ]
+        sentences += unseen
         return sentences + ([f"Parameters within their intervals (μ): the loop {self.mu.words()}"] if self.mu else [])
 
     def plot(self, channel: str = "both motors") -> Figure:
@@ -246,6 +250,16 @@ def instability(radius: float, period: float) -> str:
     return f"the nominal loop is unstable: a deviation doubles every {doubled:.2g} s (|z| = {radius:.4f})"
 
 
+def unseen_in_words(hidden: Sequence[str]) -> str:
+    """What it means that no reading shows these states."""
+    if "wheel" not in hidden:
+        return "Nothing shows the heading: the robot may turn away."
+    return (
+        "Nothing shows where the wheels are: the robot stands, and may roll away. "
+        "The free position's own pole at z = 1 is left out of the poles."
+    )
+
+
 def _unstable(model: LinearModel) -> Complex:
     poles = model.poles()
     return poles[np.abs(poles) > 1 + ROUNDED]
@@ -302,6 +316,7 @@ def analyse(
         disk=disk_margin(loop.at_input), delay=dead_time, coprime=stability_margin(scaled),
         gap=_largest_gap(scaled.plant, [plant.scaled(command, readings) for plant in plants[:GAPS] if loop.stable]),
         mu=parameter_mu(robot, controller, kit) if with_mu else None,
+        hidden=sampled(robot, kit, linear.period, linear.reads, longest=MOST_PERIODS).hidden,
     )  # fmt: skip
 
 

@@ -85,6 +85,14 @@ class SampledRobot:
         """The states of which they tell nothing, and which do not move what they show."""
         return tuple(name for name in STATE_NAMES if name not in self.linear.states)
 
+    def check_position(self, method: str) -> None:
+        """Raise `DesignFailed` for a `method` that holds the wheels where nothing shows where they are."""
+        if "wheel" in self.hidden:
+            raise DesignFailed(
+                f"{method} holds the wheels where they are, which {' and '.join(self.reads)} do not show",
+                expected="both encoders", hint="lqr, lqg, mpc or sliding, which do without",
+            )  # fmt: skip
+
     @property
     def now(self) -> Array:
         """What the command applied at the end of a period adds to p (n, 2)."""

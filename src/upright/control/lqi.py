@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from upright.arrays import Array
-from upright.control.delay import RAW, sampled
+from upright.control.delay import sampled
 from upright.control.design import Design
 from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
@@ -52,7 +52,7 @@ def lqi(
     Q: ArrayLike | None = None,
     R: ArrayLike | None = None,
     *,
-    reads: tuple[str, ...] = RAW,
+    reads: tuple[str, ...] | None = None,
     disturbed: Disturbed = RECOVERED,
     unwinding: float = UNWINDING,
 ) -> LinearController:
@@ -66,6 +66,7 @@ def lqi(
     if not unwinding > 0:
         raise DesignFailed(f"unwinding takes {unwinding} s", expected="a positive time")
     model = sampled(robot, kit, dt, reads)
+    model.check_position("lqi")
     estimator = kalman_filter(model, disturbed)
     weight = weight_matrix(bryson([*LARGEST_STATE, LARGEST_INTEGRAL]) if Q is None else Q, 7, "Q")
     servo = with_integral(model.plant)

@@ -17,7 +17,7 @@ from upright.control.lqg import lqg
 from upright.control.lqi import LARGEST_INTEGRAL, lqi
 from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, Lqr, bryson, lqr
 from upright.control.mpc import mpc
-from upright.control.observed import observed
+from upright.control.observed import regulator
 from upright.control.pid import pid
 from upright.control.robust import robust
 from upright.control.sliding import sliding
@@ -112,7 +112,7 @@ def _lqr(robot: Robot, _kit: Kit, dt: float, Q: Array, R: Array) -> Lqr:
 
 
 def _observed(robot: Robot, kit: Kit, dt: float, Q: Array, R: Array) -> Controller:
-    return observed(lqr(robot, dt, Q, R), robot, kit)
+    return regulator(robot, kit, dt, Q, R)
 
 
 def _complementary(robot: Robot, kit: Kit, dt: float, Q: Array, R: Array) -> Controller:

@@ -201,7 +201,7 @@ def mpc(
     """The predictive controller of `robot` on the sensors of `kit`, over `horizon` periods.
 
     Q and R as in `lqg`; `limit` of each command (None: what the kit gives), `pitch` [rad] and `travel` [m] from the
-    reference, both soft; the `iterations` in a period; `blocks` [periods], which sum to the horizon, by default
+    reference, both soft, of which the second falls away without encoders; the `iterations` in a period; `blocks` [periods], which sum to the horizon, by default
     `doubling`; `disturbed` is by default `offset_free`. Raises `DesignFailed` like `lqg`, or for bounds that are not
     positive.
     """
@@ -220,6 +220,7 @@ def mpc(
     model = sampled(robot, kit, dt, reads)
     design = regulated(kalman_filter(model, disturbed or offset_free(model)), Q, R)
     bounds = {"pitch": pitch, "wheel": travel / robot.wheel_radius}
+    bounds = {name: bound for name, bound in bounds.items() if name not in model.hidden}
     return _split(design, lengths, bounds, limit=min(most, UNLIMITED), iterations=iterations)
 
 
@@ -255,7 +256,7 @@ def _split(
     # limits at the starts of the blocks, then each bound at their ends
     G = np.vstack([*((chosen - K @ forced[starts]) / limit), *(forced[ends + 1, i] / b for i, b in picked)])
     Gx = np.vstack([*(-K @ free[starts] / limit), *(free[ends + 1, i] / b for i, b in picked)])
-    steady_u = np.vstack([np.tile(np.eye(2) / limit, (n, 1)), np.zeros((2 * n, 2))])
+    steady_u = np.vstack([np.tile(np.eye(2) / limit, (n, 1)), np.zeros((len(bounds) * n, 2))])
     steady_pitch = np.concatenate([np.zeros(2 * n), *(np.full(n, (i == 0) / b) for i, b in picked)])
 
     def outputs(xi_s: Array, u_s: Array) -> Array:
@@ -265,11 +266,11 @@ def _split(
     g = outputs(xi_push[:, None], u_push[:, None])[:, 0]
     H = np.kron(np.diag(lengths), W)
     soft = np.arange(len(G)) >= 2 * n
-    rho = np.where(soft, BOUND_WEIGHT / SOFTNESS * np.tile(lengths, 4), limit**2 * np.trace(W))
+    rho = np.where(soft, BOUND_WEIGHT / SOFTNESS * np.tile(lengths, 2 + len(bounds)), limit**2 * np.trace(W))
     projection = np.asarray(G @ np.linalg.solve(H + G.T @ (rho[:, None] * G), G.T * rho), dtype=np.float64)
     shift = np.zeros_like(projection)
     shift[: 2 * n, : 2 * n] = np.kron(_shifted(starts, lengths[-1]), np.eye(2))
-    for first in (2 * n, 3 * n):
+    for first in range(2 * n, len(G), n):
         rows = slice(first, first + n)
         shift[rows, rows] = _shifted(ends, lengths[-1])
     ease = np.where(soft, BOUND_WEIGHT / (1 + BOUND_WEIGHT), 0.0)

@@ -9,15 +9,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from numpy.typing import ArrayLike
+
 from upright.arrays import Array
-from upright.control.delay import RAW, sampled
+from upright.control.delay import sampled
 from upright.control.design import Design
 from upright.control.feedback import StateFeedback
 from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
+from upright.control.lqr import lqr
 from upright.control.observer import output_feedback
 from upright.errors import SpecMismatch
 from upright.robots import Kit, Robot
+from upright.signals import STATE_NAMES
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,19 +46,39 @@ def observed(
     robot: Robot,
     kit: Kit,
     *,
-    reads: tuple[str, ...] = RAW,
+    reads: tuple[str, ...] | None = None,
     disturbed: Disturbed = RECOVERED,
 ) -> LinearController:
     """`feedback` of the true state, designed without dead time, for `robot` on the sensors of `kit`.
 
-    Raises `SpecMismatch` for a sensor the kit does not have or a command in another unit than the robot's,
-    `DesignFailed` where no filter exists.
+    Raises `SpecMismatch` for a sensor the kit does not have, a state that no reading shows, or a command in another unit
+    than the robot's, `DesignFailed` where no filter exists.
     """
     if feedback.command_unit != robot.command_unit:
         raise SpecMismatch(
             f"the {feedback.kind} commands {feedback.command_unit}", expected=f"{robot.command_unit}, as '{robot.name}'"
         )
     model = sampled(robot, kit, feedback.period, reads)
+    blind = [name for name in model.hidden if feedback.gain[:, STATE_NAMES.index(name)].any()]
+    if blind:
+        raise SpecMismatch(
+            f"the {feedback.kind} feeds back {' and '.join(blind)}, which {' and '.join(model.reads)} do not show",
+            expected="a feedback of what they show", hint="regulator(robot, kit)",
+        )  # fmt: skip
     estimator = kalman_filter(model, disturbed)
     design = Observed(estimator, feedback)
     return output_feedback(estimator, feedback.gain @ model.ahead, feedback.kind, design)
+
+
+def regulator(
+    robot: Robot,
+    kit: Kit,
+    dt: float,
+    Q: ArrayLike | None = None,
+    R: ArrayLike | None = None,
+    *,
+    disturbed: Disturbed = RECOVERED,
+) -> LinearController:
+    """`lqr` of the states that the sensors of `kit` show, `observed`."""
+    shown = sampled(robot, kit, dt).shown
+    return observed(lqr(robot, dt, Q, R, shown=shown), robot, kit, disturbed=disturbed)

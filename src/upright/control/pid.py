@@ -21,7 +21,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from upright.arrays import Array, Complex
-from upright.control.delay import RAW, SampledRobot, sampled
+from upright.control.delay import SampledRobot, sampled
 from upright.control.design import Design
 from upright.control.kalman import DISTURBED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
@@ -84,7 +84,7 @@ def pid(
     heading: float = HEADING[0],
     unwinding: float = 2.0,
     gains: Mapping[str, float] | None = None,
-    reads: tuple[str, ...] = RAW,
+    reads: tuple[str, ...] | None = None,
     disturbed: Disturbed = DISTURBED,
 ) -> LinearController:
     """The cascade for `robot` on the sensors of `kit`, with a heading loop that crosses over at `heading` [rad/s].
@@ -98,6 +98,7 @@ def pid(
     if not (heading > 0 and unwinding > 0):
         raise DesignFailed(f"heading {heading}, unwinding {unwinding}", expected="positive numbers")
     model = sampled(robot, kit, dt, reads)
+    model.check_position("pid")
     estimator = kalman_filter(model, disturbed)
     plane = _Plane(model)
     still = rolling(robot)

@@ -21,7 +21,7 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.atomic import finite
-from upright.control.delay import SampledRobot, sampled
+from upright.control.delay import RAW, SampledRobot, sampled
 from upright.control.design import Design
 from upright.control.family import LoopFamily, Plane, family, halves, plane, sides
 from upright.control.guaranteed import Guaranteed, guaranteed
@@ -140,10 +140,10 @@ def robust(
     robot, kit = find_robot(robot), find_kit(kit)
     near = draw(robot, tried, seed, uncertainty) if robots is None else list(robots)
     fresh = draw(robot, tried, seed + 1, uncertainty) if robots is None else near
-    model, *others = [sampled(each, kit, dt) for each in (robot, *near)]
+    model, *others = [sampled(each, kit, dt, RAW) for each in (robot, *near)]
     task = _Task(robot, model, [plane(other) for other in others], bryson(largest), command)
     best = min((_descended(task, *start) for start in _starts(task)), key=lambda result: result[0])
-    unseen = task.over([plane(sampled(each, kit, dt)) for each in fresh])
+    unseen = task.over([plane(sampled(each, kit, dt, RAW)) for each in fresh])
     return _chosen(unseen, best[1], [model, *others])
 
 

@@ -21,13 +21,15 @@ from upright.control.observer import memory, steady_state
 from upright.errors import DesignFailed, InvalidController
 from upright.robots import Kit, Robot, find_kit, find_robot
 
+SINGULAR = 1e9  # [1] condition of a cost that is of rank one but for rounding
 TIME, REACH, LAYER = 0.05, 0.02, 0.1
 """[s] in which the distance to the surface decays, and step and half width of the layer, of the usual command."""
 
 
 @dataclass(frozen=True, eq=False)
 class Sliding(Design):
-    """The surface S with S B = I, from the cost P of the regulator `base`; `keep` of s is left each period.
+    """The surface S with S B = I, from the cost P of the regulator `base`; `keep` of s is left each period. Where
+    nothing shows the heading, S B = I for both motors alike, and S B = 0 for both opposed.
 
     On s = 0 the state moves by A − B S A, which lowers xᵀPx at least as much as the regulator itself does.
     """
@@ -44,9 +46,9 @@ class Sliding(Design):
         return poles[np.argsort(-np.abs(poles))]
 
     def check(self) -> float:
-        """The largest of both Riccati residuals and of |S B − I|."""
-        normal = float(np.abs(self.S @ self.base.filter.sampled.plant.B - np.eye(2)).max())
-        return max(self.base.check(), normal)
+        """The largest of both Riccati residuals and of |S B S − S|, over the largest of S."""
+        left = self.S @ self.base.filter.sampled.plant.B @ self.S - self.S
+        return max(self.base.check(), float(np.abs(left).max() / np.abs(self.S).max()))
 
 
 @dataclass(eq=False, repr=False)
@@ -133,10 +135,17 @@ def sliding(
         )  # fmt: skip
     base = regulated(kalman_filter(model, disturbed), Q, R)
     B = model.plant.B
-    S: Array = np.asarray(np.linalg.solve(B.T @ base.P @ B, B.T @ base.P), dtype=np.float64)
+    S: Array = np.asarray(_divided(B.T @ base.P, B.T @ base.P @ B), dtype=np.float64)
     design = Sliding(base, S, keep)
     usual = 1 / math.sqrt(float(base.R.diagonal().mean()))
     return SlidingMode(_memory(design), reach * usual, layer * usual, design)
+
+
+def _divided(row: Array, by: Array) -> Array:
+    """`by`⁻¹ `row`, where `by` (2, 2) is of lower rank where nothing shows the heading: it asks nothing then."""
+    if np.linalg.cond(by) < SINGULAR:
+        return np.linalg.solve(by, row)
+    return np.linalg.pinv(by, rcond=1 / SINGULAR) @ row
 
 
 def _memory(design: Sliding) -> LinearController:

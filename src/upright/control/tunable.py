@@ -19,7 +19,7 @@ from upright.control.lqg import lqg
 from upright.control.lqi import LARGEST_INTEGRAL, lqi
 from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson, lqr
 from upright.control.mpc import HORIZON, mpc
-from upright.control.observed import observed
+from upright.control.observed import regulator
 from upright.control.pid import Pid, pid
 from upright.control.sliding import LAYER, REACH, TIME, sliding
 from upright.robots import Kit, Robot
@@ -52,14 +52,18 @@ class Tunable:
     make: Callable[[Robot, Kit, float, Weights], Controller]
 
 
-def _regulator() -> dict[str, float]:
-    """Bryson's sizes of the pitch plane, and the filter's noise where the command enters (`Disturbed.motor`)."""
-    return {**dict(zip(PLANE, LARGEST_STATE, strict=False)), "motor_noise": RECOVERED.motor}
+def _regulator(robot: Robot, kit: Kit, dt: float) -> dict[str, float]:
+    """Bryson's sizes of what is shown of the pitch plane, and the filter's noise where the command enters
+    (`Disturbed.motor`)."""
+    hidden = sampled(robot, kit, dt).hidden
+    sizes = {name: size for name, size in zip(PLANE, LARGEST_STATE, strict=False) if name not in hidden}
+    return sizes | {"motor_noise": RECOVERED.motor}
 
 
 def largest_of(weights: Weights) -> tuple[float, ...]:
-    """Bryson's sizes (6,) with those of the pitch plane from `weights`."""
-    return (*(weights[name] for name in PLANE), *LARGEST_STATE[4:])
+    """Bryson's sizes (6,) with those of the pitch plane from `weights`, where they hold them."""
+    default = zip(PLANE, LARGEST_STATE, strict=False)
+    return (*(weights.get(name, size) for name, size in default), *LARGEST_STATE[4:])
 
 
 def sized(make: Callable[..., Controller]) -> Tunable:
@@ -77,8 +81,8 @@ def sized(make: Callable[..., Controller]) -> Tunable:
 def _by_weights(method: Callable[..., Controller], integral: bool = False) -> Tunable:
     """A method of Q and R behind a filter."""
 
-    def defaults(_robot: Robot, _kit: Kit, _dt: float) -> dict[str, float]:
-        return _regulator() | ({"integral": LARGEST_INTEGRAL} if integral else {})
+    def defaults(robot: Robot, kit: Kit, dt: float) -> dict[str, float]:
+        return _regulator(robot, kit, dt) | ({"integral": LARGEST_INTEGRAL} if integral else {})
 
     def make(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
         own = (weights["integral"],) if integral else ()
@@ -95,11 +99,11 @@ def _common(robot: Robot, weights: Weights, integral: tuple[float, ...] = ()) ->
 
 
 def _lqr(robot: Robot, kit: Kit, dt: float, Q: Any, R: Any, disturbed: Disturbed) -> Controller:
-    return observed(lqr(robot, dt, Q, R), robot, kit, disturbed=disturbed)
+    return regulator(robot, kit, dt, Q, R, disturbed=disturbed)
 
 
-def _sliding_defaults(_robot: Robot, _kit: Kit, _dt: float) -> dict[str, float]:
-    return _regulator() | {"time": TIME, "reach": REACH, "layer": LAYER}
+def _sliding_defaults(robot: Robot, kit: Kit, dt: float) -> dict[str, float]:
+    return _regulator(robot, kit, dt) | {"time": TIME, "reach": REACH, "layer": LAYER}
 
 
 def _sliding(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
@@ -110,7 +114,7 @@ def _sliding(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
 def _mpc_defaults(robot: Robot, kit: Kit, dt: float) -> dict[str, float]:
     noise = offset_free(sampled(robot, kit, dt))
     own = {"motor_noise": noise.motor, "push_walk": noise.push_walk, "horizon": float(HORIZON)}
-    return _regulator() | own
+    return _regulator(robot, kit, dt) | own
 
 
 def _mpc(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
