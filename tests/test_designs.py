@@ -459,8 +459,10 @@ def test_sensors_that_do_not_show_the_state_are_refused():
         lqg(NXT, Kit(name="blind"))
     with pytest.raises(SpecMismatch, match="no linear row"):
         lqg(NXT, Kit.preset("twipr"), reads=(*RAW, "sensor/accel_up"))
-    with pytest.raises(DesignFailed, match="both encoders"):
-        kalman_filter(sampled(NXT, KIT, 0.01, ("sensor/gyro",)))
+    with pytest.raises(DesignFailed, match="both encoders"):  # a compass shows nothing of the lean
+        kalman_filter(
+            sampled(NXT, Kit(name="compass", sensors={"sensor/compass": Sensor()}), 0.01, ("sensor/compass",))
+        )
 
 
 @pytest.mark.parametrize("preset", ["nxtway-gs"])

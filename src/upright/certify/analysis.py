@@ -11,7 +11,7 @@ import numpy as np
 
 from upright.arrays import Array, Complex
 from upright.certify.gap import nu_gap, stability_margin
-from upright.certify.loop import Loop, commanded_plant, robot_loop
+from upright.certify.loop import LATEST, Loop, RobotLoop, robot_loop
 from upright.certify.margins import (
     Margins,
     ScalarResponse,
@@ -24,10 +24,7 @@ from upright.certify.margins import (
 )
 from upright.certify.mu import Mu, parameter_mu
 from upright.control.controller import Controller, controller_hash
-from upright.control.delay import MOST_PERIODS, sampled
 from upright.control.lqr import LARGEST_COMMAND
-from upright.control.near_rest import near_rest
-from upright.control.state_space import controller_of
 from upright.physics.dynamics import motor_gain
 from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot
@@ -41,11 +38,9 @@ if TYPE_CHECKING:
 INPUTS = {"left motor": (1.0, 0.0), "right motor": (0.0, 1.0), "both motors": (1.0, 1.0), "steering": (-1.0, 1.0)}
 """Where the loop is broken at the robot's input: one motor, both alike, both opposed."""
 
-LATEST = 0.3  # [s] more delay than this no balancing robot survives
 ROUNDED = 1e-6  # an integrator's pole, which is at 1 but for rounding, is not unstable
 NEAR_ZERO = 1e-5  # beyond 1: nearer to frequency zero than any motion of a robot, farther than rounding of a pole at 1
 SHOWN_GAIN = 0.01  # a smaller loop gain sets no margin, and is not drawn
-FINEST = 1e-3  # [s] steps of delay: a loop that is unstable between two of them alone is not found
 DRAWN = 200
 COMPARABLE = {"sensor/gyro": 1.5, "sensor/compass": 0.5, "sensor/pitch": 0.15, "sensor/accel_forward": 1.5}
 """[rad/s, rad, rad, m/s²] Bryson's sizes of the readings; an accelerometer shows g times a lean."""
@@ -60,7 +55,7 @@ class Analysis(Shown):
     `delay` [s] is the delay margin, found by increasing the dead time of the sampled robot itself. `coprime` is b(P,
     C), and `gap` the largest ν-gap of the drawn robots, both with inputs and outputs in comparable units. `radii` (n,)
     are the largest |pole| of each drawn robot, `drawn` (n, states) their poles, and `strengths` (n,) how strong their
-    motors are, over the nominal ones. `hidden` are the states that no reading shows, whose poles are left out.
+    motors are, over the nominal ones. `loop` is what all this is of.
     """
 
     robot: str
@@ -76,9 +71,8 @@ class Analysis(Shown):
     gap: float
     drawn: Complex
     strengths: Array
-    loop: Loop
+    loop: RobotLoop
     mu: Mu | None = None
-    hidden: tuple[str, ...] = ()
 
     @property
     def stable(self) -> bool:
@@ -112,7 +106,7 @@ class Analysis(Shown):
 
     def words(self) -> list[str]:
         """The result, in sentences."""
-        unseen = [unseen_in_words(self.hidden)] if self.hidden else []
+        unseen = [unseen_in_words(self.loop.hidden)] if self.loop.hidden else []
         if not self.stable:
             return [sentence(instability(self.radius, self.period)), *unseen]
         low, high = disk_gain(self.disk)
@@ -299,24 +293,23 @@ def analyse(
     the controller has no linear form.
     """
     loop = robot_loop(robot, controller, kit)
-    linear = near_rest(controller)
     family = draw(robot, DRAWN, seed) if robots is None else list(robots)
-    plants = [commanded_plant(sampled(each, kit, linear.period, linear.reads, longest=MOST_PERIODS)) for each in family]
-    drawn = [Loop(plant, loop.controller).closed.poles() for plant in plants]
-    readings = [COMPARABLE.get(name, _ANGLE) for name in linear.reads]
+    loops = [loop.on(each) for each in family]
+    drawn = [other.closed.poles() for other in loops]
+    readings = [COMPARABLE.get(name, _ANGLE) for name in loop.linear.reads]
     command = [LARGEST_COMMAND[robot.command_unit]] * 2
     scaled = Loop(loop.plant.scaled(command, readings), loop.controller.scaled(readings, command))
-    dead_time = delay_margin(robot, controller, kit)
-    every = loop_margins(robot, controller, kit, dead_time=dead_time)
+    near = [other.plant.scaled(command, readings) for other in loops[:GAPS] if loop.stable]
+    dead_time = loop.delay_margin()
+    every = loop_margins(loop, dead_time=dead_time)
     return Analysis(
-        robot=robot.name, controller=controller.spec.kind, hash=controller_hash(controller), period=linear.period,
+        robot=robot.name, controller=controller.spec.kind, hash=controller_hash(controller), period=loop.linear.period,
         poles=loop.closed.poles(), loop=loop, drawn=np.array(drawn),
         strengths=np.array([motor_gain(each) for each in family]) / motor_gain(robot),
         inputs=every[: len(INPUTS)], outputs=every[len(INPUTS) :],
         disk=disk_margin(loop.at_input), delay=dead_time, coprime=stability_margin(scaled),
-        gap=_largest_gap(scaled.plant, [plant.scaled(command, readings) for plant in plants[:GAPS] if loop.stable]),
+        gap=_largest_gap(scaled.plant, near),
         mu=parameter_mu(robot, controller, kit) if with_mu else None,
-        hidden=sampled(robot, kit, linear.period, linear.reads, longest=MOST_PERIODS).hidden,
     )  # fmt: skip
 
 
@@ -339,22 +332,19 @@ def _at_output(loop: Loop, i: int, name: str, *, peaks: bool) -> Margins:
     return margins(loop.at_output, np.eye(len(loop.plant.C))[i], short(name), peaks=peaks)
 
 
-def loop_margins(
-    robot: Robot, controller: Controller, kit: Kit, *, peaks: bool = True, dead_time: float | None = None
-) -> tuple[Margins, ...]:
+def loop_margins(loop: RobotLoop, *, peaks: bool = True, dead_time: float | None = None) -> tuple[Margins, ...]:
     """The margins of the stable loop broken at each of `INPUTS`, then at each reading; `dead_time` is its
     `delay_margin` [s], where that is known.
 
     The delays of both motors and of each sensor are not above those by which the sampled robot becomes unstable.
     """
-    loop = robot_loop(robot, controller, kit)
-    dead_time = delay_margin(robot, controller, kit) if dead_time is None else dead_time
+    dead_time = loop.delay_margin() if dead_time is None else dead_time
     every = [_at_input(loop, name, dead_time, peaks=peaks) for name in INPUTS]
-    for i, name in enumerate(near_rest(controller).reads):
+    for i, name in enumerate(loop.linear.reads):
         broken_there = _at_output(loop, i, name, peaks=peaks)
         least = min(m.delay for m in (*every, broken_there))
-        if name in kit.sensors:
-            exact = delay_margin(robot, controller, kit, at=name, latest=min(least, LATEST))
+        if name in loop.kit.sensors:
+            exact = loop.delay_margin(name, min(least, LATEST))
             broken_there = replace(broken_there, delay=min(broken_there.delay, exact))
         every.append(broken_there)
     return tuple(every)
@@ -362,40 +352,6 @@ def loop_margins(
 
 def _largest_gap(nominal: LinearModel, others: Sequence[LinearModel]) -> float:
     return max((nu_gap(nominal, other) for other in others), default=0.0)
-
-
-def delay_margin(robot: Robot, controller: Controller, kit: Kit, *, at: str = "", latest: float = LATEST) -> float:
-    """How much more dead time [s] the loop survives when the controller does not know of it; infinite beyond `latest`.
-
-    With `at`, a sensor's channel, it is that sensor's delay that grows. It is raised by `FINEST` until the loop of
-    the robot sampled with it is unstable, then bisected.
-    """
-    linear = near_rest(controller)
-    nominal = sampled(robot, kit, linear.period, linear.reads, longest=MOST_PERIODS)
-    K = controller_of(linear, nominal.delay)
-
-    def stable(more: float) -> bool:
-        delayed = sampled(robot, delayed_kit(kit, more, at), linear.period, linear.reads, longest=MOST_PERIODS)
-        return Loop(commanded_plant(delayed), K).stable
-
-    high = low = 0.0
-    while stable(high):
-        low = high
-        high = high + FINEST
-        if high > latest:
-            return math.inf
-    for _ in range(12 if high else 0):
-        middle = (low + high) / 2
-        low, high = (middle, high) if stable(middle) else (low, middle)
-    return low
-
-
-def delayed_kit(kit: Kit, more: float, at: str) -> Kit:
-    """The kit with so much more dead time [s], or with as much more delay of the sensor `at`."""
-    if not at:
-        return replace(kit, delay=kit.delay + more)
-    sensor = kit.sensors[at]
-    return replace(kit, sensors=kit.sensors | {at: replace(sensor, delay=sensor.delay + more)})
 
 
 def broken_input(loop: Loop, direction: Sequence[float]) -> LinearModel:

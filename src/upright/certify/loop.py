@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -10,11 +11,16 @@ import numpy as np
 from upright.arrays import Array
 from upright.control.controller import Controller
 from upright.control.delay import MOST_PERIODS, SampledRobot, sampled
+from upright.control.linear_controller import LinearController
 from upright.control.near_rest import near_rest
 from upright.control.state_space import controller_of, plant_of
 from upright.errors import InvalidModel, SpecMismatch
+from upright.physics.interconnect import feedback
 from upright.physics.linear import LinearModel, decays, one_period
 from upright.robots import Kit, Robot
+
+LATEST = 0.3  # [s] more delay than this no balancing robot survives
+FINEST = 1e-3  # [s] steps of delay: a loop that is unstable between two of them alone is not found
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,9 +51,7 @@ class Loop:
     @cached_property
     def closed(self) -> LinearModel:
         """From a disturbance at the commands to the readings."""
-        P, K = self.plant, self.controller
-        B = np.vstack([P.B, K.B @ P.D])
-        return LinearModel(self._moves, B, np.hstack([P.C, P.D @ K.C]), P.D, P.dt)
+        return feedback(self.plant, self.controller, sign=1.0)
 
     @cached_property
     def _moves(self) -> Array:
@@ -65,8 +69,41 @@ class Loop:
         return decays(self._moves, continuous=self.plant.continuous)
 
 
-def robot_loop(robot: Robot, controller: Controller, kit: Kit) -> Loop:
-    """The loop of `controller` on `robot` with the dead time and the sensor delays of `kit`.
+@dataclass(frozen=True, eq=False, kw_only=True)
+class RobotLoop(Loop):
+    """The loop of a controller, `linear` near rest, on a robot with the dead time and the sensor delays of its kit.
+
+    Its readings tell nothing of the states `hidden`, whose poles are left out.
+    """
+
+    robot: Robot
+    kit: Kit
+    linear: LinearController
+    hidden: tuple[str, ...]
+
+    def on(self, robot: Robot | None = None, kit: Kit | None = None) -> Loop:
+        """The same controller, which knows nothing of it, on another robot or with another kit."""
+        return Loop(commanded_plant(_sampled(robot or self.robot, kit or self.kit, self.linear)), self.controller)
+
+    def delay_margin(self, at: str = "", latest: float = LATEST) -> float:
+        """As the function of that name."""
+        high = low = 0.0
+        while self._bears(high, at):
+            low = high
+            high = high + FINEST
+            if high > latest:
+                return math.inf
+        for _ in range(12 if high else 0):
+            middle = (low + high) / 2
+            low, high = (middle, high) if self._bears(middle, at) else (low, middle)
+        return low
+
+    def _bears(self, more: float, at: str) -> bool:
+        return self.on(kit=delayed_kit(self.kit, more, at)).stable
+
+
+def robot_loop(robot: Robot, controller: Controller, kit: Kit) -> RobotLoop:
+    """The loop of `controller` on `robot` with `kit`.
 
     The controller's feedback of the applied command is part of the controller. So a broken loop is broken at the
     motors' effect on the robot. A controller that is linear only near rest is analysed there. Raises
@@ -77,10 +114,34 @@ def robot_loop(robot: Robot, controller: Controller, kit: Kit) -> Loop:
         raise SpecMismatch(
             f"the controller commands {linear.command_unit}", expected=f"{robot.command_unit}, as '{robot.name}'"
         )
-    model = sampled(robot, kit, linear.period, linear.reads, longest=MOST_PERIODS)
-    return Loop(commanded_plant(model), controller_of(linear, model.delay))
+    model = _sampled(robot, kit, linear)
+    return RobotLoop(
+        commanded_plant(model), controller_of(linear, model.delay), robot=robot, kit=kit, linear=linear,
+        hidden=model.hidden,
+    )  # fmt: skip
+
+
+def delay_margin(robot: Robot, controller: Controller, kit: Kit, *, at: str = "", latest: float = LATEST) -> float:
+    """How much more dead time [s] the loop survives when the controller does not know of it; infinite beyond `latest`.
+
+    With `at`, a sensor's channel, it is that sensor's delay that grows. It is raised by `FINEST` until the loop of
+    the robot sampled with it is unstable, then bisected.
+    """
+    return robot_loop(robot, controller, kit).delay_margin(at, latest)
+
+
+def delayed_kit(kit: Kit, more: float, at: str) -> Kit:
+    """The kit with so much more dead time [s], or with as much more delay of the sensor `at`."""
+    if not at:
+        return replace(kit, delay=kit.delay + more)
+    sensor = kit.sensors[at]
+    return replace(kit, sensors=kit.sensors | {at: replace(sensor, delay=sensor.delay + more)})
 
 
 def commanded_plant(model: SampledRobot) -> LinearModel:
     """From the commands alone to the readings."""
     return plant_of(model, pushed=False)
+
+
+def _sampled(robot: Robot, kit: Kit, linear: LinearController) -> SampledRobot:
+    return sampled(robot, kit, linear.period, linear.reads, longest=MOST_PERIODS)

@@ -27,7 +27,7 @@ GRID = 3000
 
 AT_ONCE = 256  # frequencies for which the matrices of a response are in memory together
 FEW = 8  # frequencies for which a solution for each is quicker than one for all, of 18 to 56 states
-_UNBOUNDED = 1e6  # a response as large as this at a crossing is that of a pole: the gain may fall a million times
+_UNBOUNDED = 1e6  # a response as large as this at a crossing is that of a pole, one as small is nothing but rounding
 _NEARLY_REAL = 1e-3  # a zero this near the real axis, relative to its size, may be a double one that rounding has split
 
 SLOWEST = 1e-3  # [rad/s] two hours: nothing of a robot's loop is slower
@@ -229,7 +229,7 @@ def _gain_interval(system: LinearModel, scalar: ScalarLoop, grid: Array, loop: C
     ends = [_at_zero(system), system.D[0, 0] if system.continuous else scalar(grid[-1:])[0].real]
     real = np.append(scalar(crossings).real, ends)
     at = np.append(crossings, [0.0, grid[-1]])
-    kept = (real < 0) & (real > -_UNBOUNDED)
+    kept = (real < -1 / _UNBOUNDED) & (real > -_UNBOUNDED)
     factors = np.append(-1 / real[kept], [0.0, math.inf])
     at = np.append(at[kept], [math.nan, math.nan])
     low = int(np.argmax(np.where(factors < 1, factors, -1.0)))

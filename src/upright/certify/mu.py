@@ -17,14 +17,12 @@ from typing import Any
 import numpy as np
 
 from upright.arrays import Array, Complex
-from upright.certify.loop import Loop, commanded_plant
+from upright.certify.loop import RobotLoop, robot_loop
 from upright.certify.margins import SLOWEST
 from upright.certify.scaling import Block, Scaling, balanced, best_scaling
 from upright.control.controller import Controller
-from upright.control.delay import sampled
-from upright.control.near_rest import near_rest
-from upright.control.state_space import controller_of
 from upright.errors import InvalidModel, InvalidRobot
+from upright.physics.interconnect import lft
 from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import deviations
@@ -80,25 +78,17 @@ def parameter_mu(
     Infinite bounds where the nominal loop is unstable. Raises `InvalidController` where the controller is not linear.
     """
     chosen = dict(intervals or {name: REACH * size for name, size in deviations(robot).items()})
-    linear = near_rest(controller)
-    delay = sampled(robot, kit, linear.period, linear.reads).delay
-    K = controller_of(linear, delay)
-
-    def plant(changed: Mapping[str, float]) -> LinearModel:
-        return commanded_plant(
-            sampled(robot.replace(**changed) if changed else robot, kit, linear.period, linear.reads)
-        )
-
-    nominal = plant({})
-    slopes, curvature = _slopes(robot, plant, nominal, chosen)
+    loop = robot_loop(robot, controller, kit)
+    nominal, K = loop.plant, loop.controller
+    slopes, curvature = _slopes(loop, chosen)
     factors = {name: _factors(slope) for name, slope in slopes.items()}
     ranks = {name: L.shape[1] for name, (L, _) in factors.items()}
-    if not Loop(nominal, K).stable:
+    if not loop.stable:
         return Mu(math.inf, math.inf, 0.0, ranks, {}, curvature)
     N = _uncertain(nominal, K, list(factors.values()))
     blocks = [(rank, True) for rank in ranks.values()]
     lower, signs = _lower(nominal, K, slopes)
-    fastest = math.pi / linear.period
+    fastest = math.pi / nominal.dt
     crossing = _crossing(nominal, K, slopes, signs, lower) if lower else 0.0
     grid = np.array([0.0, *np.geomspace(SLOWEST, fastest, points), crossing])  # μ of real numbers may jump at z = ±1
     upper, at = _peak(N.response(grid), blocks)
@@ -118,15 +108,13 @@ def _peak(matrices: Complex, blocks: Sequence[Block]) -> tuple[float, int]:
     return float(bounds[at]), at
 
 
-def _slopes(
-    robot: Robot, plant: Any, nominal: LinearModel, chosen: Mapping[str, float]
-) -> tuple[dict[str, Array], float]:
+def _slopes(loop: RobotLoop, chosen: Mapping[str, float]) -> tuple[dict[str, Array], float]:
     """Mᵢ of each parameter that counts, and the largest fraction of curvature."""
     result: dict[str, Array] = {}
     curvature = 0.0
-    centre = _stacked(nominal)
+    centre = _stacked(loop.plant)
     for name, width in chosen.items():
-        high, low, fraction = _ends(robot, plant, name, width)
+        high, low, fraction = _ends(loop, name, width)
         result[name], bend = (high - low) / (2 * fraction), ((high + low) / 2 - centre) / fraction**2
         scale = np.linalg.norm(result[name])
         curvature = max(curvature, float(np.linalg.norm(bend) / scale) if scale > 0 else 0.0)
@@ -134,12 +122,13 @@ def _slopes(
     return {name: slope for name, slope in result.items() if np.abs(slope).max() > _SMALL * largest}, curvature
 
 
-def _ends(robot: Robot, plant: Any, name: str, width: float) -> tuple[Array, Array, float]:
+def _ends(loop: RobotLoop, name: str, width: float) -> tuple[Array, Array, float]:
     """The robot at both ends of an interval, or of the share of it whose ends are robots."""
-    value = getattr(robot, name)
+    value = getattr(loop.robot, name)
     for fraction in (1.0, 0.5, 0.25, 0.1, 0.01):
         try:
-            high, low = (_stacked(plant({name: value + sign * fraction * width})) for sign in (1.0, -1.0))
+            ends = [loop.on(loop.robot.replace(**{name: value + sign * fraction * width})) for sign in (1.0, -1.0)]
+            high, low = (_stacked(end.plant) for end in ends)
         except InvalidRobot:
             continue
         return high, low, fraction
@@ -164,13 +153,9 @@ def _uncertain(P: LinearModel, K: LinearModel, factors: Sequence[tuple[Array, Ar
     """From w to z with the loop closed: x⁺ = A x + B u + L₁ w, y = C x + L₂ w, z = R₁ x + R₂ u, u = K y (D = 0)."""
     n = len(P.A)
     L, R = np.hstack([left for left, _ in factors]), np.vstack([right for _, right in factors])
-    L1 = L[:n]
-    L2 = L[n:]
-    R1 = R[:, :n]
-    R2 = R[:, n:]
-    A = np.block([[P.A + P.B @ K.D @ P.C, P.B @ K.C], [K.B @ P.C, K.A]])
-    B = np.vstack([L1 + P.B @ K.D @ L2, K.B @ L2])
-    return LinearModel(A, B, np.hstack([R1 + R2 @ K.D @ P.C, R2 @ K.C]), R2 @ K.D @ L2, P.dt)
+    B, C = np.hstack([L[:n], P.B]), np.vstack([R[:, :n], P.C])
+    D = np.block([[np.zeros((len(R), L.shape[1])), R[:, n:]], [L[n:], P.D]])
+    return lft(LinearModel(P.A, B, C, D, P.dt), K)
 
 
 def _lower(P: LinearModel, K: LinearModel, slopes: Mapping[str, Array]) -> tuple[float, dict[str, float]]:

@@ -87,7 +87,7 @@ def linear_margins(controller: Controller, robot: Robot, kit: Kit, *, usual: boo
     radius = float(np.abs(loop.closed.poles()).max())
     if radius >= 1 - ROUNDED:
         return LinearMargins(radius, 1.0, 1.0, 0.0)
-    every = loop_margins(robot, controller, kit, peaks=False)
+    every = loop_margins(loop, peaks=False)
     low, high = max(every, key=lambda m: m.gain_low), min(every, key=lambda m: m.gain_high)
     first = min(every, key=lambda m: m.delay)
     at = (low.channel, high.channel, first.channel)

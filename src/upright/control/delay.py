@@ -145,34 +145,37 @@ def sampled(
 
 @dataclass(frozen=True, eq=False)
 class _Senses:
-    """The robot in continuous time on its sensors, `model`. A push at the centre of mass, at that `height` [m], is `felt`
-    by the readings (p,) at once. `shown` of the states are told by them, and a lasting push where `tells_push`."""
+    """The robot in continuous time on its sensors, `model`; what 1 N at the centre of mass, at that `height` [m], adds
+    to the readings at once, `by_push` (p,). They tell which states are `shown`, and whether a push lasts where
+    `tells_push`.
+    """
 
     model: LinearModel
     height: float
-    felt: Array
+    by_push: Array
     shown: list[bool]
     tells_push: bool
 
 
 @lru_cache(maxsize=1024)
 def _senses(robot: Robot, reads: tuple[str, ...], sensors: tuple[Sensor, ...]) -> _Senses:
-    model, felt = sensed(linearise_rolling(robot), reads, robot, dict(zip(reads, sensors, strict=True)))
-    push, felt = (matrix[:, 0] + robot.com_height * matrix[:, 1] for matrix in (model.E, felt))
-    told = np.abs(model.C).max(axis=0, initial=0.0) > 0
+    model, F = sensed(linearise_rolling(robot), reads, robot, dict(zip(reads, sensors, strict=True)))
+    push, by_push = (matrix[:, 0] + robot.com_height * matrix[:, 1] for matrix in (model.E, F))
+    seen = np.abs(model.C).max(axis=0, initial=0.0) > 0
     moves = np.abs(model.A) > _ZERO * np.abs(model.A).max(axis=1, keepdims=True)
     for _ in model.states:
-        told = told | moves[told].any(axis=0)
-    standing = told[STATE_NAMES.index("pitch")]  # without its lean all is hopeless, and nothing is left out
-    shown = [bool(told[i]) or name not in _FREE or not standing for i, name in enumerate(model.states)]
-    steady = np.block([[model.A[shown][:, shown], push[shown, None]], [model.C[:, shown], felt[:, None]]])
+        seen = seen | moves[seen].any(axis=0)
+    standing = seen[STATE_NAMES.index("pitch")]  # without its lean all is hopeless, and nothing is left out
+    shown = [bool(seen[i]) or name not in _FREE or not standing for i, name in enumerate(model.states)]
+    steady = np.block([[model.A[shown][:, shown], push[shown, None]], [model.C[:, shown], by_push[:, None]]])
     if GYRO in reads:
         bias = np.zeros((len(steady), 1))
         bias[sum(shown) + reads.index(GYRO)] = 1.0
         steady = np.hstack([steady, bias])
     steady = steady / np.maximum(np.linalg.norm(steady, axis=0), _ZERO)
-    # the push is told where no lean, rate and bias together look like one that lasts (Hautus's test at frequency zero)
-    return _Senses(model, robot.com_height, felt, shown, bool(np.linalg.matrix_rank(steady, tol=_SAME) == steady.shape[1]))
+    # no lean, rate and bias together look like a push that lasts (Hautus's test at frequency zero)
+    tells_push = bool(np.linalg.matrix_rank(steady, tol=_SAME) == steady.shape[1])
+    return _Senses(model, robot.com_height, by_push, shown, tells_push)
 
 
 class _Between:
@@ -228,11 +231,11 @@ def _assembled(robot: Robot, kit: Kit, between: _Between, sensors: Sequence[Sens
         c, d = model.C[i], model.D[i]
         if count:
             phi, old, new, force = between(h)
-            felt = c @ force + senses.felt[i]
+            pushed = c @ force + senses.by_push[i]
             commands = np.concatenate([c @ new, c @ old])
             commands[:2] += d * (h > between.rest)  # what the motors get at that moment shows at once
             commands[2:] += d * (h <= between.rest)
-            A[place, :m], A[place, push], B[place], E[place] = c @ phi, felt, commands, felt
+            A[place, :m], A[place, push], B[place], E[place] = c @ phi, pushed, commands, pushed
             A[place + 1 : place + count, place : place + count] = delay_line(1, count, between.dt).A[1:]
             C[i, place + count - 1] = 1.0
         else:

@@ -32,6 +32,7 @@ from upright.control.observer import steady
 from upright.control.state_space import continuous, discrete, kept, plant_of
 from upright.errors import DesignFailed
 from upright.physics.dynamics import turn_ratio
+from upright.physics.interconnect import append, lft
 from upright.physics.linear import LinearModel, delay_line
 from upright.physics.sensing import sensor_matrix
 from upright.robots import Kit, Robot, find_kit, find_robot
@@ -73,18 +74,7 @@ class Channel:
     @property
     def closed(self) -> LinearModel:
         """From w to z under the controller."""
-        P, K = self.problem, self.controller
-        m, p = K.D.shape
-        Bw = P.B[:, :-m]
-        Bu = P.B[:, -m:]
-        Cz = P.C[:-p]
-        Cy = P.C[-p:]
-        Dzw = P.D[:-p, :-m]
-        Dzu = P.D[:-p, -m:]
-        Dyw = P.D[-p:, :-m]
-        A = np.block([[P.A + Bu @ K.D @ Cy, Bu @ K.C], [K.B @ Cy, K.A]])
-        B = np.vstack([Bw + Bu @ K.D @ Dyw, K.B @ Dyw])
-        return LinearModel(A, B, np.hstack([Cz + Dzu @ K.D @ Cy, Dzu @ K.C]), Dzw + Dzu @ K.D @ Dyw, P.dt)
+        return lft(self.problem, self.controller)
 
     def norm(self) -> float:
         """The largest gain of the closed discrete loop; infinite where it is unstable."""
@@ -238,16 +228,14 @@ def _assembled(model: SampledRobot, design: Hinf, wants: Expected, size: float) 
     forward = design.forward.controller.scaled(errors, [1 / size])
     turning = design.turning.controller.scaled(errors[:1], [1 / size])
     split = np.array([[0.5, 0.5, 0.0], [0.0, 0.0, 1.0], [-0.5, 0.5, 0.0]])
-    n, k = len(forward.A), len(turning.A)
-    A = np.block([[forward.A, np.zeros((n, k))], [np.zeros((k, n)), turning.A]])
-    By = np.block([[forward.B, np.zeros((n, 1))], [np.zeros((k, 2)), turning.B]]) @ split
     join = np.array([[1.0, -1.0], [1.0, 1.0]])
-    C = join @ np.block([[forward.C, np.zeros((1, k))], [np.zeros((1, n)), turning.C]])
-    Dy = join @ np.block([[forward.D, np.zeros((1, 1))], [np.zeros((1, 2)), turning.D]]) @ split
+    both = append(forward, turning)
+    whole = LinearModel(both.A, both.B @ split, join @ both.C, join @ both.D @ split, model.dt)
     shown, due = _reference(model)
-    whole = LinearModel(A, By, C, Dy, model.dt)
     noise = np.array([wants.errors[name == GYRO] for name in model.reads])
-    return _conditioned(model, whole, _conditioning(whole, noise, size), (-By @ shown, due - Dy @ shown), design)
+    return _conditioned(
+        model, whole, _conditioning(whole, noise, size), (-whole.B @ shown, due - whole.D @ shown), design
+    )
 
 
 def _conditioning(K: LinearModel, noise: Array, size: float) -> Array:
@@ -264,15 +252,14 @@ def _conditioned(
     model: SampledRobot, K: LinearModel, H: Array, reference: tuple[Array, Array], design: Hinf
 ) -> LinearController:
     """The controller corrected by what the motors did, after as many periods as the command is on its way."""
-    line, (Br, Dr) = delay_line(2, model.delay, model.dt), reference
-    H0 = H @ line.D  # of a command that arrives at once
-    A = np.block([[K.A - H0 @ K.C, -H @ line.C], [line.B @ K.C, line.A]])
-    By = np.vstack([K.B - H0 @ K.D, line.B @ K.D])
-    Br = np.vstack([Br - H0 @ Dr, line.B @ Dr])
-    Ba = np.vstack([H, np.zeros_like(line.B)])
-    C = np.hstack([K.C, np.zeros_like(line.C)])
+    Br, Dr = reference
+    B = np.hstack([K.B, Br, H, -H])  # of readings, reference, the command applied, and that which should be
+    D = np.hstack([K.D, Dr, np.zeros((2, 4))])
+    twice = LinearModel(K.A, B, np.vstack([K.C, K.C]), np.vstack([D, D]), model.dt)
+    whole = lft(twice, delay_line(2, model.delay, model.dt))
+    By, Br, Ba = np.split(whole.B, [len(model.reads), len(model.reads) + 6], axis=1)
     return LinearController(
-        A, By, Br, Ba, C, K.D, Dr, reads=model.reads, period=model.dt,
+        whole.A, By, Br, Ba, whole.C, K.D, Dr, reads=model.reads, period=model.dt,
         command_unit=model.robot.command_unit, kind="hinf", design=design,
     )  # fmt: skip
 

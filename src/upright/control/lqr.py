@@ -99,8 +99,10 @@ def among(matrix: Array, kept: Sequence[int]) -> Array:
 
 
 def riccati(model: LinearModel, Q: Array, R: Array, kept: Sequence[int] | None = None) -> tuple[Array, Array]:
-    """The stabilising solution P of the discrete Riccati equation and its gain K; `DesignFailed` where none is. Both are
-    zero but for the states `kept` (None: all), which the others neither move nor burden by Q."""
+    """The stabilising solution P of the discrete Riccati equation and its gain K; `DesignFailed` where none is.
+
+    Both are zero but for the states `kept` (None: all), which the others neither move nor burden by Q.
+    """
     from scipy.linalg import LinAlgError, solve_discrete_are
 
     if kept is not None and len(kept) < len(model.A):

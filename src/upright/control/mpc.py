@@ -201,9 +201,9 @@ def mpc(
     """The predictive controller of `robot` on the sensors of `kit`, over `horizon` periods.
 
     Q and R as in `lqg`; `limit` of each command (None: what the kit gives), `pitch` [rad] and `travel` [m] from the
-    reference, both soft, of which the second falls away without encoders; the `iterations` in a period; `blocks` [periods], which sum to the horizon, by default
-    `doubling`; `disturbed` is by default `offset_free`. Raises `DesignFailed` like `lqg`, or for bounds that are not
-    positive.
+    reference, both soft, the latter only where encoders show it; the `iterations` in a period; `blocks` [periods],
+    which sum to the horizon, by default `doubling`; `disturbed` is by default `offset_free`. Raises `DesignFailed`
+    like `lqg`, or for bounds that are not positive.
     """
     robot, kit = find_robot(robot), find_kit(kit)
     if horizon not in range(1, 201):

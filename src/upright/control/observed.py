@@ -51,8 +51,8 @@ def observed(
 ) -> LinearController:
     """`feedback` of the true state, designed without dead time, for `robot` on the sensors of `kit`.
 
-    Raises `SpecMismatch` for a sensor the kit does not have, a state that no reading shows, or a command in another unit
-    than the robot's, `DesignFailed` where no filter exists.
+    Raises `SpecMismatch` for a sensor the kit does not have, a state that no reading shows, or a command in another
+    unit than the robot's, `DesignFailed` where no filter exists.
     """
     if feedback.command_unit != robot.command_unit:
         raise SpecMismatch(

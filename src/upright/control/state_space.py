@@ -9,6 +9,7 @@ import numpy as np
 from upright.control.delay import SampledRobot
 from upright.control.linear_controller import LinearController
 from upright.errors import InvalidModel
+from upright.physics.interconnect import lft
 from upright.physics.linear import LinearModel, delay_line
 from upright.signals import STATE_NAMES
 
@@ -73,9 +74,7 @@ def kept(model: SampledRobot) -> list[int]:
 
 def controller_of(linear: LinearController, delay: int) -> LinearModel:
     """From the readings to the commands, when the command applied is the one of `delay` periods ago."""
-    C = linear.C
-    D = linear.Dy
-    line = delay_line(2, delay, linear.period)
-    A = np.block([[linear.A + linear.Ba @ line.D @ C, linear.Ba @ line.C], [line.B @ C, line.A]])
-    B = np.vstack([linear.By + linear.Ba @ line.D @ D, line.B @ D])
-    return LinearModel(A, B, np.pad(C, ((0, 0), (0, len(line.A)))), D, linear.period)
+    B = np.hstack([linear.By, linear.Ba])  # of the readings, and of the command that comes back from the motors
+    D = np.hstack([linear.Dy, np.zeros((2, 2))])
+    twice = LinearModel(linear.A, B, np.vstack([linear.C, linear.C]), np.vstack([D, D]), linear.period)
+    return lft(twice, delay_line(2, delay, linear.period))

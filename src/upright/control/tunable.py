@@ -17,7 +17,7 @@ from upright.control.hinf import Expected, hinf
 from upright.control.kalman import RECOVERED, Disturbed, offset_free
 from upright.control.lqg import lqg
 from upright.control.lqi import LARGEST_INTEGRAL, lqi
-from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson, lqr
+from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson
 from upright.control.mpc import HORIZON, mpc
 from upright.control.observed import regulator
 from upright.control.pid import Pid, pid

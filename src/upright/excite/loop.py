@@ -45,6 +45,10 @@ class ExcitedLoop:
     gains: LinearController = field(init=False)
 
     def __post_init__(self) -> None:
+        if not any(SENSOR.get(name) == "encoder" for name in self.kit.sensors):
+            raise SpecMismatch(
+                f"kit '{self.kit.name}' has no encoders", expected="one at least, from which `calibrate` learns"
+            )
         gains = _gains(self.controller, self.robot)
         if not 100 * gains.period <= self.seconds <= 600:
             least = f"{100 * gains.period:g} s, a hundred periods"

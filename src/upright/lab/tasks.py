@@ -63,7 +63,7 @@ def design(report: Report, setup: Setup, keep: bool) -> tuple[Controller | None,
 def analysed(controller: Controller, robot: Robot, kit: Kit) -> Analysed:
     """Gains, margins, poles and the broken loop; only the gains where the controller is not linear."""
     from upright.certify import margins, robot_loop
-    from upright.certify.analysis import INPUTS, delay_margin
+    from upright.certify.analysis import INPUTS
 
     K = gain_of(controller)
     gain = () if K is None else tuple(tuple(row) for row in K.tolist())
@@ -77,7 +77,7 @@ def analysed(controller: Controller, robot: Robot, kit: Kit) -> Analysed:
         words = f"The loop is unstable: its largest pole is at |z| = {abs(loop.closed.poles()[0]):.4f}."
         return Analysed(stable=False, words=words, gain=gain, poles=poles, L=curve)
     m = margins(loop.at_input, INPUTS["both motors"], "both motors")
-    m = replace(m, delay=min(m.delay, delay_margin(robot, controller, kit)))  # one number in table and sentence
+    m = replace(m, delay=min(m.delay, loop.delay_margin()))  # one number in table and sentence
     return Analysed(
         stable=True, words=m.words(), gain=gain, gain_low=m.gain_low, gain_high=finite(m.gain_high),
         phase=finite(m.phase), delay=finite(m.delay), poles=poles, L=curve,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,7 +14,9 @@ from upright.arrays import Array
 from upright.errors import SpecMismatch
 from upright.physics.dynamics import turn_ratio
 from upright.physics.electronics import response
+from upright.physics.interconnect import append
 from upright.physics.linear import LinearModel
+from upright.robots import Sensor
 from upright.signals import STATE_NAMES, TRUE_STATE
 
 PITCH, GYRO, FORWARD = "sensor/pitch", "sensor/gyro", "sensor/accel_forward"
@@ -25,8 +27,8 @@ def sensor_matrix(names: Sequence[str], turn: ArrayLike, sensors: Mapping[str, A
     """C (len(names), 6) from the state to the readings of the named channels, for W/(2R) = `turn` (see `turn_ratio`).
 
     `turn` (k,) of k robots gives C (len(names), 6, k). Readings are without noise, bias and delay; those of `sensors`
-    have their response and misalignment, others are ideal. The true states are channels too. Raises `SpecMismatch` for a
-    channel that no matrix gives, such as an accelerometer, which reads accelerations too (`sensed`).
+    have their response and misalignment, others are ideal. The true states are channels too. Raises `SpecMismatch` for
+    a channel that no matrix gives, such as an accelerometer, which reads accelerations too (`sensed`).
     """
     ratio = np.asarray(turn, dtype=np.float64)
     C = np.zeros((len(names), 6, *ratio.shape))
@@ -62,64 +64,48 @@ def sensed(
 
         ẋ_f = ψ̇ + (α − x_f)/τ,   α = ψ − R θ̈/g − γ          z̈ = ω² (v − z) − 2ζω ż
     """
-    n, m, k = len(robot.states), len(robot.inputs), len(robot.disturbances)
+    n, m = len(robot.states), len(robot.inputs)
     moves = np.hstack([robot.A, robot.B, robot.E])  # ẋ from [x, u, w]
+    rates = np.eye(moves.shape[1])
     forward = p.wheel_radius * moves[STATE_NAMES.index("wheel_rate")]  # force along the body, R θ̈ − g (ψ − γ)
     forward[STATE_NAMES.index("pitch")] -= p.gravity
     forward[n + m + robot.disturbances.index("slope")] += p.gravity
-    readings = np.zeros((len(names), n + m + k))
-    own: list[_Own] = []
-    for i, name in enumerate(names):
-        sensor = sensors.get(name)
+    rows = np.zeros((len(names), moves.shape[1]))
+    filters = LinearModel.gain(np.zeros((0, 0)))
+    states = list(robot.states)
+    for row, name in zip(rows, names, strict=True):
+        sensor = sensors.get(name, Sensor())
+        own = _filter(name, sensor)
         if name == FORWARD:
-            readings[i] = forward if sensor is None else response(forward, sensor)
-            continue
-        readings[i, :n] = sensor_matrix([name], turn_ratio(p), sensors)[0]
-        if name == PITCH and sensor is not None and sensor.time_constant:
-            drawn = np.eye(n + m + k)[STATE_NAMES.index("pitch_rate")] - forward / (p.gravity * sensor.time_constant)
-            own.append(_Own(i, np.array([[-1 / sensor.time_constant]]), response(drawn, sensor)[None], ("fused",)))
-        elif name == GYRO and sensor is not None and sensor.resonance:
-            omega = 2 * math.pi * sensor.resonance
-            swings = np.array([[0.0, 1.0], [-(omega**2), -2 * sensor.damping * omega]])
-            driven = np.vstack([np.zeros(n + m + k), omega**2 * readings[i]])
-            own.append(_Own(i, swings, driven, ("swing", "swing_rate")))
-    return _with_own(robot, names, readings, own)
-
-
-class _Own(NamedTuple):
-    """The states of a sensor's own, of which its `reading` is the first: how they move by themselves (q, q), and by
-    [x, u, w] (q, ·)."""
-
-    reading: int
-    alone: Array
-    driven: Array
-    names: tuple[str, ...]
-
-
-def _with_own(
-    robot: LinearModel, names: Sequence[str], readings: Array, own: Sequence[_Own]
-) -> tuple[LinearModel, Array]:
-    """The robot with those states after its own, and with the `readings` (len(names), ·) of [x, u, w]."""
-    n, m = len(robot.states), len(robot.inputs)
-    size = n + sum(len(states.alone) for states in own)
-    A = np.zeros((size, size))
-    B = np.zeros((size, m))
-    E = np.zeros((size, len(robot.disturbances)))
-    A[:n, :n], B[:n], E[:n] = robot.A, robot.B, robot.E
-    C, D, F = np.split(readings, [n, n + m], axis=1)
-    C = np.pad(C, ((0, 0), (0, size - n)))
-    labels = list(robot.states)
-    for states in own:
-        at = slice(len(labels), len(labels) + len(states.alone))
-        A[at, :n], B[at], E[at] = np.split(states.driven, [n, n + m], axis=1)
-        A[at, at] = states.alone
-        C[states.reading], D[states.reading], F[states.reading] = np.eye(size)[at.start], 0.0, 0.0
-        labels += [f"{names[states.reading]}@{name}" for name in states.names]
+            row[:] = response(forward, sensor)
+        elif own.states and name == PITCH:
+            row[:] = response(sensor.time_constant * rates[1] - forward / p.gravity, sensor)
+        else:
+            row[:n] = sensor_matrix([name], turn_ratio(p), sensors)[0]
+        filters = append(filters, own)
+        states += [f"{name}@{state}" for state in own.states]
+    ideal = LinearModel(robot.A, moves[:, n:], rows[:, :n], rows[:, n:])
+    whole = filters * ideal
+    order = np.roll(np.arange(len(states)), n)  # the robot's states first
+    B, E = np.split(whole.B[order], [m], axis=1)
+    D, F = np.split(whole.D, [m], axis=1)
     model = LinearModel(
-        A, B, C, D, states=tuple(labels), inputs=robot.inputs, outputs=tuple(names), E=E,
-        disturbances=robot.disturbances,
+        whole.A[np.ix_(order, order)], B, whole.C[:, order], D, states=tuple(states), inputs=robot.inputs,
+        outputs=tuple(names), E=E, disturbances=robot.disturbances,
     )  # fmt: skip
     return model, F
+
+
+def _filter(name: str, sensor: Any) -> LinearModel:
+    """From what a sensor would read at once to what it reads."""
+    if name == PITCH and sensor.time_constant:
+        lag = np.array([[1 / sensor.time_constant]])
+        return LinearModel(-lag, lag, np.eye(1), states=("fused",))
+    if name == GYRO and sensor.resonance:
+        omega = 2 * math.pi * sensor.resonance
+        swings = np.array([[0.0, 1.0], [-(omega**2), -2 * sensor.damping * omega]])
+        return LinearModel(swings, np.array([[0.0], [omega**2]]), np.eye(1, 2), states=("swing", "swing_rate"))
+    return LinearModel.gain(np.eye(1))
 
 
 def wheel_angles(x: Sequence[Any], p: Any) -> tuple[Any, Any]:

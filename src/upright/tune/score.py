@@ -9,12 +9,11 @@ from dataclasses import asdict, dataclass, replace
 import numpy as np
 
 from upright.arrays import Array, Complex
-from upright.certify.analysis import INPUTS, LATEST, delayed_kit
+from upright.certify.analysis import INPUTS
 from upright.certify.checks import TrialSetup, kernel_controller
-from upright.certify.loop import Loop, commanded_plant, robot_loop
+from upright.certify.loop import LATEST, Loop, RobotLoop, delayed_kit, robot_loop
 from upright.certify.verdict import MOST_CYCLE, MOST_SATURATED, MOST_TRAVEL, LinearMargins
 from upright.control.controller import Controller
-from upright.control.delay import MOST_PERIODS, sampled
 from upright.control.methods import Method
 from upright.errors import UprightError
 from upright.physics.linear import LinearModel
@@ -100,12 +99,12 @@ class Scorer:
         radius = float(np.abs(loop.closed.poles()).max())
         if radius >= 1:
             return 0.0, radius - 1
-        worst = max(_radius(changed) for changed in self._changed(loop, controller))
+        worst = max(_radius(changed) for changed in self._changed(loop))
         modulus, delay = modulus_and_delay(loop)
         short = 1 - delay / (SLACK * self.floor.delay) if 0 < self.floor.delay < math.inf else 0.0
         return modulus, max(0.0, worst - 1) + SHORT * max(0.0, short)
 
-    def _changed(self, loop: Loop, controller: Controller) -> list[Loop]:
+    def _changed(self, loop: RobotLoop) -> list[Loop]:
         """The loop with each gain and each delay of the floor, at each place where it can be broken."""
         assert self.floor is not None
         change = SLACK * slack(self.floor)
@@ -120,17 +119,15 @@ class Scorer:
             for row in np.eye(len(loop.plant.C)):
                 gains = _gains(row, factor)
                 changed.append(Loop(loop.plant, LinearModel(K.A, K.B @ gains, K.C, K.D @ gains, K.dt)))
-        return changed + [Loop(plant, K) for plant in self._slowed(controller)]
+        return changed + [Loop(plant, K) for plant in self._slowed(loop)]
 
-    def _slowed(self, controller: Controller) -> list[LinearModel]:
+    def _slowed(self, loop: RobotLoop) -> list[LinearModel]:
         """The robot with the floor's delay in its commands, or in one sensor."""
         assert self.floor is not None
         if not self._delayed:
-            reads = controller.spec.reads
             more = min(self.floor.delay * SLACK, LATEST)
-            kits = [delayed_kit(self.kit, more, at) for at in ("", *(n for n in reads if n in self.kit.sensors))]
-            models = [sampled(self.robot, kit, self.period, reads, longest=MOST_PERIODS) for kit in kits]
-            self._delayed = [commanded_plant(model) for model in models]
+            places = ["", *(name for name in loop.linear.reads if name in self.kit.sensors)]
+            self._delayed = [loop.on(kit=delayed_kit(self.kit, more, at)).plant for at in places]
         return self._delayed
 
 
