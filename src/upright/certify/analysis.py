@@ -106,9 +106,8 @@ class Analysis(Shown):
 
     def words(self) -> list[str]:
         """The result, in sentences."""
-        unseen = [unseen_in_words(self.loop.hidden)] if self.loop.hidden else []
         if not self.stable:
-            return [sentence(instability(self.radius, self.period)), *unseen]
+            return [sentence(instability(self.radius, self.period))]
         low, high = disk_gain(self.disk)
         first = self.weakest
         sentences = [
@@ -118,7 +117,7 @@ class Analysis(Shown):
             f"or phases up to {math.degrees(disk_phase(self.disk)):.0f}°.",
             f"Of {len(self.radii)} simulated robots, as different as the robot's file allows, {self.lost}.",
         ]
-        sentences += unseen
+        sentences += [unseen_in_words(self.loop.hidden)] if self.loop.hidden else []
         return sentences + ([f"Parameters within their intervals (μ): the loop {self.mu.words()}"] if self.mu else [])
 
     def plot(self, channel: str = "both motors") -> Figure:
@@ -268,7 +267,7 @@ def _for_nyquist(gain: LinearModel) -> tuple[Array, Complex]:
 def _radius(loop: Loop, gains: Array) -> float:
     """The largest |pole| with these gains (2, 2) between the commands and the robot."""
     K = loop.controller
-    return float(np.abs(Loop(loop.plant, LinearModel(K.A, K.B, gains @ K.C, gains @ K.D, K.dt)).closed.poles()[0]))
+    return float(abs(Loop(loop.plant, LinearModel(K.A, K.B, gains @ K.C, gains @ K.D, K.dt)).poles()[0]))
 
 
 def _row(m: Margins) -> str:
@@ -295,7 +294,7 @@ def analyse(
     loop = robot_loop(robot, controller, kit)
     family = draw(robot, DRAWN, seed) if robots is None else list(robots)
     loops = [loop.on(each) for each in family]
-    drawn = [other.closed.poles() for other in loops]
+    drawn = [other.poles() for other in loops]
     readings = [COMPARABLE.get(name, _ANGLE) for name in loop.linear.reads]
     command = [LARGEST_COMMAND[robot.command_unit]] * 2
     scaled = Loop(loop.plant.scaled(command, readings), loop.controller.scaled(readings, command))
@@ -304,7 +303,7 @@ def analyse(
     every = loop_margins(loop, dead_time=dead_time)
     return Analysis(
         robot=robot.name, controller=controller.spec.kind, hash=controller_hash(controller), period=loop.linear.period,
-        poles=loop.closed.poles(), loop=loop, drawn=np.array(drawn),
+        poles=loop.poles(), loop=loop, drawn=np.array(drawn),
         strengths=np.array([motor_gain(each) for each in family]) / motor_gain(robot),
         inputs=every[: len(INPUTS)], outputs=every[len(INPUTS) :],
         disk=disk_margin(loop.at_input), delay=dead_time, coprime=stability_margin(scaled),

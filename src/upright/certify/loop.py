@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from upright.arrays import Array
+from upright.arrays import Array, Complex
 from upright.control.controller import Controller
 from upright.control.delay import MOST_PERIODS, SampledRobot, sampled
 from upright.control.linear_controller import LinearController
@@ -16,7 +16,7 @@ from upright.control.near_rest import near_rest
 from upright.control.state_space import controller_of, plant_of
 from upright.errors import InvalidModel, SpecMismatch
 from upright.physics.interconnect import feedback
-from upright.physics.linear import LinearModel, decays, one_period
+from upright.physics.linear import LinearModel, decays, one_period, poles_of
 from upright.robots import Kit, Robot
 
 LATEST = 0.3  # [s] more delay than this no balancing robot survives
@@ -62,6 +62,10 @@ class Loop:
         A[:n, :n], A[:n, n:] = P.A + P.B @ K.D @ P.C, P.B @ K.C
         A[n:, :n], A[n:, n:] = K.B @ P.C, K.A + K.B @ P.D @ K.C
         return A
+
+    def poles(self) -> Complex:
+        """Of the closed loop, the least stable first."""
+        return poles_of(self._moves, continuous=self.plant.continuous)
 
     @property
     def stable(self) -> bool:

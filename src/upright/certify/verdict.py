@@ -6,8 +6,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import KW_ONLY, dataclass
 
-import numpy as np
-
 from upright.certify.agreement import AMBER, RED, Agreement, disagreements
 from upright.certify.analysis import INPUTS, ROUNDED, instability, loop_margins
 from upright.certify.checks import CONFIDENCE, MOST_CYCLE, MOST_FALLS, PushTrial, red
@@ -84,7 +82,7 @@ def linear_margins(controller: Controller, robot: Robot, kit: Kit, *, usual: boo
         loop = robot_loop(robot, controller, kit)
     except InvalidController:
         return None
-    radius = float(np.abs(loop.closed.poles()).max())
+    radius = float(abs(loop.poles()[0]))
     if radius >= 1 - ROUNDED:
         return LinearMargins(radius, 1.0, 1.0, 0.0)
     every = loop_margins(loop, peaks=False)

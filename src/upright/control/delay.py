@@ -138,8 +138,7 @@ def sampled(
             f"a delay of {delay:g} s at a period of {period:g} s", expected=f"at most {longest} periods",
             hint="lengthen the period",
         )  # fmt: skip
-    prompt = tuple(replace(sensor, delay=0.0) for sensor in sensors)  # one model for all delays that a margin tries
-    between = _Between(_senses(robot, reads, prompt), period, kit.delay + kit.jitter / 2)
+    between = _Between(_senses(robot, reads, tuple(map(_prompt, sensors))), period, kit.delay + kit.jitter / 2)
     return _assembled(robot, kit, between, sensors)
 
 
@@ -161,21 +160,34 @@ class _Senses:
 def _senses(robot: Robot, reads: tuple[str, ...], sensors: tuple[Sensor, ...]) -> _Senses:
     model, F = sensed(linearise_rolling(robot), reads, robot, dict(zip(reads, sensors, strict=True)))
     push, by_push = (matrix[:, 0] + robot.com_height * matrix[:, 1] for matrix in (model.E, F))
-    seen = np.abs(model.C).max(axis=0, initial=0.0) > 0
+    shown = _shown(model)
+    return _Senses(model, robot.com_height, by_push, shown, all(shown) or _tells_push(model, shown, push, by_push))
+
+
+def _shown(model: LinearModel) -> list[bool]:
+    """Which states the readings tell, themselves or by others that they move."""
+    seen = model.C.any(axis=0)
     moves = np.abs(model.A) > _ZERO * np.abs(model.A).max(axis=1, keepdims=True)
     for _ in model.states:
         seen = seen | moves[seen].any(axis=0)
     standing = seen[STATE_NAMES.index("pitch")]  # without its lean all is hopeless, and nothing is left out
-    shown = [bool(seen[i]) or name not in _FREE or not standing for i, name in enumerate(model.states)]
-    steady = np.block([[model.A[shown][:, shown], push[shown, None]], [model.C[:, shown], by_push[:, None]]])
-    if GYRO in reads:
-        bias = np.zeros((len(steady), 1))
-        bias[sum(shown) + reads.index(GYRO)] = 1.0
-        steady = np.hstack([steady, bias])
-    steady = steady / np.maximum(np.linalg.norm(steady, axis=0), _ZERO)
-    # no lean, rate and bias together look like a push that lasts (Hautus's test at frequency zero)
-    tells_push = bool(np.linalg.matrix_rank(steady, tol=_SAME) == steady.shape[1])
-    return _Senses(model, robot.com_height, by_push, shown, tells_push)
+    return [bool(seen[i]) or name not in _FREE or not standing for i, name in enumerate(model.states)]
+
+
+def _tells_push(model: LinearModel, shown: list[bool], push: Array, by_push: Array) -> bool:
+    """Whether no lean, rate and bias of a gyro together look like a push that lasts (Hautus, at frequency zero)."""
+    bias = np.array([name == GYRO for name in model.outputs], dtype=np.float64)
+    moved = np.column_stack([model.A[shown][:, shown], push[shown], 0 * push[shown]])
+    read = np.column_stack([model.C[:, shown], by_push, bias])
+    steady = np.vstack([moved, read])
+    size = np.linalg.norm(steady, axis=0)
+    return bool(np.linalg.matrix_rank(steady / np.maximum(size, _ZERO), tol=_SAME) == (size > 0).sum())
+
+
+@lru_cache(maxsize=1024)
+def _prompt(sensor: Sensor) -> Sensor:
+    """Without its delay, so that one model serves all delays that a margin tries."""
+    return replace(sensor, delay=0.0)
 
 
 class _Between:

@@ -71,10 +71,10 @@ def analysed(controller: Controller, robot: Robot, kit: Kit) -> Analysed:
         loop = robot_loop(robot, controller, kit)
     except (InvalidController, SpecMismatch) as error:
         return Analysed(stable=False, words=str(error).split(";")[0], gain=gain)
-    poles = tuple((round(float(p.real), 5), round(float(p.imag), 5)) for p in loop.closed.poles())
+    poles = tuple((round(float(p.real), 5), round(float(p.imag), 5)) for p in loop.poles())
     curve = _curve(loop)
     if not loop.stable:
-        words = f"The loop is unstable: its largest pole is at |z| = {abs(loop.closed.poles()[0]):.4f}."
+        words = f"The loop is unstable: its largest pole is at |z| = {abs(loop.poles()[0]):.4f}."
         return Analysed(stable=False, words=words, gain=gain, poles=poles, L=curve)
     m = margins(loop.at_input, INPUTS["both motors"], "both motors")
     m = replace(m, delay=min(m.delay, loop.delay_margin()))  # one number in table and sentence

@@ -62,6 +62,12 @@ def _matrix(name: str, rows: Sequence[str], columns: Sequence[str], values: Arra
     return Listing((name, *columns), body, columns)
 
 
+def poles_of(A: Array, *, continuous: bool) -> Complex:
+    """Eigenvalues of A, the least stable of ẋ = A x first, or of x⁺ = A x where that is not `continuous`."""
+    poles: Complex = np.linalg.eigvals(A).astype(np.complex128)
+    return poles[np.lexsort((poles.imag, -_growth(poles, continuous=continuous)))]
+
+
 def decays(A: Array, *, continuous: bool) -> bool:
     """Whether every pole of ẋ = A x decays, or of x⁺ = A x where that is not `continuous`."""
     return bool(
@@ -163,8 +169,7 @@ class LinearModel(Shown):
 
     def poles(self) -> Complex:
         """Eigenvalues of A, the least stable first."""
-        poles: Complex = np.linalg.eigvals(self.A).astype(np.complex128)
-        return poles[np.lexsort((poles.imag, -_growth(poles, continuous=self.continuous)))]
+        return poles_of(self.A, continuous=self.continuous)
 
     def points(self, omega: Array) -> Complex:
         """λ (len(omega),), jω or e^{jω dt}, at ω in [rad/s]."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from functools import reduce
 from types import MappingProxyType
 from typing import Any
 
@@ -20,6 +21,7 @@ from upright.robots import Sensor
 from upright.signals import STATE_NAMES, TRUE_STATE
 
 PITCH, GYRO, FORWARD = "sensor/pitch", "sensor/gyro", "sensor/accel_forward"
+_DIRECTLY = LinearModel.gain(np.eye(1))
 _DIRECT = {PITCH: "pitch", GYRO: "pitch_rate", "sensor/compass": "yaw"}
 
 
@@ -71,26 +73,25 @@ def sensed(
     forward[STATE_NAMES.index("pitch")] -= p.gravity
     forward[n + m + robot.disturbances.index("slope")] += p.gravity
     rows = np.zeros((len(names), moves.shape[1]))
-    filters = LinearModel.gain(np.zeros((0, 0)))
-    states = list(robot.states)
+    filters: list[LinearModel] = []
     for row, name in zip(rows, names, strict=True):
         sensor = sensors.get(name, Sensor())
-        own = _filter(name, sensor)
+        filters.append(_filter(name, sensor))
         if name == FORWARD:
             row[:] = response(forward, sensor)
-        elif own.states and name == PITCH:
+        elif name == PITCH and filters[-1].states:
             row[:] = response(sensor.time_constant * rates[1] - forward / p.gravity, sensor)
         else:
             row[:n] = sensor_matrix([name], turn_ratio(p), sensors)[0]
-        filters = append(filters, own)
-        states += [f"{name}@{state}" for state in own.states]
-    ideal = LinearModel(robot.A, moves[:, n:], rows[:, :n], rows[:, n:])
-    whole = filters * ideal
-    order = np.roll(np.arange(len(states)), n)  # the robot's states first
+    own = [f"{name}@{state}" for name, part in zip(names, filters, strict=True) for state in part.states]
+    whole = LinearModel(robot.A, moves[:, n:], rows[:, :n], rows[:, n:])
+    if own:
+        whole = reduce(append, filters) * whole
+    order = np.roll(np.arange(n + len(own)), n)  # the robot's states first
     B, E = np.split(whole.B[order], [m], axis=1)
     D, F = np.split(whole.D, [m], axis=1)
     model = LinearModel(
-        whole.A[np.ix_(order, order)], B, whole.C[:, order], D, states=tuple(states), inputs=robot.inputs,
+        whole.A[np.ix_(order, order)], B, whole.C[:, order], D, states=(*robot.states, *own), inputs=robot.inputs,
         outputs=tuple(names), E=E, disturbances=robot.disturbances,
     )  # fmt: skip
     return model, F
@@ -105,7 +106,7 @@ def _filter(name: str, sensor: Any) -> LinearModel:
         omega = 2 * math.pi * sensor.resonance
         swings = np.array([[0.0, 1.0], [-(omega**2), -2 * sensor.damping * omega]])
         return LinearModel(swings, np.array([[0.0], [omega**2]]), np.eye(1, 2), states=("swing", "swing_rate"))
-    return LinearModel.gain(np.eye(1))
+    return _DIRECTLY
 
 
 def wheel_angles(x: Sequence[Any], p: Any) -> tuple[Any, Any]:

@@ -96,7 +96,7 @@ class Scorer:
         if self.floor is None:
             return 1.0, 0.0
         loop = robot_loop(self.robot, controller, self.kit)
-        radius = float(np.abs(loop.closed.poles()).max())
+        radius = float(abs(loop.poles()[0]))
         if radius >= 1:
             return 0.0, radius - 1
         worst = max(_radius(changed) for changed in self._changed(loop))
@@ -165,7 +165,7 @@ def _gains(v: Array, factor: float) -> Array:
 
 
 def _radius(loop: Loop) -> float:
-    return float(np.abs(loop.closed.poles()).max())
+    return float(abs(loop.poles()[0]))
 
 
 @dataclass(frozen=True)
