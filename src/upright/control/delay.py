@@ -166,12 +166,12 @@ def _senses(robot: Robot, reads: tuple[str, ...], sensors: tuple[Sensor, ...]) -
 
 def _shown(model: LinearModel) -> list[bool]:
     """Which states the readings tell, themselves or by others that they move."""
-    seen = model.C.any(axis=0)
+    known = model.C.any(axis=0)
     moves = np.abs(model.A) > _ZERO * np.abs(model.A).max(axis=1, keepdims=True)
     for _ in model.states:
-        seen = seen | moves[seen].any(axis=0)
-    standing = seen[STATE_NAMES.index("pitch")]  # without its lean all is hopeless, and nothing is left out
-    return [bool(seen[i]) or name not in _FREE or not standing for i, name in enumerate(model.states)]
+        known = known | moves[known].any(axis=0)
+    standing = known[STATE_NAMES.index("pitch")]  # without its lean all is hopeless, and nothing is left out
+    return [bool(known[i]) or name not in _FREE or not standing for i, name in enumerate(model.states)]
 
 
 def _tells_push(model: LinearModel, shown: list[bool], push: Array, by_push: Array) -> bool:
