@@ -40,7 +40,7 @@ def shown(side: int) -> dict[str, control.TransferFunction]:
     omega = 2 * math.pi * HERTZ
     return {
         "sensor/pitch": (TAU * s * lean + gravity) / (TAU * s + 1),
-        "sensor/gyro": omega**2 / (s**2 + 2 * ZETA * omega * s + omega**2) * (s * lean + TILT * turn),
+        "sensor/gyro": omega**2 / (s**2 + 2 * ZETA * omega * s + omega**2) * s * lean + TILT * turn,
     }
 
 
@@ -71,7 +71,7 @@ def slopes(x: np.ndarray, u: np.ndarray, force: float) -> tuple[np.ndarray, floa
     along = NXT.wheel_radius * moved[3] - NXT.gravity * x[0]
     omega = 2 * math.pi * HERTZ
     fused = x[1] + (-along / NXT.gravity - x[6]) / TAU
-    swung = omega**2 * (x[1] + TILT * x[5] - x[7]) - 2 * ZETA * omega * x[8]
+    swung = omega**2 * (x[1] - x[7]) - 2 * ZETA * omega * x[8]
     return np.array([*moved, fused, x[8], swung]), along
 
 
@@ -109,7 +109,7 @@ def test_commands_and_pushes_reach_every_reading_after_dead_time_and_delays():
         pitch = x[6]
         x = flown(x, u, force, late)
         expected = np.array([pitch, gyro, slopes(x, u, force)[1]])
-        gyro, before = x[7], u
+        gyro, before = x[7] + TILT * x[5], u
         worst = max(worst, float(np.abs(model.linear.C @ p - expected).max()))
     # Runge and Kutta's error (h⁴) in 0.3 s; readings are of the order of 1 to 10
     assert worst < 1e-7

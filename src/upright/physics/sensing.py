@@ -47,10 +47,10 @@ def sensor_matrix(names: Sequence[str], turn: ArrayLike, sensors: Mapping[str, A
             raise SpecMismatch(
                 f"no linear row for {name}", expected="an encoder, gyro, compass, fused angle, or a true state"
             )
-        if name == GYRO and name in sensors:
-            row[STATE_NAMES.index("yaw_rate")] = sensors[name].misalignment
         if name in sensors:
             row[:] = response(row, sensors[name])
+        if name == GYRO and name in sensors:  # the gain does not act on this part, as a calibration finds it
+            row[STATE_NAMES.index("yaw_rate")] = sensors[name].misalignment
     return C
 
 
@@ -62,27 +62,30 @@ def sensed(
 
     After the six states come those that sensors have of their own, as readings. A fused angle follows the pitch rate
     and is drawn to α, the pitch that an accelerometer shows, in its time constant τ. A resonance of ω = 2π f and
-    damping ζ lies between the pitch rate v, with its part of the yaw rate, and what a gyro reads:
+    damping ζ lies between the pitch rate and what a gyro reads beside its part of the yaw rate:
 
-        ẋ_f = ψ̇ + (α − x_f)/τ,   α = ψ − R θ̈/g − γ          z̈ = ω² (v − z) − 2ζω ż
+        ẋ_f = ψ̇ + (α − x_f)/τ,   α = ψ − R θ̈/g − γ          z̈ = ω² (ψ̇ − z) − 2ζω ż
     """
     n, m = len(robot.states), len(robot.inputs)
     moves = np.hstack([robot.A, robot.B, robot.E])  # ẋ from [x, u, w]
-    rates = np.eye(moves.shape[1])
+    pitch_rate = np.eye(1, moves.shape[1], STATE_NAMES.index("pitch_rate"))[0]
     forward = p.wheel_radius * moves[STATE_NAMES.index("wheel_rate")]  # force along the body, R θ̈ − g (ψ − γ)
     forward[STATE_NAMES.index("pitch")] -= p.gravity
     forward[n + m + robot.disturbances.index("slope")] += p.gravity
     rows = np.zeros((len(names), moves.shape[1]))
-    filters: list[LinearModel] = []
-    for row, name in zip(rows, names, strict=True):
+    unfiltered = np.zeros((len(names), n))
+    filters = [_filter(name, sensors.get(name, Sensor())) for name in names]
+    for i, name in enumerate(names):
         sensor = sensors.get(name, Sensor())
-        filters.append(_filter(name, sensor))
         if name == FORWARD:
-            row[:] = response(forward, sensor)
-        elif name == PITCH and filters[-1].states:
-            row[:] = response(sensor.time_constant * rates[1] - forward / p.gravity, sensor)
+            rows[i] = response(forward, sensor)
+        elif name == PITCH and filters[i].states:
+            rows[i] = response(sensor.time_constant * pitch_rate - forward / p.gravity, sensor)
+        elif filters[i].states:
+            rows[i] = response(pitch_rate, sensor)
+            unfiltered[i, STATE_NAMES.index("yaw_rate")] = sensor.misalignment
         else:
-            row[:n] = sensor_matrix([name], turn_ratio(p), sensors)[0]
+            rows[i, :n] = sensor_matrix([name], turn_ratio(p), sensors)[0]
     own = [f"{name}@{state}" for name, part in zip(names, filters, strict=True) for state in part.states]
     whole = LinearModel(robot.A, moves[:, n:], rows[:, :n], rows[:, n:])
     if own:
@@ -90,8 +93,10 @@ def sensed(
     order = np.roll(np.arange(n + len(own)), n)  # the robot's states first
     B, E = np.split(whole.B[order], [m], axis=1)
     D, F = np.split(whole.D, [m], axis=1)
+    C = whole.C[:, order]
+    C[:, :n] += unfiltered
     model = LinearModel(
-        whole.A[np.ix_(order, order)], B, whole.C[:, order], D, states=(*robot.states, *own), inputs=robot.inputs,
+        whole.A[np.ix_(order, order)], B, C, D, states=(*robot.states, *own), inputs=robot.inputs,
         outputs=tuple(names), E=E, disturbances=robot.disturbances,
     )  # fmt: skip
     return model, F
