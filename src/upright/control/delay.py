@@ -161,7 +161,7 @@ def _senses(robot: Robot, reads: tuple[str, ...], sensors: tuple[Sensor, ...]) -
     model, F = sensed(linearise_rolling(robot), reads, robot, dict(zip(reads, sensors, strict=True)))
     push, by_push = (matrix[:, 0] + robot.com_height * matrix[:, 1] for matrix in (model.E, F))
     shown = _shown(model)
-    return _Senses(model, robot.com_height, by_push, shown, all(shown) or _tells_push(model, shown, push, by_push))
+    return _Senses(model, robot.com_height, by_push, shown, _tells_push(model, shown, push, by_push))
 
 
 def _shown(model: LinearModel) -> list[bool]:
