@@ -8,8 +8,11 @@ import pytest
 from scipy.linalg import solve_discrete_are
 from scipy.signal import cont2discrete
 
+from upright.certify.agreement import AMBER
 from upright.certify.analysis import analyse
+from upright.certify.checks import PushTrial
 from upright.certify.design import design
+from upright.certify.verdict import Examined, judge, linear_margins
 from upright.control import CONTROLLERS, Controller, make_controller
 from upright.control.delay import RAW, readable, sampled
 from upright.control.kalman import kalman_filter
@@ -128,7 +131,15 @@ def test_poles_are_those_of_the_whole_loop_but_for_the_free_ones():
     np.testing.assert_allclose(np.sort(np.abs(np.linalg.eigvals(whole)))[-len(expected) :], expected, atol=2e-5)
     assert found.stable
     assert found.loop.hidden == ("wheel", "yaw", "yaw_rate")
-    assert any("Nothing shows where the wheels are: the robot stands, and may roll away." in w for w in found.words())
+    said = "nothing shows where the wheels are: the robot stands, and may roll away"
+    assert said in " ".join(found.words()).lower()
+    margins = linear_margins(controller, ROBOT, RAW_IMU)
+    assert margins is not None
+    assert (margins.stable, margins.free) == (True, True)
+    trial = PushTrial("hold", "low", 1000, 0, saturated=0.0, travel=0.2, peak=0.1, cycle=0.01)
+    light, reasons = judge(Examined(1000, 0, margins, [trial], 0.01))
+    assert light == AMBER
+    assert reasons[0].startswith(said)
 
 
 def test_a_push_is_estimated_where_it_can_be_told_from_a_lean():

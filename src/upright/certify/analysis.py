@@ -117,7 +117,7 @@ class Analysis(Shown):
             f"or phases up to {math.degrees(disk_phase(self.disk)):.0f}°.",
             f"Of {len(self.radii)} simulated robots, as different as the robot's file allows, {self.lost}.",
         ]
-        sentences += [unseen_in_words(self.loop.hidden)] if self.loop.hidden else []
+        sentences += [sentence(unseen_in_words(self.loop.hidden))] if self.loop.hidden else []
         return sentences + ([f"Parameters within their intervals (μ): the loop {self.mu.words()}"] if self.mu else [])
 
     def plot(self, channel: str = "both motors") -> Figure:
@@ -244,13 +244,10 @@ def instability(radius: float, period: float) -> str:
 
 
 def unseen_in_words(hidden: Sequence[str]) -> str:
-    """What it means that no reading shows these states."""
-    if "wheel" not in hidden:
-        return "Nothing shows the heading: the robot may turn away."
-    return (
-        "Nothing shows where the wheels are: the robot stands, and may roll away. "
-        "The free position's own pole at z = 1 is left out of the poles."
-    )
+    """What it means for a stable loop that no reading shows these states; empty where there are none."""
+    if "wheel" in hidden:
+        return "nothing shows where the wheels are: the robot stands, and may roll away (a pole at z = 1, left out)"
+    return "nothing shows its heading: the robot may turn away (a pole at z = 1, left out)" if hidden else ""
 
 
 def _unstable(model: LinearModel) -> Complex:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import KW_ONLY, dataclass
 
 from upright.certify.agreement import AMBER, RED, Agreement, disagreements
-from upright.certify.analysis import INPUTS, ROUNDED, instability, loop_margins
+from upright.certify.analysis import INPUTS, ROUNDED, instability, loop_margins, unseen_in_words
 from upright.certify.checks import CONFIDENCE, MOST_CYCLE, MOST_FALLS, PushTrial, red
 from upright.certify.loop import robot_loop
 from upright.certify.margins import Margins, margins
@@ -37,9 +37,9 @@ class LinearMargins:
     """The nominal loop: its largest |pole| `radius`, and the smallest margins of all places where it can be broken.
 
     It stays stable for gain factors from `gain_low` to `gain_high` [1], and for up to `delay` [s] of further delay, at
-    any one motor or reading, or at both motors. The last three names say where each of these is the smallest; older
+    any one motor or reading, or at both motors. Three names say where each of these is the smallest; older
     certificates, which looked at both motors only, leave them empty. So many of the usual targets are `met` (None: not
-    computed).
+    computed). What no reading shows of a stable loop is `unseen`, in words.
     """
 
     radius: float
@@ -51,6 +51,7 @@ class LinearMargins:
     delay_at: str = ""
     _: KW_ONLY
     met: int | None = None
+    unseen: str = ""
 
     @property
     def stable(self) -> bool:
@@ -59,8 +60,8 @@ class LinearMargins:
 
     @property
     def free(self) -> bool:
-        """Whether a place is: a pole at 1, but for rounding, and none beyond."""
-        return abs(self.radius - 1) <= ROUNDED
+        """Whether a place is: a pole at 1, but for rounding, and none beyond, or one that no reading shows."""
+        return bool(self.unseen) or abs(self.radius - 1) <= ROUNDED
 
 
 def reached(both: Margins, delay: float, period: float) -> dict[str, float]:
@@ -93,7 +94,8 @@ def linear_margins(controller: Controller, robot: Robot, kit: Kit, *, usual: boo
     if usual:
         both = margins(loop.at_input, INPUTS["both motors"])
         met = sum(part >= 1 for part in reached(both, first.delay, controller.spec.period).values())
-    return LinearMargins(radius, low.gain_low, high.gain_high, first.delay, *at, met=met)
+    unseen = unseen_in_words(loop.hidden)
+    return LinearMargins(radius, low.gain_low, high.gain_high, first.delay, *at, met=met, unseen=unseen)
 
 
 @dataclass(frozen=True)
@@ -127,8 +129,12 @@ def judge(e: Examined) -> tuple[str, tuple[str, ...]]:
     """
     linear = e.linear
     logged = [f"tried as the log shows it: {s}" for s in sorted(e.taken, key=lambda s: -s.excess) if s.excess > 0]
-    loop = [instability(linear.radius, e.period)] if linear and not linear.stable else []
-    free, unstable = (loop, []) if linear and linear.free else ([], loop)
+    free = list[str]()
+    unstable = list[str]()
+    if linear and linear.free:
+        free = [linear.unseen or instability(linear.radius, e.period)]
+    elif linear and not linear.stable:
+        unstable = [instability(linear.radius, e.period)]
     drawn = _drawn(e)
     unmeasured = bool(e.guessed and e.guessed.runs and not red(e.guessed.fell, e.guessed.runs))
     certain = unstable + _file(e.standing) + disagreements(e.agreement, RED)
