@@ -12,10 +12,12 @@ from upright.certify.agreement import AMBER
 from upright.certify.analysis import analyse
 from upright.certify.checks import PushTrial
 from upright.certify.design import design
+from upright.certify.loop import robot_loop
 from upright.certify.verdict import Examined, judge, linear_margins
 from upright.control import CONTROLLERS, Controller, make_controller
 from upright.control.delay import RAW, readable, sampled
 from upright.control.kalman import kalman_filter
+from upright.control.linear_controller import LinearController
 from upright.control.lqg import lqg
 from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, lqr
 from upright.control.near_rest import near_rest
@@ -185,3 +187,27 @@ def test_design_and_tune_of_a_user():
     assert "wheel" not in TUNABLE["lqr"].defaults(ROBOT, FUSED, 0.01)
     tuned = tune("lqr", ROBOT, RAW_IMU, budget=4, samples=300)
     assert set(tuned.weights) == {"pitch", "pitch_rate", "wheel_rate", "motor_noise"}
+
+
+def pid_on_the_angle(kp: float, ki: float, kd: float, dt: float) -> LinearController:
+    """u = kp e + ki ∫e + kd ψ̇ of both motors [V], on the angle e [rad] and the gyro."""
+    one = np.ones((2, 1))
+    none = np.zeros((2, 6))
+    return LinearController(
+        np.eye(1), np.array([[dt, 0.0]]), np.zeros((1, 6)), np.zeros((1, 2)), one * ki, one * [kp, kd], none,
+        reads=("sensor/pitch", "sensor/gyro"), period=dt,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("scale", "ki", "slowest"), [(0.55, 60, [0.15, 0.0]), (1.0, 60, [0.0, -0.5]), (1.0, 0, [0.75])]
+)
+def test_a_pid_on_the_angle_stands_by_its_integral_and_full_motors(scale, ki, slowest):
+    # an owner's gains per degree and PWM step; rates [1/s] are the eigenvalues of the plane with the integral in
+    # continuous time, to two digits, which a period of 1 ms hardly changes. The zero of the plant at zero leaves a free
+    # mode to any integral, a steady speed, and without one the robot always falls
+    volts = math.degrees(1) * 7.4 / 255 * scale
+    kit = replace(FUSED, period=0.001, sensors={"sensor/gyro": Sensor(), "sensor/pitch": Sensor()})
+    loop = robot_loop(ROBOT, pid_on_the_angle(50 * volts, ki * volts, 1.4 * volts, 0.001), kit)
+    rates = np.log(np.abs(loop.poles())) / 0.001
+    np.testing.assert_allclose(rates[: len(slowest)], slowest, atol=0.01)
