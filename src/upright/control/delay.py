@@ -15,7 +15,7 @@ from functools import cache, cached_property, lru_cache
 
 import numpy as np
 
-from upright.arrays import Array
+from upright.arrays import Array, Mask
 from upright.errors import DesignFailed, SpecMismatch
 from upright.physics.linear import LinearModel, delay_line, linearise_rolling
 from upright.physics.sensing import FORWARD, PITCH, sensed
@@ -166,10 +166,10 @@ def _senses(robot: Robot, reads: tuple[str, ...], sensors: tuple[Sensor, ...]) -
 
 def _shown(model: LinearModel) -> list[bool]:
     """Which states the readings tell, themselves or by others that they move."""
-    known = model.C.any(axis=0)
+    known: Mask = np.any(model.C != 0, axis=0)
     moves = np.abs(model.A) > _ZERO * np.abs(model.A).max(axis=1, keepdims=True)
     for _ in model.states:
-        known = known | moves[known].any(axis=0)
+        known |= moves[known].any(axis=0)
     standing = known[STATE_NAMES.index("pitch")]  # without its lean all is hopeless, and nothing is left out
     return [bool(known[i]) or name not in _FREE or not standing for i, name in enumerate(model.states)]
 

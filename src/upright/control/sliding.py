@@ -135,7 +135,7 @@ def sliding(
         )  # fmt: skip
     base = regulated(kalman_filter(model, disturbed), Q, R)
     B = model.plant.B
-    S: Array = np.asarray(_divided(B.T @ base.P, B.T @ base.P @ B), dtype=np.float64)
+    S = _divided(B.T @ base.P, B.T @ base.P @ B)
     design = Sliding(base, S, keep)
     usual = 1 / math.sqrt(float(base.R.diagonal().mean()))
     return SlidingMode(_memory(design), reach * usual, layer * usual, design)
@@ -143,9 +143,9 @@ def sliding(
 
 def _divided(row: Array, by: Array) -> Array:
     """`by`⁻¹ `row`, where `by` (2, 2) is of lower rank where nothing shows the heading: it asks nothing then."""
-    if np.linalg.cond(by) < SINGULAR:
-        return np.linalg.solve(by, row)
-    return np.linalg.pinv(by, rcond=1 / SINGULAR) @ row
+    regular = np.linalg.cond(by) < SINGULAR
+    result = np.linalg.solve(by, row) if regular else np.linalg.pinv(by, rcond=1 / SINGULAR) @ row
+    return np.asarray(result, dtype=np.float64)
 
 
 def _memory(design: Sliding) -> LinearController:
