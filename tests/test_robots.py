@@ -19,7 +19,7 @@ from upright.errors import InvalidRobot, UnknownName, UprightError
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.physics.linear import unstable_pole
 from upright.robots import PARAMETERS, FittedLog, Kit, Provenance, Robot, find_kit, find_robot, kit_names, preset_names
-from upright.signals.signal import KNOWN, SENSORS
+from upright.signals.signal import FUSED, KNOWN, SENSORS
 
 NXTWAY = {
     "gravity": 9.81,
@@ -488,7 +488,7 @@ def test_a_kit_without_a_name_is_refused(tmp_path: Path) -> None:
 def test_the_ideal_kit_has_every_sensor_and_no_fault() -> None:
     ideal = Kit.preset("ideal")
     # an endless battery has no voltage to read
-    assert set(ideal.sensors) == {sensor.name for sensor in SENSORS} - {"sensor/battery"}
+    assert set(ideal.sensors) == {sensor.name for sensor in (*SENSORS, *FUSED)} - {"sensor/battery"}
     assert ideal == Kit(name="ideal", sensors={name: type(s)() for name, s in ideal.sensors.items()})
 
 
