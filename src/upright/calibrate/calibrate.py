@@ -168,7 +168,7 @@ def prepared(
     other = foreign(logs)
     electronics = electronics_of(robot, kit, logs)
     parameters = parameters_of(robot, delays, known, electronics, foreign=other)
-    parameters += resonance_of(kit) if other else ()  # which is learnt together, and no `known` number
+    parameters += resonance_of(kit)  # which is learnt together, and no `known` number
     if resonates(parameters):
         recordings = tuple(recording.swinging() for recording in recordings)
         noise |= {SWING: math.log(swing_noise(recordings, FIRST))}

@@ -56,6 +56,6 @@ def electronics_of(robot: Robot, kit: Kit, logs: Sequence[Log]) -> tuple[Paramet
     if drop := 0.0 if own else strength * kit.motor.drop:
         parameters.append(Parameter(DROP, robot.command_unit, drop, drop / 2, "linear", 0.0, True))
     gyro = kit.sensors.get("sensor/gyro")
-    if gyro and gyro.misalignment and not own:
+    if gyro and gyro.misalignment:
         parameters.append(Parameter(MISALIGNED, "1", gyro.misalignment, TILTED, "linear", guess=True))
     return tuple(parameters)

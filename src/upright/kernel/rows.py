@@ -22,9 +22,8 @@ S_DRIFT, S_VALUE, S_SENSED, S_MEMORY, S_IDEAL, S_NORMAL, S_STEP, S_LINE = (
 cosine and sine of that angle; delayed reading, normal numbers of noise and of the bias's walk, delay line."""
 ENCODER_LEFT, ENCODER_RIGHT, GYRO, COMPASS, ACCEL_FORWARD, ACCEL_UP, ANGLE = range(7)  # kinds of sensors
 PLAIN, SLACK, SWUNG, FUSED = range(4)  # what a sensor senses, besides of what its kind says
-(
-    S_KIND, S_DELAY, S_EVERY, S_WALKS, S_SENSES, S_PACE, S_ROW, S_PLACES, S_READING, S_LOUD, SENSOR_COLUMNS,
-) = range(11)  # fmt: skip
+S_KIND, S_DELAY, S_EVERY, S_WALKS, S_SENSES, S_PACE = range(6)
+S_ROW, S_PLACES, S_READING, S_LOUD, SENSOR_COLUMNS = range(6, 11)
 """Columns of the table of sensors: kind, delay, period and that of its walk [steps], how it senses, in which steps it
 has to (0: only where it is sampled), first row, places in the delay line, row of the reading, and the sum of its random
 parts:"""
