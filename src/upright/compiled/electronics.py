@@ -45,8 +45,9 @@ def resonance_numbers(frequency: float, damping: float, step: float) -> tuple[fl
 
     omega = 2 * math.pi * frequency
     transfer = [omega**2], [1.0, 2 * damping * omega, omega**2]
-    (b,), a, _ = cont2discrete(transfer, step, method="foh")
-    return *b.tolist(), -float(a[1]), -float(a[2])
+    discrete: Any = cont2discrete(transfer, step, method="foh")  # its type says less than it gives
+    (b,), (_, a1, a2) = discrete[:2]
+    return *b.tolist(), -float(a1), -float(a2)
 
 
 def gyro_numbers(sensor: Sensor, step: float) -> tuple[float, ...]:

@@ -119,7 +119,8 @@ def _own(numbers: _Numbers, name: str, sensor: Sensor, every: int, step: float) 
     """The numbers (·,) of a sensor that only its kind has, how it senses, and in which of the steps of `step` [s]."""
     if "encoder" in name:
         play = numbers["motor.backlash"] / 2
-        return [play], *((SLACK, 1) if play.any() else (PLAIN, 0))
+        slack = bool(play.any())
+        return [play], SLACK if slack else PLAIN, int(slack)
     if name == "sensor/gyro":
         tilt = numbers["sensors.gyro.misalignment"] / numbers["sensors.gyro.gain"]
         swing = [np.array([n]) for n in resonance_numbers(sensor.resonance, sensor.damping, step)]
