@@ -304,7 +304,7 @@ def test_command_draws_its_robots_from_what_a_calibration_makes_of_the_log(
         asked.append((log, setup.robot))
         return Learnt(ROBOT.replace(name="found", body_mass=1.01 * ROBOT.body_mass), KIT, CALIBRATED), ()
 
-    monkeypatch.setattr(import_module(certify.__module__), "calibrated", calibrated)
+    monkeypatch.setattr(import_module("upright.certify.calibrated"), "calibrated", calibrated)
     whole = recording()
     whole.save(tmp_path / "run.csv")
     assert main(["certify", "pid", "--log", str(tmp_path / "run.csv"), "-n", "100", "--json"]) == 0

@@ -513,7 +513,7 @@ def test_a_weighed_robot_is_pushed_like_that_of_its_file_whatever_a_calibration_
 ) -> None:
     """A body of half the mass would be pushed half as much; and with slower sensors less can be survived. And its
     certificate holds the weight, of the robot with its wheels."""
-    module, asked = import_module("upright.certify.certificate"), list[TrialSetup]()
+    module, asked = import_module("upright.certify.calibrated"), list[TrialSetup]()
     light, slow = loaded(ROBOT, 0.5), {n: dataclasses.replace(s, delay=s.delay + 0.02) for n, s in KIT.sensors.items()}
     own = Learnt(light, kit_with(sensors=slow), Uncertainty.of(light).scaled(0.1))
     monkeypatch.setattr(module, "calibrated", lambda _, given, __: asked.append(given) or (own, ()))
