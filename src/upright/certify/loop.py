@@ -119,10 +119,8 @@ def robot_loop(robot: Robot, controller: Controller, kit: Kit) -> RobotLoop:
             f"the controller commands {linear.command_unit}", expected=f"{robot.command_unit}, as '{robot.name}'"
         )
     model = _sampled(robot, kit, linear)
-    return RobotLoop(
-        commanded_plant(model), controller_of(linear, model.delay), robot=robot, kit=kit, linear=linear,
-        hidden=model.hidden,
-    )  # fmt: skip
+    K = controller_of(linear, model.delay)
+    return RobotLoop(commanded_plant(model), K, robot=robot, kit=kit, linear=linear, hidden=model.hidden)
 
 
 def delay_margin(robot: Robot, controller: Controller, kit: Kit, *, at: str = "", latest: float = LATEST) -> float:

@@ -79,7 +79,8 @@ def parameter_mu(
     """
     chosen = dict(intervals or {name: REACH * size for name, size in deviations(robot).items()})
     loop = robot_loop(robot, controller, kit)
-    nominal, K = loop.plant, loop.controller
+    nominal = loop.plant
+    K = loop.controller
     slopes, curvature = _slopes(loop, chosen)
     factors = {name: _factors(slope) for name, slope in slopes.items()}
     ranks = {name: L.shape[1] for name, (L, _) in factors.items()}
@@ -153,7 +154,8 @@ def _uncertain(P: LinearModel, K: LinearModel, factors: Sequence[tuple[Array, Ar
     """From w to z with the loop closed: x⁺ = A x + B u + L₁ w, y = C x + L₂ w, z = R₁ x + R₂ u, u = K y (D = 0)."""
     n = len(P.A)
     L, R = np.hstack([left for left, _ in factors]), np.vstack([right for _, right in factors])
-    B, C = np.hstack([L[:n], P.B]), np.vstack([R[:, :n], P.C])
+    B = np.hstack([L[:n], P.B])
+    C = np.vstack([R[:, :n], P.C])
     D = np.block([[np.zeros((len(R), L.shape[1])), R[:, n:]], [L[n:], P.D]])
     return lft(LinearModel(P.A, B, C, D, P.dt), K)
 

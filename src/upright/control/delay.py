@@ -90,8 +90,9 @@ class SampledRobot:
         if "wheel" in self.hidden:
             raise DesignFailed(
                 f"{method} holds the wheels where they are, which {' and '.join(self.reads)} do not show",
-                expected="both encoders", hint="lqr, lqg, mpc or sliding, which do without",
-            )  # fmt: skip
+                expected="both encoders",
+                hint="lqr, lqg, mpc or sliding, which do without",
+            )
 
     @property
     def now(self) -> Array:
@@ -194,7 +195,8 @@ class _Between:
     """x(t + h) for 0 ≤ h ≤ dt: Φ(h) x + Γ⁻(h) a⁻ + Γ(h) a + ε(h) F."""
 
     def __init__(self, senses: _Senses, dt: float, dead: float) -> None:
-        self.senses, self.dt = senses, dt
+        self.senses = senses
+        self.dt = dt
         self.delay = math.floor(dead / dt + _SAME)
         rest = dead - self.delay * dt
         self.rest = rest if rest > _SAME * dt else 0.0
@@ -240,14 +242,18 @@ def _assembled(robot: Robot, kit: Kit, between: _Between, sensors: Sequence[Sens
     A[range(m, push + 1), range(m, push + 1)] = 1.0
     place = push + 1
     for i, (count, h) in enumerate(lines):
-        c, d = model.C[i], model.D[i]
+        c = model.C[i]
+        d = model.D[i]
         if count:
             phi, old, new, force = between(h)
             pushed = c @ force + senses.by_push[i]
             commands = np.concatenate([c @ new, c @ old])
             commands[:2] += d * (h > between.rest)  # what the motors get at that moment shows at once
             commands[2:] += d * (h <= between.rest)
-            A[place, :m], A[place, push], B[place], E[place] = c @ phi, pushed, commands, pushed
+            A[place, :m] = c @ phi
+            A[place, push] = pushed
+            B[place] = commands
+            E[place] = pushed
             A[place + 1 : place + count, place : place + count] = delay_line(1, count, between.dt).A[1:]
             C[i, place + count - 1] = 1.0
         else:

@@ -107,7 +107,8 @@ def riccati(model: LinearModel, Q: Array, R: Array, kept: Sequence[int] | None =
 
     if kept is not None and len(kept) < len(model.A):
         part = LinearModel(model.A[np.ix_(kept, kept)], model.B[kept], dt=model.dt)
-        cost, gain = np.zeros_like(model.A), np.zeros_like(model.B.T)
+        cost = np.zeros_like(model.A)
+        gain = np.zeros_like(model.B.T)
         cost[np.ix_(kept, kept)], gain[:, kept] = riccati(part, Q[np.ix_(kept, kept)], R)
         return cost, gain
     A, B = model.A, model.B

@@ -63,8 +63,9 @@ def observed(
     if blind:
         raise SpecMismatch(
             f"the {feedback.kind} feeds back {' and '.join(blind)}, which {' and '.join(model.reads)} do not show",
-            expected="a feedback of what they show", hint="regulator(robot, kit)",
-        )  # fmt: skip
+            expected="a feedback of what they show",
+            hint="regulator(robot, kit)",
+        )
     estimator = kalman_filter(model, disturbed)
     design = Observed(estimator, feedback)
     return output_feedback(estimator, feedback.gain @ model.ahead, feedback.kind, design)

@@ -38,7 +38,8 @@ def observer(estimator: Filter) -> LinearController:
     A[n : n + 2 * d, n : n + 2 * d], Bu[n : n + 2 * d] = line.A, line.B
     if h > d:
         A[:n, n + 2 * d :], Ba[n + 2 * d :] = model.before, np.eye(2)
-    C, Dy = np.zeros((7 + 2 * h, size)), np.zeros((7 + 2 * h, m))  # zero for what no reading shows
+    C = np.zeros((7 + 2 * h, size))  # zero for what no reading shows
+    Dy = np.zeros((7 + 2 * h, m))
     k = len(model.shown)
     C[model.shown, :n], Dy[model.shown], C[6:-1, n:] = after[:k], gain[:k], np.eye(2 * h)
     if "push" in model.linear.states:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from upright.arrays import Array
@@ -17,14 +15,18 @@ def lft(plant: LinearModel, controller: LinearModel) -> LinearModel:
     Raises `InvalidModel` for different periods.
     """
     one_period(plant, controller)
-    P, K = plant, controller
+    P = plant
+    K = controller
     m, p = K.D.shape
-    inputs, outputs = P.B.shape[1] - m, len(P.C) - p
-    Bw, Bu = P.B[:, :inputs], P.B[:, inputs:]
-    Cz, Cy = P.C[:outputs], P.C[outputs:]
+    inputs = P.B.shape[1] - m
+    outputs = len(P.C) - p
+    Bw, Bu = np.split(P.B, [inputs], axis=1)
+    Cz, Cy = np.split(P.C, [outputs])
     (Dzw, Dzu), (Dyw, Dyu) = (np.split(rows, [inputs], axis=1) for rows in np.split(P.D, [outputs]))
     back = np.linalg.inv(np.eye(p) - Dyu @ K.D)  # y = back (Cy x + Dyw w + Dyu Ck x_k)
-    y, w, k = back @ Cy, back @ Dyw, back @ Dyu @ K.C
+    y = back @ Cy
+    w = back @ Dyw
+    k = back @ Dyu @ K.C
     A = np.block([[P.A + Bu @ K.D @ y, Bu @ (K.C + K.D @ k)], [K.B @ y, K.A + K.B @ k]])
     B = np.vstack([Bw + Bu @ K.D @ w, K.B @ w])
     C = np.hstack([Cz + Dzu @ K.D @ y, Dzu @ (K.C + K.D @ k)])
@@ -32,12 +34,10 @@ def lft(plant: LinearModel, controller: LinearModel) -> LinearModel:
 
 
 def feedback(forward: LinearModel, back: LinearModel, sign: float = -1.0) -> LinearModel:
-    """From r to y = forward (r + sign · back y)."""
-    twice = replace(
-        forward, B=np.hstack([forward.B, forward.B]), C=np.vstack([forward.C, forward.C]),
-        D=np.tile(forward.D, (2, 2)), inputs=(), outputs=(), u0=np.zeros(0),
-    )  # fmt: skip
-    return lft(twice, back if sign > 0 else -back)
+    """From r to y = forward (r + sign · back y), of a sign of 1 or −1."""
+    B = np.hstack([forward.B, forward.B])
+    C = np.vstack([forward.C, forward.C])
+    return lft(LinearModel(forward.A, B, C, np.tile(forward.D, (2, 2)), forward.dt), back if sign > 0 else -back)
 
 
 def append(one: LinearModel, other: LinearModel) -> LinearModel:

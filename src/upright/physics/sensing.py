@@ -66,7 +66,8 @@ def sensed(
 
         ẋ_f = ψ̇ + (α − x_f)/τ,   α = ψ − R θ̈/g − γ          z̈ = ω² (ψ̇ − z) − 2ζω ż
     """
-    n, m = len(robot.states), len(robot.inputs)
+    n = len(robot.states)
+    m = len(robot.inputs)
     moves = np.hstack([robot.A, robot.B, robot.E])  # ẋ from [x, u, w]
     pitch_rate = np.eye(1, moves.shape[1], STATE_NAMES.index("pitch_rate"))[0]
     forward = p.wheel_radius * moves[STATE_NAMES.index("wheel_rate")]  # force along the body, R θ̈ − g (ψ − γ)
@@ -95,10 +96,9 @@ def sensed(
     D, F = np.split(whole.D, [m], axis=1)
     C = whole.C[:, order]
     C[:, :n] += unfiltered
-    model = LinearModel(
-        whole.A[np.ix_(order, order)], B, C, D, states=(*robot.states, *own), inputs=robot.inputs,
-        outputs=tuple(names), E=E, disturbances=robot.disturbances,
-    )  # fmt: skip
+    labels: dict[str, Any] = {"states": (*robot.states, *own), "inputs": robot.inputs, "outputs": tuple(names)}
+    A = whole.A[np.ix_(order, order)]
+    model = LinearModel(A, B, C, D, E=E, disturbances=robot.disturbances, **labels)
     return model, F
 
 
