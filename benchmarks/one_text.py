@@ -26,8 +26,7 @@ from upright.compiled.print_c import CPrinter
 from upright.compiled.program import Kind
 from upright.control import make_controller
 from upright.control.controller import Controller
-from upright.control.law import as_law, program
-from upright.control.near_rest import near_rest
+from upright.control.law import as_law, near_rest, program
 from upright.errors import UprightError
 from upright.experiment import Push, run
 from upright.kernel.batch import FleetBatch, parameters_of

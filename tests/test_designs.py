@@ -31,8 +31,8 @@ from upright.control import (
 from upright.control.delay import RAW, sampled
 from upright.control.excited import Excited, random_binary
 from upright.control.kalman import DISTURBED, kalman_filter
+from upright.control.law import near_rest
 from upright.control.linear_controller import MATRICES
-from upright.control.near_rest import near_rest
 from upright.control.observed import observed
 from upright.control.observer import steady
 from upright.control.reach import largest_pitch, static_pitch

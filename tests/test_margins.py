@@ -18,7 +18,7 @@ from upright.certify.scaling import balanced, best_scaling
 from upright.certify.verdict import Examined, judge, linear_margins
 from upright.control import Controller, make_controller
 from upright.control.delay import RAW, sampled
-from upright.control.linear_controller import as_linear
+from upright.control.law import as_linear
 from upright.control.lqr import lqr
 from upright.control.state_space import continuous, controller_of, discrete
 from upright.errors import InvalidModel

@@ -19,8 +19,9 @@ from upright.certify.logged import Logged, loaded
 from upright.certify.pushes import StandardPush, standard_pushes
 from upright.certify.recovery import means, recoverable
 from upright.control.controller import Controller
-from upright.control.law import Law, as_law
-from upright.control.mpc import Splitting
+from upright.control.law import as_law
+from upright.control.linear_controller import Law
+from upright.control.splitting import Splitting
 from upright.errors import InvalidController, InvalidScenario, SpecMismatch
 from upright.fleet.binomial import upper_bound
 from upright.fleet.ensemble import SETTLED, tables

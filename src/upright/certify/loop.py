@@ -11,8 +11,8 @@ import numpy as np
 from upright.arrays import Array, Complex
 from upright.control.controller import Controller
 from upright.control.delay import MOST_PERIODS, SampledRobot, sampled
+from upright.control.law import near_rest
 from upright.control.linear_controller import LinearController
-from upright.control.near_rest import near_rest
 from upright.control.state_space import controller_of, plant_of
 from upright.errors import InvalidModel, SpecMismatch
 from upright.physics.interconnect import feedback

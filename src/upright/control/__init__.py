@@ -20,8 +20,8 @@ from upright.control.feedback import StateFeedback as StateFeedback
 from upright.control.files import read_controller as read_controller
 from upright.control.files import write_controller as write_controller
 from upright.control.hinf import hinf as hinf
+from upright.control.law import as_linear as as_linear
 from upright.control.linear_controller import LinearController as LinearController
-from upright.control.linear_controller import as_linear as as_linear
 from upright.control.lqg import lqg as lqg
 from upright.control.lqi import lqi as lqi
 from upright.control.lqr import Lqr as Lqr

@@ -56,10 +56,21 @@ class Controller(Protocol):
     def to_json(self) -> dict[str, Any]: ...
 
 
-class ShortRepr:
-    """Shows a controller by its kind, readings and period; its matrices are attributes."""
+class Lawful:
+    """A controller that says what it computes: `law()` is a `Law`, of which `linearised()` is the part near rest.
+
+    It is shown by its kind, readings and period; its matrices are attributes.
+    """
 
     spec: Any  # a `ControllerSpec`: a field in some controllers, a property in others
+
+    def law(self) -> Any:
+        """All that decides its commands, as a `Law`; raises `InvalidController` where that is no fixed sum."""
+        raise NotImplementedError
+
+    def linearised(self) -> Any:
+        """The `LinearController` that it is while nothing about it is at a limit."""
+        return self.law().linearised()
 
     def __repr__(self) -> str:
         spec: ControllerSpec = self.spec

@@ -31,6 +31,21 @@ class Design:
         return {} if self.gain is None else {"gain": self.gain.tolist()}
 
 
+class OfDesign:
+    """A controller with the record of its `design`, None where that is not known."""
+
+    design: Design | None
+
+    @property
+    def gain(self) -> Array | None:
+        """That of the design."""
+        return None if self.design is None else self.design.gain
+
+    def check(self) -> float:
+        """The residual of the design, zero where there is none to check."""
+        return 0.0 if self.design is None else self.design.check()
+
+
 @runtime_checkable
 class _Checked(Protocol):
     """What computes its own residual."""
@@ -40,21 +55,16 @@ class _Checked(Protocol):
 
 def design_of(controller: Controller) -> Design | None:
     """The record of the controller's design, through an estimator in front of it; None where nothing is recorded."""
-    record = getattr(_inner(controller), "design", None)
+    record = getattr(getattr(controller, "controller", controller), "design", None)
     return record if isinstance(record, Design) else None
 
 
 def gain_of(controller: Controller) -> Array | None:
     """K (2, 6) of u = −K x on the robot's six states, None of a controller that has no such gain."""
-    record = design_of(controller)
-    gain = getattr(_inner(controller), "gain", None) if record is None else record.gain
+    gain = getattr(controller, "gain", None)
     return None if gain is None else np.asarray(gain, dtype=np.float64)[:, :6]
 
 
 def residual_of(controller: Controller) -> float | None:
     """What the controller's own `check()` gives, None of one that has nothing to check."""
     return float(controller.check()) if isinstance(controller, _Checked) else None
-
-
-def _inner(controller: Any) -> Any:
-    return getattr(controller, "controller", controller)

@@ -10,9 +10,11 @@ from typing import Any, Protocol
 import numpy as np
 
 from upright.arrays import Array
-from upright.control.controller import Controller, ControllerSpec
+from upright.control.controller import Controller, ControllerSpec, Lawful
 from upright.control.delay import RAW, sampled
-from upright.control.kalman import DISTURBED, Disturbed, corrected, kalman_filter
+from upright.control.design import gain_of
+from upright.control.kalman import DISTURBED, Disturbed, corrected, kalman_filter, one_step
+from upright.control.linear_controller import Law, LinearController
 from upright.errors import InvalidController, SpecMismatch
 from upright.physics.dynamics import turn_ratio
 from upright.robots import Kit, Robot, Sensor, find_kit, find_robot
@@ -36,7 +38,7 @@ class Estimator(Protocol):
     def to_json(self) -> dict[str, Any]: ...
 
 
-class Estimated:
+class Estimated(Lawful):
     """A controller of the state behind an estimator: what a real robot can run."""
 
     def __init__(self, controller: Controller, estimator: Estimator) -> None:
@@ -61,6 +63,22 @@ class Estimated:
     def applied(self, command: Sequence[float]) -> None:
         self.estimator.predict(command)
         self.controller.applied(command)
+
+    @property
+    def form(self) -> str:
+        """Of its file."""
+        return f"estimated {getattr(self.controller, 'form', self.controller.spec.kind)}"
+
+    @property
+    def gain(self) -> Array | None:
+        """That of the controller."""
+        return gain_of(self.controller)
+
+    def law(self) -> Law:
+        before, behind = getattr(self.controller, "law", None), getattr(self.estimator, "before", None)
+        if not (callable(before) and callable(behind)):
+            raise InvalidController(f"a {self.spec.kind} has no known linear form", expected="a linear controller")
+        return Law(behind(before().linear, self.spec))
 
     def to_json(self) -> dict[str, Any]:
         parts = {"controller": self.controller.to_json(), "estimator": self.estimator.to_json()}
@@ -95,6 +113,13 @@ class Kalman:
 
     def predict(self, command: Sequence[float]) -> None:
         self._x = self.A @ self._x + self.B @ np.asarray(command)
+
+    def before(self, feedback: LinearController, spec: ControllerSpec) -> LinearController:
+        """u = Dy x̂ + Dr r of a static `feedback`, where z is the filter's state before the reading."""
+        A, By, after = one_step(self.A, self.C, self.L)
+        S, Sy = after[:6], self.L[:6]
+        C, Dy = feedback.Dy @ S, feedback.Dy @ Sy
+        return LinearController.like(spec, A, By, np.zeros((len(A), 6)), self.B, C, Dy, feedback.Dr, S=S, Sy=Sy)
 
     def to_json(self) -> dict[str, Any]:
         matrices = {name: getattr(self, name).tolist() for name in "ABCL"}

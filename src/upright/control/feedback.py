@@ -4,23 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
 from upright.arrays import Array, read_only
-from upright.control.controller import ControllerSpec, ShortRepr
+from upright.control.controller import ControllerSpec, Lawful
+from upright.control.linear_controller import Law, LinearController
 from upright.errors import InvalidController
 from upright.signals import STATE_NAMES, TRUE_STATE
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class StateFeedback(ShortRepr):
+class StateFeedback(Lawful):
     """u = −K (x − r): `gain` K (2, 6) from the state to [left, right], every `period` [s]; r is the reference state.
 
     Raises `InvalidController` for a gain of the wrong size or with NaN.
     """
 
+    form: ClassVar[str] = "state feedback"
     gain: Array
     period: float
     command_unit: str = "V"
@@ -70,6 +72,10 @@ class StateFeedback(ShortRepr):
     def check(self) -> float:
         """A gain that was given has no equation to fail."""
         return 0.0
+
+    def law(self) -> Law:
+        none = np.zeros((0, 0))
+        return Law(LinearController.like(self.spec, none, none, none, none, none, -self.gain, self.gain))
 
     def to_json(self) -> dict[str, Any]:
         return {"kind": self.kind, "gain": self.gain.tolist(), "period": self.period, "command_unit": self.command_unit}

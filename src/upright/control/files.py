@@ -40,7 +40,7 @@ def read_controller(path: str | Path) -> Controller:
     if not isinstance(form, str) or form not in FORMS:
         raise InvalidController(f"{path} holds a controller of form {form!r}", expected="one of " + ", ".join(FORMS))
     with understood(str(path), InvalidController, "JSON by write_controller"):
-        controller = FORMS[form][1](data["controller"])
+        controller = FORMS[form](data["controller"])
         check_types(controller)
     if controller_hash(controller) != data.get("hash"):
         raise InvalidController(
@@ -60,10 +60,9 @@ def _read(path: Path) -> dict[str, Any]:
 
 
 def _form(controller: Controller) -> str:
-    for name, (kind, _) in FORMS.items():
-        inside = [controller.controller] if isinstance(controller, Estimated) else []
-        if isinstance(controller, kind) and all(isinstance(part, StateFeedback) for part in inside):
-            return name
+    form = getattr(controller, "form", "")
+    if form in FORMS:
+        return form
     raise InvalidController(f"a {controller.spec.kind} cannot be written", expected="one of " + ", ".join(FORMS))
 
 
@@ -84,11 +83,11 @@ def _estimator(data: dict[str, Any]) -> Estimator:
     return Kalman(**matrices, reads=reads)
 
 
-FORMS: dict[str, tuple[type, Callable[[dict[str, Any]], Controller]]] = {
-    "state feedback": (StateFeedback, _feedback),
-    "estimated state feedback": (Estimated, _estimated),
-    "linear": (LinearController, LinearController.from_json),
-    "sliding": (SlidingMode, SlidingMode.from_json),
-    "mpc": (PredictiveController, PredictiveController.from_json),
+FORMS: dict[str, Callable[[dict[str, Any]], Controller]] = {
+    "state feedback": _feedback,
+    "estimated state feedback": _estimated,
+    "linear": LinearController.from_json,
+    "sliding": SlidingMode.from_json,
+    "mpc": PredictiveController.from_json,
 }
 """What a file can hold, and how it comes back; a new form is one line."""

@@ -4,18 +4,16 @@ from __future__ import annotations
 
 from array import array
 from collections.abc import Sequence
-from dataclasses import KW_ONLY, dataclass, field, fields
-from typing import Any
+from dataclasses import KW_ONLY, dataclass, field, fields, replace
+from typing import Any, ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from upright.arrays import Array
-from upright.control.controller import Controller, ControllerSpec, ShortRepr
-from upright.control.design import Design
-from upright.control.estimators import Estimated, Kalman
-from upright.control.feedback import StateFeedback
-from upright.control.kalman import one_step
+from upright.compiled.tracer import Form, Tracer
+from upright.control.controller import ControllerSpec, Lawful
+from upright.control.design import Design, OfDesign
 from upright.errors import InvalidController
 
 MOST_STATES = 1000
@@ -25,7 +23,7 @@ MATRICES = ("A", "By", "Br", "Ba", "C", "Dy", "Dr", "S", "Sy", "Bu")
 
 
 @dataclass(eq=False, repr=False)
-class LinearController(ShortRepr):
+class LinearController(OfDesign, Lawful):
     """z⁺ = A z + By y + Br r + Ba a, u = C z + Dy y + Dr r, x̂ = S z + Sy y, every `period` [s].
 
     y are the channels `reads`, r the reference state (6,) and u the command (2,). a is the command that was really
@@ -38,6 +36,7 @@ class LinearController(ShortRepr):
     Raises `InvalidController` for matrices that do not fit each other or are not finite.
     """
 
+    form: ClassVar[str] = "linear"
     A: Array
     By: Array
     Br: Array
@@ -139,9 +138,15 @@ class LinearController(ShortRepr):
         a = self._now[5]
         a[0], a[1] = command
 
-    def check(self) -> float:
-        """The residual of the design, zero where there is none to check."""
-        return 0.0 if self.design is None else self.design.check()
+    def law(self) -> Law:
+        return Law(self)
+
+    def law_with(self, part: Nonlinearity, linear: Array, rows: slice) -> Law:
+        """Of a memory: the law whose s are those `rows` of its outputs, and whose linear command is `linear`
+        (2, outputs) times them."""
+        command = {"C": linear @ self.C, "Dy": linear @ self.Dy, "Dr": linear @ self.Dr}
+        alone = replace(self, **command, Bu=np.zeros((0, 0)))
+        return Law(alone, Nonlinear(self.C[rows], self.Dy[rows], self.Dr[rows], self.Bu, part))
 
     def facts(self) -> dict[str, Any]:
         """Kind, channels, period and unit, for JSON."""
@@ -154,6 +159,12 @@ class LinearController(ShortRepr):
 
     def to_json(self) -> dict[str, Any]:
         return self.facts() | {"states": len(self.A)} | self.matrices()
+
+    @classmethod
+    def like(cls, spec: ControllerSpec, *matrices: Array, **opinion: Array) -> LinearController:
+        """Of the kind, channels, period and unit in `spec`: A to Dr, and S and Sy by name."""
+        facts: dict[str, Any] = {"reads": spec.reads, "period": spec.period, "command_unit": spec.command_unit}
+        return cls(*matrices, **facts, **opinion, kind=spec.kind)
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> LinearController:
@@ -193,36 +204,79 @@ def finite_matrix(given: ArrayLike, name: str, shape: tuple[int, int]) -> Array:
     return value
 
 
-def as_linear(controller: Controller) -> LinearController:
-    """The same commands from one state-space system: of a state feedback, alone or behind a Kalman filter.
+class Nonlinearity(Protocol):
+    """What of a law is not linear: from the linear command and s to the commands, and to what else the memory gets.
 
-    Raises `InvalidController` for a controller that is not linear or whose form is not known here.
+    `slope` (2 + further, s) is what it adds per s near rest, and `most` (further,) the largest that each of what it
+    gives besides the commands can be.
     """
-    if isinstance(controller, LinearController):
-        return controller
-    if isinstance(controller, StateFeedback):
-        none = np.zeros((0, 0))
-        return _named(controller, none, none, none, none, none, -controller.gain, controller.gain)
-    if isinstance(controller, Estimated):
-        inner, filter_ = controller.controller, controller.estimator
-        if isinstance(inner, StateFeedback) and isinstance(filter_, Kalman):
-            return _behind(controller, inner.gain, filter_)
-    raise InvalidController(f"a {controller.spec.kind} has no known linear form", expected="a linear controller")
+
+    @property
+    def slope(self) -> Array: ...
+
+    @property
+    def most(self) -> tuple[float, ...]: ...
+
+    def forms(self, t: Tracer, linear: Sequence[Form], s: Sequence[Form]) -> tuple[list[Form], list[Form]]: ...
 
 
-def _behind(controller: Controller, gain: Array, filter_: Kalman) -> LinearController:
-    """u = −K (x̂ − r), where z is the filter's state before the reading."""
-    A, By, after = one_step(filter_.A, filter_.C, filter_.L)
-    S = after[:6]
-    Sy = filter_.L[:6]
-    return _named(controller, A, By, np.zeros((len(A), 6)), filter_.B, -gain @ S, -gain @ Sy, gain, S, Sy)
+@dataclass(frozen=True, eq=False)
+class Nonlinear:
+    """s = C z + Dy y + Dr r, and what is made of it: the `part` of a law that is not linear.
+
+    The memory is driven by Bu v as well, v being the command before the motors' limits and what else the part gives.
+    """
+
+    C: Array
+    Dy: Array
+    Dr: Array
+    Bu: Array
+    part: Nonlinearity
 
 
-def _named(like: Controller, *matrices: Array) -> LinearController:
-    A, By, Br, Ba, C, Dy, Dr, *opinion = matrices
-    spec = like.spec
-    S, Sy = opinion or (np.zeros((0, 0)), np.zeros((0, 0)))
-    return LinearController(
-        A, By, Br, Ba, C, Dy, Dr, reads=spec.reads, period=spec.period, S=S, Sy=Sy,
-        command_unit=spec.command_unit, kind=spec.kind,
-    )  # fmt: skip
+@dataclass(frozen=True, eq=False)
+class Law:
+    """A controller as fixed sums of products; `nonlinear` is None for a linear one."""
+
+    linear: LinearController
+    nonlinear: Nonlinear | None = None
+
+    @property
+    def period(self) -> float:
+        return self.linear.period
+
+    def law(self) -> Law:
+        """It is its own."""
+        return self
+
+    def linearised(self) -> LinearController:
+        """The linear system that decides about stability at rest, where no limit counts."""
+        one, two = self.linear, self.nonlinear
+        if two is None:
+            return one
+        slope = two.part.slope
+
+        def near_rest(linear: Array, s: Array) -> Array:
+            return np.pad(linear, ((0, len(slope) - 2), (0, 0))) + slope @ s
+
+        C, Dy, Dr = near_rest(one.C, two.C), near_rest(one.Dy, two.Dy), near_rest(one.Dr, two.Dr)
+        memory = {"A": one.A + two.Bu @ C, "By": one.By + two.Bu @ Dy, "Br": one.Br + two.Bu @ Dr}
+        return replace(one, **memory, C=C[:2], Dy=Dy[:2], Dr=Dr[:2])
+
+    def with_period(self, period: float) -> Law:
+        """The same numbers every `period` [s]."""
+        return replace(self, linear=replace(self.linear, period=period))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Law) and self._numbers() == other._numbers()
+
+    def __hash__(self) -> int:
+        return hash(self._numbers())
+
+    def _numbers(self) -> tuple[Any, ...]:
+        """All that decides the statements."""
+        one, two = self.linear, self.nonlinear
+        names = ("reads", "period", "command_unit", "kind", "A", "By", "Br", "Ba", "C", "Dy", "Dr")
+        facts = [getattr(one, name) for name in names]
+        facts += [two.C, two.Dy, two.Dr, two.Bu, *vars(two.part).values()] if two else []
+        return tuple(fact.tobytes() if isinstance(fact, np.ndarray) else fact for fact in facts)

@@ -22,18 +22,20 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from upright.arrays import Array
-from upright.control.controller import ControllerSpec, ShortRepr
+from upright.control.controller import ControllerSpec, Lawful
 from upright.control.delay import sampled
+from upright.control.design import OfDesign
 from upright.control.kalman import Disturbed, kalman_filter, offset_free
-from upright.control.linear_controller import LinearController, finite_matrix
+from upright.control.linear_controller import Law, LinearController
 from upright.control.lqg import Lqg, regulated
 from upright.control.observer import memory, steady_push, steady_state
+from upright.control.splitting import MOST_ITERATIONS, Splitting
 from upright.errors import DesignFailed, InvalidController
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import STATE_NAMES
@@ -42,79 +44,17 @@ HORIZON = 30  # periods
 UNLIMITED = 1e9  # [V or N m] in place of no limit: more than any driver gives
 SOFTNESS = 3e-3  # breaking a bound by all of it costs 1/(2 · SOFTNESS) a period
 BOUND_WEIGHT = 0.2  # weight of a bound in the splitting, over that of breaking it
-MOST_ITERATIONS = 100
-
-
-@dataclass(frozen=True, eq=False)
-class Splitting:
-    """`iterations` of an operator splitting over m quantities, each as a fraction of its own limit or bound.
-
-    The first two are the commands over `limit`. Let g (m,) be what they reach under the regulator alone, and
-    z = prox(v) = sat(v) + `ease` (v − sat(v)), with an ease of 0 for a limit. One iteration of the alternating
-    direction method of multipliers (Boyd et al. 2011, chapter 3; v is z and the scaled multiplier) is
-
-        v ← v + g − z + Π (2 z − v − g),   Π = `projection` = G (H + GᵀρG)⁻¹ Gᵀρ.
-
-    Where nothing in g exceeds 1, v = g is the minimum. Otherwise the first v is g + `shift` (v − g), with the v − g of
-    the period before.
-    Raises `InvalidController` for sizes that do not fit each other.
-    """
-
-    projection: Array
-    shift: Array
-    ease: Array
-    limit: float
-    iterations: int
-    _step: Array = field(init=False, repr=False)
-    _rest: Array = field(init=False, repr=False)
-
-    def __post_init__(self) -> None:
-        m = len(self.ease)
-        for name in ("projection", "shift"):
-            object.__setattr__(self, name, finite_matrix(getattr(self, name), name, (m, m)))
-        object.__setattr__(self, "ease", finite_matrix([self.ease], "ease", (1, m))[0])
-        if m < 2 or not (0 < self.limit < math.inf and self.iterations in range(1, MOST_ITERATIONS + 1)):
-            raise InvalidController(
-                f"a limit of {self.limit} and {self.iterations} iterations over {m} quantities",
-                expected=f"a positive limit, 1 to {MOST_ITERATIONS} iterations, two commands",
-            )
-        # v ← [stay, turn] (v, sat(v)) + (I − Π) g
-        one = np.eye(m)
-        keep = 1 - self.ease
-        stay = one - np.diag(self.ease) + self.projection @ np.diag(2 * self.ease - 1)
-        turn = 2 * self.projection @ np.diag(keep) - np.diag(keep)
-        object.__setattr__(self, "_step", np.hstack([stay, turn]))
-        object.__setattr__(self, "_rest", one - self.projection)
-
-    def iterated(self, free: Array, pull: Array, times: int = 0) -> tuple[Array, float]:
-        """v (m,) from g = `free` and the last v − g, and by how much the last iteration moved a command, over `limit`;
-        `times` are by default the `iterations`."""
-        m = len(free)
-        rest = self._rest @ free
-        both = np.concatenate([free + self.shift @ pull, np.zeros(m)])
-        v = both[:m]
-        inside = both[m:]
-        before = np.zeros(2)
-        for _ in range(times or self.iterations):
-            np.clip(v, -1.0, 1.0, out=inside)
-            before[:] = inside[:2]
-            np.add(self._step @ both, rest, out=v)
-        return v, float(np.abs(np.clip(v[:2], -1.0, 1.0) - before).max())
-
-    def to_json(self) -> dict[str, Any]:
-        """Every number."""
-        matrices = {"projection": self.projection, "shift": self.shift, "ease": self.ease}
-        return {k: m.tolist() for k, m in matrices.items()} | {"limit": self.limit, "iterations": self.iterations}
 
 
 @dataclass(eq=False, repr=False)
-class PredictiveController(ShortRepr):
+class PredictiveController(OfDesign, Lawful):
     """The `splitting` behind its filter: the outputs of `memory` are g (m,), what it limits under the regulator alone.
 
     `residual` [1] is by how much a last iteration has moved a command at most since the reset, as a fraction of the
     limit; 0 where nothing was limited. It is no bound of the distance to the exact minimum.
     """
 
+    form: ClassVar[str] = "mpc"
     memory: LinearController
     splitting: Splitting
     design: Lqg | None = field(default=None, repr=False)
@@ -163,7 +103,11 @@ class PredictiveController(ShortRepr):
         s = self.splitting
         signs = np.where(np.arange(len(s.ease)) % 2, -2.0, 2.0)
         left = max(s.iterated(g, self._none, MOST_ITERATIONS**2)[1] for g in (signs, np.abs(signs)))
-        return max(0.0 if self.design is None else self.design.check(), left)
+        return max(super().check(), left)
+
+    def law(self) -> Law:
+        m = self.memory
+        return m.law_with(self.splitting, self.splitting.limit * np.eye(2, len(m.C)), slice(None))
 
     def to_json(self) -> dict[str, Any]:
         return self.memory.facts() | {"splitting": self.splitting.to_json(), "memory": self.memory.matrices()}

@@ -5,21 +5,23 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from upright.arrays import Array, Complex
-from upright.control.controller import ControllerSpec, ShortRepr
+from upright.compiled.tracer import Form, Tracer
+from upright.control.controller import ControllerSpec, Lawful
 from upright.control.delay import sampled
-from upright.control.design import Design
+from upright.control.design import Design, OfDesign
 from upright.control.kalman import RECOVERED, Disturbed, kalman_filter
-from upright.control.linear_controller import LinearController
+from upright.control.linear_controller import Law, LinearController
 from upright.control.lqg import Lqg, regulated
 from upright.control.observer import memory, steady_state
 from upright.errors import DesignFailed, InvalidController
 from upright.robots import Kit, Robot, find_kit, find_robot
+from upright.signals import SIDES
 
 SINGULAR = 1e9  # [1] condition of a cost that is of rank one but for rounding
 TIME, REACH, LAYER = 0.05, 0.02, 0.1
@@ -51,14 +53,36 @@ class Sliding(Design):
         return max(self.base.check(), float(np.abs(left).max() / np.abs(self.S).max()))
 
 
+@dataclass(frozen=True, eq=False)
+class Switching:
+    """u loses `reach` · sat(s / `layer`), s (2,)."""
+
+    most: ClassVar[tuple[float, ...]] = ()
+    reach: float
+    layer: float
+
+    @property
+    def slope(self) -> Array:
+        """That of sat inside the layer."""
+        return -self.reach / self.layer * np.eye(2)
+
+    def forms(self, t: Tracer, linear: Sequence[Form], s: Sequence[Form]) -> tuple[list[Form], list[Form]]:
+        """The command of each motor."""
+        bounded = [
+            t.let(f"surface_{side}", form * (1 / self.layer), "1", 1.0) for side, form in zip(SIDES, s, strict=True)
+        ]
+        return [row - surface * self.reach for row, surface in zip(linear, bounded, strict=True)], []
+
+
 @dataclass(eq=False, repr=False)
-class SlidingMode(ShortRepr):
+class SlidingMode(OfDesign, Lawful):
     """u = u_lin − reach · sat(s / layer) for each motor, from the outputs [s, u_lin] of `memory`, in command units.
 
     With u_lin = u_r r − S A ξ + keep · s follows s⁺ = keep · s − reach · sat(s / layer). (Gao, Wang and Homaifa 1995,
     with a boundary layer in place of the sign.) Inside the layer nothing chatters while reach ≤ keep · layer.
     """
 
+    form: ClassVar[str] = "sliding"
     memory: LinearController
     reach: float
     layer: float
@@ -90,9 +114,8 @@ class SlidingMode(ShortRepr):
     def applied(self, command: Sequence[float]) -> None:
         self.memory.applied(command)
 
-    def check(self) -> float:
-        """The residual of the design, zero where there is none to check."""
-        return 0.0 if self.design is None else self.design.check()
+    def law(self) -> Law:
+        return self.memory.law_with(Switching(self.reach, self.layer), np.eye(2, 4, 2), slice(2))
 
     def to_json(self) -> dict[str, Any]:
         return self.memory.facts() | {"reach": self.reach, "layer": self.layer, "memory": self.memory.matrices()}

@@ -78,8 +78,8 @@ def trace(
     r = _reference(t, setup)
     pitch = _pitch(t, setup, z, y)
     u = command_forms(t, inner.law, z, y, r, unit=setup.driver.unit, most=setup.typed)
-    fit = _fit(t, setup, read, [*read.values(), *r, *u])
-    a = _applied(t, setup, u, read, fit)
+    fit = _fit(t, setup, read, [*read.values(), *r, *u[:2]])
+    a = _applied(t, setup, u[:2], read, fit)
     command = t.block("command")
     rows = memory_forms(inner.law, z=z, y=y, r=r, u=u, a=_arrived(t, setup, a))
     _remember(t, w, rows, bounds is not None)
@@ -134,7 +134,8 @@ def _bounds(setup: ProgramSetup) -> Array | None:
     linear = setup.linear
     y = np.array([HEADING if c == COMPASS else largest(setup.kit, c, setup.travel) for c in linear.reads])
     r = np.array(REFERENCE_RANGE) if setup.reference else np.zeros(6)
-    u = np.full(2, setup.typed if setup.incremental.law.nonlinear else 0.0)
+    rest = setup.incremental.law.nonlinear
+    u = np.array([setup.typed, setup.typed, *rest.part.most] if rest else [0.0, 0.0])
     a = np.full(2, setup.strongest)
     return setup.incremental.bounds(change=np.full(len(y), FASTEST * linear.period), y=y, r=r, u=u, a=a)
 

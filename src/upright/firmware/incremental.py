@@ -10,8 +10,8 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.control.controller import Controller
-from upright.control.law import Law, as_law
-from upright.control.linear_controller import LinearController
+from upright.control.law import as_law
+from upright.control.linear_controller import Law, LinearController
 from upright.errors import InvalidController
 from upright.physics.linear import FADING, impulse_norm
 

@@ -13,8 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 from upright.arrays import Array, Mask, Whole
 from upright.control import Controller
 from upright.control.controller import ControllerSpec
-from upright.control.law import Law, as_law
-from upright.control.linear_controller import LinearController
+from upright.control.law import as_law
+from upright.control.linear_controller import Law, LinearController
 from upright.errors import InvalidModel, InvalidRobot, InvalidScenario, SpecMismatch
 from upright.physics.dynamics import MODELS
 from upright.robots import Kit, Robot

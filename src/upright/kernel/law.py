@@ -12,7 +12,8 @@ from upright.arrays import Array
 from upright.compiled.generated import LEFT
 from upright.compiled.print_lanes import LanesPrinter, RowOf, constants
 from upright.compiled.program import Block, Kind, Program, Step, Sum
-from upright.control.law import Law, program
+from upright.control.law import program
+from upright.control.linear_controller import Law
 from upright.kernel.rows import COMMAND, REFERENCE
 from upright.kernel.store import functions_of
 from upright.signals import STATE_NAMES

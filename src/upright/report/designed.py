@@ -13,11 +13,11 @@ from upright.certify.release import UPRIGHT, Release
 from upright.control import Controller, Design, design_of
 from upright.control.hinf import Hinf
 from upright.control.kalman import Filter
+from upright.control.law import near_rest
 from upright.control.lqg import Lqg
 from upright.control.lqi import Lqi
 from upright.control.lqr import Lqr
 from upright.control.mpc import PredictiveController
-from upright.control.near_rest import near_rest
 from upright.control.observed import Observed
 from upright.control.pid import Pid, PidGains
 from upright.control.sliding import Sliding, SlidingMode

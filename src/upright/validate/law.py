@@ -258,7 +258,7 @@ def recorded(log: Log) -> ControllerLaw | None:
     """The controller that a log of ours names, where it gives the log's commands from the log's readings."""
     named = log.origin.get("controller")
     facts = {k: v for k, v in named.items() if k not in ("hash", "excitation")} if isinstance(named, Mapping) else {}
-    for _, made in FORMS.values() if facts else ():
+    for made in FORMS.values() if facts else ():
         try:
             controller = made(deepcopy(facts))
         except (KeyError, TypeError, ValueError, AttributeError, UprightError):
