@@ -34,7 +34,7 @@ class Design:
 class OfDesign:
     """A controller with the record of its `design`, None where that is not known."""
 
-    design: Design | None
+    design: Any  # a `Design`, None where it is not known: a field of the controller
 
     @property
     def gain(self) -> Array | None:

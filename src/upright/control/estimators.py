@@ -75,10 +75,11 @@ class Estimated(Lawful):
         return gain_of(self.controller)
 
     def law(self) -> Law:
-        before, behind = getattr(self.controller, "law", None), getattr(self.estimator, "before", None)
-        if not (callable(before) and callable(behind)):
+        controller: Any = self.controller
+        estimator: Any = self.estimator
+        if not (hasattr(controller, "law") and hasattr(estimator, "before")):
             raise InvalidController(f"a {self.spec.kind} has no known linear form", expected="a linear controller")
-        return Law(behind(before().linear, self.spec))
+        return Law(estimator.before(controller.law().linear, self.spec))
 
     def to_json(self) -> dict[str, Any]:
         parts = {"controller": self.controller.to_json(), "estimator": self.estimator.to_json()}

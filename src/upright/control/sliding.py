@@ -57,16 +57,20 @@ class Sliding(Design):
 class Switching:
     """u loses `reach` · sat(s / `layer`), s (2,)."""
 
-    most: ClassVar[tuple[float, ...]] = ()
     reach: float
     layer: float
+
+    @property
+    def most(self) -> tuple[float, ...]:
+        """It gives nothing besides the commands."""
+        return ()
 
     @property
     def slope(self) -> Array:
         """That of sat inside the layer."""
         return -self.reach / self.layer * np.eye(2)
 
-    def forms(self, t: Tracer, linear: Sequence[Form], s: Sequence[Form]) -> tuple[list[Form], list[Form]]:
+    def forms(self, t: Tracer, linear: Sequence[Form], s: Sequence[Form], /) -> tuple[list[Form], list[Form]]:
         """The command of each motor."""
         bounded = [
             t.let(f"surface_{side}", form * (1 / self.layer), "1", 1.0) for side, form in zip(SIDES, s, strict=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
@@ -37,7 +37,6 @@ class Splitting:
     Raises `InvalidController` for sizes that do not fit each other.
     """
 
-    most: ClassVar[tuple[float, ...]] = ()
     projection: Array
     shift: Array
     ease: Array
@@ -80,11 +79,16 @@ class Splitting:
         return v, float(np.abs(np.clip(v[:2], -1.0, 1.0) - before).max())
 
     @property
+    def most(self) -> tuple[float, ...]:
+        """It gives nothing besides the commands."""
+        return ()
+
+    @property
     def slope(self) -> Array:
         """None: where nothing is limited, the command is the linear one."""
         return np.zeros((2, len(self.ease)))
 
-    def forms(self, t: Tracer, _linear: Sequence[Form], s: Sequence[Form]) -> tuple[list[Form], list[Form]]:
+    def forms(self, t: Tracer, _linear: Sequence[Form], s: Sequence[Form], /) -> tuple[list[Form], list[Form]]:
         """The first commands; `residual` says by how much the last iteration moved them, over the limit.
 
         Π acts on sums and differences of both motors' quantities, between which it is zero where the motors are alike.
