@@ -51,7 +51,7 @@ REFERENCE = {
     "Bodies": "Body Sample NonlinearBody LinearBody Twin Electronics",
     "Pushes and references": "Hold Impulse Push Slope Drive Turn",
     "Models": "linearise LinearModel",
-    "Controllers": "design lqr lqi lqg pid hinf mpc sliding robust kalman complementary tune",
+    "Controllers": "design lqr lqi lqg pid pid_angle hinf mpc sliding robust kalman complementary tune",
     "What controllers are": "Controller StateFeedback LinearController Estimated",
     "From a log": "doctor calibrate identify validate excite post_mortem",
     "Before it drives": "certify parity",

@@ -20,6 +20,7 @@ from .control import lqi as lqi
 from .control import lqr as lqr
 from .control import mpc as mpc
 from .control import pid as pid
+from .control import pid_angle as pid_angle
 from .control import robust as robust
 from .control import sliding as sliding
 from .diagnose.post_mortem import post_mortem as post_mortem

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -78,18 +79,20 @@ def design(
     kit: Kit | str | None = None,
     *,
     period: float | None = None,
+    own: Mapping[str, float | str] | None = None,
     posterior: Uncertainty | str | PathLike[str] | None = None,
 ) -> Designed:
     """The controller of that `method` for a robot with `kit` (None: its own), every `period` [s] (None: the kit's).
 
-    `posterior`, such as a file by `upright calibrate --save`, puts the robot at its medians; the method robust alone
-    uses it. Raises `UnknownName` for a method that is not registered, `DesignFailed` where it has no solution.
+    `own` are the method's own numbers and words, as pid-angle takes them. `posterior`, such as a file by
+    `upright calibrate --save`, puts the robot at its medians; the method robust alone uses it. Raises `UnknownName` for
+    a method that is not registered, `DesignFailed` where it has no solution.
     """
     nominal, unknown = at_medians(find_robot(robot), posterior)
     parts = find_kit(kit or nominal.kit)
     dt = parts.period if period is None else period
     if unknown is None:
-        controller = make_controller(method, nominal, parts, dt)
+        controller = make_controller(method, nominal, parts, dt, own)
     elif method == "robust":
         controller = robust(nominal, parts, dt, uncertainty=unknown)
     else:

@@ -18,6 +18,7 @@ from upright.cli.options import (
     RobotOption,
     SeedOption,
     complete_method,
+    named_values,
 )
 from upright.cli.output import check_targets, finish, progress, write_page
 
@@ -34,11 +35,16 @@ def design(
     robot: RobotOption = "nxtway-gs",
     kit: KitOption = None,
     period: PeriodOption = None,
+    gains: Annotated[
+        str | None,
+        typer.Option("--gains", metavar="NAME=VALUE,...",
+                     help="Of pid-angle, the program's own: kp=50,ki=60,kd=1.4,unit=deg,output=pwm."),
+    ] = None,
     posterior: PosteriorOption = None,
     output: ControllerOutputOption = None,
     report: ReportOption = None,
     as_json: JsonOption = False,
-) -> None:
+) -> None:  # fmt: skip
     """Design a controller for a robot.
 
     Prints its inputs, the residual of its equations, and the margins of its loop.
@@ -46,7 +52,8 @@ def design(
     from upright.certify.design import design as design_controller
 
     check_targets(output, report)
-    result = design_controller(method, robot, kit, period=period, posterior=posterior)
+    own = named_values(gains, "--gains") if gains else None
+    result = design_controller(method, robot, kit, period=period, own=own, posterior=posterior)
     write_page(result, report)  # before the controller's file, so that a design without a page leaves none
     written = result.save(output) if output else None
     finish(result, as_json, written=(written, report), file=str(written) if written else None)

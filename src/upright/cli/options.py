@@ -196,6 +196,22 @@ def named_numbers(text: str, names: Sequence[str], option: str, bare: str = "") 
     return values
 
 
+def named_values(text: str, option: str) -> dict[str, float | str]:
+    """`name=VALUE,name=VALUE` as a dictionary, numbers as such and other words as text."""
+    values: dict[str, float | str] = {}
+    for part in text.split(","):
+        name, equals, value = (piece.strip() for piece in part.partition("="))
+        if not (equals and name and value):
+            raise InvalidScenario(f"{option}: '{part}'", expected="name=VALUE")
+        if name in values:
+            raise InvalidScenario(f"{option}: {name} is given twice", expected="each name once")
+        try:
+            values[name] = float(value)
+        except ValueError:
+            values[name] = value
+    return values
+
+
 def vector(text: str, names: Sequence[str], option: str) -> list[float]:
     """`name=NUMBER,…` as one number for each of `names`; the others are zero."""
     given = named_numbers(text, names, option) if text else {}

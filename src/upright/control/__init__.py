@@ -35,5 +35,7 @@ from upright.control.methods import make_controller as make_controller
 from upright.control.mpc import mpc as mpc
 from upright.control.observed import observed as observed
 from upright.control.pid import pid as pid
+from upright.control.pid_angle import AnglePid as AnglePid
+from upright.control.pid_angle_design import pid_angle as pid_angle
 from upright.control.robust import robust as robust
 from upright.control.sliding import sliding as sliding

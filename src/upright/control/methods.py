@@ -19,6 +19,7 @@ from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, Lqr, bryson, lqr
 from upright.control.mpc import mpc
 from upright.control.observed import regulator
 from upright.control.pid import pid
+from upright.control.pid_angle_design import OWN, pid_angle
 from upright.control.robust import robust
 from upright.control.sliding import sliding
 from upright.control.tunable import TUNABLE, Tunable, sized
@@ -34,8 +35,9 @@ class Method:
 
     A `weighted` method has two more keywords (Bryson's rule): `largest`, the largest accepted deviation of each state
     (6,) [rad, rad/s, …], and `command`, the largest usual command of a motor. A `slow` one takes more than a second to
-    design. One with `reads_truth` needs the true state. `benched` ones are in the table of all controllers.
-    `tunable` says how its weights are tuned. One that `needs` a module of an extra is left out where many are made.
+    design. One with `reads_truth` needs the true state. `benched` ones are in the table of all controllers. `own` are
+    the numbers and words that `make` takes by name. `tunable` says how its weights are tuned. One that `needs` a module
+    of an extra is left out where many are made.
     """
 
     make: Callable[..., Controller]
@@ -44,6 +46,7 @@ class Method:
     slow: bool = False
     reads_truth: bool = False
     benched: bool = True
+    own: tuple[str, ...] = ()
     tunable: Tunable | None = None
     needs: str = ""
 
@@ -76,12 +79,20 @@ class Method:
         *,
         largest: Sequence[float] | None = None,
         command: float | None = None,
+        own: Mapping[str, float | str] | None = None,
     ) -> Controller:
         """The controller for `robot` under `kit` every `dt` [s]. Without `largest` and `command` its weights are
         those in the robot's file, where that has some for its own kit, else those of Bryson's rule on `LARGEST_STATE`.
 
-        Raises `InvalidController` for other than six deviations, or for weights where the method takes none.
+        `own` are numbers and words of the method's own. Raises `InvalidController` for other than six deviations, or
+        for weights or own numbers where the method takes none.
         """
+        if own:
+            if not self.own:
+                raise InvalidController(
+                    f"{self.name} takes no numbers of its own", expected="a method such as pid-angle"
+                )
+            return designed_from(self.make(robot, kit, dt, **own), request_hash(self.name, robot, kit, dt, **own))
         if largest is None and command is None and self.name in robot.weights and kit.name == robot.kit_name:
             return self.tuned(robot, kit, dt, self.defaults(robot, kit, dt))
         largest = LARGEST_STATE if largest is None else largest
@@ -126,6 +137,8 @@ OURS = (
     Method(name="lqi", make=_by_weights(lqi, (LARGEST_INTEGRAL,)), weighted=True, tunable=TUNABLE["lqi"]),
     Method(name="lqg", make=_by_weights(lqg), weighted=True, tunable=TUNABLE["lqg"]),
     Method(name="pid", make=pid, slow=True, tunable=TUNABLE["pid"]),
+    # what most have built: a program of one's own, no table's rival
+    Method(name="pid-angle", make=pid_angle, own=OWN, benched=False, tunable=TUNABLE["pid-angle"]),
     Method(name="hinf", make=hinf, slow=True, tunable=TUNABLE["hinf"]),
     Method(name="mpc", make=_by_weights(mpc), weighted=True, tunable=TUNABLE["mpc"]),
     Method(name="sliding", make=_by_weights(sliding), weighted=True, tunable=TUNABLE["sliding"]),
@@ -150,9 +163,12 @@ CONTROLLERS: Registry[Method] = Registry("controller", "upright.controllers", {m
 """Every method of design: ours, those of installed packages, and `CONTROLLERS["my.py:Rod"]`."""
 
 
-def make_controller(name: str, robot: Robot, kit: Kit, dt: float) -> Controller:
-    """The controller by the method of that name, designed for `robot` under `kit` every `dt` [s]."""
-    return CONTROLLERS[name](robot, kit, dt)
+def make_controller(
+    name: str, robot: Robot, kit: Kit, dt: float, own: Mapping[str, float | str] | None = None
+) -> Controller:
+    """The controller by the method of that name, designed for `robot` under `kit` every `dt` [s], from its `own`
+    numbers where it takes some."""
+    return CONTROLLERS[name](robot, kit, dt, own=own)
 
 
 def find_controller(controller: Controller | str | PathLike[str], robot: Robot, kit: Kit, dt: float) -> Controller:

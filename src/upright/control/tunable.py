@@ -21,6 +21,7 @@ from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson
 from upright.control.mpc import HORIZON, mpc
 from upright.control.observed import regulator
 from upright.control.pid import Pid, pid
+from upright.control.pid_angle_design import pid_angle
 from upright.control.sliding import LAYER, REACH, TIME, sliding
 from upright.robots import Kit, Robot
 from upright.signals import STATE_NAMES
@@ -34,6 +35,7 @@ UNITS = dict(zip(PLANE, ("rad", "rad/s", "rad", "rad/s"), strict=True)) | {
     "integral": "rad s", "motor_noise": "1", "push_walk": "N/√s", "time": "s", "reach": "1", "layer": "1",
     "horizon": "1", "disturbance": "1", "encoder_error": "rad", "gyro_error": "rad/s", "p": "command/rad",
     "i": "command/(rad s)", "d": "command s/rad", "filter_time": "s", "wheel_gain": "1", "wheel_rate_gain": "s",
+    "kp": "pwm/deg", "ki": "pwm/(deg s)", "kd": "pwm s/deg",
 }  # fmt: skip
 """Name of a weight → its unit."""
 
@@ -152,11 +154,21 @@ def _pid(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
     return pid(robot, kit, dt, gains={field: weights[name] for name, field in PID_GAINS.items()})
 
 
+def _angle_defaults(robot: Robot, kit: Kit, dt: float) -> dict[str, float]:
+    found = pid_angle(robot, kit, dt)
+    return {name: gain for name, gain in (("kp", found.kp), ("ki", found.ki), ("kd", found.kd)) if gain}
+
+
+def _angle(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
+    return pid_angle(robot, kit, dt, **weights)
+
+
 TUNABLE: dict[str, Tunable] = {
     "lqr": _by_weights(_lqr),
     "lqi": _by_weights(lqi, integral=True),
     "lqg": _by_weights(lqg),
     "pid": Tunable(_pid_defaults, _pid),
+    "pid-angle": Tunable(_angle_defaults, _angle),
     "hinf": Tunable(_hinf_defaults, _hinf),
     "mpc": Tunable(_mpc_defaults, _mpc),
     "sliding": Tunable(_sliding_defaults, _sliding),

@@ -1,0 +1,240 @@
+"""PID on the angle for a robot: the program's own numbers, or numbers found by the margins of its linear loop.
+
+The pitch answers a voltage by s n(s)/d(s), as a motor at a constant voltage only makes the wheels run at a constant
+speed. With ki/s the closed loop d(s) − (kp s + ki + kd s²) n(s) has the constant term d(0) − ki n(0), so that no kp or
+kd removes its growing mode, and ki must exceed d(0)/n(0).
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+
+from upright.arrays import Array
+from upright.control.delay import RAW, SampledRobot, sampled
+from upright.control.design import Design
+from upright.control.linear_controller import LinearController
+from upright.control.pid_angle import ANGLE, FULL, GYRO, PER_RADIAN, AnglePid
+from upright.control.state_space import controller_of, plant_of
+from upright.errors import DesignFailed, SpecMismatch, UnknownName
+from upright.physics.dynamics import motor_gain
+from upright.physics.linear import linearise_rolling
+from upright.robots import Kit, Robot, find_kit, find_robot
+
+STIFFNESSES = np.geomspace(1.4, 24, 12)  # kp tried, against the gravity that it must overcome
+TIMES = np.geomspace(0.01, 0.3, 10)  # [s] kd tried, over kp
+RATIOS = (1.5, 2.0, 3.0, 5.0, 8.0)  # ki tried, over the least that removes the growing mode
+SLOW = (0.0, 0.3, 1.0)  # [1/s] ki tried, over kp, where none is needed
+LEAST = 0.1  # min |1 + L|: a sensitivity of 10, with which the smallest error of the model topples the robot
+ON_CIRCLE = 1e-6  # of |z|: position and heading, which nothing holds, stay at 1 to rounding
+WATCHED = 20.0  # [s] in which an error of the set point is followed
+OWN = tuple(f.name for f in fields(AnglePid) if f.init and f.name not in ("period", "command_unit", "supply"))
+"""Numbers and words of a program, as `pid_angle` takes them."""
+
+
+@dataclass(frozen=True, eq=False)
+class AngleDesign(Design):
+    """What a `controller` on the angle does on `robot` under `kit`; `found` says that its gains were searched here."""
+
+    robot: Robot
+    kit: Kit
+    controller: AnglePid
+    found: bool
+
+    @property
+    def gain(self) -> Array:
+        """That of the part without memory."""
+        return self.controller.gain
+
+    @property
+    def growth(self) -> float:
+        """[1/s] of the fastest growing mode of the linear loop; 0 where none grows."""
+        return _growth(_model(self.robot, self.kit, self.controller), self.controller.linearised())
+
+    @property
+    def least_ki(self) -> float:
+        """ki, in the program's unit, that removes the growing mode of a voltage drive; 0 where none is needed."""
+        own = self.controller
+        most = abs(own.volts) * PER_RADIAN[own.unit]
+        return least_integral(self.robot) / most * (own.period if own.per == "step" else 1.0)
+
+    def check(self) -> float:
+        """Nothing is solved: the gains are given, or tried."""
+        return 0.0
+
+    def words(self) -> list[str]:
+        """The numbers, what they do, and what they cannot."""
+        pid = self.controller
+        each = f"{pid.output}/{pid.unit}"
+        rate = f"{pid.output} s/{pid.unit}"
+        units = (each, f"{each}/s", rate)
+        if pid.per == "step":
+            units = (each, f"{each} a step", rate if pid.rate == "gyro" else each)
+        head = ", ".join(f"{name} {getattr(pid, name):.4g} {unit}" for name, unit in zip(_GAINS, units, strict=True))
+        volts = abs(pid.volts) * PER_RADIAN[pid.unit] * pid.kp
+        head = f"{head}: kp is {volts:.3g} {pid.command_unit} for a radian."
+        return [head, *(self._falls() or [*([] if pid.cascade else [_NOTHING_HOLDS]), self._off_by_one()])]
+
+    def _falls(self) -> list[str]:
+        """That the linear loop grows and, where that is it, why; nothing where it does not."""
+        growth, least = self.growth, self.least_ki
+        if not growth:
+            return []
+        lines = [f"It falls: the linear loop grows by {growth:.2g} 1/s, twofold in {math.log(2) / growth:.2g} s."]
+        if least and self.controller.ki < least:
+            lines.append(
+                f"P and D on the angle alone always leave a growing mode: a voltage ends as a speed, not as a force. "
+                f"ki must be above {least:.3g}; it is {self.controller.ki:.3g}."
+            )
+        return lines
+
+    def _off_by_one(self) -> str:
+        """What one degree of error in the set point does."""
+        time, speed, travel, limited = drift(self.robot, self.controller, math.radians(1.0))
+        says = "its motors are at their limit: it falls" if limited else "it still stands"
+        return (
+            f"One degree of error in the set point: after {time:.2g} s it rolls at {abs(speed):.2g} m/s, "
+            f"{abs(travel):.2g} m away, and {says}."
+        )
+
+    def to_json(self) -> dict[str, Any]:
+        """The gain of the state, the growth [1/s] and the least ki."""
+        return super().to_json() | {"growth": self.growth, "least_ki": self.least_ki, "found": self.found}
+
+
+_NOTHING_HOLDS = "Nothing holds its position: without encoders it stands and rolls away."
+
+
+def pid_angle(robot: Robot | str, kit: Kit | str, dt: float | None = None, **own: Any) -> AnglePid:
+    """The program on the fused angle of `kit`: with the `own` numbers and words of one (fields of `AnglePid`), or
+    without kp with the gains whose linear loop keeps the largest distance min |1 + L| at the motors.
+
+    Raises `SpecMismatch` for a kit without `sensor/pitch`, `DesignFailed` where no gains hold the robot.
+    """
+    robot, kit = find_robot(robot), find_kit(kit)
+    if ANGLE not in kit.sensors:
+        raise SpecMismatch(f"kit '{kit.name}' has no {ANGLE}", expected="a fused angle",
+                           hint="[sensors.pitch.time_constant] in the kit's file")  # fmt: skip
+    if unknown := [name for name in own if name not in OWN]:
+        raise UnknownName("number of a pid-angle", unknown[0], OWN)
+    usual: dict[str, Any] = {"rate": "gyro" if GYRO in kit.sensors else "difference"}
+    if robot.command_unit != "V":
+        usual["output"] = robot.command_unit
+    if "k_position" in own or "k_speed" in own:
+        usual["wheel_radius"] = robot.wheel_radius
+    facts: dict[str, Any] = {"period": kit.period if dt is None else dt, "command_unit": robot.command_unit}
+    output = own.get("output", usual.get("output", "pwm"))
+    facts["supply"] = kit.battery.voltage if output in FULL else kit.most(robot.command_unit)
+
+    def made(**gains: Any) -> AnglePid:
+        return AnglePid(**(usual | own | facts | gains))
+
+    controller = made() if "kp" in own else _found(robot, kit, made)
+    controller.design = AngleDesign(robot, kit, controller, "kp" not in own)
+    return controller
+
+
+def least_integral(robot: Robot) -> float:
+    """ki [command/(rad s)] above which the pitch loop has no real growing mode; 0 where the drive needs none."""
+    model = linearise_rolling(robot)
+    A = model.A[np.ix_(_PLANE, _PLANE)]
+    b = model.B[_PLANE].sum(axis=1)
+    if abs(np.linalg.det(A)) < 1e-9 * np.abs(A).max() ** 3:  # a force, not a speed: the wheels run freely
+        return 0.0
+    return -1.0 / float(np.linalg.solve(A, np.linalg.solve(A, b))[0])
+
+
+_PLANE = [0, 1, 3]  # pitch, its rate, and the wheels' rate
+
+
+def _model(robot: Robot, kit: Kit, controller: AnglePid) -> SampledRobot:
+    return sampled(robot, kit, controller.period, controller.spec.reads)
+
+
+def _poles(model: SampledRobot, linear: LinearController) -> Array:
+    """|z| of the closed loop."""
+    P, K = plant_of(model, pushed=False), controller_of(linear, model.delay)
+    closed = np.block([[P.A + P.B @ K.D @ P.C, P.B @ K.C], [K.B @ P.C, K.A]])
+    return np.abs(np.linalg.eigvals(closed))
+
+
+def _growth(model: SampledRobot, linear: LinearController) -> float:
+    radius = float(_poles(model, linear).max())
+    return math.log(radius) / model.dt if radius > 1 + ON_CIRCLE else 0.0
+
+
+def _found(robot: Robot, kit: Kit, made: Callable[..., AnglePid]) -> AnglePid:
+    """Of all gains tried the stable ones with the largest distance: the loop is linear in kp, ki and kd."""
+    ones = [made(**dict(zip(_GAINS, row, strict=True))) for row in np.eye(3).tolist()]
+    model = _model(robot, kit, ones[0])
+    grid = np.geomspace(0.05, math.pi / model.dt, 300)
+    answers = plant_of(model, pushed=False).response(grid) @ np.ones(2)
+    parts = [_returned(one.linearised(), model, grid, answers) for one in ones]
+    per_radian = ones[0].volts * PER_RADIAN[ones[0].unit]
+    gravity = robot.body_mass * robot.gravity * robot.com_height / (2 * motor_gain(robot)) / per_radian
+    steps = ones[0].period if ones[0].per == "step" else 1.0
+    least = least_integral(robot) / per_radian
+    rates = steps if ones[0].rate == "difference" else 1.0
+    tried = list[tuple[float, tuple[float, float, float]]]()
+    for stiffness, time, ratio in itertools.product(STIFFNESSES.tolist(), TIMES.tolist(), RATIOS if least else SLOW):
+        kp = stiffness * gravity
+        gains = (kp, ratio * (least or kp) * steps, time * kp / rates)
+        L = sum(gain * part for gain, part in zip(gains, parts, strict=True))
+        tried.append((float(np.abs(1 - L).min()), gains))
+    for margin, gains in sorted(tried, reverse=True):
+        if margin < LEAST:
+            break
+        controller = made(**{name: float(f"{g:.3g}") for name, g in zip(_GAINS, gains, strict=True)})
+        if not _growth(model, controller.linearised()):
+            return controller
+    why = "" if not least else f", and ki above {abs(least * steps):.3g} is needed against the zero of a voltage drive"
+    raise DesignFailed(
+        f"no PID on the angle of the {len(tried)} tried holds '{robot.name}' at {model.dt:g} s with its delays{why}",
+        expected="a margin min |1 + L| of .1 at least", hint="a shorter period, or state feedback: lqg",
+    )  # fmt: skip
+
+
+_GAINS = ("kp", "ki", "kd")
+
+
+def _returned(linear: LinearController, model: SampledRobot, grid: Array, answers: Any) -> Any:
+    """The command that comes back for one of both motors, at each frequency."""
+    K = controller_of(linear, model.delay).response(grid)
+    return (K[:, 0, :] * answers).sum(axis=1)
+
+
+def drift(robot: Robot, controller: AnglePid, error: float) -> tuple[float, float, float, bool]:
+    """When [s] the linear loop without delays, its set point wrong by `error` [rad], asks for the largest command, or
+    `WATCHED`; its speed [m/s] and travel [m] then, and whether it did."""
+    dt = controller.period
+    plant = linearise_rolling(robot).c2d(dt)
+    linear = controller.linearised()
+    read = _rows(controller)
+    x, z = np.zeros(6), np.zeros(len(linear.A))
+    reference = np.eye(6)[0] * error
+    limit = controller.shape.limit
+    for k in range(round(WATCHED / dt)):
+        y = read @ x
+        u = linear.C @ z + linear.Dy @ y + linear.Dr @ reference
+        if abs(u[0]) > limit:
+            return k * dt, float(x[3]) * robot.wheel_radius, float(x[2]) * robot.wheel_radius, True
+        z = linear.A @ z + linear.By @ y + linear.Br @ reference
+        x = plant.A @ x + plant.B @ u
+    return WATCHED, float(x[3]) * robot.wheel_radius, float(x[2]) * robot.wheel_radius, False
+
+
+def _rows(controller: AnglePid) -> Array:
+    """The readings from the state, without yaw."""
+    rows = {ANGLE: (0, 1.0), GYRO: (1, 1.0)}
+    C = np.zeros((len(controller.spec.reads), 6))
+    for row, name in zip(C, controller.spec.reads, strict=True):
+        if name in RAW[:2]:
+            row[[0, 2]] = -1.0, 1.0
+        else:
+            row[rows[name][0]] = rows[name][1]
+    return C
