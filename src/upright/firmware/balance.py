@@ -41,7 +41,7 @@ from upright.firmware.setup import (
     UPSIDE_DOWN,
     ProgramSetup,
 )
-from upright.firmware.targets import BATTERY, COMPASS, ENCODERS, GYRO, Driver, driver, find_target, largest
+from upright.firmware.targets import BATTERY, COMPASS, ENCODERS, GYRO, PITCH, Driver, driver, find_target, largest
 from upright.robots import Kit, Robot
 from upright.robots.kit import STOP
 from upright.signals import SIDES, STATE_NAMES
@@ -156,10 +156,13 @@ def _bounded_input(t: Tracer, name: str, unit: str, most: float) -> Form:
 
 
 def _pitch(t: Tracer, setup: ProgramSetup, z: list[Form], y: list[Form]) -> Form:
-    """The controller's estimate of the pitch, or without one the gyro's integral, which decays over `TILT_TIME`."""
+    """The controller's estimate of the pitch, or the fused angle, or the gyro's integral, which decays over
+    `TILT_TIME`."""
     linear = setup.linear
     if len(linear.S):
         return t.let("pitch", dot(linear.S[0], z) + dot(linear.Sy[0], y), "rad", UPSIDE_DOWN, output=True)
+    if PITCH in linear.reads:
+        return t.let("angle", y[linear.reads.index(PITCH)], "rad", UPSIDE_DOWN, output=True)
     rate = y[linear.reads.index(GYRO)]
     dt = linear.period
     tilt = t.state("tilt", "rad", UPSIDE_DOWN)
@@ -172,6 +175,8 @@ def _fit(t: Tracer, setup: ProgramSetup, read: dict[str, Form], values: list[For
     """The status by what was read: `TOO_FAR` for a wheel out of range, `SENSOR_FAILED` where a value is no number."""
     status: Form | float = float(BALANCING)
     for side, channel in zip(SIDES, ENCODERS, strict=True):
+        if channel not in read:
+            continue
         far = t.absolute(f"far_{side}", read[channel], setup.raw(channel).unit)
         most = setup.travel / setup.raw(channel).scale
         status = t.choose(f"near_{side}", far, most, status, float(TOO_FAR), "1", whole=True)

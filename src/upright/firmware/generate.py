@@ -22,7 +22,7 @@ from upright.errors import InvalidController, UnknownName
 from upright.firmware.balance import trace
 from upright.firmware.setup import FLAT_BATTERY, SENSOR_FAILED, STATUS, TIME_IS_OVER
 from upright.firmware.sketch_wiring import sketch_wiring, wiring_table
-from upright.firmware.targets import check_time, find_target
+from upright.firmware.targets import ENCODERS, PITCH, check_time, find_target
 from upright.robots import Kit, Robot
 
 LONGEST_HEAD = 40  # lines in which the head of a program is searched
@@ -138,8 +138,24 @@ def generate(
     more += ([f"hub: {hub}"] if target == "pybricks" else []) + (["reference: yes"] if reference else [])
     facts["head"] = [*facts["head"], *more]
     if target == "arduino":
-        facts["wiring"] = sketch_wiring(kit)
+        facts["wiring"] = sketch_wiring(kit, encoders=ENCODERS[0] in program.channels.values())
+        facts["fused"] = _fused(program, kit, arithmetic)
     return Firmware(program, arithmetic, TEXTS[target](program, facts), finest)
+
+
+def _fused(program: Program, kit: Kit, number: str) -> dict[str, float] | None:
+    """What a sketch needs to fuse the angle itself; None where the controller does not read it."""
+    if PITCH not in program.channels.values():
+        return None
+    time = kit.sensors[PITCH].time_constant
+    if not time:
+        raise InvalidController(
+            f"kit '{kit.name}' does not say how a sketch fuses its angle", expected="the filter's time constant",
+            hint="[sensors.pitch.time_constant] in the kit's file, such as 0.5 s",
+        )  # fmt: skip
+    bits = fractions(program)["gyro_offset"] if number == "fixed" else 0
+    return {"time": time, "keep": time / (time + program.period), "offset": 2.0**-bits,
+            "rate": program.scales["raw_gyro"], "angle": 1 / program.scales["raw_pitch"]}  # fmt: skip
 
 
 def _longest(seconds: int | None, target: str) -> int:

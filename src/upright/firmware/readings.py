@@ -18,16 +18,18 @@ from upright.firmware.setup import (
     SENSOR_FAILED,
     ProgramSetup,
 )
-from upright.firmware.targets import BATTERY, COMPASS, ENCODERS, GYRO, SI, largest
+from upright.firmware.targets import BATTERY, COMPASS, ENCODERS, GYRO, PITCH, SI, largest
 
 
 def inputs(t: Tracer, setup: ProgramSetup) -> dict[str, Form]:
     """The raw readings, by channel."""
     reads = setup.linear.reads
-    if missing := [channel for channel in (*ENCODERS, GYRO) if channel not in reads]:
-        raise InvalidController(f"the controller does not read {missing[0]}", expected="both encoders and the gyro")
+    if PITCH not in reads and (missing := [channel for channel in (*ENCODERS, GYRO) if channel not in reads]):
+        raise InvalidController(
+            f"the controller does not read {missing[0]}", expected="both encoders and the gyro, or a fused angle"
+        )
     raws: dict[str, Form] = {}
-    for channel in reads:
+    for channel in dict.fromkeys((*reads, GYRO)):  # an angle's filter and the start need the gyro
         raw = setup.raw(channel)
         most = largest(setup.kit, channel, setup.travel) / setup.raw(channel).scale
         most *= GYRO_MARGIN if channel == GYRO else 1.0

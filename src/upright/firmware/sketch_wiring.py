@@ -19,20 +19,30 @@ CHARGED = 4.2 / 3.7
 """A full lithium cell over its nominal voltage."""
 
 
-def sketch_wiring(kit: Kit) -> dict[str, Any]:
+def sketch_wiring(kit: Kit, *, encoders: bool = True) -> dict[str, Any]:
     """What the template of a sketch must know of driver, encoders and battery, and what of it the kit does not say.
 
-    `pulses` are those of either encoder's channel A in a turn of the wheel. Raises `SpecMismatch` for what would count
-    wrongly or harm the board, `InvalidRobot` for pulses that contradict the encoder's step.
+    `pulses` are those of either encoder's channel A in a turn of the wheel, none without `encoders`. Raises
+    `SpecMismatch` for what would count wrongly or harm the board, `InvalidRobot` for pulses that contradict the
+    encoder's step.
     """
+    stated: dict[str, Any] = {"driver": kit.wiring.driver, "divider": kit.wiring.battery_divider}
+    pulses = list[float]()
+    if encoders:
+        stated["decoding"] = _edges(kit)
+        pulses = [math.tau / encoder_step(kit, f"sensor/encoder_{side}") for side in SIDES]
+    used = {"decoding": 0} | {name: value or ASSUMED[name] for name, value in stated.items()}
+    assumed = [name for name, value in stated.items() if not value]
+    pulses = [count / used["decoding"] for count in pulses]
+    return {**used, "pulses": pulses, "volts": kit.battery.voltage, "assumed": assumed}
+
+
+def _edges(kit: Kit) -> int:
+    """Edges that count for one pulse, the same of both encoders; 0 where the kit does not say."""
     left, right = (encoder_step(kit, f"sensor/encoder_{side}") for side in SIDES)
     edges = kit.wiring.edges(left, f"kit '{kit.name}': sensors.encoder_left")
     replace(kit.wiring, decoding=edges).edges(right, f"kit '{kit.name}': sensors.encoder_right")
-    stated: dict[str, Any] = {"driver": kit.wiring.driver, "decoding": edges, "divider": kit.wiring.battery_divider}
-    used = {name: value or ASSUMED[name] for name, value in stated.items()}
-    pulses = [math.tau / step / used["decoding"] for step in (left, right)]
-    assumed = [name for name, value in stated.items() if not value]
-    return {**used, "pulses": pulses, "volts": kit.battery.voltage, "assumed": assumed}
+    return edges
 
 
 def wiring_table(sketch: str) -> str:

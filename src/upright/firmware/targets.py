@@ -14,8 +14,8 @@ from upright.robots import Kit, Robot
 DEGREE = math.pi / 180
 
 ENCODERS = ("sensor/encoder_left", "sensor/encoder_right")
-GYRO, COMPASS, BATTERY = "sensor/gyro", "sensor/compass", "sensor/battery"
-SI = {**dict.fromkeys(ENCODERS, "rad"), GYRO: "rad/s", COMPASS: "rad", BATTERY: "V"}
+GYRO, COMPASS, BATTERY, PITCH = "sensor/gyro", "sensor/compass", "sensor/battery", "sensor/pitch"
+SI = {**dict.fromkeys(ENCODERS, "rad"), GYRO: "rad/s", COMPASS: "rad", BATTERY: "V", PITCH: "rad"}
 """Channel → the unit that controllers read it in."""
 OFFSET = math.radians(3.0)  # [rad/s] of the gyro at rest, which the program has to find
 
@@ -64,6 +64,7 @@ class Target:
 
 _IMU = {GYRO: Raw("deg/s", DEGREE)}  # a hub's inertial unit gives fractions of a degree
 _MPU = {GYRO: Raw("1/65.5 deg/s", DEGREE / 65.5, True)}  # MPU-6050 data sheet, ±500 °/s: 65.5 steps for 1 °/s
+_FUSED = {PITCH: Raw("1/10000 rad", 1e-4, True)}  # the sketch's own filter: finer than an accelerometer's noise
 _COUNTS = dict.fromkeys(ENCODERS, Raw("count", 0.0, True))
 _DIVIDER = {BATTERY: Raw("", 0.0, True)}
 
@@ -71,7 +72,7 @@ TARGETS = {
     target.name: target
     for target in (
         Target("c", ".c", 0, _SI_RAW, True, ("float", "double", "fixed")),
-        Target("arduino", ".ino", 255, {**_COUNTS, **_MPU, **_DIVIDER}, numbers=("float", "fixed")),
+        Target("arduino", ".ino", 255, {**_COUNTS, **_MPU, **_FUSED, **_DIVIDER}, numbers=("float", "fixed")),
         Target("pybricks", ".py", 100, {**_LEGO, **_IMU, **_MILLIVOLTS}),
         Target("ev3dev", ".py", 100, {**_LEGO, **_MILLIVOLTS}),
         Target("nxc", ".nxc", 100, {**_LEGO, COMPASS: Raw("deg", DEGREE, True), **_MILLIVOLTS}),
@@ -160,5 +161,6 @@ def largest(kit: Kit, channel: str, travel: float) -> float:
         return travel
     if channel not in SI or channel not in kit.sensors:
         raise InvalidController(f"no program reads {channel}", expected="some of " + ", ".join(SI))
-    widest = 35.0 if channel == GYRO else 4 * math.pi  # [rad/s] ±2000 °/s, as the widest gyros; [rad] of a compass
+    # [rad/s] ±2000 °/s, as the widest gyros; [rad] of a compass
+    widest = {GYRO: 35.0, PITCH: math.pi}.get(channel, 4 * math.pi)
     return min(kit.sensors[channel].range, widest)
