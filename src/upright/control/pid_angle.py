@@ -122,10 +122,11 @@ class AnglePid(Lawful):
         for name, choices in (CHOICES | {"output": (*FULL, self.command_unit)}).items():
             if getattr(self, name) not in choices:
                 raise UnknownName(f"{name} of a {self.form}", str(getattr(self, name)), choices)
-        for one in dataclasses.fields(self):
-            value = getattr(self, one.name, None)
-            if one.type == "float" and (isinstance(value, bool) or not isinstance(value, int | float)):
+        for one in (one for one in dataclasses.fields(self) if one.type == "float"):
+            value = getattr(self, one.name)
+            if isinstance(value, bool) or not isinstance(value, int | float):
                 raise InvalidController(f"{one.name} of a {self.form} is {str(value)[:40]!r}", expected="a number")
+            setattr(self, one.name, float(value))  # a file by hand has 50 where a design has 50.0
         numbers = (self.kp, self.ki, self.kd, self.set_point, self.k_position, self.k_speed)
         sizes = (self.dead_band, self.filter_time, self.wheel_radius)
         if not all(map(math.isfinite, numbers)) or not all(0 <= size < math.inf for size in sizes):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import struct
 from collections.abc import Mapping
@@ -24,6 +25,8 @@ SOURCES = (
 """What a sketch needs of the core in `cores/arduino`."""
 
 GYRO, BATTERY, LEFT, RIGHT, BUTTON, CONDITION, IDENTITY, POWER, PINS = range(9)
+FORWARD, UP = 13, 14
+GRAVITY = 16_384  # [steps] of g, by an accelerometer of ±2 g
 PRESENT, ABSENT, HUNG = range(3)
 """Inputs of the board, and conditions of its sensor (`shims/board.h`)."""
 
@@ -36,6 +39,7 @@ PORTS = ((8, 0x2B), (14, 0x25), (20, 0x28))
 
 LED = 13
 INPUT_PINS = ("LEFT_ENCODER_A", "LEFT_ENCODER_B", "RIGHT_ENCODER_A", "RIGHT_ENCODER_B", "BUTTON")
+"""Inputs of the board from `PINS` on; a sketch without encoders has the last alone."""
 MOTOR_PINS = ("LEFT_PWM", "RIGHT_PWM", "LEFT_FORWARD", "RIGHT_FORWARD", "ENABLE")
 """Those that a sketch has for its kind of driver."""
 
@@ -68,6 +72,7 @@ class SketchExecutor(Chip):
     def __init__(self, source: Path, program: Program, number: str, real: bool = False) -> None:
         self.real = real
         self._constants = constants(source.read_text("utf-8"))
+        self._angle = program.scales.get("raw_pitch", 0.0)
         super().__init__(source, program, number)
 
     def build(self, source: Path, folder: Path) -> None:
@@ -82,14 +87,19 @@ class SketchExecutor(Chip):
         super().start()
         self.request("A", self.symbols["due"], self.symbols["loop"], self.symbols["timer0_overflow_count"])
         for place, name in enumerate(INPUT_PINS):
-            self.set_input(PINS + place, self._constants[name])
+            if name in self._constants:
+                self.set_input(PINS + place, self._constants[name])
         self.period()  # its setup
 
     def step(self, raw: Values) -> Values:
         sign = self._constants["GYRO_SIGN"]
         inputs = {GYRO: sign * raw["raw_gyro"], BATTERY: raw["raw_battery"]}
-        edges = 4 / self._constants["DECODING"]
-        inputs |= {LEFT: edges * raw["raw_encoder_left"], RIGHT: edges * raw["raw_encoder_right"]}
+        if decoding := self._constants["DECODING"]:
+            edges = 4 / decoding
+            inputs |= {LEFT: edges * raw["raw_encoder_left"], RIGHT: edges * raw["raw_encoder_right"]}
+        if self._angle:  # a board at rest at that angle, of which the sketch makes its own
+            angle = raw["raw_pitch"] * self._angle
+            inputs |= {FORWARD: -GRAVITY * math.sin(angle), UP: GRAVITY * math.cos(angle)}
         for what, value in inputs.items():
             self.set_input(what, round(value))
         cycles = self.period()[1]
@@ -97,7 +107,14 @@ class SketchExecutor(Chip):
             self._ready = bool(self.results()["ready"])
             return {}
         self.worst = max(self.worst, cycles)
-        return self.results()
+        return self.results() | self._own_angle()
+
+    def _own_angle(self) -> dict[str, float]:
+        """The angle that the sketch has fused, in the place of the one it was given."""
+        if not self._angle:
+            return {}
+        words = self.read(self.symbols["readings"], f"{len(self._words.inputs)}{self._words.code}")
+        return {"raw_pitch": float(words[self._words.inputs.index("raw_pitch")])}
 
     def set_input(self, what: int, value: int) -> None:
         self.request("I", what, value)
@@ -147,7 +164,8 @@ def constants(text: str) -> Mapping[str, int]:
     pin."""
     numbers: dict[str, int] = {}
     motors = [name for name in MOTOR_PINS if defined(text, name)]
-    for name in (*INPUT_PINS, *motors, "LEFT_BACK", "RIGHT_BACK", "DECODING", "GYRO_SIGN"):
+    encoders = INPUT_PINS[:4] if defined(text, "LEFT_ENCODER_A") else ()
+    for name in (*encoders, "BUTTON", *motors, "LEFT_BACK", "RIGHT_BACK", "DECODING", "GYRO_SIGN"):
         word = defined(text, name)
         if not re.fullmatch(r"-1|\d|1[0-9]", word):
             raise InvalidController(f"{name} is {word or 'missing'}", expected="the number of an Uno's pin, or a sign")

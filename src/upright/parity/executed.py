@@ -121,7 +121,8 @@ class Executed:
         out = self._executor.step(raw | {n: v for n, v in states.items() if n in self._program.variables})
         if not out:
             raise ExecutionFailed("the program still calibrates after its calibration time")
-        self._compare(channels, raw, out, reference)
+        own = {name: out[name] for name in raw if name in out}  # what the program makes of its readings itself
+        self._compare(channels, raw | own, out, reference)
         self.status = int(out["status"])
         return self._volts(out)
 

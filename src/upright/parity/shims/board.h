@@ -1,7 +1,7 @@
 /* What stands round an Arduino Uno in simavr: an MPU-6050, two encoders, a battery behind a divider, a button.
    `what` of an input: 0 gyro [steps], 1 battery [steps of ten bits], 2 and 3 turns of the encoders [edges], 4 button,
    5 the sensor's condition, 6 its identity, 7 its power (0 and 1: it comes back without its settings), 8 to 12 pins:
-   A and B of the left encoder, of the right, the button's. */
+   A and B of the left encoder, of the right, the button's, 13 and 14 the accelerometer forward and up [steps]. */
 #include <simavr/avr_adc.h>
 #include <simavr/avr_ioport.h>
 #include <simavr/avr_twi.h>
@@ -17,7 +17,7 @@ static struct {
     avr_t *avr;
     avr_irq_t *bus;
     avr_io_t *twi;
-    int32_t input[13], gone[2];
+    int32_t input[15], gone[2];
     uint8_t registers[128], at, selected, written;
     avr_cycle_count_t edge;
     char sent[65536];
@@ -52,6 +52,10 @@ static uint8_t answer(uint8_t where)
     const int awake = board.registers[0x6B] == 0 && board.registers[0x1B] == 0x08;
     if (where == 0x45 || where == 0x46)
         return !awake ? 0 : where == 0x45 ? board.input[0] >> 8 & 255 : board.input[0] & 255;
+    if (where == 0x3B || where == 0x3C || where == 0x3F || where == 0x40) {
+        const int32_t steps = board.input[where < 0x3F ? 13 : 14];
+        return !awake ? 0 : where & 1 ? steps >> 8 & 255 : steps & 255; /* the high byte at the odd address */
+    }
     return where == 0x75 ? board.input[6] : board.registers[where & 127];
 }
 

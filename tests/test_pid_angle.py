@@ -1,0 +1,295 @@
+"""PID on the fused angle: the builder's own numbers, what flies, its file, its loop and its program."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from interpreter import Interpreter
+from upright.certify.design import design
+from upright.control import CONTROLLERS, AnglePid, controller_hash, pid_angle, read_controller, write_controller
+from upright.control.law import as_law, near_rest, program
+from upright.control.pid_angle_design import drift, least_integral
+from upright.errors import DesignFailed, InvalidController, SpecMismatch, UnknownName
+from upright.firmware import generate
+from upright.parity.execute_sketch import CORE, SketchExecutor
+from upright.robots import Battery, Kit, Robot, Sensor
+from upright.signals import STATE_NAMES
+
+# An acrylic robot with 65 mm wheels, geared motors and two lithium cells, as many are built; its numbers are guesses.
+M, m, R, L, J, JW, JM = 0.65, 0.035, 0.0325, 0.07, 0.0018, 2.5e-5, 5e-4
+KT, KB, RM, FM, G = 0.20, 0.30, 5.0, 5e-4, 9.81
+VOLTS = 7.4
+ROBOT = Robot.preset("nxtway-gs").replace(
+    body_mass=M, wheel_mass=m, wheel_radius=R, com_height=L, pitch_inertia=J, wheel_inertia=JW, rotor_inertia=JM,
+    torque_constant=KT, back_emf=KB, motor_resistance=RM, motor_friction=FM, gear_ratio=1.0, track=0.15,
+    coulomb_friction=0.0, rolling_friction=0.0, wheel_friction=0.0, yaw_inertia=0.0012, roll_inertia=0.002,
+)  # fmt: skip
+SENSORS = {"sensor/gyro": Sensor(noise=0.002), "sensor/pitch": Sensor(noise=0.002)}
+KIT = Kit(name="uno", sensors=SENSORS, battery=Battery(voltage=VOLTS), period=0.01)
+ENCODED = replace(KIT, sensors=SENSORS | dict.fromkeys(("sensor/encoder_left", "sensor/encoder_right"), Sensor()))
+CLASSIC: dict[str, Any] = {"kp": 50.0, "ki": 60.0, "kd": 1.4}  # PWM of 255 for a degree
+
+
+def plane() -> tuple[np.ndarray, np.ndarray]:
+    """ẋ = A x + b v of pitch, its rate and the wheels' rate, both motors at v [V]: Lagrange's equations, linear."""
+    mixed = M * L * R - 2 * JM
+    E = np.array([[(2 * m + M) * R * R + 2 * JW + 2 * JM, mixed], [mixed, M * L * L + J + 2 * JM]])
+    alpha, beta = KT / RM, KT * KB / RM + FM
+    # rows θ̈, ψ̈; columns ψ, ψ̇, θ̇, v
+    F = np.array([[0, 2 * beta, -2 * beta, 2 * alpha], [M * G * L, -2 * beta, 2 * beta, -2 * alpha]])
+    wheel, pitch = np.linalg.solve(E, F)
+    A = np.array([[0, 1, 0], pitch[:3], wheel[:3]])
+    return A, np.array([0, pitch[3], wheel[3]])
+
+
+def growth(kp: float, ki: float, kd: float) -> float:
+    """The fastest mode [1/s] of that plane in continuous time under kp, ki and kd [V, rad, s]."""
+    A, b = plane()
+    closed = np.zeros((4, 4))
+    closed[:3, :3] = A + np.outer(b, [kp, kd, 0.0])
+    closed[:3, 3], closed[3, 0] = b * ki, 1.0
+    return float(np.linalg.eigvals(closed).real.max())
+
+
+@pytest.mark.parametrize("scale", [0.55, 1.0])
+@pytest.mark.parametrize("ki", [0.0, 20.0, 60.0, 120.0])
+def test_the_loop_grows_as_its_poles_by_hand_do(scale, ki):
+    """At .5 ms a loop differs from one in continuous time by about that time's part of its poles, 1 %."""
+    volts = scale * VOLTS / 255 * math.degrees(1)
+    expected = growth(50 * volts, ki * volts, 1.4 * volts)
+    found = pid_angle(ROBOT, KIT, 5e-4, kp=50 * scale, ki=ki * scale, kd=1.4 * scale).design.growth
+    assert found == pytest.approx(max(expected, 0.0), rel=0.03, abs=1e-3)
+    if ki == 60:
+        assert (found > 0.1) == (scale == 0.55)  # half of the voltage: +.15 1/s; all of it: none
+
+
+def test_no_kp_and_kd_stand_without_ki_and_the_least_ki_is_that_of_the_constant_term():
+    least = least_integral(ROBOT)
+    for kp, kd in ((30.0, 1.0), (80.0, 3.0), (300.0, 9.0)):
+        assert growth(kp, 0.0, kd) > 0.05
+        assert growth(kp, 0.98 * least, kd) > 1e-4
+        assert growth(kp, 1.02 * least, kd) < 1e-9
+    found = pid_angle(ROBOT, KIT, **CLASSIC | {"ki": 0.0}).design
+    assert found.least_ki * VOLTS / 255 * math.degrees(1) == pytest.approx(least)
+    assert "always leave a growing mode" in " ".join(found.words())
+
+
+def simulated(pid: AnglePid, y: np.ndarray) -> list[float]:
+    pid.reset()
+    return [pid.step(row, np.zeros(6))[0] for row in y]
+
+
+def builders(y: np.ndarray, dead_band: float = 0.0, limit: float = 255.0) -> list[float]:
+    """The program as it stands in a hundred forums, PWM out, its set point 1.5° and D from the angle."""
+    out, total, last = [], 0.0, 0.0
+    for pitch in y[:, 0]:
+        angle = math.degrees(pitch)
+        error = angle - 1.5
+        total = min(max(total + 60 * error * 0.01, -limit), limit)
+        pwm = 50 * error + total + 1.4 * (angle - last) / 0.01
+        last = angle
+        if pwm > 0:
+            pwm += dead_band
+        elif pwm < 0:
+            pwm -= dead_band
+        out.append(min(max(pwm, -limit), limit) / 255 * VOLTS)
+    return out
+
+
+WAVE = np.outer(0.2 * np.sin(np.arange(300) / 20) + 0.05, [1.0, 0.0])
+
+
+@pytest.mark.parametrize(("dead_band", "limit"), [(0.0, 255.0), (20.0, 255.0), (20.0, 120.0)])
+def test_it_commands_what_the_builders_program_does(dead_band, limit):
+    own = {"rate": "difference", "set_point": 1.5, "dead_band": dead_band, "limit": limit}
+    pid = pid_angle(ROBOT, KIT, **CLASSIC, **own)
+    assert pid.spec.reads == ("sensor/pitch",)
+    assert simulated(pid, WAVE[:, :1]) == pytest.approx(builders(WAVE, dead_band, limit), abs=1e-9)
+    backwards = pid_angle(ROBOT, KIT, **CLASSIC, **own, sign=-1.0)
+    assert simulated(backwards, WAVE[:, :1]) == pytest.approx([-u for u in simulated(pid, WAVE[:, :1])], abs=1e-9)
+
+
+def test_units_and_steps_say_the_same_in_other_words():
+    volts = VOLTS / 255
+    same = [
+        {"kp": 50 * volts, "ki": 60 * volts, "kd": 1.4 * volts, "output": "V"},
+        {"kp": 50 / 2.55, "ki": 60 / 2.55, "kd": 1.4 / 2.55, "output": "percent"},
+        {"kp": 50 / 255, "ki": 60 / 255, "kd": 1.4 / 255, "output": "duty"},
+        {"kp": math.degrees(50), "ki": math.degrees(60), "kd": math.degrees(1.4), "unit": "rad"},
+        {"kp": 50, "ki": 0.6, "kd": 140, "per": "step"},  # of 10 ms
+    ]
+    plain = simulated(pid_angle(ROBOT, KIT, **CLASSIC, rate="difference"), WAVE[:, :1])
+    for own in same:
+        assert simulated(pid_angle(ROBOT, KIT, **own, rate="difference"), WAVE[:, :1]) == pytest.approx(plain), own
+
+
+def test_a_scaled_dead_band_ends_at_full_output():
+    pid = pid_angle(ROBOT, KIT, kp=50.0, dead_band=20.0, dead_band_form="scaled", rate="difference")
+    for angle, pwm in ((1e-9, 20.0), (1.0, 20 + 50 * 235 / 255), (5.1, 255.0), (40.0, 255.0), (0.0, 0.0)):
+        assert simulated(pid, np.radians([[angle]]))[0] == pytest.approx(pwm / 255 * VOLTS, abs=1e-6)
+
+
+CASES = [
+    CLASSIC,
+    CLASSIC | {"rate": "difference", "filter_time": 0.02, "set_point": 1.0, "dead_band": 15.0, "integral_limit": 40.0},
+    CLASSIC | {"filter_time": 0.03, "dead_band": 15.0, "dead_band_form": "scaled", "limit": 200.0},
+    CLASSIC | {"k_position": 3.0, "k_speed": 4.0, "set_point": -0.5},
+]
+
+
+@pytest.mark.parametrize("own", CASES)
+def test_its_law_commands_what_it_does(own):
+    pid = pid_angle(ROBOT, ENCODED, **own)
+    text = program(as_law(pid))
+    machine, rng = Interpreter(text), np.random.default_rng(3)
+    pid.reset()
+    for _ in range(60):
+        y, r = rng.normal(0, 0.05, len(pid.spec.reads)), rng.normal(0, 0.02, 6)
+        given = dict(zip((name.replace("/", "_") for name in pid.spec.reads), y.tolist(), strict=True))
+        given |= {f"reference_{name}": value for name, value in zip(STATE_NAMES, r.tolist(), strict=True)}
+        out = dict(machine.command(given | {"applied_left": 0.0, "applied_right": 0.0}))
+        machine.update()
+        assert pid.step(y, r) == pytest.approx((out["command_left"], out["command_right"]), abs=1e-9)
+
+
+def test_near_rest_it_is_linear_without_its_dead_band():
+    own = CASES[1] | {"set_point": 0.0, "dead_band": 0.0}
+    pid = pid_angle(ROBOT, KIT, **own)
+    linear, rng = near_rest(pid), np.random.default_rng(5)
+    assert near_rest(pid_angle(ROBOT, KIT, **CASES[1])).Dy == pytest.approx(linear.Dy)
+    pid.reset()
+    for _ in range(40):
+        y = rng.normal(0, 1e-4, 1)
+        assert linear.step(y, np.zeros(6)) == pytest.approx(pid.step(y, np.zeros(6)), abs=1e-12)
+
+
+@pytest.mark.parametrize("own", CASES)
+def test_a_file_brings_it_back(own, tmp_path):
+    pid = pid_angle(ROBOT, ENCODED, **own)
+    again = read_controller(write_controller(pid, tmp_path / "pid.json"))
+    assert isinstance(again, AnglePid)
+    assert controller_hash(again) == controller_hash(pid)
+    assert again.spec == pid.spec
+
+
+def test_a_file_may_be_written_by_hand(tmp_path):
+    path = tmp_path / "mine.json"
+    own = {"kp": 50, "ki": 60, "kd": 1.4, "supply": 7.4, "period": 0.01}
+    data = {"file": "upright controller", "version": 1, "form": "pid-angle", "controller": own}
+    path.write_text(json.dumps(data))
+    assert controller_hash(read_controller(path)) == controller_hash(pid_angle(ROBOT, KIT, **CLASSIC))
+    for wrong, error in (({"kq": 1}, UnknownName), ({"kp": "much"}, InvalidController), ({"unit": "turn"}, UnknownName),
+                         ({"supply": -1}, InvalidController), ({"dead_band": 300}, InvalidController)):  # fmt: skip
+        path.write_text(json.dumps(data | {"controller": own | wrong}))
+        with pytest.raises(error) as caught:
+            read_controller(path)
+        assert "\n" not in str(caught.value)
+    path.write_text(json.dumps(data | {"hash": "0"}))
+    with pytest.raises(InvalidController, match="take hash"):
+        read_controller(path)
+
+
+def test_without_numbers_it_finds_gains_that_stand_and_says_what_they_cannot():
+    found = pid_angle(ROBOT, KIT)
+    volts = found.volts * math.degrees(1)
+    assert growth(found.kp * volts, found.ki * volts, found.kd * volts) < 1e-6
+    words = " ".join(found.design.words())
+    assert "Nothing holds its position" in words
+    assert "One degree of error" in words
+    assert found.ki > found.design.least_ki
+    assert design("pid-angle", ROBOT, KIT).controller.to_json() == found.to_json()
+
+
+def test_an_error_of_the_set_point_uses_up_the_motors():
+    """e' = ψ is constant in the end: the robot leans, its speed and its voltage grow as ramps (own simulation)."""
+    pid = pid_angle(ROBOT, KIT, **CLASSIC)
+    time, speed, travel, limited = drift(ROBOT, pid, math.radians(1.0))
+    A, b = plane()
+    volts = VOLTS / 255 * math.degrees(1)
+    x, i, h, passed, way = np.zeros(3), 0.0, 1e-4, 0.0, 0.0
+    while True:
+        e = x[0] - math.radians(1.0)
+        u = volts * (50 * e + 60 * i + 1.4 * x[1])
+        if abs(u) > VOLTS:
+            break
+        i, x = i + h * e, x + h * (A @ x + b * u)
+        passed, way = passed + h, way + h * R * x[2]
+    assert limited
+    assert (time, speed, travel) == pytest.approx((passed, R * x[2], way), rel=0.03)
+
+
+def test_a_cascade_holds_the_position_by_further_linear_rows():
+    """Against the same loop in continuous time, of four states, the integral and the filter-free rates."""
+    own = CLASSIC | {"k_position": 6.0, "k_speed": 5.0}
+    pid = pid_angle(ROBOT, ENCODED, 5e-4, **own)
+    volts = VOLTS / 255 * math.degrees(1)
+    A3, b3 = plane()
+    A, b = np.zeros((4, 4)), np.append(b3, 0.0)
+    A[:3, :3], A[3, 2] = A3, 1.0
+    error = np.array([1.0, 0.0, math.radians(5.0) * R, math.radians(6.0) * R])
+    closed = np.zeros((5, 5))
+    closed[:4, :4] = A + np.outer(b, volts * (50 * error + np.array([0, 1.4, 0, 0])))
+    closed[:4, 4], closed[4, :4] = b * volts * 60, error
+    expected = float(np.linalg.eigvals(closed).real.max())
+    found = pid.design
+    assert (found.growth > 0) == (expected > 0)
+    assert found.growth == pytest.approx(max(expected, 0.0), rel=0.05, abs=1e-3)
+    assert "Nothing holds" not in " ".join(found.words())
+
+
+def test_what_does_not_fit_is_refused_in_one_line():
+    with pytest.raises(SpecMismatch, match=r"no sensor/pitch.*sensors.pitch"):
+        pid_angle("nxtway-gs", "nxt")
+    with pytest.raises(UnknownName, match="kq"):
+        pid_angle(ROBOT, KIT, kq=1.0)
+    with pytest.raises(InvalidController, match="takes no numbers"):
+        CONTROLLERS["lqg"](ROBOT, ENCODED, 0.01, own={"kp": 1.0})
+    slow = replace(KIT, delay=0.25)
+    with pytest.raises(DesignFailed, match=r"no PID on the angle.*ki above"):
+        pid_angle(ROBOT, slow)
+
+
+@pytest.mark.needs("avr-gcc", "simavr", "module:elftools", str(CORE))
+@pytest.mark.parametrize("number", ["float", "fixed"])
+def test_a_sketch_fuses_the_angle_and_commands_what_the_design_does(number, tmp_path):
+    """On a simulated Uno without encoders: ψ⁺ = a (ψ + gyro dt) + (1 − a) tilt, a = τ/(τ + dt), to a raw step."""
+    kit = replace(KIT, sensors=SENSORS | {"sensor/pitch": Sensor(time_constant=0.5)})
+    pid = pid_angle(ROBOT, kit, **CLASSIC, dead_band=10.0)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("upright.firmware.readings.CALIBRATION_TIME", 0.1)
+        made = generate(pid, ROBOT, kit, "arduino", number=number)
+    assert "ENCODER" not in made.text
+    path = made.write(tmp_path / "balance.ino")[0]
+    executor = SketchExecutor(path, made.program, number)
+    scales, offset, angle = made.program.scales, 30, 0.0
+    battery = round(VOLTS / scales["raw_battery"])
+    for _ in range(10):
+        executor.step({"raw_gyro": offset, "raw_pitch": 0, "raw_battery": battery})
+    for k in range(25):
+        tilt, rate = round(300 * math.sin(k / 5)), round(200 * math.cos(k / 5))
+        out = executor.step({"raw_gyro": rate + offset, "raw_pitch": tilt, "raw_battery": battery})
+        angle = 0.5 / 0.51 * (angle + 0.01 * rate * scales["raw_gyro"]) + 0.01 / 0.51 * tilt * 1e-4
+        assert out["raw_pitch"] == pytest.approx(angle * 1e4, abs=2.0)  # a step of either, and of the accelerometer
+        y = np.array([out["raw_pitch"] * 1e-4, rate * scales["raw_gyro"]])
+        assert out["command_left"] == pytest.approx(pid.step(y, np.zeros(6))[0], abs=1e-3)
+        assert out["status"] == 0
+    executor.close()
+
+
+def test_a_sketch_is_refused_without_the_filters_time():
+    with pytest.raises(InvalidController, match=r"fuses its angle.*sensors.pitch.time_constant"):
+        generate(pid_angle(ROBOT, KIT, **CLASSIC), ROBOT, KIT, "arduino")
+
+
+def test_its_sketch_is_the_same_text_with_its_file(tmp_path: Path) -> None:
+    kit = replace(KIT, sensors=SENSORS | {"sensor/pitch": Sensor(time_constant=0.5)})
+    pid = pid_angle(ROBOT, kit, **CLASSIC)
+    again = read_controller(write_controller(pid, tmp_path / "pid.json"))
+    assert generate(again, ROBOT, kit, "arduino").text == generate(pid, ROBOT, kit, "arduino").text
