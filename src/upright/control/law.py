@@ -1,10 +1,10 @@
 """What a controller computes in each period, written once: the statements that the kernel and every brick run.
 
-    u = C z + Dy y + Dr r − reach · sat(s / layer),   s = C_s z + Dy_s y + Dr_s r,
-    z⁺ = A z + By y + Br r + Bu u + Ba a
+    u, v = part(C z + Dy y + Dr r, s),   s = C_s z + Dy_s y + Dr_s r,
+    z⁺ = A z + By y + Br r + Bu [u, v] + Ba a
 
-The part with s and Bu is that of a sliding mode alone. For a predictive controller s is what it limits, and u the first
-command of its `Splitting`. a is the command that was really applied.
+A linear law has no part, no s and no Bu. A part is the layer of a sliding mode, the `Splitting` of a predictive
+controller, or dead band and limits of a PID on the angle. a is the command that was really applied.
 """
 
 from __future__ import annotations

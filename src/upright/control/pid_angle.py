@@ -249,7 +249,7 @@ class AnglePid(Lawful):
 
     def to_json(self) -> dict[str, Any]:
         """The program's own numbers, without those that are usual."""
-        own = {f.name: getattr(self, f.name) for f in dataclasses.fields(self) if f.init and _said(self, f)}
+        own = {f.name: getattr(self, f.name) for f in dataclasses.fields(self) if f.init and _unusual(self, f)}
         return {"kind": self.form, **own}
 
     @classmethod
@@ -265,5 +265,5 @@ class AnglePid(Lawful):
 _USUAL = "kp, ki, kd, set_point, k_position and k_speed as numbers, dead_band and filter_time of zero or more"
 
 
-def _said(pid: AnglePid, one: dataclasses.Field[Any]) -> bool:
+def _unusual(pid: AnglePid, one: dataclasses.Field[Any]) -> bool:
     return one.name in ("unit", "output", "kp", "ki", "kd", "rate") or getattr(pid, one.name) != one.default

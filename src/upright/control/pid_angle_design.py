@@ -39,12 +39,12 @@ OWN = tuple(f.name for f in fields(AnglePid) if f.init and f.name not in ("perio
 
 @dataclass(frozen=True, eq=False)
 class AngleDesign(Design):
-    """What a `controller` on the angle does on `robot` under `kit`; `found` says that its gains were searched here."""
+    """What a `controller` on the angle does on `robot` under `kit`; `searched` says that its gains were searched here."""
 
     robot: Robot
     kit: Kit
     controller: AnglePid
-    found: bool
+    searched: bool
 
     @property
     def gain(self) -> Array:
@@ -104,7 +104,7 @@ class AngleDesign(Design):
 
     def to_json(self) -> dict[str, Any]:
         """The gain of the state, the growth [1/s] and the least ki."""
-        return super().to_json() | {"growth": self.growth, "least_ki": self.least_ki, "found": self.found}
+        return super().to_json() | {"growth": self.growth, "least_ki": self.least_ki, "searched": self.searched}
 
 
 _NOTHING_HOLDS = "Nothing holds its position: without encoders it stands and rolls away."
@@ -134,7 +134,7 @@ def pid_angle(robot: Robot | str, kit: Kit | str, dt: float | None = None, **own
     def made(**gains: Any) -> AnglePid:
         return AnglePid(**(usual | own | facts | gains))
 
-    controller = made() if "kp" in own else _found(robot, kit, made)
+    controller = made() if "kp" in own else _searched(robot, kit, made)
     controller.design = AngleDesign(robot, kit, controller, "kp" not in own)
     return controller
 
@@ -168,7 +168,7 @@ def _growth(model: SampledRobot, linear: LinearController) -> float:
     return math.log(radius) / model.dt if radius > 1 + ON_CIRCLE else 0.0
 
 
-def _found(robot: Robot, kit: Kit, made: Callable[..., AnglePid]) -> AnglePid:
+def _searched(robot: Robot, kit: Kit, made: Callable[..., AnglePid]) -> AnglePid:
     """Of all gains tried the stable ones with the largest distance: the loop is linear in kp, ki and kd."""
     ones = [made(**dict(zip(_GAINS, row, strict=True))) for row in np.eye(3).tolist()]
     model = _model(robot, kit, ones[0])

@@ -155,8 +155,8 @@ def _pid(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
 
 
 def _angle_defaults(robot: Robot, kit: Kit, dt: float) -> dict[str, float]:
-    found = pid_angle(robot, kit, dt)
-    return {name: gain for name, gain in (("kp", found.kp), ("ki", found.ki), ("kd", found.kd)) if gain}
+    plain = pid_angle(robot, kit, dt)
+    return {name: gain for name, gain in (("kp", plain.kp), ("ki", plain.ki), ("kd", plain.kd)) if gain}
 
 
 def _angle(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
