@@ -2,7 +2,8 @@
 
 The pitch answers a voltage by s n(s)/d(s), as a motor at a constant voltage only makes the wheels run at a constant
 speed. With ki/s the closed loop d(s) − (kp s + ki + kd s²) n(s) has the constant term d(0) − ki n(0), so that no kp or
-kd removes its growing mode, and ki must exceed d(0)/n(0).
+kd removes its growing mode, and ki must exceed d(0)/n(0). A fused angle, which leans while the robot accelerates, asks
+for more.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import numpy as np
@@ -31,6 +32,7 @@ TIMES = np.geomspace(0.01, 0.3, 10)  # [s] kd tried, over kp
 RATIOS = (1.5, 2.0, 3.0, 5.0, 8.0)  # ki tried, over the least that removes the growing mode
 SLOW = (0.0, 0.3, 1.0)  # [1/s] ki tried, over kp, where none is needed
 LEAST = 0.1  # min |1 + L|: a sensitivity of 10, with which the smallest error of the model topples the robot
+NEAR = 1e-6  # from z = 1: nearer than any mode, and far above rounding
 ON_CIRCLE = 1e-6  # of |z|: position and heading, which nothing holds, stay at 1 to rounding
 WATCHED = 20.0  # [s] in which an error of the set point is followed
 OWN = tuple(f.name for f in fields(AnglePid) if f.init and f.name not in ("period", "command_unit", "supply"))
@@ -39,7 +41,7 @@ OWN = tuple(f.name for f in fields(AnglePid) if f.init and f.name not in ("perio
 
 @dataclass(frozen=True, eq=False)
 class AngleDesign(Design):
-    """What a `controller` on the angle does on `robot` under `kit`; `searched` says that its gains were searched here."""
+    """What a `controller` on the angle does on `robot` under `kit`; `searched`: its gains were searched."""
 
     robot: Robot
     kit: Kit
@@ -54,14 +56,18 @@ class AngleDesign(Design):
     @property
     def growth(self) -> float:
         """[1/s] of the fastest growing mode of the linear loop; 0 where none grows."""
-        return _growth(_model(self.robot, self.kit, self.controller), self.controller.linearised())
+        return _growth(self._model, self.controller.linearised())
+
+    @property
+    def _model(self) -> SampledRobot:
+        return _model(self.robot, self.kit, self.controller)
 
     @property
     def least_ki(self) -> float:
         """ki, in the program's unit, that removes the growing mode of a voltage drive; 0 where none is needed."""
         own = self.controller
         most = abs(own.volts) * PER_RADIAN[own.unit]
-        return least_integral(self.robot) / most * (own.period if own.per == "step" else 1.0)
+        return least_integral(self._model) / most * (own.period if own.per == "step" else 1.0)
 
     def check(self) -> float:
         """Nothing is solved: the gains are given, or tried."""
@@ -90,6 +96,13 @@ class AngleDesign(Design):
             lines.append(
                 f"P and D on the angle alone always leave a growing mode: a voltage ends as a speed, not as a force. "
                 f"ki must be above {least:.3g}; it is {self.controller.ki:.3g}."
+            )
+        sensor = self.kit.sensors[ANGLE]
+        true = replace(self.kit, sensors=self.kit.sensors | {ANGLE: replace(sensor, time_constant=0.0)})
+        if sensor.time_constant and not replace(self, kit=true).growth:
+            lines.append(
+                f"On the true angle it would stand: one fused with {sensor.time_constant:g} s follows the accelerometer, "
+                f"which sees no lean while the robot accelerates with it."
             )
         return lines
 
@@ -139,17 +152,15 @@ def pid_angle(robot: Robot | str, kit: Kit | str, dt: float | None = None, **own
     return controller
 
 
-def least_integral(robot: Robot) -> float:
-    """ki [command/(rad s)] above which the pitch loop has no real growing mode; 0 where the drive needs none."""
-    model = linearise_rolling(robot)
-    A = model.A[np.ix_(_PLANE, _PLANE)]
-    b = model.B[_PLANE].sum(axis=1)
-    if abs(np.linalg.det(A)) < 1e-9 * np.abs(A).max() ** 3:  # a force, not a speed: the wheels run freely
-        return 0.0
-    return -1.0 / float(np.linalg.solve(A, np.linalg.solve(A, b))[0])
-
-
-_PLANE = [0, 1, 3]  # pitch, its rate, and the wheels' rate
+def least_integral(model: SampledRobot) -> float:
+    """ki [command/(rad s)] above which the loop has no growing mode at frequency zero: there kp and kd do nothing, and
+    1 = ki dt P(z)/(z − 1) with P from both commands to the angle. 0 where a force drives, whose P(1) is not zero."""
+    plant = plant_of(model, pushed=False)
+    z = 1 + NEAR
+    angle = plant.C[model.reads.index(ANGLE)]
+    slope = float(angle @ np.linalg.solve(z * np.eye(len(plant.A)) - plant.A, plant.B.sum(axis=1))) / NEAR
+    least = 1 / (model.dt * slope)
+    return least if least > NEAR / model.dt else 0.0
 
 
 def _model(robot: Robot, kit: Kit, controller: AnglePid) -> SampledRobot:
@@ -178,7 +189,7 @@ def _searched(robot: Robot, kit: Kit, made: Callable[..., AnglePid]) -> AnglePid
     per_radian = ones[0].volts * PER_RADIAN[ones[0].unit]
     gravity = robot.body_mass * robot.gravity * robot.com_height / (2 * motor_gain(robot)) / per_radian
     steps = ones[0].period if ones[0].per == "step" else 1.0
-    least = least_integral(robot) / per_radian
+    least = least_integral(model) / per_radian
     rates = steps if ones[0].rate == "difference" else 1.0
     tried = list[tuple[float, tuple[float, float, float]]]()
     for stiffness, time, ratio in itertools.product(STIFFNESSES.tolist(), TIMES.tolist(), RATIOS if least else SLOW):
