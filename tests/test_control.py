@@ -1,5 +1,6 @@
 """Regulator, feedback and estimators against python-control, SLICOT and planted truths."""
 
+from dataclasses import replace
 from functools import partial
 from types import SimpleNamespace
 
@@ -28,7 +29,7 @@ from upright.experiment import Hold, run
 from upright.physics.dynamics import turn_ratio
 from upright.physics.linear import linearise
 from upright.physics.sensing import sensor_matrix
-from upright.robots import Kit, Robot, preset_names
+from upright.robots import Kit, Robot, Sensor, preset_names
 
 NXT = Robot.preset("nxtway-gs")
 
@@ -109,7 +110,8 @@ def test_wrong_gain_is_refused(gain):
 
 
 def test_every_controller_says_what_it_is():
-    kit = Kit.preset("nxt")
+    plain = Kit.preset("nxt")
+    kit = replace(plain, sensors=plain.sensors | {"sensor/pitch": Sensor()})  # a fused angle beside all others
     for name in CONTROLLERS:
         # over two robots instead of 200: nothing here depends on how many it was tried on
         searches = name == "robust"

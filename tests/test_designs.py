@@ -2,6 +2,7 @@
 
 import copy
 import json
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -71,6 +72,8 @@ def made(name, preset):
     kit = Kit.preset(robot.kit)
     if name == "robust" and preset != "ev3way":  # designed for 5 robots, not 200; ev3way falls with fewer
         return robot, kit, robust(robot, kit, kit.period, tried=5)
+    if name == "pid-angle":
+        kit = replace(kit, sensors=kit.sensors | {"sensor/pitch": Sensor()})
     return robot, kit, make_controller(name, robot, kit, kit.period)
 
 

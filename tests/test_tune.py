@@ -25,7 +25,7 @@ from upright.control.tunable import UNITS, WIDTH
 from upright.errors import UprightError
 from upright.experiment import Impulse, outcome_of, run
 from upright.report import report
-from upright.robots import Robot, find_kit
+from upright.robots import Robot, Sensor, find_kit
 from upright.robots.uncertainty import draw
 from upright.tune import tune as room
 from upright.tune.figures import WATCHED, Figures, knock, slack
@@ -38,21 +38,22 @@ pytestmark = pytest.mark.needs("module:cma")
 
 NXT = Robot.preset("nxtway-gs")
 KIT = find_kit(NXT.kit)
+FUSED = replace(KIT, sensors=KIT.sensors | {"sensor/pitch": Sensor()})  # for all methods
 TUNABLE = [name for name, method in CONTROLLERS.items() if method.tunable]
 GOOD = CandidateScore(fell=0.0, down=0.0, knock=0.3, settling=1.0, effort=100.0, over=-0.5, modulus=0.4, excess=0.0)
 
 
 def test_the_methods_with_weights_can_be_tuned() -> None:
-    assert TUNABLE == ["lqr", "lqi", "lqg", "pid", "hinf", "mpc", "sliding"]
+    assert TUNABLE == ["lqr", "lqi", "lqg", "pid", "pid-angle", "hinf", "mpc", "sliding"]
 
 
 @pytest.mark.parametrize("name", TUNABLE)
 def test_the_default_weights_give_the_default_controller(name: str) -> None:
     method = CONTROLLERS[name]
     assert method.tunable
-    weights = method.tunable.defaults(NXT, KIT, KIT.period)
+    weights = method.tunable.defaults(NXT, FUSED, KIT.period)
     assert all(value > 0 and weight in UNITS for weight, value in weights.items())
-    tuned, plain = method.tuned(NXT, KIT, KIT.period, weights), make_controller(name, NXT, KIT, KIT.period)
+    tuned, plain = method.tuned(NXT, FUSED, KIT.period, weights), make_controller(name, NXT, FUSED, KIT.period)
     assert controller_hash(tuned) == controller_hash(plain)
 
 
@@ -61,10 +62,10 @@ def test_every_weight_changes_the_controller(name: str) -> None:
     """By a fifth, which no weight is allowed to ignore."""
     method = CONTROLLERS[name]
     assert method.tunable
-    weights = method.tunable.defaults(NXT, KIT, KIT.period)
-    plain = controller_hash(method.tuned(NXT, KIT, KIT.period, weights))
+    weights = method.tunable.defaults(NXT, FUSED, KIT.period)
+    plain = controller_hash(method.tuned(NXT, FUSED, KIT.period, weights))
     for weight in weights:
-        other = method.tuned(NXT, KIT, KIT.period, weights | {weight: 1.2 * weights[weight]})
+        other = method.tuned(NXT, FUSED, KIT.period, weights | {weight: 1.2 * weights[weight]})
         assert controller_hash(other) != plain, weight
 
 
@@ -290,7 +291,7 @@ def test_an_interrupted_tuning_goes_on_to_the_same_bytes(tmp_path: Path) -> None
     ("method", "changes", "part"),
     [
         ("lqgg", {}, "lqg"),
-        ("robust", {}, "lqr, lqi, lqg, pid, hinf, mpc, sliding"),
+        ("robust", {}, "lqr, lqi, lqg, pid, pid-angle, hinf, mpc, sliding"),
         ("lqg", {"budget": 0}, "candidates"),
         ("lqg", {"samples": 5}, "100"),
         ("lqg", {"seed": -1}, "seed"),

@@ -101,7 +101,7 @@ class AngleDesign(Design):
         true = replace(self.kit, sensors=self.kit.sensors | {ANGLE: replace(sensor, time_constant=0.0)})
         if sensor.time_constant and not replace(self, kit=true).growth:
             lines.append(
-                f"On the true angle it would stand: one fused with {sensor.time_constant:g} s follows the accelerometer, "
+                f"On the true angle it would stand: one fused in {sensor.time_constant:g} s follows the accelerometer, "
                 f"which sees no lean while the robot accelerates with it."
             )
         return lines
