@@ -184,6 +184,7 @@ def _facts(program: Program, number: str, finest: float | None) -> dict[str, Any
         "kit": plain(program.kit),
         "hash": program.hash,
         "full": program.full,
+        "fused": None,
         "number": number,
         "period_ms": f"{program.period * 1e3:g}",
         "period_us": round(program.period * 1e6),

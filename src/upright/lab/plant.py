@@ -137,9 +137,10 @@ BY_HAND, OFF = "gains", "off"
 
 
 def families() -> tuple[FamilyInfo, ...]:
-    """Every controller family of the page: the registered methods that can be made here, then the page's own two."""
+    """Every controller family of the page: the registered methods that can be made here and need no numbers of a
+    program's own, then the page's own two."""
     methods = {name: _loadable(name) for name in CONTROLLERS}
-    known = [FamilyInfo(name, m.weighted, m.reads_truth) for name, m in methods.items() if m and not m.lacks]
+    known = [FamilyInfo(name, m.weighted, m.reads_truth) for name, m in methods.items() if m and not (m.lacks or m.own)]
     return (*known, FamilyInfo(BY_HAND, False, False), FamilyInfo(OFF, False, False))
 
 
