@@ -12,7 +12,9 @@ import numpy as np
 import pytest
 
 from interpreter import Interpreter
+from test_docs import blocks, commands
 from upright.certify.design import design
+from upright.cli.main import main
 from upright.control import CONTROLLERS, AnglePid, controller_hash, pid_angle, read_controller, write_controller
 from upright.control.delay import sampled
 from upright.control.law import as_law, near_rest, program
@@ -319,3 +321,34 @@ def test_a_fused_angle_grows_where_the_true_one_does_not(time):
     least = least_integral(sampled(ROBOT, kit, 1e-3, pid.spec.reads))
     assert fused(300.0, 0.97 * least, 9.0, time) > 1e-4
     assert fused(300.0, 1.03 * least, 9.0, time) < 1e-4
+
+
+PAGE = Path(__file__).parents[1] / "docs" / "arduino.md"
+
+
+def test_the_page_for_an_arduino_stays_short_and_its_commands_run(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert len(PAGE.read_text("utf-8").split()) <= 700
+    (board,) = blocks(PAGE, "toml")
+    Path("kit.toml").write_text(board, "utf-8")
+    ran = []
+    for words in commands(PAGE):
+        if words[1] in ("certify", "tune"):
+            continue  # minutes: a test of evidence runs them
+        assert main(words[1:]) == 0, (words, capsys.readouterr().err)
+        ran.append(words[1])
+    assert ran == ["robots", "design", "simulate", "firmware"]
+    assert "One degree of error" in capsys.readouterr().out
+    (by_hand,) = blocks(PAGE, "text")
+    Path("hand.json").write_text(by_hand, "utf-8")
+    assert controller_hash(read_controller("hand.json")) == controller_hash(read_controller("mine.json"))
+
+
+@pytest.mark.evidence
+def test_the_slow_commands_of_the_page_run(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    Path("kit.toml").write_text(blocks(PAGE, "toml")[0], "utf-8")
+    for words in commands(PAGE):
+        budget = ["--budget", "12", "-n", "60"] if words[1] == "tune" else []
+        # a red light has an exit code of its own
+        assert main([*words[1:], *budget]) in (0, 3), (words, capsys.readouterr().err)

@@ -27,7 +27,7 @@ def design(
     method: Annotated[
         str,
         typer.Argument(
-            help="Method: lqr, lqi, lqg, pid, hinf, mpc, sliding, robust, … or my.py:Name.",
+            help="Method: lqr, lqi, lqg, pid, pid-angle, hinf, mpc, sliding, robust or my.py:Name.",
             autocompletion=complete_method,
         ),
     ],
