@@ -17,6 +17,7 @@ from upright.experiment.references import Reference
 from upright.firmware.generate import Firmware
 from upright.firmware.program_file import read_program
 from upright.firmware.setup import STATUS
+from upright.firmware.targets import ENCODERS
 from upright.parity.execute import execute
 from upright.parity.executed import TOLERANCE, Executed
 from upright.parity.executor import Executor
@@ -29,6 +30,7 @@ PUSHES = {"front": (0.1, 0.0), "back": (-0.12, 10.0)}
 """Pitch [rad] at which each push holds the robot (Herrera et al. 2015, section 3.2), and its start [s]."""
 
 HELD, SECONDS = 5.0, 20.0  # [s] duration of each push, and of the run
+KNOCKED = 0.1  # [s] of a push on a robot whose program does not know where its wheels are: under a hold it rolls away
 LOST = 0.5  # [rad] pitch from which a robot whose program has stopped does not recover
 
 
@@ -134,7 +136,8 @@ def executed_parity(
     fine = replace(kit, motor=replace(kit.motor, quantum=0.0)) if program.full else kit  # its duties are whole already
     plant = Electronics(make_body(body, robot), fine)
     executed = Executed(executor, program, kit, controller)
-    pushes = [Hold(pitch=p, start=start, until=start + HELD) for p, start in PUSHES.values()]
+    lasting = HELD if set(ENCODERS) & set(program.channels.values()) else KNOCKED
+    pushes = [Hold(pitch=p, start=start, until=start + lasting) for p, start in PUSHES.values()]
     log = run(plant, executed, pushes, reference=reference, seconds=SECONDS, seed=1, progress=progress)
     plant.close()
     stopped = STATUS[executed.status] if executed.status else ""
