@@ -11,6 +11,7 @@ from pathlib import Path
 
 from upright.atomic import TemporaryFolder, write_text
 from upright.compiled.program import Program
+from upright.control.estimators import ACCELEROMETER
 from upright.errors import InvalidController, MissingTool
 from upright.firmware.tools import run_tool, tool
 from upright.firmware.wiring import defined
@@ -26,7 +27,7 @@ SOURCES = (
 
 GYRO, BATTERY, LEFT, RIGHT, BUTTON, CONDITION, IDENTITY, POWER, PINS = range(9)
 FORWARD, UP = 13, 14
-GRAVITY = 16_384  # [steps] of g, by an accelerometer of ±2 g
+STEPS_OF_G, STANDARD_GRAVITY = 16_384, 9.80665  # [steps] of an accelerometer of ±2 g, [m/s²]
 PRESENT, ABSENT, HUNG = range(3)
 """Inputs of the board, and conditions of its sensor (`shims/board.h`)."""
 
@@ -97,9 +98,8 @@ class SketchExecutor(Chip):
         if decoding := self._constants["DECODING"]:
             edges = 4 / decoding
             inputs |= {LEFT: edges * raw["raw_encoder_left"], RIGHT: edges * raw["raw_encoder_right"]}
-        if self._angle:  # a board at rest at that angle, of which the sketch makes its own
-            angle = raw["raw_pitch"] * self._angle
-            inputs |= {FORWARD: -GRAVITY * math.sin(angle), UP: GRAVITY * math.cos(angle)}
+        if self._angle:
+            inputs |= self._accelerometer(raw)
         for what, value in inputs.items():
             self.set_input(what, round(value))
         cycles = self.period()[1]
@@ -108,6 +108,13 @@ class SketchExecutor(Chip):
             return {}
         self.worst = max(self.worst, cycles)
         return self.results() | self._own_angle()
+
+    def _accelerometer(self, raw: Values) -> dict[int, float]:
+        """What it shows, or without such a sensor what it would at rest at that angle."""
+        angle = raw["raw_pitch"] * self._angle
+        rest = (-STANDARD_GRAVITY * math.sin(angle), STANDARD_GRAVITY * math.cos(angle))
+        shown = [raw.get(channel, at_rest) for channel, at_rest in zip(ACCELEROMETER, rest, strict=True)]
+        return {what: STEPS_OF_G / STANDARD_GRAVITY * value for what, value in zip((FORWARD, UP), shown, strict=True)}
 
     def _own_angle(self) -> dict[str, float]:
         """The angle that the sketch has fused, in the place of the one it was given."""

@@ -15,8 +15,9 @@ from upright.bodies.electronics import drive
 from upright.compiled.fixed import fractions, memory
 from upright.compiled.program import Kind, Program
 from upright.control.controller import Controller, ControllerSpec
+from upright.control.estimators import ACCELEROMETER
 from upright.firmware.setup import CALIBRATION_TIME
-from upright.firmware.targets import BATTERY, COMPASS, GYRO, OFFSET
+from upright.firmware.targets import BATTERY, COMPASS, GYRO, OFFSET, PITCH
 from upright.firmware.tools import ExecutionFailed
 from upright.parity.executor import Executor, Values
 from upright.robots import Battery, Kit
@@ -103,7 +104,8 @@ class Executed:
         self._readings = Readings(program, kit, executor.numbers)
         self._slack = SLACK[executor.numbers]
         self._longest = comparable(program, executor.numbers)
-        reads = tuple(c for c in program.channels.values() if c in kit.sensors)
+        fused = ACCELEROMETER if PITCH in program.channels.values() else ()  # of which a sketch makes its angle
+        reads = tuple(c for c in (*program.channels.values(), *fused) if c in kit.sensors)
         self.spec = ControllerSpec(f"{program.kind} on {executor.where}", reads, program.period, program.command_unit)
 
     def reset(self) -> None:
@@ -118,7 +120,8 @@ class Executed:
         channels = dict(zip(self.spec.reads, measurement.tolist(), strict=True))
         raw = self._readings.raw(channels, self._readings.offset)
         states = {f"reference_{n}": float(v) for n, v in zip(STATE_NAMES, reference, strict=True)}
-        out = self._executor.step(raw | {n: v for n, v in states.items() if n in self._program.variables})
+        given = {c: value for c, value in channels.items() if c in ACCELEROMETER}
+        out = self._executor.step(raw | given | {n: v for n, v in states.items() if n in self._program.variables})
         if not out:
             raise ExecutionFailed("the program still calibrates after its calibration time")
         own = {name: out[name] for name in raw if name in out}  # what the program makes of its readings itself
