@@ -2,16 +2,18 @@
 
 import copy
 import json
+import re
 from dataclasses import replace
 from functools import cache
 
 import numpy as np
 import pytest
-from scipy.linalg import solve_continuous_are
+from scipy.linalg import solve_continuous_are, solve_discrete_are
 
 from upright.bodies import Electronics, LinearBody, NonlinearBody
 from upright.bodies.twin import Twin
 from upright.certify import delay_margin
+from upright.cli.main import main
 from upright.control import (
     CONTROLLERS,
     Estimated,
@@ -639,3 +641,23 @@ def test_statics_of_the_largest_lean():
     # 2 α V = M g L sin ψ, by hand: α = 0.317/6.69, V = 1, M g L = 0.6·9.81·0.072
     expected = np.arcsin(2 * 0.317 / 6.69 / (0.6 * 9.81 * 0.072))
     assert static_pitch(NXT, KIT, 1.0) == pytest.approx(expected, rel=1e-9)
+
+
+def test_design_lqr_prints_k_s_and_poles_and_writes_k(tmp_path, capsys):
+    """Against SciPy's own solution for the model that is linearised and held here."""
+    robot = NXT.replace(torque_constant=0.3)
+    robot.save(tmp_path / "mine.toml")
+    path = tmp_path / "lqr.json"
+    assert main(["design", "lqr", "--robot", str(tmp_path / "mine.toml"), "--kit", "nxt", "-o", str(path)]) == 0
+    plain = lqr(robot, KIT.period)
+    A, B = plain.model.A, plain.model.B
+    S = solve_discrete_are(A, B, plain.Q, plain.R)
+    K = np.linalg.solve(plain.R + B.T @ S @ B, B.T @ S @ A)
+    assert json.loads(path.read_text("utf-8"))["gain"] == [pytest.approx(row, rel=1e-6) for row in K.tolist()]
+    lines = capsys.readouterr().out.splitlines()
+    for name, row in (("left", K[0]), ("right", K[1]), ("pitch", S[0])):
+        (numbers,) = [line.split()[1:] for line in lines if re.match(rf"{name} +-?\d.* -?\S+ ", line)]
+        assert [float(x) for x in numbers[:4]] == pytest.approx(row[:4], rel=1e-3)
+    (poles,) = [line for line in lines if line.startswith("Poles z of A − B K")]
+    largest = max(np.abs(np.linalg.eigvals(A - B @ K)))
+    assert abs(complex(poles.split(": ")[1].split(",")[0])) == pytest.approx(largest, rel=1e-3)

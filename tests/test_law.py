@@ -18,8 +18,8 @@ from upright.compiled.generated import LANES, LEFT, RIGHT, ROW
 from upright.compiled.print_c import CPrinter
 from upright.compiled.program import Kind, Program
 from upright.control import lqr
-from upright.control.law import as_law, program
-from upright.control.linear_controller import LinearController
+from upright.control.law import as_law, near_rest, program
+from upright.control.linear_controller import Law, LinearController
 from upright.errors import InvalidController
 from upright.experiment import Drive, Push, run
 from upright.kernel import law as kernel_law
@@ -181,3 +181,26 @@ def test_a_law_that_grows_without_its_robot_is_run() -> None:
     )  # fmt: skip
     result = simulate(FleetBatch(parameters=parameters_of(ROBOT), controller=runaway, start=START), 2.0)
     assert not result.fell[0]
+
+
+class Own:
+    """A controller of somebody else's that says what it computes."""
+
+    def __init__(self) -> None:
+        self.inner = designed("sliding")
+        self.spec = self.inner.spec
+
+    def law(self) -> Law:
+        return as_law(self.inner)
+
+    def linearised(self) -> LinearController:
+        return self.law().linearised()
+
+
+def test_who_says_its_law_is_taken_like_one_of_ours() -> None:
+    own: Any = Own()
+    assert as_law(own) == as_law(own.inner)
+    assert pytest.approx(near_rest(own.inner).A) == near_rest(own).A
+    own.law = "no method"
+    with pytest.raises(InvalidController, match="no fixed sum"):
+        as_law(own)

@@ -73,9 +73,22 @@ class StateFeedback(Lawful):
         """A gain that was given has no equation to fail."""
         return 0.0
 
+    def words(self) -> list[str]:
+        """K as a table."""
+        units = ", ".join(("rad", "rad/s") * 3)
+        return table_lines(f"K of u = −K (x − r) [{self.command_unit} per {units}]", self.gain, ("left", "right"))
+
     def law(self) -> Law:
         none = np.zeros((0, 0))
         return Law(LinearController.like(self.spec, none, none, none, none, none, -self.gain, self.gain))
 
     def to_json(self) -> dict[str, Any]:
         return {"kind": self.kind, "gain": self.gain.tolist(), "period": self.period, "command_unit": self.command_unit}
+
+
+def table_lines(title: str, matrix: Array, rows: Sequence[str]) -> list[str]:
+    """A matrix on the six states as lines of text: the title, the states' names, and its rows."""
+    lines = [title, f"{'':<11}" + "".join(f"{name:>12}" for name in STATE_NAMES)]
+    for name, row in zip(rows, matrix.tolist(), strict=True):
+        lines.append(f"{name:<11}" + "".join(f"{value:>12.4g}" for value in row))
+    return lines

@@ -10,6 +10,7 @@ import numpy as np
 
 from upright.atomic import write_json
 from upright.control.controller import Controller, controller_hash
+from upright.control.design import gain_of
 from upright.control.estimators import Complementary, Estimated, Estimator, Kalman
 from upright.control.feedback import StateFeedback
 from upright.control.identity import asked_of, designed_from
@@ -28,6 +29,9 @@ def write_controller(controller: Controller, path: str | Path) -> Path:
     form = _form(controller)
     data = {"file": "upright controller", "version": VERSION, "form": form, "hash": controller_hash(controller)}
     data |= {"asked": asked_of(controller)}
+    gain = gain_of(controller)
+    if gain is not None:  # for readers: K of u = −K x decides nothing here
+        data["gain"] = gain.tolist()
     return write_json(path, data | {"controller": controller.to_json()})
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from upright.arrays import Array, Complex
-from upright.control.feedback import StateFeedback
+from upright.control.feedback import StateFeedback, table_lines
 from upright.errors import DesignFailed
 from upright.physics.linear import LinearModel, linearise_rolling
 from upright.robots import Robot, find_robot
@@ -39,6 +39,12 @@ class Lqr(StateFeedback):
         """Eigenvalues of A − BK, largest magnitude first."""
         poles = np.linalg.eigvals(self.model.A - self.model.B @ self.gain).astype(complex)
         return poles[np.argsort(-np.abs(poles))]
+
+    def words(self) -> list[str]:
+        """K, the solution S of the Riccati equation, and the poles of the loop, without any filter."""
+        cost = table_lines("S of the Riccati equation, J = xᵀS x", self.cost, STATE_NAMES)
+        poles = ", ".join(f"{p:.4g}" if p.imag else f"{p.real:.4g}" for p in self.poles())
+        return [*super().words(), *cost, f"Poles z of A − B K: {poles}"]
 
     def check(self) -> float:
         """Largest entry of AᵀPA − P − AᵀPB(R + BᵀPB)⁻¹BᵀPA + Q, relative to P's largest."""

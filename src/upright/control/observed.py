@@ -40,6 +40,10 @@ class Observed(Design):
         """That of the feedback."""
         return self.feedback.gain
 
+    def words(self) -> list[str]:
+        """Those of the feedback."""
+        return self.feedback.words()
+
 
 def observed(
     feedback: StateFeedback,
