@@ -29,7 +29,7 @@ def as_law(controller: Controller | Law) -> Law:
     except InvalidController:
         raise InvalidController(
             f"a {type(controller).__name__} is no fixed sum of products",
-            expected="a linear controller (lqr, lqi, lqg, pid, hinf, robust), sliding or mpc",
+            expected="a linear controller (lqr, lqi, lqg, pid, hinf, robust), sliding, pid-angle or mpc",
             hint="upright certify or upright bench-controllers, which run any controller",
         ) from None
 

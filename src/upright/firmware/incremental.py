@@ -82,7 +82,7 @@ def _law(controller: Controller) -> Law:
     except InvalidController:
         raise InvalidController(
             f"a {spec.kind} cannot become a program: its step is not a fixed sum of products",
-            expected="a linear controller (lqr behind a Kalman filter, lqi, lqg, pid, hinf, robust), sliding or mpc",
+            expected="lqr behind a Kalman filter, lqi, lqg, pid, hinf, robust, sliding, pid-angle or mpc",
         ) from None
 
 
