@@ -13,6 +13,7 @@ import pytest
 
 from interpreter import Interpreter
 from test_docs import blocks, commands
+from upright.bodies import Electronics, NonlinearBody
 from upright.certify.design import design
 from upright.cli.main import main
 from upright.control import CONTROLLERS, AnglePid, controller_hash, pid_angle, read_controller, write_controller
@@ -20,7 +21,10 @@ from upright.control.delay import sampled
 from upright.control.law import as_law, near_rest, program
 from upright.control.pid_angle_design import drift, least_integral
 from upright.errors import DesignFailed, InvalidController, SpecMismatch, UnknownName
+from upright.experiment import Push, run
 from upright.firmware import generate
+from upright.kernel.batch import FleetBatch, parameters_of
+from upright.kernel.simulate import simulate
 from upright.parity.execute_sketch import CORE, SketchExecutor
 from upright.robots import Battery, Kit, Robot, Sensor
 from upright.signals import STATE_NAMES
@@ -352,3 +356,33 @@ def test_the_slow_commands_of_the_page_run(tmp_path, monkeypatch, capsys):
         budget = ["--budget", "12", "-n", "60"] if words[1] == "tune" else []
         # a red light has an exit code of its own
         assert main([*words[1:], *budget]) in (0, 3), (words, capsys.readouterr().err)
+
+
+@pytest.mark.parametrize("own", [{"dead_band": 30.0}, {"rate": "difference", "filter_time": 0.02, "set_point": 0.2}])
+def test_the_kernel_does_what_run_does(own):
+    """On the equations with the fused angle's own filter, a dead band and the integral's limit: to rounding for 2 s."""
+    kit = replace(KIT, sensors={"sensor/gyro": Sensor(), "sensor/pitch": Sensor(time_constant=0.5)})
+    pid = pid_angle(ROBOT, kit, kp=50.0, ki=260.0, kd=1.4, integral_limit=60.0, **own)
+    start, push = (0.03, 0.0, 0.0, 0.0, 0.0, 0.0), Push(force=0.3, start=0.5)
+    log = run(Electronics(NonlinearBody(ROBOT), kit), pid, push, start=start, seconds=2.0)
+    batch = FleetBatch(
+        parameters=parameters_of(ROBOT), controller=pid, start=start, kit=kit, pushes=[[0.3, math.nan, 0.5, 0.1]]
+    )
+    result = simulate(batch, 2.0, record=1, channels=("truth/pitch", "truth/wheel", "command/left"))
+    assert not result.fell[0]
+    for k, channel in enumerate(result.channels):
+        assert np.abs(log[channel] - result.trace[0, : len(log), k]).max() < 1e-9, channel
+
+
+def test_it_says_which_gain_is_wrong():
+    """At rest both motors' 2 K_t/R_m kp ψ holds the body's M g L ψ."""
+    hold = M * G * L / (2 * KT / RM) / (VOLTS / 255 * math.degrees(1))
+    cases = {
+        f"kp is too small: gravity alone asks for {hold:.3g}": {"kp": 0.9 * hold, "ki": 1.0},
+        "kd has the other sign": {"kp": 50.0, "ki": 60.0, "kd": -1.4},
+        "sign = -1": {"kp": -50.0, "ki": -60.0, "kd": -1.4},
+    }
+    for said, own in cases.items():
+        assert said in " ".join(pid_angle(ROBOT, KIT, **own).design.words()), said
+    right = pid_angle(ROBOT, KIT, kp=-50.0, ki=-60.0, kd=-1.4, sign=-1.0).design
+    assert right.growth == 0.0

@@ -92,6 +92,7 @@ class AngleDesign(Design):
         if not growth:
             return []
         lines = [f"It falls: the linear loop grows by {growth:.2g} 1/s, twofold in {math.log(2) / growth:.2g} s."]
+        lines += self._wrong_gains()
         if least and self.controller.ki < least:
             lines.append(
                 f"P and D on the angle alone always leave a growing mode: a voltage ends as a speed, not as a force. "
@@ -104,6 +105,20 @@ class AngleDesign(Design):
                 f"On the true angle it would stand: one fused in {sensor.time_constant:g} s follows the accelerometer, "
                 f"which sees no lean while the robot accelerates with it."
             )
+        return lines
+
+    def _wrong_gains(self) -> list[str]:
+        """A kp or kd of the wrong sign, and a kp that does not even hold the body's weight."""
+        pid = self.controller
+        kp, kd = pid.kp * pid.sign, pid.kd * pid.sign
+        hold = _gravity(self.robot) / (abs(pid.volts) * PER_RADIAN[pid.unit])
+        lines = list[str]()
+        if kp < 0:
+            lines.append("kp drives it the way it does not fall: sign = -1 where your angle is positive backwards.")
+        elif kp < hold:
+            lines.append(f"kp is too small: gravity alone asks for {hold:.3g}, and a loop that stands for a multiple.")
+        if kd * kp < 0:
+            lines.append("kd has the other sign than kp: it helps the fall.")
         return lines
 
     def _off_by_one(self) -> str:
@@ -163,6 +178,11 @@ def least_integral(model: SampledRobot) -> float:
     return least if least > NEAR / model.dt else 0.0
 
 
+def _gravity(robot: Robot) -> float:
+    """Command of both motors for a radian of lean that holds the body's weight at rest."""
+    return robot.body_mass * robot.gravity * robot.com_height / (2 * motor_gain(robot))
+
+
 def _model(robot: Robot, kit: Kit, controller: AnglePid) -> SampledRobot:
     return sampled(robot, kit, controller.period, controller.spec.reads)
 
@@ -187,7 +207,7 @@ def _searched(robot: Robot, kit: Kit, made: Callable[..., AnglePid]) -> AnglePid
     answers = plant_of(model, pushed=False).response(grid) @ np.ones(2)
     parts = [_returned(one.linearised(), model, grid, answers) for one in ones]
     per_radian = ones[0].volts * PER_RADIAN[ones[0].unit]
-    gravity = robot.body_mass * robot.gravity * robot.com_height / (2 * motor_gain(robot)) / per_radian
+    gravity = _gravity(robot) / per_radian
     steps = ones[0].period if ones[0].per == "step" else 1.0
     least = least_integral(model) / per_radian
     rates = steps if ones[0].rate == "difference" else 1.0
