@@ -119,7 +119,7 @@ def test_it_commands_what_the_builders_program_does(dead_band, limit):
     pid = pid_angle(ROBOT, KIT, **CLASSIC, **own)
     assert pid.spec.reads == ("sensor/pitch",)
     assert simulated(pid, WAVE[:, :1]) == pytest.approx(builders(WAVE, dead_band, limit), abs=1e-9)
-    backwards = pid_angle(ROBOT, KIT, **CLASSIC, **own, sign=-1.0)
+    backwards = pid_angle(ROBOT, KIT, **CLASSIC, **own | {"set_point": -1.5}, sign=-1.0)
     assert simulated(backwards, WAVE[:, :1]) == pytest.approx([-u for u in simulated(pid, WAVE[:, :1])], abs=1e-9)
 
 

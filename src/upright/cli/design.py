@@ -37,14 +37,17 @@ def design(
     period: PeriodOption = None,
     gains: Annotated[
         str | None,
-        typer.Option("--gains", metavar="NAME=VALUE,...",
-                     help="Of pid-angle, the program's own: kp=50,ki=60,kd=1.4,unit=deg,output=pwm."),
+        typer.Option(
+            "--gains",
+            metavar="NAME=VALUE,...",
+            help="Of pid-angle, the program's own: kp=50,ki=60,kd=1.4,unit=deg,output=pwm.",
+        ),
     ] = None,
     posterior: PosteriorOption = None,
     output: ControllerOutputOption = None,
     report: ReportOption = None,
     as_json: JsonOption = False,
-) -> None:  # fmt: skip
+) -> None:
     """Design a controller for a robot.
 
     Prints its inputs, the residual of its equations, and the margins of its loop.

@@ -1,6 +1,6 @@
 """PID on the angle: the program that most builders have, in their own numbers and units.
 
-    e = ψ − set point + k_position x + k_speed ẋ,    i⁺ = i + ki e dt within ±`integral_limit`,
+    e = ψ − sign · set point + k_position x + k_speed ẋ,    i⁺ = i + ki e dt within ±`integral_limit`,
     w = sign · (kp e + i⁺ + kd d),    output = w ± `dead_band` (with w's sign) within ±`limit`
 
 ψ is the fused angle `sensor/pitch` and d its rate: the gyro, or the difference of two angles, low-passed over
@@ -30,9 +30,11 @@ PER_RADIAN = {"deg": math.degrees(1.0), "rad": 1.0}
 FULL = {"pwm": 255.0, "percent": 100.0, "duty": 1.0}
 """Output of a program → its number for the whole supply; any other output is the command itself, in its unit."""
 CHOICES = {
-    "unit": tuple(PER_RADIAN), "per": ("s", "step"), "rate": ("gyro", "difference"),
+    "unit": tuple(PER_RADIAN),
+    "per": ("s", "step"),
+    "rate": ("gyro", "difference"),
     "dead_band_form": ("added", "scaled"),
-}  # fmt: skip
+}
 
 
 @dataclass(frozen=True)
@@ -86,10 +88,11 @@ class AnglePid(Lawful):
 
     kp, ki and kd are output for one `unit` of angle ("deg", "rad"), one unit second, and one unit in a second; with
     `per` "step" the program knows no time: ki sums angles, and kd takes the difference of two. `set_point` is an angle
-    in `unit`. `output` is "pwm" (255), "percent", "duty", or the `command_unit` itself; the first three are parts of
-    the `supply` [V] that the motors have in fact. `dead_band` is added to every output but zero ("added"), or the rest
-    is scaled so that the output still ends at `limit` ("scaled"); `limit` is the full output where it is not given,
-    `integral_limit` (of ki Σ e dt) is `limit`. k_position [unit/m] and k_speed [unit s/m] need `wheel_radius` [m].
+    in `unit`; `sign` is -1 for an angle that is positive backwards. `output` is "pwm" (255), "percent", "duty", or the
+    `command_unit` itself; the first three are parts of the `supply` [V] that the motors have in fact. `dead_band` is
+    added to every output but zero ("added"), or the rest is scaled so that the output still ends at `limit` ("scaled").
+    `limit` is the full output where it is not given, and `integral_limit`, of ki Σ e dt, is `limit`. k_position
+    [unit/m] and k_speed [unit s/m] need `wheel_radius` [m].
 
     Raises `InvalidController` for numbers that no program has.
     """
@@ -137,8 +140,11 @@ class AnglePid(Lawful):
                 expected="a period of at most 1 s, positive limits and supply, a sign of 1 or -1",
             )
         if self.output in FULL and not (self.command_unit == "V" and math.isfinite(self.supply)):
-            raise InvalidController(f"an output in {self.output}", expected="a voltage drive and the supply [V]",
-                                    hint="[battery.voltage] in the kit's file")  # fmt: skip
+            raise InvalidController(
+                f"an output in {self.output}",
+                expected="a voltage drive and the supply [V]",
+                hint="[battery.voltage] in the kit's file",
+            )
         if self.cascade and not self.wheel_radius:
             raise InvalidController("k_position or k_speed without wheel_radius", expected="that of the robot [m]")
         if self.dead_band >= self.highest:
@@ -179,7 +185,7 @@ class AnglePid(Lawful):
         unscaled = self._unscaled
         integral = min(self.integral_limit, self.highest) * abs(self.volts)
         kp, ki, _ = self._si()
-        trim = -self.set_point / PER_RADIAN[self.unit]
+        trim = -self.sign * self.set_point / PER_RADIAN[self.unit]
         return AngleShape(
             kp * trim, ki * self.period * trim, integral, self.dead_band * unscaled, self.highest * unscaled
         )
@@ -201,12 +207,16 @@ class AnglePid(Lawful):
 
     def law(self) -> Law:
         """The memory holds the integral and, where they count, the filter of d and the wheels' position before."""
-        spec, dt = self.spec, self.period
+        dt = self.period
         kp, ki, kd = self._si()
-        m, n = len(spec.reads), 3
-        A, By = np.zeros((n, n)), np.zeros((n, m))
-        e_y, e_z, d_y, d_z = np.zeros(m), np.zeros(n), np.zeros(m), np.eye(n)[1]
-        e_y[0] = 1.0
+        n = 3
+        m = len(self.spec.reads)
+        A = np.zeros((n, n))
+        By = np.zeros((n, m))
+        e_y = np.eye(m)[0]  # the error by the readings, and by the memory
+        e_z = np.zeros(n)
+        d_y = np.zeros(m)
+        d_z = np.eye(n)[1]
         keep = self.filter_time / (self.filter_time + dt)
         A[1, 1] = keep
         if self.rate == "gyro":
@@ -225,7 +235,7 @@ class AnglePid(Lawful):
         n, e_z, d_z = len(used), e_z[used], d_z[used]
         C, Dy, Dr = (np.tile(row, (2, 1)) for row in (kp * e_z + kd * d_z, kp * e_y + kd * d_y, kp * e_r))
         linear = LinearController.like(
-            spec, A[np.ix_(used, used)], By[used], np.zeros((n, 6)), np.zeros((n, 2)), C, Dy, Dr
+            self.spec, A[np.ix_(used, used)], By[used], np.zeros((n, 6)), np.zeros((n, 2)), C, Dy, Dr
         )
         integral = np.eye(1, n) + ki * dt * e_z, ki * dt * e_y[None], ki * dt * e_r[None]
         remembered = np.outer(np.eye(n)[0], [0.0, 0.0, 1.0])
@@ -257,8 +267,9 @@ class AnglePid(Lawful):
         """The inverse of `to_json`; `UnknownName` for a number that no such program has."""
         names = [f.name for f in dataclasses.fields(cls) if f.init]
         own = {name: value for name, value in data.items() if name != "kind"}
-        if unknown := [name for name in own if name not in names]:
-            raise UnknownName(f"number of a {cls.form}", unknown[0], names)
+        for name in own:
+            if name not in names:
+                raise UnknownName(f"number of a {cls.form}", name, names)
         return cls(**own)
 
 

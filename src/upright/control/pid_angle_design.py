@@ -35,6 +35,7 @@ LEAST = 0.1  # min |1 + L|: a sensitivity of 10, with which the smallest error o
 NEAR = 1e-6  # from z = 1: nearer than any mode, and far above rounding
 ON_CIRCLE = 1e-6  # of |z|: position and heading, which nothing holds, stay at 1 to rounding
 WATCHED = 20.0  # [s] in which an error of the set point is followed
+_GAINS = ("kp", "ki", "kd")
 OWN = tuple(f.name for f in fields(AnglePid) if f.init and f.name not in ("period", "command_unit", "supply"))
 """Numbers and words of a program, as `pid_angle` takes them."""
 
@@ -88,9 +89,10 @@ class AngleDesign(Design):
 
     def _falls(self) -> list[str]:
         """That the linear loop grows and, where that is it, why; nothing where it does not."""
-        growth, least = self.growth, self.least_ki
+        growth = self.growth
         if not growth:
             return []
+        least = self.least_ki
         lines = [f"It falls: the linear loop grows by {growth:.2g} 1/s, twofold in {math.log(2) / growth:.2g} s."]
         lines += self._wrong_gains()
         if least and self.controller.ki < least:
@@ -146,10 +148,11 @@ def pid_angle(robot: Robot | str, kit: Kit | str, dt: float | None = None, **own
     """
     robot, kit = find_robot(robot), find_kit(kit)
     if ANGLE not in kit.sensors:
-        raise SpecMismatch(f"kit '{kit.name}' has no {ANGLE}", expected="a fused angle",
-                           hint="[sensors.pitch.time_constant] in the kit's file")  # fmt: skip
-    if unknown := [name for name in own if name not in OWN]:
-        raise UnknownName("number of a pid-angle", unknown[0], OWN)
+        hint = "[sensors.pitch.time_constant] in the kit's file"
+        raise SpecMismatch(f"kit '{kit.name}' has no {ANGLE}", expected="a fused angle", hint=hint)
+    for name in own:
+        if name not in OWN:
+            raise UnknownName("number of a pid-angle", name, OWN)
     usual: dict[str, Any] = {"rate": "gyro" if GYRO in kit.sensors else "difference"}
     if robot.command_unit != "V":
         usual["output"] = robot.command_unit
@@ -189,7 +192,8 @@ def _model(robot: Robot, kit: Kit, controller: AnglePid) -> SampledRobot:
 
 def _poles(model: SampledRobot, linear: LinearController) -> Array:
     """|z| of the closed loop."""
-    P, K = plant_of(model, pushed=False), controller_of(linear, model.delay)
+    P = plant_of(model, pushed=False)
+    K = controller_of(linear, model.delay)
     closed = np.block([[P.A + P.B @ K.D @ P.C, P.B @ K.C], [K.B @ P.C, K.A]])
     return np.abs(np.linalg.eigvals(closed))
 
@@ -223,14 +227,12 @@ def _searched(robot: Robot, kit: Kit, made: Callable[..., AnglePid]) -> AnglePid
         controller = made(**{name: float(f"{g:.3g}") for name, g in zip(_GAINS, gains, strict=True)})
         if not _growth(model, controller.linearised()):
             return controller
-    why = "" if not least else f", and ki above {abs(least * steps):.3g} is needed against the zero of a voltage drive"
+    why = f", and ki above {abs(least * steps):.3g} is needed against the zero of a voltage drive" if least else ""
     raise DesignFailed(
         f"no PID on the angle of the {len(tried)} tried holds '{robot.name}' at {model.dt:g} s with its delays{why}",
-        expected="a margin min |1 + L| of .1 at least", hint="a shorter period, or state feedback: lqg",
-    )  # fmt: skip
-
-
-_GAINS = ("kp", "ki", "kd")
+        expected=f"a margin min |1 + L| of {LEAST:g} at least",
+        hint="a shorter period, or state feedback: lqg",
+    )
 
 
 def _returned(linear: LinearController, model: SampledRobot, grid: Array, answers: Any) -> Any:
@@ -240,13 +242,14 @@ def _returned(linear: LinearController, model: SampledRobot, grid: Array, answer
 
 
 def drift(robot: Robot, controller: AnglePid, error: float) -> tuple[float, float, float, bool]:
-    """When [s] the linear loop without delays, its set point wrong by `error` [rad], asks for the largest command, or
-    `WATCHED`; its speed [m/s] and travel [m] then, and whether it did."""
+    """When [s] the linear loop on the true angle, its set point wrong by `error` [rad], asks for the largest command, or
+    `WATCHED`; its speed [m/s] and travel [m] then, and whether it did. No delay counts."""
     dt = controller.period
     plant = linearise_rolling(robot).c2d(dt)
     linear = controller.linearised()
     read = _rows(controller)
-    x, z = np.zeros(6), np.zeros(len(linear.A))
+    x = np.zeros(6)
+    z = np.zeros(len(linear.A))
     reference = np.eye(6)[0] * error
     limit = controller.shape.limit
     for k in range(round(WATCHED / dt)):
@@ -261,11 +264,6 @@ def drift(robot: Robot, controller: AnglePid, error: float) -> tuple[float, floa
 
 def _rows(controller: AnglePid) -> Array:
     """The readings from the state, without yaw."""
-    rows = {ANGLE: (0, 1.0), GYRO: (1, 1.0)}
-    C = np.zeros((len(controller.spec.reads), 6))
-    for row, name in zip(C, controller.spec.reads, strict=True):
-        if name in RAW[:2]:
-            row[[0, 2]] = -1.0, 1.0
-        else:
-            row[rows[name][0]] = rows[name][1]
-    return C
+    pitch, rate, wheel = np.eye(6)[:3]
+    rows = {ANGLE: pitch, GYRO: rate, **dict.fromkeys(RAW[:2], wheel - pitch)}
+    return np.array([rows[name] for name in controller.spec.reads])

@@ -150,12 +150,18 @@ def _fused(program: Program, kit: Kit, number: str) -> dict[str, float] | None:
     time = kit.sensors[PITCH].time_constant
     if not time:
         raise InvalidController(
-            f"kit '{kit.name}' does not say how a sketch fuses its angle", expected="the filter's time constant",
+            f"kit '{kit.name}' does not say how a sketch fuses its angle",
+            expected="the filter's time constant",
             hint="[sensors.pitch.time_constant] in the kit's file, such as 0.5 s",
-        )  # fmt: skip
+        )
     bits = fractions(program)["gyro_offset"] if number == "fixed" else 0
-    return {"time": time, "keep": time / (time + program.period), "offset": 2.0**-bits,
-            "rate": program.scales["raw_gyro"], "angle": 1 / program.scales["raw_pitch"]}  # fmt: skip
+    return {
+        "time": time,
+        "keep": time / (time + program.period),
+        "offset": 2.0**-bits,
+        "rate": program.scales["raw_gyro"],
+        "angle": 1 / program.scales["raw_pitch"],
+    }
 
 
 def _longest(seconds: int | None, target: str) -> int:

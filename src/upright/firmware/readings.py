@@ -24,7 +24,8 @@ from upright.firmware.targets import BATTERY, COMPASS, ENCODERS, GYRO, PITCH, SI
 def inputs(t: Tracer, setup: ProgramSetup) -> dict[str, Form]:
     """The raw readings, by channel."""
     reads = setup.linear.reads
-    if PITCH not in reads and (missing := [channel for channel in (*ENCODERS, GYRO) if channel not in reads]):
+    missing = [channel for channel in (*ENCODERS, GYRO) if channel not in reads]
+    if missing and PITCH not in reads:
         raise InvalidController(
             f"the controller does not read {missing[0]}", expected="both encoders and the gyro, or a fused angle"
         )

@@ -95,7 +95,8 @@ class SketchExecutor(Chip):
     def step(self, raw: Values) -> Values:
         sign = self._constants["GYRO_SIGN"]
         inputs = {GYRO: sign * raw["raw_gyro"], BATTERY: raw["raw_battery"]}
-        if decoding := self._constants["DECODING"]:
+        decoding = self._constants["DECODING"]
+        if decoding:
             edges = 4 / decoding
             inputs |= {LEFT: edges * raw["raw_encoder_left"], RIGHT: edges * raw["raw_encoder_right"]}
         if self._angle:
