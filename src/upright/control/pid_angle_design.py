@@ -242,8 +242,8 @@ def _returned(linear: LinearController, model: SampledRobot, grid: Array, answer
 
 
 def drift(robot: Robot, controller: AnglePid, error: float) -> tuple[float, float, float, bool]:
-    """When [s] the linear loop on the true angle, its set point wrong by `error` [rad], asks for the largest command, or
-    `WATCHED`; its speed [m/s] and travel [m] then, and whether it did. No delay counts."""
+    """When [s] the linear loop on the true angle, its set point wrong by `error` [rad], asks for the largest command,
+    or `WATCHED`; its speed [m/s] and travel [m] then, and whether it did. No delay counts."""
     dt = controller.period
     plant = linearise_rolling(robot).c2d(dt)
     linear = controller.linearised()
