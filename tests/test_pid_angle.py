@@ -14,6 +14,7 @@ import pytest
 from interpreter import Interpreter
 from test_docs import blocks, commands
 from upright.bodies import Electronics, NonlinearBody
+from upright.certify.analysis import analyse
 from upright.certify.design import design
 from upright.cli.main import main
 from upright.control import CONTROLLERS, AnglePid, controller_hash, pid_angle, read_controller, write_controller
@@ -386,3 +387,15 @@ def test_it_says_which_gain_is_wrong():
         assert said in " ".join(pid_angle(ROBOT, KIT, **own).design.words()), said
     right = pid_angle(ROBOT, KIT, kp=-50.0, ki=-60.0, kd=-1.4, sign=-1.0).design
     assert right.growth == 0.0
+
+
+def test_its_margins_are_those_of_what_the_commands_reach():
+    """The integral keeps up any constant speed, a mode at z = 1 that no command moves: the rest has margins. The
+    lowest gain is that at which ki is what the constant term asks for; the delay that of the loop with it."""
+    pid = pid_angle(ROBOT, KIT, **CLASSIC)
+    both = analyse(robot=ROBOT, controller=pid, kit=KIT).both()
+    assert both.gain_low == pytest.approx(pid.design.least_ki / 60, rel=1e-3)
+    assert both.delay > 0.005
+    for more, stands in ((0.98, True), (1.02, False)):
+        late = replace(KIT, delay=more * both.delay)
+        assert (pid_angle(ROBOT, late, **CLASSIC).design.growth == 0.0) == stands

@@ -70,7 +70,10 @@ class Loop:
     @property
     def stable(self) -> bool:
         """Whether the closed loop is."""
-        return decays(self._moves, continuous=self.plant.continuous)
+        if decays(self._moves, continuous=self.plant.continuous):
+            return True
+        closed = self.closed  # whose other matrices take longer than its poles
+        return decays(closed.A, continuous=closed.continuous, B=closed.B, C=closed.C)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

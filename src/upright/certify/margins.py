@@ -18,7 +18,7 @@ from upright.arrays import Array, Complex
 from upright.atomic import finite
 from upright.control.state_space import continuous
 from upright.errors import InvalidModel
-from upright.physics.linear import LinearModel
+from upright.physics.linear import LinearModel, decays
 
 ScalarLoop = Callable[[Array], Complex]
 
@@ -138,7 +138,7 @@ def closed_stable(loop: LinearModel) -> bool:
     if np.linalg.cond(through) > 1e12:
         raise InvalidModel("the loop passes −1 at once", expected="a loop that can be closed", hint="add its delay")
     closed = loop.A - loop.B @ np.linalg.solve(through, loop.C)
-    return LinearModel(closed, loop.B, loop.C, loop.D, loop.dt).stable
+    return decays(closed, continuous=loop.continuous, B=loop.B, C=loop.C)
 
 
 class ScalarResponse:

@@ -68,11 +68,28 @@ def poles_of(A: Array, *, continuous: bool) -> Complex:
     return poles[np.lexsort((poles.imag, -_growth(poles, continuous=continuous)))]
 
 
-def decays(A: Array, *, continuous: bool) -> bool:
-    """Whether every pole of ẋ = A x decays, or of x⁺ = A x where that is not `continuous`."""
-    return bool(
-        (_growth(np.linalg.eigvals(A).astype(np.complex128), continuous=continuous) < (0 if continuous else 1)).all()
-    )
+STILL = 1e-6
+"""From s = 0 or z = 1, relative to the fastest pole: nearer than any motion of a robot, and above rounding."""
+
+
+def decays(A: Array, *, continuous: bool, B: Array | None = None, C: Array | None = None) -> bool:
+    """Whether every pole of ẋ = A x decays, or of x⁺ = A x where that is not `continuous`.
+
+    With B and C a pole at rest, s = 0 or z = 1, that no input reaches or no output shows does not count: there the free
+    robot was left, such as at a constant speed that an integrator keeps up, and it is no part of the loop.
+    """
+    edge = 0.0 if continuous else 1.0
+    lasting = _growth(np.linalg.eigvals(A).astype(np.complex128), continuous=continuous) >= edge
+    if B is None or C is None or not lasting.any():
+        return not lasting.any()
+    from scipy.linalg import eig
+
+    values, left, right = eig(A, left=True)
+    unreached = np.abs(left.conj().T @ B).max(axis=1) < STILL * np.abs(B).max()
+    unseen = np.abs(C @ right).max(axis=0) < STILL * np.abs(C).max()
+    lasting = _growth(values, continuous=continuous) >= edge
+    at_rest = np.abs(values - edge) < STILL * np.abs(values).max()
+    return not (lasting & ~(at_rest & (unreached | unseen))).any()
 
 
 def _growth(poles: Complex, *, continuous: bool) -> Array:
