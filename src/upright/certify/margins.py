@@ -31,6 +31,7 @@ _UNBOUNDED = 1e6  # a response as large as this at a crossing is that of a pole,
 _NEARLY_REAL = 1e-3  # a zero this near the real axis, relative to its size, may be a double one that rounding has split
 
 SLOWEST = 1e-3  # [rad/s] two hours: nothing of a robot's loop is slower
+LEVEL = 1e-3  # [1] change of a response from there to half of it: with a pole at zero it doubles
 
 
 @dataclass(frozen=True)
@@ -261,11 +262,14 @@ def _between(points: Array) -> Array:
 
 
 def _at_zero(system: LinearModel) -> float:
-    """The real response at frequency zero, infinite where a pole lies there."""
+    """The real response at frequency zero, infinite where a pole lies there that the response shows."""
+    near, nearer = system.response([SLOWEST, SLOWEST / 2])[:, 0, 0].tolist()
+    level = abs(near - nearer) < LEVEL * abs(nearer)
     try:
-        return float(system.response(0.0)[0, 0, 0].real)
+        exact = float(system.response(0.0)[0, 0, 0].real)
     except np.linalg.LinAlgError:
-        return math.inf
+        exact = math.inf
+    return nearer.real if level and not math.isclose(exact, nearer.real, rel_tol=LEVEL) else exact
 
 
 def sign_changes(f: Callable[[Array], Array], grid: Array, values: Array) -> Array:
