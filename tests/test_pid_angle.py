@@ -354,7 +354,7 @@ def test_the_slow_commands_of_the_page_run(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     Path("kit.toml").write_text(blocks(PAGE, "toml")[0], "utf-8")
     for words in commands(PAGE):
-        budget = ["--budget", "12", "-n", "60"] if words[1] == "tune" else []
+        budget = ["--budget", "12", "-n", "100"] if words[1] == "tune" else []
         # a red light has an exit code of its own
         assert main([*words[1:], *budget]) in (0, 3), (words, capsys.readouterr().err)
 
@@ -376,8 +376,9 @@ def test_the_kernel_does_what_run_does(own):
 
 
 def test_it_says_which_gain_is_wrong():
-    """At rest both motors' 2 K_t/R_m kp ψ holds the body's M g L ψ."""
-    hold = M * G * L / (2 * KT / RM) / (VOLTS / 255 * math.degrees(1))
+    """Wheels and body feel the motors' torque τ: E₁₁ θ̈ = τ, E₁₂ θ̈ = M g L ψ − τ where ψ̈ = 0; τ = 2 K_t/R_m kp ψ."""
+    moved = (M * L * R - 2 * JM) / ((2 * m + M) * R * R + 2 * JW + 2 * JM)
+    hold = M * G * L / (1 + moved) / (2 * KT / RM) / (VOLTS / 255 * math.degrees(1))
     cases = {
         f"kp is too small: gravity alone asks for {hold:.3g}": {"kp": 0.9 * hold, "ki": 1.0},
         "kd has the other sign": {"kp": 50.0, "ki": 60.0, "kd": -1.4},

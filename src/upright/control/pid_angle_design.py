@@ -23,7 +23,6 @@ from upright.control.linear_controller import LinearController
 from upright.control.pid_angle import ANGLE, FULL, GYRO, PER_RADIAN, AnglePid
 from upright.control.state_space import controller_of, plant_of
 from upright.errors import DesignFailed, SpecMismatch, UnknownName
-from upright.physics.dynamics import motor_gain
 from upright.physics.linear import linearise_rolling
 from upright.robots import Kit, Robot, find_kit, find_robot
 
@@ -110,7 +109,7 @@ class AngleDesign(Design):
         return lines
 
     def _wrong_gains(self) -> list[str]:
-        """A kp or kd of the wrong sign, and a kp that does not even hold the body's weight."""
+        """A kp or kd of the wrong sign, and a kp that does not even balance the body's weight."""
         pid = self.controller
         kp, kd = pid.kp * pid.sign, pid.kd * pid.sign
         hold = _gravity(self.robot) / (abs(pid.volts) * PER_RADIAN[pid.unit])
@@ -182,8 +181,9 @@ def least_integral(model: SampledRobot) -> float:
 
 
 def _gravity(robot: Robot) -> float:
-    """Command of both motors for a radian of lean that holds the body's weight at rest."""
-    return robot.body_mass * robot.gravity * robot.com_height / (2 * motor_gain(robot))
+    """Command of both motors for a radian of lean at which the pitch does not accelerate, the wheels being free."""
+    model = linearise_rolling(robot)
+    return -float(model.A[1, 0] / model.B[1].sum())
 
 
 def _model(robot: Robot, kit: Kit, controller: AnglePid) -> SampledRobot:
