@@ -70,9 +70,14 @@ class Loop:
     @property
     def stable(self) -> bool:
         """Whether the closed loop is."""
-        if decays(self._moves, continuous=self.plant.continuous):
+        return decays(self._moves, continuous=self.plant.continuous)
+
+    @property
+    def stands(self) -> bool:
+        """Whether it is but for a mode at rest that the commands do not reach, as a speed that an integrator keeps."""
+        if self.stable:
             return True
-        closed = self.closed  # whose other matrices take longer than its poles
+        closed = self.closed
         return decays(closed.A, continuous=closed.continuous, B=closed.B, C=closed.C)
 
 
@@ -106,7 +111,7 @@ class RobotLoop(Loop):
         return low
 
     def _bears(self, more: float, at: str) -> bool:
-        return self.on(kit=delayed_kit(self.kit, more, at)).stable
+        return self.on(kit=delayed_kit(self.kit, more, at)).stands
 
 
 def robot_loop(robot: Robot, controller: Controller, kit: Kit) -> RobotLoop:
