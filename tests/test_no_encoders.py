@@ -17,10 +17,10 @@ from upright.certify.verdict import Examined, judge, linear_margins
 from upright.control import CONTROLLERS, Controller, make_controller
 from upright.control.delay import RAW, readable, sampled
 from upright.control.kalman import kalman_filter
+from upright.control.law import near_rest
 from upright.control.linear_controller import LinearController
 from upright.control.lqg import lqg
 from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, lqr
-from upright.control.near_rest import near_rest
 from upright.control.observed import observed, regulator
 from upright.control.state_space import controller_of
 from upright.control.tunable import TUNABLE
@@ -163,7 +163,7 @@ def test_what_a_kit_shows_is_read():
     assert readable(ALONE) == ("sensor/gyro",)
 
 
-@pytest.mark.parametrize("method", [name for name in CONTROLLERS if name not in (*METHODS, "lqr-state")])
+@pytest.mark.parametrize("method", [name for name in CONTROLLERS if name not in (*METHODS, "lqr-state", "pid-angle")])
 def test_what_needs_encoders_says_so_in_one_line(method):
     if CONTROLLERS[method].lacks:
         pytest.skip(CONTROLLERS[method].lacks)

@@ -24,8 +24,8 @@ from upright.control.delay import RAW
 from upright.control.design import Design
 from upright.control.linear_controller import Law, LinearController, Nonlinear
 from upright.errors import InvalidController, UnknownName
+from upright.physics.sensing import GYRO, PITCH
 
-ANGLE, GYRO = "sensor/pitch", RAW[2]
 PER_RADIAN = {"deg": math.degrees(1.0), "rad": 1.0}
 FULL = {"pwm": 255.0, "percent": 100.0, "duty": 1.0}
 """Output of a program → its number for the whole supply; any other output is the command itself, in its unit."""
@@ -149,7 +149,7 @@ class AnglePid(Lawful):
             raise InvalidController("k_position or k_speed without wheel_radius", expected="that of the robot [m]")
         if self.dead_band >= self.highest:
             raise InvalidController(f"a dead band of {self.dead_band:g}", expected=f"less than {self.highest:g}")
-        reads = (ANGLE, *([GYRO] if self.rate == "gyro" else []), *(RAW[:2] if self.cascade else ()))
+        reads = (PITCH, *([GYRO] if self.rate == "gyro" else []), *(RAW[:2] if self.cascade else ()))
         self.spec = ControllerSpec(self.form, reads, self.period, self.command_unit)
         law = self.law()
         one, two = law.linear, law.nonlinear

@@ -20,10 +20,11 @@ from upright.arrays import Array
 from upright.control.delay import RAW, SampledRobot, sampled
 from upright.control.design import Design
 from upright.control.linear_controller import LinearController
-from upright.control.pid_angle import ANGLE, FULL, GYRO, PER_RADIAN, AnglePid
+from upright.control.pid_angle import FULL, PER_RADIAN, AnglePid
 from upright.control.state_space import controller_of, plant_of
 from upright.errors import DesignFailed, SpecMismatch, UnknownName
 from upright.physics.linear import linearise_rolling
+from upright.physics.sensing import GYRO, PITCH
 from upright.robots import Kit, Robot, find_kit, find_robot
 
 STIFFNESSES = np.geomspace(1.4, 24, 12)  # kp tried, against the gravity that it must overcome
@@ -99,8 +100,8 @@ class AngleDesign(Design):
                 f"P and D on the angle alone always leave a growing mode: a voltage ends as a speed, not as a force. "
                 f"ki must be above {least:.3g}; it is {self.controller.ki:.3g}."
             )
-        sensor = self.kit.sensors[ANGLE]
-        true = replace(self.kit, sensors=self.kit.sensors | {ANGLE: replace(sensor, time_constant=0.0)})
+        sensor = self.kit.sensors[PITCH]
+        true = replace(self.kit, sensors=self.kit.sensors | {PITCH: replace(sensor, time_constant=0.0)})
         if sensor.time_constant and not replace(self, kit=true).growth:
             lines.append(
                 f"On the true angle it would stand: one fused in {sensor.time_constant:g} s follows the accelerometer, "
@@ -146,9 +147,9 @@ def pid_angle(robot: Robot | str, kit: Kit | str, dt: float | None = None, **own
     Raises `SpecMismatch` for a kit without `sensor/pitch`, `DesignFailed` where no gains hold the robot.
     """
     robot, kit = find_robot(robot), find_kit(kit)
-    if ANGLE not in kit.sensors:
+    if PITCH not in kit.sensors:
         hint = "[sensors.pitch.time_constant] in the kit's file"
-        raise SpecMismatch(f"kit '{kit.name}' has no {ANGLE}", expected="a fused angle", hint=hint)
+        raise SpecMismatch(f"kit '{kit.name}' has no {PITCH}", expected="a fused angle", hint=hint)
     for name in own:
         if name not in OWN:
             raise UnknownName("number of a pid-angle", name, OWN)
@@ -174,7 +175,7 @@ def least_integral(model: SampledRobot) -> float:
     1 = ki dt P(z)/(z − 1) with P from both commands to the angle. 0 where a force drives, whose P(1) is not zero."""
     plant = plant_of(model, pushed=False)
     z = 1 + NEAR
-    angle = plant.C[model.reads.index(ANGLE)]
+    angle = plant.C[model.reads.index(PITCH)]
     slope = float(angle @ np.linalg.solve(z * np.eye(len(plant.A)) - plant.A, plant.B.sum(axis=1))) / NEAR
     least = 1 / (model.dt * slope)
     return least if least > NEAR / model.dt else 0.0
@@ -265,5 +266,5 @@ def drift(robot: Robot, controller: AnglePid, error: float) -> tuple[float, floa
 def _rows(controller: AnglePid) -> Array:
     """The readings from the state, without yaw."""
     pitch, rate, wheel = np.eye(6)[:3]
-    rows = {ANGLE: pitch, GYRO: rate, **dict.fromkeys(RAW[:2], wheel - pitch)}
+    rows = {PITCH: pitch, GYRO: rate, **dict.fromkeys(RAW[:2], wheel - pitch)}
     return np.array([rows[name] for name in controller.spec.reads])
