@@ -102,10 +102,9 @@ def _fitted(
     from upright.control import find_controller
     from upright.robots import find_kit
 
-    bare = make_body(body, robot)
     parts = find_kit(kit)
-    ideal = parts.name == "ideal"  # without electronics, so that controllers may read the true state
-    plant = bare if ideal else Electronics(bare, parts)
+    ideal = parts.name == "ideal"
+    plant = Electronics(make_body(body, robot), parts)
     dt = parts.period if period is None else period
     if gains is not None and controller is not None:
         raise InvalidController("both --controller and --gains", expected="one of them")

@@ -255,8 +255,8 @@ def body_of(name: str, plant: Plant, setup: Setup, fine: float, calibrated: Robo
 
 
 def behind(body: Pulled, kit: Kit) -> Body:
-    """The body behind its kit's electronics, bare where the kit hides nothing."""
-    return body if is_bare(kit) else Electronics(body, kit)
+    """The body behind its kit's electronics."""
+    return Electronics(body, kit)
 
 
 def is_bare(kit: Kit) -> bool:
