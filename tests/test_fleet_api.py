@@ -123,6 +123,39 @@ def test_a_fleets_numbers_are_those_of_the_single_run():
         assert not log.origin["outcome"]["fell"]
 
 
+class Own:
+    """A controller of a user's own, of which nothing is known but its commands: here a design's."""
+
+    def __init__(self, inner):
+        self.inner, self.spec = inner, inner.spec
+
+    def reset(self):
+        self.inner.reset()
+
+    def step(self, measurement, reference):
+        return self.inner.step(measurement, reference)
+
+    def estimate(self):
+        return ()
+
+    def applied(self, command):
+        self.inner.applied(command)
+
+    def to_json(self):
+        return {"kind": "own"}
+
+
+def test_a_controller_of_ones_own_drives_a_fleet_and_a_push_map():
+    """As its inner one does, whose law the kernel runs: to rounding, which decides no fall here."""
+    design = make_controller("lqg", ROBOT, NXT, NXT.period)
+    scenario = {"vary": {"com_height": "±5%"}, "pushes": [Push(force=1.0)], "seconds": 2.0}
+    known, own = (fleet("nxtway-gs", 6, controller=c, **scenario).data for c in (design, Own(design)))
+    assert own["peak_pitch"].values == pytest.approx(known["peak_pitch"].values, rel=1e-6)
+    grid = PushGrid(heights=np.array([0.0]), durations=np.array([0.1]))
+    known, own = (push_map("nxtway-gs", grid, samples=2, nodes=(1, 1), controller=c) for c in (design, Own(design)))
+    assert np.array_equal(known["impulse"].values, own["impulse"].values)
+
+
 def test_a_robot_does_the_same_in_any_company():
     ensemble = Ensemble(
         family=Family(ROBOT, NXT, Uncertainty.of(ROBOT)), controller=make_controller("lqr", ROBOT, NXT, 0.01),

@@ -139,8 +139,8 @@ def test_a_weak_motor_turns_the_robot_and_is_reported_as_what_was_applied():
     assert np.abs(yaw[0]).max() < 1e-9  # both motors alike: straight on
     assert np.abs(yaw[1]).max() > 0.01
     assert yaw[1] == pytest.approx(-yaw[2], abs=1e-9)  # the mirrored robot
-    called = simulate(FleetBatch(**{**given, "controller": silent(FILTERED)}, kit_changes=changes), 2.0, record=1,
-                      channels=channels, called=FILTERED)  # fmt: skip
+    given |= {"controller": silent(FILTERED), "called": FILTERED}
+    called = simulate(FleetBatch(**given, kit_changes=changes), 2.0, record=1, channels=channels)
     assert np.abs(called.trace - together.trace).max() < EQUAL
     assert together.effort == pytest.approx((together.trace[:, :, 1:] ** 2).sum(axis=(1, 2)) * 0.01)
 

@@ -141,7 +141,7 @@ def test_the_kernel_in_single_periods_is_the_kernel_to_the_last_bit() -> None:
         "seed": 5,
     }
     channels = (*TRUE_STATE, *controller.spec.reads, "applied/left", "applied/right")
-    whole = simulate(FleetBatch(**given, start=start), 1.0, record=1, channels=channels, called=controller).trace
+    whole = simulate(FleetBatch(**given, start=start, called=controller), 1.0, record=1, channels=channels).trace
     stepped = Stepped(FleetBatch(**given), 70)
     places = np.arange(70)
     stepped.begin(places, places, places, start)

@@ -175,7 +175,8 @@ def test_a_controller_in_the_compiled_loop_is_interrupted() -> None:
     """Compiled code calls Python here, and an exception that is raised there does not pass."""
     robot, kit = Robot.preset("nxtway-gs"), Kit.preset("nxt")
     controller = make_controller("sliding", robot, kit, kit.period)
-    batch = FleetBatch(parameters=parameters_of(robot), controller=silent(controller), start=(0.0,) * 6, kit=kit)
+    table = parameters_of(robot)
+    batch = FleetBatch(parameters=table, controller=silent(controller), called=controller, start=(0.0,) * 6, kit=kit)
     kind, calls = type(controller), [0]
     step = kind.step
 
@@ -188,7 +189,7 @@ def test_a_controller_in_the_compiled_loop_is_interrupted() -> None:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(kind, "step", interrupted)
         with pytest.raises(KeyboardInterrupt):
-            simulate(batch, 0.5, called=controller)
+            simulate(batch, 0.5)
     assert calls[0] == 3
 
 

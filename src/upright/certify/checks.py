@@ -27,7 +27,7 @@ from upright.fleet.binomial import upper_bound
 from upright.fleet.ensemble import SETTLED, tables
 from upright.kernel.batch import NAMES, FleetBatch, FleetResult, joined, parameters_of, silent
 from upright.kernel.pack import RESIDUAL
-from upright.kernel.simulate import simulate
+from upright.kernel.simulate import CALLED, simulate
 from upright.robots import Kit, Robot
 
 SECONDS = 8.0  # [s] a push, what follows it, and `TAIL` to see what the robot does at rest
@@ -43,8 +43,6 @@ MOST_FALLS = 0.05  # red above: with one such robot in twenty, a class of studen
 FEWEST = 100
 """Number of robots below which no certificate is given: even without a fall the bound would exceed 3 %."""
 
-CALLED = 128
-"""Robots in one batch where the controller is called for each of them: about a second of work."""
 TOGETHER = 512  # runs of several pushes in one batch: the kernel moves 64 robots at a time, and more gain little
 
 PITCH = ("truth/pitch",)
@@ -311,13 +309,12 @@ def simulated(
     *, seconds: float = SECONDS,
 ) -> list[FleetResult]:  # fmt: skip
     """One run of `seconds` of each robot under each push, push by push."""
-    batch = _batch(setup, pushes, controller.law)
+    batch = _batch(setup, pushes, controller)
     part, results = CALLED if controller.called else batch.n, list[FleetResult]()
     for first in range(0, batch.n, part):
         some = batch if part >= batch.n else batch.part(slice(first, first + part))
         results.append(simulate(
             some, seconds, record=int(bool(channels)), channels=channels, bands=BANDS, threads=setup.threads,
-            called=controller.called,
         ))  # fmt: skip
         if setup.progress:
             setup.progress.add(some.n)
@@ -325,7 +322,7 @@ def simulated(
     return [whole.part(slice(first, first + n)) for first in range(0, batch.n, n)]
 
 
-def _batch(setup: TrialSetup, pushes: Sequence[PlannedPush], law: Law) -> FleetBatch:
+def _batch(setup: TrialSetup, pushes: Sequence[PlannedPush], controller: KernelController) -> FleetBatch:
     """All robots under one push after another."""
     parameters, kit, logged = setup.parameters, setup.actual_kit, setup.logged
     n, count = len(parameters), len(pushes)
@@ -339,7 +336,8 @@ def _batch(setup: TrialSetup, pushes: Sequence[PlannedPush], law: Law) -> FleetB
         volts = [kit.battery.voltage if one.voltage is None else one.voltage for one in pushes]
         changes["battery.voltage"] = np.repeat(volts, n)
     return FleetBatch(
-        parameters=np.tile(parameters, (count, 1)), controller=law, kit=kit, seed=setup.seed, kit_changes=changes,
+        parameters=np.tile(parameters, (count, 1)), controller=controller.law, called=controller.called,
+        kit=kit, seed=setup.seed, kit_changes=changes,
         start=start, pushes=np.concatenate(given), slope=slope, period=STEP,
         index=np.concatenate([np.arange(n, dtype=np.uint64) + np.uint64(one.number * n) for one in pushes]),
     )  # fmt: skip

@@ -105,7 +105,7 @@ CertificateOption = Annotated[
 AnywayOption = Annotated[bool, typer.Option("--anyway", help="Go on although the certificate refuses it.")]
 KernelOption = Annotated[
     str,
-    typer.Option("--controller", "-c", help=f"{CONTROLLER_HELP}; linear, of a fleet also sliding or mpc.",
+    typer.Option("--controller", "-c", help=f"{CONTROLLER_HELP}; what is not compiled takes long.",
                  autocompletion=complete_controller),
 ]  # fmt: skip
 LawOption = Annotated[

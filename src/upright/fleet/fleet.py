@@ -118,7 +118,7 @@ def fleet(
     """Simulate `n` robots of an ensemble, or of the one that `ensemble_of` makes of a robot and `choices`.
 
     `choices` are its controller, kit, vary, posterior, pushes, references, start, seconds and seed. `progress` is
-    called with the fraction done. Raises `InvalidScenario`, `InvalidController` for one that no law describes.
+    called with the fraction done. Raises `InvalidScenario`.
     """
     check_within("robots in a fleet", n, 1, MOST_ROBOTS)
     ensemble = robot if isinstance(robot, Ensemble) else ensemble_of(robot, **choices)

@@ -15,7 +15,7 @@ from upright.control import Controller
 from upright.control.controller import ControllerSpec
 from upright.control.law import as_law
 from upright.control.linear_controller import Law, LinearController
-from upright.errors import InvalidModel, InvalidRobot, InvalidScenario, SpecMismatch
+from upright.errors import InvalidController, InvalidModel, InvalidRobot, InvalidScenario, SpecMismatch
 from upright.physics.dynamics import MODELS
 from upright.robots import Kit, Robot
 from upright.robots.robot import PARAMETERS
@@ -30,10 +30,12 @@ _TAILS = {"parameters": (len(NAMES),), "start": (6,), "pushes": (-1, 4), "slope"
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class FleetBatch:
-    """n robots under a linear, sliding or predictive controller. Every array has n rows, or one that all robots share.
+    """n robots under any controller. Every array has n rows, or one that all robots share.
 
     `parameters` (·, 21) in the order and units of `robots.robot.PARAMETERS` (see `parameters_of`); `controller` is
-    one for all or a sequence of n, and `laws` what they compute; `start` (·, 6) the state at t = 0;
+    one for all or a sequence of n, and `laws` what they compute. One that no law describes is `called` in Python, for
+    one robot after another and a hundred times as slowly, as is one that is given as `called` in the law's place.
+    `start` (·, 6) is the state at t = 0;
     `pushes` (·, p, 4) force [N], height above the axle [m] (NaN: at the centre of mass), start [s], duration [s];
     `slope` (·, 2) angle [rad] and start [s];
     `reference` (·, q, 4) speed [m/s], turn [rad/s], start and end [s], which add up. `kit` is the electronics,
@@ -42,8 +44,8 @@ class FleetBatch:
     `index` (n,) numbers the robots for their random numbers, so that a part of a fleet behaves as in the whole fleet.
     `period` [s] is the body's step, cut into `substeps` (None: for each robot as many as its fastest pole needs).
 
-    Raises `InvalidController` for a controller that no law describes, `SpecMismatch` for controllers of different
-    forms, `InvalidModel` or `InvalidScenario` for the rest.
+    Raises `InvalidController` for several that no law describes, `SpecMismatch` for controllers of different forms,
+    `InvalidModel` or `InvalidScenario` for the rest.
     """
 
     parameters: Array
@@ -59,13 +61,16 @@ class FleetBatch:
     index: NDArray[np.uint64] | None = None
     period: float = 0.001
     substeps: int | None = None
+    called: Controller | None = None
     laws: tuple[Law, ...] = field(init=False)
     n: int = field(init=False)
 
     def __post_init__(self) -> None:
         for name, tail in _TAILS.items():
             object.__setattr__(self, name, _table(name, getattr(self, name), tail))
-        object.__setattr__(self, "laws", _laws(self.controller))
+        laws, called = _laws(self.controller)
+        object.__setattr__(self, "laws", laws)
+        object.__setattr__(self, "called", self.called or called)
         changes = {name: _table(name, np.reshape(values, (-1,)), ()) for name, values in self.kit_changes.items()}
         object.__setattr__(self, "kit_changes", changes)
         models = (self.model,) if isinstance(self.model, str) else tuple(self.model)
@@ -130,9 +135,16 @@ def parameters_of(robots: Robot | Iterable[Robot], changes: Mapping[str, ArrayLi
     return table
 
 
-def _laws(controller: Controller | Law | Sequence[Controller | Law]) -> tuple[Law, ...]:
-    """One controller, or one for each robot, which read the same channels at the same rate."""
-    several = [controller] if isinstance(controller, Controller | Law) else controller
+def _laws(
+    controller: Controller | Law | Sequence[Controller | Law],
+) -> tuple[tuple[Law, ...], Controller | None]:
+    """One controller, or one for each robot, which read the same channels at the same rate; and one to be called."""
+    if isinstance(controller, Controller):
+        try:
+            return (as_law(controller),), None
+        except InvalidController:
+            return (as_law(silent(controller)),), controller
+    several = [controller] if isinstance(controller, Law) else controller
     laws = tuple(as_law(one) for one in several)
     forms = {(one.reads, one.period, one.command_unit, len(one.A)) for one in (law.linear for law in laws)}
     if len(laws) > 1 and any(law.nonlinear for law in laws):
@@ -141,7 +153,7 @@ def _laws(controller: Controller | Law | Sequence[Controller | Law]) -> tuple[La
         raise SpecMismatch(
             f"{len(forms)} forms of controllers", expected="one period, size and set of channels for all"
         )
-    return laws
+    return laws, None
 
 
 def _table(name: str, given: ArrayLike, tail: tuple[int, ...]) -> Array:

@@ -16,7 +16,6 @@ import numpy as np
 
 from upright.arrays import Array, Whole
 from upright.compiled.generated import LANES
-from upright.control import Controller
 from upright.errors import InvalidScenario, SpecMismatch
 from upright.kernel.batch import NAMES, FleetBatch, FleetResult, Selection
 from upright.kernel.work import Order, Outcome, Piece, run_piece
@@ -32,6 +31,9 @@ _PACE = 20.0  # [1/s] as which a pitch is counted as a rate: some multiple of th
 PIECE = 8192
 """Most robots whose tables are made at once: few enough to stay near the processor, and to bound the memory."""
 
+CALLED = 128
+"""Robots of a piece whose controller is called for each of them: as many copies of it, about a second of work."""
+
 _PARTS = 8  # pieces for each thread: where robots fall early, their thread takes another piece
 
 VARIANTS = ("smooth", "coulomb", "rolling", "slope", "coulomb_slope", "rolling_slope")
@@ -46,26 +48,23 @@ def simulate(
     bands: Sequence[float] = FOREVER,
     dtype: Any = np.float64,
     threads: int | None = None,
-    called: Controller | None = None,
 ) -> FleetResult:
     """Every robot of `batch` for `seconds`, or until it falls.
 
     `channels` are recorded every `record` periods (0: not at all): truth/…, reference/…, command/…, applied/…,
     push/force, the sensor/… that the controller reads, and command/residual of a predictive one. `bands` are |pitch|,
     |wheel|, |yaw| [rad] inside which a robot counts as settled. `dtype` is float64 or float32; `threads` is by default
-    the number of processors.
-    The controller `called` acts in place of the batch's own, which is then `batch.silent(called)`: any controller, in
-    Python for one robot after another, in float64 and one thread.
+    the number of processors. A controller that is called runs in one thread, in float64.
 
     Raises `InvalidScenario` for an impossible time, `SpecMismatch` for unknown channels and periods that do not fit.
     """
     stride, periods = _times(batch.period, batch.form.period, seconds)
     order = Order(
         periods=periods, stride=stride, record=record, channels=tuple(channels if record else ()),
-        bands=tuple(bands), dtype=np.dtype(dtype), called=called,
+        bands=tuple(bands), dtype=np.dtype(float if batch.called else dtype), called=batch.called,
     )  # fmt: skip
     out = Outcome.room(batch.n, order)
-    workers = 1 if called else max(1, threads or os.cpu_count() or 1)
+    workers = 1 if batch.called else max(1, threads or os.cpu_count() or 1)
     pieces = _pieces(batch, workers)
     alone = min(workers, len(pieces)) == 1
 
@@ -85,7 +84,7 @@ def _pieces(batch: FleetBatch, workers: int) -> list[Piece]:
     """Robots with the same terms in their equations and the same steps: the arithmetic of a robot does not depend on
     the others."""
     even = max(PIECE // _PARTS, batch.n // (_PARTS * workers))
-    size = batch.n if batch.n <= PIECE else min(PIECE, -(-even // LANES) * LANES)
+    size = CALLED if batch.called else batch.n if batch.n <= PIECE else min(PIECE, -(-even // LANES) * LANES)
     kinds = _terms(batch) + len(VARIANTS) * (steps_of(batch) - 1)
     if len(kinds) == 1 or (kinds == kinds[0]).all():
         starts = range(0, batch.n, size)

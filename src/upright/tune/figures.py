@@ -111,10 +111,10 @@ def _first_fall(setup: TrialSetup, sizes: Array) -> int:
     noise = np.tile(np.arange(len(ways), dtype=np.uint64), len(sizes))  # the same for every size
     law, called = setup.controller
     batch = FleetBatch(
-        parameters=parameters_of(setup.robot), controller=law, kit=setup.kit, seed=setup.seed,
+        parameters=parameters_of(setup.robot), controller=law, called=called, kit=setup.kit, seed=setup.seed,
         pushes=pushes[:, None], index=noise,
     )  # fmt: skip
-    result = simulate(batch, KNOCKED + KNOCK_DURATION + WATCHED, threads=setup.threads, called=called)
+    result = simulate(batch, KNOCKED + KNOCK_DURATION + WATCHED, threads=setup.threads)
     fell = result.fell.reshape(len(sizes), len(ways)).any(axis=1)
     return int(np.argmax(fell)) if fell.any() else len(sizes)
 
