@@ -26,6 +26,7 @@ GRID = 1500
 """Frequencies looked at, before the peak is refined and the winding is followed."""
 
 _TOUCHES = 1e-7  # a determinant as small as this against its largest is zero: the gap is one
+HIDDEN = 1e-12  # of a singular value of co-inner factors, which are at most 1: rounding
 _INFINITE = 1e6  # times the highest frequency of the grid: there only D is left
 
 
@@ -104,7 +105,9 @@ def stability_margin(loop: Loop) -> float:
     def size(w: Array) -> Array:
         plant = one.right.response(w)
         back = np.roll(other.left.response(w), -m, axis=2)  # [Ñ, −M̃] of the controller meets [y; u] of the plant
-        return 1 / np.linalg.svd(back @ plant, compute_uv=False)[:, -1]
+        least = np.linalg.svd(back @ plant, compute_uv=False)[:, -1]
+        hidden = (w == 0) & (least < HIDDEN)  # a mode at rest that no reading shows has a zero there, not the loop
+        return np.where(hidden, 0.0, 1 / np.where(hidden, 1.0, least))
 
     return 1 / peak(size, _grid(loop.plant, loop.controller))
 
