@@ -79,7 +79,8 @@ def test_the_loop_grows_as_its_poles_by_hand_do(scale, ki):
 
 
 def test_no_kp_and_kd_stand_without_ki_and_the_least_ki_is_that_of_the_constant_term():
-    least = least_integral(sampled(ROBOT, KIT, 5e-4, ("sensor/pitch",)))
+    least, by_kp = least_integral(sampled(ROBOT, KIT, 5e-4, ("sensor/pitch",)))
+    assert abs(by_kp) < 1e-6 * least
     for kp, kd in ((30.0, 1.0), (80.0, 3.0), (300.0, 9.0)):
         assert growth(kp, 0.0, kd) > 0.05
         assert growth(kp, 0.98 * least, kd) > 1e-4
@@ -260,7 +261,7 @@ def test_what_does_not_fit_is_refused_in_one_line():
     with pytest.raises(InvalidController, match="takes no numbers"):
         CONTROLLERS["lqg"](ROBOT, ENCODED, 0.01, own={"kp": 1.0})
     slow = replace(KIT, delay=0.25)
-    with pytest.raises(DesignFailed, match=r"no PID on the angle.*ki above"):
+    with pytest.raises(DesignFailed, match=r"no PID on the angle.*ki against"):
         pid_angle(ROBOT, slow)
 
 
@@ -323,7 +324,7 @@ def test_a_fused_angle_grows_where_the_true_one_does_not(time):
     assert expected > 0.1
     assert pid.design.growth == pytest.approx(expected, rel=0.01)
     assert "On the true angle it would stand" in " ".join(pid.design.words())
-    least = least_integral(sampled(ROBOT, kit, 1e-3, pid.spec.reads))
+    least, _ = least_integral(sampled(ROBOT, kit, 1e-3, pid.spec.reads))
     assert fused(300.0, 0.97 * least, 9.0, time) > 1e-4
     assert fused(300.0, 1.03 * least, 9.0, time) < 1e-4
 
@@ -402,3 +403,12 @@ def test_its_margins_are_those_of_what_the_commands_reach():
     for more, stands in ((0.98, True), (1.02, False)):
         late = replace(KIT, delay=more * both.delay)
         assert (pid_angle(ROBOT, late, **CLASSIC).design.growth == 0.0) == stands
+
+
+@pytest.mark.parametrize("kp", [20.0, 55.0, 100.0])
+def test_the_least_ki_of_a_robot_with_friction_in_its_wheels_depends_on_kp(kp):
+    """A speed then needs a torque, so that the pitch answers a lasting voltage a little: by the loop's own poles."""
+    robot = Robot.preset("tumbller")
+    least = pid_angle(robot, "tumbller", kp=kp, kd=0.75).design.least_ki
+    assert pid_angle(robot, "tumbller", kp=kp, kd=0.75, ki=0.95 * least).design.growth > 1e-3
+    assert pid_angle(robot, "tumbller", kp=kp, kd=0.75, ki=1.05 * least).design.growth == 0.0

@@ -32,7 +32,7 @@ TIMES = np.geomspace(0.01, 0.3, 10)  # [s] kd tried, over kp
 RATIOS = (1.5, 2.0, 3.0, 5.0, 8.0)  # ki tried, over the least that removes the growing mode
 SLOW = (0.0, 0.3, 1.0)  # [1/s] ki tried, over kp, where none is needed
 LEAST = 0.1  # min |1 + L|: a sensitivity of 10, with which the smallest error of the model topples the robot
-NEAR = 1e-6  # from z = 1: nearer than any mode, and far above rounding
+NEAR = 1e-5  # from z = 1: nearer than any mode, and far above rounding
 ON_CIRCLE = 1e-6  # of |z|: position and heading, which nothing holds, stay at 1 to rounding
 WATCHED = 20.0  # [s] in which an error of the set point is followed
 _GAINS = ("kp", "ki", "kd")
@@ -67,8 +67,9 @@ class AngleDesign(Design):
     def least_ki(self) -> float:
         """ki, in the program's unit, that removes the growing mode of a voltage drive; 0 where none is needed."""
         own = self.controller
-        most = abs(own.volts) * PER_RADIAN[own.unit]
-        return least_integral(self._model) / most * (own.period if own.per == "step" else 1.0)
+        per_radian = own.volts * PER_RADIAN[own.unit]
+        a, b = least_integral(self._model)
+        return max(a - b * own.kp * per_radian, 0.0) / abs(per_radian) * (own.period if own.per == "step" else 1.0)
 
     def check(self) -> float:
         """Nothing is solved: the gains are given, or tried."""
@@ -170,15 +171,24 @@ def pid_angle(robot: Robot | str, kit: Kit | str, dt: float | None = None, **own
     return controller
 
 
-def least_integral(model: SampledRobot) -> float:
-    """ki [command/(rad s)] above which the loop has no growing mode at frequency zero: there kp and kd do nothing, and
-    1 = ki dt P(z)/(z − 1) with P from both commands to the angle. 0 where a force drives, whose P(1) is not zero."""
+def least_integral(model: SampledRobot) -> tuple[float, float]:
+    """(a, b): with kp [command/rad] the loop has no growing mode near frequency zero where ki > a − b kp
+    [command/(rad s)].
+
+    There 1 = (kp + ki dt/(z − 1)) P(z) with P = P(1) + P'(1) (z − 1) from both commands to the angle, whose root is
+    beyond z = 1 until ki dt P'(1) > 1 − kp P(1). What rolls without friction has P(1) = 0 with a voltage drive.
+    """
     plant = plant_of(model, pushed=False)
-    z = 1 + NEAR
     angle = plant.C[model.reads.index(PITCH)]
-    slope = float(angle @ np.linalg.solve(z * np.eye(len(plant.A)) - plant.A, plant.B.sum(axis=1))) / NEAR
-    least = 1 / (model.dt * slope)
-    return least if least > NEAR / model.dt else 0.0
+    moved = plant.B.sum(axis=1)
+
+    def response(z: float) -> float:
+        return float(angle @ np.linalg.solve(z * np.eye(len(plant.A)) - plant.A, moved))
+
+    above = response(1 + NEAR)
+    below = response(1 - NEAR)
+    slope = model.dt * (above - below) / (2 * NEAR)
+    return 1 / slope, (above + below) / 2 / slope
 
 
 def _gravity(robot: Robot) -> float:
@@ -214,21 +224,24 @@ def _searched(robot: Robot, kit: Kit, made: Callable[..., AnglePid]) -> AnglePid
     per_radian = ones[0].volts * PER_RADIAN[ones[0].unit]
     gravity = _gravity(robot) / per_radian
     steps = ones[0].period if ones[0].per == "step" else 1.0
-    least = least_integral(model) / per_radian
+    a, b = least_integral(model)
     rates = steps if ones[0].rate == "difference" else 1.0
     tried = list[tuple[float, tuple[float, float, float]]]()
-    for stiffness, time, ratio in itertools.product(STIFFNESSES.tolist(), TIMES.tolist(), RATIOS if least else SLOW):
+    for stiffness in STIFFNESSES.tolist():
         kp = stiffness * gravity
-        gains = (kp, ratio * (least or kp) * steps, time * kp / rates)
-        L = sum(gain * part for gain, part in zip(gains, parts, strict=True))
-        tried.append((float(np.abs(1 - L).min()), gains))
+        least = (a / per_radian - b * kp) * (a > b * kp * per_radian)
+        integrals = [ratio * least for ratio in RATIOS] if least else [slow * kp for slow in SLOW]
+        for time, ki in itertools.product(TIMES.tolist(), integrals):
+            gains = (kp, ki * steps, time * kp / rates)
+            L = sum(gain * part for gain, part in zip(gains, parts, strict=True))
+            tried.append((float(np.abs(1 - L).min()), gains))
     for margin, gains in sorted(tried, reverse=True):
         if margin < LEAST:
             break
         controller = made(**{name: float(f"{g:.3g}") for name, g in zip(_GAINS, gains, strict=True)})
         if not _growth(model, controller.linearised()):
             return controller
-    why = f", and ki above {abs(least * steps):.3g} is needed against the zero of a voltage drive" if least else ""
+    why = ", and ki against the zero of a voltage drive" if a > 0 else ""
     raise DesignFailed(
         f"no PID on the angle of the {len(tried)} tried holds '{robot.name}' at {model.dt:g} s with its delays{why}",
         expected=f"a margin min |1 + L| of {LEAST:g} at least",
