@@ -84,7 +84,8 @@ def decays(A: Array, *, continuous: bool, B: Array | None = None, C: Array | Non
         return not lasting.any()
     from scipy.linalg import eig
 
-    values, left, right = eig(A, left=True)
+    modes: Any = eig(A, left=True)
+    values, left, right = modes
     unreached = np.abs(left.conj().T @ B).max(axis=1) < STILL * np.abs(B).max()
     unseen = np.abs(C @ right).max(axis=0) < STILL * np.abs(C).max()
     lasting = _growth(values, continuous=continuous) >= edge
