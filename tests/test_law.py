@@ -164,9 +164,11 @@ def test_alike_laws_have_one_text_on_disk(tmp_path: Path, monkeypatch: pytest.Mo
     assert path.read_bytes() == whole  # made anew
 
 
-def test_what_no_law_describes_is_refused_with_what_the_kernel_runs() -> None:
+def test_what_no_law_describes_is_called_alone_and_refused_in_numbers() -> None:
+    own = designed("lqr-complementary")
+    assert FleetBatch(parameters=parameters_of(ROBOT), controller=own).called is own
     with pytest.raises(InvalidController, match="sliding"):
-        FleetBatch(parameters=parameters_of(ROBOT), controller=designed("lqr-complementary"))
+        FleetBatch(parameters=parameters_of([ROBOT] * 2), controller=[own, own])
 
 
 def test_a_static_law_remembers_nothing() -> None:

@@ -30,7 +30,7 @@ def as_law(controller: Controller | Law) -> Law:
         raise InvalidController(
             f"a {type(controller).__name__} is no fixed sum of products",
             expected="a linear controller (lqr, lqi, lqg, pid, hinf, robust), sliding, pid-angle or mpc",
-            hint="upright certify or upright bench-controllers, which run any controller",
+            hint="upright simulate, certify or fleet, which run any controller",
         ) from None
 
 
