@@ -14,7 +14,7 @@ from typing import Any
 from upright.bodies.body import FALLEN, REST, BodySpec, Sample, checked, checked_period
 from upright.bodies.mjcf import mjcf
 from upright.errors import InvalidScenario, UprightError
-from upright.physics.dynamics import CALM, Disturbance, motor_gain, rolling_friction
+from upright.physics.dynamics import CALM, Disturbance, drives_speed, mass_matrix, motor_gain, rolling_friction
 from upright.physics.sensing import wheel_angles
 from upright.robots import Robot
 from upright.signals.signal import SENSORS, TRUTH
@@ -63,6 +63,8 @@ class Twin:
         )
         self._holds(text)
         self._dragged = bool(robot.wheel_friction or robot.rolling_friction)
+        servos = 2 if drives_speed(robot) else 0
+        self._servos = [_SpeedServo(robot, period / self._count) for _ in range(servos)]
         lightest = robot.wheel_inertia + robot.gear_ratio**2 * robot.rotor_inertia
         self._wildest = _WILD * lightest / motor_gain(robot)
         self.reset()
@@ -93,6 +95,8 @@ class Twin:
         data.qvel[:2] = speed * math.cos(yaw), speed * math.sin(yaw)
         data.qvel[3:6] = -yaw_rate * math.sin(pitch), pitch_rate, yaw_rate * math.cos(pitch)
         data.qvel[6:8] = [rate - pitch_rate for rate in rates]
+        for servo, angle, rate in zip(self._servos, data.qpos[7:9].tolist(), data.qvel[6:8].tolist(), strict=False):
+            servo.reset(angle, rate)
         self._settle()
         self._steps = 0
         self._yaw = yaw
@@ -107,9 +111,11 @@ class Twin:
         self._control[:] = u
         self._slope_is(slope)
         first = mujoco.mj_step2 if self._ready else mujoco.mj_step  # positions and velocities are computed already
-        if force or self._dragged:
+        if force or self._dragged or self._servos:
             for advance in (first, *self._more):
                 self._load(force, height)
+                for side, servo in enumerate(self._servos):
+                    self._control[side] = servo.command(u[side], float(self._q[7 + side]), float(self._v[6 + side]))
                 advance(self._model, self._data)
         else:
             self._forces[:] = 0.0
@@ -175,7 +181,51 @@ class Twin:
         _, gyro, _, forward, _, up = self._sensed.tolist()
         truth = (pitch, pitch_rate, wheel, wheel_rate, self._yaw, yaw_rate)
         values = (*truth, left, right, gyro, self._yaw, forward, up)
-        return Sample(self._steps * self.spec.period, values, (u[0], u[1]), abs(pitch) > FALLEN)
+        slipped = any(servo.slipped for servo in self._servos)
+        return Sample(self._steps * self.spec.period, values, (u[0], u[1]), abs(pitch) > FALLEN, slipped)
+
+
+_SERVO = 0.1  # [1] rad of the servo's natural frequency in a time step; from 0.15 on it shakes the contacts
+
+
+class _SpeedServo:
+    """The drive of one wheel by speed: it takes up the command within the robot's lag and limit of acceleration, and
+    holds the angle that this comes to, as a stepper does, by a loop whose three poles are one frequency. Where this
+    takes more than the slip torque, it gives that, and forgets the angle."""
+
+    def __init__(self, robot: Robot, timestep: float) -> None:
+        a11, a12, a22, _ = mass_matrix(1.0, 0.0, robot)
+        self._inertia = (a11 * a22 - a12**2) / (2 * (a11 + 2 * a12 + a22))  # of one wheel, both turning alike
+        self._frequency = _SERVO / timestep
+        self._most = robot.slip_torque
+        self._gain = motor_gain(robot)
+        self._timestep = timestep
+        self._taken = -math.expm1(-timestep / robot.speed_lag)  # [1] of what is left of the way, in a step
+        self._fastest = robot.acceleration_limit * timestep
+
+    def reset(self, angle: float, rate: float) -> None:
+        """A wheel that is at this angle and rate against the body, and meant to be."""
+        self.slipped = False
+        self._angle = angle
+        self._rate = rate
+        self._sum = 0.0
+
+    def command(self, speed: float, angle: float, rate: float) -> float:
+        """The motor's command over the next time step, from a wheel at this angle and rate."""
+        rise = min(max(self._taken * (speed - self._rate), -self._fastest), self._fastest)
+        w = self._frequency
+        away = self._angle - angle
+        asked = rise / self._timestep + 3 * w * (self._rate - rate) + 3 * w**2 * away + w**3 * self._sum
+        torque = self._inertia * asked
+        self._rate += rise
+        if abs(torque) > self._most:
+            self.slipped = True
+            torque = math.copysign(self._most, torque)
+            self._angle = angle
+        else:
+            self._sum += self._timestep * away
+        self._angle += self._timestep * (self._rate - rise / 2)
+        return torque / self._gain
 
 
 def _quaternion(pitch: float, yaw: float) -> tuple[float, float, float, float]:
