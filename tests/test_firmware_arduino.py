@@ -4,13 +4,16 @@ motors do not run on."""
 from __future__ import annotations
 
 import binascii
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
 import pytest
 
 from firmware_cases import NXT, STILL, brief
-from upright.firmware import Firmware
+from upright.control import lqg
+from upright.errors import SpecMismatch
+from upright.firmware import Firmware, generate
 from upright.firmware.setup import SENSOR_FAILED
 from upright.parity.execute_sketch import (
     ABSENT,
@@ -26,6 +29,7 @@ from upright.parity.execute_sketch import (
     SketchExecutor,
 )
 from upright.parity.executed import Readings
+from upright.robots import Kit, Robot
 
 pytestmark = pytest.mark.needs("avr-gcc", "simavr", "module:elftools", str(CORE))
 
@@ -181,3 +185,49 @@ def test_a_sketch_is_executed_with_the_pins_that_it_names(sketch: tuple[Path, Fi
         outputs.append([(dict(executor.step(raw)), executor.pwm()) for raw in turned])
         executor.close()
     assert outputs[0] == outputs[1]
+
+
+def test_steppers_turn_as_they_are_commanded(tmp_path: Path) -> None:
+    """Against the ramp of the preset, 200 rad/s², computed here from the commands that the sketch says it gave."""
+    robot, kit = Robot.preset("stepper"), Kit.preset("stepper")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("upright.firmware.readings.CALIBRATION_TIME", 0.05)
+        made = generate(lqg(robot, kit), robot, kit, "arduino", seconds=0)
+    made.write(tmp_path / "steps.ino")
+    executor = SketchExecutor(tmp_path / "steps.ino", made.program, made.number, real=True)
+    step, enable, asked = 6.283185307 / 3200, 8, 0.0
+    for _ in range(30):
+        executor.period()
+        if executor.level(LED):
+            break
+    assert executor.level(LED)
+    executor.set_input(GYRO, round(0.02 * 65.5 * 57.29578))  # it falls forward with 0.02 rad/s, whatever it does
+    expected, speed, now = 0.0, 0.0, 0
+    for _ in range(60):
+        began, took = executor.period()
+        command = executor.results()["applied_left"]
+        before = now or began + took
+        now = began + took
+        for _ in range(round((now - before) / 1600)):  # tenths of a millisecond
+            speed += max(-0.02, min(0.02, asked - speed))
+            expected += 0.0001 * speed
+        asked = command
+        left, right = (executor.read(executor.symbols[f"encoder_{side}"], "i")[0] for side in ("left", "right"))
+        # up to 1 ms until the ramp's next tick, the tenths in which the time is counted here, and the step under way
+        assert abs(left * step - expected) < 0.0015 * abs(speed) + 2 * step
+        assert abs(left - right) <= 1
+    assert speed == 20
+    assert not executor.level(enable)  # LOW switches the drivers on
+    executor.set_input(BUTTON, 1)
+    executor.run(0.02)
+    assert executor.level(enable)
+    executor.close()
+
+
+def test_steps_faster_than_a_sketch_makes_them_are_refused() -> None:
+    robot, kit = Robot.preset("stepper"), Kit.preset("stepper")
+    finer = replace(kit, sensors={n: replace(s, quantum=s.quantum / 4) for n, s in kit.sensors.items()})
+    with pytest.raises(SpecMismatch, match="20 rad/s are 40744 steps a second; expected at most 12500"):
+        generate(lqg(robot, kit), robot, finer, "arduino")
+    with pytest.raises(SpecMismatch, match="'stepper' is commanded in rad/s"):
+        generate(lqg(robot, kit), robot, kit, "pybricks")

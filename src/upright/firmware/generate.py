@@ -21,7 +21,7 @@ from upright.control.identity import identity
 from upright.errors import InvalidController, UnknownName
 from upright.firmware.balance import trace
 from upright.firmware.setup import FLAT_BATTERY, SENSOR_FAILED, STATUS, TIME_IS_OVER
-from upright.firmware.sketch_wiring import sketch_wiring, wiring_table
+from upright.firmware.sketch_wiring import sketch_steps, sketch_wiring, wiring_table
 from upright.firmware.targets import ENCODERS, PITCH, check_time, find_target
 from upright.robots import Kit, Robot
 
@@ -139,6 +139,7 @@ def generate(
     facts["head"] = [*facts["head"], *more]
     if target == "arduino":
         facts["wiring"] = sketch_wiring(kit, encoders=ENCODERS[0] in program.channels.values())
+        facts["steps"] = sketch_steps(robot, kit) if robot.drive == "speed" else None
         facts["fused"] = _fused(program, kit, arithmetic)
     return Firmware(program, arithmetic, TEXTS[target](program, facts), finest)
 

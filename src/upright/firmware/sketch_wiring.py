@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from upright.errors import SpecMismatch
-from upright.robots import Kit
+from upright.robots import Kit, Robot
 from upright.signals import SIDES
 
 ASSUMED: dict[str, Any] = {"driver": "two-pin", "decoding": 4, "divider": 3.0}
@@ -45,9 +45,27 @@ def _edges(kit: Kit) -> int:
     return edges
 
 
+TICKS = 25_000
+"""[1/s] interrupts in which steps are made: 640 cycles of an Uno's processor, of which they take a third."""
+EVERY = 25  # ticks from one change of a motor's pace to the next, 1 ms
+
+
+def sketch_steps(robot: Robot, kit: Kit) -> dict[str, Any]:
+    """What the template of a sketch must know of two steppers; raises `SpecMismatch` for steps faster than it makes."""
+    left, right = (encoder_step(kit, f"sensor/encoder_{side}") for side in SIDES)
+    fastest = kit.motor.limit / min(left, right)
+    if fastest > TICKS / 2:  # a pace has fifteen bits
+        hint = "fewer microsteps, and so a larger quantum of the encoders, or a lower motor.limit"
+        speed = f"{kit.motor.limit:g} rad/s are {fastest:.5g} steps a second"
+        raise SpecMismatch(speed, expected=f"at most {TICKS // 2}", hint=hint)
+    pace = [65536 / (step * TICKS) for step in (left, right)]
+    more = min(robot.acceleration_limit * EVERY / TICKS * min(pace), 32767.0)
+    return {"left": left, "ticks": TICKS, "every": EVERY, "pace": pace, "more": max(1, round(more))}
+
+
 def wiring_table(sketch: str) -> str:
     """The pins that the text of a sketch names, what they go to and why, in lines of at most 80 columns."""
-    part = sketch[sketch.index("/* Wiring") : sketch.index("*/\n#define DECODING")]
+    part = sketch[sketch.index("/* Wiring") : sketch.index("\n*/\n#define")]
     return re.sub(r"#define \w+ |/\*\s| \*/", "", part).rstrip()
 
 

@@ -39,7 +39,8 @@ _MILLIVOLTS = {BATTERY: Raw("mV", 0.001, True)}
 class Target:
     """A language and a brick: `full` is its largest duty (0: the kit's own steps), `raw` the sensors it has by channel.
 
-    A `numeric` target commands any robot; the others drive motors by duty, so that they need a battery.
+    A `numeric` target commands any robot; the others drive motors by duty, so that they need a battery, or, where they
+    make `steps`, steppers by their speed.
     """
 
     name: str
@@ -48,6 +49,7 @@ class Target:
     raw: Mapping[str, Raw]
     numeric: bool = False
     numbers: tuple[str, ...] = ("float",)
+    steps: bool = False
 
     def sensor(self, channel: str, kit: Kit) -> Raw:
         """How this target gives that channel of `kit`; `InvalidController` for one it does not have."""
@@ -67,12 +69,15 @@ _MPU = {GYRO: Raw("1/65.5 deg/s", DEGREE / 65.5, True)}  # MPU-6050 data sheet, 
 _FUSED = {PITCH: Raw("1/10000 rad", 1e-4, True)}  # the sketch's own filter: finer than an accelerometer's noise
 _COUNTS = dict.fromkeys(ENCODERS, Raw("count", 0.0, True))
 _DIVIDER = {BATTERY: Raw("", 0.0, True)}
+_BOARD = {**_COUNTS, **_MPU, **_FUSED, **_DIVIDER}
 
 TARGETS = {
     target.name: target
     for target in (
         Target("c", ".c", 0, _SI_RAW, True, ("float", "double", "fixed")),
-        Target("arduino", ".ino", 255, {**_COUNTS, **_MPU, **_FUSED, **_DIVIDER}, numbers=("float", "fixed")),
+        Target(
+            "arduino", ".ino", 255, {**_COUNTS, **_MPU, **_FUSED, **_DIVIDER}, numbers=("float", "fixed"), steps=True
+        ),
         Target("pybricks", ".py", 100, {**_LEGO, **_IMU, **_MILLIVOLTS}),
         Target("ev3dev", ".py", 100, {**_LEGO, **_MILLIVOLTS}),
         Target("nxc", ".nxc", 100, {**_LEGO, COMPASS: Raw("deg", DEGREE, True), **_MILLIVOLTS}),
@@ -137,8 +142,8 @@ def driver(robot: Robot, kit: Kit, target: Target) -> Driver:
     volts = kit.battery.voltage
     motor = kit.motor
     powered = unit == "V" and math.isfinite(volts)
-    if not powered and not target.numeric:
-        why = f"'{robot.name}' is commanded in N m" if unit != "V" else f"kit '{kit.name}' has no battery"
+    if not powered and not target.numeric and not (target.steps and robot.drive == "speed"):
+        why = f"'{robot.name}' is commanded in {unit}" if unit != "V" else f"kit '{kit.name}' has no battery"
         raise SpecMismatch(f"{target.name}: {why}", expected="a battery and motors driven by its voltage", hint="use c")
     kit.check_drive(robot.drive)
     if motor.drop and not powered:

@@ -17,6 +17,7 @@ from upright.firmware.tools import run_tool, tool
 from upright.firmware.wiring import defined
 from upright.parity.execute_avr import CHIP, Chip, spent
 from upright.parity.executor import Values
+from upright.signals import SIDES
 
 CORE = Path("/usr/share/arduino/hardware/arduino/avr")
 SOURCES = (
@@ -39,6 +40,7 @@ PORTS = ((8, 0x2B), (14, 0x25), (20, 0x28))
 """First pin of the next port, and the register with this one's levels."""
 
 LED = 13
+STEP_INTERRUPT = 0x6F  # TIMSK1
 INPUT_PINS = ("LEFT_ENCODER_A", "LEFT_ENCODER_B", "RIGHT_ENCODER_A", "RIGHT_ENCODER_B", "BUTTON")
 """Inputs of the board from `PINS` on; a sketch without encoders has the last alone."""
 MOTOR_PINS = ("LEFT_PWM", "RIGHT_PWM", "LEFT_FORWARD", "RIGHT_FORWARD", "ENABLE")
@@ -72,7 +74,9 @@ class SketchExecutor(Chip):
 
     def __init__(self, source: Path, program: Program, number: str, real: bool = False) -> None:
         self.real = real
-        self._constants = constants(source.read_text("utf-8"))
+        text = source.read_text("utf-8")
+        self._constants = constants(text)
+        self._steps = bool(defined(text, "LEFT_STEP"))
         self._angle = program.scales.get("raw_pitch", 0.0)
         super().__init__(source, program, number)
 
@@ -94,7 +98,7 @@ class SketchExecutor(Chip):
 
     def step(self, raw: Values) -> Values:
         sign = self._constants["GYRO_SIGN"]
-        inputs = {GYRO: sign * raw["raw_gyro"], BATTERY: raw["raw_battery"]}
+        inputs = {GYRO: sign * raw["raw_gyro"], BATTERY: raw.get("raw_battery", 0.0)}
         decoding = self._constants["DECODING"]
         if decoding:
             edges = 4 / decoding
@@ -103,6 +107,10 @@ class SketchExecutor(Chip):
             inputs |= self._accelerometer(raw)
         for what, value in inputs.items():
             self.set_input(what, round(value))
+        if self._steps:
+            self.request("W", STEP_INTERRUPT, 1, data=b"\0")  # it counts the steps of the robot that it is given
+            for side in SIDES:
+                self.write(f"encoder_{side}", struct.pack("<i", round(raw[f"raw_encoder_{side}"])))
         cycles = self.period()[1]
         if not self._ready:
             self._ready = bool(self.results()["ready"])
@@ -170,10 +178,12 @@ class SketchExecutor(Chip):
 def constants(text: str) -> Mapping[str, int]:
     """The pins of a sketch, its gyro's sign and its decoding; `InvalidController` for what is not a number of an Uno's
     pin."""
-    numbers: dict[str, int] = {}
+    steps = bool(defined(text, "LEFT_STEP"))
+    numbers = {"DECODING": 0} if steps else dict[str, int]()
     motors = [name for name in MOTOR_PINS if defined(text, name)]
     encoders = INPUT_PINS[:4] if defined(text, "LEFT_ENCODER_A") else ()
-    for name in (*encoders, "BUTTON", *motors, "LEFT_BACK", "RIGHT_BACK", "DECODING", "GYRO_SIGN"):
+    driven = () if steps else (*encoders, *motors, "LEFT_BACK", "RIGHT_BACK", "DECODING")
+    for name in (*driven, "BUTTON", "GYRO_SIGN"):
         word = defined(text, name)
         if not re.fullmatch(r"-1|\d|1[0-9]", word):
             raise InvalidController(f"{name} is {word or 'missing'}", expected="the number of an Uno's pin, or a sign")
