@@ -30,6 +30,8 @@ SPANISH = {
     "wheel friction": "fricción de la rueda", "Coulomb friction": "fricción de Coulomb",
     "rolling friction": "fricción de rodadura", "gravity": "gravedad",
     "stiction rate": "velocidad de suavizado", "body depth": "fondo del cuerpo", "body height": "altura del cuerpo",
+    "speed lag": "retardo de la velocidad", "acceleration limit": "límite de aceleración",
+    "slip torque": "par de deslizamiento",
     "{} delay": "retardo de {}",
     "delay": "retardo", "dead zone": "zona muerta",
     # bodies and runs

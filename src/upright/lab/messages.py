@@ -48,7 +48,7 @@ class Setup:
 
     robot: Text = "nxtway-gs"
     numbers: NamedNumbers = field(default_factory=dict[str, float])
-    drive: Literal["", "voltage", "torque"] = ""
+    drive: Literal["", "voltage", "torque", "speed"] = ""
     kit: Text = "nxt"
     noise: Annotated[float, Interval(ge=0, le=20)] = 1.0
     delay: Annotated[float, Interval(ge=-1, le=0.2)] = -1.0

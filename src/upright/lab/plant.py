@@ -12,7 +12,7 @@ from upright.bodies.body import REST
 from upright.control import CONTROLLERS, Controller, ControllerSpec, Method, StateFeedback, observed
 from upright.errors import InvalidController, InvalidPlugin, InvalidRobot, UnknownName, UprightError
 from upright.lab.messages import FamilyInfo, Setup
-from upright.physics.dynamics import CALM, Disturbance, motor_gain
+from upright.physics.dynamics import CALM, Disturbance, drives_speed, motor_gain
 from upright.physics.linear import linearise, rolling
 from upright.robots import PARAMETERS, Kit, Robot, kit_names
 
@@ -205,13 +205,15 @@ class Pulled:
     """`body` whose wheels can be pulled at the ends of the axle.
 
     A horizontal force F there is that force on the axle and a moment ∓F W/2 about the vertical, which opposed commands
-    of F R/(2α) give exactly; the commands it reports are those it was given.
+    of F R/(2α) give exactly, and which wheels that hold their speed bear. The commands it reports are those it was
+    given.
     """
 
     def __init__(self, body: Body) -> None:
         self.body = body
         self.spec = body.spec
-        self._turn = body.spec.robot.wheel_radius / (2 * motor_gain(body.spec.robot))
+        robot = body.spec.robot
+        self._turn = 0.0 if drives_speed(robot) else robot.wheel_radius / (2 * motor_gain(robot))
         self.twist = 0.0
 
     def pull(self, force: float) -> None:

@@ -119,7 +119,7 @@ export function fromLink(hash: string, offer: Offer): Link {
     seed: (text) => inRange(Number.isInteger(Number(text)) ? text : "", RANGES.seed),
     payload: (text) => inRange(text, own.load === undefined ? RANGES.payload : own.load ? [own.load.payload, own.load.payload] : [0, 0]),
     kit: (text) => offer.kits.find((name) => name === text),
-    drive: (text) => ["voltage", "torque"].find((name) => name === text),
+    drive: (text) => ["voltage", "torque", "speed"].find((name) => name === text),
     numbers: (text) => (Object.keys(numbers).length === text.split(",").length ? numbers : undefined),
     bodies: (text) => [offer.bodies.filter((name) => text.split(",").includes(name))].find((names) => names.length === text.split(",").length),
   };

@@ -51,7 +51,7 @@ export interface Student {
 export interface Setup {
   robot: string;
   numbers: Record<string, number>;
-  drive: "" | "voltage" | "torque";
+  drive: "" | "voltage" | "torque" | "speed";
   kit: string;
   noise: number;
   delay: number;

@@ -164,12 +164,14 @@ function equations(): Node[] {
   const [alpha, beta, weight, lever] = [e.alpha, e.beta, e.weight, e.lever].map((v) => digits(v, 4));
   const [swing, half] = [digits(e.swing, 4), digits(e.half_track, 4)];
   const a12 = `(${lever} cos ψ − ${digits(e.lever - e.inertias[1], 3)})`;
-  const [volts, slip] = [`${alpha} (v_l + v_r)`, `2·${beta} (θ̇ − ψ̇)`];
+  const held = store.changed?.look.command_unit === "rad/s"; // wheels turn as commanded, and torques follow
+  const [gain, left, right] = held ? ["", "τ_l", "τ_r"] : [`${alpha} `, "v_l", "v_r"];
+  const [volts, slip] = [`${gain}(${left} + ${right})`, `2·${beta} (θ̇ − ψ̇)`];
   const lines = [
     `${a11} θ̈ + ${a12} ψ̈ = ${volts} − ${slip} + ${lever} (ψ̇² + φ̇²) sin ψ`,
     `${a12} θ̈ + ${a22} ψ̈ = −${volts} + ${slip} + (${weight} + ${swing} φ̇² cos ψ) sin ψ`,
-    `(${a33} + ${swing} sin² ψ) φ̈ = ${half}·${alpha} (v_r − v_l) − 2·${half}²·${beta} φ̇ − (2·${swing} ψ̇ cos ψ + ${lever} θ̇) φ̇ sin ψ`,
-    `α = ${alpha}   β = ${beta}   M g L = ${weight} N m   M L R = ${lever} kg m²   W/2R = ${half}`,
+    `(${a33} + ${swing} sin² ψ) φ̈ = ${half}·${gain}(${right} − ${left}) − 2·${half}²·${beta} φ̇ − (2·${swing} ψ̇ cos ψ + ${lever} θ̇) φ̇ sin ψ`,
+    `${held ? "τ: (θ̇ − ψ̇)˙ = (v − θ̇ + ψ̇)/T" : `α = ${alpha}   β = ${beta}`}   M g L = ${weight} N m   M L R = ${lever} kg m²   W/2R = ${half}`,
   ];
   const matrix = (name: string, M: number[][]) => table([name, ...M[0].map((_, i) => (name === "A" ? SYMBOLS[i] : ["v_l", "v_r"][i]))], M.map((row, i) => [RATES[i], ...row.map((v) => digits(v, 4))]), "matrix");
   const open = e.poles.map(([re, im]) => digits(re, 4) + (im ? ` ± ${digits(Math.abs(im), 3)}j` : "")).join(";  ");
