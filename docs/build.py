@@ -29,7 +29,7 @@ PARTS = {
     "en": {
         "Start": "first-robot lab",
         "Course": "notebooks/index lesson",
-        "How to": "how-to arduino add-a-robot extend examples/index",
+        "How to": "how-to arduino add-a-robot steppers extend examples/index",
         "Concepts": "model logs calibrate identify excite certificate post-mortem fleet firmware",
         "Studies": "studies/coarse-counts studies/dead-zone studies/resonance studies/gain studies/optima studies/mass "
         "studies/outside studies/falls studies/likelihood studies/hypotheses",
