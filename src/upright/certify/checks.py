@@ -179,7 +179,7 @@ class TrialSetup:
 
     @cached_property
     def parameters(self) -> Array:
-        """Those of all robots (n, 21), with the loads that the log shows."""
+        """Those of all robots (n, 25), with the loads that the log shows."""
         parameters = parameters_of(self.robots)
         return self.logged.weighed(parameters) if self.logged else parameters
 

@@ -53,14 +53,14 @@ class Logged:
         return {name: rows(values, count) for name, values in self.changes.items()}
 
     def weighed(self, parameters: Array) -> Array:
-        """The parameters (n, 21) of robots with the drawn loads."""
+        """The parameters (n, 25) of robots with the drawn loads."""
         result = parameters.copy()
         columns = [NAMES.index(name) for name in LOADED]
         result[:, columns] *= rows(self.loads, len(parameters))[:, None]
         return result
 
     def angles(self, slope: float, parameters: Array, nominal: Robot) -> Array:
-        """The slope [rad] on which each of the robots with `parameters` (n, 21) stands. One that the log shows is of
+        """The slope [rad] on which each of the robots with `parameters` (n, 25) stands. One that the log shows is of
         what the motors of the `nominal` robot bore at rest: stronger motors, smaller wheels or less mass bore it on a
         steeper one."""
         if slope not in self.slopes:

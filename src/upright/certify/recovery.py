@@ -22,7 +22,7 @@ from upright.control import LinearController
 from upright.experiment.pushes import Hold, Impulse
 from upright.kernel.batch import NAMES, FleetBatch
 from upright.kernel.simulate import simulate
-from upright.physics.dynamics import motor_gain
+from upright.physics.dynamics import drives_speed, motor_gain
 from upright.robots import Kit, Robot
 from upright.robots.kit import STOP
 
@@ -36,7 +36,7 @@ SEEING = ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro", "sensor/
 
 
 class Means(NamedTuple):
-    """What a controller can do at most: command `most` [V or N m] at both motors, `wait` [s] after it was needed."""
+    """What a controller can do at most: command `most` [its unit] at both motors, `wait` [s] after it was needed."""
 
     most: float
     wait: float
@@ -86,7 +86,7 @@ def largest_slope(robot: Robot, kit: Kit, battery: float | None = None) -> float
 def recoverable(
     parameters: Array, able: Means, push: Hold | Impulse, slope: float | Array = 0.0, threads: int | None = None
 ) -> Mask:
-    """Which of the robots with `parameters` (n, 21) a controller with these means could save from this push."""
+    """Which of the robots with `parameters` (n, 25) a controller with these means could save from this push."""
     if not (math.isfinite(able.most) and len(parameters)):
         return np.ones(len(parameters), dtype=np.bool_)
     p = _columns(parameters)
@@ -156,7 +156,7 @@ def _saved(
 
 @cache
 def _following() -> LinearController:
-    """Commands both motors as many volts (or N m) as the reference's wheel rate says."""
+    """Commands both motors as many volts (N m, rad/s) as the reference's wheel rate says."""
     none, follow = np.zeros((0, 0)), np.zeros((2, 6))
     follow[:, 3] = 1.0
     return LinearController(
@@ -166,7 +166,8 @@ def _following() -> LinearController:
 
 
 def _rest(p: Any, force: Any, slope: float | Array) -> tuple[Array, Array]:
-    """Pitch [rad] and command at rest under a force at the centre of mass; NaN where there is none.
+    """Pitch [rad] and command at rest under a force at the centre of mass; NaN where there is none. Wheels that hold a
+    speed hold still under any torque up to that at which they slip.
 
     Statics: 2 τ = climb − F R at the wheels, M g L sin(ψ − slope) + F L cos ψ = 2 τ at the body.
     """
@@ -177,6 +178,8 @@ def _rest(p: Any, force: Any, slope: float | Array) -> tuple[Array, Array]:
     across = force * p.com_height - weight * np.sin(slope)
     with np.errstate(invalid="ignore"):
         pitch = np.arcsin(torque / np.hypot(along, across)) - np.arctan2(across, along)
+    if drives_speed(p):
+        return np.where(np.abs(torque) <= 2 * p.slip_torque, pitch, np.nan), 0.0 * torque
     return pitch, torque / (2 * motor_gain(p))
 
 

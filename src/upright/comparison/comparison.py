@@ -99,7 +99,7 @@ class Comparison(Shown):
 
     def unit(self, metric: str) -> str:
         """Unit of a metric, '1' for a fraction, '' for yes or no."""
-        squared = f"({self.command_unit})²" if " " in self.command_unit else f"{self.command_unit}²"
+        squared = f"({self.command_unit})²" if not self.command_unit.isalpha() else f"{self.command_unit}²"
         return METRICS[metric][0].replace("u²", squared)
 
     def to_json(self) -> dict[str, Any]:

@@ -37,7 +37,7 @@ from upright.physics.linear import LinearModel, delay_line
 from upright.physics.sensing import sensor_matrix
 from upright.robots import Kit, Robot, find_kit, find_robot
 
-COMMAND = {"V": 4.0, "N m": 0.02}
+COMMAND = {"V": 4.0, "N m": 0.02, "rad/s": 10.0}
 """Commands of this size cost one. Torque is dear, since it is what the dead time of the torque-driven robot forbids."""
 
 STARTS = tuple(1e3 / 2**k for k in range(20))

@@ -18,7 +18,7 @@ from upright.signals import STATE_NAMES
 
 # Bryson's rule: a deviation or a command of this size costs one.
 LARGEST_STATE = (0.15, 1.5, 4.0, 15.0, 0.5, 3.0)  # [rad, rad/s, rad, rad/s, rad, rad/s]
-LARGEST_COMMAND = {"V": 4.0, "N m": 0.15}
+LARGEST_COMMAND = {"V": 4.0, "N m": 0.15, "rad/s": 10.0}
 
 _LEFT = 1e-9  # a mode that Q does not see stays on the unit circle, to rounding on either side of it
 

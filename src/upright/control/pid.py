@@ -28,7 +28,7 @@ from upright.control.linear_controller import LinearController
 from upright.control.lqi import unwound
 from upright.control.observer import Extra, output_feedback
 from upright.errors import DesignFailed
-from upright.physics.dynamics import motor_damping, motor_gain
+from upright.physics.dynamics import drives_speed, motor_damping, motor_gain
 from upright.physics.linear import rolling
 from upright.robots import Kit, Robot, find_kit, find_robot
 
@@ -97,6 +97,10 @@ def pid(
     robot, kit = find_robot(robot), find_kit(kit)
     if not (heading > 0 and unwinding > 0):
         raise DesignFailed(f"heading {heading}, unwinding {unwinding}", expected="positive numbers")
+    if drives_speed(robot):
+        why = f"pid asks a torque for a lean, and '{robot.name}' is driven by wheel speed"
+        hint = "lqg, hinf or mpc, or a cascade of your own to an acceleration"
+        raise DesignFailed(why, expected="another drive", hint=hint)
     model = sampled(robot, kit, dt, reads)
     model.check_position("pid")
     estimator = kalman_filter(model, disturbed)

@@ -70,7 +70,7 @@ class ExcitedLoop:
 
     @cached_property
     def nominal(self) -> Array:
-        """Parameters (1, 21) of `robot`."""
+        """Parameters (1, 25) of `robot`."""
         return parameters_of(self.robot)
 
     @property
@@ -81,7 +81,7 @@ class ExcitedLoop:
         self, excitations: Array, parameters: Array | None = None, *, kit: Kit | None = None, record: bool = False,
         hold: int | None = None,
     ) -> FleetResult:  # fmt: skip
-        """Robots with `parameters` (n, 21) under `excitations` (n, rows, 2), either of which may be one for all."""
+        """Robots with `parameters` (n, 25) under `excitations` (n, rows, 2), either of which may be one for all."""
         table = self.nominal if parameters is None else parameters
         batch = self.batch(excitations, self._dry(table) if record else table, kit, hold or self.hold)
         channels = (*self.gains.reads, *APPLIED) if record else ()

@@ -54,7 +54,7 @@ class Way:
 
 @dataclass(eq=False)
 class Search:
-    """The search; `stand` (n, 21) are robots that stand unexcited."""
+    """The search; `stand` (n, 25) are robots that stand unexcited."""
 
     loop: ExcitedLoop
     limits: Limits

@@ -140,7 +140,7 @@ class Ensemble:
 
 
 def tables(pushes: Sequence[Any], references: Sequence[Any], parameters: Array) -> Programme:
-    """Pushes, slopes, drives and turns as tables for robots with `parameters` (n, 21); a hold has a force for each.
+    """Pushes, slopes, drives and turns as tables for robots with `parameters` (n, 25); a hold has a force for each.
 
     Raises `InvalidScenario` for a push or reference that the kernel does not know, or slopes from different times.
     """

@@ -20,6 +20,7 @@ from upright.fleet.ensemble import OUTCOMES, Ensemble, Index
 from upright.fleet.vary import kit_numbers
 from upright.reading import expanded, understood
 from upright.robots import PARAMETERS, Kit
+from upright.robots.drives import EFFORT_UNITS
 from upright.signals import parquet
 from upright.tables import Shown
 
@@ -84,7 +85,7 @@ def labelled(columns: Mapping[str, Array], index: Index, ensemble: Ensemble) -> 
 
     family = ensemble.family
     units = {name: unit_of(name, family.kit) for name in family.names} | {n: u for n, (u, _) in OUTCOMES.items()}
-    units["effort"] = units["effort"] if family.robot.drive == "voltage" else "N² m² s"
+    units["effort"] = EFFORT_UNITS[family.robot.command_unit]
     words = {name: text for name, (_, text) in OUTCOMES.items()}
     variables = {
         name: ("robot", values, {"unit": units[name], "long_name": words.get(name, name)})

@@ -256,7 +256,7 @@ def _unit(name: str, source: Source, units: Mapped[str, str]) -> str:
         si = si.removesuffix("/s")
     elif source.differentiate:
         si = f"{si}/s"
-    if name in KNOWN and si not in ("V", "N m") and not (si == "1" and name in COMMANDS):
+    if name in KNOWN and si not in ("V", "N m") and not (si in ("1", "rad/s") and name in COMMANDS):
         return KNOWN[name].unit  # the scale converts it: metres per second over the radius are radians per second
     return si
 

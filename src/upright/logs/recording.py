@@ -14,6 +14,7 @@ from upright.logs.outliers import left_out
 from upright.physics.dynamics import turn_ratio
 from upright.physics.sensing import sensor_matrix
 from upright.robots import Kit, Robot, Sensor
+from upright.robots.drives import COMMAND_UNITS
 from upright.signals import SIDES, STATE_NAMES, Log
 
 ROWS = (
@@ -124,14 +125,20 @@ def check_clock(log: Log) -> None:
 
 
 def check_unit(log: Log, prefix: str, robot: Robot) -> None:
-    """Raise `InvalidLog` for commands in volts to a robot that gets torques, or torques to one that gets volts."""
+    """Raise `InvalidLog` for commands in volts to a robot that gets torques, or torques to one that gets volts, and for
+    every log of a speed drive, which no method here examines yet."""
+    if robot.drive == "speed":
+        raise InvalidLog(
+            f"a log of '{robot.name}', which is driven by wheel speed, is not examined yet",
+            expected="a robot that is driven by voltage or torque",
+        )
     unit = log.unit(f"{prefix}/left")
     if unit == "1" and any(log[f"{prefix}/{side}"].any() for side in SIDES):
         raise InvalidLog(
             "the log's commands are a duty, and of what voltage is not known", expected=robot.command_unit,
             hint="upright doctor LOG --robot ROBOT, which repairs it or asks for what a mapping has to state",
         )  # fmt: skip
-    if unit in ("V", "N m") and unit != robot.command_unit:
+    if unit in COMMAND_UNITS.values() and unit != robot.command_unit:
         raise InvalidLog(
             f"the log's commands are in {unit}", expected=f"{robot.command_unit}, as those of '{robot.name}'",
             likely="another robot", hint="name the robot with --robot",
@@ -160,7 +167,8 @@ def check_complete(log: Log, robot: Robot) -> None:
 
 def check_drive(log: Log, robot: Robot) -> None:
     """`check_unit` of a log from a file, which states its unit; one that was made in Python often states none."""
-    if "file" in log.origin and (prefix := commanded(log)):
+    prefix = commanded(log)
+    if prefix and ("file" in log.origin or robot.drive == "speed"):
         check_unit(log, prefix, robot)
 
 

@@ -15,6 +15,7 @@ from upright.plotting import AXIS, COLOURS, number
 from upright.report.figure import Figure
 from upright.report.metrics import degrees
 from upright.report.page import Cell, Details, Page, Section, Table, Verdict, cell_text
+from upright.robots.drives import EFFORT_UNITS
 from upright.tables import in_degrees, joined
 
 if TYPE_CHECKING:
@@ -277,7 +278,7 @@ def tables(bench: Bench) -> list[Table]:
 def _effort_unit(bench: Bench) -> str:
     """As the motors are commanded: in volts, or by torque."""
     units = {log.unit("command/left") for log in bench.logs.values() if "command/left" in log}
-    return "N² m² s" if units == {"N m"} else "V² s"
+    return EFFORT_UNITS[units.pop()] if len(units) == 1 else EFFORT_UNITS["V"]
 
 
 def _degrees(angle: float | None) -> float | None:

@@ -121,7 +121,7 @@ def _cost(R: Array, unit: str) -> str:
 
 
 def _squared(unit: str) -> str:
-    return f"({unit})²" if " " in unit else f"{unit}²"
+    return f"{unit}²" if unit.isalpha() else f"({unit})²"
 
 
 def _by_state(states: Sequence[str], weights: Array, gains: dict[str, Array], unit: str) -> Table:
