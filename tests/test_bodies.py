@@ -20,6 +20,8 @@ from upright.robots import Battery, Kit, Motor, Robot, Sensor, find_kit, kit_nam
 NXT = Robot.preset("nxtway-gs")
 LEAN = (0.05, 0.0, 0.1, 0.0, 0.2, 0.0)
 KITS = ("bare", *kit_names())
+DRIVEN = {"": NXT.name, "voltage": NXT.name, "torque": "twipr", "speed": "stepper"}
+GENTLE = {"V": 0.3, "N m": 0.03, "rad/s": 0.3}  # enough to overcome stiction
 SIMULATED = [name for name in BODIES if not make_body(name, NXT).spec.real]  # hardware: test_hardware_bodies.py
 
 
@@ -27,7 +29,7 @@ SIMULATED = [name for name in BODIES if not make_body(name, NXT).spec.real]  # h
 def body(request):
     name, kit = request.param
     parts = None if kit == "bare" else Kit.preset(kit)
-    robot = Robot.preset("twipr") if parts and parts.drive == "torque" else NXT
+    robot = Robot.preset(DRIVEN[parts.drive]) if parts else NXT
     made = make_body(name, robot) if parts is None else Electronics(make_body(name, robot), parts)
     yield made
     made.close()
@@ -38,7 +40,7 @@ def play(body, seed, steps=60):
     """A noisy open-loop run, gentle enough that nothing falls."""
     rng = np.random.default_rng(5)
     samples = [body.reset(LEAN, seed)]
-    size = 0.3 if body.spec.command_unit == "V" else 0.03  # [V], or [N m]: enough to overcome stiction
+    size = GENTLE[body.spec.command_unit]
     samples += [body.step(rng.normal(size=2) * size, Disturbance(0.2, 0.05)) for _ in range(steps)]
     return samples
 
@@ -66,7 +68,7 @@ def test_steps_whose_samples_nobody_reads_leave_the_same_body(body):
     def pushed(t):
         return Disturbance(0.2, 0.05) if 0.013 < t < 0.017 else CALM
 
-    commands = np.random.default_rng(5).normal(size=(6, 2)) * (0.3 if body.spec.command_unit == "V" else 0.03)
+    commands = np.random.default_rng(5).normal(size=(6, 2)) * GENTLE[body.spec.command_unit]
     now, single = body.reset(LEAN, 3), []
     for command in commands:
         for _ in range(10):

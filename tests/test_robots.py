@@ -358,7 +358,7 @@ IMPOSSIBLE: list[tuple[dict[str, Any], str]] = [
     ({"roll_inertia": 1.0}, "roll_inertia 1 kg m² exceeds the sum of the other two"),
     ({"com_height": -0.07}, "no unstable pole"),
     ({"com_height": 0.0}, "no unstable pole"),
-    ({"drive": "torque"}, "a torque drive with electrical numbers"),
+    ({"drive": "torque"}, "a torque drive with motor_resistance = "),
     ({"drive": "current"}, "drive is 'current'"),
 ]
 
@@ -394,7 +394,7 @@ BROKEN_ROBOTS: list[tuple[str, str, str]] = [
     ("value = 0.6", "value = -0.6", "body_mass is -0.6 kg"),
     ("value = 0.072", "value = -0.072", "no unstable pole"),
     ("value = 2.0168e-3", "value = 1.0", "exceeds the sum of the other two"),
-    ('drive = "voltage"', 'drive = "torque"', "a torque drive with electrical numbers"),
+    ('drive = "voltage"', 'drive = "torque"', "a torque drive with motor_resistance = "),
 ]
 
 

@@ -16,6 +16,7 @@ from upright.errors import InvalidRobot, InvalidScenario, UnknownName
 from upright.fleet.ensemble import Ensemble
 from upright.fleet.vary import variation
 from upright.robots import PARAMETERS, Kit, Provenance, Robot
+from upright.robots.drives import UNUSED
 from upright.robots.robot import MAY_BE_ZERO
 from upright.robots.uncertainty import BLOCK, GUESS, Family, Spread, Uncertainty, deviations, draw, read_posterior
 
@@ -125,10 +126,11 @@ def test_what_is_known_is_not_drawn():
 
 
 def test_possible_robots_are_those_that_can_be_made():
-    wide = Uncertainty(tuple(Spread(n, "normal", v, 0.5 * abs(v) + 0.01) for n, v in ROBOT.numbers().items()))
+    own = {name: value for name, value in ROBOT.numbers().items() if name not in UNUSED[ROBOT.drive]}
+    wide = Uncertainty(tuple(Spread(n, "normal", v, 0.5 * abs(v) + 0.01) for n, v in own.items()))
     family = Family(ROBOT, uncertainty=wide)
     rng = np.random.Generator(np.random.Philox(1))
-    values = np.abs(np.array(list(ROBOT.numbers().values())) * (1 + 0.3 * rng.standard_normal((400, len(wide.names)))))
+    values = np.abs(np.array(list(own.values())) * (1 + 0.3 * rng.standard_normal((400, len(wide.names)))))
     values[::7, rng.integers(0, len(wide.names), 58)] *= -1
     values[::11, list(PARAMETERS).index("track")] = 3.5  # beyond the largest robot
     values[::13, list(PARAMETERS).index(MAY_BE_ZERO[0])] = 0.0

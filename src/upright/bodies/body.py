@@ -26,7 +26,7 @@ class BodySpec:
 
     `kind` says in words what it is ("nonlinear model", "twin", …); only a body of hardware has `real=True`.
     `channels` are the signals each sample holds, in order; `period` [s] is the time one `step` takes;
-    `command_unit` is V or N m; `limit` the largest command it takes (inf: no limit). A body that cannot
+    `command_unit` is V, N m or rad/s; `limit` the largest command it takes (inf: no limit). A body that cannot
     be put into a state (`settable=False`) is reset where it stands; one that cannot be pushed by a number
     (`pushable=False`) is pushed by hand.
     """
@@ -44,12 +44,14 @@ class BodySpec:
 
 class Sample(NamedTuple):
     """What one step gives: time `t` [s], `numbers` in the order of the spec's channels, the command (left, right) that
-    was really `applied` on the way here, and whether the robot has `fallen`."""
+    was really `applied` on the way here, whether the robot has `fallen`, and whether a motor of a speed drive has ever
+    `slipped`: then a count of its steps is no angle of its wheel any more."""
 
     t: float
     numbers: tuple[float, ...]
     applied: tuple[float, float]
     fallen: bool = False
+    slipped: bool = False
 
     @property
     def values(self) -> Array:
@@ -74,9 +76,9 @@ class Body(Protocol):
     def close(self) -> None: ...
 
 
-def sample(t: float, values: Sequence[float], applied: Sequence[float], fallen: bool) -> Sample:
+def sample(t: float, values: Sequence[float], applied: Sequence[float], fallen: bool, slipped: bool = False) -> Sample:
     """A `Sample` of plain numbers."""
-    return Sample(t, tuple(map(float, values)), (float(applied[0]), float(applied[1])), bool(fallen))
+    return Sample(t, tuple(map(float, values)), (float(applied[0]), float(applied[1])), bool(fallen), slipped)
 
 
 MOST = 1e12

@@ -123,7 +123,7 @@ class Electronics:
         truth = [raw[i] for i in self._truth]
         now = self._now
         readings = [channel.read(now, self._voltage if i is None else raw[i]) for i, channel in self._sensors]
-        return sample(inner.t, (*truth, *readings), inner.applied, inner.fallen)
+        return sample(inner.t, (*truth, *readings), inner.applied, inner.fallen, inner.slipped)
 
 
 def advanced(

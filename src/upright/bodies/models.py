@@ -11,7 +11,7 @@ import numpy as np
 from upright.bodies.body import FALLEN, REST, BodySpec, Sample, checked, checked_period, sample
 from upright.compiled.straight_line import Step, written
 from upright.errors import InvalidModel, InvalidScenario
-from upright.physics.dynamics import CALM, MODELS, Disturbance, accelerations
+from upright.physics.dynamics import CALM, MODELS, Disturbance, accelerations, drives_speed, slips
 from upright.physics.integrate import substeps
 from upright.physics.linear import DISTURBANCES, LinearModel, linearise, linearise_rolling
 from upright.physics.sensing import readings
@@ -33,6 +33,7 @@ class NonlinearBody:
             raise InvalidModel(f"no model is called '{model}'", expected=" or ".join(MODELS))
         self.spec = _spec(f"{model} nonlinear model", robot, checked_period(period))
         self._model = model
+        self._may_slip = drives_speed(robot)
         fastest = max(abs(linearise(robot, model=model).poles()))
         self.substeps = substeps(period, float(fastest), numbers=robot.numbers())
         self.reset()
@@ -45,6 +46,7 @@ class NonlinearBody:
     def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:  # noqa: ARG002 (nothing here is random)
         self._x: Sequence[float] = checked(start, 6, "start")
         self._steps = 0
+        self._slipped = False
         wheel_acc = accelerations(self._x, (0.0, 0.0), self.spec.robot, CALM, math, self._model)[1]
         return self._sample((*self._x, *readings(self._x, wheel_acc, self.spec.robot)), (0.0, 0.0))
 
@@ -63,13 +65,15 @@ class NonlinearBody:
             ) from None
         self._x = values[:6]
         self._steps += 1
+        if self._may_slip and not self._slipped:
+            self._slipped = slips(self._x, u, self.spec.robot, disturbance, self._model)
         return self._sample(values, u)
 
     def close(self) -> None:
         """Nothing is held."""
 
     def _sample(self, values: tuple[float, ...], u: tuple[float, ...]) -> Sample:
-        return Sample(self._steps * self.spec.period, values, (u[0], u[1]), abs(values[0]) > FALLEN)
+        return Sample(self._steps * self.spec.period, values, (u[0], u[1]), abs(values[0]) > FALLEN, self._slipped)
 
 
 class LinearBody:

@@ -19,10 +19,10 @@ from upright.arrays import Mask
 from upright.errors import UnknownName
 from upright.physics.dynamics import motor_damping, motor_gain
 from upright.robots import PARAMETERS, Robot
+from upright.robots.drives import UNUSED
 from upright.robots.robot import LEAST, MAY_BE_ZERO
 from upright.robots.uncertainty import GUESS, roll_bounds, stated
 
-ELECTRICAL = ("motor_resistance", "back_emf", "torque_constant")
 NEVER = ("gear_ratio", "stiction_rate", "body_depth", "body_height", "roll_inertia")
 """What no log is asked: a convention, a smoothing (the predictor's friction is dry), two measures for drawing,
 and the roll inertia, in whose place stands `ROLL_FRACTION`."""
@@ -107,7 +107,7 @@ def parameters_of(
 
     `known` names what is taken for exact. Raises `UnknownName` for a name that is none of these.
     """
-    never = {*NEVER, *(ELECTRICAL if robot.drive == "torque" else ())}
+    never = {*NEVER, *UNUSED[robot.drive]}
     if _asks_torque(robot):
         never.remove(GEAR)
     if not (foreign or robot.rolling_friction or ROLLING in robot.provenance):

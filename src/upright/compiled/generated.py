@@ -5,7 +5,7 @@
 
 from typing import Any, NamedTuple
 
-LANES, ROW, SIZE = 64, 80, 61 * 80
+LANES, ROW, SIZE = 64, 80, 65 * 80
 PITCH = 0
 PITCH_RATE = 1
 WHEEL = 2
@@ -46,7 +46,11 @@ ROTOR_COUPLING = 36
 PITCH_INERTIA = 37
 YAW_SWING = 38
 STICTION_RATE_SQUARED = 39
-WORK, WORK_ROWS = 40, 21
+SPEED_LAG = 40
+ACCELERATION_LIMIT = 41
+SLIP_TORQUE = 42
+YAW_INERTIA = 43
+WORK, WORK_ROWS = 44, 21
 
 
 class Constants(NamedTuple):
@@ -78,11 +82,15 @@ class Constants(NamedTuple):
     pitch_inertia: Any          # a22/a11: inertia in pitch over that of all that rolls
     yaw_swing: Any              # (ML² + J_ρ − J_φ)/a33: what a lean adds to the inertia in yaw, times sin² ψ
     stiction_rate_squared: Any  # ω_c² [rad²/s²]: of the smoothed dry friction
+    speed_lag: Any              # T_v [s]: in which a speed drive takes up a speed
+    acceleration_limit: Any     # α_max [rad/s²]: of a speed drive
+    slip_torque: Any            # τ_max/a11 [1/s²]: what a wheel of a speed drive gets at most
+    yaw_inertia: Any            # a33/a11: inertia in yaw over that of all that rolls
 
 
 
 def constants(p, complete):
-    wheel_mass, wheel_radius, wheel_inertia, body_mass, track, com_height, pitch_inertia, yaw_inertia, roll_inertia, rotor_inertia, gear_ratio, motor_resistance, back_emf, torque_constant, motor_friction, wheel_friction, coulomb_friction, rolling_friction, stiction_rate, gravity, body_depth, body_height = p
+    wheel_mass, wheel_radius, wheel_inertia, body_mass, track, com_height, pitch_inertia, yaw_inertia, roll_inertia, rotor_inertia, gear_ratio, motor_resistance, back_emf, torque_constant, motor_friction, wheel_friction, coulomb_friction, rolling_friction, stiction_rate, gravity, body_depth, body_height, speed_lag, acceleration_limit, slip_torque = p
     t0 = (1/2)*track/wheel_radius
     t1 = gear_ratio*torque_constant/motor_resistance
     t2 = back_emf*t1 + motor_friction
@@ -101,7 +109,8 @@ def constants(p, complete):
     t15 = t2 + wheel_friction
     t16 = 1/t5
     t17 = (1/2)*(track * track)
-    t18 = 1/(t17*(t16*(t3 + wheel_inertia) + wheel_mass) + yaw_inertia)
-    t19 = t10*t18
-    t20 = t0*t18
-    return Constants(t0, wheel_radius, gravity, t2*t8, t10*t7, t12*t7, t7, coulomb_friction*t7, t1*t7, t14, t15*t8, complete*t14, gravity*t13*t6, t13, 2*t19, complete*t11*t18*wheel_radius, t15*t16*t17*t18, t12*t18, coulomb_friction*t20, rolling_friction*t7, rolling_friction*t20, t1*t20, t4*t7, t7*(pitch_inertia + t4 + t9), t19, (stiction_rate * stiction_rate))
+    t18 = t17*(t16*(t3 + wheel_inertia) + wheel_mass) + yaw_inertia
+    t19 = 1/t18
+    t20 = t10*t19
+    t21 = t0*t19
+    return Constants(t0, wheel_radius, gravity, t2*t8, t10*t7, t12*t7, t7, coulomb_friction*t7, t1*t7, t14, t15*t8, complete*t14, gravity*t13*t6, t13, 2*t20, complete*t11*t19*wheel_radius, t15*t16*t17*t19, t12*t19, coulomb_friction*t21, rolling_friction*t7, rolling_friction*t21, t1*t21, t4*t7, t7*(pitch_inertia + t4 + t9), t20, (stiction_rate * stiction_rate), speed_lag, acceleration_limit, slip_torque*t7, t18*t7)

@@ -4,7 +4,7 @@
 # pyright: basic
 
 from upright.compiled.generated import WORK
-from upright.compiled.jit import absolute, align_stack, fma, get, inlined, mul, positive, put, reciprocal, sqrt
+from upright.compiled.jit import absolute, add, align_stack, fma, get, inlined, mul, positive, put, reciprocal, sqrt
 from upright.compiled.lane_math import sincos, sincos_any
 
 @inlined
@@ -1406,3 +1406,607 @@ def rk4_free(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, right
     new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
     new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
     return new_pitch, new_pitch_rate, new_wheel, new_wheel_rate, new_yaw, new_yaw_rate
+
+
+
+@inlined
+def held_speed(left, right, force, moment, moment_response, force_response):
+    speed_left = left
+    speed_right = right
+    t5 = force_response * force
+    held_wheel = t5
+    t6 = moment_response * moment
+    return speed_left, speed_right, held_wheel, t6
+
+
+
+@inlined
+def moved_speed(pitch, pitch_rate, wheel_rate, yaw_rate, speed_left, speed_right, held_wheel, t6, half_track, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia):
+    s, c = sincos(pitch)
+    t0 = fma(lever, c, -rotor_coupling)
+    a12 = t0
+    a22 = pitch_inertia
+    t1 = s * s
+    t2 = fma(yaw_swing, t1, 1.0)
+    a33 = t2
+    determinant = fma(-a12, a12, a22)
+    t3 = fma(-half_track, yaw_rate, wheel_rate)
+    rate_roll_left = t3
+    square_roll_left = fma(rate_roll_left, rate_roll_left, stiction_rate_squared)
+    root_roll_left = sqrt(square_roll_left)
+    t4 = fma(half_track, yaw_rate, wheel_rate)
+    rate_roll_right = t4
+    square_roll_right = fma(rate_roll_right, rate_roll_right, stiction_rate_squared)
+    root_roll_right = sqrt(square_roll_right)
+    before_0 = determinant * a33
+    before_1 = before_0 * root_roll_left
+    before_2 = before_1 * root_roll_right
+    over = reciprocal(before_2)
+    over_3 = over * before_1
+    rest_3 = over * root_roll_right
+    over_2 = rest_3 * before_0
+    rest_2 = rest_3 * root_roll_left
+    over_1 = rest_2 * determinant
+    rest_1 = rest_2 * a33
+    roll_left = rate_roll_left * over_2
+    roll_right = rate_roll_right * over_3
+    held_pitch = 0.0
+    held_yaw = 0.0
+    t7 = -pitch_rate + wheel_rate
+    t8 = centrifugal * c
+    t9 = yaw_rate * yaw_rate
+    t10 = fma(t8, t9, weight)
+    t11 = fma(t10, s, fma(motor_damping, t7, fma(t6, c, held_pitch)))
+    t12 = -roll_left - roll_right
+    t13 = pitch_rate * pitch_rate
+    t14 = lever * t13
+    t15 = fma(turning_lever, t9, t14)
+    t16 = fma(t15, s, fma(-rolling_damping, wheel_rate, fma(rolling_torque, t12, fma(motor_damping, pitch_rate, held_wheel))))
+    t17 = roll_left - roll_right
+    t18 = yaw_coriolis * c
+    t19 = t18 * pitch_rate
+    t20 = fma(-yaw_lever, wheel_rate, -t19)
+    t21 = fma(t20, s, -yaw_damping)
+    t22 = fma(t21, yaw_rate, fma(yaw_rolling_torque, t17, held_yaw))
+    pitch_alone = fma(-a12, t16, t11)
+    free_pitch_acc = pitch_alone * rest_1
+    free_wheel_acc = fma(-a12, free_pitch_acc, t16)
+    free_yaw_acc = t22 * over_1
+    drive_0 = half_track * yaw_rate
+    drive_1 = wheel_rate - drive_0
+    drive_2 = drive_1 - pitch_rate
+    drive_3 = wheel_rate + drive_0
+    drive_4 = drive_3 - pitch_rate
+    drive_5 = a33 * yaw_inertia
+    drive_6 = speed_left - drive_2
+    drive_7 = reciprocal(speed_lag)
+    drive_8 = drive_6 * drive_7
+    drive_9 = drive_8 * drive_8
+    drive_10 = absolute(drive_8)
+    drive_11 = reciprocal(acceleration_limit)
+    drive_12 = drive_10 * drive_11
+    drive_13 = mul(drive_8, 2.0)
+    drive_14 = add(drive_12, 1.0)
+    drive_15 = add(drive_12, -1.0)
+    drive_16 = drive_15 * drive_15
+    drive_17 = absolute(drive_15)
+    drive_18 = drive_14 + drive_17
+    drive_19 = drive_13 / drive_18
+    drive_20 = speed_right - drive_4
+    drive_21 = drive_20 * drive_7
+    drive_22 = drive_21 * drive_21
+    drive_23 = absolute(drive_21)
+    drive_24 = drive_23 * drive_11
+    drive_25 = mul(drive_21, 2.0)
+    drive_26 = add(drive_24, 1.0)
+    drive_27 = add(drive_24, -1.0)
+    drive_28 = drive_27 * drive_27
+    drive_29 = absolute(drive_27)
+    drive_30 = drive_26 + drive_29
+    drive_31 = drive_25 / drive_30
+    drive_32 = drive_19 + drive_31
+    drive_33 = mul(drive_32, 0.5)
+    drive_34 = free_wheel_acc - free_pitch_acc
+    drive_35 = drive_33 - drive_34
+    drive_36 = a22
+    drive_37 = a12 * a12
+    drive_38 = drive_36 - drive_37
+    drive_39 = drive_35 * drive_38
+    drive_40 = mul(a12, 2.0)
+    drive_41 = add(drive_40, 1.0)
+    drive_42 = drive_41 + a22
+    drive_43 = drive_39 / drive_42
+    drive_44 = drive_31 - drive_19
+    drive_45 = 0.5 / half_track
+    drive_46 = drive_44 * drive_45
+    drive_47 = drive_46 - free_yaw_acc
+    drive_48 = drive_47 * drive_5
+    drive_49 = reciprocal(half_track)
+    drive_50 = drive_48 * drive_49
+    drive_51 = drive_43 - drive_50
+    drive_52 = mul(drive_51, 0.5)
+    drive_53 = drive_43 + drive_50
+    drive_54 = mul(drive_53, 0.5)
+    drive_55 = drive_52 * drive_52
+    drive_56 = absolute(drive_52)
+    drive_57 = reciprocal(slip_torque)
+    drive_58 = drive_56 * drive_57
+    drive_59 = mul(drive_52, 2.0)
+    drive_60 = add(drive_58, 1.0)
+    drive_61 = add(drive_58, -1.0)
+    drive_62 = drive_61 * drive_61
+    drive_63 = absolute(drive_61)
+    drive_64 = drive_60 + drive_63
+    drive_65 = drive_59 / drive_64
+    drive_66 = drive_54 * drive_54
+    drive_67 = absolute(drive_54)
+    drive_68 = drive_67 * drive_57
+    drive_69 = mul(drive_54, 2.0)
+    drive_70 = add(drive_68, 1.0)
+    drive_71 = add(drive_68, -1.0)
+    drive_72 = drive_71 * drive_71
+    drive_73 = absolute(drive_71)
+    drive_74 = drive_70 + drive_73
+    drive_75 = drive_69 / drive_74
+    drive_76 = drive_65 + drive_75
+    drive_77 = drive_76 / drive_38
+    drive_78 = add(a12, 1.0)
+    drive_79 = drive_78 * drive_77
+    drive_80 = free_pitch_acc - drive_79
+    drive_81 = a12 + a22
+    drive_82 = drive_81 * drive_77
+    drive_83 = free_wheel_acc + drive_82
+    drive_84 = drive_75 - drive_65
+    drive_85 = half_track * drive_84
+    drive_86 = drive_85 / drive_5
+    drive_87 = free_yaw_acc + drive_86
+    pitch_acc = drive_80
+    wheel_acc = drive_83
+    yaw_acc = drive_87
+    return pitch_acc, wheel_acc, yaw_acc
+
+
+
+@inlined
+def accelerations_speed(pitch, pitch_rate, wheel_rate, yaw_rate, left, right, force, moment, half_track, motor_damping, centrifugal, weight, moment_response, lever, rolling_damping, turning_lever, force_response, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia):
+    speed_left, speed_right, held_wheel, t6 = held_speed(left, right, force, moment, moment_response, force_response)
+    return moved_speed(pitch, pitch_rate, wheel_rate, yaw_rate, speed_left, speed_right, held_wheel, t6, half_track, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
+
+
+
+@inlined
+def constants_speed(w, i):
+    return get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, 40, i), get(w, 41, i), get(w, 42, i), get(w, 43, i)
+
+
+
+@inlined
+def rk4_speed(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, right, force, moment, half_track, motor_damping, centrifugal, weight, moment_response, lever, rolling_damping, turning_lever, force_response, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia):
+    speed_left, speed_right, held_wheel, t6 = held_speed(left, right, force, moment, moment_response, force_response)
+    pitch_acc1, wheel_acc1, yaw_acc1 = moved_speed(pitch, pitch_rate, wheel_rate, yaw_rate, speed_left, speed_right, held_wheel, t6, half_track, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
+    half = mul(h, 0.5)
+    pitch2 = fma(half, pitch_rate, pitch)
+    pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
+    wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
+    yaw_rate2 = fma(half, yaw_acc1, yaw_rate)
+    pitch_acc2, wheel_acc2, yaw_acc2 = moved_speed(pitch2, pitch_rate2, wheel_rate2, yaw_rate2, speed_left, speed_right, held_wheel, t6, half_track, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
+    pitch3 = fma(half, pitch_rate2, pitch)
+    pitch_rate3 = fma(half, pitch_acc2, pitch_rate)
+    wheel_rate3 = fma(half, wheel_acc2, wheel_rate)
+    yaw_rate3 = fma(half, yaw_acc2, yaw_rate)
+    pitch_acc3, wheel_acc3, yaw_acc3 = moved_speed(pitch3, pitch_rate3, wheel_rate3, yaw_rate3, speed_left, speed_right, held_wheel, t6, half_track, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
+    pitch4 = fma(h, pitch_rate3, pitch)
+    pitch_rate4 = fma(h, pitch_acc3, pitch_rate)
+    wheel_rate4 = fma(h, wheel_acc3, wheel_rate)
+    yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
+    pitch_acc4, wheel_acc4, yaw_acc4 = moved_speed(pitch4, pitch_rate4, wheel_rate4, yaw_rate4, speed_left, speed_right, held_wheel, t6, half_track, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
+    sixth = mul(h, 1 / 6)
+    new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
+    new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
+    new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
+    return new_pitch, new_pitch_rate, new_wheel, new_wheel_rate, new_yaw, new_yaw_rate
+
+
+
+def step_speed(w, count, fallen, now):
+    i = 0
+    pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, lived, left, right, force, moment = get(w, 0, i), get(w, 1, i), get(w, 2, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 7, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i)
+    new_pitch, new_pitch_rate, new_wheel, new_wheel_rate, new_yaw, new_yaw_rate = rk4_speed(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, right, force, moment, *constants_speed(w, i))
+    put(w, 0, i, new_pitch)
+    put(w, 1, i, new_pitch_rate)
+    put(w, 2, i, new_wheel)
+    put(w, 3, i, new_wheel_rate)
+    put(w, 4, i, new_yaw)
+    put(w, 5, i, new_yaw_rate)
+    put(w, 7, i, now if positive(h) else lived)
+    put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+
+
+
+def advance_speed(w, count, fallen, now):
+    align_stack()
+    for i in range(count):
+        pitch, pitch_rate, wheel_rate, yaw_rate, left, right, force, moment, half_track, motor_damping, centrifugal, weight, moment_response, lever, rolling_damping, turning_lever, force_response, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, 40, i), get(w, 41, i), get(w, 42, i), get(w, 43, i)
+        speed_left, speed_right, held_wheel, t6 = held_speed(left, right, force, moment, moment_response, force_response)
+        pitch_acc1, wheel_acc1, yaw_acc1 = moved_speed(pitch, pitch_rate, wheel_rate, yaw_rate, speed_left, speed_right, held_wheel, t6, half_track, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
+        put(w, WORK + 0, i, pitch_acc1)
+        put(w, WORK + 1, i, wheel_acc1)
+        put(w, WORK + 2, i, yaw_acc1)
+        put(w, WORK + 11, i, speed_left)
+        put(w, WORK + 12, i, speed_right)
+        put(w, WORK + 13, i, held_wheel)
+        put(w, WORK + 14, i, t6)
+    for i in range(count):
+        pitch, pitch_rate, wheel_rate, yaw_rate, h, half_track, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia, pitch_acc1, wheel_acc1, yaw_acc1, speed_left, speed_right, held_wheel, t6 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, 40, i), get(w, 41, i), get(w, 42, i), get(w, 43, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
+        half = mul(h, 0.5)
+        pitch2 = fma(half, pitch_rate, pitch)
+        pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
+        wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
+        yaw_rate2 = fma(half, yaw_acc1, yaw_rate)
+        pitch_acc2, wheel_acc2, yaw_acc2 = moved_speed(pitch2, pitch_rate2, wheel_rate2, yaw_rate2, speed_left, speed_right, held_wheel, t6, half_track, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
+        put(w, WORK + 3, i, pitch_acc2)
+        put(w, WORK + 4, i, wheel_acc2)
+        put(w, WORK + 5, i, yaw_acc2)
+        put(w, WORK + 9, i, pitch_rate2)
+    for i in range(count):
+        pitch, pitch_rate, wheel_rate, yaw_rate, h, half_track, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia, pitch_acc2, wheel_acc2, yaw_acc2, pitch_rate2, speed_left, speed_right, held_wheel, t6 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, 40, i), get(w, 41, i), get(w, 42, i), get(w, 43, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 9, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
+        half = mul(h, 0.5)
+        pitch3 = fma(half, pitch_rate2, pitch)
+        pitch_rate3 = fma(half, pitch_acc2, pitch_rate)
+        wheel_rate3 = fma(half, wheel_acc2, wheel_rate)
+        yaw_rate3 = fma(half, yaw_acc2, yaw_rate)
+        pitch_acc3, wheel_acc3, yaw_acc3 = moved_speed(pitch3, pitch_rate3, wheel_rate3, yaw_rate3, speed_left, speed_right, held_wheel, t6, half_track, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
+        put(w, WORK + 6, i, pitch_acc3)
+        put(w, WORK + 7, i, wheel_acc3)
+        put(w, WORK + 8, i, yaw_acc3)
+        put(w, WORK + 10, i, pitch_rate3)
+    for i in range(count):
+        pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, lived, half_track, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia, pitch_acc1, wheel_acc1, yaw_acc1, pitch_acc2, wheel_acc2, yaw_acc2, pitch_acc3, wheel_acc3, yaw_acc3, pitch_rate3, speed_left, speed_right, held_wheel, t6 = get(w, 0, i), get(w, 1, i), get(w, 2, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 7, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, 40, i), get(w, 41, i), get(w, 42, i), get(w, 43, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 6, i), get(w, WORK + 7, i), get(w, WORK + 8, i), get(w, WORK + 10, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
+        pitch4 = fma(h, pitch_rate3, pitch)
+        pitch_rate4 = fma(h, pitch_acc3, pitch_rate)
+        wheel_rate4 = fma(h, wheel_acc3, wheel_rate)
+        yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
+        pitch_acc4, wheel_acc4, yaw_acc4 = moved_speed(pitch4, pitch_rate4, wheel_rate4, yaw_rate4, speed_left, speed_right, held_wheel, t6, half_track, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
+        sixth = mul(h, 1 / 6)
+        new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
+        new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
+        new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
+        put(w, 0, i, new_pitch)
+        put(w, 1, i, new_pitch_rate)
+        put(w, 2, i, new_wheel)
+        put(w, 3, i, new_wheel_rate)
+        put(w, 4, i, new_yaw)
+        put(w, 5, i, new_yaw_rate)
+        put(w, 7, i, now if positive(h) else lived)
+        put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+
+
+
+def specific_force_speed(w, count, out):
+    for i in range(count):
+        pitch, pitch_rate, wheel_rate, yaw_rate, left, right, force, moment, half_track, wheel_radius, gravity, motor_damping, centrifugal, weight, moment_response, lever, rolling_damping, turning_lever, force_response, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 14, i), get(w, 15, i), get(w, 16, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, 40, i), get(w, 41, i), get(w, 42, i), get(w, 43, i)
+        speed_left, speed_right, held_wheel, t6 = held_speed(left, right, force, moment, moment_response, force_response)
+        _, wheel_acc, _ = moved_speed(pitch, pitch_rate, wheel_rate, yaw_rate, speed_left, speed_right, held_wheel, t6, half_track, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
+        s, c = sincos(pitch)
+        t0 = wheel_acc * wheel_radius
+        t1 = t0 * c
+        t2 = fma(-gravity, s, t1)
+        forward = t2
+        t3 = gravity * c
+        t4 = fma(t0, s, t3)
+        up = t4
+        put(w, out + 0, i, forward)
+        put(w, out + 1, i, up)
+
+
+
+@inlined
+def held_speed_slope(left, right, force, moment, sin_slope, cos_slope, weight, moment_response, slope_weight, force_response, yaw_weight):
+    speed_left = left
+    speed_right = right
+    t5 = force_response * force
+    held_wheel = t5
+    t6 = weight * cos_slope
+    t8 = moment_response * moment
+    t9 = weight * sin_slope
+    t14 = slope_weight * sin_slope
+    t21 = yaw_weight * sin_slope
+    return speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21
+
+
+
+@inlined
+def moved_speed_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21, half_track, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia):
+    s, c = sincos(pitch)
+    sin_yaw, cos_yaw = sincos_any(yaw)
+    t0 = fma(lever, c, -rotor_coupling)
+    a12 = t0
+    a22 = pitch_inertia
+    t1 = s * s
+    t2 = fma(yaw_swing, t1, 1.0)
+    a33 = t2
+    determinant = fma(-a12, a12, a22)
+    t3 = fma(-half_track, yaw_rate, wheel_rate)
+    rate_roll_left = t3
+    square_roll_left = fma(rate_roll_left, rate_roll_left, stiction_rate_squared)
+    root_roll_left = sqrt(square_roll_left)
+    t4 = fma(half_track, yaw_rate, wheel_rate)
+    rate_roll_right = t4
+    square_roll_right = fma(rate_roll_right, rate_roll_right, stiction_rate_squared)
+    root_roll_right = sqrt(square_roll_right)
+    before_0 = determinant * a33
+    before_1 = before_0 * root_roll_left
+    before_2 = before_1 * root_roll_right
+    over = reciprocal(before_2)
+    over_3 = over * before_1
+    rest_3 = over * root_roll_right
+    over_2 = rest_3 * before_0
+    rest_2 = rest_3 * root_roll_left
+    over_1 = rest_2 * determinant
+    rest_1 = rest_2 * a33
+    roll_left = rate_roll_left * over_2
+    roll_right = rate_roll_right * over_3
+    held_pitch = 0.0
+    held_yaw = 0.0
+    t7 = -pitch_rate + wheel_rate
+    t10 = centrifugal * s
+    t11 = yaw_rate * yaw_rate
+    t12 = fma(t10, t11, fma(-t9, cos_yaw, t8))
+    t13 = fma(c, t12, fma(motor_damping, t7, fma(t6, s, held_pitch)))
+    t15 = -roll_left - roll_right
+    t16 = pitch_rate * pitch_rate
+    t17 = lever * t16
+    t18 = fma(turning_lever, t11, t17)
+    t19 = fma(t18, s, fma(-rolling_damping, wheel_rate, fma(rolling_torque, t15, fma(motor_damping, pitch_rate, fma(-t14, cos_yaw, held_wheel)))))
+    t20 = roll_left - roll_right
+    t22 = t21 * sin_yaw
+    t23 = yaw_coriolis * c
+    t24 = t23 * pitch_rate
+    t25 = fma(-yaw_lever, wheel_rate, -t24)
+    t26 = fma(t25, yaw_rate, t22)
+    t27 = fma(-yaw_damping, yaw_rate, fma(s, t26, fma(yaw_rolling_torque, t20, held_yaw)))
+    pitch_alone = fma(-a12, t19, t13)
+    free_pitch_acc = pitch_alone * rest_1
+    free_wheel_acc = fma(-a12, free_pitch_acc, t19)
+    free_yaw_acc = t27 * over_1
+    drive_0 = half_track * yaw_rate
+    drive_1 = wheel_rate - drive_0
+    drive_2 = drive_1 - pitch_rate
+    drive_3 = wheel_rate + drive_0
+    drive_4 = drive_3 - pitch_rate
+    drive_5 = a33 * yaw_inertia
+    drive_6 = speed_left - drive_2
+    drive_7 = reciprocal(speed_lag)
+    drive_8 = drive_6 * drive_7
+    drive_9 = drive_8 * drive_8
+    drive_10 = absolute(drive_8)
+    drive_11 = reciprocal(acceleration_limit)
+    drive_12 = drive_10 * drive_11
+    drive_13 = mul(drive_8, 2.0)
+    drive_14 = add(drive_12, 1.0)
+    drive_15 = add(drive_12, -1.0)
+    drive_16 = drive_15 * drive_15
+    drive_17 = absolute(drive_15)
+    drive_18 = drive_14 + drive_17
+    drive_19 = drive_13 / drive_18
+    drive_20 = speed_right - drive_4
+    drive_21 = drive_20 * drive_7
+    drive_22 = drive_21 * drive_21
+    drive_23 = absolute(drive_21)
+    drive_24 = drive_23 * drive_11
+    drive_25 = mul(drive_21, 2.0)
+    drive_26 = add(drive_24, 1.0)
+    drive_27 = add(drive_24, -1.0)
+    drive_28 = drive_27 * drive_27
+    drive_29 = absolute(drive_27)
+    drive_30 = drive_26 + drive_29
+    drive_31 = drive_25 / drive_30
+    drive_32 = drive_19 + drive_31
+    drive_33 = mul(drive_32, 0.5)
+    drive_34 = free_wheel_acc - free_pitch_acc
+    drive_35 = drive_33 - drive_34
+    drive_36 = a22
+    drive_37 = a12 * a12
+    drive_38 = drive_36 - drive_37
+    drive_39 = drive_35 * drive_38
+    drive_40 = mul(a12, 2.0)
+    drive_41 = add(drive_40, 1.0)
+    drive_42 = drive_41 + a22
+    drive_43 = drive_39 / drive_42
+    drive_44 = drive_31 - drive_19
+    drive_45 = 0.5 / half_track
+    drive_46 = drive_44 * drive_45
+    drive_47 = drive_46 - free_yaw_acc
+    drive_48 = drive_47 * drive_5
+    drive_49 = reciprocal(half_track)
+    drive_50 = drive_48 * drive_49
+    drive_51 = drive_43 - drive_50
+    drive_52 = mul(drive_51, 0.5)
+    drive_53 = drive_43 + drive_50
+    drive_54 = mul(drive_53, 0.5)
+    drive_55 = drive_52 * drive_52
+    drive_56 = absolute(drive_52)
+    drive_57 = reciprocal(slip_torque)
+    drive_58 = drive_56 * drive_57
+    drive_59 = mul(drive_52, 2.0)
+    drive_60 = add(drive_58, 1.0)
+    drive_61 = add(drive_58, -1.0)
+    drive_62 = drive_61 * drive_61
+    drive_63 = absolute(drive_61)
+    drive_64 = drive_60 + drive_63
+    drive_65 = drive_59 / drive_64
+    drive_66 = drive_54 * drive_54
+    drive_67 = absolute(drive_54)
+    drive_68 = drive_67 * drive_57
+    drive_69 = mul(drive_54, 2.0)
+    drive_70 = add(drive_68, 1.0)
+    drive_71 = add(drive_68, -1.0)
+    drive_72 = drive_71 * drive_71
+    drive_73 = absolute(drive_71)
+    drive_74 = drive_70 + drive_73
+    drive_75 = drive_69 / drive_74
+    drive_76 = drive_65 + drive_75
+    drive_77 = drive_76 / drive_38
+    drive_78 = add(a12, 1.0)
+    drive_79 = drive_78 * drive_77
+    drive_80 = free_pitch_acc - drive_79
+    drive_81 = a12 + a22
+    drive_82 = drive_81 * drive_77
+    drive_83 = free_wheel_acc + drive_82
+    drive_84 = drive_75 - drive_65
+    drive_85 = half_track * drive_84
+    drive_86 = drive_85 / drive_5
+    drive_87 = free_yaw_acc + drive_86
+    pitch_acc = drive_80
+    wheel_acc = drive_83
+    yaw_acc = drive_87
+    return pitch_acc, wheel_acc, yaw_acc
+
+
+
+@inlined
+def accelerations_speed_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, left, right, force, moment, sin_slope, cos_slope, half_track, motor_damping, centrifugal, weight, moment_response, lever, rolling_damping, turning_lever, slope_weight, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_weight, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia):
+    speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21 = held_speed_slope(left, right, force, moment, sin_slope, cos_slope, weight, moment_response, slope_weight, force_response, yaw_weight)
+    return moved_speed_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21, half_track, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
+
+
+
+@inlined
+def constants_speed_slope(w, i):
+    return get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 26, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 31, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, 40, i), get(w, 41, i), get(w, 42, i), get(w, 43, i)
+
+
+
+@inlined
+def rk4_speed_slope(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, right, force, moment, sin_slope, cos_slope, half_track, motor_damping, centrifugal, weight, moment_response, lever, rolling_damping, turning_lever, slope_weight, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_weight, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia):
+    speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21 = held_speed_slope(left, right, force, moment, sin_slope, cos_slope, weight, moment_response, slope_weight, force_response, yaw_weight)
+    pitch_acc1, wheel_acc1, yaw_acc1 = moved_speed_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21, half_track, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
+    half = mul(h, 0.5)
+    pitch2 = fma(half, pitch_rate, pitch)
+    pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
+    wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
+    yaw2 = fma(half, yaw_rate, yaw)
+    yaw_rate2 = fma(half, yaw_acc1, yaw_rate)
+    pitch_acc2, wheel_acc2, yaw_acc2 = moved_speed_slope(pitch2, pitch_rate2, wheel_rate2, yaw2, yaw_rate2, speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21, half_track, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
+    pitch3 = fma(half, pitch_rate2, pitch)
+    pitch_rate3 = fma(half, pitch_acc2, pitch_rate)
+    wheel_rate3 = fma(half, wheel_acc2, wheel_rate)
+    yaw3 = fma(half, yaw_rate2, yaw)
+    yaw_rate3 = fma(half, yaw_acc2, yaw_rate)
+    pitch_acc3, wheel_acc3, yaw_acc3 = moved_speed_slope(pitch3, pitch_rate3, wheel_rate3, yaw3, yaw_rate3, speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21, half_track, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
+    pitch4 = fma(h, pitch_rate3, pitch)
+    pitch_rate4 = fma(h, pitch_acc3, pitch_rate)
+    wheel_rate4 = fma(h, wheel_acc3, wheel_rate)
+    yaw4 = fma(h, yaw_rate3, yaw)
+    yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
+    pitch_acc4, wheel_acc4, yaw_acc4 = moved_speed_slope(pitch4, pitch_rate4, wheel_rate4, yaw4, yaw_rate4, speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21, half_track, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
+    sixth = mul(h, 1 / 6)
+    new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
+    new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
+    new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
+    return new_pitch, new_pitch_rate, new_wheel, new_wheel_rate, new_yaw, new_yaw_rate
+
+
+
+def step_speed_slope(w, count, fallen, now):
+    i = 0
+    pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, lived, left, right, force, moment, sin_slope, cos_slope = get(w, 0, i), get(w, 1, i), get(w, 2, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 7, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 12, i), get(w, 13, i)
+    new_pitch, new_pitch_rate, new_wheel, new_wheel_rate, new_yaw, new_yaw_rate = rk4_speed_slope(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, right, force, moment, sin_slope, cos_slope, *constants_speed_slope(w, i))
+    put(w, 0, i, new_pitch)
+    put(w, 1, i, new_pitch_rate)
+    put(w, 2, i, new_wheel)
+    put(w, 3, i, new_wheel_rate)
+    put(w, 4, i, new_yaw)
+    put(w, 5, i, new_yaw_rate)
+    put(w, 7, i, now if positive(h) else lived)
+    put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+
+
+
+def advance_speed_slope(w, count, fallen, now):
+    align_stack()
+    for i in range(count):
+        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, left, right, force, moment, sin_slope, cos_slope, half_track, motor_damping, centrifugal, weight, moment_response, lever, rolling_damping, turning_lever, slope_weight, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_weight, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 12, i), get(w, 13, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 26, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 31, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, 40, i), get(w, 41, i), get(w, 42, i), get(w, 43, i)
+        speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21 = held_speed_slope(left, right, force, moment, sin_slope, cos_slope, weight, moment_response, slope_weight, force_response, yaw_weight)
+        pitch_acc1, wheel_acc1, yaw_acc1 = moved_speed_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21, half_track, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
+        put(w, WORK + 0, i, pitch_acc1)
+        put(w, WORK + 1, i, wheel_acc1)
+        put(w, WORK + 2, i, yaw_acc1)
+        put(w, WORK + 13, i, speed_left)
+        put(w, WORK + 14, i, speed_right)
+        put(w, WORK + 15, i, held_wheel)
+        put(w, WORK + 16, i, t6)
+        put(w, WORK + 17, i, t8)
+        put(w, WORK + 18, i, t9)
+        put(w, WORK + 19, i, t14)
+        put(w, WORK + 20, i, t21)
+    for i in range(count):
+        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, h, half_track, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia, pitch_acc1, wheel_acc1, yaw_acc1, speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, 40, i), get(w, 41, i), get(w, 42, i), get(w, 43, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
+        half = mul(h, 0.5)
+        pitch2 = fma(half, pitch_rate, pitch)
+        pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
+        wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
+        yaw2 = fma(half, yaw_rate, yaw)
+        yaw_rate2 = fma(half, yaw_acc1, yaw_rate)
+        pitch_acc2, wheel_acc2, yaw_acc2 = moved_speed_slope(pitch2, pitch_rate2, wheel_rate2, yaw2, yaw_rate2, speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21, half_track, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
+        put(w, WORK + 3, i, pitch_acc2)
+        put(w, WORK + 4, i, wheel_acc2)
+        put(w, WORK + 5, i, yaw_acc2)
+        put(w, WORK + 9, i, pitch_rate2)
+        put(w, WORK + 10, i, yaw_rate2)
+    for i in range(count):
+        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, h, half_track, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia, pitch_acc2, wheel_acc2, yaw_acc2, pitch_rate2, yaw_rate2, speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, 40, i), get(w, 41, i), get(w, 42, i), get(w, 43, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 9, i), get(w, WORK + 10, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
+        half = mul(h, 0.5)
+        pitch3 = fma(half, pitch_rate2, pitch)
+        pitch_rate3 = fma(half, pitch_acc2, pitch_rate)
+        wheel_rate3 = fma(half, wheel_acc2, wheel_rate)
+        yaw3 = fma(half, yaw_rate2, yaw)
+        yaw_rate3 = fma(half, yaw_acc2, yaw_rate)
+        pitch_acc3, wheel_acc3, yaw_acc3 = moved_speed_slope(pitch3, pitch_rate3, wheel_rate3, yaw3, yaw_rate3, speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21, half_track, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
+        put(w, WORK + 6, i, pitch_acc3)
+        put(w, WORK + 7, i, wheel_acc3)
+        put(w, WORK + 8, i, yaw_acc3)
+        put(w, WORK + 11, i, pitch_rate3)
+        put(w, WORK + 12, i, yaw_rate3)
+    for i in range(count):
+        pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, lived, half_track, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia, pitch_acc1, wheel_acc1, yaw_acc1, pitch_acc2, wheel_acc2, yaw_acc2, pitch_acc3, wheel_acc3, yaw_acc3, pitch_rate3, yaw_rate3, speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21 = get(w, 0, i), get(w, 1, i), get(w, 2, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 7, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, 40, i), get(w, 41, i), get(w, 42, i), get(w, 43, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 6, i), get(w, WORK + 7, i), get(w, WORK + 8, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
+        pitch4 = fma(h, pitch_rate3, pitch)
+        pitch_rate4 = fma(h, pitch_acc3, pitch_rate)
+        wheel_rate4 = fma(h, wheel_acc3, wheel_rate)
+        yaw4 = fma(h, yaw_rate3, yaw)
+        yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
+        pitch_acc4, wheel_acc4, yaw_acc4 = moved_speed_slope(pitch4, pitch_rate4, wheel_rate4, yaw4, yaw_rate4, speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21, half_track, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
+        sixth = mul(h, 1 / 6)
+        new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
+        new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
+        new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
+        put(w, 0, i, new_pitch)
+        put(w, 1, i, new_pitch_rate)
+        put(w, 2, i, new_wheel)
+        put(w, 3, i, new_wheel_rate)
+        put(w, 4, i, new_yaw)
+        put(w, 5, i, new_yaw_rate)
+        put(w, 7, i, now if positive(h) else lived)
+        put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+
+
+
+def specific_force_speed_slope(w, count, out):
+    for i in range(count):
+        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, left, right, force, moment, sin_slope, cos_slope, half_track, wheel_radius, gravity, motor_damping, centrifugal, weight, moment_response, lever, rolling_damping, turning_lever, slope_weight, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_weight, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 12, i), get(w, 13, i), get(w, 14, i), get(w, 15, i), get(w, 16, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 26, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 31, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, 40, i), get(w, 41, i), get(w, 42, i), get(w, 43, i)
+        speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21 = held_speed_slope(left, right, force, moment, sin_slope, cos_slope, weight, moment_response, slope_weight, force_response, yaw_weight)
+        _, wheel_acc, _ = moved_speed_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21, half_track, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
+        s, c = sincos(pitch)
+        sin_yaw, cos_yaw = sincos_any(yaw)
+        t0 = wheel_acc * wheel_radius
+        t1 = gravity * sin_slope
+        t2 = fma(t1, cos_yaw, t0)
+        t3 = c * t2
+        t4 = gravity * cos_slope
+        t5 = fma(-t4, s, t3)
+        forward = t5
+        t6 = t4 * c
+        t7 = fma(t2, s, t6)
+        up = t7
+        put(w, out + 0, i, forward)
+        put(w, out + 1, i, up)

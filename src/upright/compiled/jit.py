@@ -110,6 +110,16 @@ def mul(typingctx: Any, a: Any, b: Any) -> Any:
 
 
 @intrinsic
+def add(typingctx: Any, a: Any, b: Any) -> Any:
+    """a + b in the kind of a."""
+
+    def emit(builder: Any, args: Any) -> Any:
+        return builder.fadd(*args)
+
+    return _same(a, b), _code(emit)
+
+
+@intrinsic
 def reciprocal(typingctx: Any, a: Any) -> Any:
     """1/a."""
 

@@ -40,7 +40,7 @@ from upright.compiled.trace_print import (
     YAW_RATE,
     P,
 )
-from upright.physics.dynamics import Disturbance, accelerations, mass_matrix
+from upright.physics.dynamics import Disturbance, driven_by_torque, mass_matrix, turn_ratio
 
 
 @dataclass(frozen=True)
@@ -81,7 +81,7 @@ def _forces(model: str) -> tuple[Any, Any, Any, list[Any]]:
     xp = Maths(slope)
     x = (PITCH, PITCH_RATE, sp.Symbol("wheel"), WHEEL_RATE, YAW, YAW_RATE)
     w = Disturbance(FORCE, MOMENT / FORCE, slope)
-    pitch_acc, wheel_acc, yaw_acc = accelerations(x, (LEFT, RIGHT), P, w, xp, model)
+    pitch_acc, wheel_acc, yaw_acc = driven_by_torque(x, (LEFT, RIGHT), P, w, xp, model)
     a11, a12, a22, a33 = mass_matrix(COS, SIN, P, model)
     b11, b12, b22 = sp.symbols("b11 b12 b22")
     short = {a11: b11, a12: b12, a22: b22}
@@ -101,6 +101,8 @@ def trace() -> Traced:
     known = ConstantNames()
     for formula in (P.wheel_radius, P.gravity, P.stiction_rate**2):
         known.of(formula)  # what the accelerometer reads, and the smoothing of dry friction
+    for formula in (turn_ratio(P), P.speed_lag, P.acceleration_limit, P.slip_torque / A11, A33 / A11):
+        known.of(formula)  # what a speed drive is computed with
     forces = tuple(
         known.polynomial(force, DYNAMIC, divisor)
         for force, divisor in ((pitch_force, A11), (wheel_force, A11), (yaw_force, A33))

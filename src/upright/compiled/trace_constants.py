@@ -55,6 +55,10 @@ NAMED: dict[str, tuple[Any, str]] = {
     "pitch_inertia": (A22 / A11, "a22/a11: inertia in pitch over that of all that rolls"),
     "yaw_swing": (_SWING / A33, "(ML² + J_ρ − J_φ)/a33: what a lean adds to the inertia in yaw, times sin² ψ"),
     "stiction_rate_squared": (P.stiction_rate**2, "ω_c² [rad²/s²]: of the smoothed dry friction"),
+    "speed_lag": (P.speed_lag, "T_v [s]: in which a speed drive takes up a speed"),
+    "acceleration_limit": (P.acceleration_limit, "α_max [rad/s²]: of a speed drive"),
+    "slip_torque": (P.slip_torque / A11, "τ_max/a11 [1/s²]: what a wheel of a speed drive gets at most"),
+    "yaw_inertia": (A33 / A11, "a33/a11: inertia in yaw over that of all that rolls"),
 }  # fmt: skip
 """Name → formula in the robot's parameters, and what it is: the order of the kernel's rows."""
 

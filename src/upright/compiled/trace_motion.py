@@ -10,10 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from functools import cache
+from types import SimpleNamespace
 from typing import Any
 
 import sympy as sp
 
+from upright.compiled.formula_tracer import FormulaTracer
 from upright.compiled.program import Function, Fused, Product, Quotient, Step, operands
 from upright.compiled.trace import CONSTANTS, ROWS, STAGE, Maths, trace
 from upright.compiled.trace_print import (
@@ -22,9 +24,11 @@ from upright.compiled.trace_print import (
     COS_YAW,
     FORCE,
     HELD,
+    LEFT,
     MOMENT,
     PITCH,
     PITCH_RATE,
+    RIGHT,
     ROLL,
     SIN,
     SIN_SLOPE,
@@ -43,6 +47,7 @@ from upright.compiled.trace_print import (
     function,
 )
 from upright.errors import InvalidModel
+from upright.physics.dynamics import held_at_speed
 from upright.physics.integrate import rk4_step
 from upright.physics.sensing import accelerometer
 
@@ -52,13 +57,15 @@ VARIANTS = {
     "smooth": {**_SMOOTH, **_EASY, **_LEVEL}, "coulomb": {**_EASY, **_LEVEL}, "rolling": _LEVEL,
     "slope": {**_SMOOTH, **_EASY}, "coulomb_slope": _EASY, "rolling_slope": {},
     "free": {**_SMOOTH, **_LEVEL, **_CALM},
+    "speed": {**_SMOOTH, **_LEVEL}, "speed_slope": _SMOOTH,
 }  # fmt: skip
 """Name → what it leaves out: dry friction of motors and on the floor, a floor that slopes, and, for the predictor
-alone, pushes. The predictor holds the signs of rolling friction over a step, as it does the commands."""
+alone, pushes. The predictor holds the signs of rolling friction over a step, as it does the commands. A speed drive's
+motors have no friction of their own."""
 FOR_BLOCKS = tuple(name for name in VARIANTS if name != "free")
 
 IMPORTS = """from upright.compiled.generated import WORK
-from upright.compiled.jit import absolute, align_stack, fma, get, inlined, mul, positive, put, reciprocal, sqrt
+from upright.compiled.jit import absolute, add, align_stack, fma, get, inlined, mul, positive, put, reciprocal, sqrt
 from upright.compiled.lane_math import sincos, sincos_any"""
 
 _ANGLES = ("pitch", "wheel", "yaw")
@@ -141,7 +148,7 @@ class _Work:
         self.slope = SIN_SLOPE not in VARIANTS[name]
         self._moving = [n for n in STAGE if n != "yaw" or self.slope]
         held = (*HELD, *ROLL) if name == "free" else HELD
-        source, (held_steps, steps) = LaneSource(), _parted(_acceleration_steps(VARIANTS[name], held), held)
+        source, (held_steps, steps) = LaneSource(), _parted(_acceleration_steps(name, held), held)
         self._held_lines, self._lines = source.lines(held_steps), source.lines(steps)
         self._constants, self._held_constants = _used(self._lines, CONSTANTS), _used(self._held_lines, CONSTANTS)
         self._inputs = _used(self._held_lines, map(str, held))
@@ -308,8 +315,38 @@ def _directions(out: AlgebraTracer, *, slope: bool) -> None:
         out.sine_and_cosine(SIN_YAW, COS_YAW, YAW)
 
 
-def _acceleration_steps(absent: dict[Any, int], fixed: Sequence[Any]) -> list[Step]:
-    """What gives ψ̈, θ̈, φ̈ without what is `absent`, with one reciprocal for all divisions."""
+def _acceleration_steps(variant: str, fixed: Sequence[Any]) -> list[Step]:
+    """What gives ψ̈, θ̈, φ̈ in a variant, with one reciprocal for all divisions."""
+    if "speed" in variant:
+        speeds = [Fused(f"speed_{side}", ((1.0, side),)) for side in ("left", "right")]
+        free = _torque_steps({**VARIANTS[variant], LEFT: 0, RIGHT: 0}, fixed, "free_")
+        return [*speeds, *free, *_speed_steps()]
+    return _torque_steps(VARIANTS[variant], fixed)
+
+
+def _speed_steps() -> list[Step]:
+    """`held_at_speed` after the accelerations without motors, with all inertias and torques over a11."""
+    out = FormulaTracer("drive_")
+    numbers = out.numbers
+    half_track, yaw_rate, wheel_rate, pitch_rate = numbers("half_track yaw_rate wheel_rate pitch_rate")
+    a12, a22, a33, yaw_inertia = numbers("a12 a22 a33 yaw_inertia")
+    lag, most, slip = numbers("speed_lag acceleration_limit slip_torque")
+    turning = half_track * yaw_rate
+    moved = held_at_speed(
+        numbers("speed_left speed_right"),
+        (wheel_rate - turning - pitch_rate, wheel_rate + turning - pitch_rate),
+        numbers(" ".join(f"free_{name}" for name in _ACCELERATIONS)),
+        (1.0, a12, a22, a33 * yaw_inertia),
+        half_track,
+        SimpleNamespace(speed_lag=lag, acceleration_limit=most, slip_torque=slip),
+        out,
+    )
+    results = [Fused(name, ((1.0, value.name),)) for name, value in zip(_ACCELERATIONS, moved, strict=True)]
+    return [*out.block("drive").steps, *results]
+
+
+def _torque_steps(absent: dict[Any, int], fixed: Sequence[Any], prefix: str = "") -> list[Step]:
+    """The accelerations, called by their names after `prefix`, without what is `absent`."""
     traced, out = trace(), AlgebraTracer()
     signs = {str(sign): rate for sign, rate in zip((*SLIP, *ROLL), traced.rates, strict=True)
              if sign not in absent and sign not in fixed}  # fmt: skip
@@ -328,9 +365,10 @@ def _acceleration_steps(absent: dict[Any, int], fixed: Sequence[Any]) -> list[St
     pitch, wheel, yaw = (out.value(sp.Symbol(n) + free) for n, (_, free) in zip(held, force, strict=True))
     assert yaw[0] == 1
     alone = out.put("pitch_alone", Fused("", (pitch,), ((-wheel[0], a12, wheel[1]),)))
-    out.put("pitch_acc", Product("", alone, over[0]))
-    out.put("wheel_acc", Fused("", (wheel,), ((-1.0, a12, "pitch_acc"),)))
-    out.put("yaw_acc", Product("", str(yaw[1]), over[1]))
+    pitch_acc, wheel_acc, yaw_acc = (prefix + name for name in _ACCELERATIONS)
+    out.put(pitch_acc, Product("", alone, over[0]))
+    out.put(wheel_acc, Fused("", (wheel,), ((-1.0, a12, pitch_acc),)))
+    out.put(yaw_acc, Product("", str(yaw[1]), over[1]))
     return out.steps
 
 

@@ -38,6 +38,7 @@ from upright.logs.raw import RATES, LogSource, raw_log
 from upright.logs.recording import FEWEST, check_drive, commanded
 from upright.progress import Progress, unwatched
 from upright.robots import PARAMETERS, Kit, Robot, find_kit, find_robot, kit_names, preset_names
+from upright.robots.facts import recorded
 from upright.signals import SIDES, Log
 from upright.tables import Shown
 
@@ -275,7 +276,7 @@ def robot_of(log: Log) -> Robot:
     if preset and not set(PARAMETERS) & set(origin):
         return preset
     try:
-        numbers: dict[str, Any] = {name: float(origin[name]) for name in PARAMETERS}
+        numbers: dict[str, Any] = {name: float(value) for name, value in recorded(origin).items()}
         return preset.replace(**numbers) if preset else Robot(name=origin["name"], drive=origin["drive"], **numbers)
     except (KeyError, TypeError, ValueError) as error:
         raise InvalidRobot(f"the log's robot is broken ({error})", hint="name it with --robot") from None

@@ -28,7 +28,7 @@ class Stepper:
     """`body` at state `start` (6,) under `controller`; `now` is the body's newest sample.
 
     As a program does, it stops the motors at a lean of `STOP`, at the time `stopped` [s]: the robot has fallen, though
-    its body moves on until it lies.
+    its body moves on until it lies. `slipped` [s] is when a motor first lost its position (`Sample.slipped`).
 
     `signals` are what each row of `step` holds, in order. Raises `SpecMismatch` when body and controller do not fit.
     """
@@ -47,13 +47,15 @@ class Stepper:
         controller.reset()
         self.now = body.reset(start, seed)
         self.command = (0.0, 0.0)
-        self.stopped = math.inf
+        self.stopped = self.slipped = math.inf
         self._judge()
 
     def _judge(self) -> None:
-        """Whether the robot has fallen by now."""
+        """Whether the robot has fallen by now, or lost its wheels' position."""
         if self._pitch is not None and abs(self.now.numbers[self._pitch]) > STOP:
             self.stopped = min(self.stopped, self.now.t)
+        if self.now.slipped:
+            self.slipped = min(self.slipped, self.now.t)
 
     def step(self, reference: Array, disturbance: Callable[[float], Disturbance]) -> list[float]:
         """One of the controller's periods towards the state `reference` (6,), under `disturbance(t)` for each step of
@@ -85,7 +87,7 @@ class Stepper:
             "body": {"kind": spec.kind, "real": spec.real, "period": spec.period, "limit": finite(spec.limit)},
             "controller": {**controller.to_json(), "hash": controller_hash(controller)},
             "scenario": scenario,
-            "outcome": RunOutcome(fell, min(self.stopped, self.now.t)).to_json(),
+            "outcome": RunOutcome(fell, min(self.stopped, self.now.t), self.slipped).to_json(),
             "versions": dict(_versions()),
         }
         channels = {signal.name: table[:, i] for i, signal in enumerate(self.signals)}

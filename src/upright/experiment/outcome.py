@@ -19,17 +19,21 @@ PUSHED = "--push hold:0.1,until=1"
 @dataclass(frozen=True)
 class RunOutcome:
     """Whether the robot `fell`, and after how many `seconds`; else these are those of the run. `fell` is None where
-    nobody knows."""
+    nobody knows. At `slipped` [s] a motor of a speed drive first lacked the torque for its speed, never where infinite.
+    """
 
     fell: bool | None
     seconds: float
+    slipped: float = math.inf
 
     def __str__(self) -> str:
         words = {True: "fell at", False: "stood for", None: "recorded for"}
-        return f"{words[self.fell]} {self.seconds:.4g} s"
+        lost = f", motors slipped at {self.slipped:.4g} s" if math.isfinite(self.slipped) else ""
+        return f"{words[self.fell]} {self.seconds:.4g} s{lost}"
 
     def to_json(self) -> dict[str, Any]:
-        return {"fell": self.fell, "seconds": self.seconds}
+        lost = {"slipped": self.slipped} if math.isfinite(self.slipped) else {}
+        return {"fell": self.fell, "seconds": self.seconds, **lost}
 
 
 def outcome_of(log: Log) -> RunOutcome:
@@ -40,7 +44,8 @@ def outcome_of(log: Log) -> RunOutcome:
     """
     recorded: Any = log.origin.get("outcome")
     if isinstance(recorded, Mapping) and isinstance(recorded.get("fell"), bool):
-        return RunOutcome(recorded["fell"], float(recorded.get("seconds", log.t[-1])))
+        seconds = float(recorded.get("seconds", log.t[-1]))
+        return RunOutcome(recorded["fell"], seconds, float(recorded.get("slipped", math.inf)))
     pitch = next((log[name] for name in ("truth/pitch", "estimate/pitch") if name in log), np.empty(0))
     upright = np.flatnonzero(np.abs(pitch) < FALLEN / 2)
     lying = np.flatnonzero(np.abs(pitch) > FALLEN)

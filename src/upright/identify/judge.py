@@ -27,6 +27,8 @@ from upright.identify.prediction import ADDED, BIAS_WALK, MOTOR
 from upright.identify.samples import Samples
 from upright.physics.linear import LinearModel, delay_line
 from upright.robots import PARAMETERS, Kit, Robot
+from upright.robots.drives import SPEED_DRIVE
+from upright.robots.facts import recorded
 from upright.signals import STATE_NAMES
 
 HELD, UNTIL, SECONDS = 0.05, 1.0, 8.0
@@ -70,8 +72,8 @@ def judge_of(samples: Samples, calibration: Calibration | None = None) -> Judge:
     """The judge of models of this log: its twin, else the calibrated robot, else the one that was named."""
     origin = samples.log.origin.get("robot", {})
     body = str(samples.log.origin.get("body", {}).get("kind", ""))
-    if set(PARAMETERS) <= set(origin) and body:
-        robot = Robot(name=origin["name"], drive=origin["drive"], **{name: origin[name] for name in PARAMETERS})
+    if set(PARAMETERS) - set(SPEED_DRIVE) <= set(origin) and body:
+        robot = Robot(name=origin["name"], drive=origin["drive"], **recorded(origin))
         kind = "twin" if body.startswith("twin") else "nonlinear"
         return Judge(robot, samples.kit, kind, f"the {body.split(' with ', maxsplit=1)[0]} that made the log", True)
     if calibration is not None:

@@ -32,7 +32,7 @@ _TAILS = {"parameters": (len(NAMES),), "start": (6,), "pushes": (-1, 4), "slope"
 class FleetBatch:
     """n robots under any controller. Every array has n rows, or one that all robots share.
 
-    `parameters` (·, 21) in the order and units of `robots.robot.PARAMETERS` (see `parameters_of`); `controller` is
+    `parameters` (·, 25) in the order and units of `robots.robot.PARAMETERS` (see `parameters_of`); `controller` is
     one for all or a sequence of n, and `laws` what they compute. One that no law describes is `called` in Python, for
     one robot after another and a hundred times as slowly, as is one that is given as `called` in the law's place.
     `start` (·, 6) is the state at t = 0;
@@ -120,7 +120,7 @@ def idle(spec: ControllerSpec) -> LinearController:
 
 
 def parameters_of(robots: Robot | Iterable[Robot], changes: Mapping[str, ArrayLike] | None = None) -> Array:
-    """Parameters (n, 21) of one robot or several, with some columns replaced: {"com_height": (n,), …}.
+    """Parameters (n, 25) of one robot or several, with some columns replaced: {"com_height": (n,), …}.
 
     Only the robots are checked to be possible, not the changes. Raises `InvalidRobot` for an unknown name.
     """

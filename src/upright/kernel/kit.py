@@ -17,6 +17,7 @@ from upright.errors import InvalidScenario, SpecMismatch, UnknownName
 from upright.kernel.batch import FleetBatch
 from upright.kernel.rows import FUSED, PLAIN, SENSOR_SIZE, SLACK, SWUNG
 from upright.robots import Kit, Sensor
+from upright.robots.drives import drive_of
 
 BARE = Kit(name="bare")
 READ = KINDS[:-1]
@@ -56,7 +57,7 @@ def kit_tables(batch: FleetBatch, stride: int) -> KitTables:
     voltage = controller.command_unit == "V"
     if batch.kit is None and not batch.kit_changes and not any(name.startswith("sensor/") for name in controller.reads):
         return _bare(voltage)
-    kit.check_drive("voltage" if voltage else "torque")
+    kit.check_drive(drive_of(controller.command_unit))
     numbers = _Numbers(kit, batch.kit_changes)
     ideal = {"battery.voltage": math.inf, "battery.sag": 0.0, "motor.drop": 0.0}
     motor = _stack([numbers[n] if voltage or n not in ideal else np.array([ideal[n]]) for n in _MOTOR])

@@ -36,7 +36,7 @@ CALLED = 128
 
 _PARTS = 8  # pieces for each thread: where robots fall early, their thread takes another piece
 
-VARIANTS = ("smooth", "coulomb", "rolling", "slope", "coulomb_slope", "rolling_slope")
+VARIANTS = ("smooth", "coulomb", "rolling", "speed", "slope", "coulomb_slope", "rolling_slope", "speed_slope")
 
 
 def simulate(
@@ -95,8 +95,9 @@ def _pieces(batch: FleetBatch, workers: int) -> list[Piece]:
 
 def _terms(batch: FleetBatch) -> Whole:
     """The number in `VARIANTS` (·,) of the terms that the equations of each robot have."""
-    slips, rolls = (batch.parameters[:, NAMES.index(f"{name}_friction")] != 0 for name in ("coulomb", "rolling"))
-    return np.where(rolls, 2, slips) + 3 * (batch.slope[:, 0] != 0)
+    names = ("coulomb_friction", "rolling_friction", "speed_lag")
+    slips, rolls, speeds = (batch.parameters[:, NAMES.index(name)] != 0 for name in names)
+    return np.where(speeds, 3, np.where(rolls, 2, slips)) + 4 * (batch.slope[:, 0] != 0)
 
 
 def undivided(batch: FleetBatch) -> Piece:

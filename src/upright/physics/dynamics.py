@@ -8,6 +8,8 @@ floor's normal, θ mean wheel angle from the same line, φ yaw anticlockwise. Wi
     a12 θ̈ + a22 ψ̈ = Q_ψ        a22 = M L² + J_ψ + 2 n² J_m
             a33 φ̈ = Q_φ        a33 = m W²/2 + J_yaw(ψ) + W²/(2R²) (J_w + n² J_m) + M L² sin² ψ
 
+A drive by wheel speed gives the torques under which each wheel turns against the body as commanded (`held_at_speed`).
+
 `complete` (the default) adds to the published model what rolling without slip demands (the constraint is
 non-holonomic) and the body's roll inertia. Every function is generic over the maths namespace `xp`, which gives
 `sin`, `cos` and `sqrt` (`math`, `numpy`, `sympy`, a tracer), and over what the parameters `p` are: any
@@ -78,10 +80,39 @@ def yaw_swing(p: Any, model: str) -> Any:
     return point_mass + p.roll_inertia - p.yaw_inertia if model == "complete" else point_mass
 
 
+def drives_speed(p: Any) -> bool:
+    """Whether the command is the wheels' speed; of arrays of robots whether it is that of any."""
+    lag = p.speed_lag
+    return bool(lag.any() if hasattr(lag, "any") else lag)
+
+
 def accelerations(
     x: Sequence[Any], u: Sequence[Any], p: Any, w: Disturbance = CALM, xp: Any = math, model: str = "complete"
 ) -> tuple[Any, Any, Any]:
     """ψ̈, θ̈, φ̈ [rad/s²] at state `x` under command `u` and disturbance `w`."""
+    if not drives_speed(p):
+        return driven_by_torque(x, u, p, w, xp, model)
+    return held_at_speed(u, *_unpowered(x, p, w, xp, model), p, xp)
+
+
+def slips(x: Sequence[Any], u: Sequence[Any], p: Any, w: Disturbance = CALM, model: str = "complete") -> bool:
+    """Whether a motor of a speed drive lacks the torque for the speed that is commanded of it."""
+    needed = holding_torques(u, *_unpowered(x, p, w, math, model), p, math)
+    return max(map(abs, needed)) > p.slip_torque
+
+
+def _unpowered(x: Sequence[Any], p: Any, w: Disturbance, xp: Any, model: str) -> tuple[Any, Any, Any, Any]:
+    """What `held_at_speed` begins with: the wheels' rates against the body, accelerations, inertias, W/(2R)."""
+    half_track = turn_ratio(p)
+    rates = x[3] - half_track * x[5] - x[1], x[3] + half_track * x[5] - x[1]
+    free = driven_by_torque(x, (0.0, 0.0), p, w, xp, model)
+    return rates, free, mass_matrix(xp.cos(x[0]), xp.sin(x[0]), p, model), half_track
+
+
+def driven_by_torque(
+    x: Sequence[Any], u: Sequence[Any], p: Any, w: Disturbance = CALM, xp: Any = math, model: str = "complete"
+) -> tuple[Any, Any, Any]:
+    """The `accelerations` where the command gives the motors' torques."""
     pitch, pitch_rate, _, wheel_rate, yaw, yaw_rate = x
     cos, sin = xp.cos(pitch), xp.sin(pitch)
     a11, a12, a22, a33 = mass_matrix(cos, sin, p, model)
@@ -121,6 +152,64 @@ def accelerations(
     pitch_acc = (a11 * pitch_force - a12 * wheel_force) / determinant
     wheel_acc = (a22 * wheel_force - a12 * pitch_force) / determinant
     return pitch_acc, wheel_acc, yaw_force / a33
+
+
+def held_at_speed(
+    u: Sequence[Any],
+    rates: Sequence[Any],
+    free: Sequence[Any],
+    inertias: Sequence[Any],
+    half_track: Any,
+    p: Any,
+    xp: Any,
+) -> tuple[Any, Any, Any]:
+    """The accelerations where motors turn the wheels at `u` against the body, until they slip.
+
+    `rates` are those that the wheels have, `free` the accelerations without motors, `half_track` W/(2R).
+    """
+    pitch_acc, wheel_acc, yaw_acc = free
+    a11, a12, a22, a33 = inertias
+    needed = holding_torques(u, rates, free, inertias, half_track, p, xp)
+    left, right = (within(torque, p.slip_torque, xp) for torque in needed)
+    both = (left + right) / (a11 * a22 - a12**2)
+    return (
+        pitch_acc - (a11 + a12) * both,
+        wheel_acc + (a12 + a22) * both,
+        yaw_acc + half_track * (right - left) / a33,
+    )
+
+
+def holding_torques(
+    u: Sequence[Any],
+    rates: Sequence[Any],
+    free: Sequence[Any],
+    inertias: Sequence[Any],
+    half_track: Any,
+    p: Any,
+    xp: Any,
+) -> tuple[Any, Any]:
+    """Torque on each wheel [N m] that gives it, against the body, the acceleration δ̈ = (u − δ̇)/T_v within ±α_max.
+
+    Both torques together change δ̈ = θ̈ − ψ̈ by (a11 + 2 a12 + a22)/(a11 a22 − a12²) for each N m, their difference
+    changes φ̈ by W/(2R a33). Arguments as in `held_at_speed`.
+    """
+    pitch_acc, wheel_acc, yaw_acc = free
+    a11, a12, a22, a33 = inertias
+    left, right = (
+        within((speed - rate) * (1 / p.speed_lag), p.acceleration_limit, xp)
+        for speed, rate in zip(u, rates, strict=True)
+    )
+    missing = (left + right) * 0.5 - (wheel_acc - pitch_acc)
+    both = missing * (a11 * a22 - a12**2) / (a11 + 2 * a12 + a22)
+    turning = ((right - left) * (0.5 / half_track) - yaw_acc) * a33 * (1 / half_track)
+    return (both - turning) * 0.5, (both + turning) * 0.5
+
+
+def within(value: Any, most: Any, xp: Any) -> Any:
+    """`value` between −most and most: over the larger of 1 and |value|/most. Roots give |…|, since every namespace has
+    them and complex steps pass them."""
+    over = xp.sqrt(value**2) * (1 / most)
+    return value * 2 / (1 + over + xp.sqrt((over - 1) ** 2))
 
 
 def derivative(

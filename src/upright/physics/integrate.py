@@ -23,6 +23,9 @@ SHORTEST = 2e-6
 """[s] Shortest step of `rk4_step`: 500 of them in a millisecond, where a robot of usual numbers takes one to thirty."""
 
 
+_ROUNDING = 1e-6  # of a pole: what an eigenvalue is off by is no reason for another step
+
+
 def substeps(
     period: float, fastest: float, limit: float = SIMULATED, *, numbers: Mapping[str, float] | None = None
 ) -> int:
@@ -37,7 +40,7 @@ def substeps(
             f"a pole of {fastest:.2g} 1/s needs {fastest * period / limit:.3g} steps in a period of {period:g} s",
             expected=f"at most {period / SHORTEST:.3g}", hint=f"check {cause}",
         )  # fmt: skip
-    return max(1, math.ceil(fastest * period / limit))
+    return max(1, math.ceil(fastest * period / limit * (1 - _ROUNDING)))
 
 
 def rk4_step(f: Derivative, x: Sequence[Any], h: float) -> tuple[Any, ...]:

@@ -7,7 +7,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from upright.plotting import number
-from upright.robots import PARAMETERS, Kit, Robot
+from upright.robots import Kit, Robot
+from upright.robots.facts import recorded
 from upright.robots.kit import Battery, Motor
 
 
@@ -17,7 +18,7 @@ def robot_of(origin: Mapping[str, Any]) -> tuple[Robot, Kit] | None:
     numbers = origin.get("robot", {})
     if not kit or not isinstance(kit, Mapping):
         return None
-    robot = Robot(name=numbers["name"], drive=numbers["drive"], **{n: numbers[n] for n in PARAMETERS})
+    robot = Robot(name=numbers["name"], drive=numbers["drive"], **recorded(numbers))
     return robot, Kit(name=kit["name"], motor=Motor(**kit["motor"]), battery=Battery(**kit["battery"]),
                       delay=kit["delay"])  # fmt: skip
 

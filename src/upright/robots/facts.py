@@ -7,8 +7,9 @@ from dataclasses import asdict
 from typing import Any
 
 from upright.atomic import finite
+from upright.robots.drives import SPEED_DRIVE
 from upright.robots.kit import Kit
-from upright.robots.robot import Robot
+from upright.robots.robot import PARAMETERS, Robot
 
 Facts = Mapping[str, float | str | None]
 
@@ -22,7 +23,17 @@ MOST_VALUES = 6
 def robot_facts(robot: Robot) -> Facts:
     """Every physical parameter of a robot, its drive, and the conditions that its file states; its name, sources and
     spreads decide nothing."""
-    return {"drive": robot.drive, **robot.numbers(), **robot.conditions.facts()}
+    unused = () if robot.drive == "speed" else SPEED_DRIVE  # other drives' certificates may be older than these
+    numbers = {name: value for name, value in robot.numbers().items() if name not in unused}
+    return {"drive": robot.drive, **numbers, **robot.conditions.facts()}
+
+
+def recorded(origin: Mapping[str, Any]) -> dict[str, Any]:
+    """The numbers of a robot in a log's origin; old ones lack those of a speed drive, which had none then.
+
+    Raises `KeyError` for another that is missing.
+    """
+    return {name: origin[name] for name in PARAMETERS if name in origin or name not in SPEED_DRIVE}
 
 
 def kit_facts(kit: Kit) -> Facts:

@@ -9,12 +9,15 @@ from pathlib import Path
 
 from upright.errors import InvalidRobot, SpecMismatch
 from upright.robots import toml
+from upright.robots.drives import COMMAND_UNITS
 from upright.robots.toml import quantity
 from upright.robots.wiring import BoardWiring
 from upright.signals.signal import FUSED, SENSORS
 
 PRESETS = "kits"
 _CHANNELS = {signal.name.removeprefix("sensor/"): signal for signal in (*SENSORS, *FUSED)}
+_COMMAND = " or ".join(COMMAND_UNITS.values())
+"""Unit of a command, by the drive that the kit serves."""
 
 LONGEST_DELAY = 1.0
 """[s] of a dead time, a jitter or a sensor's period: what comes a second late balances nothing."""
@@ -83,9 +86,9 @@ class Sensor:
 class Motor:
     """What a motor and its driver do to a command, besides the physics in `Robot`."""
 
-    limit: float = quantity("V or N m", math.inf, "largest command that the driver gives")
-    dead_zone: float = quantity("V or N m", 0.0, "commands up to this size do nothing")
-    quantum: float = quantity("V or N m", 0.0, "step between two commands")
+    limit: float = quantity(_COMMAND, math.inf, "largest command that the driver gives")
+    dead_zone: float = quantity(_COMMAND, 0.0, "commands up to this size do nothing")
+    quantum: float = quantity(_COMMAND, 0.0, "step between two commands")
     drop: float = quantity("V", 0.0, "what the driver keeps of each command, as bridges of bipolar transistors do")
     backlash: float = quantity("rad", 0.0, "play between wheel and encoder")
     left: float = quantity("1", 1.0, "part of a command that the left motor turns into torque")
@@ -121,7 +124,8 @@ class Kit:
 
     `period` [s] is the loop period that the kit is meant for. `delay` [s] is the dead time from a command to the motor,
     and `jitter` [s] the width of its uniform random addition. A channel that is not in `sensors` does not exist on this
-    kit. `drive` is "voltage" or "torque" where the motor's numbers are for one of them, "" where the kit suits both.
+    kit. `drive` is "voltage", "torque" or "speed" where the motor's numbers are for one of them, "" where the kit suits
+    all.
     `wiring` is for generated sketches alone: it changes nothing of what is simulated.
     """
 
@@ -137,10 +141,11 @@ class Kit:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "name", toml.checked_name(self.name, "kit"))
-        if self.drive not in ("", "voltage", "torque"):
-            raise InvalidRobot(f"kit '{self.name}': drive is '{self.drive}'", expected="'voltage', 'torque' or nothing")
-        if self.drive == "torque" and self.motor.drop:
-            raise InvalidRobot(f"kit '{self.name}': motor.drop is {self.motor.drop:g} V with a torque drive",
+        if self.drive not in ("", *COMMAND_UNITS):
+            expected = f"{', '.join(map(repr, COMMAND_UNITS))} or nothing"
+            raise InvalidRobot(f"kit '{self.name}': drive is '{self.drive}'", expected=expected)
+        if self.drive not in ("", "voltage") and self.motor.drop:
+            raise InvalidRobot(f"kit '{self.name}': motor.drop is {self.motor.drop:g} V with a {self.drive} drive",
                                expected="no drop, which only a voltage drive has")  # fmt: skip
         _check_size("kit delay", self.delay)
         _check_size("kit jitter", self.jitter)
@@ -148,7 +153,7 @@ class Kit:
             raise InvalidRobot(f"kit period is {self.period:g} s", expected="between 0 and 1 s", likely="milliseconds")
 
     def check_drive(self, drive: str) -> None:
-        """Raise `SpecMismatch` for a robot whose motors are driven by something else: "voltage" or "torque"."""
+        """Raise `SpecMismatch` for a robot whose motors are driven by something else: a key of `COMMAND_UNITS`."""
         if self.drive and self.drive != drive:
             raise SpecMismatch(f"kit '{self.name}' drives by {self.drive}", expected=f"{drive}, as the robot")
         if self.motor.drop and drive != "voltage":
@@ -156,7 +161,7 @@ class Kit:
                                hint="a kit without motor.drop")  # fmt: skip
 
     def most(self, unit: str) -> float:
-        """The largest command in this `unit` that the motors get, "V" or "N m": the driver's limit, or the battery."""
+        """The largest command in this `unit` that the motors get: the driver's limit or, in volts, the battery's."""
         return min(self.motor.limit, self.battery.voltage if unit == "V" else math.inf)
 
     @classmethod

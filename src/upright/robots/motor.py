@@ -20,7 +20,7 @@ def makes_energy(robot: Robot) -> str:
     would not. In SI units a torque constant is its back-EMF's at most, both on one side of the gear."""
     n, torque, emf = robot.gear_ratio, robot.torque_constant, robot.back_emf
     gear, turning, induced = (deviations(robot).get(k, 0.0) for k in ("gear_ratio", "torque_constant", "back_emf"))
-    if robot.drive == "torque" or n * torque - emf <= 3 * math.hypot(gear * torque, n * turning, induced):
+    if robot.drive != "voltage" or n * torque - emf <= 3 * math.hypot(gear * torque, n * turning, induced):
         return ""
     return (
         f"{robot.name} has a motor that makes energy: gear_ratio · torque_constant is {n * torque:.3g} N m/A, above "

@@ -16,6 +16,7 @@ from upright.atomic import write_text
 from upright.errors import InvalidRobot
 from upright.reading import read_json, understood
 from upright.robots import toml
+from upright.robots.drives import COMMAND_UNITS, UNUSED
 from upright.robots.kit import Kit, kit_of
 from upright.robots.sections import Conditions, FittedLog, TunedWeights, sections
 from upright.robots.toml import Provenance
@@ -35,7 +36,8 @@ class Robot:
     `pitch_inertia`, `yaw_inertia` and `roll_inertia` are those of the body about its centre of mass. The yaw and
     roll inertias include the two wheels' small inertias about their own diameters. With `drive="torque"`
     the command is each motor's torque [N m], of which `gear_ratio` times acts on its wheel, and the electrical
-    parameters are not used.
+    parameters are not used. With `drive="speed"` it is the speed of each wheel against the body [rad/s], which the
+    drive follows within `speed_lag`, at most at `acceleration_limit` and with `slip_torque` on the wheel.
     `coulomb_friction` acts between body and wheel, `rolling_friction` between wheel and floor; both are those of one
     wheel, smoothed over `stiction_rate`. `correlation` holds the correlation of the errors of pairs of parameters
     [−1 to 1], as a calibration estimates them. `kit` is the name of a kit or its file, or the kit itself, with the
@@ -70,6 +72,9 @@ class Robot:
     gravity: float = _number("m/s²", "g", 9.81)
     body_depth: float = _number("m", "D", 0.05)
     body_height: float = _number("m", "H", 0.15)
+    speed_lag: float = _number("s", "T_v", 0.0)
+    acceleration_limit: float = _number("rad/s²", "α_max", 1e6)
+    slip_torque: float = _number("N m", "τ_max", 1e6)
     title: str = field(default="", compare=False)
     drive: str = "voltage"
     kit: str | Kit = field(default="ideal", hash=False)
@@ -141,8 +146,8 @@ class Robot:
 
     @property
     def command_unit(self) -> str:
-        """Unit of the two commands: 'V', or 'N m' for a torque drive."""
-        return "V" if self.drive == "voltage" else "N m"
+        """Unit of the two commands, by the drive: 'V', 'N m' or 'rad/s'."""
+        return COMMAND_UNITS[self.drive]
 
     def __repr__(self) -> str:
         mass = self.body_mass + 2 * self.wheel_mass
@@ -180,8 +185,8 @@ PARAMETERS: dict[str, tuple[str, str]] = {
 """Field name → (unit, symbol) of every physical parameter, in order."""
 
 _SECTIONS = sections(PARAMETERS)
-_ELECTRICAL = ("motor_resistance", "torque_constant", "back_emf")
-MAY_BE_ZERO = ("rotor_inertia", "back_emf", "motor_friction", "wheel_friction", "coulomb_friction", "rolling_friction")
+_LOSSES = ("motor_friction", "wheel_friction", "coulomb_friction", "rolling_friction")
+MAY_BE_ZERO = ("rotor_inertia", "back_emf", *_LOSSES, "speed_lag")
 _LARGEST = 3.0  # [m] no balancing robot is larger
 LEAST, _MOST = 1e-12, 1e6  # every number that is not zero, in SI units: products of them neither vanish nor overflow
 _UNUSUAL = 30.0  # times beyond those of the shipped robots, a number is worth a look
@@ -300,18 +305,26 @@ def _not_rigid(robot: Robot) -> InvalidRobot:
     )
 
 
-def _unelectric(p: Any) -> Any:
-    return p.drive == "voltage" or (
-        (p.motor_resistance == 1) & (p.torque_constant == 1) & (p.back_emf == 0)
-    )  # fmt: skip
+def _own_numbers(p: Any) -> Any:
+    """No number of another drive."""
+    return functools.reduce(operator.and_, (getattr(p, name) == getattr(Robot, name) for name in UNUSED[p.drive]))
 
 
-def _electric(robot: Robot) -> InvalidRobot:
-    electrical = tuple(getattr(robot, name) for name in _ELECTRICAL)
+def _of_another_drive(robot: Robot) -> InvalidRobot:
+    names = [name for name in UNUSED[robot.drive] if getattr(robot, name) != getattr(Robot, name)]
+    numbers = ", ".join(f"{name} = {getattr(robot, name):g}" for name in names)
+    hint = f"leave {' and '.join(names)} out, or set another drive"
+    return InvalidRobot(f"{robot.name}: a {robot.drive} drive with {numbers}", expected="none of these", hint=hint)
+
+
+def _lags(p: Any) -> Any:
+    return (p.speed_lag > 0) | (p.drive != "speed")
+
+
+def _without_lag(robot: Robot) -> InvalidRobot:
     return InvalidRobot(
-        f"{robot.name}: a torque drive with electrical numbers (R_m, K_t, K_b) = {electrical}",
-        expected="none, since the command is the torque itself",
-        hint='leave motor_resistance, torque_constant and back_emf out, or set drive = "voltage"',
+        f"{robot.name}: a speed drive without speed_lag",
+        expected="the time [s] in which a wheel takes up its speed: 0.002 of a stepper, 0.02 of a wheel with encoder",
     )
 
 
@@ -329,7 +342,8 @@ def _hangs(robot: Robot) -> InvalidRobot:
 
 _RULES = (
     *(_sign(name) for name in PARAMETERS if name != "com_height"),
-    _Rule(_unelectric, _electric),
+    _Rule(_own_numbers, _of_another_drive),
+    _Rule(_lags, _without_lag),
     *(_size(name) for name in ("wheel_radius", "track", "com_height")),
     _Rule(_triangle, _not_rigid),
     _Rule(_stands, _hangs),
@@ -342,8 +356,8 @@ def _check_numbers(robot: Robot) -> None:
         if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
             raise InvalidRobot(f"{robot.name}: {name} is {value!r}", expected=f"a finite number [{unit}]")
         object.__setattr__(robot, name, float(value))
-    if robot.drive not in ("voltage", "torque"):
-        raise InvalidRobot(f"{robot.name}: drive is '{robot.drive}'", expected="'voltage' or 'torque'")
+    if robot.drive not in COMMAND_UNITS:
+        raise InvalidRobot(f"{robot.name}: drive is '{robot.drive}'", expected=" or ".join(map(repr, COMMAND_UNITS)))
     if isinstance(robot.kit, Kit):
         robot.kit.check_drive(robot.drive)
 

@@ -82,7 +82,7 @@ def is_path(name_or_path: str | Path) -> bool:
 
 
 def quantity(unit: str, default: float | None = None, meaning: str = "", *, only: str = "", symbol: str = "") -> Any:
-    """A field of a part, whose number a file states as a table in this `unit`, or in the other one of "V or N m".
+    """A field of a part, whose number a file states as a table in this `unit`, or in another one of "V or N m".
 
     A number without `default` is required. "{}" in the unit is that of the sensor's channel, and `only` the one sensor
     that has this number. `meaning` says what the number is, and is written above it in a file for its owner.
