@@ -21,7 +21,6 @@ import harness
 import numpy as np
 
 from upright.bodies import Electronics, NonlinearBody
-from upright.certify.loop import Loop, robot_loop
 from upright.compiled.print_c import CPrinter
 from upright.compiled.program import Kind
 from upright.control import make_controller
@@ -31,6 +30,7 @@ from upright.errors import UprightError
 from upright.experiment import Push, run
 from upright.kernel.batch import FleetBatch, parameters_of
 from upright.kernel.simulate import simulate
+from upright.loops.loop import Loop, robot_loop
 from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot, preset_names
 from upright.signals import STATE_NAMES

@@ -22,14 +22,18 @@ from conftest import PATIENCE
 CHECKOUT = Path(__file__).resolve().parents[1]
 SOURCE = CHECKOUT / "src" / "upright"
 
-ROOMS = (
-    "arrays", "errors", "interrupts", "atomic", "progress", "reading", "language", "tables", "decimate", "plotting",
-    "plugins",
-    "signals", "robots",
-    "physics", "compiled", "links", "bodies", "control", "logs", "doctor", "experiment", "kernel", "calibrate", "fleet",
-    "gym", "firmware", "bricks", "parity", "excite", "identify", "validate", "certify", "tune", "diagnose", "flight",
-    "comparison", "report", "paper", "lab", "classwork", "cli", "__main__",
-)  # fmt: skip
+WINGS = {
+    "base": ("arrays", "errors", "interrupts", "atomic", "progress", "reading", "language", "tables", "decimate",
+             "plotting", "plugins"),
+    "description": ("signals", "robots"),
+    "model": ("physics", "compiled", "bodies", "control", "loops"),
+    "simulation": ("experiment", "kernel", "fleet", "gym"),
+    "inference": ("logs", "doctor", "calibrate", "excite", "identify", "validate", "diagnose"),
+    "decision": ("certify", "tune"),
+    "hardware": ("links", "firmware", "bricks", "parity", "flight"),
+    "presentation": ("comparison", "report", "paper", "lab", "classwork", "cli", "__main__"),
+}  # fmt: skip
+ROOMS = tuple(name for wing in WINGS.values() for name in wing)
 """From the ground up."""
 
 STRANGERS = {("control", "bodies")}
@@ -146,8 +150,14 @@ def test_every_folder_is_a_known_room() -> None:
 
 
 def test_the_page_of_the_house_shows_every_room_in_order() -> None:
-    rows = re.findall(r"^\| (`.*?) \|", (CHECKOUT / "docs" / "architecture.md").read_text("utf-8"), re.MULTILINE)
-    assert tuple(name.rstrip("/") for row in rows for name in re.findall(r"`(.*?)`", row)) == ROOMS
+    shown: dict[str, tuple[str, ...]] = {}
+    text = (CHECKOUT / "docs" / "architecture.md").read_text("utf-8")
+    for wing, rooms in re.findall(r"^\| (?:\*\*(.*?)\*\*|(`.*?)) \|", text, re.MULTILINE):
+        if wing:
+            shown[wing] = ()
+        else:
+            shown[[*shown][-1]] += tuple(name.rstrip("/") for name in re.findall(r"`(.*?)`", rooms))
+    assert list(shown.items()) == list(WINGS.items())
 
 
 def test_the_page_of_the_house_gives_every_command_a_room() -> None:

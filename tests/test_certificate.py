@@ -14,10 +14,8 @@ import pytest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.certify.agreement import AMBER, RED
-from upright.certify.analysis import analyse
 from upright.certify.certificate import VERSION, Certificate, certify, read_certificate
 from upright.certify.checks import PushTrial, TrialSetup, kernel_controller, trials
-from upright.certify.loop import robot_loop
 from upright.certify.pushes import RELEASE, standard_pushes
 from upright.certify.recovery import means, recoverable
 from upright.certify.support import Support
@@ -29,6 +27,8 @@ from upright.errors import InvalidController, InvalidScenario, SpecMismatch
 from upright.experiment import run
 from upright.fleet.binomial import upper_bound
 from upright.kernel.batch import parameters_of
+from upright.loops.analysis import analyse
+from upright.loops.loop import robot_loop
 from upright.report.certificate import page_of
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import Uncertainty, deviations

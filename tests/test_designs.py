@@ -13,7 +13,6 @@ from scipy.linalg import solve_continuous_are, solve_discrete_are
 
 from upright.bodies import Electronics, LinearBody, NonlinearBody
 from upright.bodies.twin import Twin
-from upright.certify import delay_margin
 from upright.cli.main import main
 from upright.control import (
     CONTROLLERS,
@@ -44,6 +43,7 @@ from upright.control.robust import robust
 from upright.control.standup import Lift, StandUpController, lift
 from upright.errors import DesignFailed, InvalidController, SpecMismatch, UprightError
 from upright.experiment import Drive, Hold, Impulse, Turn, run
+from upright.loops.loop import delay_margin
 from upright.physics.dynamics import accelerations
 from upright.physics.linear import linearise, rolling
 from upright.robots import Kit, Robot, Sensor, preset_names

@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from upright.certify import Loop, nu_gap, stability_margin
-from upright.certify.gap import graph
 from upright.errors import DesignFailed, InvalidModel
+from upright.loops.gap import graph, nu_gap, stability_margin
+from upright.loops.loop import Loop
 from upright.physics.linear import LinearModel
 
 control = pytest.importorskip("control")

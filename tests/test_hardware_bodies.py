@@ -12,8 +12,6 @@ import numpy as np
 import pytest
 
 from upright.bodies import BODIES, Body, Electronics, make_body
-from upright.bodies.nxt_body import NxtBody
-from upright.bodies.pybricks_body import PybricksBody
 from upright.bricks.lcp import VirtualBrick
 from upright.bricks.line import Line
 from upright.bricks.virtual_robot import virtual_flight, virtual_hub
@@ -24,6 +22,8 @@ from upright.errors import InvalidScenario, NotPermitted, SpecMismatch
 from upright.experiment import Hold, run
 from upright.links.brick import LEFT, RIGHT, BrickLost
 from upright.links.hub import HubLost
+from upright.links.nxt_body import NxtBody
+from upright.links.pybricks_body import PybricksBody
 from upright.physics.dynamics import Disturbance
 from upright.robots import Kit, Robot
 

@@ -4,12 +4,13 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
-from upright.certify import margins, robot_loop
 from upright.control.delay import sampled
 from upright.control.hinf import Expected, Hinf, hinf, hinf_norm
 from upright.control.linear_controller import LinearController
 from upright.errors import DesignFailed, SpecMismatch
 from upright.experiment import Drive, Hold, run
+from upright.loops.loop import robot_loop
+from upright.loops.margins import margins
 from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot, preset_names
 

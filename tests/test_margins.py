@@ -9,12 +9,9 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from upright.certify import Loop, analyse, delay_margin, disk_margin, margins, parameter_mu, robot_loop
 from upright.certify.checks import PushTrial
 from upright.certify.design import design
-from upright.certify.margins import broken_at, disk_gain, disk_phase, sign_changes
 from upright.certify.release import UPRIGHT, let_go
-from upright.certify.scaling import balanced, best_scaling
 from upright.certify.verdict import Examined, judge, linear_margins
 from upright.control import Controller, make_controller
 from upright.control.delay import RAW, sampled
@@ -23,6 +20,11 @@ from upright.control.lqr import lqr
 from upright.control.state_space import continuous, controller_of, discrete
 from upright.errors import InvalidModel
 from upright.lab.tasks import smallest
+from upright.loops.analysis import analyse
+from upright.loops.loop import Loop, delay_margin, robot_loop
+from upright.loops.margins import broken_at, disk_gain, disk_margin, disk_phase, margins, sign_changes
+from upright.loops.mu import parameter_mu
+from upright.loops.scaling import balanced, best_scaling
 from upright.physics.dynamics import turn_ratio
 from upright.physics.linear import LinearModel, linearise, linearise_rolling, rolling
 from upright.physics.sensing import sensor_matrix

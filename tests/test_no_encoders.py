@@ -9,10 +9,8 @@ from scipy.linalg import solve_discrete_are
 from scipy.signal import cont2discrete
 
 from upright.certify.agreement import AMBER
-from upright.certify.analysis import analyse
 from upright.certify.checks import PushTrial
 from upright.certify.design import design
-from upright.certify.loop import robot_loop
 from upright.certify.verdict import Examined, judge, linear_margins
 from upright.control import CONTROLLERS, Controller, make_controller
 from upright.control.delay import RAW, readable, sampled
@@ -26,6 +24,8 @@ from upright.control.state_space import controller_of
 from upright.control.tunable import TUNABLE
 from upright.errors import DesignFailed, SpecMismatch, UprightError
 from upright.excite.loop import ExcitedLoop
+from upright.loops.analysis import analyse
+from upright.loops.loop import robot_loop
 from upright.physics.linear import linearise_rolling
 from upright.robots import Battery, Kit, Robot, Sensor
 from upright.tune.tune import tune

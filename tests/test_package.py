@@ -20,7 +20,7 @@ from upright.tables import Listing
 VERBS = ("doctor", "calibrate", "identify", "excite", "certify", "post_mortem", "design", "fleet", "push_map", "parity",
          "reproduce", "report")  # fmt: skip
 ROOMS = {
-    "calibrate": "upright.calibrate.fitting", "certify": "upright.certify.margins", "doctor": "upright.doctor.finding",
+    "calibrate": "upright.calibrate.fitting", "certify": "upright.loops.margins", "doctor": "upright.doctor.finding",
     "excite": "upright.excite.plan",
     "fleet": "upright.fleet.vary", "identify": "upright.identify.order", "parity": "upright.parity.executor",
     "report": "upright.report.figure",

@@ -14,7 +14,6 @@ import pytest
 from interpreter import Interpreter
 from test_docs import blocks, commands
 from upright.bodies import Electronics, NonlinearBody
-from upright.certify.analysis import analyse
 from upright.certify.design import design
 from upright.cli.main import main
 from upright.control import CONTROLLERS, AnglePid, controller_hash, pid_angle, read_controller, write_controller
@@ -26,6 +25,7 @@ from upright.experiment import Push, run
 from upright.firmware import generate
 from upright.kernel.batch import FleetBatch, parameters_of
 from upright.kernel.simulate import simulate
+from upright.loops.analysis import analyse
 from upright.parity.execute_sketch import CORE, SketchExecutor
 from upright.robots import Battery, Kit, Robot, Sensor
 from upright.signals import STATE_NAMES

@@ -11,9 +11,9 @@ from matplotlib.figure import Figure
 
 from upright.calibrate.calibration import Calibration
 from upright.calibrate.estimate import VISIBLE, Estimate
-from upright.certify.analysis import Analysis, analyse
 from upright.comparison import compare
 from upright.control import lqr
+from upright.loops.analysis import Analysis, analyse
 from upright.plotting import bars, intervals, panels
 from upright.report.robot import filmstrip, labelled
 from upright.robots import Kit, Robot

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
-from upright.certify import robot_loop
 from upright.control.delay import sampled
 from upright.control.family import family, halves, plane, sides
 from upright.control.guaranteed import excess, guaranteed
@@ -16,6 +15,7 @@ from upright.control.observed import observed
 from upright.control.robust import WORTH, Costs, Robust, robust
 from upright.errors import DesignFailed
 from upright.experiment import Drive, Hold, Turn, run
+from upright.loops.loop import robot_loop
 from upright.physics.linear import linearise, rolling
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import Uncertainty, draw

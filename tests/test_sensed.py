@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, make_body
-from upright.certify.analysis import analyse
 from upright.control.delay import sampled
 from upright.control.kalman import kalman_filter
 from upright.control.lqg import lqg
 from upright.control.state_space import plant_of
+from upright.loops.analysis import analyse
 from upright.physics.linear import linearise, linearise_rolling
 from upright.physics.sensing import sensed
 from upright.robots import Kit, Robot, Sensor

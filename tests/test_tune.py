@@ -14,9 +14,7 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
-from upright.certify.analysis import analyse
 from upright.certify.checks import TrialSetup, kernel_controller
-from upright.certify.margins import margins
 from upright.certify.recovery import KNOCK_DURATION
 from upright.certify.verdict import LinearMargins, linear_margins
 from upright.control import CONTROLLERS, controller_hash, lqg, make_controller
@@ -24,6 +22,8 @@ from upright.control.files import read_controller
 from upright.control.tunable import UNITS, WIDTH
 from upright.errors import UprightError
 from upright.experiment import Impulse, outcome_of, run
+from upright.loops.analysis import analyse
+from upright.loops.margins import margins
 from upright.report import report
 from upright.robots import Robot, Sensor, find_kit
 from upright.robots.uncertainty import draw

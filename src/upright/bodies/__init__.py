@@ -1,7 +1,7 @@
 """What answers a command: models and the twin, and the electronics round any of them.
 
 `BODIES` names every body there is: a new one is one file and one line here, `my.py:Cart`, or an entry point of the
-group `upright.bodies` in another package.
+group `upright.bodies`, as the real bricks of `links` and those of other packages are.
 """
 
 from collections.abc import Callable
@@ -23,18 +23,6 @@ def _twin(robot: Robot) -> Body:
     return Twin(robot)
 
 
-def _nxt(robot: Robot) -> Body:
-    from upright.bodies.nxt_body import NxtBody
-
-    return NxtBody(robot)
-
-
-def _pybricks(robot: Robot) -> Body:
-    from upright.bodies.pybricks_body import PybricksBody
-
-    return PybricksBody(robot)
-
-
 BODIES: Registry[Callable[[Robot], Body]] = Registry(
     "body",
     "upright.bodies",
@@ -43,8 +31,6 @@ BODIES: Registry[Callable[[Robot], Body]] = Registry(
         "nonlinear": NonlinearBody,
         "published": lambda robot: NonlinearBody(robot, "published"),
         "linear": lambda robot: LinearBody(linearise_rolling(robot), robot),
-        "nxt": _nxt,
-        "pybricks": _pybricks,
     },
     lambda name, plugin: lambda robot: made(f"body {name}", Body, plugin, robot),
 )

@@ -8,7 +8,6 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
-from upright.certify.analysis import Analysis, analyse
 from upright.certify.release import Release, let_go
 from upright.control import (
     Controller,
@@ -20,6 +19,7 @@ from upright.control import (
     write_controller,
 )  # fmt: skip
 from upright.errors import InvalidController, SpecMismatch
+from upright.loops.analysis import Analysis, analyse
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import Uncertainty, at_medians
 from upright.tables import Shown

@@ -7,16 +7,16 @@ from collections.abc import Sequence
 from dataclasses import KW_ONLY, dataclass
 
 from upright.certify.agreement import AMBER, RED, Agreement, disagreements
-from upright.certify.analysis import INPUTS, ROUNDED, instability, loop_margins, unseen_in_words
 from upright.certify.checks import CONFIDENCE, MOST_CYCLE, MOST_FALLS, PushTrial, red
-from upright.certify.loop import robot_loop
-from upright.certify.margins import Margins, margins
 from upright.certify.narrowing import Guessed, Narrowing
 from upright.certify.standing import Standing
 from upright.certify.support import Support, contradictions
 from upright.control.controller import Controller
 from upright.errors import InvalidController
 from upright.fleet.binomial import upper_bound
+from upright.loops.analysis import INPUTS, ROUNDED, instability, loop_margins, unseen_in_words
+from upright.loops.loop import robot_loop
+from upright.loops.margins import Margins, margins
 from upright.robots import Kit, Robot
 
 GREEN, UNKNOWN = "green", "unknown"

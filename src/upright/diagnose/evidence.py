@@ -6,7 +6,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -319,13 +318,14 @@ def _match(
 
 
 def _stable(controller: Controller, robot: Robot, kit: Kit) -> bool | None:
-    from upright.certify.verdict import linear_margins
+    from upright.loops.analysis import ROUNDED
+    from upright.loops.loop import robot_loop
 
     try:
-        margins: Any = linear_margins(controller, robot, kit)
+        radius = abs(robot_loop(robot, controller, kit).poles()[0])
     except UprightError:
         return None
-    return None if margins is None else bool(margins.stable)
+    return bool(radius < 1 - ROUNDED)
 
 
 def _demand(log: Log, robot: Robot, most: float, end: float) -> Demand | None:

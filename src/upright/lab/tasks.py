@@ -22,8 +22,8 @@ from upright.signals import Log
 
 if TYPE_CHECKING:
     from upright.certify import Certificate
-    from upright.certify.loop import Loop
     from upright.certify.verdict import LinearMargins
+    from upright.loops.loop import Loop
 
 
 class Report(Protocol):
@@ -62,8 +62,9 @@ def design(report: Report, setup: Setup, keep: bool) -> tuple[Controller | None,
 
 def analysed(controller: Controller, robot: Robot, kit: Kit) -> Analysed:
     """Gains, margins, poles and the broken loop; only the gains where the controller is not linear."""
-    from upright.certify import margins, robot_loop
-    from upright.certify.analysis import INPUTS
+    from upright.loops.analysis import INPUTS
+    from upright.loops.loop import robot_loop
+    from upright.loops.margins import margins
 
     K = gain_of(controller)
     gain = () if K is None else tuple(tuple(row) for row in K.tolist())
@@ -85,7 +86,7 @@ def analysed(controller: Controller, robot: Robot, kit: Kit) -> Analysed:
 
 
 def _curve(loop: Loop) -> tuple[tuple[float, ...], ...]:
-    from upright.certify.analysis import INPUTS, broken_input, response_of
+    from upright.loops.analysis import INPUTS, broken_input, response_of
 
     omega, L = response_of(broken_input(loop, INPUTS["both motors"]), SHOWN_FREQUENCIES)
     return tuple(tuple(float(f"{v:.4g}") for v in row) for row in (omega, L.real, L.imag))

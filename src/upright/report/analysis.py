@@ -8,11 +8,11 @@ from collections.abc import Sequence
 import numpy as np
 
 from upright.arrays import Array
-from upright.certify.analysis import ROUNDED, Analysis
 from upright.certify.design import Designed
-from upright.certify.margins import Margins
 from upright.certify.verdict import CLOSE, PHASE, STRONG, WEAK, reached
 from upright.errors import InvalidController
+from upright.loops.analysis import ROUNDED, Analysis
+from upright.loops.margins import Margins
 from upright.plotting import AXIS, COLOURS, legend, rows_of
 from upright.report.designed import controller_section, let_go, tile
 from upright.report.figure import Figure

@@ -9,13 +9,13 @@ from dataclasses import asdict, dataclass, replace
 import numpy as np
 
 from upright.arrays import Array, Complex
-from upright.certify.analysis import INPUTS
 from upright.certify.checks import TrialSetup, kernel_controller
-from upright.certify.loop import LATEST, Loop, RobotLoop, delayed_kit, robot_loop
 from upright.certify.verdict import MOST_CYCLE, MOST_SATURATED, MOST_TRAVEL, LinearMargins
 from upright.control.controller import Controller
 from upright.control.methods import Method
 from upright.errors import UprightError
+from upright.loops.analysis import INPUTS
+from upright.loops.loop import LATEST, Loop, RobotLoop, delayed_kit, robot_loop
 from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot
 from upright.tune.figures import knock, pushed, slack

@@ -16,10 +16,10 @@ from functools import lru_cache
 import numpy as np
 
 from upright.arrays import Array, Complex
-from upright.certify.loop import Loop
-from upright.certify.margins import peak
 from upright.control.state_space import continuous
 from upright.errors import DesignFailed, InvalidModel
+from upright.loops.loop import Loop
+from upright.loops.margins import peak
 from upright.physics.linear import LinearModel
 
 GRID = 1500

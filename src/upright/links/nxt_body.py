@@ -8,8 +8,8 @@ from contextlib import suppress
 from dataclasses import dataclass
 
 from upright.bodies.body import REST, Sample, checked
-from upright.bodies.remote import STILL, Reading, as_sample, at_rest, duty, remote_spec, unpushed
 from upright.links.brick import GYRO, GYRO_KIND, LEFT, RIGHT, BrickLost, BrickRefused, Connection
+from upright.links.remote import STILL, Reading, as_sample, at_rest, duty, remote_spec, unpushed
 from upright.physics.dynamics import CALM, Disturbance
 from upright.robots import Robot
 

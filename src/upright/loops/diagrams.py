@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from upright.arrays import Array
-from upright.certify.margins import Margins
+from upright.loops.margins import Margins
 from upright.plotting import AXIS, COLOURS
 
 if TYPE_CHECKING:

@@ -17,11 +17,11 @@ from typing import Any
 import numpy as np
 
 from upright.arrays import Array, Complex
-from upright.certify.loop import RobotLoop, robot_loop
-from upright.certify.margins import SLOWEST
-from upright.certify.scaling import Block, Scaling, balanced, best_scaling
 from upright.control.controller import Controller
 from upright.errors import InvalidModel, InvalidRobot
+from upright.loops.loop import RobotLoop, robot_loop
+from upright.loops.margins import SLOWEST
+from upright.loops.scaling import Block, Scaling, balanced, best_scaling
 from upright.physics.interconnect import lft
 from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot

@@ -10,9 +10,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from upright.arrays import Array, Complex
-from upright.certify.gap import nu_gap, stability_margin
-from upright.certify.loop import LATEST, Loop, RobotLoop, robot_loop
-from upright.certify.margins import (
+from upright.control.controller import Controller, controller_hash
+from upright.control.lqr import LARGEST_COMMAND
+from upright.loops.gap import nu_gap, stability_margin
+from upright.loops.loop import LATEST, Loop, RobotLoop, robot_loop
+from upright.loops.margins import (
     Margins,
     ScalarResponse,
     broken_at,
@@ -22,9 +24,7 @@ from upright.certify.margins import (
     frequencies,
     margins,
 )
-from upright.certify.mu import Mu, parameter_mu
-from upright.control.controller import Controller, controller_hash
-from upright.control.lqr import LARGEST_COMMAND
+from upright.loops.mu import Mu, parameter_mu
 from upright.physics.dynamics import motor_gain
 from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot
@@ -122,7 +122,7 @@ class Analysis(Shown):
 
     def plot(self, channel: str = "both motors") -> Figure:
         """Bode diagram of the loop broken at `channel`, one of the margins, with its gain and phase margins."""
-        from upright.certify.diagrams import mark_margins
+        from upright.loops.diagrams import mark_margins
         from upright.plotting import AXIS, legend, line, numbered, panels
 
         omega, response = response_of(self._broken(channel))

@@ -11,8 +11,8 @@ from pathlib import Path
 
 from upright.atomic import TemporaryFolder, write_text
 from upright.bodies.body import REST, Sample, checked
-from upright.bodies.remote import STILL, Reading, as_sample, at_rest, duty, remote_spec, unpushed
 from upright.links.hub import HubLink, HubLost, HubRefused, Peripheral, linked
+from upright.links.remote import STILL, Reading, as_sample, at_rest, duty, remote_spec, unpushed
 from upright.physics.dynamics import CALM, Disturbance
 from upright.robots import Robot
 
@@ -81,7 +81,7 @@ class PybricksBody:
         hub = await self._stack.enter_async_context(linked(self._port))
         with TemporaryFolder() as folder:
             source = Path(folder) / "remote.py"
-            text = self._program or (files("upright.bodies") / "remote.micropython")
+            text = self._program or (files("upright.links") / "remote.micropython")
             write_text(source, text.read_text(encoding="utf-8"))
             if hub.running:
                 await self._ended(hub)
