@@ -90,7 +90,7 @@ def test_the_documented_controller_is_found_and_balances(tmp_path):
         log = run(Electronics(make_body("nonlinear", NXT), KIT), controller, seconds=3.0, start=(0.05, 0, 0, 0, 0, 0))
         assert not log.origin["outcome"]["fell"]
         assert controller.spec.kind == "quiet"  # and not the lqg inside
-        with pytest.raises(InvalidController, match=r"a Quiet is no fixed sum.*try: upright certify"):
+        with pytest.raises(InvalidController, match=r"a Quiet is no fixed sum.*try: upright simulate, certify"):
             as_law(controller)  # which fleets are compiled from
 
 

@@ -371,9 +371,9 @@ def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
     swept: dict[str, Any] = {name: tuple(Swept(**row) for row in given[name]) for name in ("delayed", "slower")}
     if needed := given.get("narrowing"):
         spreads = tuple(NeededSpread(**row) for row in needed["spreads"])
-        parts["narrowing"] = Narrowing(**{**needed, "spreads": spreads})
+        parts["narrowing"] = replace(Narrowing(**needed), spreads=spreads)
     if guesses := given["guessed"]:
-        parts["guessed"] = Guessed(**{**guesses, "names": tuple(guesses["names"])})
+        parts["guessed"] = replace(Guessed(**guesses), names=tuple(guesses["names"]))
     if strength := given["strength"]:
         parts["strength"] = Strength(**strength)
     certificate = cls(**{**given, **parts, **swept})
