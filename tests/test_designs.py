@@ -313,6 +313,18 @@ def test_as_linear_commands_alike():
         as_linear(sliding(NXT, KIT))
 
 
+def test_a_memory_behind_an_estimator_is_no_gain():
+    # what an integrator remembers is no part of Dy x̂ + Dr r
+    none = np.zeros((1, 6))
+    gain = lqr(NXT, 0.01).gain
+    integrating = LinearController(
+        np.eye(1), np.eye(1, 6, 2), none, np.zeros((1, 2)), np.full((2, 1), -0.1), -gain, gain,
+        reads=TRUE_STATE, period=0.01,
+    )  # fmt: skip
+    with pytest.raises(InvalidController, match="no known linear form"):
+        as_linear(Estimated(integrating, kalman(NXT, KIT, 0.01)))
+
+
 def test_wrong_matrices_are_named():
     good = lqg(NXT, KIT)
     values = {name: getattr(good, name) for name in MATRICES} | {"reads": good.reads, "period": 0.01}

@@ -77,9 +77,10 @@ class Estimated(Lawful):
     def law(self) -> Law:
         controller: Any = self.controller
         estimator: Any = self.estimator
-        if not (hasattr(controller, "law") and hasattr(estimator, "before")):
-            raise InvalidController(f"a {self.spec.kind} has no known linear form", expected="a linear controller")
-        return Law(estimator.before(controller.law().linear, self.spec))
+        law: Law | None = controller.law() if hasattr(controller, "law") and hasattr(estimator, "before") else None
+        if law is None or law.nonlinear or len(law.linear.A):
+            raise InvalidController(f"a {self.spec.kind} has no known linear form", expected="a fixed gain behind one")
+        return Law(estimator.before(law.linear, self.spec))
 
     def to_json(self) -> dict[str, Any]:
         parts = {"controller": self.controller.to_json(), "estimator": self.estimator.to_json()}
