@@ -30,12 +30,12 @@ from upright.certify.verdict import GREEN, Examined, LinearMargins, judge
 from upright.cli.main import main
 from upright.comparison.bench import TOLERANCE, bench_one, largest_knock
 from upright.control import ControllerSpec, LinearController, as_linear, make_controller
-from upright.control.law import as_law
+from upright.control.linear_controller import Law
 from upright.control.permit import permitted
 from upright.errors import InvalidController, InvalidLog, NotPermitted, SpecMismatch
 from upright.experiment import Hold, run
 from upright.experiment.examples import example
-from upright.kernel.batch import silent
+from upright.kernel.batch import idle
 from upright.physics.dynamics import CALM
 from upright.robots import Kit, Robot
 from upright.robots.sections import Conditions
@@ -77,7 +77,7 @@ def test_a_controller_that_is_called_falls_where_its_matrices_fall(monkeypatch: 
     family = draw(ROBOT, 66, 3)
     trial_setup = TrialSetup(kernel_controller(designed("lqg"), ROBOT, KIT), ROBOT, family, KIT)
     called = dataclasses.replace(
-        trial_setup, controller=KernelController(as_law(silent(designed("lqg"))), designed("lqg"))
+        trial_setup, controller=KernelController(Law(idle(designed("lqg").spec)), designed("lqg"))
     )
     (first, fell, _), (second, dropped, _) = trials(trial_setup), trials(called)
     assert np.array_equal(fell, dropped)

@@ -15,7 +15,7 @@ from upright.control.linear_controller import LinearController
 from upright.errors import InvalidScenario, SpecMismatch, UnknownName
 from upright.experiment import Drive, Push, Slope, Turn, run
 from upright.kernel import store
-from upright.kernel.batch import FleetBatch, parameters_of, silent
+from upright.kernel.batch import FleetBatch, idle, parameters_of
 from upright.kernel.simulate import simulate, steps_of
 from upright.robots import Battery, Kit, Motor, Robot, Sensor, find_kit, preset_names
 from upright.robots.uncertainty import draw
@@ -139,7 +139,7 @@ def test_a_weak_motor_turns_the_robot_and_is_reported_as_what_was_applied():
     assert np.abs(yaw[0]).max() < 1e-9  # both motors alike: straight on
     assert np.abs(yaw[1]).max() > 0.01
     assert yaw[1] == pytest.approx(-yaw[2], abs=1e-9)  # the mirrored robot
-    given |= {"controller": silent(FILTERED), "called": FILTERED}
+    given |= {"controller": idle(FILTERED.spec), "called": FILTERED}
     called = simulate(FleetBatch(**given, kit_changes=changes), 2.0, record=1, channels=channels)
     assert np.abs(called.trace - together.trace).max() < EQUAL
     assert together.effort == pytest.approx((together.trace[:, :, 1:] ** 2).sum(axis=(1, 2)) * 0.01)

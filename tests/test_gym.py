@@ -17,7 +17,7 @@ from conftest import PATIENCE
 from upright.bodies import Electronics, NonlinearBody
 from upright.control import Controller, lqg
 from upright.experiment import run
-from upright.kernel.batch import FleetBatch, parameters_of, silent
+from upright.kernel.batch import FleetBatch, idle, parameters_of
 from upright.kernel.simulate import simulate
 from upright.kernel.stepped import Stepped
 from upright.robots import Kit, Robot, Sensor, find_kit
@@ -136,7 +136,7 @@ def test_the_kernel_in_single_periods_is_the_kernel_to_the_last_bit() -> None:
     start[:, 0] = np.linspace(-0.05, 0.05, 70)
     given: dict[str, Any] = {
         "parameters": parameters_of(robots),
-        "controller": silent(controller),
+        "controller": idle(controller.spec),
         "kit": kit,
         "seed": 5,
     }

@@ -19,7 +19,7 @@ from planted.abuse import interrupts as abuse
 from upright import interrupts
 from upright.cli.main import main
 from upright.control import make_controller
-from upright.kernel.batch import FleetBatch, parameters_of, silent
+from upright.kernel.batch import FleetBatch, idle, parameters_of
 from upright.kernel.simulate import simulate
 from upright.robots import Kit, Robot
 
@@ -176,7 +176,7 @@ def test_a_controller_in_the_compiled_loop_is_interrupted() -> None:
     robot, kit = Robot.preset("nxtway-gs"), Kit.preset("nxt")
     controller = make_controller("sliding", robot, kit, kit.period)
     table = parameters_of(robot)
-    batch = FleetBatch(parameters=table, controller=silent(controller), called=controller, start=(0.0,) * 6, kit=kit)
+    batch = FleetBatch(parameters=table, controller=idle(controller.spec), called=controller, start=(0.0,) * 6, kit=kit)
     kind, calls = type(controller), [0]
     step = kind.step
 

@@ -19,13 +19,12 @@ from upright.certify.logged import Logged, loaded
 from upright.certify.pushes import StandardPush, standard_pushes
 from upright.certify.recovery import means, recoverable
 from upright.control.controller import Controller
-from upright.control.law import as_law
 from upright.control.linear_controller import Law
 from upright.control.splitting import Splitting
-from upright.errors import InvalidController, InvalidScenario, SpecMismatch
+from upright.errors import InvalidScenario, SpecMismatch
 from upright.fleet.binomial import upper_bound
 from upright.fleet.ensemble import SETTLED, tables
-from upright.kernel.batch import NAMES, FleetBatch, FleetResult, joined, parameters_of, silent
+from upright.kernel.batch import NAMES, FleetBatch, FleetResult, joined, law_of, parameters_of
 from upright.kernel.pack import RESIDUAL
 from upright.kernel.simulate import CALLED, simulate
 from upright.robots import Kit, Robot
@@ -95,10 +94,7 @@ def kernel_controller(controller: Controller, robot: Robot, kit: Kit) -> KernelC
             f"a {spec.kind} that reads the true state, on kit '{kit.name}'",
             expected="a controller that reads its sensors", hint="put a filter in front of it, or take the kit 'ideal'",
         )  # fmt: skip
-    try:
-        return KernelController(as_law(controller))
-    except InvalidController:
-        return KernelController(as_law(silent(controller)), controller)
+    return KernelController(*law_of(controller))
 
 
 def enough_robots(family: Sequence[Robot], robot: Robot) -> Sequence[Robot]:

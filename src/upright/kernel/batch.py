@@ -104,9 +104,12 @@ class FleetBatch:
         )
 
 
-def silent(like: Controller) -> LinearController:
-    """A linear controller that commands nothing and reads what `like` reads, which is called in its place."""
-    return idle(like.spec)
+def law_of(controller: Controller) -> tuple[Law, Controller | None]:
+    """Its law; where none describes it an idle one, and the controller itself, which is called in its place."""
+    try:
+        return as_law(controller), None
+    except InvalidController:
+        return Law(idle(controller.spec)), controller
 
 
 def idle(spec: ControllerSpec) -> LinearController:
@@ -140,10 +143,8 @@ def _laws(
 ) -> tuple[tuple[Law, ...], Controller | None]:
     """One controller, or one for each robot, which read the same channels at the same rate; and one to be called."""
     if isinstance(controller, Controller):
-        try:
-            return (as_law(controller),), None
-        except InvalidController:
-            return (as_law(silent(controller)),), controller
+        law, called = law_of(controller)
+        return (law,), called
     several = [controller] if isinstance(controller, Law) else controller
     laws = tuple(as_law(one) for one in several)
     forms = {(one.reads, one.period, one.command_unit, len(one.A)) for one in (law.linear for law in laws)}
