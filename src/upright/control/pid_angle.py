@@ -176,6 +176,21 @@ class AnglePid(Lawful):
         return self.sign * scale * self._unscaled
 
     @property
+    def per_radian(self) -> float:
+        """Command for a radian, with the sign, where kp is one."""
+        return self.volts * PER_RADIAN[self.unit]
+
+    @property
+    def ki_time(self) -> float:
+        """ki over ki per second: the period [s] of a program that knows no time, else 1."""
+        return self.period if self.per == "step" else 1.0
+
+    @property
+    def _travel(self) -> float:
+        """Radians of the error for a radian of the wheel, where k_position is one."""
+        return self.wheel_radius / PER_RADIAN[self.unit]
+
+    @property
     def _unscaled(self) -> float:
         return self.supply / FULL[self.output] if self.output in FULL else 1.0
 
@@ -192,17 +207,14 @@ class AnglePid(Lawful):
 
     def _si(self) -> tuple[float, float, float]:
         """kp, ki and kd for radians and seconds, in command units."""
-        factor = self.volts * PER_RADIAN[self.unit]
-        steps = self.per == "step"
-        ki = self.ki / self.period if steps else self.ki
-        kd = self.kd * self.period if steps and self.rate == "difference" else self.kd
-        return factor * self.kp, factor * ki, factor * kd
+        kd = self.kd * self.ki_time if self.rate == "difference" else self.kd
+        return self.per_radian * self.kp, self.per_radian * (self.ki / self.ki_time), self.per_radian * kd
 
     @property
     def gain(self) -> Array:
         """K (2, 6) of the part without memory."""
         kp, _, kd = self._si()
-        lead = kp * self.wheel_radius / PER_RADIAN[self.unit]
+        lead = kp * self._travel
         return -np.tile([kp, kd, lead * self.k_position, lead * self.k_speed, 0.0, 0.0], (2, 1))
 
     def law(self) -> Law:
@@ -226,7 +238,7 @@ class AnglePid(Lawful):
             By[1, 0] = -((1 - keep) ** 2) / dt
         e_r = np.array([-1.0, 0.0, 0.0, 0.0, 0.0, 0.0])
         if self.cascade:
-            position, speed = np.array([self.k_position, self.k_speed]) * self.wheel_radius / PER_RADIAN[self.unit]
+            position, speed = np.array([self.k_position, self.k_speed]) * self._travel
             By[2, 0], By[2, -2:] = 1.0, 0.5  # encoders count from the body
             e_y += (position + speed / dt) * By[2]
             e_z[2] = -speed / dt

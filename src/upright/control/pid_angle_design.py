@@ -20,9 +20,10 @@ from upright.arrays import Array
 from upright.control.delay import RAW, SampledRobot, sampled
 from upright.control.design import Design
 from upright.control.linear_controller import LinearController
-from upright.control.pid_angle import FULL, PER_RADIAN, AnglePid
+from upright.control.pid_angle import FULL, AnglePid
 from upright.control.state_space import controller_of, plant_of
 from upright.errors import DesignFailed, SpecMismatch, UnknownName
+from upright.physics.interconnect import feedback
 from upright.physics.linear import linearise_rolling
 from upright.physics.sensing import GYRO, PITCH
 from upright.robots import Kit, Robot, find_kit, find_robot
@@ -67,9 +68,8 @@ class AngleDesign(Design):
     def least_ki(self) -> float:
         """ki, in the program's unit, that removes the growing mode of a voltage drive; 0 where none is needed."""
         own = self.controller
-        per_radian = own.volts * PER_RADIAN[own.unit]
         a, b = least_integral(self._model)
-        return max(a - b * own.kp * per_radian, 0.0) / abs(per_radian) * (own.period if own.per == "step" else 1.0)
+        return max(a - b * own.kp * own.per_radian, 0.0) / abs(own.per_radian) * own.ki_time
 
     def check(self) -> float:
         """Nothing is solved: the gains are given, or tried."""
@@ -84,8 +84,7 @@ class AngleDesign(Design):
         if pid.per == "step":
             units = (each, f"{each} a step", rate if pid.rate == "gyro" else each)
         head = ", ".join(f"{name} {getattr(pid, name):.4g} {unit}" for name, unit in zip(_GAINS, units, strict=True))
-        volts = abs(pid.volts) * PER_RADIAN[pid.unit] * pid.kp
-        head = f"{head}: kp is {volts:.3g} {pid.command_unit} for a radian."
+        head = f"{head}: kp is {abs(pid.per_radian) * pid.kp:.3g} {pid.command_unit} for a radian."
         return [head, *(self._falls() or [*([] if pid.cascade else [_NOTHING_HOLDS]), self._off_by_one()])]
 
     def _falls(self) -> list[str]:
@@ -114,7 +113,7 @@ class AngleDesign(Design):
         """A kp or kd of the wrong sign, and a kp that does not even balance the body's weight."""
         pid = self.controller
         kp, kd = pid.kp * pid.sign, pid.kd * pid.sign
-        hold = _gravity(self.robot) / (abs(pid.volts) * PER_RADIAN[pid.unit])
+        hold = _gravity(self.robot) / abs(pid.per_radian)
         lines = list[str]()
         if kp < 0:
             lines.append("kp drives it the way it does not fall: sign = -1 where your angle is positive backwards.")
@@ -201,16 +200,9 @@ def _model(robot: Robot, kit: Kit, controller: AnglePid) -> SampledRobot:
     return sampled(robot, kit, controller.period, controller.spec.reads)
 
 
-def _poles(model: SampledRobot, linear: LinearController) -> Array:
-    """|z| of the closed loop."""
-    P = plant_of(model, pushed=False)
-    K = controller_of(linear, model.delay)
-    closed = np.block([[P.A + P.B @ K.D @ P.C, P.B @ K.C], [K.B @ P.C, K.A]])
-    return np.abs(np.linalg.eigvals(closed))
-
-
 def _growth(model: SampledRobot, linear: LinearController) -> float:
-    radius = float(_poles(model, linear).max())
+    closed = feedback(plant_of(model, pushed=False), controller_of(linear, model.delay), sign=1.0)
+    radius = float(abs(closed.poles()[0]))
     return math.log(radius) / model.dt if radius > 1 + ON_CIRCLE else 0.0
 
 
@@ -221,9 +213,9 @@ def _searched(robot: Robot, kit: Kit, made: Callable[..., AnglePid]) -> AnglePid
     grid = np.geomspace(0.05, math.pi / model.dt, 300)
     answers = plant_of(model, pushed=False).response(grid) @ np.ones(2)
     parts = [_returned(one.linearised(), model, grid, answers) for one in ones]
-    per_radian = ones[0].volts * PER_RADIAN[ones[0].unit]
+    per_radian = ones[0].per_radian
     gravity = _gravity(robot) / per_radian
-    steps = ones[0].period if ones[0].per == "step" else 1.0
+    steps = ones[0].ki_time
     a, b = least_integral(model)
     rates = steps if ones[0].rate == "difference" else 1.0
     tried = list[tuple[float, tuple[float, float, float]]]()
