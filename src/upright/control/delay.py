@@ -18,12 +18,11 @@ import numpy as np
 from upright.arrays import Array, Mask
 from upright.errors import DesignFailed, SpecMismatch
 from upright.physics.linear import LinearModel, delay_line, linearise_rolling
-from upright.physics.sensing import FORWARD, PITCH, sensed
+from upright.physics.sensing import FORWARD, GYRO, PITCH, sensed
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import SIDES, STATE_NAMES, TRUE_STATE
 
-RAW = ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro")
-GYRO = RAW[2]
+RAW = ("sensor/encoder_left", "sensor/encoder_right", GYRO)
 
 _FREE = STATE_NAMES[2:]  # of these a robot may know nothing and stand
 _SAME = 1e-9  # of a period: equal times may differ by rounding
@@ -132,7 +131,7 @@ def sampled(
     if not (math.isfinite(period) and 0 < period <= 1):
         raise DesignFailed(f"a period of {period} s", expected="between 0 and 1 s", likely="milliseconds")
     reads = readable(kit) if reads is None else tuple(reads)
-    sensors = [_sensor(kit, name) for name in reads]
+    sensors = [sensor_of(kit, name) for name in reads]
     delay = max([kit.delay + kit.jitter / 2, *(sensor.delay for sensor in sensors)])
     if delay > longest * period:
         raise DesignFailed(
@@ -314,7 +313,8 @@ def _ahead(between: _Between, plant: LinearModel) -> Array:
     return arrived
 
 
-def _sensor(kit: Kit, name: str) -> Sensor:
+def sensor_of(kit: Kit, name: str) -> Sensor:
+    """That of a channel, a perfect one of a true state; raises `SpecMismatch` where the kit has none."""
     if name in TRUE_STATE:
         return Sensor()
     if name not in kit.sensors:

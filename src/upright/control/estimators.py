@@ -11,13 +11,13 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.control.controller import Controller, ControllerSpec, Lawful
-from upright.control.delay import RAW, sampled
+from upright.control.delay import RAW, sampled, sensor_of
 from upright.control.design import gain_of
 from upright.control.kalman import DISTURBED, Disturbed, corrected, kalman_filter, one_step
 from upright.control.linear_controller import Law, LinearController
-from upright.errors import InvalidController, SpecMismatch
+from upright.errors import InvalidController
 from upright.physics.dynamics import turn_ratio
-from upright.robots import Kit, Robot, Sensor, find_kit, find_robot
+from upright.robots import Kit, Robot, find_kit, find_robot
 
 ACCELEROMETER = ("sensor/accel_forward", "sensor/accel_up")
 
@@ -135,7 +135,7 @@ def kalman(robot: Robot | str, kit: Kit | str, dt: float | None = None, disturbe
     Raises `SpecMismatch` for a kit without both encoders and a gyro, `DesignFailed` when it has no solution.
     """
     robot, kit = find_robot(robot), find_kit(kit)
-    sensors = {name: replace(_sensor(kit, name), delay=0.0) for name in RAW}
+    sensors = {name: replace(sensor_of(kit, name), delay=0.0) for name in RAW}
     prompt = Kit(name=kit.name, sensors=sensors, period=kit.period)
     steady = kalman_filter(sampled(robot, prompt, dt), disturbed)
     return Kalman(steady.sampled.linear.A, steady.sampled.now, steady.sampled.linear.C, steady.L)
@@ -201,13 +201,7 @@ def complementary(robot: Robot | str, kit: Kit | str, dt: float | None = None, *
     accelerometer where there is one."""
     robot, kit = find_robot(robot), find_kit(kit)
     for name in RAW:
-        _sensor(kit, name)
+        sensor_of(kit, name)
     accelerometer = all(name in kit.sensors for name in ACCELEROMETER)
     period = kit.period if dt is None else dt
     return Complementary(turn_ratio(robot), period, accelerometer=accelerometer, **options)
-
-
-def _sensor(kit: Kit, name: str) -> Sensor:
-    if name not in kit.sensors:
-        raise SpecMismatch(f"kit '{kit.name}' has no {name}", expected="both encoders and a gyro to estimate from")
-    return kit.sensors[name]

@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 
 from upright.arrays import Array
-from upright.control.delay import GYRO, RAW, SampledRobot, sampled
+from upright.control.delay import RAW, SampledRobot, sampled
 from upright.control.design import Design
 from upright.control.family import halves, sides
 from upright.control.kalman import process_noise, steady_kalman
@@ -34,7 +34,7 @@ from upright.errors import DesignFailed
 from upright.physics.dynamics import turn_ratio
 from upright.physics.interconnect import append, lft
 from upright.physics.linear import LinearModel, delay_line
-from upright.physics.sensing import sensor_matrix
+from upright.physics.sensing import GYRO, sensor_matrix
 from upright.robots import Kit, Robot, find_kit, find_robot
 
 COMMAND = {"V": 4.0, "N m": 0.02, "rad/s": 10.0}

@@ -13,10 +13,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from upright.arrays import Array
-from upright.control.delay import GYRO, SampledRobot
+from upright.control.delay import SampledRobot
 from upright.control.lqr import LARGEST_COMMAND, riccati_residual
 from upright.errors import DesignFailed
 from upright.physics.dynamics import motor_gain
+from upright.physics.sensing import GYRO
 from upright.robots import Robot
 
 NXTWAY_WEIGHT = 6.0  # [N] of the body of NXTway-GS, to which pushes are scaled

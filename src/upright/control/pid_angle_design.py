@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from upright.arrays import Array
-from upright.control.delay import RAW, SampledRobot, sampled
+from upright.control.delay import SampledRobot, sampled
 from upright.control.design import Design
 from upright.control.linear_controller import LinearController
 from upright.control.pid_angle import FULL, AnglePid
@@ -25,7 +25,7 @@ from upright.control.state_space import controller_of, plant_of
 from upright.errors import DesignFailed, SpecMismatch, UnknownName
 from upright.physics.interconnect import feedback
 from upright.physics.linear import linearise_rolling
-from upright.physics.sensing import GYRO, PITCH
+from upright.physics.sensing import GYRO, PITCH, sensor_matrix
 from upright.robots import Kit, Robot, find_kit, find_robot
 
 STIFFNESSES = np.geomspace(1.4, 24, 12)  # kp tried, against the gravity that it must overcome
@@ -253,7 +253,7 @@ def drift(robot: Robot, controller: AnglePid, error: float) -> tuple[float, floa
     dt = controller.period
     plant = linearise_rolling(robot).c2d(dt)
     linear = controller.linearised()
-    read = _rows(controller)
+    read = sensor_matrix(controller.spec.reads, 0.0)  # it goes straight
     x = np.zeros(6)
     z = np.zeros(len(linear.A))
     reference = np.eye(6)[0] * error
@@ -266,10 +266,3 @@ def drift(robot: Robot, controller: AnglePid, error: float) -> tuple[float, floa
         z = linear.A @ z + linear.By @ y + linear.Br @ reference
         x = plant.A @ x + plant.B @ u
     return WATCHED, float(x[3]) * robot.wheel_radius, float(x[2]) * robot.wheel_radius, False
-
-
-def _rows(controller: AnglePid) -> Array:
-    """The readings from the state, without yaw."""
-    pitch, rate, wheel = np.eye(6)[:3]
-    rows = {PITCH: pitch, GYRO: rate, **dict.fromkeys(RAW[:2], wheel - pitch)}
-    return np.array([rows[name] for name in controller.spec.reads])
