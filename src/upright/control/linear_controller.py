@@ -204,6 +204,25 @@ def finite_matrix(given: ArrayLike, name: str, shape: tuple[int, int]) -> Array:
     return value
 
 
+class Remembering(OfDesign, Lawful):
+    """A method that is not linear, behind a linear `memory`, which knows its readings, commands and estimate."""
+
+    memory: LinearController
+
+    @property
+    def spec(self) -> ControllerSpec:
+        return self.memory.spec
+
+    def reset(self) -> None:
+        self.memory.reset()
+
+    def estimate(self) -> Sequence[float]:
+        return self.memory.estimate()
+
+    def applied(self, command: Sequence[float]) -> None:
+        self.memory.applied(command)
+
+
 class Nonlinearity(Protocol):
     """What of a law is not linear: from the linear command and s to the commands, and to what else the memory gets.
 
@@ -215,7 +234,9 @@ class Nonlinearity(Protocol):
     def slope(self) -> Array: ...
 
     @property
-    def most(self) -> tuple[float, ...]: ...
+    def most(self) -> tuple[float, ...]:
+        """Empty where it gives nothing but the commands."""
+        return ()
 
     def forms(self, t: Tracer, linear: Sequence[Form], s: Sequence[Form], /) -> tuple[list[Form], list[Form]]: ...
 

@@ -28,11 +28,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from upright.arrays import Array
-from upright.control.controller import ControllerSpec, Lawful
 from upright.control.delay import sampled
-from upright.control.design import OfDesign
 from upright.control.kalman import Disturbed, kalman_filter, offset_free
-from upright.control.linear_controller import Law, LinearController
+from upright.control.linear_controller import Law, LinearController, Remembering
 from upright.control.lqg import Lqg, regulated
 from upright.control.observer import memory, steady_push, steady_state
 from upright.control.splitting import MOST_ITERATIONS, Splitting
@@ -47,7 +45,7 @@ BOUND_WEIGHT = 0.2  # weight of a bound in the splitting, over that of breaking 
 
 
 @dataclass(eq=False, repr=False)
-class PredictiveController(OfDesign, Lawful):
+class PredictiveController(Remembering):
     """The `splitting` behind its filter: the outputs of `memory` are g (m,), what it limits under the regulator alone.
 
     `residual` [1] is by how much a last iteration has moved a command at most since the reset, as a fraction of the
@@ -67,12 +65,8 @@ class PredictiveController(OfDesign, Lawful):
         self._none = np.zeros(m)
         self.reset()
 
-    @property
-    def spec(self) -> ControllerSpec:
-        return self.memory.spec
-
     def reset(self) -> None:
-        self.memory.reset()
+        super().reset()
         self._pull = self._none
         self.residual = 0.0
 
@@ -91,12 +85,6 @@ class PredictiveController(OfDesign, Lawful):
     def limited(self) -> bool:
         """Whether a limit or a bound counted in the last step."""
         return self._pull is not self._none
-
-    def estimate(self) -> Sequence[float]:
-        return self.memory.estimate()
-
-    def applied(self, command: Sequence[float]) -> None:
-        self.memory.applied(command)
 
     def check(self) -> float:
         """The largest of the design's residual and of what is left after `MOST_ITERATIONS` squared, far from rest."""

@@ -12,11 +12,10 @@ from numpy.typing import ArrayLike
 
 from upright.arrays import Array, Complex
 from upright.compiled.tracer import Form, Tracer
-from upright.control.controller import ControllerSpec, Lawful
 from upright.control.delay import sampled
-from upright.control.design import Design, OfDesign
+from upright.control.design import Design
 from upright.control.kalman import RECOVERED, Disturbed, kalman_filter
-from upright.control.linear_controller import Law, LinearController
+from upright.control.linear_controller import Law, LinearController, Nonlinearity, Remembering
 from upright.control.lqg import Lqg, regulated
 from upright.control.observer import memory, steady_state
 from upright.errors import DesignFailed, InvalidController
@@ -54,16 +53,11 @@ class Sliding(Design):
 
 
 @dataclass(frozen=True, eq=False)
-class Switching:
+class Switching(Nonlinearity):
     """u loses `reach` · sat(s / `layer`), s (2,)."""
 
     reach: float
     layer: float
-
-    @property
-    def most(self) -> tuple[float, ...]:
-        """It gives nothing besides the commands."""
-        return ()
 
     @property
     def slope(self) -> Array:
@@ -79,7 +73,7 @@ class Switching:
 
 
 @dataclass(eq=False, repr=False)
-class SlidingMode(OfDesign, Lawful):
+class SlidingMode(Remembering):
     """u = u_lin − reach · sat(s / layer) for each motor, from the outputs [s, u_lin] of `memory`, in command units.
 
     With u_lin = u_r r − S A ξ + keep · s follows s⁺ = keep · s − reach · sat(s / layer). (Gao, Wang and Homaifa 1995,
@@ -98,25 +92,12 @@ class SlidingMode(OfDesign, Lawful):
                 f"reach is {self.reach} and layer {self.layer}", expected="a reach of zero or more, a positive layer"
             )
 
-    @property
-    def spec(self) -> ControllerSpec:
-        return self.memory.spec
-
-    def reset(self) -> None:
-        self.memory.reset()
-
     def step(self, measurement: Array, reference: Array) -> tuple[float, float]:
         s_left, s_right, left, right = self.memory.outputs(measurement, reference).tolist()
         left -= self.reach * min(max(s_left / self.layer, -1.0), 1.0)
         right -= self.reach * min(max(s_right / self.layer, -1.0), 1.0)
         self.memory.decided(left, right)
         return left, right
-
-    def estimate(self) -> Sequence[float]:
-        return self.memory.estimate()
-
-    def applied(self, command: Sequence[float]) -> None:
-        self.memory.applied(command)
 
     def law(self) -> Law:
         return self.memory.law_with(Switching(self.reach, self.layer), np.eye(2, 4, 2), slice(2))

@@ -13,7 +13,7 @@ from upright.arrays import Array
 from upright.compiled.program import INFINITY
 from upright.compiled.tracer import Form, Tracer
 from upright.control.law import dot
-from upright.control.linear_controller import finite_matrix
+from upright.control.linear_controller import Nonlinearity, finite_matrix
 from upright.errors import InvalidController
 from upright.signals import SIDES
 
@@ -23,7 +23,7 @@ NOTHING = 1e-30  # below any difference of two floats that are not equal near 1
 
 
 @dataclass(frozen=True, eq=False)
-class Splitting:
+class Splitting(Nonlinearity):
     """`iterations` of an operator splitting over m quantities, each as a fraction of its own limit or bound.
 
     The first two are the commands over `limit`. Let g (m,) be what they reach under the regulator alone, and
@@ -77,11 +77,6 @@ class Splitting:
             before[:] = inside[:2]
             np.add(self._step @ both, rest, out=v)
         return v, float(np.abs(np.clip(v[:2], -1.0, 1.0) - before).max())
-
-    @property
-    def most(self) -> tuple[float, ...]:
-        """It gives nothing besides the commands."""
-        return ()
 
     @property
     def slope(self) -> Array:
