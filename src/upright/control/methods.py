@@ -59,8 +59,9 @@ class Method:
         """The controller under these weights by name, those of `tunable`."""
         if self.tunable is None:
             raise InvalidController(f"{self.name or 'this method'} has no weights to tune")
-        if unknown := set(weights) - set(self.tunable.defaults(robot, kit, dt)):
-            raise UnknownName(f"weight of {self.name}", min(unknown), self.tunable.defaults(robot, kit, dt))
+        known = self.tunable.defaults(robot, kit, dt)
+        if unknown := set(weights) - set(known):
+            raise UnknownName(f"weight of {self.name}", min(unknown), known)
         asked = request_hash(self.name, robot, kit, dt, weights=dict(weights))
         return designed_from(self.tunable.make(robot, kit, dt, weights), asked)
 
@@ -122,17 +123,13 @@ def _lqr(robot: Robot, _kit: Kit, dt: float, Q: Array, R: Array) -> Lqr:
     return lqr(robot, dt, Q, R)
 
 
-def _observed(robot: Robot, kit: Kit, dt: float, Q: Array, R: Array) -> Controller:
-    return regulator(robot, kit, dt, Q, R)
-
-
 def _complementary(robot: Robot, kit: Kit, dt: float, Q: Array, R: Array) -> Controller:
     return Estimated(lqr(robot, dt, Q, R), complementary(robot, kit, dt))
 
 
 OURS = (
     # the baseline of all others
-    Method(name="lqr", make=_by_weights(_observed), weighted=True, tunable=TUNABLE["lqr"]),
+    Method(name="lqr", make=_by_weights(regulator), weighted=True, tunable=TUNABLE["lqr"]),
     Method(name="lqr-complementary", make=_by_weights(_complementary), weighted=True, benched=False),
     Method(name="lqi", make=_by_weights(lqi, (LARGEST_INTEGRAL,)), weighted=True, tunable=TUNABLE["lqi"]),
     Method(name="lqg", make=_by_weights(lqg), weighted=True, tunable=TUNABLE["lqg"]),

@@ -100,10 +100,6 @@ def _common(robot: Robot, weights: Weights, integral: tuple[float, ...] = ()) ->
     return {"Q": bryson([*largest_of(weights), *integral]), "R": command, "disturbed": noise}
 
 
-def _lqr(robot: Robot, kit: Kit, dt: float, Q: Any, R: Any, disturbed: Disturbed) -> Controller:
-    return regulator(robot, kit, dt, Q, R, disturbed=disturbed)
-
-
 def _sliding_defaults(robot: Robot, kit: Kit, dt: float) -> dict[str, float]:
     return _regulator(robot, kit, dt) | {"time": TIME, "reach": REACH, "layer": LAYER}
 
@@ -121,8 +117,7 @@ def _mpc_defaults(robot: Robot, kit: Kit, dt: float) -> dict[str, float]:
 
 def _mpc(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
     noise = Disturbed(motor=weights["motor_noise"], push_walk=weights["push_walk"])
-    weighed = _common(robot, weights)
-    weighed["disturbed"] = noise
+    weighed = _common(robot, weights) | {"disturbed": noise}
     return mpc(robot, kit, dt, **weighed, horizon=round(weights["horizon"]))
 
 
@@ -164,7 +159,7 @@ def _angle(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
 
 
 TUNABLE: dict[str, Tunable] = {
-    "lqr": _by_weights(_lqr),
+    "lqr": _by_weights(regulator),
     "lqi": _by_weights(lqi, integral=True),
     "lqg": _by_weights(lqg),
     "pid": Tunable(_pid_defaults, _pid),

@@ -304,7 +304,7 @@ def analyse(
         strengths=np.array([motor_gain(each) for each in family]) / motor_gain(robot),
         inputs=every[: len(INPUTS)], outputs=every[len(INPUTS) :],
         disk=disk_margin(loop.at_input), delay=dead_time, coprime=stability_margin(scaled),
-        gap=_largest_gap(scaled.plant, near),
+        gap=max((nu_gap(scaled.plant, other) for other in near), default=0.0),
         mu=parameter_mu(robot, controller, kit) if with_mu else None,
     )  # fmt: skip
 
@@ -324,10 +324,6 @@ def _alone(channel: str) -> str:
     return channel if channel == "both motors" else f"the {channel} alone"
 
 
-def _at_output(loop: Loop, i: int, name: str, *, peaks: bool) -> Margins:
-    return margins(loop.at_output, np.eye(len(loop.plant.C))[i], short(name), peaks=peaks)
-
-
 def loop_margins(loop: RobotLoop, *, peaks: bool = True, dead_time: float | None = None) -> tuple[Margins, ...]:
     """The margins of the stable loop broken at each of `INPUTS`, then at each reading; `dead_time` is its
     `delay_margin` [s], where that is known.
@@ -337,17 +333,13 @@ def loop_margins(loop: RobotLoop, *, peaks: bool = True, dead_time: float | None
     dead_time = loop.delay_margin() if dead_time is None else dead_time
     every = [_at_input(loop, name, dead_time, peaks=peaks) for name in INPUTS]
     for i, name in enumerate(loop.linear.reads):
-        broken_there = _at_output(loop, i, name, peaks=peaks)
+        broken_there = margins(loop.at_output, np.eye(len(loop.plant.C))[i], short(name), peaks=peaks)
         least = min(m.delay for m in (*every, broken_there))
         if name in loop.kit.sensors:
             exact = loop.delay_margin(name, min(least, LATEST))
             broken_there = replace(broken_there, delay=min(broken_there.delay, exact))
         every.append(broken_there)
     return tuple(every)
-
-
-def _largest_gap(nominal: LinearModel, others: Sequence[LinearModel]) -> float:
-    return max((nu_gap(nominal, other) for other in others), default=0.0)
 
 
 def broken_input(loop: Loop, direction: Sequence[float]) -> LinearModel:
