@@ -13,11 +13,12 @@ import numpy as np
 import pytest
 
 from firmware_cases import designed
+from upright.arrays import Array
 from upright.bodies import Electronics, NonlinearBody
 from upright.compiled.generated import LANES, LEFT, RIGHT, ROW
 from upright.compiled.print_c import CPrinter
 from upright.compiled.program import Kind, Program
-from upright.control import lqr
+from upright.control import Estimated, StateFeedback, kalman, lqr
 from upright.control.law import as_law, near_rest, program
 from upright.control.linear_controller import Law, LinearController
 from upright.errors import InvalidController
@@ -169,6 +170,24 @@ def test_what_no_law_describes_is_called_alone_and_refused_in_numbers() -> None:
     assert FleetBatch(parameters=parameters_of(ROBOT), controller=own).called is own
     with pytest.raises(InvalidController, match="sliding"):
         FleetBatch(parameters=parameters_of([ROBOT] * 2), controller=[own, own])
+
+
+class Careful(StateFeedback):
+    """Somebody's own, which commands nothing while little is asked for: no longer the law of its parent."""
+
+    def step(self, measurement: Array, reference: Array) -> tuple[float, float]:
+        left, right = super().step(measurement, reference)
+        return (left, right) if abs(left) > 1 else (0.0, 0.0)
+
+
+def test_a_step_of_its_own_takes_the_law_from_a_child() -> None:
+    own = Careful(lqr(ROBOT, 0.01).gain, 0.01)
+    assert FleetBatch(parameters=parameters_of(ROBOT), controller=own).called is own
+    for says in (as_law, near_rest):
+        with pytest.raises(InvalidController):
+            says(own)
+        with pytest.raises(InvalidController):
+            says(Estimated(own, kalman(ROBOT, KIT, 0.01)))
 
 
 def test_a_static_law_remembers_nothing() -> None:

@@ -14,6 +14,7 @@ from upright.control.controller import Controller, ControllerSpec, Lawful
 from upright.control.delay import RAW, sampled, sensor_of
 from upright.control.design import gain_of
 from upright.control.kalman import DISTURBED, Disturbed, corrected, kalman_filter, one_step
+from upright.control.law import as_law
 from upright.control.linear_controller import Law, LinearController
 from upright.errors import InvalidController
 from upright.physics.dynamics import turn_ratio
@@ -75,10 +76,9 @@ class Estimated(Lawful):
         return gain_of(self.controller)
 
     def law(self) -> Law:
-        controller: Any = self.controller
         estimator: Any = self.estimator
-        law: Law | None = controller.law() if hasattr(controller, "law") and hasattr(estimator, "before") else None
-        if law is None or law.nonlinear or len(law.linear.A):
+        law = as_law(self.controller)
+        if law.nonlinear or len(law.linear.A) or not hasattr(estimator, "before"):
             raise InvalidController(f"a {self.spec.kind} has no known linear form", expected="a fixed gain behind one")
         return Law(estimator.before(law.linear, self.spec))
 

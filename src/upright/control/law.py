@@ -54,8 +54,10 @@ def near_rest(controller: Controller | Law) -> LinearController:
 
 
 def _own(controller: Any, name: str) -> Any:
+    """What the controller's method of that name says; a class with a step of its own has a law of its own, or none."""
     method = getattr(controller, name, None)
-    if not callable(method):
+    decides = next((c for c in type(controller).__mro__ if vars(c).keys() & {"step", "law"}), object)
+    if not callable(method) or "law" not in vars(decides):
         raise _no_linear_form(controller)
     return method()
 
