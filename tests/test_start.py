@@ -77,6 +77,13 @@ def test_a_simulated_robot_comes_to_a_verdict_and_goes_on_where_it_stopped(start
     assert "Verdict: green" in third
 
 
+@pytest.mark.parametrize("light", ["red", "unknown"])
+def test_what_a_certificate_refuses_is_not_flown_next(tmp_path, capsys, light):
+    (tmp_path / "certificate.json").write_text(json.dumps({"light": light}))
+    guide._conclude(guide.GuidedStudy(tmp_path, {"where": "here", "brick": "nxt"}))
+    assert "fly" not in capsys.readouterr().out
+
+
 @pytest.mark.evidence
 def test_a_log_is_examined_calibrated_and_certified(started, tmp_path):
     run = started("nxtway-gs\nlog\nno-such.csv\nexample\nnone\nlqr\n", "study")

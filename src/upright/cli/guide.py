@@ -262,6 +262,8 @@ def _conclude(study: GuidedStudy) -> None:
     typer.echo(f"\nVerdict: {words.get(light, light)}. The pages (.html) in {study.folder.resolve()} show why.")
     if light == "red":
         typer.echo("Next: another controller (upright start --again), or upright tune, which searches for weights.")
+    elif light == "unknown":
+        typer.echo("Next: measure that, write it into the robot's file with its spread, and: upright start --again")
     elif where == "here":
         program = BRICKS[study.answers["brick"]][1]
         typer.echo(f"Next: connect the brick, hold the robot upright, and: upright fly {program} controller.json")

@@ -117,7 +117,8 @@ def _mpc_defaults(robot: Robot, kit: Kit, dt: float) -> dict[str, float]:
 
 def _mpc(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
     noise = Disturbed(motor=weights["motor_noise"], push_walk=weights["push_walk"])
-    weighed = _common(robot, weights) | {"disturbed": noise}
+    weighed = _common(robot, weights)
+    weighed["disturbed"] = noise
     return mpc(robot, kit, dt, **weighed, horizon=round(weights["horizon"]))
 
 
