@@ -126,6 +126,13 @@ class Electronics:
         return sample(inner.t, (*truth, *readings), inner.applied, inner.fallen, inner.slipped)
 
 
+def without_missing(kit: Kit, body: Body) -> Kit:
+    """The kit with those sensors alone that can be made of what the `body` offers."""
+    have = {signal.name for signal in body.spec.channels}
+    offered = {name: sensor for name, sensor in kit.sensors.items() if have.issuperset(_sources(name, sensor))}
+    return replace(kit, sensors=offered)
+
+
 def advanced(
     body: Body, t: float, command: Sequence[float], disturbance: Callable[[float], Disturbance], count: int
 ) -> Sample:

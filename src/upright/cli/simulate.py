@@ -99,12 +99,14 @@ def _fitted(
 ) -> tuple[Any, Controller]:
     """The body inside its electronics and a controller that can read what it offers."""
     from upright.bodies import Electronics, make_body
+    from upright.bodies.electronics import without_missing
     from upright.control import find_controller
     from upright.robots import find_kit
 
     parts = find_kit(kit)
     ideal = parts.name == "ideal"
-    plant = Electronics(make_body(body, robot), parts)
+    bare = make_body(body, robot)
+    plant = Electronics(bare, without_missing(parts, bare) if ideal else parts)  # ideal: whatever the body has
     dt = parts.period if period is None else period
     if gains is not None and controller is not None:
         raise InvalidController("both --controller and --gains", expected="one of them")
