@@ -193,7 +193,8 @@ def test_a_stalled_client_delays_nobody_and_costs_no_memory(room):
         room.hub.receive(live, encode(Ack(0)))
         heard(live)
     assert room.stage.stage._seats[session].session.t == pytest.approx(2.0, abs=0.03)  # 100 ticks of 20 ms
-    assert stalled.box.waiting <= stalled_box + 2  # the latest snapshot, and a finding of its own
+    # the latest snapshot, and what jobs find when they are done, but none of the snapshots of 100 ticks
+    assert stalled.box.waiting <= stalled_box + 10
 
 
 def test_a_thousand_hostile_messages_stop_nothing_and_reach_nobody(room):
