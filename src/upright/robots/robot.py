@@ -73,8 +73,8 @@ class Robot:
     body_depth: float = _number("m", "D", 0.05)
     body_height: float = _number("m", "H", 0.15)
     speed_lag: float = _number("s", "T_v", 0.0)
-    acceleration_limit: float = _number("rad/s²", "α_max", 1e6)
-    slip_torque: float = _number("N m", "τ_max", 1e6)
+    acceleration_limit: float = _number("rad/s²", "α_max", 1e5)
+    slip_torque: float = _number("N m", "τ_max", 1e5)
     title: str = field(default="", compare=False)
     drive: str = "voltage"
     kit: str | Kit = field(default="ideal", hash=False)
