@@ -167,9 +167,12 @@ class Robot:
         return Listing(header, rows, ("value", "spread"))
 
     def parameters(self) -> list[dict[str, Any]]:
-        """Name, symbol, value, unit, source and spread of every parameter; a spread of None is a guess."""
+        """Name, symbol, value, unit, source and spread of every parameter that its drive has, or whose source is stated; a
+        spread of None is a guess."""
         rows: list[dict[str, Any]] = []
         for name, (unit, symbol) in PARAMETERS.items():
+            if name in UNUSED[self.drive] and name not in self.provenance:
+                continue
             origin = self.provenance.get(name, Provenance("not stated"))
             rows.append({"name": name, "symbol": symbol, "value": getattr(self, name), "unit": unit, **vars(origin)})
         return rows
