@@ -167,8 +167,8 @@ class Robot:
         return Listing(header, rows, ("value", "spread"))
 
     def parameters(self) -> list[dict[str, Any]]:
-        """Name, symbol, value, unit, source and spread of every parameter that its drive has, or whose source is stated; a
-        spread of None is a guess."""
+        """Name, symbol, value, unit, source and spread of every parameter that its drive has, or whose source is
+        stated; a spread of None is a guess."""
         rows: list[dict[str, Any]] = []
         for name, (unit, symbol) in PARAMETERS.items():
             if name in UNUSED[self.drive] and name not in self.provenance:
