@@ -260,6 +260,13 @@ def test_what_does_not_fit_is_refused_in_one_line():
         pid_angle(ROBOT, KIT, kq=1.0)
     with pytest.raises(InvalidController, match="takes no numbers"):
         CONTROLLERS["lqg"](ROBOT, ENCODED, 0.01, own={"kp": 1.0})
+    with pytest.raises(InvalidController, match="ki without kp"):  # it would be searched, and the answer silent
+        pid_angle(ROBOT, KIT, ki=60.0)
+    for name, value in {"integral_limit": -3.0, "limit": 0.0, "sign": 2.0}.items():  # named alone, as it came
+        with pytest.raises(InvalidController, match=f"^{name} of a pid-angle is {value:g};"):
+            pid_angle(ROBOT, KIT, **CLASSIC, **{name: value})
+    with pytest.raises(UnknownName, match="did you mean 'pwm'"):
+        pid_angle(ROBOT, KIT, **CLASSIC, output="PWM")
     slow = replace(KIT, delay=0.25)
     with pytest.raises(DesignFailed, match=r"no PID on the angle.*ki against"):
         pid_angle(ROBOT, slow)
@@ -387,6 +394,10 @@ def test_it_says_which_gain_is_wrong():
     }
     for said, own in cases.items():
         assert said in " ".join(pid_angle(ROBOT, KIT, **own).design.words()), said
+    backwards = " ".join(pid_angle(ROBOT, KIT, kp=-50.0, ki=60.0, kd=1.4).design.words())
+    assert "kd" not in backwards.split("falls")[1]  # it is kp that helps the fall
+    assert "ki must" not in backwards
+    assert "sign = 1." in " ".join(pid_angle(ROBOT, KIT, **CLASSIC, sign=-1.0).design.words())
     right = pid_angle(ROBOT, KIT, kp=-50.0, ki=-60.0, kd=-1.4, sign=-1.0).design
     assert right.growth == 0.0
 

@@ -110,7 +110,9 @@ def meant(name: str, names: Iterable[str], text: str = "{}") -> str:
 
     Of those that are equally close, the one of the same letters: who types `lgq` means `lqg`.
     """
-    close = difflib.get_close_matches(name[:LONGEST_SHOWN], list(names), n=5, cutoff=0.5)
+    names = list(names)
+    same = [one for one in names if one.lower() == name.lower()]  # `PWM` means `pwm`
+    close = same or difflib.get_close_matches(name[:LONGEST_SHOWN], names, n=5, cutoff=0.5)
     if not close:
         return ""
     return f"did you mean '{text.format(min(close, key=lambda c: sorted(c) != sorted(name)))}'?"

@@ -134,11 +134,13 @@ class AnglePid(Lawful):
         sizes = (self.dead_band, self.filter_time, self.wheel_radius)
         if not all(map(math.isfinite, numbers)) or not all(0 <= size < math.inf for size in sizes):
             raise InvalidController("a number of the program is none, or a size is negative", expected=_USUAL)
-        if not (0 < self.period <= 1 and min(self.limit, self.integral_limit, self.supply) > 0 and abs(self.sign) == 1):
-            raise InvalidController(
-                f"period {self.period} s, limit {self.limit}, supply {self.supply} V, sign {self.sign}",
-                expected="a period of at most 1 s, positive limits and supply, a sign of 1 or -1",
-            )
+        if not 0 < self.period <= 1:
+            raise InvalidController(f"a period of {self.period:g} s", expected="above 0 s, at most 1 s")
+        for name in ("limit", "integral_limit", "supply"):
+            if not getattr(self, name) > 0:
+                raise InvalidController(f"{name} of a {self.form} is {getattr(self, name):g}", expected="above zero")
+        if abs(self.sign) != 1:
+            raise InvalidController(f"sign of a {self.form} is {self.sign:g}", expected="1 or -1")
         if self.output in FULL and not (self.command_unit == "V" and math.isfinite(self.supply)):
             raise InvalidController(
                 f"an output in {self.output}",

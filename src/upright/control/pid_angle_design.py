@@ -22,7 +22,7 @@ from upright.control.design import Design
 from upright.control.linear_controller import LinearController
 from upright.control.pid_angle import FULL, AnglePid
 from upright.control.state_space import controller_of, plant_of
-from upright.errors import DesignFailed, SpecMismatch, UnknownName
+from upright.errors import DesignFailed, InvalidController, SpecMismatch, UnknownName
 from upright.physics.interconnect import feedback
 from upright.physics.linear import linearise_rolling
 from upright.physics.sensing import GYRO, PITCH, sensor_matrix
@@ -95,10 +95,11 @@ class AngleDesign(Design):
         least = self.least_ki
         lines = [f"It falls: the linear loop grows by {growth:.2g} 1/s, twofold in {math.log(2) / growth:.2g} s."]
         lines += self._wrong_gains()
-        if least and self.controller.ki < least:
+        own = self.controller
+        if least and own.kp * own.sign >= 0 and own.ki < least:
             lines.append(
                 f"P and D on the angle alone always leave a growing mode: a voltage ends as a speed, not as a force. "
-                f"ki must be above {least:.3g}; it is {self.controller.ki:.3g}."
+                f"ki must be above {least:.3g}; it is {own.ki:.3g}."
             )
         sensor = self.kit.sensors[PITCH]
         true = replace(self.kit, sensors=self.kit.sensors | {PITCH: replace(sensor, time_constant=0.0)})
@@ -116,8 +117,9 @@ class AngleDesign(Design):
         hold = _gravity(self.robot) / abs(pid.per_radian)
         lines = list[str]()
         if kp < 0:
-            lines.append("kp drives it the way it does not fall: sign = -1 where your angle is positive backwards.")
-        elif kp < hold:
+            other = "1" if pid.sign < 0 else "-1 where your angle is positive backwards"
+            return [f"kp drives it the way it does not fall: sign = {other}."]
+        if kp < hold:
             lines.append(f"kp is too small: gravity alone asks for {hold:.3g}, and a loop that stands for a multiple.")
         if kd * kp < 0:
             lines.append("kd has the other sign than kp: it helps the fall.")
@@ -153,6 +155,9 @@ def pid_angle(robot: Robot | str, kit: Kit | str, dt: float | None = None, **own
     for name in own:
         if name not in OWN:
             raise UnknownName("number of a pid-angle", name, OWN)
+    alone = [name for name in _GAINS if name in own and "kp" not in own]
+    if alone:
+        raise InvalidController(f"{' and '.join(alone)} without kp", expected="kp as well, or none of the three")
     usual: dict[str, Any] = {"rate": "gyro" if GYRO in kit.sensors else "difference"}
     if robot.command_unit != "V":
         usual["output"] = robot.command_unit
