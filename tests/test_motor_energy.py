@@ -39,7 +39,7 @@ def test_what_drives_refuses_and_what_computes_warns(tmp_path: Path, capsys: pyt
         (line,) = capsys.readouterr().err.strip().splitlines()
         assert "makes energy" in line
         assert "other side of the gear" in line
-    for command in (["linearise"], ["simulate", "-s", "0.5"]):
+    for command in (["linearise"], ["simulate", "-s", "0.5"], ["design", "lqr"]):
         assert main([*command, "--robot", file]) == 0
         assert "makes energy" in capsys.readouterr().err
 

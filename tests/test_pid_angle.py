@@ -203,6 +203,9 @@ def test_a_file_may_be_written_by_hand(tmp_path):
     path.write_text(json.dumps(data | {"hash": "0"}))
     with pytest.raises(InvalidController, match="take hash"):
         read_controller(path)
+    path.write_text('{"file": "upright controller", "version": 1, "form": "pid-angle", "controller": {"kp": 50}}')
+    with pytest.raises(InvalidController, match="without period"):
+        read_controller(path)
 
 
 def test_without_numbers_it_finds_gains_that_stand_and_says_what_they_cannot():

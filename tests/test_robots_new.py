@@ -12,7 +12,8 @@ import pytest
 
 from upright.cli.main import main
 from upright.cli.robots_new import QUESTIONS
-from upright.robots import Kit, Robot
+from upright.errors import InvalidRobot
+from upright.robots import Kit, Robot, find_robot
 from upright.robots.motor import makes_energy
 from upright.signals import Log
 
@@ -139,3 +140,10 @@ def test_at_a_terminal_it_asks_one_question_a_line(
     monkeypatch.setattr("sys.stdin", Terminal("70\n"))
     assert new("other") == 2
     assert "no more answers" in capsys.readouterr().err
+
+
+def test_a_robot_whose_file_lies_here_is_named_with_its_ending(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert main(["robots", "new", "mine"]) == 0
+    with pytest.raises(InvalidRobot, match=r"try: the file, mine\.toml"):
+        find_robot("mine")

@@ -20,7 +20,7 @@ from upright.cli.options import (
     complete_method,
     named_values,
 )
-from upright.cli.output import check_targets, finish, progress, write_page
+from upright.cli.output import check_targets, finish, progress, warn_of, write_page
 
 
 def design(
@@ -53,8 +53,10 @@ def design(
     Prints its inputs, the residual of its equations, and the margins of its loop.
     """
     from upright.certify.design import design as design_controller
+    from upright.robots import find_robot
 
     check_targets(output, report)
+    warn_of(find_robot(robot))
     own = named_values(gains, "--gains") if gains else None
     result = design_controller(method, robot, kit, period=period, own=own, posterior=posterior)
     write_page(result, report)  # before the controller's file, so that a design without a page leaves none

@@ -284,6 +284,9 @@ class AnglePid(Lawful):
         for name in own:
             if name not in names:
                 raise UnknownName(f"number of a {cls.form}", name, names)
+        for name in ("kp", "period"):
+            if name not in own:
+                raise InvalidController(f"a {cls.form} without {name}", expected="kp and period [s] at least")
         return cls(**own)
 
 

@@ -31,7 +31,7 @@ def makes_energy(robot: Robot) -> str:
 def refuse_energy(robot: Robot) -> Robot:
     """The robot, for what drives it; raises `InvalidRobot` where its motor `makes_energy`."""
     if wrong := makes_energy(robot):
-        raise InvalidRobot(wrong, hint="correct its file; until then only upright linearise and simulate answer")
+        raise InvalidRobot(wrong, hint="correct its file; certify, firmware and fly refuse it until then")
     return robot
 
 

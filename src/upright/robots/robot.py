@@ -207,7 +207,12 @@ def find_robot(robot: Robot | str | Path) -> Robot:
         return robot
     if str(robot).endswith(".json"):
         return _calibrated(Path(robot))
-    return Robot.load(robot) if toml.is_path(robot) else Robot.preset(str(robot))
+    if toml.is_path(robot):
+        return Robot.load(robot)
+    file = Path(f"{robot}.toml")
+    if robot not in preset_names() and file.is_file():
+        raise InvalidRobot(f"no preset is called '{robot}'", hint=f"the file, {file}")
+    return Robot.preset(str(robot))
 
 
 def _calibrated(path: Path) -> Robot:
