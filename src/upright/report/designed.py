@@ -22,7 +22,7 @@ from upright.control.observed import Observed
 from upright.control.pid import Pid, PidGains
 from upright.control.sliding import Sliding, SlidingMode
 from upright.report.figure import Figure
-from upright.report.page import Cell, Formula, Item, Section, Table, cell_text
+from upright.report.page import Cell, Formula, Item, Section, Table, cell_text, distance_text
 from upright.signals.signal import KNOWN, STATE
 from upright.tables import joined, short
 
@@ -60,7 +60,7 @@ def _after(run: Release) -> str:
 
 
 def _travel(run: Release) -> str:
-    return f"{cell_text(100 * run.travel, 2)} cm"
+    return distance_text(run.travel)
 
 
 def controller_section(designed: Designed) -> Section:

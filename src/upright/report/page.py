@@ -210,6 +210,19 @@ def _class_of(cell: Cell) -> str:
     return "" if isinstance(cell, str) else "number"
 
 
+def distance_text(metres: float) -> str:
+    """A distance in the unit that people say it in.
+
+    >>> distance_text(0.0312), distance_text(2.68), distance_text(123.0)
+    ('3.1 cm', '2.7 m', '123 m')
+    """
+    if abs(metres) >= 10:
+        return f"{metres:.0f} m".replace("-", "−")
+    if abs(metres) >= 0.995:  # two digits would make 100 cm of it
+        return f"{cell_text(metres, 2)} m"
+    return f"{cell_text(100 * metres, 2)} cm"
+
+
 def cell_text(cell: Cell, digits: int = 4) -> str:
     """A table's cell as text: a true minus sign, '–' for what is not known."""
     if isinstance(cell, Verdict):

@@ -15,7 +15,7 @@ from upright.plotting import AXIS, line, panels
 from upright.report.figure import Figure
 from upright.report.made import again
 from upright.report.metrics import degrees, words
-from upright.report.page import cell_text
+from upright.report.page import cell_text, distance_text
 from upright.tables import sentence
 
 if TYPE_CHECKING:
@@ -52,7 +52,7 @@ def travel(comparison: Comparison, label: str) -> tuple[str, str]:
         return degrees(turn), f"largest turn of the wheels{ahead}"
     if not turn:
         return "0 cm", "rolled: the wheels never turned"
-    return f"{cell_text(100 * radius * turn, 2)} cm", f"furthest that it rolls{ahead}: {degrees(turn)} of the wheels"
+    return distance_text(radius * turn), f"furthest that it rolls{ahead}: {degrees(turn)} of the wheels"
 
 
 def _rolls(comparison: Comparison, label: str) -> str:
