@@ -45,7 +45,7 @@ def read_controller(path: str | Path) -> Controller:
     form = data.get("form")
     if not isinstance(form, str) or form not in FORMS:
         raise InvalidController(f"{path} holds a controller of form {form!r}", expected="one of " + ", ".join(FORMS))
-    with understood(str(path), InvalidController, "JSON by write_controller"):
+    with understood(str(path), InvalidController, "JSON by upright design -o"):
         controller = FORMS[form](data["controller"])
         check_types(controller)
     by_hand = form == AnglePid.form and "hash" not in data
@@ -58,9 +58,9 @@ def read_controller(path: str | Path) -> Controller:
 
 
 def _read(path: Path) -> dict[str, Any]:
-    data = read_json(path, InvalidController, "a controller file, JSON by write_controller")
+    data = read_json(path, InvalidController, "a controller file, JSON by upright design -o")
     if not isinstance(data, dict) or data.get("file") != "upright controller":
-        raise InvalidController(f"{path} is no controller file", expected="JSON by write_controller or upright design")
+        raise InvalidController(f"{path} is no controller file", expected="JSON by upright design -o")
     if data.get("version") != VERSION:
         raise InvalidController(f"{path} is of version {data.get('version')}", expected=f"version {VERSION}")
     return data
