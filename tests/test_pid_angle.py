@@ -354,7 +354,7 @@ def test_the_page_for_an_arduino_stays_short_and_its_commands_run(tmp_path, monk
         assert main(words[1:]) == 0, (words, capsys.readouterr().err)
         ran.append(words[1])
     assert ran == ["robots", "design", "simulate", "firmware"]
-    assert "kp 50 pwm/deg, ki 60 pwm/deg/s, kd 1.4 pwm s/deg" in capsys.readouterr().out
+    assert "kp 50 pwm/deg, ki 60 pwm/(deg s), kd 1.4 pwm s/deg" in capsys.readouterr().out
     (by_hand,) = blocks(PAGE, "text")
     Path("hand.json").write_text(by_hand, "utf-8")
     assert controller_hash(read_controller("hand.json")) == controller_hash(read_controller("mine.json"))

@@ -80,7 +80,7 @@ class AngleDesign(Design):
         pid = self.controller
         each = f"{pid.output}/{pid.unit}"
         rate = f"{pid.output} s/{pid.unit}"
-        units = (each, f"{each}/s", rate)
+        units = (each, f"{pid.output}/({pid.unit} s)", rate)
         if pid.per == "step":
             units = (each, f"{each} a step", rate if pid.rate == "gyro" else each)
         head = ", ".join(f"{name} {getattr(pid, name):.4g} {unit}" for name, unit in zip(_GAINS, units, strict=True))
