@@ -38,7 +38,7 @@ from upright.fleet.ensemble import Ensemble
 from upright.fleet.push_map import PushGrid, push_map
 from upright.fleet.sweep import find_controller
 from upright.kernel import store
-from upright.kernel.batch import FleetBatch, parameters_of, silent
+from upright.kernel.batch import FleetBatch, idle, parameters_of
 from upright.kernel.law import compiled
 from upright.kernel.pack import constants
 from upright.kernel.simulate import simulate
@@ -183,7 +183,7 @@ def laws(repeats: int) -> None:
     """What a controller adds to a run in which the same sensors are read and nothing is commanded."""
     kit, n, periods = Kit.preset("nxt"), 2048, 100
     designs = {name: make_controller(name, ROBOT, kit, PERIOD) for name in ("lqg", "lqi", "pid", "hinf", "sliding")}
-    every = {**designs, "nothing": silent(designs["lqg"])}
+    every = {**designs, "nothing": idle(designs["lqg"].spec)}
     print(
         "\ncontrollers in the kernel: products of a period, ns a robot and period, first use without and with the disk"
     )

@@ -390,4 +390,5 @@ def _row(t: PushTrial, wide: int) -> str:
 
 
 def _sweep(label: str, swept: Sequence[Swept]) -> str:
-    return ", ".join(f"{label}{s.value * 1e3:.3g} ms: {s.fell / s.runs:.1%} fell" for s in swept)
+    falls = [f"{label}{s.value * 1e3:.3g} ms: {s.fell / s.runs:.1%} fell" for s in swept]
+    return f"left alone, {', '.join(falls)}" if falls else ""

@@ -93,7 +93,7 @@ class Strength:
     gear: float | None
 
     def __str__(self) -> str:
-        ways = [f"a battery of {self.battery:.3g} V"] if self.battery else []
+        ways = [f"a battery of {self.battery:.3g} V, if the motors bear it,"] if self.battery else []
         ways += [f"a gear ratio of {self.gear:.3g}"] if self.gear else []
         return f"{' or '.join(ways)} would do" if ways else "neither three times the voltage nor the gear would do"
 
