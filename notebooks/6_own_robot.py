@@ -223,7 +223,7 @@ up.lab_page(measured, ["lqg"], push="impulse:0.05", folder="lab-mine")
 # %% tags=["answer"]
 pole = up.linearise(mine).poles()[0].real
 changes = {}
-for name, value in mine.numbers().items():
+for name, value in [(p["name"], p["value"]) for p in mine.parameters()]:
     if value and name not in ("gravity", "body_depth", "body_height", "stiction_rate"):
         changes[name] = max(up.linearise(mine.replace(**{name: f * value})).poles()[0].real - pole for f in (0.8, 1.2))
 for name in sorted(changes, key=changes.get, reverse=True)[:5]:
