@@ -273,7 +273,7 @@ def tried(setup: TrialSetup) -> Iterator[TriedPush]:
     plan, at_once = _plan(setup), max(1, TOGETHER // len(setup.robots))
     for first in range(0, len(plan), at_once):
         some = plan[first : first + at_once]
-        runs = simulated(setup, [one for one, *_ in some], setup.controller, channels)
+        runs = simulated(setup, [one for one, *_ in some], channels)
         for (planned, standard, called, battery), run in zip(some, runs, strict=True):
             trial = replace(
                 _trial(called, battery, run, setup.parameters, law.period), size=standard.size,
@@ -297,16 +297,15 @@ def _plan(setup: TrialSetup) -> list[tuple[PlannedPush, StandardPush, str, str]]
 
 def watched(setup: TrialSetup, push: Any, number: int, channels: Sequence[str]) -> FleetResult:
     """One run of each robot of `setup` under `push`, with `channels` recorded; `number` is that of the trial."""
-    return simulated(setup, [PlannedPush(number, push)], setup.controller, channels)[0]
+    return simulated(setup, [PlannedPush(number, push)], channels)[0]
 
 
 def simulated(
-    setup: TrialSetup, pushes: Sequence[PlannedPush], controller: KernelController, channels: Sequence[str] = (),
-    *, seconds: float = SECONDS,
-) -> list[FleetResult]:  # fmt: skip
+    setup: TrialSetup, pushes: Sequence[PlannedPush], channels: Sequence[str] = (), *, seconds: float = SECONDS
+) -> list[FleetResult]:
     """One run of `seconds` of each robot under each push, push by push."""
-    batch = _batch(setup, pushes, controller)
-    part, results = CALLED if controller.called else batch.n, list[FleetResult]()
+    batch = _batch(setup, pushes)
+    part, results = CALLED if batch.called else batch.n, list[FleetResult]()
     for first in range(0, batch.n, part):
         some = batch if part >= batch.n else batch.part(slice(first, first + part))
         results.append(simulate(
@@ -318,7 +317,7 @@ def simulated(
     return [whole.part(slice(first, first + n)) for first in range(0, batch.n, n)]
 
 
-def _batch(setup: TrialSetup, pushes: Sequence[PlannedPush], controller: KernelController) -> FleetBatch:
+def _batch(setup: TrialSetup, pushes: Sequence[PlannedPush]) -> FleetBatch:
     """All robots under one push after another."""
     parameters, kit, logged = setup.parameters, setup.actual_kit, setup.logged
     n, count = len(parameters), len(pushes)
@@ -332,7 +331,7 @@ def _batch(setup: TrialSetup, pushes: Sequence[PlannedPush], controller: KernelC
         volts = [kit.battery.voltage if one.voltage is None else one.voltage for one in pushes]
         changes["battery.voltage"] = np.repeat(volts, n)
     return FleetBatch(
-        parameters=np.tile(parameters, (count, 1)), controller=controller.law, called=controller.called,
+        parameters=np.tile(parameters, (count, 1)), controller=setup.controller.law, called=setup.controller.called,
         kit=kit, seed=setup.seed, kit_changes=changes,
         start=start, pushes=np.concatenate(given), slope=slope, period=STEP,
         index=np.concatenate([np.arange(n, dtype=np.uint64) + np.uint64(one.number * n) for one in pushes]),

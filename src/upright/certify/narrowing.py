@@ -6,7 +6,7 @@ weights (Owen 2013, chapter 9). The answer is then tried on further robots.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -103,10 +103,8 @@ def guessed(setup: TrialSetup, unknown: Uncertainty, *, tried: bool) -> Guessed 
         return None
     if not tried:
         return Guessed(names, 0, 0)
-    spreads = tuple(s.scaled(0.0 if s.name in names else 1.0) for s in unknown.spreads)
     runs = FEW if setup.controller.called else TRIED
-    robots = draw(setup.robot, runs, setup.seed + 1, Uncertainty(spreads, unknown.correlation))
-    known = replace(setup, robots=robots, progress=None)
+    known = _known(setup, unknown, dict.fromkeys(names, 0.0), runs)
     lost = left_alone(known).fell.copy()
     for one in pushed(known):
         lost |= one.run.fell & ~one.beyond
@@ -118,11 +116,8 @@ def narrowing(setup: TrialSetup, unknown: Uncertainty, fell: Mask) -> Narrowing:
 
     def falls(factors: dict[str, float], *, all_pushes: bool = False) -> int:
         """How many fall; by default no push is tried after one that makes it red."""
-        spreads = tuple(s.scaled(factors.get(s.name, 1.0)) for s in unknown.spreads)
-        known = Uncertainty(spreads, unknown.correlation)
-        robots = draw(setup.robot, TRIED, setup.seed + 1, known)
         lost = np.zeros(TRIED, dtype=np.bool_)
-        for one in pushed(replace(setup, robots=robots, progress=None)):
+        for one in pushed(_known(setup, unknown, factors, TRIED)):
             lost |= one.run.fell
             if red(int(lost.sum()), TRIED) and not all_pushes:
                 break
@@ -145,6 +140,13 @@ def narrowing(setup: TrialSetup, unknown: Uncertainty, fell: Mask) -> Narrowing:
         return Narrowing((), TRIED, most, everything=True)
     several = (answer(ranked[:count]) for count in range(2, min(MOST_NAMES, len(ranked)) + 1))
     return next(filter(None, several), Narrowing((), TRIED, most))
+
+
+def _known(setup: TrialSetup, unknown: Uncertainty, factors: Mapping[str, float], runs: int) -> TrialSetup:
+    """Further robots for `setup`, whose numbers are known so many times as widely as in `unknown`."""
+    spreads = tuple(s.scaled(factors.get(s.name, 1.0)) for s in unknown.spreads)
+    robots = draw(setup.robot, runs, setup.seed + 1, Uncertainty(spreads, unknown.correlation))
+    return replace(setup, robots=robots, progress=None)
 
 
 def ranking(unknown: Uncertainty, parameters: Array, fell: Mask) -> Sequence[Spread]:

@@ -120,13 +120,13 @@ def endured(setup: TrialSetup) -> tuple[Endured, ...]:
     robot, kit = setup.stated or (setup.robot, setup.kit)
     knock, hold, slope = largest_knock(robot, kit), largest_hold(robot, kit), largest_slope(robot, kit)
     parts = [(k + 1) / PARTS for k in range(PARTS)]
-    knocks = [part * min(knock, MOST_KNOCK * robot.body_mass / 0.5) for part in parts]
+    knocks = [part * min(knock, 2 * MOST_KNOCK * robot.body_mass) for part in parts]
     leans = [part * min(hold, MOST_HOLD) for part in parts]
     slopes = [part * min(slope, MOST_HOLD) for part in parts]
     plan = [PlannedPush(k, Impulse(impulse=size, start=1.0, duration=KNOCK_DURATION)) for k, size in enumerate(knocks)]
     plan += [PlannedPush(k, Hold(pitch=size, until=RELEASE)) for k, size in enumerate(leans)]
     plan += [PlannedPush(k, NOTHING, angles=size, lean=size) for k, size in enumerate(slopes)]
-    runs = simulated(replace(setup, robots=[setup.robot] * REPEATED), plan, setup.controller)
+    runs = simulated(replace(setup, robots=[setup.robot] * REPEATED), plan)
     forces = [-Hold(pitch=size, until=RELEASE).force(robot) for size in leans]
     best = -Hold(pitch=hold, until=RELEASE).force(robot) if math.isfinite(hold) else math.inf
     return (
@@ -149,7 +149,8 @@ def strong_enough(setup: TrialSetup) -> Strength:
         return all((~recoverable(table, able, push)).sum() <= most for push in pushes)
 
     full = kit.battery.voltage
-    battery = next((full * more for more in STRONGER if enough(full * more, 1.0)), None)
+    driven = setup.robot.command_unit == "V" and math.isfinite(full)  # else no battery limits a command
+    battery = next((full * more for more in STRONGER if enough(full * more, 1.0)), None) if driven else None
     gear = next((setup.robot.gear_ratio * more for more in STRONGER if enough(full, more)), None)
     return Strength(battery, gear)
 
@@ -160,7 +161,7 @@ def delay_sweep(setup: TrialSetup) -> tuple[Swept, ...]:
     period = setup.controller.law.period
     extra = sorted({round(fraction * period / STEP) * STEP for fraction in DELAYS} - {0.0})
     slowed = {more: replace(setup, logged=replace(known, kit=delaying(kit, more))) for more in extra}
-    return tuple(_swept(one, more, setup.controller) for more, one in slowed.items())
+    return tuple(_swept(one, more) for more, one in slowed.items())
 
 
 def period_sweep(setup: TrialSetup) -> tuple[Swept, ...]:
@@ -170,7 +171,7 @@ def period_sweep(setup: TrialSetup) -> tuple[Swept, ...]:
     """
     period = setup.controller.law.period
     tried = sorted({max(1, round(fraction * period / STEP)) * STEP for fraction in SLOWER})
-    return tuple(_swept(setup, p, _every(setup, p)) for p in tried if p >= setup.actual_kit.jitter)
+    return tuple(_swept(_every(setup, p), p) for p in tried if p >= setup.actual_kit.jitter)
 
 
 def _survived(sizes: Sequence[float], runs: Sequence[FleetResult]) -> float:
@@ -187,23 +188,22 @@ def _finite(value: float) -> float | None:
     return value if math.isfinite(value) else None
 
 
-def _every(setup: TrialSetup, period: float) -> KernelController:
+def _every(setup: TrialSetup, period: float) -> TrialSetup:
     """The same gains every `period` [s]."""
     law, called = setup.controller
-    return KernelController(law.with_period(period), called)
+    return replace(setup, controller=KernelController(law.with_period(period), called))
 
 
-def left_alone(setup: TrialSetup, controller: KernelController | None = None) -> FleetResult:
-    """The robots of `setup`, left alone under its controller or another."""
-    nothing = [PlannedPush(0, NOTHING, lean=LEAN)]
-    return simulated(setup, nothing, controller or setup.controller, seconds=ALONE)[0]
+def left_alone(setup: TrialSetup) -> FleetResult:
+    """The robots of `setup`, left alone."""
+    return simulated(setup, [PlannedPush(0, NOTHING, lean=LEAN)], seconds=ALONE)[0]
 
 
 def _longest(own: TrialSetup) -> float | None:
     """The longest period [s] at which the robots of `own` stand without a swing: doubled, then bisected."""
 
     def stands(steps: int) -> bool:
-        run = left_alone(own, _every(own, steps * STEP))
+        run = left_alone(_every(own, steps * STEP))
         return not run.fell.any() and run.peak[:, 0].max() <= MOST_CYCLE
 
     low = round(own.controller.law.period / STEP)
@@ -222,6 +222,6 @@ def _longest(own: TrialSetup) -> float | None:
     return low * STEP
 
 
-def _swept(setup: TrialSetup, value: float, controller: KernelController) -> Swept:
-    run = left_alone(replace(setup, robots=setup.robots[:SWEPT]), controller)
+def _swept(setup: TrialSetup, value: float) -> Swept:
+    run = left_alone(replace(setup, robots=setup.robots[:SWEPT]))
     return Swept(value, len(run.fell), int(run.fell.sum()))
