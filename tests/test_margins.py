@@ -21,7 +21,7 @@ from upright.control.state_space import continuous, controller_of, discrete
 from upright.errors import InvalidModel
 from upright.lab.tasks import smallest
 from upright.loops.analysis import analyse
-from upright.loops.loop import Loop, delay_margin, robot_loop
+from upright.loops.loop import Loop, robot_loop
 from upright.loops.margins import broken_at, disk_gain, disk_margin, disk_phase, margins, sign_changes
 from upright.loops.mu import parameter_mu
 from upright.loops.scaling import balanced, best_scaling
@@ -187,7 +187,7 @@ def test_state_feedback_margins_are_those_at_which_the_loop_really_breaks(nomina
 
 
 def test_more_delay_than_the_margin_makes_the_robot_unstable(nominal):
-    late = delay_margin(NXT, nominal, IDEAL)
+    late = robot_loop(NXT, nominal, IDEAL).delay_margin()
     linear = as_linear(nominal)
     K = controller_of(linear, 0)
     for share, holds in ((0.98, True), (1.02, False)):
@@ -200,7 +200,7 @@ def test_the_delay_margin_is_found_at_a_thousand_periods_a_second():
     # the same gains every 1 ms on the twin's kit: near continuous time, so that the phase margin at the crossover tells
     # the delay too, but for the half period that holding a command costs
     kit, feedback = replace(IDEAL, period=0.001), lqr(NXT, 0.001)
-    found = delay_margin(NXT, feedback, kit)
+    found = robot_loop(NXT, feedback, kit).delay_margin()
     assert found == pytest.approx(margins(robot_loop(NXT, feedback, kit).at_input, (1, 1)).delay, abs=1e-3)
 
 

@@ -47,7 +47,7 @@ from upright.compiled.trace_print import (
     function,
 )
 from upright.errors import InvalidModel
-from upright.physics.dynamics import held_at_speed
+from upright.physics.dynamics import Unpowered, held_at_speed
 from upright.physics.integrate import rk4_step
 from upright.physics.sensing import accelerometer
 
@@ -332,15 +332,14 @@ def _speed_steps() -> list[Step]:
     a12, a22, a33, yaw_inertia = numbers("a12 a22 a33 yaw_inertia")
     lag, most, slip = numbers("speed_lag acceleration_limit slip_torque")
     turning = half_track * yaw_rate
-    moved = held_at_speed(
-        numbers("speed_left speed_right"),
-        (wheel_rate - turning - pitch_rate, wheel_rate + turning - pitch_rate),
-        numbers(" ".join(f"free_{name}" for name in _ACCELERATIONS)),
-        (1.0, a12, a22, a33 * yaw_inertia),
-        half_track,
-        SimpleNamespace(speed_lag=lag, acceleration_limit=most, slip_torque=slip),
-        out,
+    idle = Unpowered(
+        rates=(wheel_rate - turning - pitch_rate, wheel_rate + turning - pitch_rate),
+        free=numbers(" ".join(f"free_{name}" for name in _ACCELERATIONS)),
+        inertias=(1.0, a12, a22, a33 * yaw_inertia),
+        half_track=half_track,
     )
+    motor = SimpleNamespace(speed_lag=lag, acceleration_limit=most, slip_torque=slip)
+    moved = held_at_speed(numbers("speed_left speed_right"), idle, motor, out)
     results = [Fused(name, ((1.0, value.name),)) for name, value in zip(_ACCELERATIONS, moved, strict=True)]
     return [*out.block("drive").steps, *results]
 

@@ -98,7 +98,12 @@ class RobotLoop(Loop):
         return Loop(commanded_plant(_sampled(robot or self.robot, kit or self.kit, self.linear)), self.controller)
 
     def delay_margin(self, at: str = "", latest: float = LATEST) -> float:
-        """As the function of that name."""
+        """How much more dead time [s] the loop survives when the controller does not know of it; infinite beyond
+        `latest`.
+
+        With `at`, a sensor's channel, it is that sensor's delay that grows. It is raised by `FINEST` until the loop of
+        the robot sampled with it is unstable, then bisected.
+        """
         high = low = 0.0
         while self._bears(high, at):
             low = high
@@ -129,15 +134,6 @@ def robot_loop(robot: Robot, controller: Controller, kit: Kit) -> RobotLoop:
     model = _sampled(robot, kit, linear)
     K = controller_of(linear, model.delay)
     return RobotLoop(commanded_plant(model), K, robot=robot, kit=kit, linear=linear, hidden=model.hidden)
-
-
-def delay_margin(robot: Robot, controller: Controller, kit: Kit, *, at: str = "", latest: float = LATEST) -> float:
-    """How much more dead time [s] the loop survives when the controller does not know of it; infinite beyond `latest`.
-
-    With `at`, a sensor's channel, it is that sensor's delay that grows. It is raised by `FINEST` until the loop of
-    the robot sampled with it is unstable, then bisected.
-    """
-    return robot_loop(robot, controller, kit).delay_margin(at, latest)
 
 
 def delayed_kit(kit: Kit, more: float, at: str) -> Kit:

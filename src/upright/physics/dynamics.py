@@ -80,6 +80,16 @@ def yaw_swing(p: Any, model: str) -> Any:
     return point_mass + p.roll_inertia - p.yaw_inertia if model == "complete" else point_mass
 
 
+class Unpowered(NamedTuple):
+    """A robot whose motors give no torque: `rates` of both wheels against the body [rad/s], its accelerations `free`
+    [rad/s²], `inertias` (a11, a12, a22, a33) in one unit, and `half_track` W/(2R)."""
+
+    rates: Sequence[Any]
+    free: Sequence[Any]
+    inertias: Sequence[Any]
+    half_track: Any
+
+
 def drives_speed(p: Any) -> bool:
     """Whether the command is the wheels' speed; of arrays of robots whether it is that of any."""
     lag = p.speed_lag
@@ -92,21 +102,21 @@ def accelerations(
     """ψ̈, θ̈, φ̈ [rad/s²] at state `x` under command `u` and disturbance `w`."""
     if not drives_speed(p):
         return driven_by_torque(x, u, p, w, xp, model)
-    return held_at_speed(u, *_unpowered(x, p, w, xp, model), p, xp)
+    return held_at_speed(u, _unpowered(x, p, w, xp, model), p, xp)
 
 
 def slips(x: Sequence[Any], u: Sequence[Any], p: Any, w: Disturbance = CALM, model: str = "complete") -> bool:
     """Whether a motor of a speed drive lacks the torque for the speed that is commanded of it."""
-    needed = holding_torques(u, *_unpowered(x, p, w, math, model), p, math)
+    needed = holding_torques(u, _unpowered(x, p, w, math, model), p, math)
     return max(map(abs, needed)) > p.slip_torque
 
 
-def _unpowered(x: Sequence[Any], p: Any, w: Disturbance, xp: Any, model: str) -> tuple[Any, Any, Any, Any]:
-    """What `held_at_speed` begins with: the wheels' rates against the body, accelerations, inertias, W/(2R)."""
+def _unpowered(x: Sequence[Any], p: Any, w: Disturbance, xp: Any, model: str) -> Unpowered:
+    """The robot at state `x` under `w` without its motors."""
     half_track = turn_ratio(p)
     rates = x[3] - half_track * x[5] - x[1], x[3] + half_track * x[5] - x[1]
     free = driven_by_torque(x, (0.0, 0.0), p, w, xp, model)
-    return rates, free, mass_matrix(xp.cos(x[0]), xp.sin(x[0]), p, model), half_track
+    return Unpowered(rates, free, mass_matrix(xp.cos(x[0]), xp.sin(x[0]), p, model), half_track)
 
 
 def driven_by_torque(
@@ -154,54 +164,35 @@ def driven_by_torque(
     return pitch_acc, wheel_acc, yaw_force / a33
 
 
-def held_at_speed(
-    u: Sequence[Any],
-    rates: Sequence[Any],
-    free: Sequence[Any],
-    inertias: Sequence[Any],
-    half_track: Any,
-    p: Any,
-    xp: Any,
-) -> tuple[Any, Any, Any]:
-    """The accelerations where motors turn the wheels at `u` against the body, until they slip.
-
-    `rates` are those that the wheels have, `free` the accelerations without motors, `half_track` W/(2R).
-    """
-    pitch_acc, wheel_acc, yaw_acc = free
-    a11, a12, a22, a33 = inertias
-    needed = holding_torques(u, rates, free, inertias, half_track, p, xp)
+def held_at_speed(u: Sequence[Any], idle: Unpowered, p: Any, xp: Any) -> tuple[Any, Any, Any]:
+    """The accelerations where motors turn the wheels at `u` against the body, until they slip."""
+    pitch_acc, wheel_acc, yaw_acc = idle.free
+    a11, a12, a22, a33 = idle.inertias
+    needed = holding_torques(u, idle, p, xp)
     left, right = (within(torque, p.slip_torque, xp) for torque in needed)
     both = (left + right) / (a11 * a22 - a12**2)
     return (
         pitch_acc - (a11 + a12) * both,
         wheel_acc + (a12 + a22) * both,
-        yaw_acc + half_track * (right - left) / a33,
+        yaw_acc + idle.half_track * (right - left) / a33,
     )
 
 
-def holding_torques(
-    u: Sequence[Any],
-    rates: Sequence[Any],
-    free: Sequence[Any],
-    inertias: Sequence[Any],
-    half_track: Any,
-    p: Any,
-    xp: Any,
-) -> tuple[Any, Any]:
+def holding_torques(u: Sequence[Any], idle: Unpowered, p: Any, xp: Any) -> tuple[Any, Any]:
     """Torque on each wheel [N m] that gives it, against the body, the acceleration δ̈ = (u − δ̇)/T_v within ±α_max.
 
     Both torques together change δ̈ = θ̈ − ψ̈ by (a11 + 2 a12 + a22)/(a11 a22 − a12²) for each N m, their difference
-    changes φ̈ by W/(2R a33). Arguments as in `held_at_speed`.
+    changes φ̈ by W/(2R a33).
     """
-    pitch_acc, wheel_acc, yaw_acc = free
-    a11, a12, a22, a33 = inertias
+    pitch_acc, wheel_acc, yaw_acc = idle.free
+    a11, a12, a22, a33 = idle.inertias
     left, right = (
         within((speed - rate) * (1 / p.speed_lag), p.acceleration_limit, xp)
-        for speed, rate in zip(u, rates, strict=True)
+        for speed, rate in zip(u, idle.rates, strict=True)
     )
     missing = (left + right) * 0.5 - (wheel_acc - pitch_acc)
     both = missing * (a11 * a22 - a12**2) / (a11 + 2 * a12 + a22)
-    turning = ((right - left) * (0.5 / half_track) - yaw_acc) * a33 * (1 / half_track)
+    turning = ((right - left) * (0.5 / idle.half_track) - yaw_acc) * a33 * (1 / idle.half_track)
     return (both - turning) * 0.5, (both + turning) * 0.5
 
 
