@@ -95,11 +95,8 @@ class Strength:
     def __str__(self) -> str:
         ways = [f"a battery of {self.battery:.3g} V, if the motors bear it,"] if self.battery else []
         ways += [f"a gear ratio of {self.gear:.3g}"] if self.gear else []
-        return (
-            f"{' or '.join(ways)} would do"
-            if ways
-            else "neither three times the voltage nor three times the gear would do"
-        )
+        none = "neither three times the voltage nor three times the gear would do"
+        return f"{' or '.join(ways)} would do" if ways else none
 
 
 def standing(setup: TrialSetup, *, sweeps: bool = True) -> Standing:
