@@ -23,14 +23,14 @@ import harness
 import numpy as np
 
 from planted.twins import DITHER, FLOOR, RUNS, drawn, runs_of, truth, twin_log
-from upright.calibrate.annealing import annealed
-from upright.calibrate.calibrate import calibrate, prepared
-from upright.calibrate.estimate import VISIBLE, Estimate
-from upright.calibrate.fitting import Problem, events_of
-from upright.calibrate.gauss_newton import gauss_newton
-from upright.calibrate.parameters import ROLLING
-from upright.calibrate.refined import refined
-from upright.calibrate.summary import rolling_pole
+from upright.calibration.annealing import annealed
+from upright.calibration.calibrate import calibrate, prepared
+from upright.calibration.estimate import VISIBLE, Estimate
+from upright.calibration.fitting import Problem, events_of
+from upright.calibration.gauss_newton import gauss_newton
+from upright.calibration.parameters import ROLLING
+from upright.calibration.refined import refined
+from upright.calibration.summary import rolling_pole
 from upright.errors import UprightError
 from upright.physics.dynamics import derivative
 from upright.robots import PARAMETERS, Kit, Robot
@@ -160,7 +160,7 @@ def scipy_time(problem: Problem, limits: dict[str, float], whole: bool) -> None:
     residuals, which are the same numbers; the product is what the whole would take. With `whole` it is run."""
     from scipy.optimize import least_squares
 
-    from upright.calibrate.predictor import innovations
+    from upright.calibration.predictor import innovations
 
     found, z, *_ = refined(*annealed(problem, limits), limits)
     settled, z = replace(found, parameters=found.asked), z[: len(found.asked)]  # those that are told, for both alike
@@ -206,7 +206,7 @@ def solve_ivp_pass(problem: Problem, z: np.ndarray, gains: np.ndarray) -> np.nda
     """The innovations with SciPy's integrator between events."""
     from scipy.integrate import solve_ivp
 
-    from upright.calibrate.parameters import with_values
+    from upright.calibration.parameters import with_values
 
     recording = problem.recordings[0]
     robot = with_values(problem.robot, {p.name: float(p.value(z[i])) for i, p in enumerate(problem.parameters)})

@@ -15,7 +15,7 @@ from calibrate import off
 
 from planted import foreign
 from planted.foreign import plane
-from upright.calibrate.calibrate import calibrate
+from upright.calibration.calibrate import calibrate
 from upright.logs.mapping import apply, propose
 from upright.logs.readers import RawTable
 

@@ -25,8 +25,8 @@ from typing import Any
 import harness
 
 from planted.controllers import DESIGNS, FAULTS, FEW, MANY, SEED, Case, plant, right
-from upright.certify.certificate import certify
-from upright.certify.checks import (
+from upright.certification.certificate import certify
+from upright.certification.checks import (
     TrialSetup,
     kernel_controller,
     trials,

@@ -13,7 +13,7 @@ from __future__ import annotations
 import harness
 
 from planted.faults import CASES, false_alarms, named, planted, standing
-from upright.doctor.doctor import doctor
+from upright.checkup.doctor import doctor
 
 
 def main() -> None:

@@ -19,7 +19,7 @@ import harness
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.doctor.doctor import doctor
+from upright.checkup.doctor import doctor
 from upright.logs.readers import RawTable, read_table
 
 Array = NDArray[np.float64]

@@ -32,18 +32,18 @@ import numpy as np
 
 from upright.bodies import Electronics
 from upright.bodies.twin import Twin
-from upright.calibrate.calibrate import calibrate
-from upright.calibrate.calibration import Calibration
-from upright.calibrate.estimate import VISIBLE
+from upright.calibration.calibrate import calibrate
+from upright.calibration.calibration import Calibration
+from upright.calibration.estimate import VISIBLE
 from upright.control import make_controller
 from upright.control.excited import Excited, random_binary
 from upright.errors import UprightError
-from upright.excite import excite
-from upright.excite.loop import ExcitedLoop
-from upright.excite.plan import ExcitationPlan
-from upright.excite.search import SWAY
+from upright.excitation import excite
+from upright.excitation.loop import ExcitedLoop
+from upright.excitation.plan import ExcitationPlan
+from upright.excitation.search import SWAY
 from upright.experiment import run
-from upright.fleet.binomial import clopper_pearson
+from upright.fleets.binomial import clopper_pearson
 from upright.kernel.batch import parameters_of
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import Family, Uncertainty, read_posterior

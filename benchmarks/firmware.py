@@ -20,9 +20,9 @@ import harness
 from upright.bricks.virtual_robot import COST
 from upright.control import CONTROLLERS, make_controller
 from upright.errors import UprightError
+from upright.execution import execute_arm, execute_avr, executed_parity
+from upright.execution.execute import execute
 from upright.firmware import generate
-from upright.parity import execute_arm, execute_avr, executed_parity
-from upright.parity.execute import execute
 from upright.robots import Kit, Robot
 
 ROWS = (

@@ -34,9 +34,9 @@ from upright.compiled.generated import Constants
 from upright.control import Estimated, kalman, lqr, make_controller
 from upright.control.law import as_law, program
 from upright.experiment import Push, run
-from upright.fleet.ensemble import Ensemble
-from upright.fleet.push_map import PushGrid, push_map
-from upright.fleet.sweep import find_controller
+from upright.fleets.ensemble import Ensemble
+from upright.fleets.push_map import PushGrid, push_map
+from upright.fleets.sweep import find_controller
 from upright.kernel import store
 from upright.kernel.batch import FleetBatch, idle, parameters_of
 from upright.kernel.law import compiled

@@ -20,8 +20,8 @@ from planted.twins import DITHER, twin_log
 from upright.bodies import NonlinearBody
 from upright.bodies.twin import Twin
 from upright.errors import UprightError
-from upright.identify.identify import identify_one, study_of
-from upright.identify.judge import judge_of, loop_trial
+from upright.identification.identify import identify_one, study_of
+from upright.identification.judge import judge_of, loop_trial
 from upright.physics.linear import rolling, unstable_pole
 from upright.robots import Kit, Robot, Sensor
 

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from planted.exact_mpc import Array, Exact, Watched, exact
 from upright.bodies import Electronics, NonlinearBody
-from upright.certify.checks import TrialSetup, kernel_controller, trials
+from upright.certification.checks import TrialSetup, kernel_controller, trials
 from upright.comparison.bench import largest_knock
 from upright.compiled.program import Program
 from upright.control import mpc

@@ -22,10 +22,10 @@ import harness
 import numpy as np
 
 from planted.real_runs import DATA, PRESETS, Run, crossed, loops, runs
-from upright.calibrate.calibrate import calibrate, prepared
-from upright.calibrate.calibration import Calibration
-from upright.calibrate.estimate import VISIBLE, Estimate
-from upright.calibrate.own_run import as_driven, of_this_run
+from upright.calibration.calibrate import calibrate, prepared
+from upright.calibration.calibration import Calibration
+from upright.calibration.estimate import VISIBLE, Estimate
+from upright.calibration.own_run import as_driven, of_this_run
 from upright.errors import UprightError
 from upright.robots import Robot, find_kit
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 import harness
 
 from upright.errors import UprightError
-from upright.tune.figures import Figures
-from upright.tune.tune import BUDGET, tune
+from upright.tuning.figures import Figures
+from upright.tuning.tune import BUDGET, tune
 
 ROBOTS = ("herrera2015", "ev3way", "ev3way-large-wheels", "nxtway-gs", "twipr")
 

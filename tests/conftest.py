@@ -278,7 +278,7 @@ def common(factory: pytest.TempPathFactory, name: str) -> Path:
 @pytest.fixture(scope="session")
 def nbc_once(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """What nbc made of a text it need not make again, which takes it a second: all flights have the same program."""
-    from upright.parity import execute_nxc
+    from upright.execution import execute_nxc
 
     folder, run_tool = common(tmp_path_factory, "nbc"), execute_nxc.run_tool
 

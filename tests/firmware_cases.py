@@ -12,8 +12,8 @@ import pytest
 
 from upright.control import LinearController, make_controller, read_controller
 from upright.control.controller import Controller
+from upright.execution import Parity
 from upright.firmware import Firmware, generate
-from upright.parity import Parity
 from upright.robots import Kit, Robot
 
 GOLDEN = Path(__file__).parent / "golden" / "firmware"

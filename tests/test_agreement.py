@@ -17,16 +17,16 @@ import pytest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.body import Sample
-from upright.calibrate.calibration import Calibration
-from upright.calibrate.estimate import HELD
-from upright.certify import checks
-from upright.certify.actual import as_logged
-from upright.certify.agreement import AMBER, RED, Agreement, agreement
-from upright.certify.calibrated import Learnt, learnt
-from upright.certify.certificate import Certificate, certify, read_certificate
-from upright.certify.checks import KernelController, PushTrial, TrialSetup, kernel_controller, trials, tried
-from upright.certify.pushes import standard_pushes
-from upright.certify.verdict import GREEN, Examined, LinearMargins, judge
+from upright.calibration.calibration import Calibration
+from upright.calibration.estimate import HELD
+from upright.certification import checks
+from upright.certification.actual import as_logged
+from upright.certification.agreement import AMBER, RED, Agreement, agreement
+from upright.certification.calibrated import Learnt, learnt
+from upright.certification.certificate import Certificate, certify, read_certificate
+from upright.certification.checks import KernelController, PushTrial, TrialSetup, kernel_controller, trials, tried
+from upright.certification.pushes import standard_pushes
+from upright.certification.verdict import GREEN, Examined, LinearMargins, judge
 from upright.cli.main import main
 from upright.comparison.bench import TOLERANCE, bench_one, largest_knock
 from upright.control import ControllerSpec, LinearController, as_linear, make_controller
@@ -304,7 +304,7 @@ def test_command_draws_its_robots_from_what_a_calibration_makes_of_the_log(
         asked.append((log, setup.robot))
         return Learnt(ROBOT.replace(name="found", body_mass=1.01 * ROBOT.body_mass), KIT, CALIBRATED), ()
 
-    monkeypatch.setattr(import_module("upright.certify.calibrated"), "calibrated", calibrated)
+    monkeypatch.setattr(import_module("upright.certification.calibrated"), "calibrated", calibrated)
     whole = recording()
     whole.save(tmp_path / "run.csv")
     assert main(["certify", "pid", "--log", str(tmp_path / "run.csv"), "-n", "100", "--json"]) == 0

@@ -23,15 +23,15 @@ CHECKOUT = Path(__file__).resolve().parents[1]
 SOURCE = CHECKOUT / "src" / "upright"
 
 WINGS = {
-    "base": ("arrays", "errors", "interrupts", "atomic", "progress", "reading", "language", "tables", "decimate",
+    "base": ("arrays", "errors", "interrupts", "atomic", "progress", "reading", "languages", "tables", "decimate",
              "plotting", "plugins"),
     "description": ("signals", "robots"),
     "model": ("physics", "compiled", "bodies", "control", "loops"),
-    "simulation": ("experiment", "kernel", "fleet", "gym"),
-    "inference": ("logs", "doctor", "calibrate", "excite", "identify", "validate", "diagnose"),
-    "decision": ("certify", "tune"),
-    "hardware": ("links", "firmware", "bricks", "parity", "flight"),
-    "presentation": ("comparison", "report", "paper", "lab", "classwork", "cli", "__main__"),
+    "simulation": ("experiment", "kernel", "fleets", "gym"),
+    "inference": ("logs", "checkup", "calibration", "excitation", "identification", "validation", "diagnose"),
+    "decision": ("certification", "tuning"),
+    "hardware": ("links", "firmware", "bricks", "execution", "flight"),
+    "presentation": ("comparison", "reports", "paper", "lab", "classwork", "cli", "__main__"),
 }  # fmt: skip
 ROOMS = tuple(name for wing in WINGS.values() for name in wing)
 """From the ground up."""
@@ -49,8 +49,8 @@ AT_ONCE = {
     ("compiled/trace_constants.py", "sympy"), ("compiled/trace_print.py", "sympy"),
     ("compiled/trace_motion.py", "sympy"),
     ("gym/balance.py", "gymnasium"), ("gym/task.py", "gymnasium"), ("gym/vector.py", "gymnasium"),
-    ("calibrate/motion.py", "numba"), ("lab/app.py", "fastapi"), ("plotting.py", "matplotlib"),
-    ("report/figure.py", "matplotlib"), ("report/robot.py", "matplotlib"), ("report/film.py", "matplotlib"),
+    ("calibration/motion.py", "numba"), ("lab/app.py", "fastapi"), ("plotting.py", "matplotlib"),
+    ("reports/figure.py", "matplotlib"), ("reports/robot.py", "matplotlib"), ("reports/film.py", "matplotlib"),
 }  # fmt: skip
 """Heavy packages that a module may import when it is loaded, because it is loaded only to use them."""
 

@@ -15,7 +15,7 @@ from conftest import PATIENCE
 from upright.atomic import write_text, writing
 from upright.cli.main import USER_ERROR, main
 from upright.errors import UprightError
-from upright.report import Page
+from upright.reports import Page
 from upright.robots import Robot
 from upright.signals import Log
 

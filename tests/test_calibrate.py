@@ -21,22 +21,22 @@ from conftest import PATIENCE
 from planted import real_runs as real_logs
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
-from upright.calibrate.calibrate import calibrate, prepared
-from upright.calibrate.calibration import Calibration
-from upright.calibrate.coefficients import DRIVEN, LEVEL, ROLLING_DRY
-from upright.calibrate.estimate import HELD, VISIBLE
-from upright.calibrate.fitting import events_of, normal_equations, objective
-from upright.calibrate.informativity import INERTIAL, _within_prior, between_optima, drives_straight, too_quiet
-from upright.calibrate.judge import poorly
-from upright.calibrate.learnt_kit import learnt_kit
-from upright.calibrate.noise import scaled_noise, sensor_bounds
-from upright.calibrate.parameters import ROLL_FRACTION, Parameter, parameters_of, with_values
-from upright.calibrate.process_noise import arrival
-from upright.calibrate.threads import in_threads
-from upright.calibrate.validate import segments
+from upright.calibration.calibrate import calibrate, prepared
+from upright.calibration.calibration import Calibration
+from upright.calibration.coefficients import DRIVEN, LEVEL, ROLLING_DRY
+from upright.calibration.estimate import HELD, VISIBLE
+from upright.calibration.fitting import events_of, normal_equations, objective
+from upright.calibration.informativity import INERTIAL, _within_prior, between_optima, drives_straight, too_quiet
+from upright.calibration.judge import poorly
+from upright.calibration.learnt_kit import learnt_kit
+from upright.calibration.noise import scaled_noise, sensor_bounds
+from upright.calibration.parameters import ROLL_FRACTION, Parameter, parameters_of, with_values
+from upright.calibration.process_noise import arrival
+from upright.calibration.threads import in_threads
+from upright.calibration.validate import segments
+from upright.checkup.wheels import on_its_wheels
 from upright.control import Estimated, kalman, lqr, make_controller
 from upright.control.excited import Excited, random_binary
-from upright.doctor.wheels import on_its_wheels
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import run
 from upright.experiment.examples import example
@@ -95,7 +95,7 @@ def test_the_predictor_integrates_the_equations_of_physics(rolling: float, close
     of second order, and the wheels turn back here: 3e-4 at 1 ms, a quarter of it at 0.5 ms."""
     from scipy.integrate import solve_ivp
 
-    from upright.calibrate.predictor import innovations
+    from upright.calibration.predictor import innovations
 
     log, robot = twin_log(5.0), PRIOR.replace(rolling_friction=rolling)
     problem, _ = prepared([log], robot, NXT, (), 0.0)
@@ -124,7 +124,7 @@ def test_the_predictor_integrates_the_equations_of_physics(rolling: float, close
 
 def test_slopes_at_fixed_gains_are_those_of_the_innovations() -> None:
     """The Jacobian's columns agree with a secant over a step a hundred times longer, to what its curvature leaves."""
-    from upright.calibrate.predictor import innovations
+    from upright.calibration.predictor import innovations
 
     problem, _ = prepared([twin_log(5.0)], PRIOR, NXT, (), 0.0)
     recording, z = problem.recordings[0], np.zeros(len(problem.parameters))
@@ -255,7 +255,7 @@ def test_a_gyro_that_is_turned_is_said_before_what_looks_like_pushes_under_anoth
 ) -> None:
     """That file explains no motion, so that all of it looks pushed: who dithers as was advised turns no gyro. No cause
     is looked for, in a minute, of what the doctor knows in a second."""
-    monkeypatch.delattr(import_module("upright.calibrate.calibrate"), "refined")
+    monkeypatch.delattr(import_module("upright.calibration.calibrate"), "refined")
     log = example("excited").between(0.0, 4.0)
     turned = {n: -v if n == "sensor/gyro" else v for n, v in log.channels.items() if n.startswith(("sens", "appl"))}
     found = calibrate(Log(log.t, turned, log.units), "ev3way")
@@ -289,7 +289,7 @@ def test_a_quiet_log_gives_no_inertia() -> None:
 def page_of_misses() -> str:
     """Of a fit that predicts the gyro ten times further off than its mean, and knows the motor's resistance worse than
     the file does."""
-    from upright.report.calibration import page_of
+    from upright.reports.calibration import page_of
 
     found = replace(calibration(), fits={"1": {"sensor/gyro": -3592.0, "sensor/encoder_left": 99.0}})
     loose = replace(found["motor_resistance"], shrink=2.87, guess=False)
@@ -332,8 +332,8 @@ def test_a_number_that_a_log_knows_less_of_than_the_file_has_no_per_cent() -> No
 
 
 def test_no_bar_and_no_prior_of_a_positive_number_is_drawn_below_zero() -> None:
-    from upright.report.calibration import page_of
-    from upright.report.figure import Figure
+    from upright.reports.calibration import page_of
+    from upright.reports.figure import Figure
     from upright.tables import spoken
 
     found = calibration()
@@ -353,9 +353,9 @@ def test_a_guess_that_the_log_contradicts_is_a_reservation_and_its_arrow_stands_
     from matplotlib.text import Annotation
 
     from upright.plotting import number
-    from upright.report.calibration import page_of
-    from upright.report.figure import Figure
-    from upright.report.priors import FAR
+    from upright.reports.calibration import page_of
+    from upright.reports.figure import Figure
+    from upright.reports.priors import FAR
 
     monkeypatch.setitem(page_of.__globals__, "typed", lambda *_: "mine.toml")
     found = calibration()
@@ -384,7 +384,7 @@ def test_a_guess_that_the_log_contradicts_is_a_reservation_and_its_arrow_stands_
 
 def test_the_title_judges_the_part_that_was_not_fitted() -> None:
     """A model that predicts what it was fitted to, and not the rest, was said to predict."""
-    from upright.report.calibration import page_of
+    from upright.reports.calibration import page_of
 
     found = calibration()
     free = found.free[0]
@@ -402,7 +402,7 @@ def test_the_title_judges_the_part_that_was_not_fitted() -> None:
 
 def test_a_run_that_differs_and_a_sensor_that_is_not_white_are_each_said_once() -> None:
     """Of three runs with the same loud sensor, and one file with an underscore in its name."""
-    from upright.report.calibration import page_of
+    from upright.reports.calibration import page_of
 
     found, words = calibration(), "Log 2, run_2.csv, differs from the other runs: a11. Leave it out."
     loud = replace(found.whiteness[0], ljung_box=1e6)

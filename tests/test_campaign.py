@@ -18,11 +18,11 @@ from conftest import PATIENCE
 from upright.cli.fleet import sweep
 from upright.cli.main import main
 from upright.errors import InvalidScenario, UnknownName, UprightError
-from upright.fleet import workers
-from upright.fleet.campaign import chunk_path, collect, run_campaign
-from upright.fleet.fleet import ensemble_of
-from upright.fleet.sweep import campaign_of, read_campaign
-from upright.fleet.tally import Moments
+from upright.fleets import workers
+from upright.fleets.campaign import chunk_path, collect, run_campaign
+from upright.fleets.fleet import ensemble_of
+from upright.fleets.sweep import campaign_of, read_campaign
+from upright.fleets.tally import Moments
 
 SPEC = """
 robots = ["nxtway-gs"]

@@ -13,23 +13,23 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
-from upright.certify.agreement import AMBER, RED
-from upright.certify.certificate import VERSION, Certificate, certify, read_certificate
-from upright.certify.checks import PushTrial, TrialSetup, kernel_controller, trials
-from upright.certify.pushes import RELEASE, standard_pushes
-from upright.certify.recovery import means, recoverable
-from upright.certify.support import Support
-from upright.certify.verdict import GREEN, UNKNOWN, Examined, LinearMargins, judge, linear_margins
+from upright.certification.agreement import AMBER, RED
+from upright.certification.certificate import VERSION, Certificate, certify, read_certificate
+from upright.certification.checks import PushTrial, TrialSetup, kernel_controller, trials
+from upright.certification.pushes import RELEASE, standard_pushes
+from upright.certification.recovery import means, recoverable
+from upright.certification.support import Support
+from upright.certification.verdict import GREEN, UNKNOWN, Examined, LinearMargins, judge, linear_margins
 from upright.cli import certify as command
 from upright.cli.main import main
 from upright.control import LinearController, as_linear, controller_hash, make_controller, write_controller
 from upright.errors import InvalidController, InvalidScenario, SpecMismatch
 from upright.experiment import run
-from upright.fleet.binomial import upper_bound
+from upright.fleets.binomial import upper_bound
 from upright.kernel.batch import parameters_of
 from upright.loops.analysis import analyse
 from upright.loops.loop import robot_loop
-from upright.report.certificate import page_of
+from upright.reports.certificate import page_of
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import Uncertainty, deviations
 

@@ -12,11 +12,11 @@ import pytest
 from numpy.typing import NDArray
 
 import upright as up
+from upright.checkup import volts
+from upright.checkup.columns import by_physics
+from upright.checkup.doctor import proposed
+from upright.checkup.finding import Record
 from upright.cli.main import main
-from upright.doctor import volts
-from upright.doctor.columns import by_physics
-from upright.doctor.doctor import proposed
-from upright.doctor.finding import Record
 from upright.errors import InvalidLog
 from upright.experiment.examples import example
 from upright.logs.mapping import Mapping, channels_of, propose

@@ -26,9 +26,9 @@ from upright.comparison.swaying import LEVEL, answer
 from upright.control import StateFeedback, lqg, lqr
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import Hold, Impulse, motionless, outcome_of, run, undisturbed
-from upright.report.beside import answered_fits
-from upright.report.comparing import page_of
-from upright.report.metrics import around, fit_tables, left_out, listed_metrics, metrics_table
+from upright.reports.beside import answered_fits
+from upright.reports.comparing import page_of
+from upright.reports.metrics import around, fit_tables, left_out, listed_metrics, metrics_table
 from upright.robots import Robot, find_kit, find_robot
 from upright.signals import STATE_NAMES, Log
 

@@ -11,14 +11,14 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
-from upright.certify.checks import TrialSetup, batteries, kernel_controller, trials
-from upright.certify.pushes import RELEASE, standard_pushes
-from upright.certify.support import supported
+from upright.certification.checks import TrialSetup, batteries, kernel_controller, trials
+from upright.certification.pushes import RELEASE, standard_pushes
+from upright.certification.support import supported
 from upright.control import lqg
 from upright.errors import InvalidRobot
 from upright.experiment import Drive, Impulse, Slope, run
-from upright.fleet.ensemble import Ensemble
-from upright.fleet.vary import varied
+from upright.fleets.ensemble import Ensemble
+from upright.fleets.vary import varied
 from upright.robots import Kit, Robot
 from upright.robots.facts import differences, robot_facts
 from upright.robots.sections import Conditions

@@ -15,10 +15,10 @@ from planted import faults as bench
 from upright import calibrate, identify, post_mortem
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
+from upright.checkup.doctor import Diagnosis, contradictions, doctor
+from upright.checkup.finding import during
+from upright.checkup.physics import _r_squared, _solved, trimmed
 from upright.control import lqg, make_controller
-from upright.doctor.doctor import Diagnosis, contradictions, doctor
-from upright.doctor.finding import during
-from upright.doctor.physics import _r_squared, _solved, trimmed
 from upright.errors import InvalidLog
 from upright.experiment import Drive, Hold, Impulse, run
 from upright.experiment.examples import example

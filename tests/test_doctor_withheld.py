@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from planted.foreign import SMALL, Bot, Course, known, logged, metric, replace
-from upright.doctor.doctor import Diagnosis, doctor
-from upright.doctor.finding import GYRO, LEFT, PITCH
+from upright.checkup.doctor import Diagnosis, doctor
+from upright.checkup.finding import GYRO, LEFT, PITCH
 from upright.logs.readers import RawTable
-from upright.report.diagnosed import page_of
+from upright.reports.diagnosed import page_of
 
 TALL = replace(Bot(), body=1.6, com=0.09, inertia=4e-3)
 """A bot of 1.6 kg whose weight is half as high again."""

@@ -10,14 +10,14 @@ import pytest
 
 from upright.bodies import Electronics
 from upright.bodies.models import NonlinearBody
-from upright.calibrate.calibrate import calibrate, prepared
-from upright.calibrate.dropping import in_words
-from upright.calibrate.electronics import DROP, MISALIGNED
-from upright.calibrate.estimate import PRIOR, VISIBLE, Estimate
-from upright.calibrate.motion import block_of, driven
-from upright.calibrate.own_run import of_this_run
-from upright.calibrate.resonance import FREQUENCY
-from upright.calibrate.summary import COMBINATIONS
+from upright.calibration.calibrate import calibrate, prepared
+from upright.calibration.dropping import in_words
+from upright.calibration.electronics import DROP, MISALIGNED
+from upright.calibration.estimate import PRIOR, VISIBLE, Estimate
+from upright.calibration.motion import block_of, driven
+from upright.calibration.own_run import of_this_run
+from upright.calibration.resonance import FREQUENCY
+from upright.calibration.summary import COMBINATIONS
 from upright.compiled.generated import constants
 from upright.compiled.jit import numba
 from upright.control import make_controller

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
-from upright.calibrate.apart import apart
-from upright.calibrate.calibrate import prepared
-from upright.calibrate.effects import FRACTIONS, RUN, effects_of, maps_of, of_robot, respread, run_spreads, spread_of
-from upright.calibrate.gauss_newton import gauss_newton
-from upright.calibrate.own_run import spread_here
-from upright.calibrate.parameters import Parameter, parameters_of
-from upright.calibrate.process_noise import process
-from upright.calibrate.refined import FREEDOM
+from upright.calibration.apart import apart
+from upright.calibration.calibrate import prepared
+from upright.calibration.effects import FRACTIONS, RUN, effects_of, maps_of, of_robot, respread, run_spreads, spread_of
+from upright.calibration.gauss_newton import gauss_newton
+from upright.calibration.own_run import spread_here
+from upright.calibration.parameters import Parameter, parameters_of
+from upright.calibration.process_noise import process
+from upright.calibration.refined import FREEDOM
 from upright.control import Estimated, kalman, lqr
 from upright.control.excited import Excited, random_binary
 from upright.experiment import run

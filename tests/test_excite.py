@@ -12,21 +12,21 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
-from upright.calibrate.calibrate import calibrate
+from upright.calibration.calibrate import calibrate
 from upright.cli.main import main
 from upright.control import Estimated, StateFeedback, kalman, lqr, make_controller
 from upright.control.excited import Excited, random_binary
 from upright.control.identity import asked_of, designed_from
 from upright.errors import DesignFailed, InvalidScenario, SpecMismatch, UnknownName
-from upright.excite import excite
-from upright.excite.information import HELD_OUT, best_division, fisher, problem_of, shrunk
-from upright.excite.loop import ExcitedLoop, perfect
-from upright.excite.plan import ExcitationPlan, Limits, read_plan
-from upright.excite.signals import band, signals, unit
+from upright.excitation import excite
+from upright.excitation.information import HELD_OUT, best_division, fisher, problem_of, shrunk
+from upright.excitation.loop import ExcitedLoop, perfect
+from upright.excitation.plan import ExcitationPlan, Limits, read_plan
+from upright.excitation.signals import band, signals, unit
 from upright.experiment import run
-from upright.fleet.binomial import clopper_pearson
+from upright.fleets.binomial import clopper_pearson
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
-from upright.report.excitation import page_of
+from upright.reports.excitation import page_of
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -254,7 +254,7 @@ def test_the_page_shows_the_excitation_and_what_it_tells() -> None:
 
 def test_the_command_plans_runs_and_says_so(tmp_path: Path, monkeypatch, capsys) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(sys.modules["upright.excite"], "excite", lambda *_, **__: plan())
+    monkeypatch.setattr(sys.modules["upright.excitation"], "excite", lambda *_, **__: plan())
     assert main(["excite", "-o", "plan.json", "--report", "plan.html"]) == 0
     said = capsys.readouterr().out
     assert "wrote plan.json" in said
@@ -270,7 +270,7 @@ def test_a_design_that_is_stopped_leaves_nothing(tmp_path: Path, monkeypatch, ca
         raise KeyboardInterrupt
 
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(sys.modules["upright.excite"], "excite", stop)
+    monkeypatch.setattr(sys.modules["upright.excitation"], "excite", stop)
     assert main(["excite", "-o", "plan.json"]) == 130
     assert "stopped" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []

@@ -10,12 +10,12 @@ import pytest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.control import lqg, lqr
+from upright.execution.executed import Readings, calibrated
+from upright.execution.executor import HostExecutor
 from upright.experiment import Impulse, outcome_of, run
 from upright.firmware import generate
 from upright.kernel.batch import FleetBatch, parameters_of
 from upright.kernel.simulate import simulate
-from upright.parity.executed import Readings, calibrated
-from upright.parity.executor import HostExecutor
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import draw
 

@@ -11,7 +11,7 @@ from PIL import Image
 
 from upright.cli.main import main
 from upright.errors import InvalidLog, UprightError
-from upright.report.film import film
+from upright.reports.film import film
 from upright.robots import Robot
 from upright.signals import Log
 

@@ -13,9 +13,7 @@ import pytest
 from firmware_cases import NXT, STILL, brief
 from upright.control import lqg
 from upright.errors import SpecMismatch
-from upright.firmware import Firmware, generate
-from upright.firmware.setup import SENSOR_FAILED
-from upright.parity.execute_sketch import (
+from upright.execution.execute_sketch import (
     ABSENT,
     BUTTON,
     CONDITION,
@@ -28,7 +26,9 @@ from upright.parity.execute_sketch import (
     PRESENT,
     SketchExecutor,
 )
-from upright.parity.executed import Readings
+from upright.execution.executed import Readings
+from upright.firmware import Firmware, generate
+from upright.firmware.setup import SENSOR_FAILED
 from upright.robots import Kit, Robot
 
 pytestmark = pytest.mark.needs("avr-gcc", "simavr", "module:elftools", str(CORE))

@@ -25,6 +25,7 @@ from upright.bricks.vm import Machine
 from upright.compiled.program import Program
 from upright.control import CONTROLLERS
 from upright.errors import InvalidLog
+from upright.execution.execute_nxc import compile_nxc
 from upright.experiment import Hold
 from upright.firmware import generate
 from upright.firmware.targets import COMPASS
@@ -33,7 +34,6 @@ from upright.flight.flight import Flight, FlightRefused
 from upright.flight.fly_nxt import fetch_log, fetch_nxt, fly_nxt
 from upright.flight.program_logs import read_brick_log
 from upright.links.brick import BrickLost, BrickRefused, Connection
-from upright.parity.execute_nxc import compile_nxc
 from upright.robots import Kit, Robot
 
 pytestmark = pytest.mark.needs("nbc")

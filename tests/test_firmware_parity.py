@@ -29,21 +29,21 @@ from firmware_cases import (
 from interpreter import Interpreter
 from upright.control import controller_hash
 from upright.errors import InvalidController, InvalidLog, MissingTool
+from upright.execution import Parity, execute_arm, executed_parity
+from upright.execution.execute import execute
+from upright.execution.execute_arm import ArmExecutor, cycles
+from upright.execution.execute_avr import FLASH, MEMORY, AvrExecutor
+from upright.execution.execute_nxc import NxcExecutor
+from upright.execution.execute_python import PythonExecutor
+from upright.execution.execute_sketch import CORE, SketchExecutor
+from upright.execution.executed import Readings, calibrated
+from upright.execution.executor import Executor, HostExecutor
+from upright.execution.parity import SECONDS
 from upright.experiment import Drive, Turn
 from upright.firmware import generate, longest_run
 from upright.firmware.tools import ExecutionFailed, run_tool, tool
 from upright.flight.program_logs import read_lines
 from upright.links.brick import LEFT, RIGHT
-from upright.parity import Parity, execute_arm, executed_parity
-from upright.parity.execute import execute
-from upright.parity.execute_arm import ArmExecutor, cycles
-from upright.parity.execute_avr import FLASH, MEMORY, AvrExecutor
-from upright.parity.execute_nxc import NxcExecutor
-from upright.parity.execute_python import PythonExecutor
-from upright.parity.execute_sketch import CORE, SketchExecutor
-from upright.parity.executed import Readings, calibrated
-from upright.parity.executor import Executor, HostExecutor
-from upright.parity.parity import SECONDS
 
 STEPS = round(SHORT / 0.01)
 ALLOWED = {"double": 1e-6, "float": 1e-4, "fixed": 0.08 / 4}

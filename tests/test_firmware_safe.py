@@ -17,14 +17,14 @@ from firmware_cases import NXT, ROBOT, SPIKE, STILL, brief, frozen, steering, wr
 from interpreter import Interpreter
 from upright.compiled.program import Program
 from upright.errors import InvalidController
+from upright.execution.execute import execute
+from upright.execution.execute_nxc import NxcExecutor
+from upright.execution.execute_python import PythonExecutor
+from upright.execution.executed import Readings
 from upright.firmware import trace
 from upright.firmware.setup import SENSOR_FAILED, TOO_FAR
 from upright.firmware.tools import ExecutionFailed, run_tool, tool
 from upright.firmware.wiring import nxt_wiring
-from upright.parity.execute import execute
-from upright.parity.execute_nxc import NxcExecutor
-from upright.parity.execute_python import PythonExecutor
-from upright.parity.executed import Readings
 
 NAN, INF = math.nan, math.inf
 HOSTILE = {"float": (NAN, INF, -INF, 3.4e38, -3.4e38), "double": (NAN, INF, -INF, 1.7e308, -1.7e308)}

@@ -18,10 +18,10 @@ import pytest
 from firmware_cases import EV3, GOLDEN, NXT, ROBOT, SPIKE, designed, frozen, written
 from interpreter import Interpreter
 from upright.atomic import write_json
-from upright.certify.certificate import Certificate
-from upright.certify.checks import PushTrial
-from upright.certify.standing import Standing
-from upright.certify.verdict import Examined, LinearMargins, judge
+from upright.certification.certificate import Certificate
+from upright.certification.checks import PushTrial
+from upright.certification.standing import Standing
+from upright.certification.verdict import Examined, LinearMargins, judge
 from upright.cli.main import USER_ERROR, main
 from upright.compiled.fixed import fractions, scaled
 from upright.compiled.print_c import CPrinter
@@ -33,7 +33,7 @@ from upright.firmware import TARGETS, generate, head, trace
 from upright.firmware.generate import TEXTS, _facts
 from upright.firmware.setup import FALLEN, TOO_FAR
 from upright.firmware.sketch_wiring import sketch_wiring
-from upright.fleet.binomial import upper_bound
+from upright.fleets.binomial import upper_bound
 from upright.robots import Kit, Robot
 from upright.robots.facts import kit_facts, robot_facts
 

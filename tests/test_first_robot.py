@@ -12,7 +12,7 @@ import pytest
 
 from heads import begins_as
 from upright.cli.main import main
-from upright.report import finished
+from upright.reports import finished
 
 TUTORIAL = Path(__file__).parents[1] / "docs" / "first-robot.md"
 

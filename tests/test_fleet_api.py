@@ -19,18 +19,18 @@ from upright.control import make_controller
 from upright.errors import InvalidLog, InvalidScenario, UnknownName, UprightError
 from upright.experiment import Drive, Hold, Impulse, Push, Slope, run
 from upright.experiment.pushes import combined
-from upright.fleet.basin import Axis, basin, islands
-from upright.fleet.binomial import clopper_pearson
-from upright.fleet.ensemble import Ensemble, tables
-from upright.fleet.fleet import ensemble_of, fleet
-from upright.fleet.push_map import PushGrid, first_border, largest, push_map
-from upright.fleet.results import labelled, load, origin_of, save, summarise
-from upright.fleet.vary import variation, varied, with_number
+from upright.fleets.basin import Axis, basin, islands
+from upright.fleets.binomial import clopper_pearson
+from upright.fleets.ensemble import Ensemble, tables
+from upright.fleets.fleet import ensemble_of, fleet
+from upright.fleets.push_map import PushGrid, first_border, largest, push_map
+from upright.fleets.results import labelled, load, origin_of, save, summarise
+from upright.fleets.vary import variation, varied, with_number
 from upright.kernel.batch import parameters_of
 from upright.plotting import colour_map
-from upright.report.basins import _between, basin_figure
-from upright.report.fleet import page_of
-from upright.report.maps import push_map_figures
+from upright.reports.basins import _between, basin_figure
+from upright.reports.fleet import page_of
+from upright.reports.maps import push_map_figures
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import Family, Uncertainty
 
@@ -229,7 +229,7 @@ def test_the_summary_counts_falls_and_leaves_the_fallen_out(results):
 def test_falls_that_chance_explains_have_no_cause_and_no_chart_of_one(results):
     """1 of 500 fell, and the page drew that "falls follow torque constant most", below the size that chance makes.
     Here 12 fall whatever their numbers are; then those with the highest centre of mass do."""
-    from upright.report.fleet import influence
+    from upright.reports.fleet import influence
 
     chance, clear, one = (results.copy(deep=True) for _ in range(3))
     for data, rows in ((chance, np.arange(0, 96, 8)), (one, [7]),
@@ -422,7 +422,7 @@ def test_the_smooth_border_of_a_basin_keeps_every_state_on_its_side():
 
 def test_a_fleet_is_one_call_in_chunks_or_whole(monkeypatch):
     pushes, calls = (Impulse(impulse=0.1),), []
-    monkeypatch.setattr(sys.modules["upright.fleet.fleet"], "CHUNK", 4)  # `upright.fleet` itself is the verb
+    monkeypatch.setattr(sys.modules["upright.fleets.fleet"], "CHUNK", 4)
     result = fleet("nxtway-gs", 10, kit="nxt", vary={"com_height": "±10%"}, pushes=pushes, seconds=1.0, seed=3,
                    progress=calls.append)  # fmt: skip
     family = Family(ROBOT, NXT, variation("com_height=±10%", ROBOT))

@@ -93,7 +93,7 @@ def test_a_red_certificate_is_refused_unless_somebody_insists(
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    monkeypatch.setattr(sys.modules["upright.certify"], "read_certificate", lambda path: Red())
+    monkeypatch.setattr(sys.modules["upright.certification"], "read_certificate", lambda path: Red())
     assert fly(designed, "--certificate", "red.json", "--yes") != 0
     said = capsys.readouterr().err
     assert "may not drive this robot: red: 100 of 100 robots fell" in said

@@ -9,16 +9,16 @@ import numpy as np
 import pytest
 
 from upright import calibrate, identify
+from upright.checkup.doctor import doctor
 from upright.cli.main import main
 from upright.diagnose import post_mortem
-from upright.doctor.doctor import doctor
 from upright.errors import InvalidLog
 from upright.logs.draft import behaviour, draft
 from upright.logs.mapping import Mapping, Source, apply, propose
 from upright.logs.raw import raw_log
 from upright.logs.readers import RawTable, read_table
 from upright.signals import Log
-from upright.validate.validate import validate
+from upright.validation.validate import validate
 
 N = 120
 T = 0.01 * np.arange(N)

@@ -12,29 +12,29 @@ import numpy as np
 import pytest
 
 from planted.foreign import DEGREE, SMALL, Bot, Course, arduino, known, logged, metric, missed
-from upright.calibrate.annealing import annealed
-from upright.calibrate.calibrate import calibrate, prepared
-from upright.calibrate.calibration import Calibration
-from upright.calibrate.electronics import DEAD_ZONE
-from upright.calibrate.informativity import drives_straight
-from upright.calibrate.parameters import parameters_of, smooth
-from upright.calibrate.refined import settled
-from upright.calibrate.summary import _floor
+from upright.calibration.annealing import annealed
+from upright.calibration.calibrate import calibrate, prepared
+from upright.calibration.calibration import Calibration
+from upright.calibration.electronics import DEAD_ZONE
+from upright.calibration.informativity import drives_straight
+from upright.calibration.parameters import parameters_of, smooth
+from upright.calibration.refined import settled
+from upright.calibration.summary import _floor
+from upright.checkup import units
+from upright.checkup.columns import by_physics
+from upright.checkup.doctor import Diagnosis, doctor
+from upright.checkup.duty import ALIKE, FAULT
+from upright.checkup.motion import _first_clear
+from upright.checkup.physics import _r_squared
+from upright.checkup.poses import segments
+from upright.checkup.units import _penalty, _Suspect, expected
+from upright.checkup.wheels import on_its_wheels, record_of
 from upright.diagnose import post_mortem
 from upright.diagnose.fall import fall_time
 from upright.diagnose.innovations import follow
-from upright.doctor import units
-from upright.doctor.columns import by_physics
-from upright.doctor.doctor import Diagnosis, doctor
-from upright.doctor.duty import ALIKE, FAULT
-from upright.doctor.motion import _first_clear
-from upright.doctor.physics import _r_squared
-from upright.doctor.poses import segments
-from upright.doctor.units import _penalty, _Suspect, expected
-from upright.doctor.wheels import on_its_wheels, record_of
 from upright.logs.mapping import apply, propose
 from upright.logs.readers import RawTable
-from upright.report import report
+from upright.reports import report
 from upright.robots import Kit, Robot
 from upright.robots.robot import Provenance
 from upright.signals import Log

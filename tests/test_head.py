@@ -12,8 +12,8 @@ from heads import begins_as, first_screen, plain
 from upright.cli import output
 from upright.cli.main import main
 from upright.errors import UnknownName
-from upright.report import Page, Verdict
-from upright.report.head import MOST, WIDTH, Head
+from upright.reports import Page, Verdict
+from upright.reports.head import MOST, WIDTH, Head
 
 KNOCK = "--push impulse:0.1"
 QUICK = [

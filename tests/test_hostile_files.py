@@ -18,13 +18,13 @@ import pyarrow.parquet as pq
 import pytest
 
 from planted.abuse import mutants
-from upright.certify import read_certificate
+from upright.certification import read_certificate
 from upright.control import make_controller, read_controller, write_controller
 from upright.control.controller import controller_hash
 from upright.errors import UprightError
-from upright.excite.plan import read_plan
-from upright.fleet.results import load
-from upright.fleet.sweep import read_campaign
+from upright.excitation.plan import read_plan
+from upright.fleets.results import load
+from upright.fleets.sweep import read_campaign
 from upright.logs.mapping import Mapping
 from upright.logs.readers import read_table
 from upright.robots import Kit, Robot

@@ -16,24 +16,24 @@ import pytest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
-from upright.calibrate.estimate import Estimate
+from upright.calibration.estimate import Estimate
 from upright.cli.main import USER_ERROR, main
 from upright.control import Estimated, kalman, lqr, make_controller, read_controller
 from upright.control.excited import Excited, random_binary
 from upright.errors import InvalidLog, InvalidModel, UnknownName, UprightError
 from upright.experiment import run
-from upright.identify.arx import first_response, past_window, regression, split
-from upright.identify.coordinates import physical
-from upright.identify.identify import MethodComparison, identify_all, identify_one, study_of
-from upright.identify.joint import FeedbackLaw, law, simulated
-from upright.identify.methods import IDENTIFIERS
-from upright.identify.order import choose_order
-from upright.identify.rebuilt import _errors, rebuilt
-from upright.identify.samples import Part, samples
-from upright.identify.study import Study
+from upright.identification.arx import first_response, past_window, regression, split
+from upright.identification.coordinates import physical
+from upright.identification.identify import MethodComparison, identify_all, identify_one, study_of
+from upright.identification.joint import FeedbackLaw, law, simulated
+from upright.identification.methods import IDENTIFIERS
+from upright.identification.order import choose_order
+from upright.identification.rebuilt import _errors, rebuilt
+from upright.identification.samples import Part, samples
+from upright.identification.study import Study
 from upright.logs.raw import raw_log
 from upright.physics.linear import LinearModel, linearise, rolling, unstable_pole
-from upright.report.identification import page_of
+from upright.reports.identification import page_of
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import Log
 
@@ -428,7 +428,7 @@ def test_the_command_compares_all_methods(
 def test_the_summary_of_one_method_names_the_one_that_the_page_takes(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    from upright.report.identification import taken
+    from upright.reports.identification import taken
 
     log, page = tmp_path / "run.parquet", tmp_path / "page.html"
     sensed(8.0).save(log)

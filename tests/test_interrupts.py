@@ -203,7 +203,7 @@ def test_a_long_command_is_interrupted_at_a_random_moment(name: str, number: sig
 @pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="only Linux tells which signals a process blocks")
 def test_workers_never_get_ctrl_c(tmp_path: Path) -> None:
     """A terminal sends it to all processes: a worker that is importing then would print a traceback."""
-    from upright.fleet.workers import connected
+    from upright.fleets.workers import connected
 
     with connected(workers=1) as (worker,):
         assert blocks_ctrl_c(worker.submit(os.getpid).result())

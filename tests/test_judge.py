@@ -14,14 +14,14 @@ import pytest
 
 from test_calibrate import short_calibration
 from upright.bodies import NonlinearBody
-from upright.calibrate import judge
-from upright.calibrate.calibrate import prepared
-from upright.calibrate.calibration import Calibration, Segments
-from upright.calibrate.estimate import FOREIGN, REFUSED, VISIBLE, Estimate
-from upright.calibrate.fitting import normal_equations, objective
-from upright.calibrate.informativity import student
-from upright.calibrate.judge import reasons, unpredicted
-from upright.certify import certify
+from upright.calibration import judge
+from upright.calibration.calibrate import prepared
+from upright.calibration.calibration import Calibration, Segments
+from upright.calibration.estimate import FOREIGN, REFUSED, VISIBLE, Estimate
+from upright.calibration.fitting import normal_equations, objective
+from upright.calibration.informativity import student
+from upright.calibration.judge import reasons, unpredicted
+from upright.certification import certify
 from upright.cli.main import main
 from upright.control import lqr
 from upright.control.excited import Excited, random_binary
@@ -138,7 +138,7 @@ def test_a_refused_fit_writes_no_robot_unless_asked(
     model_log: Log, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     refused = replace(short_calibration()[0], refused=("the log is of another robot",))
-    monkeypatch.setattr(import_module("upright.calibrate.calibrate"), "calibrate", lambda *_, **__: refused)
+    monkeypatch.setattr(import_module("upright.calibration.calibrate"), "calibrate", lambda *_, **__: refused)
     monkeypatch.setattr(import_module("upright.logs.raw"), "raw_log", lambda *_: model_log)
     robot = tmp_path / "robot.toml"
     for extra in ([], ["--force"]):
@@ -147,7 +147,7 @@ def test_a_refused_fit_writes_no_robot_unless_asked(
 
 
 def test_refused_is_a_verdict_with_a_meaning() -> None:
-    from upright.calibrate.estimate import VERDICTS
+    from upright.calibration.estimate import VERDICTS
 
     assert REFUSED in VERDICTS
     assert "refused" in Calibration.__dataclass_fields__
@@ -156,7 +156,9 @@ def test_refused_is_a_verdict_with_a_meaning() -> None:
 def test_what_is_refused_is_not_used_elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A certificate is not made for the robot of a log that is another one's, nor are robots drawn from such a fit."""
     refused = SimpleNamespace(refused=("the log is of another robot",))
-    certificate, handed_over = (import_module(f"upright.certify.{name}") for name in ("certificate", "calibrated"))
+    certificate, handed_over = (
+        import_module(f"upright.certification.{name}") for name in ("certificate", "calibrated")
+    )
     monkeypatch.setattr(handed_over, "calibrate", lambda *_, **__: refused)
     monkeypatch.setattr(handed_over, "as_logged", lambda _, setup: (setup, (), ()))
     monkeypatch.setattr(handed_over, "doubted", lambda *_: None)
@@ -175,7 +177,7 @@ def test_a_doubtful_number_is_taken_over_where_it_leaves_white_innovations(
     monkeypatch: pytest.MonkeyPatch, before: float, after: float, *, taken: bool
 ) -> None:
     """Whiter alone is no reason: 0.04 and 0.08 are of a dead zone that passed for twice the mass; see `WHITE`."""
-    handed_over = import_module("upright.certify.calibrated")
+    handed_over = import_module("upright.certification.calibrated")
     number, setup = (
         SimpleNamespace(name="number"),
         SimpleNamespace(kit=None, dry_friction=False, actual_kit=None, is_weighed=False),

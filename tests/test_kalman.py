@@ -7,7 +7,7 @@ import pytest
 from scipy.linalg import block_diag, solve_discrete_are
 
 from upright.bodies.electronics import drive
-from upright.calibrate.knocks import at_motors
+from upright.calibration.knocks import at_motors
 from upright.control.delay import MOST_PERIODS, sampled
 from upright.control.kalman import corrected, filtered, kalman_filter, one_step, process_noise, steady_kalman
 from upright.errors import DesignFailed

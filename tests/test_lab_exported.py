@@ -13,7 +13,7 @@ import pytest
 from conftest import EXPORTED
 from test_lab_printed import DRIVEN, EXCITED
 from upright.bodies import Electronics, NonlinearBody
-from upright.certify.verdict import linear_margins
+from upright.certification.verdict import linear_margins
 from upright.classwork.grading import grade_file
 from upright.classwork.tasks import TASKS
 from upright.classwork.worksheet import fragment

@@ -1336,7 +1336,7 @@ def test_each_push_is_named_at_its_own_line(page, width):
 def test_the_full_certificate_stands_under_its_button(open_page):
     """In the same tab, in both languages, and no longer than its controller."""
     page = open_page
-    from upright.certify.pushes import standard_pushes
+    from upright.certification.pushes import standard_pushes
     from upright.robots import Kit
 
     pushes = standard_pushes(Robot.preset("nxtway-gs"), Kit.preset("nxt"))
@@ -1524,7 +1524,7 @@ def test_a_prepared_run_begins_with_its_words_though_the_robot_fell_meanwhile(pa
 @pytest.mark.evidence
 def test_no_margin_is_judged_before_every_place_is_known(page):
     """What is said last is what `linear_margins` finds; before it, nothing is called enough or the weakest place."""
-    from upright.certify.verdict import linear_margins
+    from upright.certification.verdict import linear_margins
     from upright.control import CONTROLLERS
     from upright.robots import Kit
 

@@ -17,8 +17,8 @@ from conftest import PATIENCE
 from interpreter import Interpreter
 from test_sensor_dynamics import also
 from upright.bodies import Electronics, NonlinearBody, make_body
-from upright.calibrate.calibrate import prepared
-from upright.calibrate.informativity import too_quiet
+from upright.calibration.calibrate import prepared
+from upright.calibration.informativity import too_quiet
 from upright.cli.main import main
 from upright.compiled.print_javascript import JavaScriptPrinter, functions
 from upright.control import CONTROLLERS, Controller, gain_of

@@ -549,8 +549,8 @@ def test_a_job_that_failed_is_told_in_the_page_s_own_words(tmp_path):
 
 FOR_THE_TERMINAL = (
     (src := Path(upright.__file__).parent) / "logs" / "recording.py", src / "logs" / "mapping.py",
-    src / "doctor" / "wheels.py", src / "doctor" / "doctor.py", src / "doctor" / "columns.py",
-    src / "doctor" / "speeds.py", src / "calibrate" / "knocks.py", src / "calibrate" / "annealing.py",
+    src / "checkup" / "wheels.py", src / "checkup" / "doctor.py", src / "checkup" / "columns.py",
+    src / "checkup" / "speeds.py", src / "calibration" / "knocks.py", src / "calibration" / "annealing.py",
 )  # fmt: skip
 
 

@@ -14,11 +14,11 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 import upright as up
-from upright.doctor.finding import BALANCING, FALLEN, FALLING, LYING, MOVED, OVER, RISING, STANDING
-from upright.identify.methods import IDENTIFIERS
-from upright.language import SPANISH, figure_translated, language, text_translated, translated
+from upright.checkup.finding import BALANCING, FALLEN, FALLING, LYING, MOVED, OVER, RISING, STANDING
+from upright.identification.methods import IDENTIFIERS
+from upright.languages import SPANISH, figure_translated, language, text_translated, translated
 from upright.plotting import bars, intervals
-from upright.report.figure import Figure as Drawn
+from upright.reports.figure import Figure as Drawn
 from upright.robots.robot import PARAMETERS
 from upright.tables import Listing, spoken
 

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 import upright as up
-from upright.calibrate.calibration import Calibration
-from upright.calibrate.electronics import ASYMMETRY
-from upright.calibrate.learnt_kit import learnt_kit
+from upright.calibration.calibration import Calibration
+from upright.calibration.electronics import ASYMMETRY
+from upright.calibration.learnt_kit import learnt_kit
 from upright.cli.main import main
 from upright.control import lqg
 from upright.control.excited import Excited, random_binary

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from upright.certify.checks import PushTrial
-from upright.certify.design import design
-from upright.certify.release import UPRIGHT, let_go
-from upright.certify.verdict import Examined, judge, linear_margins
+from upright.certification.checks import PushTrial
+from upright.certification.design import design
+from upright.certification.release import UPRIGHT, let_go
+from upright.certification.verdict import Examined, judge, linear_margins
 from upright.control import Controller, make_controller
 from upright.control.delay import RAW, sampled
 from upright.control.law import as_linear
@@ -28,8 +28,8 @@ from upright.loops.scaling import balanced, best_scaling
 from upright.physics.dynamics import turn_ratio
 from upright.physics.linear import LinearModel, linearise, linearise_rolling, rolling
 from upright.physics.sensing import sensor_matrix
-from upright.report import report
-from upright.report.analysis import _targets
+from upright.reports import report
+from upright.reports.analysis import _targets
 from upright.robots import Kit, Robot
 
 control = pytest.importorskip("control")

@@ -12,13 +12,13 @@ import pytest
 
 from upright.bodies import Electronics
 from upright.bodies.models import NonlinearBody
-from upright.calibrate.calibrate import calibrate, prepared
-from upright.calibrate.electronics import MISALIGNED
-from upright.calibrate.estimate import PRIOR, VISIBLE, Estimate
-from upright.calibrate.filter_log import known
-from upright.calibrate.misaligned import in_words
-from upright.calibrate.own_run import of_this_run
-from upright.calibrate.summary import COMBINATIONS
+from upright.calibration.calibrate import calibrate, prepared
+from upright.calibration.electronics import MISALIGNED
+from upright.calibration.estimate import PRIOR, VISIBLE, Estimate
+from upright.calibration.filter_log import known
+from upright.calibration.misaligned import in_words
+from upright.calibration.own_run import of_this_run
+from upright.calibration.summary import COMBINATIONS
 from upright.control import make_controller
 from upright.control.excited import Excited, random_binary
 from upright.errors import InvalidRobot

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from upright.certify.narrowing import ranking
+from upright.certification.narrowing import ranking
 from upright.kernel.batch import NAMES, parameters_of
 from upright.robots import Robot
 from upright.robots.uncertainty import Uncertainty, draw

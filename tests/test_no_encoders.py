@@ -8,10 +8,10 @@ import pytest
 from scipy.linalg import solve_discrete_are
 from scipy.signal import cont2discrete
 
-from upright.certify.agreement import AMBER
-from upright.certify.checks import PushTrial
-from upright.certify.design import design
-from upright.certify.verdict import Examined, judge, linear_margins
+from upright.certification.agreement import AMBER
+from upright.certification.checks import PushTrial
+from upright.certification.design import design
+from upright.certification.verdict import Examined, judge, linear_margins
 from upright.control import CONTROLLERS, Controller, make_controller
 from upright.control.delay import RAW, readable, sampled
 from upright.control.kalman import kalman_filter
@@ -23,12 +23,12 @@ from upright.control.observed import observed, regulator
 from upright.control.state_space import controller_of
 from upright.control.tunable import TUNABLE
 from upright.errors import DesignFailed, SpecMismatch, UprightError
-from upright.excite.loop import ExcitedLoop
+from upright.excitation.loop import ExcitedLoop
 from upright.loops.analysis import analyse
 from upright.loops.loop import robot_loop
 from upright.physics.linear import linearise_rolling
 from upright.robots import Battery, Kit, Robot, Sensor
-from upright.tune.tune import tune
+from upright.tuning.tune import tune
 
 # an acrylic Arduino robot with TT motors, as owners describe it
 ROBOT = Robot(

@@ -11,13 +11,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from upright.certify.design import design
+from upright.certification.design import design
 from upright.comparison import compare
 from upright.comparison.bench import Bench, BenchRow
 from upright.experiment import Impulse
-from upright.fleet.basin import Axis, basin
-from upright.fleet.fleet import ensemble_of, fleet
-from upright.report import report
+from upright.fleets.basin import Axis, basin
+from upright.fleets.fleet import ensemble_of, fleet
+from upright.reports import report
 from upright.signals import STATE_NAMES, Log
 
 pytestmark = [pytest.mark.needs("chromium", "module:playwright")]

@@ -14,9 +14,9 @@ import pytest
 
 from firmware_cases import NXT, ROBOT, frozen
 from upright.atomic import write_json
-from upright.certify.certificate import Certificate, certify
-from upright.certify.checks import BATTERIES, PushTrial
-from upright.certify.design import design
+from upright.certification.certificate import Certificate, certify
+from upright.certification.checks import BATTERIES, PushTrial
+from upright.certification.design import design
 from upright.cli.main import USER_ERROR, main
 from upright.control import (
     CONTROLLERS,
@@ -28,7 +28,7 @@ from upright.control import (
 )
 from upright.control.identity import identity
 from upright.firmware.program_file import read_program
-from upright.report.certificate import page_of
+from upright.reports.certificate import page_of
 from upright.robots import Kit
 
 

@@ -14,19 +14,19 @@ import pytest
 from interpreter import Interpreter
 from test_docs import blocks, commands
 from upright.bodies import Electronics, NonlinearBody
-from upright.certify.design import design
+from upright.certification.design import design
 from upright.cli.main import main
 from upright.control import CONTROLLERS, AnglePid, controller_hash, pid_angle, read_controller, write_controller
 from upright.control.delay import sampled
 from upright.control.law import as_law, near_rest, program
 from upright.control.pid_angle_design import drift, least_integral
 from upright.errors import DesignFailed, InvalidController, SpecMismatch, UnknownName
+from upright.execution.execute_sketch import CORE, SketchExecutor
 from upright.experiment import Push, run
 from upright.firmware import generate
 from upright.kernel.batch import FleetBatch, parameters_of
 from upright.kernel.simulate import simulate
 from upright.loops.analysis import analyse
-from upright.parity.execute_sketch import CORE, SketchExecutor
 from upright.robots import Battery, Kit, Robot, Sensor
 from upright.signals import STATE_NAMES
 

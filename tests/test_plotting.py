@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from upright.calibrate.calibration import Calibration
-from upright.calibrate.estimate import VISIBLE, Estimate
+from upright.calibration.calibration import Calibration
+from upright.calibration.estimate import VISIBLE, Estimate
 from upright.comparison import compare
 from upright.control import lqr
 from upright.loops.analysis import Analysis, analyse
 from upright.plotting import bars, intervals, panels
-from upright.report.robot import filmstrip, labelled
+from upright.reports.robot import filmstrip, labelled
 from upright.robots import Kit, Robot
 from upright.signals import STATE_NAMES, Log
 

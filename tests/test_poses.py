@@ -12,11 +12,11 @@ import pytest
 
 from upright import calibrate
 from upright.bodies import Electronics, NonlinearBody
+from upright.checkup.doctor import Diagnosis, doctor
+from upright.checkup.poses import _ends_falling
+from upright.checkup.wheels import on_its_wheels
 from upright.control import lqg
 from upright.diagnose import post_mortem
-from upright.doctor.doctor import Diagnosis, doctor
-from upright.doctor.poses import _ends_falling
-from upright.doctor.wheels import on_its_wheels
 from upright.errors import InvalidLog
 from upright.experiment import Drive, Impulse, outcome_of, run
 from upright.logs.readers import RawTable, read_table

@@ -19,7 +19,7 @@ from planted import open_falls as open_bench
 from upright.bodies import Electronics, make_body
 from upright.bodies.electronics import drive
 from upright.bodies.twin import Twin
-from upright.calibrate.filter_log import one_step_noise
+from upright.calibration.filter_log import one_step_noise
 from upright.cli.main import main
 from upright.compiled.generated import constants
 from upright.control import LinearController, make_controller, write_controller
@@ -63,7 +63,7 @@ from upright.experiment.examples import example
 from upright.logs.raw import raw_log
 from upright.physics.dynamics import Disturbance, derivative
 from upright.physics.integrate import rk4_step
-from upright.report.postmortem import page_of
+from upright.reports.postmortem import page_of
 from upright.robots import PARAMETERS, Kit, Robot
 from upright.signals import Log
 

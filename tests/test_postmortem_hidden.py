@@ -28,7 +28,7 @@ from upright.diagnose.series import Series
 from upright.diagnose.sizes import possible
 from upright.diagnose.usual import window_of
 from upright.logs.mapping import apply, propose
-from upright.report import postmortem as report
+from upright.reports import postmortem as report
 from upright.robots import Kit, Robot
 from upright.signals import Log
 

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from scipy.linalg import expm, solve_discrete_are
 
-from upright.calibrate.coefficients import LEVEL, ROLLING_DRY
-from upright.calibrate.predictor import WIDE, Events, Noise, RobotLanes, innovations, kalman_path
+from upright.calibration.coefficients import LEVEL, ROLLING_DRY
+from upright.calibration.predictor import WIDE, Events, Noise, RobotLanes, innovations, kalman_path
 from upright.compiled.generated import Constants, constants
 from upright.compiled.generated_motion import rk4_free
 from upright.physics.linear import linearise

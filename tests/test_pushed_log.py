@@ -12,14 +12,14 @@ import pytest
 from conftest import SHARED
 from planted.foreign import Bot, Course, known, logged, metric
 from test_calibrate import short_calibration
-from upright.calibrate.calibrate import _unknown
-from upright.calibrate.calibration import Calibration
-from upright.calibrate.estimate import PRIOR, VISIBLE
-from upright.calibrate.knocks import without_knocks
-from upright.calibrate.summary import untold
+from upright.calibration.calibrate import _unknown
+from upright.calibration.calibration import Calibration
+from upright.calibration.estimate import PRIOR, VISIBLE
+from upright.calibration.knocks import without_knocks
+from upright.calibration.summary import untold
 from upright.cli.main import main
 from upright.logs.mapping import apply, propose
-from upright.report.calibration import page_of
+from upright.reports.calibration import page_of
 from upright.robots import find_kit
 from upright.signals import Log
 

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from upright.certify.pushes import HELD, KNOCKED, MOST_HOLD, MOST_KNOCK, RELEASE, standard_pushes
-from upright.certify.recovery import KNOCK_DURATION, largest_hold, largest_knock, means, recoverable
+from upright.certification.pushes import HELD, KNOCKED, MOST_HOLD, MOST_KNOCK, RELEASE, standard_pushes
+from upright.certification.recovery import KNOCK_DURATION, largest_hold, largest_knock, means, recoverable
 from upright.control import LinearController
 from upright.control.reach import largest_pitch
 from upright.experiment import Hold, Impulse
-from upright.fleet.ensemble import tables
+from upright.fleets.ensemble import tables
 from upright.kernel.batch import FleetBatch, parameters_of
 from upright.kernel.simulate import simulate
 from upright.physics.dynamics import Disturbance, accelerations

@@ -14,16 +14,16 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from upright.certify.design import Designed
+from upright.certification.design import Designed
 from upright.comparison import compare
 from upright.comparison.bench import Bench, BenchRow
 from upright.control import design_of, make_controller
 from upright.decimate import decimate
 from upright.errors import InvalidLog, UnknownName, UprightError
 from upright.experiment.pushes import Impulse, Slope
-from upright.fleet.binomial import clopper_pearson, upper_bound
-from upright.fleet.fleet import ensemble_of
-from upright.fleet.tally import Cases, CaseSummary, Moments
+from upright.fleets.binomial import clopper_pearson, upper_bound
+from upright.fleets.fleet import ensemble_of
+from upright.fleets.tally import Cases, CaseSummary, Moments
 from upright.plotting import (
     BESIDE,
     COLOURS,
@@ -40,12 +40,12 @@ from upright.plotting import (
     rows_of,
     span,
 )
-from upright.report import PAGES, Details, Figure, Formula, Page, Section, Table, Verdict, page_of, report
-from upright.report.campaign import falls_verdict
-from upright.report.designed import controller_section
-from upright.report.following import completed
-from upright.report.knocks import harder
-from upright.report.page import cell_text
+from upright.reports import PAGES, Details, Figure, Formula, Page, Section, Table, Verdict, page_of, report
+from upright.reports.campaign import falls_verdict
+from upright.reports.designed import controller_section
+from upright.reports.following import completed
+from upright.reports.knocks import harder
+from upright.reports.page import cell_text
 from upright.robots import Kit, Robot
 from upright.signals import STATE_NAMES, Log
 from upright.tables import spoken
@@ -247,7 +247,7 @@ def test_a_title_replaces_the_pages_own_and_a_result_without_a_page_says_so(html
 def test_every_class_of_the_list_exists_and_its_file_takes_it(name):
     from xarray import Dataset  # takes a second, of every process that collects tests
 
-    takes = get_type_hints(import_module(f"upright.report.{PAGES[name]}").page_of, localns={"Dataset": Dataset})
+    takes = get_type_hints(import_module(f"upright.reports.{PAGES[name]}").page_of, localns={"Dataset": Dataset})
     given = takes[next(iter(takes))]
     assert name in {kind.__name__ for kind in (get_args(given) or (given,))}
 

@@ -31,7 +31,7 @@ from upright.experiment import Hold, Impulse, run
 from upright.paper import as_built, controllers, equations, printed, pushes, regulator, turning
 from upright.paper.claim import BEYOND, NOT_AS_PRINTED, REPRODUCED, Claim, judged
 from upright.paper.reproduce import Reproduction, reproduce
-from upright.report import Figure
+from upright.reports import Figure
 from upright.robots import Kit, Robot
 from upright.signals import STATE, Log
 

@@ -19,18 +19,18 @@ from test_predictor import LONGEST, ROBOT, SIZE, SMALL, START, C, R, process, un
 from upright.bodies import Electronics
 from upright.bodies.body import REST, Sample
 from upright.bodies.models import NonlinearBody
-from upright.calibrate.calibrate import calibrate, prepared
-from upright.calibrate.calibration import Calibration
-from upright.calibrate.estimate import PRIOR, VISIBLE, Estimate
-from upright.calibrate.fitting import objective
-from upright.calibrate.motion import block_of, move, njit
-from upright.calibrate.own_run import of_this_run
-from upright.calibrate.predictor import WIDE, Noise, RobotLanes, innovations, kalman_path
-from upright.calibrate.resonance import DAMPING, FREQUENCY, TYPICAL, in_words, resonates
-from upright.calibrate.resonant import _starts
-from upright.calibrate.ringing import moved, rung
-from upright.calibrate.sought import values_of
-from upright.calibrate.summary import COMBINATIONS
+from upright.calibration.calibrate import calibrate, prepared
+from upright.calibration.calibration import Calibration
+from upright.calibration.estimate import PRIOR, VISIBLE, Estimate
+from upright.calibration.fitting import objective
+from upright.calibration.motion import block_of, move, njit
+from upright.calibration.own_run import of_this_run
+from upright.calibration.predictor import WIDE, Noise, RobotLanes, innovations, kalman_path
+from upright.calibration.resonance import DAMPING, FREQUENCY, TYPICAL, in_words, resonates
+from upright.calibration.resonant import _starts
+from upright.calibration.ringing import moved, rung
+from upright.calibration.sought import values_of
+from upright.calibration.summary import COMBINATIONS
 from upright.compiled.generated import PITCH_RATE, ROW, constants
 from upright.control import make_controller
 from upright.control.excited import Excited, random_binary

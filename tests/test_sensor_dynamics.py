@@ -13,8 +13,8 @@ from scipy.signal import lsim
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.body import REST, Sample
-from upright.calibrate.calibrate import prepared
-from upright.calibrate.own_run import of_this_run
+from upright.calibration.calibrate import prepared
+from upright.calibration.own_run import of_this_run
 from upright.control import Controller, LinearController, as_linear, make_controller
 from upright.control.excited import Excited, random_binary
 from upright.errors import SpecMismatch

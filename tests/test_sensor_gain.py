@@ -9,7 +9,7 @@ import pytest
 
 from interpreter import Interpreter, evaluate
 from upright.bodies import Electronics, NonlinearBody
-from upright.calibrate.filter_log import filter_log
+from upright.calibration.filter_log import filter_log
 from upright.compiled.electronics import formulas
 from upright.control import make_controller
 from upright.experiment import Drive, run

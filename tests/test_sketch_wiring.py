@@ -18,13 +18,13 @@ from upright.cli.main import USER_ERROR, main
 from upright.control import lqg
 from upright.control.controller import Controller
 from upright.errors import InvalidRobot, SpecMismatch
+from upright.execution.execute_sketch import BUTTON, CONDITION, CORE, HUNG, LED, LEFT, RIGHT, SketchExecutor
+from upright.execution.executed import Executed, Readings
+from upright.execution.executor import Values
 from upright.experiment import Impulse, run
 from upright.firmware import Firmware, generate, trace
 from upright.firmware.setup import SENSOR_FAILED
 from upright.firmware.sketch_wiring import sketch_wiring
-from upright.parity.execute_sketch import BUTTON, CONDITION, CORE, HUNG, LED, LEFT, RIGHT, SketchExecutor
-from upright.parity.executed import Executed, Readings
-from upright.parity.executor import Values
 from upright.robots import Battery, BoardWiring, Kit, Robot, Sensor
 from upright.robots.facts import kit_facts
 

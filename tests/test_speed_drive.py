@@ -18,7 +18,7 @@ from scipy.linalg import solve_discrete_are
 from upright import calibrate, identify, post_mortem
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
-from upright.certify.recovery import largest_hold, largest_knock
+from upright.certification.recovery import largest_hold, largest_knock
 from upright.cli.main import main
 from upright.control import CONTROLLERS, StateFeedback
 from upright.control.delay import sampled

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from upright.certify.certificate import Certificate, certify
-from upright.certify.checks import TrialSetup, kernel_controller
-from upright.certify.recovery import largest_slope, means
-from upright.certify.standing import Endured, endured, standing
-from upright.certify.verdict import UNKNOWN
+from upright.certification.certificate import Certificate, certify
+from upright.certification.checks import TrialSetup, kernel_controller
+from upright.certification.recovery import largest_slope, means
+from upright.certification.standing import Endured, endured, standing
+from upright.certification.verdict import UNKNOWN
 from upright.cli.main import main
 from upright.control import find_controller
 from upright.errors import InvalidScenario

@@ -17,7 +17,7 @@ from pathlib import Path
 import pytest
 
 from conftest import PATIENCE
-from upright.certify import certificate
+from upright.certification import certificate
 from upright.cli import guide
 from upright.cli.guide import STATE
 from upright.cli.main import main

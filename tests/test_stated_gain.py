@@ -10,15 +10,15 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
-from upright.calibrate.calibrate import calibrate
-from upright.calibrate.stated_gain import amplified
+from upright.calibration.calibrate import calibrate
+from upright.calibration.stated_gain import amplified
 from upright.control import Estimated, kalman, lqr
 from upright.control.excited import Excited, random_binary
 from upright.experiment import run
 from upright.logs.raw import raw_log
 from upright.robots import Kit, Robot
 from upright.signals import Log
-from upright.validate.validate import validate
+from upright.validation.validate import validate
 
 PRIOR, NXT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
 TRUE = PRIOR.replace(com_height=0.0768, pitch_inertia=0.0013, torque_constant=0.33, motor_friction=0.003)

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from packaging.requirements import Requirement
 
-from upright.calibrate.kept import njit
+from upright.calibration.kept import njit
 from upright.kernel import store
 
 SOURCE = Path(__file__).parents[1] / "src" / "upright"
@@ -23,7 +23,7 @@ NAME, OTHER = "specific_force_smooth", "specific_force_coulomb"
 ARGUMENTS = ("*float64", "int64", "int64")
 
 USE = """
-from upright.calibrate.kept import njit
+from upright.calibration.kept import njit
 from upright.compiled.jit import mul
 
 @njit

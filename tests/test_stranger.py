@@ -15,7 +15,7 @@ from firmware_cases import GOLDEN
 from upright.cli.main import USER_ERROR, main
 from upright.control.controller import controller_hash
 from upright.errors import UnknownName, UprightError
-from upright.identify.identify import study_of
+from upright.identification.identify import study_of
 from upright.signals import STATE_NAMES
 
 ROBOT, KIT = up.Robot.preset("nxtway-gs"), up.Kit.preset("nxt")

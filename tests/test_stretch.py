@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from upright.bodies import NonlinearBody
-from upright.calibrate.calibrate import prepared
-from upright.calibrate.calibration import Segments
-from upright.calibrate.validate import segments
+from upright.calibration.calibrate import prepared
+from upright.calibration.calibration import Segments
+from upright.calibration.validate import segments
 from upright.control import lqr
 from upright.experiment import run
 from upright.robots import Kit, Robot

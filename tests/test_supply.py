@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from planted.foreign import Bot, Course, known, logged, metric
+from upright.checkup.finding import BATTERY
 from upright.diagnose.evidence import gather
 from upright.diagnose.fault_fits import FaultFit, with_pushes
 from upright.diagnose.forces import refined
@@ -16,7 +17,6 @@ from upright.diagnose.pushed import LEAVES
 from upright.diagnose.remedy import followed
 from upright.diagnose.supply import as_shown, of_supply, with_supply
 from upright.diagnose.usual import window_of
-from upright.doctor.finding import BATTERY
 from upright.robots import Kit, Robot
 from upright.signals import Log
 

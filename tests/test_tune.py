@@ -14,9 +14,9 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
-from upright.certify.checks import TrialSetup, kernel_controller
-from upright.certify.recovery import KNOCK_DURATION
-from upright.certify.verdict import LinearMargins, linear_margins
+from upright.certification.checks import TrialSetup, kernel_controller
+from upright.certification.recovery import KNOCK_DURATION
+from upright.certification.verdict import LinearMargins, linear_margins
 from upright.control import CONTROLLERS, controller_hash, lqg, make_controller
 from upright.control.files import read_controller
 from upright.control.tunable import UNITS, WIDTH
@@ -24,15 +24,15 @@ from upright.errors import UprightError
 from upright.experiment import Impulse, outcome_of, run
 from upright.loops.analysis import analyse
 from upright.loops.margins import margins
-from upright.report import report
+from upright.reports import report
 from upright.robots import Robot, Sensor, find_kit
 from upright.robots.uncertainty import draw
-from upright.tune import tune as room
-from upright.tune.figures import WATCHED, Figures, knock, slack
-from upright.tune.parallel import working
-from upright.tune.score import NONE, CandidateScore, Scorer, modulus_and_delay, row_of, score_from
-from upright.tune.search import SearchRecord, search
-from upright.tune.tune import CHOSEN, JUDGED, SEARCHED, tune
+from upright.tuning import tune as room
+from upright.tuning.figures import WATCHED, Figures, knock, slack
+from upright.tuning.parallel import working
+from upright.tuning.score import NONE, CandidateScore, Scorer, modulus_and_delay, row_of, score_from
+from upright.tuning.search import SearchRecord, search
+from upright.tuning.tune import CHOSEN, JUDGED, SEARCHED, tune
 
 pytestmark = pytest.mark.needs("module:cma")
 

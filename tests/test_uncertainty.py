@@ -9,12 +9,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from upright.calibrate.parameters import parameters_of
-from upright.certify.checks import TrialSetup, kernel_controller, trials
+from upright.calibration.parameters import parameters_of
+from upright.certification.checks import TrialSetup, kernel_controller, trials
 from upright.control import make_controller
 from upright.errors import InvalidRobot, InvalidScenario, UnknownName
-from upright.fleet.ensemble import Ensemble
-from upright.fleet.vary import variation
+from upright.fleets.ensemble import Ensemble
+from upright.fleets.vary import variation
 from upright.robots import PARAMETERS, Kit, Provenance, Robot
 from upright.robots.drives import UNUSED
 from upright.robots.robot import MAY_BE_ZERO

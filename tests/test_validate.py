@@ -18,10 +18,10 @@ from upright.control.files import write_controller
 from upright.errors import UprightError
 from upright.logs.marks import known_fraction, marks_of
 from upright.physics.dynamics import derivative
-from upright.report.validation import page_of as report_page
+from upright.reports.validation import page_of as report_page
 from upright.robots import FittedLog, Kit, Motor, Robot
-from upright.validate.law import LinearLaw, law_of, recorded
-from upright.validate.validation import LogJudged, Validation, half_second_figure
+from upright.validation.law import LinearLaw, law_of, recorded
+from upright.validation.validation import LogJudged, Validation, half_second_figure
 
 ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
 

@@ -6,9 +6,8 @@ nouns that they take. `__init__.pyi` lists them; each is loaded when it is first
 
 import functools
 import inspect
-import sys
 from collections.abc import Callable
-from types import FunctionType, ModuleType
+from types import FunctionType
 from typing import Any
 
 from lazy_loader import attach_stub
@@ -39,18 +38,3 @@ def _verb(function: Callable[..., Any]) -> Callable[..., Any]:
         return function(*given, **named)
 
     return called
-
-
-class _Package(ModuleType):
-    """A package whose verbs win over its rooms: `upright.calibrate` is the function, whatever was imported before.
-
-    Importing a room sets an attribute of its name on the package; where a verb has this name, it is not set.
-    `from upright.calibrate.fitting import …` works as ever, since imports look rooms up in `sys.modules`.
-    """
-
-    def __setattr__(self, name: str, value: object) -> None:
-        if not (name in __all__ and isinstance(value, ModuleType)):
-            super().__setattr__(name, value)
-
-
-sys.modules[__name__].__class__ = _Package

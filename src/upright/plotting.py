@@ -27,7 +27,7 @@ from numpy.typing import ArrayLike
 from upright.arrays import Array, Complex
 from upright.decimate import decimate
 from upright.errors import InvalidLog
-from upright.language import figure_translated
+from upright.languages import figure_translated
 from upright.tables import HALF_UP, power_of_ten, spoken
 
 P = ParamSpec("P")

@@ -10,7 +10,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from html import escape
 
-from upright.language import text_translated, translated
+from upright.languages import text_translated, translated
 
 
 @dataclass(frozen=True)

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from upright.certify.certificate import certify
-from upright.certify.checks import (
+from upright.certification.certificate import certify
+from upright.certification.checks import (
     TrialSetup,
     kernel_controller,
     trials,

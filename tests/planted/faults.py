@@ -11,9 +11,9 @@ import numpy as np
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
+from upright.checkup.doctor import Diagnosis
 from upright.control import Estimated, bryson, complementary, kalman, lqr
 from upright.control.excited import Excited, random_binary
-from upright.doctor.doctor import Diagnosis
 from upright.errors import UprightError
 from upright.experiment import Drive, Push, Turn, run
 from upright.logs.readers import RawTable

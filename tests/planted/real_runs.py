@@ -8,17 +8,17 @@ from pathlib import Path
 
 import numpy as np
 
-from upright.calibrate.calibrate import prepared
-from upright.calibrate.calibration import Calibration
-from upright.calibrate.filter_log import filter_log
-from upright.calibrate.fitting import Problem
-from upright.calibrate.own_run import as_driven
-from upright.calibrate.validate import segments
+from upright.calibration.calibrate import prepared
+from upright.calibration.calibration import Calibration
+from upright.calibration.filter_log import filter_log
+from upright.calibration.fitting import Problem
+from upright.calibration.own_run import as_driven
+from upright.calibration.validate import segments
 from upright.logs.raw import raw_log
 from upright.robots import find_kit
 from upright.signals import Log
-from upright.validate.law import LinearLaw, law_of
-from upright.validate.loop import PITCH, closed_loop
+from upright.validation.law import LinearLaw, law_of
+from upright.validation.loop import PITCH, closed_loop
 
 DATA = Path(__file__).parents[2] / "../shared/data"
 CUTS = (0.0, 0.15, 0.4)  # [s] off the end of an EV3 run, which ends in a fall: the same answer is wanted for each

@@ -10,14 +10,14 @@ from typing import Any
 import numpy as np
 
 from planted.controllers import SECONDS, SEED
-from upright.certify.certificate import certify
-from upright.certify.checks import TAIL, batteries, kernel_controller
-from upright.certify.pushes import standard_pushes
-from upright.certify.verdict import MOST_CYCLE, MOST_SATURATED, MOST_TRAVEL
+from upright.certification.certificate import certify
+from upright.certification.checks import TAIL, batteries, kernel_controller
+from upright.certification.pushes import standard_pushes
+from upright.certification.verdict import MOST_CYCLE, MOST_SATURATED, MOST_TRAVEL
 from upright.control import LinearController, as_linear, make_controller
 from upright.errors import UprightError
 from upright.experiment import Drive, Impulse, Slope
-from upright.fleet.ensemble import tables
+from upright.fleets.ensemble import tables
 from upright.kernel.batch import FleetBatch, parameters_of
 from upright.kernel.simulate import simulate
 from upright.robots import Kit, Robot, find_kit

@@ -9,7 +9,7 @@ import numpy as np
 
 from upright.bodies import Body, Electronics
 from upright.bodies.twin import Twin
-from upright.calibrate.effects import FRACTIONS
+from upright.calibration.effects import FRACTIONS
 from upright.control import Estimated, kalman, lqr, make_controller
 from upright.control.excited import Excited, random_binary
 from upright.errors import UprightError

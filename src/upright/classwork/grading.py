@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 from upright.atomic import write_text
 from upright.classwork.tasks import task_of
 from upright.errors import InvalidLog, UprightError, one_line
-from upright.fleet.workers import end_with_parent, new_pool
+from upright.fleets.workers import end_with_parent, new_pool
 from upright.interrupts import without_ctrl_c
 from upright.lab.handin import HandIn, RunResult, read_hand_in
 from upright.lab.rerun import rerun
@@ -25,7 +25,7 @@ from upright.reading import limit_memory
 from upright.tables import Listing, Shown
 
 if TYPE_CHECKING:
-    from upright.report import Page
+    from upright.reports import Page
 
 OK, MISSED, DIFFERS, EDITED, COPIED, CHANGED, BROKEN = (
     "ok", "not reached", "differs", "edited", "copied", "other set-up", "broken",
@@ -105,7 +105,7 @@ class Grades(Shown):
 
     def page(self) -> Page:
         """The table as a page, not yet written."""
-        from upright.report import Page, Section, Table, Verdict
+        from upright.reports import Page, Section, Table, Verdict
 
         table = self.listing()
         forged = self.count(*FORGED)

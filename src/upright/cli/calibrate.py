@@ -52,7 +52,7 @@ def calibrate(
     calibration that is refused, unknown or doubtful ends with exit code 3.
     """
     from upright.atomic import write_json
-    from upright.calibrate.calibrate import calibrate as estimate
+    from upright.calibration.calibrate import calibrate as estimate
 
     check_targets(output, report, save, logs=logs)
     with progress("calibrating") as show:

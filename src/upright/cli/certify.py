@@ -48,7 +48,7 @@ def certify(
     Does it stand? How hard may I push it? Which of its numbers are guesses, and which decides? Exit code 0 for green
     and amber, 3 for red and unknown.
     """
-    from upright.certify.certificate import certify as examine
+    from upright.certification.certificate import certify as examine
 
     check_targets(output, report)
     with progress("certifying") as show:

@@ -52,7 +52,7 @@ def design(
 
     Prints its inputs, the residual of its equations, and the margins of its loop.
     """
-    from upright.certify.design import design as design_controller
+    from upright.certification.design import design as design_controller
     from upright.robots import find_robot
 
     check_targets(output, report)

@@ -42,8 +42,8 @@ def doctor(
     Prints each finding with its evidence and repair. Exit code 0, whatever the findings.
     """
     from upright.atomic import write_text
-    from upright.doctor.columns import drafted
-    from upright.doctor.doctor import doctor as examine
+    from upright.checkup.columns import drafted
+    from upright.checkup.doctor import doctor as examine
     from upright.errors import InvalidLog
     from upright.logs.readers import read_table
 

@@ -71,7 +71,7 @@ def example(
 
 def _file(name: str, output: Path | None) -> Path:
     if name == "notebook":
-        from upright.report.notebook import starting_notebook
+        from upright.reports.notebook import starting_notebook
 
         check_targets(target := output or Path("notebook.ipynb"))
         return starting_notebook(target)

@@ -49,8 +49,8 @@ def excite(
     Then run it (`upright simulate --controller … --excite plan.json -o run.csv`, or the robot) and calibrate from the
     log.
     """
-    from upright.excite import excite as design
-    from upright.excite.plan import Limits
+    from upright.excitation import excite as design
+    from upright.excitation.plan import Limits
 
     check_targets(output, report)
     names = [name.strip() for name in focus.split(",")] if focus else []

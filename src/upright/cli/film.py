@@ -38,7 +38,7 @@ def film(
     Shows the robots from their side, and the traces of lean and position below them.
     """
     from upright.logs.raw import raw_log
-    from upright.report.film import film as write_film
+    from upright.reports.film import film as write_film
     from upright.robots import find_robot
 
     check_targets(output)

@@ -64,7 +64,7 @@ def firmware(
 
     The controller must be linear or sliding-mode. Without -o the program is printed. Check it with `upright parity`.
     """
-    from upright.certify import read_certificate
+    from upright.certification import read_certificate
     from upright.control import find_controller
     from upright.control.permit import permitted
     from upright.firmware import generate

@@ -47,7 +47,7 @@ def fleet(
 
     Prints the probability of a fall with its 95 % interval, and quantiles of pitch, settling, effort and travel.
     """
-    from upright.fleet.fleet import fleet as simulate
+    from upright.fleets.fleet import fleet as simulate
 
     asked.check()
     pushes, references = map(tuple, options.pushes_and_references(push, drive, turn))
@@ -81,8 +81,8 @@ def push_map(
     """
     import numpy as np
 
-    from upright.fleet.push_map import PushGrid, summary
-    from upright.fleet.push_map import push_map as search
+    from upright.fleets.push_map import PushGrid, summary
+    from upright.fleets.push_map import push_map as search
 
     asked.check()
     if direction not in WAYS:
@@ -121,8 +121,8 @@ def basin(
 
     On a grid of any two of the six states; with samples, the fraction of the robots that recover.
     """
-    from upright.fleet.basin import Axis, summary
-    from upright.fleet.basin import basin as cut
+    from upright.fleets.basin import Axis, summary
+    from upright.fleets.basin import basin as cut
 
     asked.check()
     axes = [_axis(across, "--across"), _axis(up, "--up")]
@@ -155,8 +155,8 @@ def sweep(
 
     Runs in chunks, in several processes. A stopped campaign goes on from its finished chunks when it is started again.
     """
-    from upright.fleet.campaign import run_campaign
-    from upright.fleet.sweep import read_campaign
+    from upright.fleets.campaign import run_campaign
+    from upright.fleets.sweep import read_campaign
 
     check_targets(report)
     campaign = read_campaign(spec)
@@ -185,7 +185,7 @@ def _axis(text: str, option: str) -> tuple[str, float, float]:
 
 
 def _show(data: Dataset, numbers: Any, asked: Asked) -> None:
-    from upright.fleet.results import origin_of, save
+    from upright.fleets.results import origin_of, save
 
     output, report = asked.output, asked.report
     write_page(data, report)

@@ -24,7 +24,7 @@ from upright.cli.options import (
 from upright.cli.output import check_targets
 
 if TYPE_CHECKING:
-    from upright.fleet.ensemble import Ensemble
+    from upright.fleets.ensemble import Ensemble
 
 VARY_HELP = (
     "Varied number, repeatable: com_height=±10%, com_height=0.06..0.08, com_height=normal:5%, com_height=normal (the "
@@ -53,14 +53,14 @@ class Asked:
     def check(self) -> None:
         """Refuse, before the work, what could not be written after it."""
         if self.output:
-            from upright.fleet.results import check_target
+            from upright.fleets.results import check_target
 
             check_target(self.output)
         check_targets(self.report)
 
     def ensemble(self, vary: Sequence[str] = (), **scenario: Any) -> Ensemble:
         """The fleet; without --vary, `vary` differs."""
-        from upright.fleet.fleet import ensemble_of
+        from upright.fleets.fleet import ensemble_of
 
         return ensemble_of(
             self.robot, self.controller, self.kit, vary=self.vary or vary, posterior=self.posterior, seed=self.seed,

@@ -28,7 +28,7 @@ from upright.errors import UprightError
 
 
 def _methods() -> list[str]:
-    from upright.identify.methods import IDENTIFIERS
+    from upright.identification.methods import IDENTIFIERS
 
     return [*IDENTIFIERS, "all"]
 
@@ -72,8 +72,8 @@ def identify(
     a regulator designed on each model.
     """
     from upright.control import write_controller
-    from upright.identify.identify import ALL, identify_all, identify_one, study_of
-    from upright.identify.judge import regulator
+    from upright.identification.identify import ALL, identify_all, identify_one, study_of
+    from upright.identification.judge import regulator
     from upright.robots import find_kit, find_robot
 
     _check_method(method, output or controller)
@@ -91,7 +91,7 @@ def identify(
         model.save(output)
     write_page(comparison, report)
     if model and comparison:
-        from upright.report.identification import taken  # it loads matplotlib
+        from upright.reports.identification import taken  # it loads matplotlib
 
         if (best := taken(comparison)) not in ("", method):
             words = f"Of the methods compared on the page, {best} is the one to take: --method {best}."
@@ -102,8 +102,8 @@ def identify(
 
 def _check_method(method: str, target: Path | None) -> None:
     """Raises `UnknownName` for an unknown method, `UprightError` where `target` would hold the models of all."""
-    from upright.identify.identify import ALL
-    from upright.identify.methods import find_identifier
+    from upright.identification.identify import ALL
+    from upright.identification.methods import find_identifier
 
     if method != ALL:
         find_identifier(method)

@@ -52,7 +52,7 @@ def linearise(
     rates = zip(linear.states, linear.f0.tolist(), strict=True)
     drift = {name: rate for name, rate in rates if abs(rate) > DRIFT and name not in STEADY}
     linear = linear if period is None else linear.c2d(period)
-    from upright.report.checked import linear_page
+    from upright.reports.checked import linear_page
 
     page = linear_page(linear, chosen)
     write_page(page, report)

@@ -21,7 +21,7 @@ from upright.progress import unwatched
 from upright.tables import Listing, wrapped
 
 if TYPE_CHECKING:
-    from upright.report import Page
+    from upright.reports import Page
     from upright.robots import Robot
 
 
@@ -79,7 +79,7 @@ def print_result(
 
 def _page_of(result: Any) -> Page | None:
     """The page whose head the terminal shows, with files named as they were typed; None for a result without one."""
-    from upright.report import finished
+    from upright.reports import finished
 
     try:
         return finished(result, command=shlex.join(["upright", *TYPED.get()]) if TYPED.get() else "")
@@ -112,7 +112,7 @@ def write_page(result: Any, path: Path | None, title: str = "") -> None:
     """Write the page of a result to `path`, where one is given, with the command at its foot; `title` replaces the
     page's own."""
     if path:
-        from upright.report import report
+        from upright.reports import report
 
         report(result, path, title=title, command=_command())
 

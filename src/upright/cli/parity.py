@@ -38,7 +38,7 @@ def parity(
     The program drives the twin for 20 s through both pushes of Herrera et al. (2015). Every command is compared with
     the design's. Exit code 3 where they differ or the robot falls.
     """
-    from upright.parity import parity as run_parity
+    from upright.execution import parity as run_parity
 
     check_targets(output, report)
     with progress("running") as show:

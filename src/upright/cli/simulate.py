@@ -117,7 +117,7 @@ def _fitted(
 
 def _excited(controller: Controller, path: Path) -> tuple[Controller, float]:
     """The controller with a plan's excitation, and the plan's length [s]; warns of a plan for another controller."""
-    from upright.excite.plan import read_plan
+    from upright.excitation.plan import read_plan
 
     plan = read_plan(path)
     if why := plan.differs(controller):

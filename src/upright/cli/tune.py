@@ -43,7 +43,7 @@ def tune(
     Searches for fewer falls, then for a larger knock, with no margin smaller than the default's. Compares both on
     robots that the search never saw. Ctrl-C leaves the search beside the output, for --resume.
     """
-    from upright.tune.tune import tune as search
+    from upright.tuning.tune import tune as search
 
     check_targets(output, report)
     state = output.with_name(f"{output.name}.search") if output else None

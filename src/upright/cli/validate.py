@@ -43,7 +43,7 @@ def validate(
     Predicts each half second from a fitted state, and simulates the closed loop freely where its law is known. Says
     where that breaks, and which number would have to move. Exit code 0 for any verdict.
     """
-    from upright.validate.validate import validate as judge
+    from upright.validation.validate import validate as judge
 
     check_targets(output, report, logs=logs)
     with progress("predicting") as show:

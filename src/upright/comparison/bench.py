@@ -11,13 +11,13 @@ import numpy as np
 
 from upright.arrays import Array, Mask
 from upright.bodies import Body, Electronics, make_body
-from upright.certify.checks import TrialSetup, kernel_controller, watched
+from upright.certification.checks import TrialSetup, kernel_controller, watched
 from upright.comparison.comparison import compare
 from upright.control import CONTROLLERS, Controller, make_controller
 from upright.errors import UprightError
 from upright.experiment import Hold, Impulse, outcome_of, run
 from upright.firmware.balance import trace
-from upright.fleet.push_map import CEILING, FLOOR, largest
+from upright.fleets.push_map import CEILING, FLOOR, largest
 from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import draw

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from upright.atomic import finite
-from upright.certify.verdict import MOST_TRAVEL
+from upright.certification.verdict import MOST_TRAVEL
 from upright.comparison import metrics, resting, swaying
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import outcome_of

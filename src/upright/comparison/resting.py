@@ -29,7 +29,7 @@ def at_rest(runs: Mapping[str, Released], label: str) -> tuple[float, float]:
     That is `SETTLED`, as in a fleet, where pitch went clearly beyond it and sways less at rest. Else it is 5 % of its
     largest value, or its wobble at rest where that is more: then the noise of the sensors decides.
     """
-    from upright.fleet.ensemble import SETTLED
+    from upright.fleets.ensemble import SETTLED
 
     own = {name: near(run) for name, run in runs.items()}
     limit = max((x for x in own.values() if math.isfinite(x)), default=math.nan)

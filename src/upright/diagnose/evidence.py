@@ -10,6 +10,8 @@ from functools import cached_property
 import numpy as np
 
 from upright.arrays import Array, Mask
+from upright.checkup.finding import FEWEST
+from upright.checkup.wheels import on_its_wheels
 from upright.control import Controller
 from upright.diagnose.beyond import Leftover, goes_beyond, jam_or_stuck, leftover
 from upright.diagnose.causes import foreign, noisy
@@ -49,8 +51,6 @@ from upright.diagnose.slip import slid_at
 from upright.diagnose.supply import as_shown, with_supply
 from upright.diagnose.thrown import Throw, thrown
 from upright.diagnose.usual import FOREIGN, calm_of, quiet_of, window_of
-from upright.doctor.finding import FEWEST
-from upright.doctor.wheels import on_its_wheels
 from upright.errors import SpecMismatch, UprightError
 from upright.physics.dynamics import motor_damping, motor_gain
 from upright.physics.linear import linearise

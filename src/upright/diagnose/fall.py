@@ -9,11 +9,11 @@ from itertools import pairwise
 import numpy as np
 
 from upright.arrays import Array, Mask
+from upright.checkup.finding import FALLING, Segment
+from upright.checkup.poses import NEAR_FLOOR, segments
+from upright.checkup.wheels import record_of
 from upright.control.mpc import largest_command
 from upright.diagnose.innovations import FULL_RANGE, FilterRun
-from upright.doctor.finding import FALLING, Segment
-from upright.doctor.poses import NEAR_FLOOR, segments
-from upright.doctor.wheels import record_of
 from upright.logs.raw import RATES
 from upright.logs.recording import commanded
 from upright.physics.linear import linearise, rolling

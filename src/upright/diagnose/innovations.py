@@ -17,8 +17,8 @@ from typing import Any
 import numpy as np
 
 from upright.arrays import Array, Mask
-from upright.calibrate.filter_log import NEVER_STIFF, FilteredLog, Follower, known
-from upright.calibrate.knocks import Arrays
+from upright.calibration.filter_log import NEVER_STIFF, FilteredLog, Follower, known
+from upright.calibration.knocks import Arrays
 from upright.compiled.generated import constants
 from upright.errors import InvalidLog
 from upright.logs.recording import FEWEST, Recording

@@ -21,6 +21,8 @@ from typing import Any
 import numpy as np
 
 from upright.atomic import finite
+from upright.checkup.doctor import contradictions
+from upright.checkup.finding import FEWEST as FEWEST_POSES
 from upright.control import Controller, controller_hash, read_controller
 from upright.diagnose.causes import CANNOT_TELL, NO_FALL, NONE, Blow, Cause, as_typed
 from upright.diagnose.evidence import FOREIGN, Evidence, gather
@@ -30,8 +32,6 @@ from upright.diagnose.saved import with_saved
 from upright.diagnose.series import Series, series_of
 from upright.diagnose.supply import of_supply
 from upright.diagnose.verdict import ranked, reversed_causes, stated
-from upright.doctor.doctor import contradictions
-from upright.doctor.finding import FEWEST as FEWEST_POSES
 from upright.errors import InvalidLog, InvalidRobot
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import RATES, LogSource, raw_log

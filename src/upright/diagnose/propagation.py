@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from upright.calibrate.kept import njit
-from upright.calibrate.motion import DRIVES, block_of, inlined
+from upright.calibration.kept import njit
+from upright.calibration.motion import DRIVES, block_of, inlined
 from upright.compiled.generated_motion import constants_rolling, rk4_rolling
 
 BLOCK = 32  # faults that are gone through together

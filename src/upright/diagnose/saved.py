@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from upright.errors import UprightError
-from upright.validate.law import recorded
+from upright.validation.law import recorded
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -24,8 +24,8 @@ def with_saved(
 ) -> tuple[Cause, ...]:
     """The causes; where the first is a push, with what the `controller`, or else the one that the log names, saves of
     pushes at its height, of its length and direction, from standing still."""
-    from upright.fleet.fleet import ensemble_of
-    from upright.fleet.push_map import PushGrid, push_map
+    from upright.fleets.fleet import ensemble_of
+    from upright.fleets.push_map import PushGrid, push_map
 
     first, *others = causes
     if (push := first.push) is None:

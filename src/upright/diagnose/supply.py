@@ -8,9 +8,9 @@ from dataclasses import replace
 import numpy as np
 
 from upright.arrays import Array
-from upright.calibrate.electronics import MEASURED
+from upright.calibration.electronics import MEASURED
+from upright.checkup.finding import BATTERY
 from upright.diagnose.innovations import asked_of
-from upright.doctor.finding import BATTERY
 from upright.robots import Kit, Robot
 from upright.signals import Log
 

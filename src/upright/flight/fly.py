@@ -152,7 +152,7 @@ def _checked(
 
 
 def _certificate(certificate: Permit | str | Path | None) -> Permit | None:
-    from upright.certify import read_certificate
+    from upright.certification import read_certificate
 
     return read_certificate(certificate) if isinstance(certificate, str | Path) else certificate
 

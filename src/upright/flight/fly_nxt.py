@@ -9,12 +9,12 @@ from pathlib import Path
 from upright.atomic import TemporaryFolder
 from upright.compiled.program import Program
 from upright.errors import InvalidLog, UprightError
+from upright.execution.execute_nxc import compile_nxc
 from upright.firmware.generate import NXT_LOG
 from upright.firmware.wiring import nxt_wiring
 from upright.flight.flight import INTERRUPTED, STOPS, Clock, Flight, FlightRefused, MotorsMayRun, may_run
 from upright.flight.program_logs import BRICK, BRICK_ROW, read_brick_log
 from upright.links.brick import GYRO_KIND, PATIENCE, REST, BrickLost, BrickRefused, Connection
-from upright.parity.execute_nxc import compile_nxc
 from upright.progress import Progress
 
 FIRMWARE = ([1, 28], [1, 29], [1, 31], [1, 32])

@@ -15,9 +15,9 @@ from upright.bodies import Body, Electronics, NonlinearBody
 from upright.bodies.body import checked
 from upright.bodies.electronics import BATTERY
 from upright.control.controller import ControllerSpec
-from upright.fleet.ensemble import Ensemble
-from upright.fleet.sweep import electronics
-from upright.fleet.vary import Vary, varied, with_number
+from upright.fleets.ensemble import Ensemble
+from upright.fleets.sweep import electronics
+from upright.fleets.vary import Vary, varied, with_number
 from upright.kernel.batch import FleetBatch, idle
 from upright.robots import PARAMETERS, Kit, Robot, find_robot
 from upright.robots.kit import STOP

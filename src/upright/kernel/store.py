@@ -35,8 +35,8 @@ SOURCES = (
 )  # fmt: skip
 """What decides about compiled functions; the last two about the rows of a sensor's numbers."""
 ALSO = (
-    "calibrate/coefficients.py", "calibrate/curves.py", "calibrate/descent.py", "calibrate/kept.py",
-    "calibrate/motion.py", "calibrate/parameters.py", "calibrate/predictor.py", "calibrate/ringing.py",
+    "calibration/coefficients.py", "calibration/curves.py", "calibration/descent.py", "calibration/kept.py",
+    "calibration/motion.py", "calibration/parameters.py", "calibration/predictor.py", "calibration/ringing.py",
     "diagnose/propagation.py", "robots/robot.py", "robots/uncertainty.py",
 )  # fmt: skip
 """What else decides about functions that Numba itself compiles and calls."""

@@ -39,7 +39,7 @@ MODEST = 15  # of nice in a class: three jobs together leave nine tenths to the 
 # tasks nobody presses a button for, whose results are kept, and how many of them
 LASTING = ("light",)
 REMEMBERED = 64
-READY = ["upright.lab.tasks", "upright.certify"]
+READY = ["upright.lab.tasks", "upright.certification"]
 """What most jobs load, for a second: on Linux clerks are copies of a process that has, and that ends with this one."""
 MEMORY = 4 << 30  # [bytes] of addresses for one job: a hostile file must not take the machine
 

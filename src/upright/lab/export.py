@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from upright.atomic import make_folder, place_of, write_text
-from upright.certify.verdict import linear_margins
+from upright.certification.verdict import linear_margins
 from upright.compiled.print_javascript import JavaScriptPrinter, functions
 from upright.control import CONTROLLERS, gain_of
 from upright.control.delay import RAW

@@ -21,8 +21,8 @@ from upright.robots import Kit, Robot
 from upright.signals import Log
 
 if TYPE_CHECKING:
-    from upright.certify import Certificate
-    from upright.certify.verdict import LinearMargins
+    from upright.certification import Certificate
+    from upright.certification.verdict import LinearMargins
     from upright.loops.loop import Loop
 
 
@@ -94,9 +94,9 @@ def _curve(loop: Loop) -> tuple[tuple[float, ...], ...]:
 
 def light(report: Report, setup: Setup) -> Light:
     """The light that follows a change, over fewer robots than a certificate."""
-    from upright.certify import certify
-    from upright.certify.checks import PUSHES, conditions
-    from upright.certify.standing import REPEATED
+    from upright.certification import certify
+    from upright.certification.checks import PUSHES, conditions
+    from upright.certification.standing import REPEATED
 
     plant = plant_of(setup)
     runs = QUICK * (PUSHES * len(conditions(plant.nominal, plant.kit)) + 1) + REPEATED
@@ -132,7 +132,7 @@ def smallest(linear: LinearMargins | None) -> dict[str, Any]:
 
 def certify(report: Report, setup: Setup) -> tuple[Light, JobResult]:
     """The whole certificate, as `upright certify` gives it."""
-    from upright.certify import certify as certified
+    from upright.certification import certify as certified
 
     plant = plant_of(setup)
     report(0.02)
@@ -151,7 +151,7 @@ def certify(report: Report, setup: Setup) -> tuple[Light, JobResult]:
 
 def doctor(report: Report, source: Path | Log, robot: Robot) -> tuple[JobResult]:
     """What is wrong with a log."""
-    from upright.doctor.doctor import doctor as examine
+    from upright.checkup.doctor import doctor as examine
 
     diagnosis = examine(source, robot=robot, progress=report)
     rows = tuple((f.severity, f.code, f.channel, f.evidence, for_page(f.repair, "doctor")) for f in diagnosis.findings)
@@ -163,7 +163,7 @@ def doctor(report: Report, source: Path | Log, robot: Robot) -> tuple[JobResult]
 
 def calibrate(report: Report, source: Path | Log, robot: Robot, kit: Kit) -> tuple[Robot, JobResult]:
     """The robot's parameters from a log of raw sensors and commands."""
-    from upright.calibrate.calibrate import calibrate as learn
+    from upright.calibration.calibrate import calibrate as learn
     from upright.logs.raw import raw_log
 
     log = source if isinstance(source, Log) else raw_log(source)
@@ -196,7 +196,7 @@ def keep_log(report: Report, log: Log, path: Path) -> Path:  # noqa: ARG001
 def keep_report(report: Report, logs: dict[str, Log], path: Path) -> Path:  # noqa: ARG001
     """All bodies compared, as a page."""
     from upright.comparison import compare
-    from upright.report import report as write_report
+    from upright.reports import report as write_report
 
     return write_report(compare(logs), path, title="From the lab: runs compared")
 
@@ -223,7 +223,7 @@ def _with_states(log: Log, robot: Robot, kit: Kit) -> Log:
     """The log with its robot's states: its own, or where it has none those of a Kalman filter along its readings."""
     import numpy as np
 
-    from upright.calibrate.filter_log import filter_log
+    from upright.calibration.filter_log import filter_log
     from upright.signals import STATE_NAMES
 
     if any(all(f"{prefix}/{name}" in log for name in STATE_NAMES) for prefix in ("truth", "estimate")):

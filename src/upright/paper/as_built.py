@@ -10,8 +10,8 @@ import numpy as np
 
 from upright.bodies import Electronics
 from upright.bodies.twin import Twin
-from upright.calibrate.calibrate import calibrate
-from upright.calibrate.calibration import Calibration
+from upright.calibration.calibrate import calibrate
+from upright.calibration.calibration import Calibration
 from upright.comparison import compare
 from upright.control import Estimated, StateFeedback, kalman
 from upright.control.excited import Excited, random_binary
@@ -20,9 +20,9 @@ from upright.paper import printed
 from upright.paper.claim import Claim, judged
 from upright.paper.pushes import PUSHES, RELEASE, SECONDS, RegulatedRobot
 from upright.progress import Progress, unwatched
-from upright.report import Figure, Table
-from upright.report.comparing import state_figure
-from upright.report.page import Cell, cell_text
+from upright.reports import Figure, Table
+from upright.reports.comparing import state_figure
+from upright.reports.page import Cell, cell_text
 from upright.robots import Kit, Robot
 from upright.signals import Log
 

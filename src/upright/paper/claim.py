@@ -8,8 +8,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import KW_ONLY, dataclass, field
 from typing import Any
 
-from upright.report import Details, Figure, Section, Table, Verdict
-from upright.report.page import Item
+from upright.reports import Details, Figure, Section, Table, Verdict
+from upright.reports.page import Item
 from upright.signals import Log
 from upright.tables import sentence
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from upright.comparison.bench import bench_controllers
 from upright.paper.claim import BEYOND, Claim
 from upright.progress import Progress, unwatched
-from upright.report.bench import responses, tables
+from upright.reports.bench import responses, tables
 from upright.robots import Kit, Robot
 
 METHODS = ("lqr", "lqi", "lqg", "pid", "hinf", "mpc", "sliding")

@@ -13,8 +13,8 @@ from upright.paper.derivation import Derivation, Model, derive
 from upright.paper.errata import WITNESS, Erratum, Proof, errata, prove
 from upright.physics.dynamics import accelerations
 from upright.progress import Progress, unwatched
-from upright.report import Formula, Table
-from upright.report.page import Cell, Item
+from upright.reports import Formula, Table
+from upright.reports.page import Cell, Item
 from upright.robots import Robot
 from upright.tables import power_of_ten
 

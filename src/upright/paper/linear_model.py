@@ -16,8 +16,8 @@ from upright.paper import printed
 from upright.paper.claim import BEYOND, Claim, judged
 from upright.paper.regression import LeastSquares, least_squares, rebuild_states, unstable_pole
 from upright.physics.linear import LinearModel, linearise
-from upright.report import Table
-from upright.report.page import Cell, cell_text
+from upright.reports import Table
+from upright.reports.page import Cell, cell_text
 from upright.robots import Kit, Robot
 from upright.signals import STATE, STATE_NAMES, Log
 

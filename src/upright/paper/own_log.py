@@ -17,13 +17,13 @@ import numpy as np
 from upright.arrays import Array
 from upright.atomic import finite
 from upright.bodies import LinearBody
-from upright.calibrate.calibrate import calibrate, prepared
-from upright.calibrate.estimate import NORMAL
-from upright.calibrate.filter_log import filter_log
+from upright.calibration.calibrate import calibrate, prepared
+from upright.calibration.estimate import NORMAL
+from upright.calibration.filter_log import filter_log
+from upright.checkup.wheels import on_its_wheels
 from upright.comparison import Comparison, compare
 from upright.comparison.metrics import active_intervals
 from upright.control import Controller, read_controller
-from upright.doctor.wheels import on_its_wheels
 from upright.errors import DesignFailed, InvalidLog, InvalidRobot
 from upright.experiment import Push
 from upright.experiment.pushes import PushProgramme
@@ -35,8 +35,8 @@ from upright.progress import Progress, unwatched
 from upright.robots import PARAMETERS, Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import GUESS, stated
 from upright.signals import STATE_NAMES, Log
-from upright.validate.law import CommandLaw, LinearLaw, law_by, law_of, recorded
-from upright.validate.loop import first_state
+from upright.validation.law import CommandLaw, LinearLaw, law_by, law_of, recorded
+from upright.validation.loop import first_state
 
 LINEAR, CALIBRATED = "linear", "calibrated"
 ELECTRONICS = "with electronics"

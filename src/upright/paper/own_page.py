@@ -19,10 +19,10 @@ from upright.logs.raw import LogSource
 from upright.paper.own_log import OwnRobot, compare_own
 from upright.paper.pushes import FIGURES, NAMED
 from upright.progress import Progress, unwatched
-from upright.report import Details, Figure, Page, Section, Table
-from upright.report.comparing import state_figure
-from upright.report.metrics import fit_tables, metrics_table
-from upright.report.page import Cell, Item, cell_text
+from upright.reports import Details, Figure, Page, Section, Table
+from upright.reports.comparing import state_figure
+from upright.reports.metrics import fit_tables, metrics_table
+from upright.reports.page import Cell, Item, cell_text
 from upright.robots import Kit, Robot
 from upright.signals import STATE_NAMES
 from upright.tables import Shown, sentence

@@ -18,7 +18,7 @@ from upright.experiment.pushes import PushProgramme
 from upright.physics.dynamics import turn_ratio
 from upright.robots import Kit, Motor, Robot, Sensor
 from upright.signals import STATE_NAMES, TRUE_STATE, Log
-from upright.validate.law import CommandLaw
+from upright.validation.law import CommandLaw
 
 MEASURED, NONLINEAR = "robot", "nonlinear"
 SENSED = ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro", "sensor/compass")

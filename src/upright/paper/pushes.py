@@ -20,11 +20,11 @@ from upright.paper.claim import Claim, judged
 from upright.physics.linear import LinearModel
 from upright.plotting import legend, line, panels
 from upright.progress import Progress, unwatched
-from upright.report import Figure, Table
-from upright.report.comparing import state_figure
-from upright.report.metrics import fit_tables, metrics_table
-from upright.report.page import Cell, cell_text
-from upright.report.robot import filmstrip
+from upright.reports import Figure, Table
+from upright.reports.comparing import state_figure
+from upright.reports.metrics import fit_tables, metrics_table
+from upright.reports.page import Cell, cell_text
+from upright.reports.robot import filmstrip
 from upright.robots import Kit, Motor, Robot
 from upright.tables import sentence
 

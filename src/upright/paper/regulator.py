@@ -13,8 +13,8 @@ from upright.paper import printed
 from upright.paper.claim import Claim, judged
 from upright.physics.linear import LinearModel, linearise
 from upright.plotting import legend, plane, points
-from upright.report import Figure, Table
-from upright.report.page import cell_text
+from upright.reports import Figure, Table
+from upright.reports.page import cell_text
 from upright.robots import Robot
 from upright.signals import STATE_NAMES
 from upright.tables import joined

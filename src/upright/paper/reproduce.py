@@ -18,10 +18,10 @@ from upright.paper.claim import BEYOND, IN_PART, NOT_AS_PRINTED, REPRODUCED, Cla
 from upright.paper.pushes import RELEASE, RegulatedRobot
 from upright.plotting import legend, line, panels, span
 from upright.progress import Progress, unwatched
-from upright.report import Details, Figure, Page, Section, Table, Verdict
-from upright.report.comparing import FAIR
-from upright.report.page import Cell, cell_text
-from upright.report.robot import labelled
+from upright.reports import Details, Figure, Page, Section, Table, Verdict
+from upright.reports.comparing import FAIR
+from upright.reports.page import Cell, cell_text
+from upright.reports.robot import labelled
 from upright.robots import PARAMETERS, Kit, Robot
 from upright.tables import Shown, joined
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 
 from upright.errors import UprightError
-from upright.identify.identify import MethodComparison, identify_all, study_of
+from upright.identification.identify import MethodComparison, identify_all, study_of
 from upright.paper.claim import BEYOND, Claim
 from upright.physics.linear import rolling, unstable_pole
 from upright.progress import Progress, unwatched
-from upright.report.identification import methods_table, pole_table, trial_table
-from upright.report.page import Item, Table, cell_text
+from upright.reports.identification import methods_table, pole_table, trial_table
+from upright.reports.page import Item, Table, cell_text
 from upright.robots import Kit, Robot
 from upright.signals import Log
 from upright.tables import joined

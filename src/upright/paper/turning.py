@@ -21,8 +21,8 @@ from upright.paper.claim import BEYOND, Claim
 from upright.physics.dynamics import accelerations, mass_matrix, motor_damping, motor_gain, turn_ratio
 from upright.plotting import legend, line, panels
 from upright.progress import Progress, unwatched
-from upright.report import Figure, Table
-from upright.report.page import Cell, cell_text
+from upright.reports import Figure, Table
+from upright.reports.page import Cell, cell_text
 from upright.robots import Robot
 from upright.signals import Log
 

@@ -28,7 +28,7 @@ COUNT = 2400
 """Calls of a whole run; there are more, of which a seed takes these."""
 
 LOADED = ("scipy.linalg", "pyarrow.parquet", "upright.cli.main", "upright.control", "upright.experiment",
-          "upright.doctor.doctor", "upright.comparison", "upright.report", "upright.firmware")  # fmt: skip
+          "upright.checkup.doctor", "upright.comparison", "upright.reports", "upright.firmware")  # fmt: skip
 
 CODES = (0, 2, 3, 130)
 

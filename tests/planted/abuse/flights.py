@@ -28,13 +28,13 @@ from upright.bricks.hub import CAPABILITIES, COMMANDS, HubClient, VirtualHub
 from upright.bricks.lcp import VirtualBrick
 from upright.bricks.line import Line
 from upright.control import lqg
+from upright.execution.execute_nxc import compile_nxc
 from upright.firmware import generate
 from upright.firmware.targets import BATTERY, ENCODERS, GYRO
 from upright.flight import Flight
 from upright.flight import fly_nxt as nxt
 from upright.flight.fly_hub import fly_hub
 from upright.flight.fly_nxt import fly_nxt
-from upright.parity.execute_nxc import compile_nxc
 from upright.robots import Kit, Robot
 
 MOMENTS = ("connect", "upload", "start", "running", "stop", "fetch")

@@ -192,14 +192,14 @@ def made(folder: Path) -> dict[str, tuple[Path, Reader]]:  # noqa: PLR0915 (a li
     """A valid file of every format, with what reads it and uses what it read."""
     from upright.bodies import Electronics, NonlinearBody
     from upright.bricks.rxe import read_rxe
-    from upright.certify import certify, read_certificate
+    from upright.certification import certify, read_certificate
     from upright.control import make_controller, read_controller, write_controller
     from upright.experiment import run
     from upright.firmware import generate
     from upright.firmware.generate import head, longest_run
     from upright.firmware.program_file import read_text
-    from upright.fleet.results import load
-    from upright.fleet.sweep import read_campaign
+    from upright.fleets.results import load
+    from upright.fleets.sweep import read_campaign
     from upright.flight.program_logs import read_lines
     from upright.logs.mapping import Mapping
     from upright.logs.raw import raw_log
@@ -275,8 +275,8 @@ def made(folder: Path) -> dict[str, tuple[Path, Reader]]:  # noqa: PLR0915 (a li
     lines = folder / "lines.txt"
     lines.write_text("\n".join(_program_lines()))
     add("lines of a program", lines, lambda p: read_lines(p.read_text("utf-8", "replace").splitlines()))
-    from upright.fleet.fleet import ensemble_of, fleet
-    from upright.fleet.results import save
+    from upright.fleets.fleet import ensemble_of, fleet
+    from upright.fleets.results import save
 
     save(fleet(ensemble_of("nxtway-gs", "lqr", seconds=0.3), 20).data, folder / "fleet.parquet")
     add("fleet .parquet", folder / "fleet.parquet", load)

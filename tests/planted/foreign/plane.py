@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from planted.foreign.case import Case
-from upright.calibrate.calibration import Calibration
+from upright.calibration.calibration import Calibration
 from upright.logs.readers import RawTable
 from upright.robots import Robot
 from upright.robots.robot import Provenance

@@ -1,0 +1,113 @@
+"""One number of a calibration: its interval, its prior, and the words for what a log says of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from upright.calibration.parameters import Parameter
+
+VISIBLE, PRIOR, BOUND, HELD, REFUSED = "visible", "prior dominates", "at its bound", "not fitted", "refused"
+QUIET = "too quiet"
+VERDICTS = {
+    VISIBLE: "the log halves the prior's uncertainty, or better",
+    PRIOR: "the log adds little to the prior; the value is meaningful only together with the others",
+    BOUND: "the log takes a value that was above zero down to its bound of zero; the interval is one-sided",
+    HELD: "the log holds too little information: the value is the prior's",
+    QUIET: "the robot moves too little: the value is partly an image of the sensors' steps",
+    REFUSED: "the calibration does not describe the robot, so that no number of it is determined",
+}
+MEASURED = "measured"
+BOUNDED = "bounded"
+NOT_VISIBLE = f"not {VISIBLE}"
+MOVED = f"{NOT_VISIBLE}, yet moved: doubtful"
+"""What pages and terminal call a verdict: two kinds of visible, and of the rest one that the fit moves all the same."""
+
+CLOSE = 0.25  # of a value: the half width of an interval up to which it counts as measured
+ONE_SIDED = 0.1  # of the upper end of an interval: a lower end below it says no more than zero would
+NORMAL = 1.96  # standard deviations either side that hold 95 % of a normal distribution
+SURPRISE = 3.0
+"""Prior deviations beyond which the log contradicts a stated value."""
+WIDER = 1.05
+"""Of a prior's deviation: from here up, by more than rounding, a fit leaves a number less certain than its file."""
+AGREE = "the log and the robot's file would agree if"
+"""How the sentence begins that names the numbers of which one is wrong."""
+FOREIGN = 6.0
+"""Prior deviations of a stated value beyond which the log is of another robot."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Estimate:
+    """A number with its 95 % interval, the prior it had (value and one standard deviation), and the verdict on it.
+
+    `shift` is how far it moved, and `shrink` how uncertain it still is, in deviations of its prior: those of the
+    number, or of its logarithm, by its `scale`.
+    """
+
+    name: str
+    unit: str
+    value: float
+    low: float
+    high: float
+    prior: float
+    prior_spread: float
+    verdict: str
+    shift: float
+    shrink: float
+    guess: bool = False
+    scale: Literal["linear", "logarithm"] = "linear"
+
+    @property
+    def asked(self) -> Parameter:
+        """The number with its prior, as it was asked."""
+        return Parameter(self.name, self.unit, self.prior, self.prior_spread, self.scale)
+
+    @property
+    def spread(self) -> float:
+        """One standard deviation, as a quarter of the interval's width over 0.98."""
+        return (self.high - self.low) / (2 * NORMAL)
+
+    @property
+    def wider(self) -> bool:
+        """Whether the log knows less of the number than the robot's file states."""
+        return not self.guess and self.shrink > WIDER
+
+    @property
+    def outside(self) -> bool:
+        """Whether the fit puts the number outside the 95 % interval that was known before."""
+        return abs(self.shift) > NORMAL and self.verdict not in (HELD, QUIET)
+
+    @property
+    def surprising(self) -> bool:
+        """Whether the log contradicts a prior that was not a guess."""
+        return not self.guess and abs(self.shift) > SURPRISE
+
+    @property
+    def off(self) -> bool:
+        """Whether the fit puts the number outside of what was known before, or contradicts a stated value."""
+        return self.outside or self.surprising
+
+    @property
+    def width(self) -> float:
+        """Half of the interval over the value [1]."""
+        return (self.high - self.low) / max(abs(self.high + self.low), 1e-300)
+
+    @property
+    def one_sided(self) -> bool:
+        """Whether the log only says how large the number is at most."""
+        least, most = sorted((abs(self.low), abs(self.high)))
+        return self.low * self.high <= 0 or least < ONE_SIDED * most
+
+    @property
+    def measured(self) -> bool:
+        """Whether the log shows the number closely."""
+        return self.verdict == VISIBLE and not self.one_sided and self.width <= CLOSE
+
+    @property
+    def called(self) -> str:
+        """The verdict in words: measured, bounded or not visible, the last with its reason where it has one."""
+        if self.verdict == VISIBLE:
+            return MEASURED if self.measured else BOUNDED
+        if self.verdict == PRIOR:
+            return MOVED if self.off else NOT_VISIBLE
+        return f"{NOT_VISIBLE} ({self.verdict})"

@@ -1,0 +1,394 @@
+"""Whether a controller may drive a robot: a light, its reasons in words and numbers, and the measurements behind it.
+
+Robots are drawn from the uncertainty of the robot. Each is tried with every standard push at every battery voltage, in
+the nonlinear model with the kit's faults. A robot that falls in any of these trials counts as fallen. The probability
+of a fall is bounded from above by Clopper and Pearson (1934).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, fields, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from upright.atomic import finite, write_json
+from upright.certification.actual import as_logged
+from upright.certification.agreement import RED, Agreement, agreement
+from upright.certification.calibrated import calibrated_first, doubtful_mass
+from upright.certification.checks import PushTrial, RunCounter, TrialSetup, enough_robots, kernel_controller, trials
+from upright.certification.logged import as_sent
+from upright.certification.mass import as_weighed
+from upright.certification.narrowing import Guessed, Narrowing, NeededSpread, guessed, narrowing, red
+from upright.certification.standing import (
+    Endured,
+    Standing,
+    Strength,
+    Swept,
+    delay_sweep,
+    endured,
+    period_sweep,
+    runs_of,
+    standing,
+    strong_enough,
+)
+from upright.certification.support import MASS, Support, contradictions
+from upright.certification.verdict import (
+    CONFIDENCE,
+    MOST_FALLS,
+    UNKNOWN,
+    Examined,
+    LinearMargins,
+    judge,
+    linear_margins,
+)
+from upright.checkup.wheels import on_its_wheels
+from upright.control import find_controller
+from upright.control.controller import Controller
+from upright.control.identity import Identity, identity
+from upright.errors import InvalidController, InvalidScenario
+from upright.fleets.binomial import upper_bound
+from upright.logs.mapping import Mapping as Columns
+from upright.logs.raw import LogSource, raw_log
+from upright.progress import Progress
+from upright.reading import check_types, read_json, understood
+from upright.robots import Kit, Robot, find_kit, find_robot
+from upright.robots.facts import Facts, differences, kit_facts, robot_facts
+from upright.robots.motor import refuse_energy
+from upright.robots.uncertainty import Uncertainty, at_medians, draw
+from upright.signals import Log
+from upright.tables import Shown, in_degrees
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+UNLIKE = "mend what the log shows, or measure it and write it into the file of the robot or its kit; then certify again"
+UNWEIGHED = "a scale tells the mass: put the robot on one, and certify it again with --weighed KG"
+
+KIND = "upright certificate"
+VERSION = 6
+"""6: it answers whether the robot stands, how hard it may be pushed, and which guess decides;
+5: a log that shows what was not assumed, or leaves it open, is amber at most;
+4: an unstable loop is the first reason, a free position none for red;
+3: pushes are scaled to what any controller could survive; 2: robot and kit are named by their numbers."""
+
+
+@dataclass(frozen=True, repr=False, kw_only=True)
+class Certificate(Shown):
+    """The measurements of the controller with this `hash`, every `period` [s], and the `light` that follows from them.
+
+    It belongs to that controller, by its `hash`, or by the request of its design, `asked`, and its `response` (see
+    `control.identity`). Its `subject` is every number of robot and kit, by name; `robot` and `kit` are their names.
+    Of `samples` robots `fell` fell in at least one of the `trials`. `bound` is the upper bound of that probability,
+    with 95 % confidence. Of those that fell no controller could save `beyond`; what motors would need is `strength`.
+    Left alone, robots stand or fall as in `standing`; what the file's robot endures is `endured`. `guessed` counts
+    falls with the guesses as the file has them (None: few fall, or nothing is guessed). `linear` is None for a
+    controller that is not linear, even near rest. `delayed` and `slower` count those that fall, left alone, with
+    additional dead time and with other periods.
+    `agreement` compares the innovations of a log with these assumptions, `support` what the log shows of each number
+    that is taken as given. What was `taken` from the log, and tried, stands beside what had been assumed. `narrowing`
+    says of a red light what would have to be known better (None: not examined). The robot `weighed` so much [kg] on a
+    scale (None: not weighed). `given` is the file or the name by which the controller was asked for ("": an object).
+    """
+
+    light: str
+    reasons: tuple[str, ...]
+    bound: float
+    robot: str
+    kit: str
+    controller: str
+    hash: str
+    period: float
+    seed: int
+    samples: int
+    fell: int
+    beyond: int
+    linear: LinearMargins | None
+    trials: tuple[PushTrial, ...]
+    standing: Standing
+    endured: tuple[Endured, ...] = ()
+    guessed: Guessed | None = None
+    strength: Strength | None = None
+    delayed: tuple[Swept, ...] = ()
+    slower: tuple[Swept, ...] = ()
+    agreement: tuple[Agreement, ...] = ()
+    support: tuple[Support, ...] = ()
+    taken: tuple[Support, ...] = ()
+    subject: Mapping[str, Facts]
+    asked: str = ""
+    response: tuple[float, ...] = ()
+    narrowing: Narrowing | None = None
+    weighed: float | None = None
+    given: str = ""
+
+    def check(self) -> tuple[str, ...]:
+        """Contradictions among this certificate's own numbers, as sentences; none where it is consistent."""
+        bound = upper_bound(self.fell, self.samples, CONFIDENCE)
+        light, reasons = judge(Examined(**{f.name: getattr(self, f.name) for f in fields(Examined)}))
+        wrong = (
+            [f"the bound is {self.bound:g}; its numbers give {bound:g}"] if not math.isclose(bound, self.bound) else []
+        )
+        wrong += [f"the light is {self.light}; its numbers give {light}"] if light != self.light else []
+        wrong += ["the reasons do not follow from its numbers"] if reasons != self.reasons else []
+        most = max(t.fell for t in self.trials)
+        fallen, hopeless = (sum(getattr(t, n) for t in self.trials) for n in ("fell", "beyond"))
+        fits = most <= self.fell <= fallen and self.beyond <= min(self.fell, hopeless)
+        fits &= {t.runs for t in self.trials} == {self.samples}
+        return (*wrong, *(() if fits else ("the trials and the number of falls disagree",)))
+
+    def refuses(self, controller: Controller | None = None, robot: Robot | None = None, kit: Kit | None = None) -> str:
+        """Why a robot should not be driven with this certificate, as a sentence; empty where it may. It is red or
+        unknown, contradicts itself, or is of another controller, robot, kit or period than these, each as far as it is
+        known.
+        """
+        if wrong := self.check():
+            return f"the certificate contradicts itself: {wrong[0]}"
+        if self.light in (RED, UNKNOWN):
+            return f"{self.light}: {self.reasons[0]}"
+        others = [self._period_and_controller(controller)] if controller else []
+        others += [self._other("robot", self.robot, robot.name, robot_facts(robot))] if robot else []
+        others += [self._other("kit", self.kit, kit.name, kit_facts(kit))] if kit else []
+        return f"the certificate is of {'; of '.join(filter(None, others))}" if any(others) else ""
+
+    def _period_and_controller(self, controller: Controller) -> str:
+        if not math.isclose(controller.spec.period, self.period):
+            return f"another period: period {controller.spec.period:g} s instead of {self.period:g} s"
+        return identity(controller).differs(Identity(self.hash, self.asked, self.response))
+
+    def _other(self, what: str, certified: str, name: str, facts: Facts) -> str:
+        """The differences of a robot or a kit, led by its name where that differs too."""
+        if not (others := differences(facts, self.subject[what])):
+            return ""
+        return f"another {what}: {f'{what} {name} instead of {certified}, ' if name != certified else ''}{others}"
+
+    def answers(self) -> list[str]:
+        """The answers to three questions: does it stand, how hard may it be pushed, and which numbers are guesses."""
+        pushed = [f"How hard may I push it? {'; '.join(map(str, self.endured))}."] if self.endured else []
+        weak = f"Motors too weak in {self.beyond} of the {self.fell} that fell: {self.strength}."
+        names = ", ".join(self.guessed.names) if self.guessed else "none"
+        guesses = f"Which numbers are guesses? {names}."
+        return [f"Does it stand? {self.standing}.", *pushed, *([weak] if self.strength else []), guesses]
+
+    def worst_first(self) -> list[PushTrial]:
+        """The trials in the order of the figure: most falls first, or the longest travel where nothing fell."""
+        fell = any(t.fell for t in self.trials)
+        return sorted(self.trials, key=lambda t: -t.fell / t.runs if fell else -t.travel)
+
+    def plot(self) -> Figure:
+        """How many robots fell [%], or the travel [m] of 95 % of them where none did: a bar for every push at every
+        battery, the worst first. Above falls stands the bound on all pushes together, which the limit is for."""
+        from upright.plotting import COLOURS, bars, number
+
+        fell = any(t.fell for t in self.trials)
+        each = {
+            f"{in_degrees(t.push)}, {t.battery} battery": 100 * t.fell / t.runs if fell else t.travel
+            for t in self.worst_first()
+        }
+        label, limit = ("robots that fell [%]", 100 * MOST_FALLS) if fell else ("travel [m]", math.nan)
+        together = {"all pushes together, at most (95 %)": 100 * self.bound} if fell else {}
+        each = together | each
+        figure = bars([*each], [*each.values()], label, "push", limit=limit)
+        if together:  # a bound is no count
+            figure.axes[0].patches[0].set(facecolor="none", edgecolor=COLOURS[0], hatch="///")
+            figure.axes[0].texts[0].set_text(number(100 * self.bound, 2))
+        return figure
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain numbers; None for what is unlimited."""
+        linear = {k: finite(v) for k, v in asdict(self.linear).items()} if self.linear else None
+        numbers = asdict(self) | {"linear": linear}
+        return {"file": KIND, "version": VERSION} | numbers
+
+    def save(self, path: str | Path) -> Path:
+        """Write it as JSON, as `upright firmware` and `upright fly` ask for it. Returns the path."""
+        return write_json(path, self.to_json())
+
+    @classmethod
+    def from_json(cls, data: Mapping[str, Any]) -> Certificate:
+        """The inverse of `to_json`; raises `InvalidController` for one that is broken or contradicts itself."""
+        with understood("not a certificate: it", InvalidController, "JSON by upright certify"):
+            certificate = _read(cls, data)
+            check_types(certificate)
+        return certificate
+
+    @property
+    def designed(self) -> str:
+        """Of a name beside a log, what was certified: a name does not tell what flew. Empty for a file or no log."""
+        if not (self.agreement and self.given) or self.given.endswith(".json"):
+            return ""
+        return (
+            f"{self.given} as `upright design {self.given}` makes it for {self.robot} as its file states it: "
+            "if another controller flew, certify its file"
+        )
+
+    @property
+    def asks(self) -> str:
+        """What to do about what the log shows or leaves open; empty where it is what was assumed."""
+        strange = {s.name for s in self.support if s.left_open} | {s.name for s in self.taken if s.excess > 0}
+        return UNWEIGHED if MASS in strange else UNLIKE if strange else ""
+
+    def __str__(self) -> str:
+        head = f"{self.light.upper()}: {self.controller} on {self.robot} with kit {self.kit}"
+        wide = max(18, *(len(t.push) for t in self.trials))
+        columns = f"{'push':<{wide}}{'battery':>8}{'of any':>8}{'fell':>11}"
+        columns += f"{'saturated':>10}{'travel':>9}{'peak':>11}{'sway':>11}"
+        sweeps = [_sweep("dead time +", self.delayed), _sweep("period ", self.slower)]
+        first = [f"  {line}" for line in (self.designed, *self.reasons) if line]
+        lines = [head, *first, "", *self.answers(), "", columns, *(_row(t, wide) for t in self.trials)]
+        if worst := max((t.residual for t in self.trials), default=0.0):
+            sweeps.append(f"the last iteration moved a command by {worst:.2%} of its limit at most")
+        if self.narrowing:
+            sweeps += [str(self.narrowing), *self.narrowing.ways(self.robot)]
+        sweeps += [f"the log: {'; '.join(map(str, self.agreement))}"] if self.agreement else []
+        taken = {s.name for s in self.taken}
+        inside = "; ".join(str(s) for s in self.support if not (s.outside or s.name in taken))
+        sweeps += [f"the log supports: {inside}"] if inside else []
+        sweeps += [f"tried as the log shows it: {'; '.join(map(str, self.taken))}"] if self.taken else []
+        sweeps += [*contradictions([s for s in self.support if s.left_open]), self.asks]
+        sweeps += [f"on the scale: {self.weighed:.3g} kg"] if self.weighed else []
+        return "\n".join([*lines, *(line for line in sweeps if line)])
+
+
+def certify(
+    controller: Controller | str,
+    robot: Robot | str,
+    kit: Kit | str | None = None,
+    *,
+    samples: int = 1000,
+    seed: int = 0,
+    robots: Sequence[Robot] | None = None,
+    sweeps: bool = True,
+    threads: int | None = None,
+    log: LogSource | None = None,
+    mapping: Columns | str | None = None,
+    posterior: Uncertainty | str | Path | None = None,
+    weighed: float | None = None,
+    period: float | None = None,
+    progress: Progress | None = None,
+) -> Certificate:
+    """The certificate of `controller` for `robot` with `kit`, over `robots` or `samples` draws.
+
+    A named method is designed for a `period` [s] (None: the kit's). `posterior` is an `Uncertainty`, or a file by
+    `upright calibrate --save`; its medians are then the nominal robot. By default robots are drawn from the spreads in
+    the robot's file. `log` is a recording of this robot, read through `mapping`. Without a `posterior` the robot is
+    first calibrated from it. What it contradicts of the assumptions is tried as the log shows it. Body and wheels
+    `weighed` so much [kg] together on a scale as the robot stands: then no log is asked the mass. `sweeps` adds further
+    dead times and other periods, on which the light does not depend. Controller, robot and kit may be names or files; a
+    controller's name is its design for the robot as stated, whatever a log shows. One of your own is called for each
+    robot: 1000 samples take minutes. `progress` receives the fraction done. Raises `SpecMismatch`, `InvalidScenario`,
+    `InvalidLog` and `InvalidRobot` for what does not fit.
+    """
+    given = refuse_energy(find_robot(robot))
+    nominal, unknown = at_medians(given, posterior)
+    parts = find_kit(kit or nominal.kit)
+    recording = None if log is None else on_its_wheels(as_sent(raw_log(log, mapping)))[0]
+    rubs, stated, own, wrong = nominal.coulomb_friction > 0, (nominal, parts), None, tuple[Support, ...]()
+    bare = recording if unknown is None and robots is None else None
+    design = _controller(controller, *stated, period)
+    nominal = as_weighed(nominal, weighed, alone=posterior is None and robots is None, logged=bool(bare))
+    if bare:
+        own, wrong = calibrated_first(bare, design, nominal, parts, seed, progress, weighed=weighed is not None)
+        nominal, parts, unknown = own.robot, own.kit, own.uncertainty
+    family = enough_robots(draw(nominal, samples, seed, unknown) if robots is None else list(robots), nominal)
+    setup = TrialSetup(kernel_controller(design, nominal, parts), nominal, family, parts, seed, threads,
+                       dry_friction=rubs, is_weighed=bool(bare), stated=stated, floor=own and own.floor)  # fmt: skip
+    setup, shown, taken = as_logged(recording, setup) if recording else (setup, (), ())
+    doubts = doubtful_mass(recording, setup, taken) if recording and posterior else own.contradicted if own else ()
+    taken = (*taken, *(s for s in wrong if s.name not in {t.name for t in taken}))
+    setup = replace(setup, progress=progress and RunCounter(runs_of(setup, sweeps=sweeps), progress))
+    drawn = (unknown or Uncertainty.of(nominal)) if robots is None else None
+    judged = _examined(setup, design, recording, support=(*shown, *doubts), taken=taken, unknown=drawn, sweeps=sweeps)
+    light, reasons = judge(judged)
+    who = identity(design)
+    return Certificate(
+        **vars(judged), light=light, reasons=reasons, bound=upper_bound(judged.fell, judged.samples, CONFIDENCE),
+        robot=nominal.name, kit=parts.name, controller=design.spec.kind, hash=who.hash, seed=seed,
+        subject={"robot": robot_facts(given), "kit": kit_facts(stated[1])}, asked=who.asked, response=who.response,
+        endured=endured(setup) if sweeps else (),
+        strength=strong_enough(setup) if judged.beyond > MOST_FALLS * len(family) else None,
+        delayed=delay_sweep(setup) if sweeps else (), slower=period_sweep(setup) if sweeps else (),
+        weighed=weighed, given=controller if isinstance(controller, str) else "",
+    )  # fmt: skip
+
+
+def _controller(controller: Controller | str, robot: Robot, kit: Kit, period: float | None) -> Controller:
+    """The controller itself, or the one of that name, for a `period` [s] (None: the kit's)."""
+    design = find_controller(controller, robot, kit, period or kit.period)
+    if period and not math.isclose(design.spec.period, period):
+        raise InvalidScenario(f"a period of {period:g} s for a controller of {design.spec.period:g} s",
+                              expected="a name, or a controller of this period",
+                              hint="the table of periods tells how its gains fare at others")  # fmt: skip
+    return design
+
+
+def _examined(
+    setup: TrialSetup, design: Controller, recording: Log | None, *, support: tuple[Support, ...],
+    taken: tuple[Support, ...], unknown: Uncertainty | None, sweeps: bool,
+) -> Examined:  # fmt: skip
+    """The trials of `setup`, and what its robots do alone; what is guessed, of robots drawn from `unknown`."""
+    runs, fallen, beyond = trials(setup)
+    linear = linear_margins(design, setup.actual_robot, setup.actual_kit, usual=True)
+    alone = standing(setup, sweeps=sweeps)
+    many = red(int(fallen.sum()), len(fallen)) or red(alone.lost, alone.runs)
+    narrowed = sweeps and many and not setup.controller.called
+    return Examined(
+        len(fallen), int(fallen.sum()), linear, runs, setup.controller.law.period,
+        agreement(recording, setup) if recording else (), support, beyond=int(beyond.sum()), taken=taken,
+        standing=alone, guessed=guessed(setup, unknown, tried=many) if unknown else None,
+        narrowing=narrowing(setup, unknown, fallen) if unknown and narrowed else None,
+    )  # fmt: skip
+
+
+def read_certificate(path: str | Path) -> Certificate:
+    """The certificate in a file by `upright certify -o`; raises `InvalidController` for what is none."""
+    return Certificate.from_json(read_json(path, InvalidController, "a certificate, JSON by upright certify"))
+
+
+def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
+    given = dict(data)
+    kind, version = given.pop("file"), given.pop("version")
+    if kind == KIND and version != VERSION:
+        raise InvalidController(
+            f"a certificate of version {version}", expected=f"version {VERSION}", hint="certify it again",
+        )  # fmt: skip
+    if kind != KIND:
+        raise ValueError(f"it is no '{KIND}'")
+    linear: dict[str, Any] | None = given["linear"]
+    near_rest: dict[str, Any] = {n: math.inf if v is None else v for n, v in (linear or {}).items()}
+    parts: dict[str, Any] = {
+        "reasons": tuple(given["reasons"]),
+        "linear": LinearMargins(**near_rest) if linear else None,
+        "agreement": tuple(Agreement(**row) for row in given["agreement"]),
+        "support": tuple(Support.from_json(row) for row in given["support"]),
+        "taken": tuple(Support.from_json(row) for row in given.get("taken", ())),
+        "trials": tuple(PushTrial(**row) for row in given["trials"]),
+        "subject": {what: dict(given["subject"][what]) for what in ("robot", "kit")},
+        "response": tuple(map(float, given["response"])),
+        "standing": Standing(**given["standing"]),
+        "endured": tuple(Endured(**row) for row in given["endured"]),
+    }
+    swept: dict[str, Any] = {name: tuple(Swept(**row) for row in given[name]) for name in ("delayed", "slower")}
+    if needed := given.get("narrowing"):
+        spreads = tuple(NeededSpread(**row) for row in needed["spreads"])
+        parts["narrowing"] = replace(Narrowing(**needed), spreads=spreads)
+    if guesses := given["guessed"]:
+        parts["guessed"] = replace(Guessed(**guesses), names=tuple(guesses["names"]))
+    if strength := given["strength"]:
+        parts["strength"] = Strength(**strength)
+    certificate = cls(**{**given, **parts, **swept})
+    if wrong := certificate.check():
+        raise ValueError(wrong[0])
+    return certificate
+
+
+def _row(t: PushTrial, wide: int) -> str:
+    numbers = f"{t.saturated:>10.0%}{t.travel:>7.2f} m{t.peak:>7.3f} rad{t.cycle:>7.3f} rad"
+    numbers = numbers if t.fell < t.runs else f"{'–':>10}{'–':>9}{'–':>11}{'–':>11}"
+    largest = f"{t.size / t.bound:.0%}" if t.bound else "–"
+    return f"{t.push:<{wide}}{t.battery:>8}{largest:>8}{f'{t.fell}/{t.runs}':>11}{numbers}"
+
+
+def _sweep(label: str, swept: Sequence[Swept]) -> str:
+    falls = [f"{label}{s.value * 1e3:.3g} ms: {s.fell / s.runs:.1%} fell" for s in swept]
+    return f"left alone, {', '.join(falls)}" if falls else ""

@@ -1,0 +1,103 @@
+"""A controller by name: designed, checked, and analysed on its robot."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+from upright.certification.release import Release, let_go
+from upright.control import (
+    Controller,
+    controller_hash,
+    design_of,
+    make_controller,
+    residual_of,
+    robust,
+    write_controller,
+)  # fmt: skip
+from upright.errors import InvalidController, SpecMismatch
+from upright.loops.analysis import Analysis, analyse
+from upright.robots import Kit, Robot, find_kit, find_robot
+from upright.robots.uncertainty import Uncertainty, at_medians
+from upright.tables import Shown
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Designed(Shown):
+    """The `controller` that `method` gives for `robot` with `kit`, and the `analysis` of its linear loop.
+
+    `analysis` is None where the controller is not linear near rest, for the reason in `remark`.
+    """
+
+    method: str
+    robot: Robot
+    kit: Kit
+    controller: Controller
+    analysis: Analysis | None
+    remark: str = ""
+
+    def let_go(self) -> Release:
+        """A run in which the robot is let go from a lean at rest."""
+        return let_go(self.robot, self.controller, self.kit)
+
+    def save(self, path: str | Path) -> Path:
+        """Write the controller as JSON; raises `InvalidController` for a kind that no file can hold."""
+        return write_controller(self.controller, path)
+
+    def facts(self) -> dict[str, Any]:
+        """Method, robot, kit, period [s], channels read, hash, and the residual of the equations that were solved."""
+        return {
+            "method": self.method, "robot": self.robot.name, "kit": self.kit.name,
+            "period": self.controller.spec.period, "reads": list(self.controller.spec.reads),
+            "residual": residual_of(self.controller), "hash": controller_hash(self.controller),
+        }  # fmt: skip
+
+    def to_json(self) -> dict[str, Any]:
+        """The facts, what the method says of its design, and the analysis or the reason for none."""
+        record = design_of(self.controller)
+        own = record.to_json() if record else None
+        return self.facts() | {"design": own, "analysis": self.analysis.to_json() if self.analysis else self.remark}
+
+    def __str__(self) -> str:
+        record = design_of(self.controller)
+        lines = [f"{name:<10}{_shown(value)}" for name, value in self.facts().items() if value is not None]
+        words = ["", *record.words()] if record and record.words() else []
+        return "\n".join([*lines, *words, "", str(self.analysis or self.remark)])
+
+
+def _shown(value: Any) -> str:
+    """A fact as text: numbers to three digits, as far as they mean something."""
+    return ", ".join(value) if isinstance(value, list) else f"{value:.3g}" if isinstance(value, float) else str(value)
+
+
+def design(
+    method: str,
+    robot: Robot | str,
+    kit: Kit | str | None = None,
+    *,
+    period: float | None = None,
+    own: Mapping[str, float | str] | None = None,
+    posterior: Uncertainty | str | PathLike[str] | None = None,
+) -> Designed:
+    """The controller of that `method` for a robot with `kit` (None: its own), every `period` [s] (None: the kit's).
+
+    `own` are the method's own numbers and words, as pid-angle takes them. `posterior`, such as a file by
+    `upright calibrate --save`, puts the robot at its medians; the method robust alone uses it. Raises `UnknownName` for
+    a method that is not registered, `DesignFailed` where it has no solution.
+    """
+    nominal, unknown = at_medians(find_robot(robot), posterior)
+    parts = find_kit(kit or nominal.kit)
+    dt = parts.period if period is None else period
+    if unknown is None:
+        controller = make_controller(method, nominal, parts, dt, own)
+    elif method == "robust":
+        controller = robust(nominal, parts, dt, uncertainty=unknown)
+    else:
+        raise InvalidController(f"a posterior with {method}", expected="the method robust, which alone uses it")
+    try:
+        return Designed(method, nominal, parts, controller, analyse(robot=nominal, controller=controller, kit=parts))
+    except (InvalidController, SpecMismatch) as error:
+        return Designed(method, nominal, parts, controller, None, f"no margins: {error}")

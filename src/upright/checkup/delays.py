@@ -1,0 +1,105 @@
+"""Delays: gyro against encoders, and both against the command."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from upright.checkup.finding import LEFT, RIGHT, Finding, Fix, Record, note, warning
+from upright.checkup.physics import REACH, Resampled, Response, backward_rate, motion, motor, responses
+
+CLEAR = 0.9
+"""R² of the pendulum equation above which its lag and residuals are used; below it, quantisation dominates."""
+
+SHARP = 3.0
+"""Sharpness of that lag below which it is not reported: pushes, and friction that holds the wheels, fit a wrong lag
+almost as well as the right one."""
+
+_SURE = 8.0  # t-value that the largest response must reach before its onset is read
+_FIRST = 4.0  # t-value above which a row belongs to the response
+
+
+def shortest(period: float) -> tuple[float, float]:
+    """From which [s] a delay between gyro and encoders, and one behind the command, is told: shorter ones are an effect
+    of sampling every `period` [s]."""
+    return max(1.5 * period, 0.012), max(2.5 * period, 0.02)
+
+
+def delays(record: Record) -> list[Finding]:
+    """Delay between gyro and encoders by the pendulum equation; delay behind the command by the response to the
+    unpredictable part of the command, or else by the motor equation."""
+    m = motion(record)
+    if m is None:
+        return []
+    if m.gyro is not None and m.law.pushed:
+        evidence = f"what looks like pushes that the log does not name, {m.law.off:.0f} standard deviations off the "
+        evidence += "pendulum equation: its delays, and when its commands act, are not judged"
+        return [note("delay/untold", m.gyro_name, evidence, "dither, do not push: upright excite -o plan.json")]
+    findings: list[Finding] = []
+    lag = 0.0
+    if m.gyro is not None:
+        fit = m.law
+        if fit.r2 > CLEAR and fit.sharp > SHARP and min(fit.values, default=0.0) > 0:
+            lag = fit.lag
+            findings += _between(m, lag, fit.r2)
+    if m.commands is not None:
+        findings += _behind_command(m, lag)
+    return findings
+
+
+def _between(m: Resampled, lag: float, r2: float) -> list[Finding]:
+    if abs(lag) < shortest(m.period)[0]:
+        return []
+    delayed, other = ((m.gyro_name,), "encoders") if lag > 0 else ((LEFT, RIGHT), "gyro")
+    milliseconds = f"{abs(lag) * 1e3:.0f} ms"
+    evidence = f"delayed by {milliseconds} relative to the {other}, by the pendulum equation (R² {r2:.2f})"
+    fix = Fix("earlier", delayed, (abs(lag),))
+    return [warning("delay/sensor", delayed[0], evidence, f"shift it {milliseconds} earlier", fix)]
+
+
+def _behind_command(m: Resampled, lag: float) -> list[Finding]:
+    """Dead time from the command to the wheels."""
+    measured = command_delay(m, lag)
+    if measured is None:
+        return []
+    dead, how = measured
+    common = dead + min(lag, 0.0)  # a delay common to gyro and encoders belongs to the command
+    if common < shortest(m.period)[1]:
+        return []
+    evidence = (
+        f"the wheels respond {dead * 1e3:.0f} ms and the gyro {(dead + lag) * 1e3:.0f} ms after a command ({how})"
+    )
+    return [warning("delay/command", "command", evidence, "include this dead time in the model, or shift the commands")]
+
+
+def command_delay(m: Resampled, lag: float) -> tuple[float, str] | None:
+    """Dead time [s] from command to wheels, and the method; None where the log does not determine it."""
+    assert m.commands is not None
+    if m.gyro is not None:
+        mean = (m.commands[0] + m.commands[1]) / 2
+        several = responses(m, mean, {"wheel": backward_rate(m.wheel, m.period), "gyro": m.gyro})
+        onsets = {name: _first(response) for name, response in several.items()}
+        if (first := onsets.get("gyro")) is not None:
+            dead = first * m.period - lag
+            if (own := onsets.get("wheel")) is not None:
+                dead = min(dead, own * m.period)  # wheels that respond at once are not late, whatever the gyro shows
+            largest = abs(several["gyro"].t_value).max()
+            return max(0.0, dead), f"response to the unpredictable part of the command, t = {largest:.0f}"
+    mean = (m.commands[0] + m.commands[1]) / 2
+    fit = motor(m, mean, m.left, m.right, m.gyro, lag)
+    if fit.r2 < 0.9 or fit.lag > REACH - 1.5 * m.period:  # the best of the lags that are tried is none of them
+        return None
+    return max(0.0, fit.lag), f"the motor equation, R² {fit.r2:.2f}"
+
+
+def _first(response: Response) -> float | None:
+    """Rows until the response begins, interpolated between the last row without it and the first with its full "
+    "level."""
+    t = np.abs(response.t_value)
+    if t.max() < _SURE:
+        return None
+    start = int(np.argmax(t > max(_FIRST, 0.1 * t.max())))
+    if start + 1 >= len(t):
+        return None
+    level = response.gain[start + 1]
+    fraction = float(np.clip(response.gain[start] / level, 0.0, 1.0)) if level else 1.0
+    return start - fraction

@@ -1,0 +1,131 @@
+"""Many robots at once, from names: the outcomes of a fleet and their summary."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from os import PathLike
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from upright.arrays import Array
+from upright.control import Controller
+from upright.errors import UnknownName, check_within
+from upright.fleets.ensemble import Ensemble
+from upright.fleets.results import OUTCOMES, Summary, labelled, summarise
+from upright.fleets.sweep import electronics, find_controller
+from upright.fleets.vary import Vary, varied
+from upright.progress import Progress
+from upright.robots import Kit, Robot, find_robot
+from upright.robots.uncertainty import Family, Uncertainty, at_medians
+from upright.tables import Shown
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+    from xarray import Dataset
+
+MOST_ROBOTS = 10_000_000
+"""In one fleet, whose results take a gigabyte; more go into a campaign."""
+
+CHUNK = 16384  # robots between two reports of progress; the memory of a run grows with it
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Fleet(Shown):
+    """The outcomes of each robot, `data`, and their `summary`."""
+
+    data: Dataset
+    summary: Summary
+
+    def plot(self, outcome: str = "peak_pitch") -> Figure:
+        """How an `outcome` is distributed over the robots that stood; `UnknownName` lists the outcomes."""
+        if outcome not in OUTCOMES:
+            raise UnknownName("outcome", outcome, OUTCOMES)
+        return distribution(self.data, outcome)
+
+    def to_json(self) -> dict[str, Any]:
+        """The summary as plain numbers."""
+        return self.summary.to_json()
+
+    def __str__(self) -> str:
+        return str(self.summary)
+
+
+def distribution(data: Dataset, outcome: str, bins: int = 60) -> Figure:
+    """The fraction of the robots that stood over an outcome of theirs, as a histogram."""
+    from upright.plotting import panels
+
+    values = stood(data, outcome)
+    unit = str(data[outcome].attrs["unit"])
+    if unit in ("rad", "rad/s"):
+        values = np.degrees(values)
+        unit = unit.replace("rad", "°")
+    words = str(data[outcome].attrs["long_name"])
+    if unit == "1":
+        values = 100 * values
+        unit = "%"
+    figure, (ax,) = panels(["robots [%]"], f"{words} [{unit}]", height=1.4)
+    if len(values):
+        ax.hist(values, _borders(values, bins), weights=np.full(len(values), 100 / len(values)), histtype="stepfilled",
+                alpha=0.8)  # fmt: skip
+    return figure
+
+
+def _borders(values: Array, bins: int) -> int | list[float]:
+    """Borders between the values where these are few, as of counted periods; other bins would look like a comb."""
+    few = np.unique(np.round(values, 9))
+    step = float(np.diff(few).min()) if len(few) > 1 else 0.0
+    if not step or np.ptp(few) > bins * step:
+        return bins
+    return [float(few[0]) + step * (k - 0.5) for k in range(round(float(np.ptp(few)) / step) + 2)]
+
+
+def stood(data: Dataset, outcome: str) -> Array:
+    """An outcome of the robots that stood, as far as they have one."""
+    values = data[outcome].values[data["fell"].values == 0]
+    return values[np.isfinite(values)]
+
+
+def ensemble_of(
+    robot: Robot | str,
+    controller: Controller | str = "lqr",
+    kit: Kit | str | None = None,
+    *,
+    vary: Vary = (),
+    posterior: Uncertainty | str | PathLike[str] | None = None,
+    **scenario: Any,
+) -> Ensemble:
+    """Robots like `robot` with `kit` (None: its own), all under one linear `controller`; each may be a name or a file.
+
+    `vary` are the numbers that differ from robot to robot: {"com_height": "±10%"}, or "spread". A `posterior` is drawn
+    beside them, and its medians replace the robot's numbers. `scenario` is that of an `Ensemble`.
+    """
+    nominal, unknown = at_medians(find_robot(robot), posterior)
+    parts = kit if isinstance(kit, Kit) else electronics(kit or nominal.kit)
+    family = Family(nominal, parts, varied(vary, nominal, parts, unknown))
+    design = find_controller(controller, nominal, parts) if isinstance(controller, str) else controller
+    return Ensemble(family=family, controller=design, **scenario)
+
+
+def fleet(
+    robot: Robot | str | Ensemble,
+    n: int = 10000,
+    *,
+    threads: int | None = None,
+    progress: Progress | None = None,
+    **choices: Any,
+) -> Fleet:
+    """Simulate `n` robots of an ensemble, or of the one that `ensemble_of` makes of a robot and `choices`.
+
+    `choices` are its controller, kit, vary, posterior, pushes, references, start, seconds and seed. `progress` is
+    called with the fraction done. Raises `InvalidScenario`.
+    """
+    check_within("robots in a fleet", n, 1, MOST_ROBOTS)
+    ensemble = robot if isinstance(robot, Ensemble) else ensemble_of(robot, **choices)
+    parts: list[dict[str, Any]] = []
+    for first in range(0, n, CHUNK):
+        parts.append(ensemble.run(range(first, min(n, first + CHUNK)), threads))
+        if progress:
+            progress(min(1.0, (first + CHUNK) / n))
+    data = labelled({name: np.concatenate([part[name] for part in parts]) for name in parts[0]}, range(n), ensemble)
+    return Fleet(data, summarise(data))

@@ -1,0 +1,140 @@
+"""A linear model from a log: both halves as one `LinearModel`, how sure it is, and how it reads the sensors."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from upright.arrays import Array
+from upright.atomic import finite
+from upright.identification.coordinates import COMMANDS
+from upright.identification.order import OrderChoice
+from upright.identification.study import Pole
+from upright.physics.linear import INPUTS, LinearModel
+from upright.signals import STATE_NAMES
+from upright.tables import Shown
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+STABLE = "a stable model, which is wrong, since a two-wheeled robot falls"
+WITH_FRICTION = "friction counted as damping"
+"""Which pole a linear model has: it has no dry friction, only a damping that brakes alike at the rates of its log."""
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Identified(Shown):
+    """`model` x⁺ = A x + B u of one log by one `method`, with one standard deviation of each entry in `a_deviation` and
+    `b_deviation` (NaN where there is none).
+
+    Its states are the robot's, in the order of conventions, then what else the method estimates. They stand in the
+    robot's own time: an output reads them `delays` periods after the command. `halves` are the models of pitch and yaw,
+    `fits` [%] those of `prediction_fits`.
+    """
+
+    method: str
+    model: LinearModel
+    a_deviation: Array
+    b_deviation: Array
+    pole: Pole
+    delays: Mapping[str, int]
+    orders: Mapping[str, OrderChoice]
+    source: str
+    samples: int
+    halves: Mapping[str, LinearModel]
+    fits: Mapping[str, Mapping[str, float]]
+    notes: tuple[str, ...] = ()
+
+    def check(self) -> float:
+        """Largest difference of an eigenvalue of the whole from those of its halves, zero but for rounding."""
+        whole = np.sort(np.abs(np.linalg.eigvals(self.model.A)))
+        halves = np.sort(np.abs(np.concatenate([half.poles() for half in self.halves.values()])))
+        return float(np.abs(whole - halves).max())
+
+    def save(self, path: str | Path) -> Path:
+        """Write as JSON: a file of a linear model, with what else is known of it."""
+        from upright.atomic import write_json
+
+        return write_json(Path(path), self.to_json())
+
+    def to_json(self) -> dict[str, Any]:
+        """The model as `LinearModel.from_json` reads it, and beside it method, pole, delays, orders and fits."""
+        deviations = {"A": _plain(self.a_deviation), "B": _plain(self.b_deviation)}
+        fits = {h: {n: finite(v) for n, v in row.items()} for h, row in self.fits.items()}
+        return {
+            **self.model.to_json(), "method": self.method, "source": self.source, "samples": self.samples,
+            "unstable_pole": self.pole.to_json(), "deviations": deviations, "delays": dict(self.delays),
+            "orders": {name: order.to_json() for name, order in self.orders.items()}, "fits": fits,
+            "notes": list(self.notes),
+        }  # fmt: skip
+
+    def plot(self) -> Figure:
+        """The skill of predictions of each output on the held-out part, over their horizon on a logarithmic axis."""
+        from upright.plotting import legend, line, panels
+
+        figure, (ax,) = panels(["skill [%]"], "prediction horizon [samples]", "log")
+        ahead = [float(h) for h in self.fits]
+        for name in next(iter(self.fits.values()), {}):
+            line(ax, name, ahead, [fit.get(name, np.nan) for fit in self.fits.values()])
+        return legend(figure)
+
+    def __str__(self) -> str:
+        p = self.pole
+        head = f"{self.method} from {self.samples} samples of {self.source}: "
+        if p.value <= 0:  # this comes first, and what the numbers of such a model are worth follows from it
+            notes = [note.removeprefix(f"This is {STABLE}. ") for note in self.notes]
+            return "\n".join([f"{head}{STABLE}", f"its slowest pole is {p.value:.3g} 1/s {interval(p)}", *notes])
+        lines = [f"{head}unstable pole {p.value:.3g} 1/s {interval(p)}, {WITH_FRICTION}"]
+        lines += [free for free in (p.in_words(),) if free]
+        if np.isfinite(p.bias):
+            lines.append(f"bias on repeated logs {p.bias:+.2g} ± {2 * p.bias_error:.1g} 1/s")
+        return "\n".join([*lines, *self.notes])
+
+
+def interval(pole: Pole) -> str:
+    """The 95 % interval in words."""
+    return f"({pole.low:.3g} to {pole.high:.3g})" if np.isfinite(pole.low) else "(no interval)"
+
+
+def assembled(
+    halves: Mapping[str, LinearModel], deviations: Mapping[str, tuple[Array, Array]]
+) -> tuple[LinearModel, Array, Array]:
+    """Both halves as one model of left and right command, and the deviations of its A and B."""
+    states = [name for half in halves.values() for name in half.states]
+    names = sorted(states, key=lambda name: STATE_NAMES.index(name) if name in STATE_NAMES else len(STATE_NAMES))
+    A = np.zeros((len(names),) * 2)
+    B = np.zeros((len(names), 2))
+    dA, dB = np.full_like(A, np.nan), np.full_like(B, np.nan)
+    for half, model in halves.items():
+        at = [names.index(name) for name in model.states]
+        sides = np.array([COMMANDS[half]])
+        A[np.ix_(at, at)], B[at] = model.A, model.B @ sides
+        if half in deviations:
+            spread, enters = deviations[half]
+            dA[np.ix_(at, at)], dB[at] = spread, enters @ np.abs(sides)
+    for array in (dA, dB):
+        array.setflags(write=False)
+    dt = next(iter(halves.values())).dt
+    return LinearModel(A, B, dt=dt, states=tuple(names), inputs=INPUTS), dA, dB
+
+
+def reading(output: str, states: Sequence[str], *, known: bool = False) -> Array:
+    """How an output reads a half's `states` (states,), which are `known` where they are the outputs themselves;
+    otherwise "wheel" is relative to the body."""
+    row = np.zeros(len(states))
+    if output in states and (known or output != "wheel"):
+        row[states.index(output)] = 1.0
+    elif output in ("gyro", "turn"):
+        row[states.index({"gyro": "pitch_rate", "turn": "yaw"}[output])] = 1.0
+    else:
+        row[states.index("wheel")], row[states.index("pitch")] = 1.0, -1.0
+    return row
+
+
+def _plain(values: Array) -> list[list[float | None]]:
+    return [[finite(v) for v in row] for row in values.tolist()]

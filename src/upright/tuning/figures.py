@@ -1,0 +1,193 @@
+"""What a controller is judged by: falls of a fleet, the largest knock, settling, effort and margins."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+
+from upright.arrays import Array
+from upright.atomic import finite
+from upright.certification.checks import SECONDS, PushTrial, TrialSetup, kernel_controller, tried
+from upright.certification.recovery import KNOCK_DURATION
+from upright.certification.verdict import Examined, LinearMargins, judge
+from upright.control.controller import Controller
+from upright.fleets.ensemble import release
+from upright.kernel.batch import FleetBatch, parameters_of
+from upright.kernel.simulate import simulate
+from upright.robots import Kit, Robot
+from upright.robots.uncertainty import draw
+
+KNOCKED, WATCHED = 0.5, 3.0  # [s] when a knock comes, and how long the robot has to stand after it
+SOFTEST, HARDEST = 0.02, 5.0  # [m/s] of the whole robot: the knocks that are tried
+COARSE, FINE = 32, 16
+"""Sizes that are tried, between both ends and between two of these: 1.2 % from one to the next."""
+ALIKE = 0.02
+"""Knocks that differ by less, relatively, count as equal: twice what the sizes that are tried resolve."""
+STREAMS = 2
+"""Times that each size is tried from each side, with other noise: it is survived where all of them are."""
+
+
+@dataclass(frozen=True)
+class Runs:
+    """The standard pushes on a fleet: its `trials`, how many robots `fell` in any of them and how many of these no
+    controller could save (`beyond`), the fraction of the time `down` that the runs of fallen robots lack [1], and the
+    means of those that stood: `settling` [s] after the last push, `effort` [V² s, or N² m² s]."""
+
+    trials: tuple[PushTrial, ...]
+    fell: int
+    beyond: int
+    down: float
+    settling: float
+    effort: float
+
+
+def pushed(setup: TrialSetup, *, blamed: bool = False) -> Runs:
+    """The standard pushes at every battery on all robots of `setup`. A robot that never settles counts to the end.
+
+    Which robots no controller could save is found out only where the controller is `blamed` for all others.
+    """
+    fell, beyond = (np.zeros(len(setup.robots), dtype=np.bool_) for _ in range(2))
+    trials = list[PushTrial]()
+    lived, settling, effort = list[float](), list[Array](), list[Array]()
+    for one in tried(setup):
+        run = one.run
+        stood = ~one.run.fell
+        trials.append(one.counted if blamed else one.trial)
+        fell |= run.fell
+        beyond |= one.beyond if blamed else False
+        lived.append(float(np.sum(run.lived)))
+        settling.append(np.maximum(np.nan_to_num(run.settled[stood], nan=SECONDS) - release(one.planned.push), 0.0))
+        effort.append(np.asarray(run.effort[stood], dtype=np.float64))
+    count = len(trials) * len(setup.robots)
+    return Runs(
+        tuple(trials),
+        int(fell.sum()),
+        int(beyond.sum()),
+        1 - sum(lived) / (SECONDS * count),
+        _mean(settling, SECONDS),
+        _mean(effort, 0.0),
+    )
+
+
+def hardest(setup: TrialSetup) -> list[int]:
+    """The numbers of the robots of `setup`, first the one that leans farthest in the standard pushes, all together."""
+    lean = np.sum([one.run.peak[:, 0] for one in tried(setup)], axis=0)
+    return np.argsort(-lean, kind="stable").tolist()
+
+
+def _mean(parts: Sequence[Array], none: float) -> float:
+    values = np.concatenate(parts)
+    return float(values.mean()) if len(values) else none
+
+
+def knock(setup: TrialSetup) -> float:
+    """The largest impulse [N s] at the centre of mass that the nominal robot survives from both sides, in
+    `KNOCK_DURATION`.
+
+    Every smaller one that was tried is survived too; the battery is the kit's.
+    """
+    robot = setup.robot
+    mass = robot.body_mass + 2 * robot.wheel_mass
+    sizes = mass * np.geomspace(SOFTEST, HARDEST, COARSE)
+    first = _first_fall(setup, sizes)
+    if first in (0, COARSE):
+        return float(sizes[-1]) if first else 0.0
+    finer = np.geomspace(sizes[first - 1], sizes[first], FINE + 1)
+    return float(finer[_first_fall(setup, finer[1:-1])])
+
+
+def _first_fall(setup: TrialSetup, sizes: Array) -> int:
+    """The number of the least of `sizes` [N s] that fells the robot from either side; their count where none does.
+
+    Of one size all runs stand together, so that the kernel is soon done with the sizes that nothing survives."""
+    ways = np.tile([1.0, -1.0], STREAMS)
+    pushes = np.array(
+        [[way * size / KNOCK_DURATION, np.nan, KNOCKED, KNOCK_DURATION] for size in sizes for way in ways]
+    )
+    noise = np.tile(np.arange(len(ways), dtype=np.uint64), len(sizes))  # the same for every size
+    law, called = setup.controller
+    batch = FleetBatch(
+        parameters=parameters_of(setup.robot), controller=law, called=called, kit=setup.kit, seed=setup.seed,
+        pushes=pushes[:, None], index=noise,
+    )  # fmt: skip
+    result = simulate(batch, KNOCKED + KNOCK_DURATION + WATCHED, threads=setup.threads)
+    fell = result.fell.reshape(len(sizes), len(ways)).any(axis=1)
+    return int(np.argmax(fell)) if fell.any() else len(sizes)
+
+
+def slack(linear: LinearMargins) -> float:
+    """By which fraction [1] every signal may become stronger or weaker, one at a time: what a certificate goes by."""
+    return min(linear.gain_high - 1, 1 - linear.gain_low)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Figures:
+    """Of `samples` robots `fell` in a standard push; the largest `knock` [N s]; means of `settling` [s] and `effort`
+    [V² s, or N² m² s]; 95 % quantiles in the worst trial of `saturated` [1], `travel` [m] and `sway` [rad]; the nominal
+    loop's margins `linear`; the `light` that a certificate gives it, and its `reasons`."""
+
+    samples: int
+    fell: int
+    knock: float
+    settling: float
+    effort: float
+    saturated: float
+    travel: float
+    sway: float
+    linear: LinearMargins | None
+    light: str
+    reasons: tuple[str, ...]
+
+    @property
+    def falls(self) -> float:
+        """The fraction of the robots that fell [1]."""
+        return self.fell / self.samples
+
+    @property
+    def gain(self) -> float:
+        """The `slack` [1] of the margins: infinite where they are not known."""
+        return math.inf if self.linear is None else slack(self.linear)
+
+    @property
+    def delay(self) -> float:
+        """The smallest delay margin [s] of all loops: infinite where it is not known."""
+        return math.inf if self.linear is None else self.linear.delay
+
+    def worse(self, other: Figures) -> list[str]:
+        """In which of falls, knock and margins this is worse than `other`, of the knock by more than `ALIKE`."""
+        worse = ["falls"] if self.falls > other.falls else []
+        worse += ["knock"] if self.knock < (1 - ALIKE) * other.knock else []
+        if other.linear is None:
+            return worse
+        if self.linear is None or self.linear.radius >= 1 > other.linear.radius:
+            return [*worse, "stability"]
+        worse += ["gain margin"] if self.gain < other.gain else []
+        return worse + (["delay margin"] if self.delay < other.delay else [])
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain numbers; None for what is unlimited."""
+        linear = {k: finite(v) for k, v in asdict(self.linear).items()} if self.linear else None
+        return asdict(self) | {"linear": linear, "reasons": list(self.reasons)}
+
+
+def figures(
+    controller: Controller, robot: Robot, kit: Kit, linear: LinearMargins | None, *,
+    samples: int, seed: int, threads: int | None = None,
+) -> Figures:  # fmt: skip
+    """What a certificate measures of `controller`, with margins `linear`, on `samples` robots drawn from the spreads,
+    and the largest knock."""
+    robots = draw(robot, samples, seed)
+    setup = TrialSetup(kernel_controller(controller, robot, kit), robot, robots, kit, seed, threads)
+    runs = pushed(setup, blamed=True)
+    light, reasons = judge(
+        Examined(samples, runs.fell, linear, runs.trials, controller.spec.period, beyond=runs.beyond)
+    )
+    return Figures(
+        samples=samples, fell=runs.fell, knock=knock(setup), settling=runs.settling, effort=runs.effort,
+        saturated=max(t.saturated for t in runs.trials), travel=max(t.travel for t in runs.trials),
+        sway=max(t.cycle for t in runs.trials), linear=linear, light=light, reasons=reasons,
+    )  # fmt: skip
