@@ -80,7 +80,7 @@ def at_motors(commands: Array, kit: Kit, unit: str, *, sent: bool = True) -> Arr
 class Arrays:
     """The namespace of `physics.electronics` for arrays."""
 
-    absolute, whole, nearest = np.abs, np.trunc, np.rint
+    absolute, whole, nearest, limit = np.abs, np.trunc, np.rint, np.clip
 
     @staticmethod
     def choose(left: Any, right: Any, then: Any, other: Any) -> Any:

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from upright.calibration.kept import njit
+from upright.compiled.electronics import recorded
 from upright.compiled.generated import (
     COULOMB_TORQUE,
     HALF_TRACK,
@@ -35,6 +36,8 @@ from upright.compiled.generated import (
 )
 from upright.compiled.generated_motion import accelerations_free, constants_free, rk4_free
 from upright.compiled.jit import get, numba, put
+from upright.compiled.tracer import FormulaTracer
+from upright.physics.electronics import awake, dropped, turned
 
 inlined: Any = partial(numba.njit, error_model="numpy", forceinline=True, no_cpython_wrapper=True)
 """A function for other compiled functions, put into its callers and vectorised there across lanes."""
@@ -216,24 +219,20 @@ def _stop(w: Any, i: Any, d: Any) -> None:
         _put_state(w, PITCH, i, _stepped(w, i, start, d, left, right))
 
 
-@inlined
-def _beyond(command: Any, zone: Any) -> Any:
-    """What a dead zone leaves of a command: nothing up to it, and all of what is above it."""
-    return command if abs(command) > zone else 0.0
+def _given(t: FormulaTracer, v: Any) -> dict[str, Any]:
+    """What a driver without limit and steps leaves of both commands, and what the motors make of it."""
+    left, right = turned([dropped(awake(u, v, t), v.drop, t) for u in (v.command_left, v.command_right)], v)
+    return {"left": left + v.added, "right": right + v.added}
 
 
-@inlined
-def _left(command: Any, drop: Any) -> Any:
-    """What a driver leaves of a command of which it keeps `drop`."""
-    return command - min(drop, max(-drop, command))
+_give = inlined(recorded("give", "command_left command_right dead_zone drop left right added", _given).function())
 
 
 @inlined
 def driven(w: Any, i: Any, u: Any) -> Any:
     """What reaches both motors of lane i of the command u (2,)."""
-    zone, added, drop = get(w, DEAD_ZONE, i), get(w, CONSTANT, i), get(w, DROP, i)
-    left, right = _left(_beyond(u[0], zone), drop), _left(_beyond(u[1], zone), drop)
-    return get(w, DRIVE_LEFT, i) * left + added, get(w, DRIVE_RIGHT, i) * right + added
+    drives = get(w, DRIVE_LEFT, i), get(w, DRIVE_RIGHT, i)
+    return _give(u[0], u[1], get(w, DEAD_ZONE, i), get(w, DROP, i), *drives, get(w, CONSTANT, i))
 
 
 @njit

@@ -9,9 +9,9 @@ from functools import cache
 from types import SimpleNamespace
 from typing import Any
 
-from upright.compiled.formula_tracer import FormulaTracer
 from upright.compiled.print_python import PythonStatements
 from upright.compiled.program import Block
+from upright.compiled.tracer import FormulaTracer
 from upright.physics.electronics import (
     awake,
     driven,
@@ -85,13 +85,14 @@ def formulas(*, volts: bool = True) -> dict[str, TracedFormula]:
     def drive(t: FormulaTracer, v: Any) -> dict[str, Any]:
         command = v.command_left, v.command_right
         left, right = driven(command, v, v, t, volts=volts)
-        supply = loaded(awake(command, v, t), v, t)
-        sizes = [t.absolute(u) for u in awake(command, v, t)]
+        commands = [awake(u, v, t) for u in command]
+        supply = loaded(commands, v, t)
+        sizes = [t.absolute(u) for u in commands]
         beyond = t.choose(largest(supply, v, t, volts=volts), t.choose(*sizes, *reversed(sizes)), 1.0, 0.0)
         return {"applied_left": left, "applied_right": right, "loaded": supply, "beyond": beyond}
 
     return {
-        name: _recorded(name, inputs.split(), record)
+        name: recorded(name, inputs, record)
         for name, inputs, record in (
             ("drive", "command_left command_right limit dead_zone quantum drop voltage sag", drive),
             ("turn", "applied_left applied_right left right", _turn),
@@ -132,9 +133,11 @@ def _fuse(_: FormulaTracer, v: Any) -> dict[str, Any]:
     return {"angle": fused(v.angle, (v.cosine, v.sine), (v.rate, v.forward, v.up), v.gravity, v)}
 
 
-def _recorded(name: str, inputs: list[str], record: Callable[[FormulaTracer, Any], dict[str, Any]]) -> TracedFormula:
+def recorded(name: str, inputs: str, record: Callable[[FormulaTracer, Any], dict[str, Any]]) -> TracedFormula:
+    """What `record` gives by name, of a tracer and of what has the `inputs`, between spaces, as its fields."""
     t = FormulaTracer()
-    return TracedFormula(tuple(inputs), t.block(name, record(t, SimpleNamespace(**{n: t.number(n) for n in inputs}))))
+    names = inputs.split()
+    return TracedFormula(tuple(names), t.block(name, record(t, SimpleNamespace(**{n: t.number(n) for n in names}))))
 
 
 def _nearest(value: float) -> float:

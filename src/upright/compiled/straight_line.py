@@ -11,9 +11,9 @@ from collections.abc import Callable, Sequence
 from functools import lru_cache
 from typing import Any
 
-from upright.compiled.formula_tracer import FormulaTracer, Number
 from upright.compiled.print_python import PythonStatements
 from upright.compiled.program import Block
+from upright.compiled.tracer import FormulaTracer, Number
 from upright.physics.dynamics import Disturbance, accelerations, derivative
 from upright.physics.integrate import rk4_step
 from upright.physics.sensing import readings

@@ -15,7 +15,6 @@ from typing import Any
 
 import sympy as sp
 
-from upright.compiled.formula_tracer import FormulaTracer
 from upright.compiled.program import Function, Fused, Product, Quotient, Step, operands
 from upright.compiled.trace import CONSTANTS, ROWS, STAGE, Maths, trace
 from upright.compiled.trace_print import (
@@ -46,6 +45,7 @@ from upright.compiled.trace_print import (
     factored,
     function,
 )
+from upright.compiled.tracer import FormulaTracer
 from upright.errors import InvalidModel
 from upright.physics.dynamics import Unpowered, held_at_speed
 from upright.physics.integrate import rk4_step

@@ -1,16 +1,21 @@
-"""From formulas in Python to statements: numbers that record the operations on them, and the ranges of the results."""
+"""From formulas in Python to statements: numbers that record the operations on them, and the ranges of the results.
+
+A formula of `physics` is called with what stands for its numbers, and with the tracer as its namespace of mathematics.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Any, Self
 
 from upright.compiled.program import (
     INFINITY,
     Absolute,
     Block,
     Choose,
+    Function,
     Kind,
     Limit,
     Operand,
@@ -18,6 +23,7 @@ from upright.compiled.program import (
     Quotient,
     Repeat,
     Statement,
+    Step,
     Sum,
     Variable,
     Whole,
@@ -37,30 +43,39 @@ class Form:
     terms: Mapping[str, float] = field(default_factory=dict)
     constant: float = 0.0
 
-    def __add__(self, other: Form | float) -> Form:
+    def _made(self, terms: Mapping[str, float], constant: float) -> Form:
+        return Form(terms, constant)
+
+    def _plus(self, sign: float, other: Form | float, other_sign: float) -> Form:
+        terms = {name: sign * coefficient for name, coefficient in self.terms.items()}
         if not isinstance(other, Form):
-            return Form(self.terms, self.constant + other)
-        terms = dict(self.terms)
+            return self._made(terms, sign * self.constant + other_sign * other)
         for name, coefficient in other.terms.items():
-            terms[name] = terms.get(name, 0.0) + coefficient
-        return Form(terms, self.constant + other.constant)
+            terms[name] = terms.get(name, 0.0) + other_sign * coefficient
+        return self._made(terms, sign * self.constant + other_sign * other.constant)
+
+    def __add__(self, other: Form | float) -> Form:
+        return self._plus(1.0, other, 1.0)
 
     __radd__ = __add__
 
+    def __sub__(self, other: Form | float) -> Form:
+        return self._plus(1.0, other, -1.0)
+
+    def __rsub__(self, other: float) -> Form:
+        return self._plus(-1.0, other, 1.0)
+
     def __mul__(self, factor: float) -> Form:
         factor = float(factor)
-        return Form({n: factor * c for n, c in self.terms.items()} if factor else {}, factor * self.constant)
+        return self._made({n: factor * c for n, c in self.terms.items()} if factor else {}, factor * self.constant)
 
     __rmul__ = __mul__
 
+    def __truediv__(self, below: float) -> Form:
+        return self * (1.0 / below)
+
     def __neg__(self) -> Form:
         return self * -1.0
-
-    def __sub__(self, other: Form | float) -> Form:
-        return self + -other
-
-    def __rsub__(self, other: float) -> Form:
-        return -self + other
 
     @property
     def name(self) -> str:
@@ -70,12 +85,20 @@ class Form:
 
 
 class Tracer:
-    """Records statements block by block, each with the range that interval arithmetic proves for its result."""
+    """Records statements block by block, each with the unit of its result and the range that interval arithmetic proves
+    for it. What depends on constants alone is computed at once."""
 
     def __init__(self) -> None:
         self.variables: dict[str, Variable] = {}
         self._statements: list[Statement] = []
         self._commit: list[tuple[str, str]] = []
+        self._names: list[str] = []
+
+    def called(self, *names: str) -> Self:
+        """The tracer, as the namespace of a formula whose statements take these names, in order."""
+        assert not self._names, f"no statement took {self._names}"
+        self._names = list(names)
+        return self
 
     def input(self, name: str, unit: str, most: float, whole: bool = False, low: float | None = None) -> Form:
         """A raw reading in [`low` or −most, most]: the range is what the program relies on until it is limited."""
@@ -92,56 +115,59 @@ class Tracer:
         bounds = [self._range(n, c) for c, n in terms]
         low, high = form.constant + sum(b[0] for b in bounds), form.constant + sum(b[1] for b in bounds)
         limit = most if max(-low, high) > most else INFINITY
-        self._statements.append(Sum(name, terms, form.constant, -limit, limit))
-        whole = float(form.constant).is_integer() and all(c.is_integer() and self.variables[n].whole for c, n in terms)
-        return self._new(name, unit, (max(low, -limit), min(high, limit)), _kind(output), whole)
+        whole = float(form.constant).is_integer() and all(c.is_integer() and self._known(n).whole for c, n in terms)
+        step = Sum(name, terms, form.constant, -limit, limit)
+        return self._record(step, unit, (max(low, -limit), min(high, limit)), whole=whole, output=output)
 
     def claim(self, name: str, value: Form, unit: str, most: float) -> Form:
         """A named sum that stays within ±most for a reason beyond interval arithmetic."""
-        self._statements.append(Sum(name, self._kept(value), value.constant))
-        return self._new(name, unit, (-most, most), Kind.TEMPORARY)
+        return self._record(Sum(name, self._kept(value), value.constant), unit, (-most, most))
 
     def product(self, name: str, first: Form, second: Form, unit: str, *, output: bool = False) -> Form:
-        a, b = (self.variables[f.name] for f in (first, second))
+        a, b = (self._known(f.name) for f in (first, second))
         corners = [x * y for x in (a.low, a.high) for y in (b.low, b.high)]
-        self._statements.append(Product(name, a.name, b.name))
-        return self._new(name, unit, (min(corners), max(corners)), _kind(output))
+        return self._record(Product(name, first.name, second.name), unit, (min(corners), max(corners)), output=output)
 
     def quotient(self, name: str, number: float, below: Form, unit: str) -> Form:
         """number / below; raises `InvalidController` where the divisor may be zero."""
-        under = self.variables[below.name]
+        under = self._known(below.name)
         if under.low <= 0 <= under.high:
             raise InvalidController(f"{name} divides by {under.name}, which may be zero", expected="a positive one")
         ends = sorted((number / under.low, number / under.high))
-        self._statements.append(Quotient(name, number, under.name))
-        return self._new(name, unit, (ends[0], ends[1]), Kind.TEMPORARY)
+        return self._record(Quotient(name, number, under.name), unit, (ends[0], ends[1]))
 
-    def limit(self, name: str, value: Form, low: float, high: float, unit: str) -> Form:
-        inner = self.variables[value.name]
-        self._statements.append(Limit(name, inner.name, low, high))
-        return self._new(name, unit, (max(low, inner.low), min(high, inner.high)), Kind.TEMPORARY, inner.whole)
+    def limit(self, value: Form, low: float, high: float, name: str = "") -> Form:
+        """`value` within [low, high]."""
+        inner = self._known(value.name)
+        bounds = max(low, inner.low), min(high, inner.high)
+        return self._record(Limit(name, value.name, low, high), inner.unit, bounds, whole=inner.whole)
 
-    def absolute(self, name: str, value: Form, unit: str) -> Form:
-        inner = self.variables[value.name]
-        self._statements.append(Absolute(name, inner.name))
+    def absolute(self, value: Form, name: str = "") -> Form:
+        inner = self._known(value.name)
         least = 0.0 if inner.low <= 0 <= inner.high else min(abs(inner.low), abs(inner.high))
-        return self._new(name, unit, (least, inner.most), Kind.TEMPORARY, inner.whole)
+        return self._record(Absolute(name, value.name), inner.unit, (least, inner.most), whole=inner.whole)
 
-    def whole(self, name: str, value: Form, unit: str) -> Form:
-        inner = self.variables[value.name]
-        self._statements.append(Whole(name, inner.name))
-        ends = math.trunc(inner.low), math.trunc(inner.high)
-        return self._new(name, unit, (float(ends[0]), float(ends[1])), Kind.OUTPUT, True)
+    def whole(self, value: Form, name: str = "") -> Form:
+        """`value` without its fraction: an output."""
+        inner = self._known(value.name)
+        low, high = (float(math.trunc(end)) if math.isfinite(end) else end for end in (inner.low, inner.high))
+        return self._record(Whole(name, value.name), inner.unit, (low, high), whole=True, output=True)
 
     def choose(
-        self, name: str, left: Form, right: Form | float, then: Form | float, other: Form | float, unit: str,
+        self, left: Form | float, right: Form | float, then: Form | float, other: Form | float, name: str = "",
         *, output: bool = False, whole: bool = False,
-    ) -> Form:  # fmt: skip
+    ) -> Any:  # fmt: skip
         """`then` where left < right, else `other`."""
+        if not isinstance(left, Form):
+            if not isinstance(right, Form):
+                return then if left < right else other
+            # a statement compares a variable with what follows: left < right is not right < the number after left
+            return self.choose(right, math.nextafter(left, INFINITY), other, then, name, output=output, whole=whole)
         ranges = [self._range(f.name, 1.0) if isinstance(f, Form) else (f, f) for f in (then, other)]
         bounds = min(r[0] for r in ranges), max(r[1] for r in ranges)
-        self._statements.append(Choose(name, left.name, _operand(right), _operand(then), _operand(other)))
-        return self._new(name, unit, bounds, _kind(output), whole)
+        units = [self._known(f.name).unit for f in (then, other) if isinstance(f, Form)]
+        step = Choose(name, left.name, _operand(right), _operand(then), _operand(other))
+        return self._record(step, units[0] if units else "1", bounds, whole=whole, output=output)
 
     def repeat(self, count: int, carried: Sequence[Form], body: Callable[[], Sequence[Form]]) -> None:
         """`count` times what `body` records; then each of `carried` takes, in order, the value that it returns.
@@ -175,14 +201,23 @@ class Tracer:
         return block
 
     def _kept(self, form: Form) -> tuple[tuple[float, str], ...]:
-        reach = {n: abs(c) * self.variables[n].most for n, c in form.terms.items()}
+        reach = {n: abs(c) * self._known(n).most for n, c in form.terms.items()}
         least = NEGLIGIBLE * (sum(reach.values()) + abs(form.constant))
         return tuple((float(c), n) for n, c in form.terms.items() if c and not reach[n] <= least < INFINITY)
 
     def _range(self, name: str, coefficient: float) -> Interval:
-        variable = self.variables[name]
+        variable = self._known(name)
         ends = coefficient * variable.low, coefficient * variable.high
         return min(ends), max(ends)
+
+    def _known(self, name: str) -> Variable:
+        return self.variables[name]
+
+    def _record(self, step: Step, unit: str, bounds: Interval, *, whole: bool = False, output: bool = False) -> Form:
+        """The result of a statement; one without a name takes the next that the formula is `called` by."""
+        named = step if step.target else replace(step, target=self._names.pop(0))
+        self._statements.append(named)
+        return self._new(named.target, unit, bounds, Kind.OUTPUT if output else Kind.TEMPORARY, whole)
 
     def _new(self, name: str, unit: str, bounds: Interval, kind: Kind, whole: bool = False, start: float = 0.0) -> Form:
         assert name not in self.variables, f"{name} is recorded twice"
@@ -190,8 +225,88 @@ class Tracer:
         return Form({name: 1.0})
 
 
-def _kind(output: bool) -> Kind:
-    return Kind.OUTPUT if output else Kind.TEMPORARY
+class Number(Form):
+    """A form whose every operation is a statement at once, so that a printed text rounds as the formula does."""
+
+    tracer: FormulaTracer
+
+    def __init__(self, name: str, tracer: FormulaTracer) -> None:
+        super().__init__({name: 1.0})
+        object.__setattr__(self, "tracer", tracer)  # a form is frozen
+
+    def _made(self, terms: Mapping[str, float], constant: float) -> Form:
+        return self.tracer.let("", Form(terms, constant), "1")
+
+    def __mul__(self, factor: Any) -> Form:
+        if isinstance(factor, Number):
+            return self.tracer.record(Product("", self.name, factor.name))
+        return super().__mul__(factor)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, below: Any) -> Form:
+        return self.tracer.record(Quotient("", self.name, below.name))
+
+    def __rtruediv__(self, number: float) -> Form:
+        return self.tracer.record(Quotient("", float(number), self.name))
+
+    def __pow__(self, power: int) -> Form:
+        assert power == 2, "no other power is written"
+        return self.tracer.record(Function("", "square", self.name))
+
+
+UNKNOWN = Variable("", "1", Kind.TEMPORARY, -INFINITY, INFINITY)
+
+
+class FormulaTracer(Tracer):
+    """Records a formula alone: each statement once, in order, with nothing known of ranges."""
+
+    def __init__(self, letter: str = "t") -> None:
+        super().__init__()
+        self._letter = letter
+        self._numbers = dict[Step, Number]()
+
+    def number(self, name: str) -> Number:
+        """What stands for the variable of that name."""
+        return Number(name, self)
+
+    def numbers(self, names: str) -> list[Number]:
+        """Those of these names, between spaces."""
+        return [Number(name, self) for name in names.split()]
+
+    def record(self, step: Step) -> Number:
+        """What a step without a name gives."""
+        return self._numbers.setdefault(step, Number(f"{self._letter}{len(self._numbers)}", self))
+
+    def block(self, name: str, results: Mapping[str, Any] | None = None) -> Block:
+        """All statements, after which each variable of `results` takes its value."""
+        statements = tuple(replace(step, target=number.name) for step, number in self._numbers.items())
+        return Block(name, statements, tuple((target, value.name) for target, value in (results or {}).items()))
+
+    def sin(self, angle: Form) -> Form:
+        return self.record(Function("", "sin", angle.name))
+
+    def cos(self, angle: Form) -> Form:
+        return self.record(Function("", "cos", angle.name))
+
+    def sqrt(self, square: Form) -> Form:
+        """The root; of a square, its size, to the last bit and quicker."""
+        whole = next((step for step, number in self._numbers.items() if number is square), None)
+        if isinstance(whole, Function) and whole.name == "square":
+            return self.record(Absolute("", whole.value))
+        return self.record(Function("", "sqrt", square.name))
+
+    def nearest(self, value: Form) -> Form:
+        return self.record(Function("", "nearest", value.name))
+
+    def limit(self, value: Form, low: Any, high: Any, name: str = "") -> Form:  # ends that vary, too
+        return self.choose(value, low, low, self.choose(high, value, high, value), name)
+
+    def _known(self, name: str) -> Variable:  # noqa: ARG002 (it knows as much of each)
+        return UNKNOWN
+
+    def _record(self, step: Step, *_facts: Any, **_kinds: Any) -> Form:
+        return self.record(step)
 
 
 def _operand(value: Form | float) -> Operand:

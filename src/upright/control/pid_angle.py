@@ -64,15 +64,15 @@ class AngleShape:
         w = t.let("angle_command", linear[0] + i + self.trim, "1")
         if self.dead_band:
             negative = t.let("angle_opposite", -w, "1")
-            ahead = t.choose("angle_ahead", negative, 0.0, self.dead_band, 0.0, "1")
-            w = w + t.choose("angle_push", w, 0.0, -self.dead_band, ahead, "1")
+            ahead = t.choose(negative, 0.0, self.dead_band, 0.0, "angle_ahead")
+            w = w + t.choose(w, 0.0, -self.dead_band, ahead, "angle_push")
         u = self._within(t, "angle_limited", w, self.limit)
         return [u, u], [i]
 
     @staticmethod
     def _within(t: Tracer, name: str, form: Form, most: float) -> Form:
         free = t.let(f"{name}_free", form, "1")
-        return t.limit(name, free, -most, most, "1") if math.isfinite(most) else free
+        return t.limit(free, -most, most, name) if math.isfinite(most) else free
 
     def output(self, linear: float, s: float) -> tuple[float, float]:
         """The command, and the integral."""

@@ -90,17 +90,17 @@ class Splitting(Nonlinearity):
         """
         every = range(len(s))
         free = [t.let(f"free{i}", form, "1") for i, form in enumerate(s)]
-        inside = [t.limit(f"inside{i}", form, -1.0, 1.0, "1") for i, form in enumerate(free)]
-        beyond = [t.absolute(f"beyond{i}", t.let(f"over{i}", free[i] - inside[i], "1"), "1") for i in every]
+        inside = [t.limit(form, -1.0, 1.0, f"inside{i}") for i, form in enumerate(free)]
+        beyond = [t.absolute(t.let(f"over{i}", free[i] - inside[i], "1"), f"beyond{i}") for i in every]
         any_beyond = t.let("beyond", sum(beyond, Form()), "1")
         pull = [t.state(f"pull{i}", "1", INFINITY) for i in every]
         warm = [t.let(f"warm{i}", free[i] + dot(self.shift[i], pull), "1") for i in every]
-        v = [t.choose(f"v{i}", any_beyond, NOTHING, free[i], warm[i], "1") for i in every]
+        v = [t.choose(any_beyond, NOTHING, free[i], warm[i], f"v{i}") for i in every]
         before = [t.let(f"before_{side}", 0.0, "1") for side in SIDES]
         to, inner, back = _sums_and_differences(self)
 
         def iteration() -> list[Form]:
-            at = [t.limit(f"at{i}", v[i], -1.0, 1.0, "1") for i in every]
+            at = [t.limit(v[i], -1.0, 1.0, f"at{i}") for i in every]
             out = [t.let(f"out{i}", v[i] - at[i], "1") for i in every]
             twice = [at[i] + out[i] * (2 * float(self.ease[i]) - 1) - free[i] for i in every]
             mixed = [t.let(f"mixed{i}", dot(to[i], twice), "1") for i in every]
@@ -109,10 +109,10 @@ class Splitting(Nonlinearity):
             return [*at[:2], *(t.let(f"next{i}", form, "1") for i, form in enumerate(after))]
 
         t.repeat(self.iterations, [*before, *v], iteration)
-        first = [t.limit(f"first_{side}", v[i], -1.0, 1.0, "1") for i, side in enumerate(SIDES)]
+        first = [t.limit(v[i], -1.0, 1.0, f"first_{side}") for i, side in enumerate(SIDES)]
         change = [t.let(f"change_{side}", first[i] - before[i], "1") for i, side in enumerate(SIDES)]
-        sizes = [t.absolute(f"changed_{side}", form, "1") for form, side in zip(change, SIDES, strict=True)]
-        t.choose("residual", sizes[0], sizes[1], sizes[1], sizes[0], "1", output=True)
+        sizes = [t.absolute(form, f"changed_{side}") for form, side in zip(change, SIDES, strict=True)]
+        t.choose(sizes[0], sizes[1], sizes[1], sizes[0], "residual", output=True)
         for i in every:
             t.commit(pull[i], t.let(f"next_pull{i}", v[i] - free[i], "1"))
         return [form * self.limit for form in first], []

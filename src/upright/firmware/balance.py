@@ -42,6 +42,7 @@ from upright.firmware.setup import (
     ProgramSetup,
 )
 from upright.firmware.targets import BATTERY, COMPASS, ENCODERS, GYRO, PITCH, Driver, driver, find_target, largest
+from upright.physics.electronics import awake, dropped, switched
 from upright.robots import Kit, Robot
 from upright.robots.kit import STOP
 from upright.signals import SIDES, STATE_NAMES
@@ -152,7 +153,7 @@ def _reference(t: Tracer, setup: ProgramSetup) -> list[Form]:
 
 
 def _bounded_input(t: Tracer, name: str, unit: str, most: float) -> Form:
-    return t.limit(f"kept_{name}", t.input(name, unit, most), -most, most, unit)
+    return t.limit(t.input(name, unit, most), -most, most, f"kept_{name}")
 
 
 def _pitch(t: Tracer, setup: ProgramSetup, z: list[Form], y: list[Form]) -> Form:
@@ -177,9 +178,9 @@ def _fit(t: Tracer, setup: ProgramSetup, read: dict[str, Form], values: list[For
     for side, channel in zip(SIDES, ENCODERS, strict=True):
         if channel not in read:
             continue
-        far = t.absolute(f"far_{side}", read[channel], setup.raw(channel).unit)
+        far = t.absolute(read[channel], f"far_{side}")
         most = setup.travel / setup.raw(channel).scale
-        status = t.choose(f"near_{side}", far, most, status, float(TOO_FAR), "1", whole=True)
+        status = t.choose(far, most, status, float(TOO_FAR), f"near_{side}", whole=True)
     return numbers(t, "fit", values, status)
 
 
@@ -188,32 +189,31 @@ def _applied(t: Tracer, setup: ProgramSetup, u: list[Form], read: dict[str, Form
     of the battery's voltage, less what the driver drops."""
     d = setup.driver
     full = float(setup.driver.full)
-    awake = [
-        t.choose(f"sure_{side}", fit, 0.5, _awake(t, d, form, side), 0.0, d.unit)
-        for form, side in zip(u, SIDES, strict=True)
+    sure = [
+        t.choose(fit, 0.5, _awake(t, d, form, side), 0.0, f"sure_{side}") for form, side in zip(u, SIDES, strict=True)
     ]
     if not full:
         return [
             t.let(f"applied_{s}", form, d.unit, setup.strongest, output=True)
-            for form, s in zip(awake, SIDES, strict=True)
+            for form, s in zip(sure, SIDES, strict=True)
         ]
     # the battery is read before the motors load it anew
     volts = t.let("volts", read[BATTERY] * setup.raw(BATTERY).scale, "V")
-    measured = t.limit("measured", volts, d.lowest, d.highest, "V")
-    battery = t.choose("battery", fit, 0.5, measured, d.lowest, "V")
+    measured = t.limit(volts, d.lowest, d.highest, "measured")
+    battery = t.choose(fit, 0.5, measured, d.lowest, "battery")
     per_volt = t.quotient("per_volt", full, battery, "1/V")
     step = t.let("step", battery * (1 / full), "V")
     applied: list[Form] = []
-    for form, side in zip(awake, SIDES, strict=True):
+    for form, side in zip(sure, SIDES, strict=True):
         exact = t.product(f"exact_duty_{side}", form, per_volt, "1")
-        limited = t.limit(f"limited_duty_{side}", exact, -full, full, "1")
-        duty = t.whole(f"duty_{side}", limited, "1")
+        # in the driver's own steps, so that full duty is reached however the battery's voltage was rounded
+        duty = switched(exact, full, 1.0, t.called(f"limited_duty_{side}", f"duty_{side}"))
         if not d.drop:
             applied.append(t.product(f"applied_{side}", duty, step, "V", output=True))
             continue
         given = t.product(f"given_{side}", duty, step, "V")
-        kept = t.limit(f"dropped_{side}", given, -d.drop, d.drop, "V")
-        applied.append(t.let(f"applied_{side}", given - kept, "V", setup.strongest, output=True))
+        left = dropped(given, d.drop, t.called(f"dropped_{side}"))
+        applied.append(t.let(f"applied_{side}", left, "V", setup.strongest, output=True))
     return applied
 
 
@@ -237,10 +237,9 @@ def _awake(t: Tracer, d: Driver, command: Form, side: str) -> Form:
     """The command within the driver's limit, zero in the dead zone."""
     value = command
     if d.dead_zone:
-        size = t.absolute(f"size_{side}", command, d.unit)
-        value = t.choose(f"awake_{side}", size, math.nextafter(d.dead_zone, math.inf), 0.0, command, d.unit)
+        value = awake(command, d, t.called(f"size_{side}", f"awake_{side}"))
     if math.isfinite(d.limit) and d.full:
-        return t.limit(f"bounded_{side}", value, -d.limit, d.limit, d.unit)
+        return t.limit(value, -d.limit, d.limit, f"bounded_{side}")
     return value
 
 
@@ -256,20 +255,20 @@ def _remember(t: Tracer, w: list[Form], rows: Sequence[Form], proven: bool) -> N
 
 def _stop(t: Tracer, setup: ProgramSetup, pitch: Form, fit: Form) -> None:
     """The status: not `fit`, fallen, or stuck at full duty."""
-    lean = t.absolute("lean", pitch, "rad")
-    status = t.choose("fallen", lean, STOP, float(BALANCING), float(FALLEN), "1", whole=True)
+    lean = t.absolute(pitch, "lean")
+    status = t.choose(lean, STOP, float(BALANCING), float(FALLEN), "fallen", whole=True)
     if setup.driver.full:
         status = _stuck(t, setup, status)
-    t.choose("status", fit, 0.5, status, fit, "1", output=True, whole=True)
+    t.choose(fit, 0.5, status, fit, "status", output=True, whole=True)
 
 
 def _stuck(t: Tracer, setup: ProgramSetup, status: Form) -> Form:
     full = float(setup.driver.full)
     longest = setup.periods(STUCK_TIME)
     count = t.state("stuck", "1", float(longest), True)
-    sizes = [t.absolute(f"strength_{side}", Form({f"duty_{side}": 1.0}), "1") for side in SIDES]
+    sizes = [t.absolute(Form({f"duty_{side}": 1.0}), f"strength_{side}") for side in SIDES]
     both = t.let("strength", sizes[0] + sizes[1], "1")
     more = t.let("stuck_more", count + 1.0, "1")
-    held = t.choose("stuck_now", both, 2 * full - 0.5, 0.0, more, "1", whole=True)
-    t.commit(count, t.limit("stuck_kept", held, 0.0, float(longest), "1"))
-    return t.choose("stuck_status", held, longest - 0.5, status, float(STUCK), "1", whole=True)
+    held = t.choose(both, 2 * full - 0.5, 0.0, more, "stuck_now", whole=True)
+    t.commit(count, t.limit(held, 0.0, float(longest), "stuck_kept"))
+    return t.choose(held, longest - 0.5, status, float(STUCK), "stuck_status", whole=True)

@@ -49,7 +49,7 @@ def kept(t: Tracer, raw: dict[str, Form], when: str) -> dict[str, Form]:
     for channel, form in raw.items():
         v = t.variables[form.name]
         name = channel.rpartition("/")[2]
-        within[channel] = t.limit(f"{when}_{name}", form, v.low, v.high, v.unit)
+        within[channel] = t.limit(form, v.low, v.high, f"{when}_{name}")
     return within
 
 
@@ -57,7 +57,7 @@ def numbers(t: Tracer, name: str, values: Sequence[Form], status: Form | float) 
     """`status` where all `values` are numbers, else `SENSOR_FAILED`: their sum stays below its range's end, and only
     what is not a number is not below it."""
     total = t.let(f"{name}_sum", sum(values, Form()), "1")
-    return t.choose(name, total, 1.5 * t.variables[total.name].most + 1, status, float(SENSOR_FAILED), "1", whole=True)
+    return t.choose(total, 1.5 * t.variables[total.name].most + 1, status, float(SENSOR_FAILED), name, whole=True)
 
 
 @dataclass(frozen=True)
@@ -79,23 +79,23 @@ def calibrate(t: Tracer, setup: ProgramSetup, raw: dict[str, Form]) -> Held:
     counted = t.state("still", "1", float(count), True)
     total = t.state("gyro_total", unit, most * count)
     low, high = t.state("gyro_low", unit, most), t.state("gyro_high", unit, most)
-    lower = t.choose("lower", g, low, g, low, unit)
-    higher = t.choose("higher", high, g, g, high, unit)
+    lower = t.choose(g, low, g, low, "lower")
+    higher = t.choose(high, g, g, high, "higher")
     spread = t.let("gyro_spread", higher - lower, unit)
-    fresh = t.choose("counted", spread, _scatter(setup), counted, 0.0, "1", whole=True)  # moved: counted from nothing
-    before = t.choose("summed", fresh, 0.5, 0.0, total, unit)
+    fresh = t.choose(spread, _scatter(setup), counted, 0.0, "counted", whole=True)  # moved: counted from nothing
+    before = t.choose(fresh, 0.5, 0.0, total, "summed")
     more = t.let("more", fresh + 1.0, "1")
     total_now = t.let("gyro_sum", before + g, unit)
-    t.commit(counted, t.limit("counted_now", more, 0.0, float(count), "1"))
-    t.commit(total, t.limit("gyro_sum_kept", total_now, -most * count, most * count, unit))
-    t.commit(low, t.choose("gyro_least", fresh, 0.5, g, lower, unit))
-    t.commit(high, t.choose("gyro_most", fresh, 0.5, g, higher, unit))
+    t.commit(counted, t.limit(more, 0.0, float(count), "counted_now"))
+    t.commit(total, t.limit(total_now, -most * count, most * count, "gyro_sum_kept"))
+    t.commit(low, t.choose(fresh, 0.5, g, lower, "gyro_least"))
+    t.commit(high, t.choose(fresh, 0.5, g, higher, "gyro_most"))
     t.commit(offset, t.let("gyro_mean", total_now * (1.0 / count), unit, most))
-    t.choose("ready", more, count - 0.5, 0.0, 1.0, "1", output=True, whole=True)
+    t.choose(more, count - 0.5, 0.0, 1.0, "ready", output=True, whole=True)
     flat: Form | float = 0.0
     if BATTERY in raw:
         volts = t.let("start_battery", first[BATTERY] * setup.raw(BATTERY).scale, "V")
-        flat = t.choose("flat", volts, setup.driver.empty, float(FLAT_BATTERY), 0.0, "1", whole=True)
+        flat = t.choose(volts, setup.driver.empty, float(FLAT_BATTERY), 0.0, "flat", whole=True)
     t.let("start_status", numbers(t, "first_fit", list(first.values()), flat), "1", output=True)
     return Held(offset, _heading_at_start(t, first))
 
@@ -134,8 +134,8 @@ def _heading(t: Tracer, raw: Form, held: Held, scale: float) -> Form:
     step = t.let("compass_step", held.heading - raw, "deg")
     less = t.let("compass_less", step - 360.0, "deg")
     more = t.let("compass_more", step + 360.0, "deg")
-    down = t.choose("compass_down", step, 180.0, step, less, "deg")
-    way = t.choose("compass_way", step, -180.0, more, down, "deg")
+    down = t.choose(step, 180.0, step, less, "compass_down")
+    way = t.choose(step, -180.0, more, down, "compass_way")
     now = t.let("compass_now", turned + way, "deg", most)
     t.commit(turned, now)
     t.commit(held.heading, raw)

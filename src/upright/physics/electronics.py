@@ -2,8 +2,9 @@
 
 Generic like `dynamics`, over the numbers of motor, battery and sensor (anything with the fields of `Motor`, `Battery`
 and `Sensor`) and over the maths namespace `xp`, which here gives `absolute`, `whole` (towards zero), `nearest` (halves
-to the even) and `choose(left, right, then, other)`: `then` where left < right, else `other`. There are no branches:
-`compiled.electronics` records what is computed, for bodies, the kernel and a page.
+to the even), `limit(value, low, high)` and `choose(left, right, then, other)`: `then` where left < right, else `other`.
+There are no branches: what is computed is recorded for bodies, the kernel, a page, the predictor of a calibration, and
+the programs of bricks.
 """
 
 from __future__ import annotations
@@ -12,13 +13,9 @@ from collections.abc import Sequence
 from typing import Any
 
 
-def limited(value: Any, low: Any, high: Any, xp: Any) -> Any:
-    return xp.choose(value, low, low, xp.choose(high, value, high, value))
-
-
-def awake(command: Sequence[Any], motor: Any, xp: Any) -> list[Any]:
-    """Both commands without those that the dead zone swallows."""
-    return [xp.choose(motor.dead_zone, xp.absolute(u), u, 0.0) for u in command]
+def awake(command: Any, motor: Any, xp: Any) -> Any:
+    """The command to one motor; zero where the dead zone swallows it."""
+    return xp.choose(motor.dead_zone, xp.absolute(command), command, 0.0)
 
 
 def loaded(command: Sequence[Any], battery: Any, xp: Any) -> Any:
@@ -36,16 +33,21 @@ def largest(voltage: Any, motor: Any, xp: Any, *, volts: bool = True) -> Any:
 def driven(command: Sequence[Any], motor: Any, battery: Any, xp: Any, *, volts: bool = True) -> list[Any]:
     """What reaches both motors: after the dead zone, the battery's sag under both commands, saturation, the driver's
     quantum and its drop, in this order."""
-    commands = awake(command, motor, xp)
+    commands = [awake(u, motor, xp) for u in command]
     limit = largest(loaded(commands, battery, xp), motor, xp, volts=volts)
-    given = [stepped(limited(u, -limit, limit, xp), motor.quantum, xp.whole, xp) for u in commands]
+    given = [switched(u, limit, motor.quantum, xp) for u in commands]
     return [dropped(u, motor.drop, xp) for u in given]
+
+
+def switched(command: Any, limit: Any, quantum: Any, xp: Any) -> Any:
+    """What a driver gives of a command: ±`limit` at most, in whole steps of `quantum` towards zero."""
+    return stepped(xp.limit(command, -limit, limit), quantum, xp.whole, xp)
 
 
 def dropped(value: Any, drop: Any, xp: Any) -> Any:
     """sign(u) max(0, |u| − drop): what is left of a command u of which the driver keeps `drop`; u itself where that is
     zero."""
-    return xp.choose(-drop, 0.0, value - limited(value, -drop, drop, xp), value)
+    return xp.choose(-drop, 0.0, value - xp.limit(value, -drop, drop), value)
 
 
 def stepped(value: Any, quantum: Any, rounded: Any, xp: Any) -> Any:
@@ -61,7 +63,7 @@ def turned(applied: Sequence[Any], motor: Any) -> tuple[Any, Any]:
 
 def slackened(touch: Any, value: Any, play: Any, xp: Any) -> Any:
     """Backlash: the encoder, which stood at `touch`, moves only where the wheel reaches the end of the play."""
-    return limited(touch, value - play, value + play, xp)
+    return xp.limit(touch, value - play, value + play)
 
 
 def swung(rate: Any, first: Any, second: Any, gyro: Any) -> tuple[Any, Any, Any]:
@@ -113,4 +115,4 @@ def response(value: Any, sensor: Any) -> Any:
 def measured(value: Any, drift: Any, normal: Any, sensor: Any, xp: Any) -> Any:
     """A fresh reading of the ideal `value`: response, offset, bias, noise (a `normal` number), quantum, range."""
     reading = response(value, sensor) + sensor.offset + drift + sensor.noise * normal
-    return limited(stepped(reading, sensor.quantum, xp.nearest, xp), -sensor.range, sensor.range, xp)
+    return xp.limit(stepped(reading, sensor.quantum, xp.nearest, xp), -sensor.range, sensor.range)
