@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from functools import cache
 
 import numpy as np
 import pytest
 
+from interpreter import Interpreter
 from upright.bodies import Electronics
 from upright.bodies.models import NonlinearBody
 from upright.calibration.calibrate import calibrate, prepared
@@ -23,6 +25,7 @@ from upright.compiled.jit import numba
 from upright.control import make_controller
 from upright.control.excited import Excited, random_binary
 from upright.experiment import run
+from upright.firmware.balance import trace
 from upright.robots import Kit, Robot, find_kit
 from upright.signals import Log
 
@@ -62,6 +65,28 @@ def test_motors_of_a_calibration_get_what_a_drop_leaves(command: float) -> None:
     w = block_of(np.array([*numbers, 0.5, 1.0, 0.0, 0.125, 1.5])[:, None])
     left = np.sign(command) * max(0.0, abs(command) - 1.5)
     assert _driven(w, np.array([command, command])) == (0.5 * left + 0.125, left + 0.125)
+
+
+@pytest.mark.parametrize("volts", [6.0, 7.3, 8.4])
+def test_a_program_drives_its_motors_as_the_closed_form_says(volts: float) -> None:
+    """Of a command u on a battery of U: the duty is |u| / U in whole hundredths, nothing up to 0.5 V, U at most; the
+    motors get that part of U less 1.5 V. To rounding; a command within that of a whole step may fall to either side."""
+    kit = replace(KIT, motor=replace(KIT.motor, dead_zone=0.5, drop=1.5))
+    brick = Interpreter(trace(make_controller("lqg", ROBOT, kit, kit.period), ROBOT, kit, "nxc"))
+    seen = list[float]()
+    for rate in (*range(0, -40, -1), *range(-40, 40)):  # of the gyro [deg/s], as of a robot that leans ever more
+        raw = {"raw_encoder_left": 0.0, "raw_encoder_right": 0.0, "raw_gyro": rate, "raw_battery": round(1e3 * volts)}
+        told = brick.command(raw)
+        u = told["command_left"]
+        hundredths = min(100 * abs(u) / volts, 100.0) if abs(u) > 0.5 else 0.0
+        if abs(hundredths - round(hundredths)) > 1e-9 or hundredths in (0.0, 100.0):
+            duty = math.floor(hundredths)
+            assert told["duty_left"] == math.copysign(duty, u)
+            assert told["applied_left"] == pytest.approx(math.copysign(max(0.0, duty / 100 * volts - 1.5), u))
+            seen.append(duty)
+        brick.update()
+    assert min(seen) == 0
+    assert max(seen) == 100
 
 
 def test_a_stated_drop_is_asked_with_half_of_itself() -> None:
