@@ -8,6 +8,7 @@ import sys
 from functools import cache
 from pathlib import Path
 
+import control
 import numpy as np
 import pytest
 
@@ -25,10 +26,13 @@ from upright.excitation.plan import ExcitationPlan, Limits, read_plan
 from upright.excitation.signals import band, signals, unit
 from upright.experiment import run
 from upright.fleets.binomial import clopper_pearson
+from upright.kernel.batch import FleetBatch, parameters_of
+from upright.kernel.simulate import simulate
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
+from upright.physics.linear import linearise
 from upright.reports.excitation import page_of
 from upright.robots import Kit, Robot
-from upright.signals import Log
+from upright.signals import TRUE_STATE, Log
 
 NXT = Robot.preset("nxtway-gs")
 KIT = Kit.preset("nxt")
@@ -54,6 +58,35 @@ def test_the_kernel_adds_what_the_wrapper_adds() -> None:
     for i, name in enumerate(result.channels):
         assert np.abs(result.trace[0, :, i] - log[name]).max() < 1e-9, name
     assert np.ptp(log["applied/left"] - log["applied/right"]) > 0.5  # it turned, or half of this were not tried
+
+
+def test_what_is_added_is_a_disturbance_at_the_plant_s_input() -> None:
+    """x⁺ = (A − B K) x + B d of python-control for commands d that are added, each held for two periods.
+
+    They are so small that the robot is its tangent to rounding; steps of Runge and Kutta of 1 ms follow it to 1e-6.
+    """
+    feedback, tangent = lqr(NXT, 0.01), linearise(NXT)
+    plant = control.sample_system(control.ss(tangent.A, tangent.B, np.eye(6), np.zeros((6, 2))), 0.01)
+    d = random_binary(100, 1e-7, seed=1)
+    batch = FleetBatch(parameters=parameters_of(NXT), controller=feedback, excitation=d, excitation_hold=2)
+    result = simulate(batch, 2.0, record=1, channels=TRUE_STATE)
+    closed = control.ss(plant.A - plant.B @ feedback.gain, plant.B, np.eye(6), np.zeros((6, 2)), 0.01)
+    truth = control.forced_response(closed, result.t, np.repeat(d, 2, axis=0).T).outputs.T
+    assert (np.abs(result.trace[0] - truth).max(axis=0) < 1e-5 * np.ptp(truth, axis=0)).all()
+
+
+@pytest.mark.parametrize("kind", ["sliding", "mpc", "lqg"])
+def test_a_controller_remembers_its_own_command_and_what_was_applied(kind: str) -> None:
+    """In the kernel as in `experiment.run`, for laws with limits of their own: equal to rounding, and after the end of
+    the excitation too."""
+    kit, channels = perfect(KIT), ("truth/pitch", "command/left", "applied/right")
+    excited = Excited(make_controller(kind, NXT, kit, 0.01), random_binary(60, 0.8, seed=2, hold=4))
+    result = simulate(FleetBatch(parameters=parameters_of(NXT), controller=excited, kit=kit), 1.0, record=1,
+                      channels=channels)  # fmt: skip
+    log = run(Electronics(NonlinearBody(NXT), kit), excited, seconds=1.0)
+    for i, name in enumerate(result.channels):
+        assert np.abs(result.trace[0, :, i] - log[name]).max() < 1e-9, name
+    assert np.ptp(log["command/left"]) > 1.0
 
 
 def turning(noise: float) -> tuple[Log, float]:

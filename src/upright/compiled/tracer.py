@@ -117,16 +117,16 @@ class Tracer:
         limit = most if max(-low, high) > most else INFINITY
         whole = float(form.constant).is_integer() and all(c.is_integer() and self._known(n).whole for c, n in terms)
         step = Sum(name, terms, form.constant, -limit, limit)
-        return self._record(step, unit, (max(low, -limit), min(high, limit)), whole=whole, output=output)
+        return self.record(step, unit, (max(low, -limit), min(high, limit)), whole=whole, output=output)
 
     def claim(self, name: str, value: Form, unit: str, most: float) -> Form:
         """A named sum that stays within ±most for a reason beyond interval arithmetic."""
-        return self._record(Sum(name, self._kept(value), value.constant), unit, (-most, most))
+        return self.record(Sum(name, self._kept(value), value.constant), unit, (-most, most))
 
     def product(self, name: str, first: Form, second: Form, unit: str, *, output: bool = False) -> Form:
         a, b = (self._known(f.name) for f in (first, second))
         corners = [x * y for x in (a.low, a.high) for y in (b.low, b.high)]
-        return self._record(Product(name, first.name, second.name), unit, (min(corners), max(corners)), output=output)
+        return self.record(Product(name, first.name, second.name), unit, (min(corners), max(corners)), output=output)
 
     def quotient(self, name: str, number: float, below: Form, unit: str) -> Form:
         """number / below; raises `InvalidController` where the divisor may be zero."""
@@ -134,24 +134,24 @@ class Tracer:
         if under.low <= 0 <= under.high:
             raise InvalidController(f"{name} divides by {under.name}, which may be zero", expected="a positive one")
         ends = sorted((number / under.low, number / under.high))
-        return self._record(Quotient(name, number, under.name), unit, (ends[0], ends[1]))
+        return self.record(Quotient(name, number, under.name), unit, (ends[0], ends[1]))
 
     def limit(self, value: Form, low: float, high: float, name: str = "") -> Form:
         """`value` within [low, high]."""
         inner = self._known(value.name)
         bounds = max(low, inner.low), min(high, inner.high)
-        return self._record(Limit(name, value.name, low, high), inner.unit, bounds, whole=inner.whole)
+        return self.record(Limit(name, value.name, low, high), inner.unit, bounds, whole=inner.whole)
 
     def absolute(self, value: Form, name: str = "") -> Form:
         inner = self._known(value.name)
         least = 0.0 if inner.low <= 0 <= inner.high else min(abs(inner.low), abs(inner.high))
-        return self._record(Absolute(name, value.name), inner.unit, (least, inner.most), whole=inner.whole)
+        return self.record(Absolute(name, value.name), inner.unit, (least, inner.most), whole=inner.whole)
 
     def whole(self, value: Form, name: str = "") -> Form:
         """`value` without its fraction: an output."""
         inner = self._known(value.name)
         low, high = (float(math.trunc(end)) if math.isfinite(end) else end for end in (inner.low, inner.high))
-        return self._record(Whole(name, value.name), inner.unit, (low, high), whole=True, output=True)
+        return self.record(Whole(name, value.name), inner.unit, (low, high), whole=True, output=True)
 
     def choose(
         self, left: Form | float, right: Form | float, then: Form | float, other: Form | float, name: str = "",
@@ -167,7 +167,7 @@ class Tracer:
         bounds = min(r[0] for r in ranges), max(r[1] for r in ranges)
         units = [self._known(f.name).unit for f in (then, other) if isinstance(f, Form)]
         step = Choose(name, left.name, _operand(right), _operand(then), _operand(other))
-        return self._record(step, units[0] if units else "1", bounds, whole=whole, output=output)
+        return self.record(step, units[0] if units else "1", bounds, whole=whole, output=output)
 
     def repeat(self, count: int, carried: Sequence[Form], body: Callable[[], Sequence[Form]]) -> None:
         """`count` times what `body` records; then each of `carried` takes, in order, the value that it returns.
@@ -213,7 +213,7 @@ class Tracer:
     def _known(self, name: str) -> Variable:
         return self.variables[name]
 
-    def _record(self, step: Step, unit: str, bounds: Interval, *, whole: bool = False, output: bool = False) -> Form:
+    def record(self, step: Step, unit: str, bounds: Interval, *, whole: bool = False, output: bool = False) -> Form:
         """The result of a statement; one without a name takes the next that the formula is `called` by."""
         named = step if step.target else replace(step, target=self._names.pop(0))
         self._statements.append(named)
@@ -272,10 +272,9 @@ class FormulaTracer(Tracer):
 
     def numbers(self, names: str) -> list[Number]:
         """Those of these names, between spaces."""
-        return [Number(name, self) for name in names.split()]
+        return [self.number(name) for name in names.split()]
 
-    def record(self, step: Step) -> Number:
-        """What a step without a name gives."""
+    def record(self, step: Step, *_facts: Any, **_kinds: Any) -> Number:
         return self._numbers.setdefault(step, Number(f"{self._letter}{len(self._numbers)}", self))
 
     def block(self, name: str, results: Mapping[str, Any] | None = None) -> Block:
@@ -283,30 +282,30 @@ class FormulaTracer(Tracer):
         statements = tuple(replace(step, target=number.name) for step, number in self._numbers.items())
         return Block(name, statements, tuple((target, value.name) for target, value in (results or {}).items()))
 
+    def _function(self, name: str, value: Form) -> Form:
+        return self.record(Function("", name, value.name))
+
     def sin(self, angle: Form) -> Form:
-        return self.record(Function("", "sin", angle.name))
+        return self._function("sin", angle)
 
     def cos(self, angle: Form) -> Form:
-        return self.record(Function("", "cos", angle.name))
+        return self._function("cos", angle)
+
+    def nearest(self, value: Form) -> Form:
+        return self._function("nearest", value)
 
     def sqrt(self, square: Form) -> Form:
         """The root; of a square, its size, to the last bit and quicker."""
         whole = next((step for step, number in self._numbers.items() if number is square), None)
         if isinstance(whole, Function) and whole.name == "square":
             return self.record(Absolute("", whole.value))
-        return self.record(Function("", "sqrt", square.name))
-
-    def nearest(self, value: Form) -> Form:
-        return self.record(Function("", "nearest", value.name))
+        return self._function("sqrt", square)
 
     def limit(self, value: Form, low: Any, high: Any, name: str = "") -> Form:  # ends that vary, too
         return self.choose(value, low, low, self.choose(high, value, high, value), name)
 
     def _known(self, name: str) -> Variable:  # noqa: ARG002 (it knows as much of each)
         return UNKNOWN
-
-    def _record(self, step: Step, *_facts: Any, **_kinds: Any) -> Form:
-        return self.record(step)
 
 
 def _operand(value: Form | float) -> Operand:

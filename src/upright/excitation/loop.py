@@ -1,8 +1,4 @@
-"""The robot with an excitation added to its controller's command, run by the fleet's kernel.
-
-The kernel knows no added command, but references that are constant for a while: with the controller's own reference
-gains put aside, a wheel rate is added to both commands alike and a yaw rate with opposite signs.
-"""
+"""The robot with an excitation added to its controller's command, run by the fleet's kernel."""
 
 from __future__ import annotations
 
@@ -25,7 +21,7 @@ from upright.robots import Kit, Robot
 from upright.signals import Log
 
 FINEST = 0.02  # [s] a row is held at least: 25 Hz is beyond what a robot's sensors tell of its motion
-MOST_ROWS = 1500  # of an excitation: the kernel's time grows with rows times periods
+MOST_ROWS = 1500  # of an excitation: each is two numbers of every robot in the kernel's memory
 DRY = 0.005  # [rad/s] over which friction is smoothed in a run to learn from, whose predictor does not smooth it at all
 APPLIED = ("applied/left", "applied/right")
 
@@ -53,7 +49,7 @@ class ExcitedLoop:
         if not 100 * gains.period <= self.seconds <= 600:
             least = f"{100 * gains.period:g} s, a hundred periods"
             raise InvalidScenario(f"an excitation of {self.seconds:g} s", expected=f"from {least}, to 600 s")
-        object.__setattr__(self, "gains", _without_reference(_reading_all(gains, self.kit)))
+        object.__setattr__(self, "gains", _reading_all(gains, self.kit))
 
     @property
     def periods(self) -> int:
@@ -83,7 +79,10 @@ class ExcitedLoop:
     ) -> FleetResult:  # fmt: skip
         """Robots with `parameters` (n, 25) under `excitations` (n, rows, 2), either of which may be one for all."""
         table = self.nominal if parameters is None else parameters
-        batch = self.batch(excitations, self._dry(table) if record else table, kit, hold or self.hold)
+        batch = FleetBatch(
+            parameters=self._dry(table) if record else table, controller=self.gains, excitation=excitations,
+            excitation_hold=hold or self.hold, kit=kit or self.kit, seed=self.seed,
+        )  # fmt: skip
         channels = (*self.gains.reads, *APPLIED) if record else ()
         return simulate(batch, self.seconds, record=int(record), channels=channels)
 
@@ -92,21 +91,6 @@ class ExcitedLoop:
         column = NAMES.index("stiction_rate")
         table[:, column] = np.minimum(table[:, column], DRY)
         return table
-
-    def batch(self, excitations: Array, parameters: Array, kit: Kit | None, hold: int) -> FleetBatch:
-        several = excitations if excitations.ndim == 3 else excitations[None]
-        n = max(len(several), len(parameters))
-        table = np.broadcast_to(parameters, (n, parameters.shape[1]))
-        radius = table[:, NAMES.index("wheel_radius"), None]
-        period = self.gains.period
-        start = (np.arange(several.shape[1]) * hold - 0.5) * period  # between two periods, where rounding does no harm
-        both = several.mean(axis=2)
-        turn = (several[:, :, 1] - several[:, :, 0]) / 2
-        columns = (both * radius, np.broadcast_to(turn, (n, turn.shape[1])), start, start + hold * period)
-        reference = np.stack(np.broadcast_arrays(*columns), axis=-1)
-        return FleetBatch(
-            parameters=table, controller=self.gains, reference=reference, kit=kit or self.kit, seed=self.seed
-        )
 
     def energies(self, excitations: Array, hold: int | None = None) -> Array:
         """∫ u_l² + u_r² dt (n,) of what the motors of the nominal robot get from `excitations` (n, rows, 2), the loop's
@@ -173,13 +157,6 @@ def _reading_all(gains: LinearController, kit: Kit) -> LinearController:
         gains, By=wider(gains.By), Dy=wider(gains.Dy), Sy=wider(gains.Sy) if len(gains.Sy) else gains.Sy,
         reads=(*gains.reads, *more),
     )  # fmt: skip
-
-
-def _without_reference(gains: LinearController) -> LinearController:
-    """The controller for which a wheel rate [rad/s] is a common command, and a yaw rate a turning one."""
-    added = np.zeros((2, 6))
-    added[:, 3], added[:, 5] = 1.0, (-1.0, 1.0)
-    return dataclasses.replace(gains, Br=np.zeros_like(gains.Br), Dr=added)
 
 
 def stacked(excitations: Sequence[Array]) -> Array:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import reduce
@@ -13,9 +14,10 @@ from numpy.typing import ArrayLike, NDArray
 from upright.arrays import Array, Mask, Whole
 from upright.control import Controller
 from upright.control.controller import ControllerSpec
+from upright.control.excited import Excited
 from upright.control.law import as_law
 from upright.control.linear_controller import Law, LinearController
-from upright.errors import InvalidController, InvalidModel, InvalidRobot, InvalidScenario, SpecMismatch
+from upright.errors import InvalidController, InvalidModel, InvalidRobot, InvalidScenario, SpecMismatch, check_within
 from upright.physics.dynamics import MODELS
 from upright.robots import Kit, Robot
 from upright.robots.robot import PARAMETERS
@@ -24,7 +26,10 @@ Selection = slice | Whole
 """Numbers of some robots of a batch."""
 
 NAMES = tuple(PARAMETERS)
-_TAILS = {"parameters": (len(NAMES),), "start": (6,), "pushes": (-1, 4), "slope": (2,), "reference": (-1, 4)}
+_TAILS = {
+    "parameters": (len(NAMES),), "start": (6,), "pushes": (-1, 4), "slope": (2,), "reference": (-1, 4),
+    "excitation": (-1, 2),
+}  # fmt: skip
 """Shapes of the arrays of a batch after the first axis; −1: any length."""
 
 
@@ -38,7 +43,9 @@ class FleetBatch:
     `start` (·, 6) is the state at t = 0;
     `pushes` (·, p, 4) force [N], height above the axle [m] (NaN: at the centre of mass), start [s], duration [s];
     `slope` (·, 2) angle [rad] and start [s];
-    `reference` (·, q, 4) speed [m/s], turn [rad/s], start and end [s], which add up. `kit` is the electronics,
+    `reference` (·, q, 4) speed [m/s], turn [rad/s], start and end [s], which add up;
+    `excitation` (·, e, 2) is added to the controller's commands [unit], each row for `excitation_hold` periods, as
+    `Excited` adds it; that of an `Excited` controller, where none is given here. `kit` is the electronics,
     None the bare body; `kit_changes` replaces its numbers for each robot, by dotted name: "delay", "motor.limit",
     "sensors.gyro.noise" (channel without "sensor/"), (·,). `model` is "complete" or "published", or one for each.
     `index` (n,) numbers the robots for their random numbers, so that a part of a fleet behaves as in the whole fleet.
@@ -54,6 +61,8 @@ class FleetBatch:
     pushes: Array = field(default_factory=lambda: np.zeros((1, 0, 4)))
     slope: Array = field(default_factory=lambda: np.zeros((1, 2)))
     reference: Array = field(default_factory=lambda: np.zeros((1, 0, 4)))
+    excitation: Array = field(default_factory=lambda: np.zeros((1, 0, 2)))
+    excitation_hold: int = 1
     kit: Kit | None = None
     kit_changes: Mapping[str, ArrayLike] = field(default_factory=dict)
     model: str | Sequence[str] = "complete"
@@ -66,6 +75,10 @@ class FleetBatch:
     n: int = field(init=False)
 
     def __post_init__(self) -> None:
+        if isinstance(self.controller, Excited) and not self.excitation.size:
+            object.__setattr__(self, "excitation", self.controller.excitation)
+            object.__setattr__(self, "controller", self.controller.controller)
+        check_within("periods for a row of an excitation", self.excitation_hold, 1, math.inf)
         for name, tail in _TAILS.items():
             object.__setattr__(self, name, _table(name, getattr(self, name), tail))
         laws, called = _laws(self.controller)

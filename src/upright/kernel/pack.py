@@ -91,6 +91,7 @@ def pack(batch: FleetBatch, kit: KitTables, h: float, dtype: Any) -> Packed:
     block.take(b.FIXED - b.APPLIED)
     assert block.end == b.FIXED, f"{block.end} rows are packed where the layout of `rows` has {b.FIXED}"
     pushes, ramps = pushes_of(batch), _ramps(batch)
+    excitation = batch.excitation.reshape(len(batch.excitation), -1)
     # a reference that is zero all the time takes no products
     applied = b.APPLIED if kit.unequal else g.LEFT
     program = compiled(batch.laws, len(STATE_NAMES) if ramps.shape[1] else 0, np.dtype(dtype).name, applied)
@@ -99,6 +100,8 @@ def pack(batch: FleetBatch, kit: KitTables, h: float, dtype: Any) -> Packed:
     at = Rows(
         pushes=block.take(pushes.shape[1], pushes), push_count=pushes.shape[1] // 4,
         ramps=block.take(ramps.shape[1], ramps), ramp_count=ramps.shape[1] // 4,
+        excitation=block.take(excitation.shape[1], excitation), excitation_count=excitation.shape[1] // 2,
+        excitation_hold=batch.excitation_hold,
         reading=block.take(program.rows),
         constants=block.take(program.constants.shape[1], program.constants) if own else 0,
         ring=block.take(2 * slots), slots=slots,

@@ -34,8 +34,9 @@ LIMIT, DEAD_ZONE, QUANTUM, DROP, VOLTAGE, SAG, STRENGTH = range(KIT, KIT + 7)  #
 COUNTS = STRENGTH + 2
 PEAK_PITCH, PEAK_WHEEL, PEAK_YAW, OUTSIDE, EFFORT, SATURATED, SQUARE, REFERENCE = range(COUNTS, COUNTS + 8)
 KIT_SIZE, COUNTED = COUNTS - KIT, REFERENCE - COUNTS
-COMMAND = REFERENCE + 6  # 2: of the controller; the reference has 6
-DRIVEN = COMMAND + 2  # 2: after the electronics
+COMMAND = REFERENCE + 6  # 2: of the controller, and what is added to it; the reference has 6
+DECIDED = COMMAND + 2  # 2: the controller's alone, where something is added
+DRIVEN = DECIDED + 2  # 2: after the electronics
 HOLD = DRIVEN + 2  # 8: see `block.arrive`
 DEAD_TIME = HOLD + 8  # 3: see `block.arrive`
 NOISE = DEAD_TIME + 3  # 8: one for each kind of sensor
@@ -54,6 +55,9 @@ class Rows(NamedTuple):
     push_count: int
     ramps: int  # 4 each
     ramp_count: int
+    excitation: int  # 2 each: what is added to both commands
+    excitation_count: int
+    excitation_hold: int  # for how many periods each of them is added
     reading: int  # one for each channel that the controller reads, then its states and what it carries over
     constants: int  # of each robot's own controller
     ring: int  # 2 for each command on its way
@@ -107,10 +111,11 @@ class Times(NamedTuple):
     fallen_at: float  # [rad]
 
 
-PUSHES, PUSH_COUNT, RAMPS, RAMP_COUNT, READING, CONSTANTS, RING, SLOTS = range(8)
-PERIODS, STRIDE, SUBSTEPS, EVERY, DECIDE, UPDATE, OWN, SLOPE, ALIKE, ADVANCE, ACCELEROMETER = range(8, 19)
-APPLIED_ROW, DRIVE, TURN, SLACKEN, SETTLE, SWING, FUSE, MEASURE, CALLED, SEED = range(19, 29)
-ROBOTS, ALL_ROWS, VARIED, HELD, TRUTHS, SENSORS, BEFORE, AFTER = range(29, 37)
+PUSHES, PUSH_COUNT, RAMPS, RAMP_COUNT, EXCITATION, EXCITATION_COUNT, EXCITATION_HOLD = range(7)
+READING, CONSTANTS, RING, SLOTS = range(7, 11)
+PERIODS, STRIDE, SUBSTEPS, EVERY, DECIDE, UPDATE, OWN, SLOPE, ALIKE, ADVANCE, ACCELEROMETER = range(11, 22)
+APPLIED_ROW, DRIVE, TURN, SLACKEN, SETTLE, SWING, FUSE, MEASURE, CALLED, SEED = range(22, 32)
+ROBOTS, ALL_ROWS, VARIED, HELD, TRUTHS, SENSORS, BEFORE, AFTER = range(32, 40)
 """Places of the fields of `Rows`, `Plan` and `Sizes` in the one array that compiled functions get."""
 STEP, H_STEP, FALLEN_AT = range(3)
 """Places of the fields of `Times`."""

@@ -31,13 +31,18 @@ from upright.kernel.rows import (
     APPLIED_ROW,
     BEFORE,
     CALLED,
+    COMMAND,
     CONSTANTS,
     COUNTED,
     COUNTS,
     DECIDE,
+    DECIDED,
     DRIVE,
     DRIVEN,
     EVERY,
+    EXCITATION,
+    EXCITATION_COUNT,
+    EXCITATION_HOLD,
     FALLEN_AT,
     FUSE,
     H_STEP,
@@ -225,6 +230,11 @@ def decide(block: RobotBlock, plan: Any, times: Any, constants: Any, k: int) -> 
     control(item(plan, DECIDE), w, count, plan, constants)
     if item(plan, CALLED) != 0:
         call_on_block(item(plan, CALLED), w, count, k)
+    row = k // item(plan, EXCITATION_HOLD)
+    if row < item(plan, EXCITATION_COUNT):
+        for side in range(2):
+            b.copy(w, DECIDED + side, COMMAND + side, count)
+            b.add(w, COMMAND + side, item(plan, EXCITATION) + 2 * row + side, count, 1.0)
     return send(block, plan, k)
 
 
@@ -323,6 +333,9 @@ def entry(
                 since = begin * step + h / 2
                 place = place + item(plan, BEFORE)
                 b.record(w, count, after, item(plan, AFTER), b.Trace(trace, place, size), since)
+            if k // item(plan, EXCITATION_HOLD) < item(plan, EXCITATION_COUNT):
+                for side in range(2):  # the controller remembers what itself has commanded
+                    b.copy(w, COMMAND + side, DECIDED + side, count)
             if item(plan, UPDATE) != 0:
                 control(item(plan, UPDATE), w, count, plan, constants)
         write(w, count, final, lived, counted, first)
