@@ -18,6 +18,7 @@ from upright.cli.main import main
 from upright.control import Estimated, StateFeedback, kalman, lqr, make_controller
 from upright.control.excited import Excited, random_binary
 from upright.control.identity import asked_of, designed_from
+from upright.control.law import as_law, near_rest
 from upright.errors import DesignFailed, InvalidScenario, SpecMismatch, UnknownName
 from upright.excitation import excite
 from upright.excitation.information import HELD_OUT, best_division, fisher, problem_of, shrunk
@@ -76,17 +77,31 @@ def test_what_is_added_is_a_disturbance_at_the_plant_s_input() -> None:
 
 
 @pytest.mark.parametrize("kind", ["sliding", "mpc", "lqg"])
-def test_a_controller_remembers_its_own_command_and_what_was_applied(kind: str) -> None:
-    """In the kernel as in `experiment.run`, for laws with limits of their own: equal to rounding, and after the end of
-    the excitation too."""
+def test_an_excited_controller_runs_compiled(kind: str) -> None:
+    """As in `experiment.run`, for laws with limits of their own and after the end of the excitation: to rounding."""
     kit, channels = perfect(KIT), ("truth/pitch", "command/left", "applied/right")
     excited = Excited(make_controller(kind, NXT, kit, 0.01), random_binary(60, 0.8, seed=2, hold=4))
-    result = simulate(FleetBatch(parameters=parameters_of(NXT), controller=excited, kit=kit), 1.0, record=1,
-                      channels=channels)  # fmt: skip
+    batch = FleetBatch(parameters=parameters_of(NXT), controller=excited, kit=kit)
+    assert batch.called is None
+    result = simulate(batch, 1.0, record=1, channels=channels)
     log = run(Electronics(NonlinearBody(NXT), kit), excited, seconds=1.0)
     for i, name in enumerate(result.channels):
         assert np.abs(result.trace[0, :, i] - log[name]).max() < 1e-9, name
     assert np.ptp(log["command/left"]) > 1.0
+
+
+def test_a_memory_is_driven_by_what_the_controller_commands_itself() -> None:
+    """z⁺ = A z + Bu u of a sliding mode inside its layer, where u = C z: the linear controller with A + Bu C, to
+    rounding, whatever is added to the command."""
+    law = as_law(make_controller("sliding", NXT, KIT, 0.01))
+    Bu = 0.01 * np.random.default_rng(0).standard_normal((len(law.linear.A), 2))
+    law = dataclasses.replace(law, nonlinear=dataclasses.replace(law.nonlinear, Bu=Bu))
+    several = (
+        FleetBatch(parameters=parameters_of(NXT), controller=one, kit=perfect(KIT), excitation=0.01 * np.ones((20, 2)))
+        for one in (law, near_rest(law))
+    )
+    one, other = (simulate(batch, 0.5, record=1, channels=["command/left", "truth/wheel"]).trace for batch in several)
+    assert np.abs(one - other).max() < 1e-9 * np.abs(one).max()
 
 
 def turning(noise: float) -> tuple[Log, float]:
