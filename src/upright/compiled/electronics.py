@@ -87,8 +87,8 @@ def formulas(*, volts: bool = True) -> dict[str, TracedFormula]:
         left, right = driven(command, v, v, t, volts=volts)
         commands = [awake(u, v, t) for u in command]
         supply = loaded(commands, v, t)
-        sizes = [t.absolute(u) for u in commands]
-        beyond = t.choose(largest(supply, v, t, volts=volts), t.choose(*sizes, *reversed(sizes)), 1.0, 0.0)
+        one, other = (t.absolute(u) for u in commands)
+        beyond = t.choose(largest(supply, v, t, volts=volts), t.choose(one, other, other, one), 1.0, 0.0)
         return {"applied_left": left, "applied_right": right, "loaded": supply, "beyond": beyond}
 
     return {
