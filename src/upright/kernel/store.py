@@ -37,7 +37,8 @@ SOURCES = (
 ALSO = (
     "calibration/coefficients.py", "calibration/curves.py", "calibration/descent.py", "calibration/kept.py",
     "calibration/motion.py", "calibration/parameters.py", "calibration/predictor.py", "calibration/ringing.py",
-    "diagnose/propagation.py", "physics/electronics.py", "robots/robot.py", "robots/uncertainty.py",
+    "compiled/print_python.py", "compiled/printer.py", "compiled/tracer.py", "diagnose/propagation.py",
+    "physics/electronics.py", "robots/robot.py", "robots/uncertainty.py",
 )  # fmt: skip
 """What else decides about functions that Numba itself compiles and calls."""
 
