@@ -80,9 +80,13 @@ class ExcitedLoop:
         """Robots with `parameters` (n, 25) under `excitations` (n, rows, 2), either of which may be one for all."""
         table = self.nominal if parameters is None else parameters
         batch = FleetBatch(
-            parameters=self._dry(table) if record else table, controller=self.gains, excitation=excitations,
-            excitation_hold=hold or self.hold, kit=kit or self.kit, seed=self.seed,
-        )  # fmt: skip
+            parameters=self._dry(table) if record else table,
+            controller=self.gains,
+            excitation=excitations,
+            excitation_hold=hold or self.hold,
+            kit=kit or self.kit,
+            seed=self.seed,
+        )
         channels = (*self.gains.reads, *APPLIED) if record else ()
         return simulate(batch, self.seconds, record=int(record), channels=channels)
 

@@ -27,9 +27,13 @@ Selection = slice | Whole
 
 NAMES = tuple(PARAMETERS)
 _TAILS = {
-    "parameters": (len(NAMES),), "start": (6,), "pushes": (-1, 4), "slope": (2,), "reference": (-1, 4),
+    "parameters": (len(NAMES),),
+    "start": (6,),
+    "pushes": (-1, 4),
+    "slope": (2,),
+    "reference": (-1, 4),
     "excitation": (-1, 2),
-}  # fmt: skip
+}
 """Shapes of the arrays of a batch after the first axis; −1: any length."""
 
 
