@@ -11,9 +11,10 @@ from typing import Any
 import pytest
 
 from upright.cli.main import main
-from upright.cli.robots_new import QUESTIONS
+from upright.cli.owner import Answers, file_numbers, questions
 from upright.errors import InvalidRobot
 from upright.robots import Kit, Robot, find_robot
+from upright.robots.drives import COMMAND_UNITS, UNUSED
 from upright.robots.motor import makes_energy
 from upright.signals import Log
 
@@ -99,13 +100,18 @@ def test_it_runs_and_is_never_written_over(capsys: pytest.CaptureFixture[str]) -
 @pytest.mark.parametrize(
     ("told", "word"),
     [
-        ({"gear": "x"}, "'x'; expected a number above zero"),
-        ({"encoder": "0"}, "expected a number above zero, or none"),
+        ({"gear": "x"}, "'x'; expected a number, such as 48 or 48:1"),
+        ({"gear": "40:24"}, "expected a number, such as 48 or 48:1"),
+        ({"encoder": "0"}, "expected 1 to 1e+06, or none"),
         ({"mounting": "nan", "fused": "0.5"}, "expected a number"),
         ({"mounting": "1"}, "without fused"),
+        ({"fused": "0.5", "accelerometer": "none"}, "--fused without accelerometer"),
         ({"driver": "L29N"}, "did you mean 'L298N'"),
         ({"decoding": "3"}, "one of 1, 2, 4"),
-        ({"period": "5000"}, "likely milliseconds"),
+        ({"drive": "servo"}, "one of speed, torque, voltage"),
+        ({"drive": "speed", "stall-torque": "1"}, "--stall-torque with a speed drive; try: --drive voltage"),
+        ({"wheel": "65 g"}, "expected a number in mm, "),
+        ({"body-mass": "1,500"}, "expected 1500, or 1.500"),
     ],
 )
 def test_an_answer_that_cannot_be_is_named_and_nothing_is_written(
@@ -113,6 +119,94 @@ def test_an_answer_that_cannot_be_is_named_and_nothing_is_written(
 ) -> None:
     assert new("mine", **told) == 2
     assert word in capsys.readouterr().err
+    assert list(folder.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("told", "expected"),
+    [
+        ({"wheel": "65 m"}, "10 to 1000 mm; try: did you mean 65 mm?"),
+        ({"wheel": "0.065"}, "10 to 1000 mm; try: did you mean 0.065 m?"),
+        ({"body-mass": "0.9"}, "did you mean 0.9 kg?"),
+        ({"com": "7 m"}, "did you mean 7 cm?"),
+        ({"period": "0.01"}, "0.1 to 200 ms; try: did you mean 0.01 s?"),
+        ({"battery": "7400"}, "did you mean 7400 mV?"),
+        ({"stall-current": "750"}, "did you mean 750 mA?"),
+        ({"gyro": "4.36"}, "did you mean 4.36 rad/s?"),
+        ({"no-load": "1e999"}, "5 to 5000 rpm"),
+        ({"track": "-160"}, "20 to 2000 mm"),
+    ],
+)
+def test_a_size_that_no_robot_has_is_refused_with_the_unit_that_was_meant(
+    told: dict[str, str], expected: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert new("mine", **told) == 2
+    assert expected in capsys.readouterr().err
+    assert list(folder.iterdir()) == []
+
+
+WRITTEN = [
+    ("wheel", "65 mm", "wheel_radius", 0.0325), ("wheel", "6.5 cm", "wheel_radius", 0.0325),
+    ("wheel", "6,5cm", "wheel_radius", 0.0325), ("wheel", "0,065 m", "wheel_radius", 0.0325),
+    ("wheel", '2.5"', "wheel_radius", 0.03175), ("wheel_mass", "0.04 KG", "wheel_mass", 0.04),
+    ("body_mass", "2 lb", "body_mass", 0.9072), ("gear", "1:48", "gear_ratio", 48), ("gear", "48:1", "gear_ratio", 48),
+    ("gear", "1/48", "gear_ratio", 48), ("gear", "9,7 : 1", "gear_ratio", 9.7), ("gear", "1:1", "gear_ratio", 1),
+    ("battery", "7.4 V", "battery.voltage", 7.4), ("battery", "7400mV", "battery.voltage", 7.4),
+    ("period", "20 ms", "period", 0.02), ("period", "0.02 s", "period", 0.02), ("period", "2000 µs", "period", 0.002),
+    ("gyro", "±250 °/s", "sensors.gyro.range", 4.36332), ("gyro", "250dps", "sensors.gyro.range", 4.36332),
+    ("accelerometer", "19.62 m/s^2", "sensors.accel_up.range", 19.62), ("stall_current", "750 mA", "motor_resistance",
+    7.4 / 0.75),
+]  # fmt: skip
+"""Option, what owners write, and the number of the files that it makes, in SI units by hand."""
+
+
+@pytest.mark.parametrize(("option", "text", "number", "value"), WRITTEN)
+def test_a_number_is_taken_as_owners_write_it(option: str, text: str, number: str, value: float) -> None:
+    asked = questions("voltage")
+    answers = {name: question.usual for name, question in asked.items()} | {option: text}
+    asked[option].check(text)
+    formula = file_numbers("voltage")[number].formula
+    assert callable(formula)
+    # scales and data sheets: 9.81 N/kg here, 9.80665 m/s² where a sensor's range is converted
+    assert formula(Answers(answers, asked)) == pytest.approx(value, rel=4e-4)
+
+
+@pytest.mark.parametrize("unit", ["2.55 kg cm", "2.55kg·cm", "2.55 kgf.cm", "0.25 N m", "0.25Nm", "250 mNm", "25 Ncm"])
+def test_a_torque_has_the_units_of_data_sheets(unit: str) -> None:
+    """2.55 kg cm · 9.81 N/kg = 0.250 N m."""
+    asked = questions("speed")["slip_torque"]
+    assert asked.number(unit) == pytest.approx(0.25, rel=2e-3)
+
+
+@pytest.mark.parametrize("drive", COMMAND_UNITS)
+def test_every_drive_makes_a_robot_that_stands_and_has_only_its_own_numbers(drive: str) -> None:
+    assert new("mine", drive=drive) == 0
+    robot = Robot.load("mine.toml")
+    assert robot.drive == drive
+    assert not set(UNUSED[drive]) & set(numbers("mine.toml"))
+    assert main(["simulate", "--robot", "mine.toml", "--seconds", "2", "-o", "run.csv"]) == 0
+    assert Log.load("run.csv").t[-1] > 1.9
+
+
+def test_a_stepper_is_told_by_its_steps_its_speed_and_its_ramp() -> None:
+    """By hand: 3200 steps a turn, 2 turns a second; without a ramp the wheels take any step of speed."""
+    told = {"steps": "3200", "top-speed": "120 rpm", "ramp": "none", "slip-torque": "25 N cm"}
+    assert new("mine", drive="speed", **told) == 0
+    robot, kit = Robot.load("mine.toml"), Kit.load("mine-kit.toml")
+    assert robot.slip_torque == 0.25
+    assert robot.acceleration_limit == Robot.acceleration_limit
+    assert kit.motor.limit == pytest.approx(4 * math.pi, rel=1e-5)
+    assert kit.sensors["sensor/encoder_left"].quantum == pytest.approx(2 * math.pi / 3200, rel=1e-5)
+
+
+@pytest.mark.parametrize("name", ["tumbller", "nxtway-gs.toml", "sub/EV3way", "stepper"])
+def test_a_name_that_is_a_preset_is_refused_in_a_line(
+    name: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert new(name) == 2
+    error = capsys.readouterr().err.strip()
+    assert "comes with upright" in error
+    assert "\n" not in error
     assert list(folder.iterdir()) == []
 
 
@@ -126,7 +220,8 @@ def test_at_a_terminal_it_asks_one_question_a_line(
 ) -> None:
     """Enter takes the guess; what cannot be is asked again; what hangs on an absent part is not asked."""
     told = {"wheel": "abc\n70", "encoder": "none"}
-    lines = [told.get(name, "") for name in QUESTIONS if name not in ("gear", "decoding", "mounting")]
+    asked = ["drive", *(name for name in questions("voltage") if name not in ("gear", "decoding", "mounting"))]
+    lines = [told.get(name, "") for name in asked]
     monkeypatch.setattr("sys.stdin", Terminal("\n".join(lines) + "\n"))
     assert new("mine", gear="20") == 0
     said = capsys.readouterr().out
