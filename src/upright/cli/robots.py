@@ -21,8 +21,13 @@ robots.command()(new)
 @robots.callback(invoke_without_command=True)
 def every(context: typer.Context, *, as_json: JsonOption = False) -> None:
     """List the robots, `show` the parameters of one, or write a `new` one."""
-    if context.invoked_subcommand is not None:
-        return
+    if context.invoked_subcommand is None:
+        listing(as_json=as_json)
+
+
+@robots.command("list")
+def listing(*, as_json: JsonOption = False) -> None:
+    """List the robots, as `upright robots` does."""
     from upright.robots import Robot, preset_names
 
     entries = [_summary(Robot.preset(name)) for name in preset_names()]
