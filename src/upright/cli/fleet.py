@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -17,26 +17,36 @@ from upright.cli.options import (
     JsonOption,
     PushOption,
     ReportOption,
-    SamplesOption,
     StartOption,
     TurnOption,
 )
 from upright.cli.output import check_targets, finish, print_result, progress, write_page
 from upright.errors import InvalidScenario
+from upright.fleets.usual import BASIN_POINTS, FLEET, MAP_POINTS, MAP_ROBOTS
 
 if TYPE_CHECKING:
     from xarray import Dataset
+
+    from upright.fleets.ensemble import Ensemble
 
 
 WAYS = {"forward": (1,), "backward": (-1,), "both": (1, -1)}
 """Direction of a push → its signs."""
 
 
+def _default(sizes: tuple[int, int]) -> str:
+    compiled, called = sizes
+    return f" (default: {compiled}; {called} of a controller called in Python)"
+
+
 @asked_alike
 def fleet(
     *,
     asked: Asked,
-    samples: SamplesOption = 10000,
+    samples: Annotated[
+        int | None,
+        typer.Option("--samples", "-n", min=1, max=options.MOST_ROBOTS, help=f"Robots drawn{_default(FLEET)}."),
+    ] = None,
     push: PushOption = None,
     drive: DriveOption = None,
     turn: TurnOption = None,
@@ -52,8 +62,10 @@ def fleet(
     asked.check()
     pushes, references = map(tuple, options.pushes_and_references(push, drive, turn))
     ensemble = asked.ensemble(pushes=pushes, references=references, start=_state(start), seconds=seconds)
+    number = samples or FLEET[ensemble.called]
+    _say_how_long(asked, ensemble, {f"-n {n}": n * seconds for n in (number, *FLEET)})
     with progress("simulating") as show:
-        result = simulate(ensemble, samples, threads=asked.threads, progress=show)
+        result = simulate(ensemble, number, threads=asked.threads, progress=show)
     _show(result.data, result.to_json(), asked)
 
 
@@ -68,10 +80,15 @@ def push_map(
         str | None, typer.Option(metavar="LOW..HIGH", help="Height above the axle [m] (default: up to the body's).")
     ] = None,
     durations: Annotated[str, typer.Option(metavar="LOW..HIGH", help="Duration of the push [s].")] = "0.01..0.5",
-    points: Annotated[int, typer.Option(min=1, max=1000, help="Number of heights, and of durations.")] = 64,
+    points: Annotated[
+        int | None, typer.Option(min=1, max=1000, help=f"Number of heights, and of durations{_default(MAP_POINTS)}.")
+    ] = None,
     samples: Annotated[
-        int, typer.Option("--samples", "-n", min=0, max=100_000, help="Robots drawn for the band; 0: none.")
-    ] = 200,
+        int | None,
+        typer.Option(
+            "--samples", "-n", min=0, max=100_000, help=f"Robots drawn for the band; 0: none{_default(MAP_ROBOTS)}."
+        ),
+    ] = None,
     tolerance: Annotated[float, typer.Option(help="Relative accuracy of each impulse.")] = 0.01,
     watch: Annotated[float, typer.Option(help="Time to stand after the push [s], to count as recovered.")] = 5.0,
 ) -> None:
@@ -81,7 +98,7 @@ def push_map(
     """
     import numpy as np
 
-    from upright.fleets.push_map import PushGrid, summary
+    from upright.fleets.push_map import PushGrid, robot_seconds, summary
     from upright.fleets.push_map import push_map as search
 
     asked.check()
@@ -92,14 +109,25 @@ def push_map(
         _range(heights or f"0..{ensemble.family.robot.body_height}", "--heights"),
         _range(durations, "--durations"),
     ]
-    grid = PushGrid(
-        directions=WAYS[direction],
-        heights=np.linspace(*ranges[0], points),
-        durations=np.linspace(*ranges[1], points),
+
+    def grid_of(count: int) -> PushGrid:
+        heights, lasting = (np.linspace(*ends, count) for ends in ranges)
+        return PushGrid(directions=WAYS[direction], heights=heights, durations=lasting)
+
+    number = MAP_ROBOTS[ensemble.called] if samples is None else samples
+    grid = grid_of(points or MAP_POINTS[ensemble.called])
+    sizes = [(points or MAP_POINTS[ensemble.called], number), *zip(MAP_POINTS, MAP_ROBOTS, strict=True)]
+    _say_how_long(
+        asked,
+        ensemble,
+        {
+            f"--points {p} -n {n}": robot_seconds(ensemble, grid_of(p), n, tolerance=tolerance, watch=watch)
+            for p, n in sizes
+        },
     )
     with progress("searching") as show:
         data = search(
-            ensemble, grid, samples=samples, tolerance=tolerance, watch=watch, threads=asked.threads, progress=show
+            ensemble, grid, samples=number, tolerance=tolerance, watch=watch, threads=asked.threads, progress=show
         )
     _show(data, summary(data), asked)
 
@@ -110,7 +138,9 @@ def basin(
     asked: Asked,
     across: Annotated[str, typer.Option(metavar="STATE=LOW..HIGH", help="First state.")] = "pitch=-1..1",
     up: Annotated[str, typer.Option(metavar="STATE=LOW..HIGH", help="Second state.")] = "pitch_rate=-10..10",
-    points: Annotated[int, typer.Option(min=2, max=3000, help="Number of values of each state.")] = 101,
+    points: Annotated[
+        int | None, typer.Option(min=2, max=3000, help=f"Number of values of each state{_default(BASIN_POINTS)}.")
+    ] = None,
     samples: Annotated[
         int, typer.Option("--samples", "-n", min=1, max=100_000, help="Robots drawn at each point; 1: nominal.")
     ] = 1,
@@ -126,8 +156,10 @@ def basin(
 
     asked.check()
     axes = [_axis(across, "--across"), _axis(up, "--up")]
-    first, second = (Axis(name, low, high, points) for name, low, high in axes)
     ensemble = asked.ensemble(start=_state(start), seconds=seconds)
+    number = points or BASIN_POINTS[ensemble.called]
+    first, second = (Axis(name, low, high, number) for name, low, high in axes)
+    _say_how_long(asked, ensemble, {f"--points {p}": p * p * samples * seconds for p in (number, *BASIN_POINTS)})
     with progress("simulating") as show:
         data = cut(ensemble, first, second, samples=samples, threads=asked.threads, progress=show)
     _show(data, summary(data), asked)
@@ -164,6 +196,26 @@ def sweep(
     with _countdown() as tell:
         cases = run_campaign(campaign, place, workers=workers, cluster=cluster, progress=tell)
     finish(cases, as_json, page=report, written=(place,), text="", folder=str(place))
+
+
+def _say_how_long(asked: Asked, ensemble: Ensemble, work: Mapping[str, float]) -> None:
+    """Before a controller is called in Python: how long what is asked takes on this machine, and the usual sizes.
+
+    `work` has the options of each size and its robot seconds, what is asked first.
+    """
+    if not ensemble.called:
+        return
+    pace = ensemble.pace()
+    (chosen, own), *others = ((options, _clock(pace * seconds)) for options, seconds in work.items())
+    said = "".join(f"; {options}: {time}" for options, time in others)
+    typer.echo(f"{asked.controller} is called in Python, not compiled. {chosen}: {own}{said}", err=True)
+
+
+def _clock(seconds: float) -> str:
+    for unit, length in (("h", 3600.0), ("min", 60.0)):
+        if seconds >= 2 * length:
+            return f"about {seconds / length:.0f} {unit}"
+    return f"about {max(1.0, seconds):.0f} s"
 
 
 def _state(text: str) -> tuple[float, ...]:

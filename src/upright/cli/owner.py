@@ -9,7 +9,6 @@ from typing import Any
 
 from upright.cli.measures import RATIO, G, meant_unit, number_of, units_like
 from upright.errors import InvalidRobot, UnknownName
-from upright.robots.drives import COMMAND_UNITS
 
 NONE = "none"
 A_GUESS = ", a guess"
@@ -69,11 +68,6 @@ class OwnerQuestion:
             self.number(answer)
 
 
-DRIVE = OwnerQuestion(
-    "Motors get a voltage (PWM), a torque (a current loop), or a speed (steppers)",
-    "voltage",
-    choices=tuple(COMMAND_UNITS),
-)
 _BODY = {
     "wheel": OwnerQuestion("Wheel with its tyre, across", "65", "mm", "m", (10, 1000)),
     "wheel_mass": OwnerQuestion("One wheel on the scales", "35", "g", "kg", (1, 20e3)),
@@ -139,6 +133,10 @@ _MOTORS = {
     },
 }
 """Drive → what is asked of the motors."""
+DRIVES = tuple(_MOTORS)
+DRIVE = OwnerQuestion(
+    "Motors get a voltage (PWM), a torque (a current loop), or a speed (steppers)", "voltage", choices=DRIVES
+)
 _BOARD = {
     "gyro": OwnerQuestion("Range of the gyro", "250", "deg/s", "rad/s", (50, 20e3)),
     "accelerometer": OwnerQuestion("Range of the accelerometer, or none", "2", "g", "m/s²", (1, 400), may_lack=True),

@@ -11,9 +11,8 @@ from typing import Annotated
 import typer
 
 from upright.cli.guide import EndOfAnswers, Question, answered
-from upright.cli.owner import A_GUESS, DRIVE, NONE, Answers, FileNumber, OwnerQuestion, file_numbers, questions
+from upright.cli.owner import A_GUESS, DRIVE, DRIVES, NONE, Answers, FileNumber, OwnerQuestion, file_numbers, questions
 from upright.errors import InvalidRobot, UprightError
-from upright.robots.drives import COMMAND_UNITS
 
 
 def new(name: Annotated[str, typer.Argument(help="Name of the robot, and of its file.")], **given: str | None) -> None:
@@ -33,7 +32,7 @@ def new(name: Annotated[str, typer.Argument(help="Name of the robot, and of its 
     drive = _plain(_answer("drive", DRIVE, given["drive"], lacks=False))
     asked = questions(drive)
     if foreign := [key for key, text in given.items() if text is not None and key not in ("drive", *asked)]:
-        others = [other for other in COMMAND_UNITS if foreign[0] in questions(other)]
+        others = [other for other in DRIVES if foreign[0] in questions(other)]
         raise UprightError(f"{_flag(foreign[0])} with a {drive} drive", hint=f"--drive {' or '.join(others)}")
     answers: dict[str, str] = {}
     for key, question in asked.items():
@@ -78,8 +77,8 @@ def _flag(name: str) -> str:
 
 
 def _option(name: str, question: OwnerQuestion) -> inspect.Parameter:
-    asking = [drive for drive in COMMAND_UNITS if name == "drive" or name in questions(drive)]
-    only = "" if len(asking) == len(COMMAND_UNITS) else f"; --drive {' or '.join(asking)}"
+    asking = [drive for drive in DRIVES if name == "drive" or name in questions(drive)]
+    only = "" if len(asking) == len(DRIVES) else f"; --drive {' or '.join(asking)}"
     text = f"{question.asked} (default: {question.usual}{A_GUESS}{only})."
     option = typer.Option(_flag(name), help=text, metavar="ANSWER")
     return inspect.Parameter(
@@ -120,6 +119,7 @@ def _answer(name: str, question: OwnerQuestion, given: str | None, *, lacks: boo
 def _entry(number: str, row: FileNumber, answers: Mapping[str, str], drive: str) -> str:
     """The number as its file has it, under the questions that it is from; nothing where the robot lacks the part."""
     from upright.robots import PARAMETERS, toml
+    from upright.robots.drives import COMMAND_UNITS
     from upright.robots.kit import quantity_of
 
     asked = questions(drive)

@@ -11,7 +11,7 @@ import numpy as np
 from upright.arrays import Array, Mask, Whole
 from upright.errors import InvalidScenario, UnknownName, check_within
 from upright.fleets.ensemble import Ensemble
-from upright.progress import Progress
+from upright.progress import Progress, unwatched
 from upright.signals import STATE_NAMES
 from upright.signals.signal import STATE
 
@@ -70,15 +70,16 @@ def basin(
     starts = _starts(ensemble, across, up)
     robots = (ensemble.nominal() if samples == 1 else ensemble).batch(np.arange(samples))
     stood, settled = (np.empty((len(starts), samples)) for _ in range(2))
-    at_once = max(1, _AT_ONCE // samples)
+    at_once = max(1, ensemble.at_once(_AT_ONCE) // samples)
+    show = progress or unwatched
+    show(0.0)
     for first in range(0, len(starts), at_once):
         part = starts[first : first + at_once]
         every = robots.part(np.tile(np.arange(samples), len(part)), start=np.repeat(part, samples, axis=0))
         result = simulate(every, ensemble.seconds, bands=(ensemble.band, np.inf, np.inf), threads=threads)
         stood[first : first + at_once] = ~result.fell.reshape(-1, samples)
         settled[first : first + at_once] = result.settled.reshape(-1, samples)
-        if progress:
-            progress(min(1.0, (first + at_once) / len(starts)))
+        show(min(1.0, (first + at_once) / len(starts)))
     return _labelled(ensemble, across, up, stood, settled)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from types import SimpleNamespace
@@ -13,12 +14,13 @@ from numpy.typing import NDArray
 
 from upright.arrays import Array
 from upright.bodies.body import REST
+from upright.compiled.generated import LANES
 from upright.control import Controller, controller_hash
 from upright.errors import InvalidScenario, check_within
 from upright.experiment.pushes import Hold, Impulse, Push, Slope
 from upright.experiment.references import Drive, Turn
 from upright.experiment.run import MAX_SECONDS
-from upright.kernel.batch import FleetBatch, FleetResult, parameters_of
+from upright.kernel.batch import FleetBatch, FleetResult, law_of, parameters_of
 from upright.robots import PARAMETERS
 from upright.robots.uncertainty import Family, Uncertainty
 
@@ -26,6 +28,8 @@ Index = NDArray[Any] | range
 
 SETTLED = 0.02
 """|pitch| [rad] inside which a robot counts as settled: about a degree, more than quantised sensors make it sway."""
+
+_TRIED = 0.5  # [s] of some robots, which tells how fast they are simulated
 
 OUTCOMES: dict[str, tuple[str, str]] = {
     "fell": ("1", "fell"),
@@ -76,6 +80,27 @@ class Ensemble:
     def nominal(self) -> Ensemble:
         """The same with nothing varied."""
         return replace(self, family=replace(self.family, uncertainty=Uncertainty()))
+
+    @property
+    def called(self) -> bool:
+        """Whether its controller is called in Python, robot by robot, since no law describes it."""
+        return law_of(self.controller)[1] is not None
+
+    def at_once(self, usual: int) -> int:
+        """Robots that are simulated between two reports of progress: the `usual` number, or about a second's work."""
+        from upright.kernel.simulate import CALLED
+
+        return CALLED if self.called else usual
+
+    def pace(self) -> float:
+        """Seconds that this machine takes for one second of a robot whose controller is called."""
+        from upright.kernel.simulate import simulate
+
+        batch = self.nominal().batch(range(LANES))
+        for _ in range(2):  # the first compiles
+            begin = time.perf_counter()
+            lived = float(simulate(batch, _TRIED).lived.sum())
+        return (time.perf_counter() - begin) / lived
 
     def batch(self, index: Index) -> FleetBatch:
         """The robots number `index` (n,)."""

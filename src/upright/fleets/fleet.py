@@ -15,7 +15,7 @@ from upright.fleets.ensemble import Ensemble
 from upright.fleets.results import OUTCOMES, Summary, labelled, summarise
 from upright.fleets.sweep import electronics, find_controller
 from upright.fleets.vary import Vary, varied
-from upright.progress import Progress
+from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_robot
 from upright.robots.uncertainty import Family, Uncertainty, at_medians
 from upright.tables import Shown
@@ -123,9 +123,11 @@ def fleet(
     check_within("robots in a fleet", n, 1, MOST_ROBOTS)
     ensemble = robot if isinstance(robot, Ensemble) else ensemble_of(robot, **choices)
     parts: list[dict[str, Any]] = []
-    for first in range(0, n, CHUNK):
-        parts.append(ensemble.run(range(first, min(n, first + CHUNK)), threads))
-        if progress:
-            progress(min(1.0, (first + CHUNK) / n))
+    show = progress or unwatched
+    show(0.0)
+    chunk = ensemble.at_once(CHUNK)
+    for first in range(0, n, chunk):
+        parts.append(ensemble.run(range(first, min(n, first + chunk)), threads))
+        show(min(1.0, (first + chunk) / n))
     data = labelled({name: np.concatenate([part[name] for part in parts]) for name in parts[0]}, range(n), ensemble)
     return Fleet(data, summarise(data))

@@ -25,6 +25,7 @@ from upright.errors import InvalidScenario, check_within
 from upright.experiment.run import MAX_SECONDS
 from upright.fleets.ensemble import Ensemble
 from upright.fleets.fleet import ensemble_of
+from upright.fleets.usual import MAP_POINTS, MAP_ROBOTS
 from upright.kernel.batch import FleetBatch
 from upright.progress import Progress, unwatched
 from upright.robots import Robot
@@ -48,6 +49,13 @@ LOWEST = 0.35
 SCANNED = 35
 """Number of smaller impulses that are tried: 3 % from one to the next, so that a narrower gap is not seen."""
 
+GLANCE = 1.0
+"""[s] after a push in which most falls come."""
+
+NODES = (16, 16)
+"""Heights and durations at which the band is computed."""
+
+_TRIES = 8.0  # impulses of a search until the bracket is within 1 %, as counted of the presets
 _LEAP = 16.0  # largest factor between two tries while the bracket grows
 
 
@@ -130,6 +138,13 @@ class PushGrid:
         axes = np.meshgrid(np.array(self.directions, dtype=np.float64), self.heights, self.durations, indexing="ij")
         return axes[0].reshape(-1), axes[1].reshape(-1), axes[2].reshape(-1)
 
+    @classmethod
+    def usual(cls, ensemble: Ensemble) -> PushGrid:
+        """Heights up to the body's, durations up to 0.5 s, as many as usual."""
+        points = MAP_POINTS[ensemble.called]
+        heights = np.linspace(0.0, ensemble.family.robot.body_height, points)
+        return cls(heights=heights, durations=np.linspace(0.01, 0.5, points))
+
     def thinned(self, heights: int, durations: int) -> PushGrid:
         """At most `heights` heights and `durations` durations of the grid, the ends included."""
         return PushGrid(
@@ -141,17 +156,17 @@ def push_map(
     robot: Robot | str | Ensemble,
     grid: PushGrid | None = None,
     *,
-    samples: int = 200,
-    nodes: tuple[int, int] = (16, 16),
+    samples: int | None = None,
+    nodes: tuple[int, int] = NODES,
     tolerance: float = 0.01,
     watch: float = 5.0,
-    glance: float = 1.0,
+    glance: float = GLANCE,
     threads: int | None = None,
     progress: Progress | None = None,
     **choices: Any,
 ) -> Dataset:
-    """The nominal robot's largest survived impulse [N s] at every point of `grid` (None: 64 heights up to the body's,
-    64 durations up to 0.5 s), within `tolerance` (relative), and its band of 95 % over `samples` robots of the family.
+    """The nominal robot's largest survived impulse [N s] at every point of `grid` (None: `PushGrid.usual`), within
+    `tolerance` (relative), and its band of 95 % over `samples` robots of the family (None: as many as usual).
 
     An `Ensemble` is taken without its own pushes; for a robot, `ensemble_of` makes one of it and `choices` (controller,
     kit, vary, posterior, seed), which by default varies all parameters by their spreads.
@@ -162,26 +177,31 @@ def push_map(
     The band is computed robot by robot at `nodes` (heights, durations) of the grid; between them the ratio to the
     nominal robot is interpolated, linear in both. Robot s has noise from stream s everywhere, the nominal one from 0.
     """
-    check_within("samples", samples, 0, 100_000)
+    check_within("samples", samples or 0, 0, 100_000)
     check_within("seconds to stand after a push", watch, 1e-3, MAX_SECONDS)
     if not isinstance(robot, Ensemble):
         choices.setdefault("vary", () if choices.get("posterior") else ("spread",))
     ensemble = robot if isinstance(robot, Ensemble) else ensemble_of(robot, **choices)
-    if grid is None:
-        heights = np.linspace(0.0, ensemble.family.robot.body_height, 64)
-        grid = PushGrid(heights=heights, durations=np.linspace(0.01, 0.5, 64))
-    show = progress or unwatched
+    grid = grid or PushGrid.usual(ensemble)
+    samples = MAP_ROBOTS[ensemble.called] if samples is None else samples
     search = _Search(ensemble, tolerance, watch, glance, threads)
+    small = grid.thinned(*nodes)
+    search.expected = search.robot_seconds(grid, small, samples)
+    search.show = progress or unwatched
+    search.show(0.0)
     last, capped = search.nominal(grid)
     first = search.first(grid, last)
-    show(0.2)
-    small = grid.thinned(*nodes)
-    spread = (
-        search.sampled(small, _at(last, grid, small), samples, lambda fraction: show(0.2 + 0.8 * fraction))
-        if samples
-        else None
-    )
+    spread = search.sampled(small, _at(last, grid, small), samples) if samples else None
+    search.show(1.0)
     return _labelled(ensemble, grid, small, (first, last), capped, spread, search)
+
+
+def robot_seconds(
+    ensemble: Ensemble, grid: PushGrid, samples: int, *, tolerance: float = 0.01, watch: float = 5.0
+) -> float:
+    """About how long all robots together run for a map [s]; raises as `push_map`."""
+    search = _Search(ensemble, tolerance, watch, min(GLANCE, watch), None)
+    return search.robot_seconds(grid, grid.thinned(*NODES), samples)
 
 
 def summary(data: Dataset) -> dict[str, Any]:
@@ -199,7 +219,7 @@ def summary(data: Dataset) -> dict[str, Any]:
 
 
 class _Search:
-    """Searches with one set of settings; `runs` counts the robots that were simulated."""
+    """Searches with one set of settings; `runs` counts the robots that were simulated, of `expected` robot seconds."""
 
     def __init__(self, ensemble: Ensemble, tolerance: float, watch: float, glance: float, threads: int | None) -> None:
         if not 0 < glance <= watch:
@@ -209,9 +229,22 @@ class _Search:
         self.ensemble, self.tolerance, self.watch, self.glance = ensemble, tolerance, watch, glance
         self.threads = threads
         self.runs = 0
+        self.expected = math.inf
+        self.show: Progress = unwatched
+        self._spent = 0.0
         robot = ensemble.family.robot
         mass = robot.body_mass + 2 * robot.wheel_mass
         self.ceiling, self.floor = CEILING * mass, FLOOR * mass
+
+    def robot_seconds(self, grid: PushGrid, small: PushGrid, samples: int) -> float:
+        """About how long all robots together will run [s]: bisections take as many tries more as the tolerance is
+        finer, each for a glance, then one for the whole watch; of the nominal robot also the smaller impulses."""
+        mean = float(grid.durations.mean())
+        tries = _TRIES + math.log2(0.01 / self.tolerance)
+        watched = self.watch + mean
+        search = tries * (self.glance + mean) + watched
+        nominal = math.prod(grid.shape) * (search + SCANNED * watched)
+        return nominal + samples * math.prod(small.shape) * search
 
     def nominal(self, grid: PushGrid) -> tuple[Array, Mask]:
         """The nominal robot's impulses, shape of the grid, and where they reach the ceiling."""
@@ -234,7 +267,7 @@ class _Search:
 
         return first_border(stands, last.reshape(-1), self.floor, self.tolerance).reshape(grid.shape)
 
-    def sampled(self, grid: PushGrid, nominal: Array, samples: int, show: Progress) -> Array:
+    def sampled(self, grid: PushGrid, nominal: Array, samples: int) -> Array:
         """Impulses (samples, *grid.shape) of robots 0 to `samples` − 1 of the family."""
         count = math.prod(grid.shape)
         impulses = np.empty((samples, count))
@@ -247,7 +280,6 @@ class _Search:
             guess = np.tile(np.maximum(nominal.reshape(-1), self.floor), len(robots))
             values = self._find(self.ensemble, (spread_out[0], spread_out[1], spread_out[2]), which, guess, 1.08)
             impulses[robots] = values.reshape(len(robots), count)
-            show((start + len(robots)) / samples)
         return impulses.reshape(samples, *grid.shape)
 
     def _find(
@@ -283,17 +315,20 @@ class _Search:
         beyond: float,
     ) -> Mask:
         """Whether searches number `which` survive `impulse` [N s] (n,), simulated until `beyond` [s] after it."""
-        from upright.kernel.simulate import simulate
+        from upright.kernel.simulate import CALLED, simulate
 
         direction, height, duration = (p[which] for p in points)
         pushes = np.stack([direction * impulse / duration, height, np.zeros(which.size), duration], axis=1)[:, None]
         self.runs += which.size
         stood = np.empty(which.size, dtype=bool)
         # Robots whose pushes last about as long run together: a short push needs a shorter run than a long one.
-        for part in np.array_split(np.argsort(duration, kind="stable"), max(1, min(8, which.size // 512))):
+        parts = -(-which.size // CALLED) if self.ensemble.called else max(1, min(8, which.size // 512))
+        for part in np.array_split(np.argsort(duration, kind="stable"), parts):
             batch = table.part(which[part], pushes=pushes[part])
             seconds = float(duration[part].max()) + beyond
             stood[part] = ~simulate(batch, seconds, threads=self.threads).fell
+            self._spent += part.size * seconds
+            self.show(min(0.99, self._spent / self.expected))  # which is a guess
         return stood
 
 
