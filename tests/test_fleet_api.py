@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 import sys
 from xml.etree import ElementTree
 
@@ -15,6 +16,7 @@ from scipy.stats import binomtest
 from upright.bodies import NonlinearBody
 from upright.cli.fleet import basin as basin_command
 from upright.cli.fleet import fleet as fleet_command
+from upright.cli.main import main
 from upright.control import make_controller
 from upright.errors import InvalidLog, InvalidScenario, UnknownName, UprightError
 from upright.experiment import Drive, Hold, Impulse, Push, Slope, run
@@ -23,7 +25,7 @@ from upright.fleets.basin import Axis, basin, islands
 from upright.fleets.binomial import clopper_pearson
 from upright.fleets.ensemble import Ensemble, tables
 from upright.fleets.fleet import ensemble_of, fleet
-from upright.fleets.push_map import PushGrid, first_border, largest, push_map
+from upright.fleets.push_map import PushGrid, first_border, largest, push_map, robot_seconds
 from upright.fleets.results import labelled, load, origin_of, save, summarise
 from upright.fleets.vary import variation, varied, with_number
 from upright.kernel.batch import parameters_of
@@ -154,6 +156,99 @@ def test_a_controller_of_ones_own_drives_a_fleet_and_a_push_map():
     grid = PushGrid(heights=np.array([0.0]), durations=np.array([0.1]))
     known, own = (push_map("nxtway-gs", grid, samples=2, nodes=(1, 1), controller=c) for c in (design, Own(design)))
     assert np.array_equal(known["impulse"].values, own["impulse"].values)
+
+
+OWN = """
+from upright.control import lqg
+
+class Own:
+    def __init__(self, robot, kit, dt):
+        self._lqg = lqg(robot, kit, dt)
+        self.spec = self._lqg.spec
+        self.reset, self.estimate, self.applied = self._lqg.reset, self._lqg.estimate, self._lqg.applied
+    def step(self, measurement, reference):
+        return self._lqg.step(measurement, reference)
+    def to_json(self):
+        return {"kind": "own"}
+"""
+
+
+@pytest.mark.parametrize(
+    ("command", "size", "others"),
+    [
+        ("fleet -s 0.2", "-n 3", ("-n 1000", "-n 10000")),
+        ("basin -s 0.2", "--points 2", ("--points 41", "--points 101")),
+        (
+            "push-map --watch 0.1 --direction forward --durations 0.01..0.02",
+            "--points 2 -n 0",
+            ("--points 8 -n 20", "--points 64 -n 200"),
+        ),
+    ],
+)
+def test_a_controller_called_in_python_says_first_how_long_it_takes(
+    command, size, others, tmp_path, monkeypatch, capsys
+):
+    """With what to type for another size; a compiled one says nothing."""
+    (tmp_path / "my.py").write_text(OWN, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    assert main([*command.split(), *size.split(), "-c", "my.py:Own"]) == 0
+    said = capsys.readouterr().err
+    assert "my.py:Own is called in Python" in said
+    for options in (size, *others):
+        assert re.search(rf"{options}: about \d+ (s|min|h)", said), options
+    assert main([*command.split(), *size.split(), "-c", "lqg"]) == 0
+    assert capsys.readouterr().err == ""
+
+
+def test_a_map_of_a_controller_called_in_python_is_coarse_unless_asked():
+    own = ensemble_of("nxtway-gs", Own(make_controller("lqg", ROBOT, NXT, NXT.period)))
+    assert PushGrid.usual(own).shape == (2, 8, 8)
+    assert PushGrid.usual(ensemble_of("nxtway-gs", "lqg")).shape == (2, 64, 64)
+
+
+@pytest.mark.parametrize(("points", "samples", "watch", "tolerance"), [
+    (3, 0, 5.0, 0.01), (8, 10, 5.0, 0.01), (4, 3, 1.0, 0.01), (4, 6, 2.0, 0.001),
+])  # fmt: skip
+def test_the_time_of_a_map_is_known_before_it_begins_and_its_progress_is_even(
+    points, samples, watch, tolerance, monkeypatch
+):
+    """Robot seconds as the kernel is asked for them. Where each search ends is not known before: a factor of 1.5 is
+    near enough for what is promised as "about"."""
+    import upright.kernel.simulate as kernel
+
+    ensemble = ensemble_of("nxtway-gs", "lqr", vary=("spread",))
+    grid = PushGrid(heights=np.linspace(0, 0.2, points), durations=np.linspace(0.01, 0.5, points))
+    spent, shares, simulate = [], [], kernel.simulate
+
+    def counted(batch, seconds, **settings):
+        spent.append(batch.n * seconds)
+        return simulate(batch, seconds, **settings)
+
+    monkeypatch.setattr(kernel, "simulate", counted)
+    push_map(ensemble, grid, samples=samples, watch=watch, tolerance=tolerance, progress=shares.append)
+    expected = robot_seconds(ensemble, grid, samples, watch=watch, tolerance=tolerance)
+    assert 1 / 1.5 < expected / sum(spent) < 1.5
+    assert (shares[0], shares[-1]) == (0.0, 1.0)
+    assert shares == sorted(shares)
+    assert len(shares) > len(spent)
+
+
+def test_progress_is_shown_robot_by_robot_where_they_are_called(monkeypatch):
+    """A piece of 128 robots is a second's work in Python; every loop over many shows at least each of them."""
+    import upright.kernel.simulate as kernel
+
+    monkeypatch.setattr(kernel, "CALLED", 2)
+    own = ensemble_of("nxtway-gs", Own(make_controller("lqg", ROBOT, NXT, NXT.period)), seconds=0.1)
+    shares = []
+    fleet(own, 6, progress=shares.append)
+    assert shares == pytest.approx([0, 1 / 3, 2 / 3, 1])
+    shares.clear()
+    basin(own, Axis("pitch", -0.1, 0.1, 2), Axis("wheel", -1, 1, 2), progress=shares.append)
+    assert shares == pytest.approx([0, 1 / 2, 1])
+    shares.clear()
+    grid = PushGrid(heights=np.array([0.0]), durations=np.array([0.02]))
+    push_map(own, grid, samples=0, watch=0.1, glance=0.05, progress=shares.append)
+    assert len(shares) > 35  # as many impulses are tried of each direction, two at once
 
 
 def test_a_robot_does_the_same_in_any_company():
@@ -411,6 +506,14 @@ def test_pages_of_maps_are_well_formed(small_map, tmp_path):
 # The verbs
 
 
+@pytest.mark.parametrize(
+    "grid", ["--points 2", "--points 10", "--points 3 --across pitch=0.5..1", "--points 3 --up pitch_rate=9..10"]
+)
+def test_a_basin_whose_grid_leaves_rest_out_is_shown(grid, capsys):
+    assert main(["basin", "-s", "0.2", *grid.split()]) == 0
+    assert "recover" in capsys.readouterr().out
+
+
 def test_the_smooth_border_of_a_basin_keeps_every_state_on_its_side():
     across, up = np.meshgrid(np.linspace(-1, 1, 31), np.linspace(-1, 1, 31), indexing="ij")
     stood = (across**2 + 3 * across * up + 4 * up**2 < 0.5).astype(float)
@@ -430,7 +533,7 @@ def test_a_fleet_is_one_call_in_chunks_or_whole(monkeypatch):
     whole = Ensemble(family=family, controller=lqr, pushes=pushes, seconds=1.0, seed=3).run(range(10))
     for name, values in whole.items():
         np.testing.assert_array_equal(result.data[name].values, values)
-    assert calls == [0.4, 0.8, 1.0]
+    assert calls == [0.0, 0.4, 0.8, 1.0]
 
 
 def test_a_posterior_alone_varies_about_its_medians():

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Generator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -62,7 +60,7 @@ def fleet(
     asked.check()
     pushes, references = map(tuple, options.pushes_and_references(push, drive, turn))
     ensemble = asked.ensemble(pushes=pushes, references=references, start=_state(start), seconds=seconds)
-    number = samples or FLEET[ensemble.called]
+    number = FLEET[ensemble.called] if samples is None else samples
     _say_how_long(asked, ensemble, {f"-n {n}": n * seconds for n in (number, *FLEET)})
     with progress("simulating") as show:
         result = simulate(ensemble, number, threads=asked.threads, progress=show)
@@ -81,7 +79,7 @@ def push_map(
     ] = None,
     durations: Annotated[str, typer.Option(metavar="LOW..HIGH", help="Duration of the push [s].")] = "0.01..0.5",
     points: Annotated[
-        int | None, typer.Option(min=1, max=1000, help=f"Number of heights, and of durations{_default(MAP_POINTS)}.")
+        int | None, typer.Option(min=2, max=1000, help=f"Number of heights, and of durations{_default(MAP_POINTS)}.")
     ] = None,
     samples: Annotated[
         int | None,
@@ -110,25 +108,19 @@ def push_map(
         _range(durations, "--durations"),
     ]
 
-    def grid_of(count: int) -> PushGrid:
-        heights, lasting = (np.linspace(*ends, count) for ends in ranges)
+    def grid_of(each: int) -> PushGrid:
+        heights, lasting = (np.linspace(*ends, each) for ends in ranges)
         return PushGrid(directions=WAYS[direction], heights=heights, durations=lasting)
 
-    number = MAP_ROBOTS[ensemble.called] if samples is None else samples
-    grid = grid_of(points or MAP_POINTS[ensemble.called])
-    sizes = [(points or MAP_POINTS[ensemble.called], number), *zip(MAP_POINTS, MAP_ROBOTS, strict=True)]
-    _say_how_long(
-        asked,
-        ensemble,
-        {
-            f"--points {p} -n {n}": robot_seconds(ensemble, grid_of(p), n, tolerance=tolerance, watch=watch)
-            for p, n in sizes
-        },
-    )
+    count = MAP_POINTS[ensemble.called] if points is None else points
+    drawn = MAP_ROBOTS[ensemble.called] if samples is None else samples
+    grid = grid_of(count)
+    sizes = ((count, drawn), *zip(MAP_POINTS, MAP_ROBOTS, strict=True))
+    accuracy = {"tolerance": tolerance, "watch": watch}
+    work = {f"--points {p} -n {n}": robot_seconds(ensemble, grid_of(p), n, **accuracy) for p, n in sizes}
+    _say_how_long(asked, ensemble, work)
     with progress("searching") as show:
-        data = search(
-            ensemble, grid, samples=number, tolerance=tolerance, watch=watch, threads=asked.threads, progress=show
-        )
+        data = search(ensemble, grid, samples=drawn, **accuracy, threads=asked.threads, progress=show)
     _show(data, summary(data), asked)
 
 
@@ -157,7 +149,7 @@ def basin(
     asked.check()
     axes = [_axis(across, "--across"), _axis(up, "--up")]
     ensemble = asked.ensemble(start=_state(start), seconds=seconds)
-    number = points or BASIN_POINTS[ensemble.called]
+    number = BASIN_POINTS[ensemble.called] if points is None else points
     first, second = (Axis(name, low, high, number) for name, low, high in axes)
     _say_how_long(asked, ensemble, {f"--points {p}": p * p * samples * seconds for p in (number, *BASIN_POINTS)})
     with progress("simulating") as show:
@@ -193,8 +185,10 @@ def sweep(
     check_targets(report)
     campaign = read_campaign(spec)
     place = output or spec.with_suffix("")
-    with _countdown() as tell:
-        cases = run_campaign(campaign, place, workers=workers, cluster=cluster, progress=tell)
+    with progress("campaign") as show:
+        cases = run_campaign(
+            campaign, place, workers=workers, cluster=cluster, progress=lambda done, total, _: show(done / total)
+        )
     finish(cases, as_json, page=report, written=(place,), text="", folder=str(place))
 
 
@@ -207,8 +201,8 @@ def _say_how_long(asked: Asked, ensemble: Ensemble, work: Mapping[str, float]) -
         return
     pace = ensemble.pace()
     (chosen, own), *others = ((options, _clock(pace * seconds)) for options, seconds in work.items())
-    said = "".join(f"; {options}: {time}" for options, time in others)
-    typer.echo(f"{asked.controller} is called in Python, not compiled. {chosen}: {own}{said}", err=True)
+    instead = "".join(f"; {options}: {time}" for options, time in others)
+    typer.echo(f"{asked.controller} is called in Python, not compiled. {chosen}: {own}{instead}", err=True)
 
 
 def _clock(seconds: float) -> str:
@@ -248,20 +242,3 @@ def _show(data: Dataset, numbers: Any, asked: Asked) -> None:
         print_result(data, {"result": numbers, "origin": origin_of(data), **written})
     else:
         print_result(data, "", (output, report), tables=True)
-
-
-@contextmanager
-def _countdown() -> Generator[Callable[[int, int, float], None]]:
-    """Chunks done and the time left: a bar in a terminal, else a line for each tenth."""
-    if sys.stderr.isatty():
-        with progress("campaign") as show:
-            yield lambda done, total, _: show(done / total)
-        return
-    shown = [-1]
-
-    def tell(done: int, total: int, left: float) -> None:
-        if (tenth := 10 * done // total) != shown[0]:
-            shown[0] = tenth
-            typer.echo(f"{done} of {total} chunks" + (f", {left:.0f} s left" if left > 0 else ""), err=True)
-
-    yield tell

@@ -44,8 +44,8 @@ def number_of(text: str, unit: str, quantity: str) -> tuple[float, str]:
     alike = units_like(unit, quantity)
     spelled = {_folded(name): name for name in alike}
     spelled |= {_folded(other): name for other, name in _SPELLINGS.items() if name in alike}
-    found = _NUMBER.fullmatch(plain)
-    written, behind = found.groups() if found else ("", "")
+    match = _NUMBER.fullmatch(plain)
+    written, behind = match.groups() if match else ("", "")
     words = f"'{text.strip()[:40]}'"
     if _THOUSANDS.fullmatch(written):
         joined = written.replace(",", "")

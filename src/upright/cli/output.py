@@ -6,6 +6,7 @@ import os
 import shlex
 import shutil
 import sys
+import time
 from collections.abc import Callable, Collection, Generator, Iterable, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -17,7 +18,6 @@ import typer
 
 from upright.atomic import json_text, place_of, write_json
 from upright.errors import UprightError, require
-from upright.progress import unwatched
 from upright.tables import Listing, wrapped
 
 if TYPE_CHECKING:
@@ -117,6 +117,8 @@ def write_page(result: Any, path: Path | None, title: str = "") -> None:
         report(result, path, title=title, command=_command())
 
 
+QUIET = 10.0
+"""[s] in which nobody asks whether a command still runs."""
 TYPED: ContextVar[Sequence[str]] = ContextVar("TYPED", default=())
 """The arguments of the command that runs."""
 
@@ -163,11 +165,26 @@ def _often(path: Path, among: Sequence[Path]) -> bool:
     return sum(os.path.realpath(path) == os.path.realpath(other) for other in among) > 1
 
 
+def _in_lines(label: str) -> Callable[[float], None]:
+    begin = time.monotonic()
+    shown = 0
+
+    def show(fraction: float) -> None:
+        nonlocal shown
+        spent = time.monotonic() - begin
+        if spent > QUIET and int(10 * fraction) > shown:
+            shown = int(10 * fraction)
+            typer.echo(f"{label}: {10 * shown} %, about {spent * (1 / fraction - 1):.0f} s left", err=True)
+
+    return show
+
+
 @contextmanager
 def progress(label: str) -> Generator[Callable[[float], None]]:
-    """A bar on stderr in a terminal: yields what takes the fraction done."""
+    """A bar on stderr in a terminal, else a line for each tenth of what takes long: yields what takes the fraction
+    done."""
     if not sys.stderr.isatty():
-        yield unwatched
+        yield _in_lines(label)
         return
     from rich.console import Console
     from rich.progress import Progress

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, dataclass
 from typing import Any
 
 from upright.cli.measures import RATIO, G, meant_unit, number_of, units_like
@@ -31,6 +31,7 @@ class OwnerQuestion:
     unit: str = ""
     quantity: str = ""
     within: tuple[float, float] = (0.0, math.inf)
+    _: KW_ONLY
     choices: tuple[str, ...] = ()
     may_lack: bool = False
     needs: str = ""

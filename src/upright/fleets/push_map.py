@@ -160,7 +160,7 @@ def push_map(
     nodes: tuple[int, int] = NODES,
     tolerance: float = 0.01,
     watch: float = 5.0,
-    glance: float = GLANCE,
+    glance: float | None = None,
     threads: int | None = None,
     progress: Progress | None = None,
     **choices: Any,
@@ -184,7 +184,7 @@ def push_map(
     ensemble = robot if isinstance(robot, Ensemble) else ensemble_of(robot, **choices)
     grid = grid or PushGrid.usual(ensemble)
     samples = MAP_ROBOTS[ensemble.called] if samples is None else samples
-    search = _Search(ensemble, tolerance, watch, glance, threads)
+    search = _Search(ensemble, tolerance, watch, min(GLANCE, watch) if glance is None else glance, threads)
     small = grid.thinned(*nodes)
     search.expected = search.robot_seconds(grid, small, samples)
     search.show = progress or unwatched

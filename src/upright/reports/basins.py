@@ -158,10 +158,10 @@ def basin_page(data: Dataset) -> Page:
     low, high = rest_range(data)
     across, up = (str(name) for name in data["recovered"].dims)
     words = across.replace("_", " ")
-    held = f"{_in_degrees(low, data, across)} to {_in_degrees(high, data, across)}"
+    known = math.isfinite(low)
+    held = f"{_in_degrees(low, data, across)} to {_in_degrees(high, data, across)}" if known else ""
     name = origin["robot"]["name"]
     percent = f"{100 * float(data['recovered'].values.mean()):.3g} %"
-    known = math.isfinite(low)
     several = _several(data)
     who = f"{name}, let go at rest, recovers" if several == 1 else f"Most robots like {name} recover, let go at rest,"
     title = f"{who} from a {words} of {held}" if known else f"{name} recovers from {percent} of these states"
