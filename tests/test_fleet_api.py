@@ -179,7 +179,7 @@ class Own:
         ("fleet -s 0.2", "-n 3", ("-n 1000", "-n 10000")),
         ("basin -s 0.2", "--points 2", ("--points 41", "--points 101")),
         (
-            "push-map --watch 0.1 --direction forward --durations 0.01..0.02",
+            "push-map --watch 0.1 --durations 0.01..0.02",
             "--points 2 -n 0",
             ("--points 8 -n 20", "--points 64 -n 200"),
         ),
