@@ -225,7 +225,7 @@ def test_limits_are_kept() -> None:
     """By the numbers of the plan, and by a run of other robots than those it was tried on."""
     checked = plan().checked
     assert plan().check() == ()
-    assert checked.bound == pytest.approx(clopper_pearson(checked.fell, checked.samples, 0.9).high)
+    assert checked.bound == pytest.approx(clopper_pearson(checked.fell, checked.samples).high)
     assert checked.bound <= FEW.falls
     log = run(Electronics(NonlinearBody(NXT), KIT), plan().excited(LQG), seconds=SECONDS, seed=77)
     assert not log.origin["outcome"]["fell"]

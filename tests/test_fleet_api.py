@@ -22,11 +22,12 @@ from upright.errors import InvalidLog, InvalidScenario, UnknownName, UprightErro
 from upright.experiment import Drive, Hold, Impulse, Push, Slope, run
 from upright.experiment.pushes import combined
 from upright.fleets.basin import Axis, basin, islands
-from upright.fleets.binomial import clopper_pearson
+from upright.fleets.binomial import clopper_pearson, upper_bound
 from upright.fleets.ensemble import Ensemble, tables
 from upright.fleets.fleet import ensemble_of, fleet
 from upright.fleets.push_map import PushGrid, first_border, largest, push_map, robot_seconds
-from upright.fleets.results import labelled, load, origin_of, save, summarise
+from upright.fleets.results import Summary, labelled, load, origin_of, save, summarise
+from upright.fleets.tally import Cases, CaseSummary
 from upright.fleets.vary import variation, varied, with_number
 from upright.kernel.batch import parameters_of
 from upright.plotting import colour_map
@@ -265,11 +266,25 @@ def test_a_robot_does_the_same_in_any_company():
 # What comes of it
 
 
-def test_the_interval_of_a_share_is_clopper_and_pearsons():
-    for count, n in ((0, 50), (3, 50), (50, 50), (17, 1000)):
-        ours, theirs = clopper_pearson(count, n), binomtest(count, n).proportion_ci(method="exact")
-        assert (ours.low, ours.high) == pytest.approx((theirs.low, theirs.high), abs=1e-12)
-    assert clopper_pearson(0, 50).high == pytest.approx(1 - 0.025 ** (1 / 50))  # closed form where nothing happened
+@pytest.mark.parametrize(("count", "n"), [(0, 50), (3, 50), (50, 50), (17, 1000)])
+def test_each_bound_of_a_share_is_clopper_and_pearsons_and_that_of_a_certificate(count, n):
+    """SciPy's tests on one side, each with 95 % confidence."""
+    ours = clopper_pearson(count, n)
+    above = binomtest(count, n, alternative="less").proportion_ci(method="exact")
+    below = binomtest(count, n, alternative="greater").proportion_ci(method="exact")
+    assert (ours.low, ours.high) == pytest.approx((below.low, above.high), abs=1e-12)
+    assert ours.high == upper_bound(count, n)
+
+
+@pytest.mark.parametrize(("fell", "n"), [(0, 100), (4, 100), (60, 100), (100, 100)])
+def test_every_table_of_falls_has_the_bounds_of_one_meaning(fell, n):
+    """A fleet's words, a campaign's table and the bound by which a certificate judges the same count."""
+    chance = clopper_pearson(fell, n)
+    most = f"{binomtest(fell, n, alternative='less').proportion_ci(method='exact').high:.2g}"
+    assert f"at most {most}; 95 % confidence of each" in str(Summary(n, fell, chance, {}, {}))
+    table = Cases((CaseSummary({"robot": "a"}, n, fell, chance, {}),))
+    assert f"{most})" in str(table)
+    assert "fell (each bound: 95 %)" in str(table)
 
 
 @pytest.fixture(scope="module")

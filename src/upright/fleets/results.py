@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from upright.arrays import Array
 from upright.atomic import filling, place_of, writing
 from upright.errors import InvalidLog, UprightError, require
-from upright.fleets.binomial import RARE, Interval, clopper_pearson, upper_bound
+from upright.fleets.binomial import RARE, Interval, clopper_pearson
 from upright.fleets.ensemble import OUTCOMES, Ensemble, Index
 from upright.fleets.vary import kit_numbers
 from upright.reading import expanded, understood
@@ -33,8 +33,8 @@ _NOTE = b"upright-fleet"
 
 @dataclass(frozen=True, repr=False)
 class Summary(Shown):
-    """Statistics of a fleet: `fell` of `n` robots fell; the probability of a fall with its 95 % interval; and the 5, 50
-    and 95 % quantiles of each outcome over the robots that stood, in `units`."""
+    """Statistics of a fleet: `fell` of `n` robots fell; the probability of a fall with its bounds; and the 5, 50 and
+    95 % quantiles of each outcome over the robots that stood, in `units`."""
 
     n: int
     fell: int
@@ -43,10 +43,8 @@ class Summary(Shown):
     units: Mapping[str, str]
 
     def __str__(self) -> str:
-        bounds = f"95 %: {self.chance.low:.3g} … {self.chance.high:.3g}"
-        if self.chance.value <= RARE:
-            bounds = f"at most {upper_bound(self.fell, self.n):.2g} with 95 % confidence"
-        chance = f"{self.chance.value:.3g} ({bounds})"
+        least = f"at least {self.chance.low:.2g}, " if self.chance.value > RARE else ""
+        chance = f"{self.chance.value:.3g} ({least}at most {self.chance.high:.2g}; 95 % confidence of each)"
         lines = [f"{self.fell} of {self.n} robots fell; P(fall) = {chance}", "", "of those that stood:"]
         for name, (low, middle, high) in self.quantiles.items():
             words = OUTCOMES[name][1] if name in OUTCOMES else name

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from upright.arrays import Array
-from upright.fleets.binomial import Interval, clopper_pearson, upper_bound
+from upright.fleets.binomial import Interval, clopper_pearson
 from upright.fleets.ensemble import OUTCOMES
 from upright.tables import Listing, Shown, spoken
 
@@ -48,7 +48,7 @@ class Moments(NamedTuple):
 
 @dataclass(frozen=True)
 class CaseSummary:
-    """Results of one case of `n` robots: how many fell, the probability with its 95 % interval (None where a campaign
+    """Results of one case of `n` robots: how many fell, the probability with its bounds (None where a campaign
     does not keep `fell`), and the moments of each outcome over the robots that stood. `ends` has for each drawn number
     how many fell of the robots with its least and its largest values, and how many robots each of the two parts has."""
 
@@ -95,7 +95,7 @@ class Cases(Shown, tuple[CaseSummary, ...]):
 
     def effects(self) -> dict[str, dict[str | float, Interval]]:
         """For each label that differs the fraction that fell at each of its values, in all cases together, with its
-        95 % interval; the label with the largest effect first. The interval counts each robot once: the cases of one
+        bounds; the label with the largest effect first. They count each robot once: the cases of one
         robot's name have the same drawn robots."""
         effects: dict[str, dict[str | float, Interval]] = {}
         for name, values in self.varied().items():
@@ -126,7 +126,7 @@ class Cases(Shown, tuple[CaseSummary, ...]):
 
     def matters(self) -> dict[str, tuple[CaseSummary, CaseSummary]]:
         """The labels that change the falls, each with the worse and the better of two cases that differ in it alone
-        and whose 95 % intervals are apart; of several such pairs the two that are furthest apart."""
+        and whose bounds are apart; of several such pairs the two that are furthest apart."""
         pairs: dict[str, tuple[CaseSummary, CaseSummary]] = {}
         for name in self.varied():
             alike: dict[tuple[tuple[str, str | float], ...], list[CaseSummary]] = {}
@@ -155,7 +155,7 @@ class Cases(Shown, tuple[CaseSummary, ...]):
         return whole
 
     def plot(self) -> Figure:
-        """The fraction that fell in each case [%] as a bar, its 95 % interval as a line, the `DRAWN` worst first; the
+        """The fraction that fell in each case [%] as a bar, its bounds as a line, the `DRAWN` worst first; the
         label with the largest effect has the colours."""
         from upright.plotting import COLOURS, INK, legend, number, rows_of
 
@@ -164,7 +164,7 @@ class Cases(Shown, tuple[CaseSummary, ...]):
         effects = self.effects()
         chances = [c.chance or Interval(np.nan, np.nan, np.nan) for c in worst]
         figure, ax = rows_of([names[self.index(case)] for case in worst], "robots that fell [%]", "case")
-        percent = 100 * np.array([(c.value, c.low, c.top) for c in chances]).reshape(-1, 3)
+        percent = 100 * np.array([(c.value, c.low, c.high) for c in chances]).reshape(-1, 3)
         first, levels = next(iter(effects.items()), ("", {}))
         marks = [case.labels.get(first, "") for case in worst]
         for k, level in enumerate(levels if 1 < len(levels) < len(COLOURS) else [None]):
@@ -186,12 +186,12 @@ class Cases(Shown, tuple[CaseSummary, ...]):
         rows: list[list[str]] = []
         for case in self:
             chance = case.chance
-            bounds = f"{chance.low:.2g} … {chance.high:.2g}" if chance and case.fell else ""
-            fell = f"{case.fell} ({bounds or f'≤ {upper_bound(0, case.n):.2g}'})" if chance else "–"
+            least = f"{chance.low:.2g} … " if chance and case.fell else "≤ "
+            fell = f"{case.fell} ({least}{chance.high:.2g})" if chance else "–"
             labels = [_short(case.labels.get(name, "")) for name in names]
             means = ["–" if (mean := case.mean(o)) is None else f"{mean:.4g}" for o in self.shown()]
             rows.append([*labels, str(case.n), fell, *means])
-        numbers = ["robots", "fell (95 %)", *self.shown()]
+        numbers = ["robots", "fell (each bound: 95 %)", *self.shown()]
         return Listing([*names, *numbers], rows, numbers)
 
     def __str__(self) -> str:

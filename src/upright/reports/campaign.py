@@ -59,7 +59,7 @@ def _alike(cases: Cases) -> list[str]:
 
 
 def _note(cases: Cases) -> str:
-    note = f"{_scenarios(cases)} Thin lines: 95 % intervals."
+    note = f"{_scenarios(cases)} Thin lines: between two bounds, each with 95 % confidence."
     if _shown(cases) is not cases:
         known = cases.varied()
         named = [joined([cases.labelled(name, level) for level in known[name]]) for name in _alike(cases)]
@@ -117,7 +117,7 @@ def falls_verdict(fallen: int, all_of_them: int, harder: str = "") -> Verdict:
 
 
 def _title(cases: Cases, worst: CaseSummary) -> str:
-    """The label that makes a difference, with 95 % intervals, or that none does."""
+    """The label that makes a difference, with bounds, or that none does."""
     if not worst.fell:
         return f"No robot fell in {len(cases)} cases"
     group = _group(cases)
@@ -200,8 +200,8 @@ def _chance(case: CaseSummary) -> str:
 
 
 def _within(chance: Interval) -> str:
-    """A 95 % interval of a probability, or its upper end where none fell."""
-    low, high = number(100 * chance.low, 2), number(100 * chance.top, 2)
+    """Both bounds of a probability, or the upper one where none fell."""
+    low, high = number(100 * chance.low, 2), number(100 * chance.high, 2)
     return f"{low} to {high} %" if chance.value else f"at most {high} %"
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from upright.arrays import Array, Mask
 from upright.certification.verdict import MOST_FALLS
-from upright.fleets.binomial import RARE, upper_bound
+from upright.fleets.binomial import RARE
 from upright.fleets.ensemble import SETTLED
 from upright.fleets.fleet import Fleet, distribution, stood
 from upright.fleets.results import OUTCOMES, Summary, origin_of, summarise
@@ -296,13 +296,15 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     says = f"{_untested(data) or matters}{_untold(summary, explained)}"
     lead = f"{_differ(data, robot)}{lasts}{acts}{knocks}{says} Next: {after}{all_vary}."
     rare = summary.chance.value <= RARE
-    bounds = f"{number(100 * chance.low, 2)} to {number(100 * chance.high, 2)} %"
+    most_fall = f"{number(100 * chance.high, 2)} %"
+    share = f"≤ {most_fall}" if rare else f"{number(100 * chance.low, 2)} to {most_fall}"
+    sure = f"{'' if rare else 'each bound '}with 95 % confidence"
     numbers = [
         (
-            f"≤ {number(100 * upper_bound(summary.fell, summary.n), 2)} %" if rare else bounds,
-            f"of such robots fall, with 95 % confidence; a certificate allows {100 * MOST_FALLS:g} %"
+            share,
+            f"of such robots fall, {sure}; a certificate allows {100 * MOST_FALLS:g} %"
             if pushes
-            else "of such robots fall while nothing disturbs them (95 % confidence)",
+            else f"of such robots fall while nothing disturbs them, {sure}",
         )
     ]
     most = {name: row[2] for name, row in quantiles.items()}
