@@ -295,18 +295,12 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     lasts = f" Each run lasts {seconds:g} s." if seconds else ""
     says = f"{_untested(data) or matters}{_untold(summary, explained)}"
     lead = f"{_differ(data, robot)}{lasts}{acts}{knocks}{says} Next: {after}{all_vary}."
-    rare = summary.chance.value <= RARE
-    most_fall = f"{number(100 * chance.high, 2)} %"
-    share = f"≤ {most_fall}" if rare else f"{number(100 * chance.low, 2)} to {most_fall}"
+    rare = chance.value <= RARE
+    above = f"{number(100 * chance.high, 2)} %"
+    part = f"≤ {above}" if rare else f"{number(100 * chance.low, 2)} to {above}"
     sure = f"{'' if rare else 'each bound '}with 95 % confidence"
-    numbers = [
-        (
-            share,
-            f"of such robots fall, {sure}; a certificate allows {100 * MOST_FALLS:g} %"
-            if pushes
-            else f"of such robots fall while nothing disturbs them, {sure}",
-        )
-    ]
+    limit = f"; a certificate allows {100 * MOST_FALLS:g} %" if pushes else ""
+    numbers = [(part, f"of such robots fall{'' if pushes else ' while nothing disturbs them'}, {sure}{limit}")]
     most = {name: row[2] for name, row in quantiles.items()}
     standing = "those that stood" if summary.fell else f"all {summary.n}"
     who = f"95 % of {standing if moved is None else f'the {moved} that moved'}"
