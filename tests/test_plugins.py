@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 from upright.bodies import BODIES, Electronics, make_body
-from upright.comparison.bench import bench_controllers
+from upright.cli.main import main
+from upright.comparison.bench import BenchRow, bench_controllers
 from upright.control import CONTROLLERS, Controller, Method, find_controller, make_controller
 from upright.control.law import as_law
 from upright.errors import InvalidController, InvalidPlugin, UnknownName
@@ -113,9 +114,25 @@ def test_the_bench_takes_what_is_registered(monkeypatch):
     registry.register("mine", lambda robot, kit, dt: make_controller("lqg", robot, kit, dt))
     monkeypatch.setattr("upright.comparison.bench.CONTROLLERS", registry)
     benched = []
-    monkeypatch.setattr("upright.comparison.bench.bench_one", lambda method, *_, **__: (benched.append(method), None))
+
+    def noted(method, side, *_, **__):
+        benched.append(method)
+        return BenchRow(controller=method, push=side, outcome="yes"), True
+
+    monkeypatch.setattr("upright.comparison.bench.bench_one", noted)
     bench_controllers(NXT, KIT, "nonlinear", knocks=False)
     assert benched == ["lqg", "lqg", "mine", "mine"]
+
+
+@pytest.mark.parametrize("methods", [["pid"], ["none.py:Half"], ["none.py:Half", "pid"]])
+def test_a_bench_where_nothing_has_a_design_says_why_in_a_line(methods, tmp_path, monkeypatch, capsys):
+    """A PID commands no speed, and half a plug-in nothing: a table without a run has no figure to show."""
+    (tmp_path / "none.py").write_text(ROD, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    assert main(["bench-controllers", "-r", "stepper", *(word for name in methods for word in ("-c", name))]) == 2
+    error = capsys.readouterr().err
+    assert error.startswith("upright: nothing to compare for stepper: ")
+    assert all(f"{name}: no design: " in error for name in methods)
 
 
 def test_the_bench_compares_a_file_and_refuses_a_name_that_there_is_not(rod):

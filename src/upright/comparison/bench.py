@@ -14,7 +14,7 @@ from upright.bodies import Body, Electronics, make_body
 from upright.certification.checks import TrialSetup, kernel_controller, watched
 from upright.comparison.comparison import compare
 from upright.control import CONTROLLERS, Controller, make_controller
-from upright.errors import UprightError
+from upright.errors import DesignFailed, UprightError
 from upright.experiment import Hold, Impulse, outcome_of, run
 from upright.firmware.balance import trace
 from upright.fleets.push_map import CEILING, FLOOR, largest
@@ -174,7 +174,8 @@ def bench_controllers(
     ten runs a row.
 
     None of `methods` leaves out those that need an extra that is not installed.
-    A method that has no design for this robot gets a row that says why. Raises `UnknownName` for one that there is not.
+    A method that has no design for this robot gets a row that says why. Raises `UnknownName` for one that there is not,
+    and `DesignFailed` where none of them has a design.
     """
     nominal = find_robot(robot)
     parts = find_kit(kit or nominal.kit)
@@ -197,6 +198,9 @@ def bench_controllers(
             if log:
                 logs[row.controller, row.push] = log
             progress(len(rows) / (len(methods) * len(PUSHES)))
+    if not logs:
+        why = "; ".join(dict.fromkeys(f"{row.controller}: {row.outcome}" for row in rows))
+        raise DesignFailed(f"nothing to compare for {nominal.name}: {why}", expected="a method that has a design")
     return Bench(
         robot=nominal.name, kit=parts.name, body=body, seed=seed, rows=tuple(rows), logs=logs, period=parts.period,
         left_out=left_out,

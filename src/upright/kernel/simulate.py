@@ -154,8 +154,8 @@ def _jacobian(parameters: Array, model: str) -> Array:
 
 def _times(step: float, period: float, seconds: float) -> tuple[int, int]:
     stride = stride_of(step, period)
-    if not (math.isfinite(seconds) and seconds > 0):
-        raise InvalidScenario(f"a run of {seconds:g} s", expected="more than zero")
+    if not (math.isfinite(seconds) and seconds > 0.5 * period):
+        raise InvalidScenario(f"a run of {seconds:g} s", expected=f"a period of the controller, {period:g} s, or more")
     return stride, round(seconds / period)
 
 
