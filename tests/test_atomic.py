@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import socket
 import stat
+import subprocess
+import sys
 import threading
 from collections.abc import Callable
 from pathlib import Path
@@ -12,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from conftest import PATIENCE
-from upright.atomic import write_text, writing
+from upright.atomic import TemporaryFolder, write_text, writing
 from upright.cli.main import USER_ERROR, main
 from upright.errors import UprightError
 from upright.reports import Page
@@ -179,6 +181,32 @@ def test_a_failure_leaves_the_older_file_and_nothing_else(tmp_path: Path) -> Non
         raise ZeroDivisionError
     assert target.read_bytes() == OLD
     assert [p.name for p in tmp_path.iterdir()] == ["out"]
+
+
+KILLED = """
+import os, signal, sys
+from pathlib import Path
+from upright.atomic import TemporaryFolder, writing
+place = Path(sys.argv[1]) / "run.txt"
+kept = TemporaryFolder(place)
+with writing(place) as stream:
+    stream.write(b"half")
+    stream.flush()
+    os.kill(os.getpid(), signal.SIGKILL)
+"""
+
+
+@pytest.mark.parametrize("writer", [a_text, a_robot, a_page, a_log])
+def test_what_a_killed_process_left_goes_with_the_next_file_and_that_of_a_living_one_stays(
+    writer: Write, tmp_path: Path
+) -> None:
+    subprocess.run([sys.executable, "-c", KILLED, str(tmp_path)], check=False)
+    assert len(list(tmp_path.iterdir())) == 2  # two temporary folders, and no file
+    other = tmp_path / ".upright-elsewhere-1-abc"  # of another machine, whose processes nobody here knows
+    other.mkdir()
+    living = TemporaryFolder(tmp_path / "x")
+    writer(tmp_path / ("run.csv" if writer is a_log else "run.toml"))
+    assert {path.name for path in tmp_path.iterdir() if path.is_dir()} == {other.name, living.path.name}
 
 
 def test_stdout_by_a_name_gets_the_bytes(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:

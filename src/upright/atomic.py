@@ -10,6 +10,7 @@ import errno
 import json
 import math
 import os
+import platform
 import shutil
 import stat
 import sys
@@ -22,16 +23,21 @@ from typing import Any, BinaryIO
 from upright import interrupts
 from upright.errors import UprightError
 
+_OURS = f".upright-{platform.node()}-"
+"""How the name of every temporary folder of this machine begins, before its process."""
+
 
 class TemporaryFolder(tempfile.TemporaryDirectory[str]):
     """A folder, at `path`, that vanishes with this process unless that is killed; files in it appear at once.
 
-    It is made beside a file, since only within one file system is a move a single step, or among temporary files.
+    It is made beside a file, since only within one file system is a move a single step, or among temporary files. Its
+    name has those of the machine and the process, so that the next one there removes what a killed one has left.
     """
 
     def __init__(self, beside: Path | None = None) -> None:
         parent = None if beside is None or _is_stream(beside) else beside.parent
-        super().__init__(prefix=".upright-", dir=parent, ignore_cleanup_errors=True)
+        _remove_left(Path(tempfile.gettempdir()) if parent is None else parent)
+        super().__init__(prefix=f"{_OURS}{os.getpid()}-", dir=parent, ignore_cleanup_errors=True)
         self.path = Path(os.path.realpath(self.name))
         _Run.folders.add(self.path)
 
@@ -217,6 +223,27 @@ def _remove_made() -> None:
         with suppress(OSError):
             path.rmdir()
     _Run.made.clear()
+
+
+def _remove_left(parent: Path) -> None:
+    """Remove the temporary folders in `parent` whose process is no more."""
+    if os.name != "posix":
+        return  # where asking for a process may end it
+    with suppress(OSError):  # a folder may be written that may not be read
+        for name in os.listdir(parent):
+            process = name.removeprefix(_OURS).partition("-")[0]
+            if name.startswith(_OURS) and process.isdecimal() and not _runs(int(process)):
+                shutil.rmtree(parent / name, ignore_errors=True)
+
+
+def _runs(process: int) -> bool:
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except (PermissionError, OverflowError):
+        return True  # of another user, or no process's number
+    return True
 
 
 def _vanish() -> None:
