@@ -17,9 +17,29 @@ from upright.reports import finished
 TUTORIAL = Path(__file__).parents[1] / "docs" / "first-robot.md"
 
 
-def commands() -> list[str]:
-    blocks = re.findall(r"```sh\n(.*?)```", TUTORIAL.read_text(encoding="utf-8"), re.DOTALL)
-    return [line for block in blocks for line in block.splitlines() if line.startswith("upright ")]
+WORDS = 700
+"""Of the page at most, with its commands: as many as a beginner reads before the first of them runs."""
+
+
+def commands() -> dict[str, list[str]]:
+    """The commands in their order, the last one of a block with the lines that the page shows of its output."""
+    shown: dict[str, list[str]] = {}
+    blocks = re.findall(
+        r"```sh\n(.*?)```(?:\s*[^`]{0,80}\s*```text\n(.*?)```)?", TUTORIAL.read_text("utf-8"), re.DOTALL
+    )
+    for typed, seen in blocks:
+        shown |= {line: [] for line in typed.splitlines()}
+        shown[typed.splitlines()[-1]] = seen.splitlines()
+    return shown
+
+
+def without_numbers(text: str) -> str:
+    """Numbers hang on the processor's rounding; tables stand in columns as wide as they are."""
+    return " ".join(re.sub(r"\d[\d.]*", "0", text).split())
+
+
+def test_the_tutorial_is_short() -> None:
+    assert len(TUTORIAL.read_text("utf-8").split()) <= WORDS
 
 
 @pytest.mark.evidence
@@ -31,14 +51,17 @@ def test_every_command_of_the_tutorial_works(
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("COLUMNS", "80")
     assert len(commands()) >= 18
+    assert sum(map(bool, commands().values())) >= 4
     compared = set[str]()
-    for command in commands():
+    for command, seen in commands().items():
         paged.clear()
         capsys.readouterr()
         words = shlex.split(command)[1:]
         code = main(words)
         printed = capsys.readouterr()
         assert code == 0, f"{command}: {printed.err}"
+        for line in seen:
+            assert without_numbers(line) in without_numbers(printed.out), command
         if words[0] in HEADS and words[0] not in compared:
             page = finished(paged[-1], command=command)
             begins_as(printed.out, asdict(page.head), page.html())

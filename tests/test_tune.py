@@ -28,7 +28,7 @@ from upright.reports import report
 from upright.robots import Robot, Sensor, find_kit
 from upright.robots.uncertainty import draw
 from upright.tuning import tune as room
-from upright.tuning.figures import WATCHED, Figures, knock, slack
+from upright.tuning.figures import WATCHED, Figures, knock, losses, slack
 from upright.tuning.parallel import working
 from upright.tuning.score import NONE, CandidateScore, Scorer, modulus_and_delay, row_of, score_from
 from upright.tuning.search import SearchRecord, search
@@ -202,6 +202,28 @@ def some(**changes: Any) -> Figures:
 )
 def test_worse_names_what_is(changes: dict[str, Any], worse: list[str]) -> None:
     assert some(**changes).worse(some()) == worse
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "lost"),
+    [
+        ({}, {"settling": 1.01}, []),  # within 2 %
+        ({}, {"settling": 1.5}, ["settling [s] 1 → 1.5"]),
+        ({}, {"effort": 12.0, "sway": 0.02}, ["effort 9 → 12", "sway [rad] 0.01 → 0.02"]),
+        ({}, {"travel": 0.6, "saturated": 0.2}, ["saturated [%] 10 → 20", "travel [m] 0.5 → 0.6"]),
+        # the rule goes by the least margin, which is that of motors that are stronger
+        ({"linear": LinearMargins(0.99, 0.6, 1.2, 0.01)}, {"linear": LinearMargins(0.99, 0.75, 1.25, 0.01)},
+         ["motors may weaken by [%] 40 → 25"]),
+        ({"linear": LinearMargins(0.99, 0.9, 1.9, 0.01)}, {"linear": LinearMargins(0.99, 0.8, 1.3, 0.01)},
+         ["motors may strengthen by [%] 90 → 30"]),
+        ({"linear": LinearMargins(0.99, 0.9, 1.2, 0.01)}, {"linear": LinearMargins(0.99, 0.8, 1.3, 0.01)}, []),
+    ],
+)  # fmt: skip
+def test_what_is_worse_although_the_rule_does_not_compare_it_is_named(
+    before: dict[str, Any], after: dict[str, Any], lost: list[str]
+) -> None:
+    assert not some(**after).worse(some(**before))
+    assert losses(some(**before), some(**after)) == lost
 
 
 def test_modulus_and_delay_are_those_of_the_analysis() -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -172,6 +172,27 @@ class Figures:
         """Plain numbers; None for what is unlimited."""
         linear = {k: finite(v) for k, v in asdict(self.linear).items()} if self.linear else None
         return asdict(self) | {"linear": linear, "reasons": list(self.reasons)}
+
+
+def losses(default: Figures, chosen: Figures) -> list[str]:
+    """What is worse by over `ALIKE` of that which the rule does not compare, from the default's to the chosen one's."""
+    inf = math.inf
+    sizes: dict[str, tuple[Callable[[Figures], float], int]] = {
+        "motors may weaken by [%]": (lambda f: 100 - 100 * f.linear.gain_low if f.linear else inf, -1),
+        "motors may strengthen by [%]": (lambda f: 100 * f.linear.gain_high - 100 if f.linear else inf, -1),
+        "settling [s]": (lambda f: f.settling, 1),
+        "effort": (lambda f: f.effort, 1),
+        "saturated [%]": (lambda f: 100 * f.saturated, 1),
+        "travel [m]": (lambda f: f.travel, 1),
+        "sway [rad]": (lambda f: f.sway, 1),
+    }
+    paid: list[str] = []
+    for name, (size, way) in sizes.items():
+        before = size(default)
+        after = size(chosen)
+        if way * (after - before) > ALIKE * abs(before):
+            paid.append(f"{name} {before:.3g} → {after:.3g}")
+    return paid
 
 
 def figures(

@@ -28,7 +28,7 @@ from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import draw
 from upright.tables import Listing, Shown
-from upright.tuning.figures import ALIKE, Figures, figures, hardest
+from upright.tuning.figures import ALIKE, Figures, figures, hardest, losses
 from upright.tuning.parallel import working
 from upright.tuning.score import CandidateScore, Scorer
 from upright.tuning.search import Candidate, SearchRecord, search
@@ -50,6 +50,7 @@ RULE = (
     "A candidate may have no more falls than the default, no knock smaller by over 2 %, and no smaller margin. "
     "Of these the best light counts, then the fewest falls, then the largest knock, then the least effort."
 )
+COVERED = "It has no more falls, no smaller knock (but for 2 %), and no smaller least margin of gain and of delay."
 LIGHTS = (GREEN, AMBER, RED)
 
 
@@ -129,7 +130,9 @@ class Tuned(Shown):
         if self.kept:
             return f"The default weights of {self.method} stay: {self.kept}."
         gained = " and ".join(gains(self.default, self.chosen))
-        return f"{self.method} tuned for {self.robot}: {gained}. Falls, knock and margins are nowhere worse."
+        paid = ", ".join(losses(self.default, self.chosen))
+        rest = f" Not compared, and worse: {paid}." if paid else ""
+        return f"{self.method} tuned for {self.robot}: {gained}. {COVERED}{rest}"
 
     def listing(self) -> Listing:
         """Default and chosen one side by side."""
