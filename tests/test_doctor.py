@@ -25,6 +25,7 @@ from upright.experiment.examples import example
 from upright.logs.mapping import Mapping, Source
 from upright.logs.outliers import single
 from upright.logs.readers import RawTable, read_table
+from upright.reports.diagnosed import page_of
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
 
@@ -542,3 +543,32 @@ def test_a_limit_that_is_reached_while_it_balances_too_stays() -> None:
     kept = [f.code for f in result.faults if f not in result.cut_away()]
     assert "saturation" in kept
     assert "one cut" not in str(result)
+
+
+class TooWeak:
+    """A tenth of what a controller commands."""
+
+    def __init__(self, inner: object) -> None:
+        self._inner = inner
+        self.spec, self.reset, self.estimate, self.applied = inner.spec, inner.reset, inner.estimate, inner.applied
+
+    def step(self, measurement: object, reference: object) -> tuple[float, float]:
+        left, right = self._inner.step(measurement, reference)
+        return 0.1 * left, 0.1 * right
+
+    def to_json(self) -> dict[str, object]:
+        return {"kind": "too weak"}
+
+
+@pytest.mark.parametrize("name", ["nxtway-gs", "tumbller", "twipr", "stepper"])
+def test_a_log_that_only_falls_is_sent_to_the_post_mortem_not_to_a_calibration(name: str) -> None:
+    """As of a robot with too little gain, which falls when it is let go."""
+    robot = find_robot(name)
+    kit = find_kit(robot.kit)
+    body = Electronics(NonlinearBody(robot), kit)
+    log = run(body, TooWeak(lqg(robot, kit)), start=(0.03, 0, 0, 0, 0, 0), seconds=5.0)
+    measured = {key: values for key, values in log.channels.items() if not key.startswith("truth/")}
+    lead = page_of(doctor(Log(log.t, measured, {key: log.units[key] for key in measured}), robot)).lead
+    _, following = lead.split("Next: ")
+    assert "upright post-mortem" in following
+    assert "calibrate" not in following

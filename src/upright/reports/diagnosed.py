@@ -376,16 +376,18 @@ def _next(result: Diagnosis, faults: list[Finding]) -> str:
         start, stop = map(moment, result.kept)
         gone = ", without the faults" if _one_cut(result) else ""
         repairs.append(f"{'It ' if done else ''}keeps {start} ≤ t < {stop} s{gone}")
+    fell = any(f.code == "segment/fall" for f in faults)
+    why = f"`upright post-mortem {name} --robot ROBOT` finds why it fell." if fell else ""
     if not fixed:
         if wrong := next((f for f in faults if f.severity == "error" or f.code.startswith(CONTRADICTORY)), None):
             return f"{sentence(_repair(wrong))} Then ask `upright doctor` again."
+        if why and _has(result, "segment/none"):  # nothing to calibrate from
+            return why
         return _EXCITED if _has(result, _PUSHED) else f"`upright calibrate {name} --robot ROBOT -o robot.toml`."
     kept = [_in_words(f) for f in faults if f not in _repairable(result)]
     left = f" It leaves {joined(list(dict.fromkeys(kept)))}." if kept else ""
     log = f" {_EXCITED}" if _has(result, "motion/quiet") else ""
-    fell = any(f.code == "segment/fall" for f in faults)
-    why = f"`upright post-mortem {name} --robot ROBOT` finds why it fell. " if fell else ""
-    return f"{why}`upright doctor {name} --fix repaired.csv` {'. '.join(repairs)}.{left}{log}"
+    return f"{f'{why} ' if why else ''}`upright doctor {name} --fix repaired.csv` {'. '.join(repairs)}.{left}{log}"
 
 
 _TOO_QUIET = "too little for a model"
