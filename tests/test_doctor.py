@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
@@ -78,6 +79,11 @@ def test_a_planted_fault_is_named(case: object) -> None:
     log = bench.planted(case, 0) if special else case.plant(made(case.setting, **dict(case.options)), rng)
     diagnosis = doctor(log)
     assert bench.named(case, diagnosis), str(diagnosis)
+    assert [f.evidence for f in diagnosis.findings if _SYMBOL.search(f.evidence)] == []
+
+
+_SYMBOL = re.compile("[δψφ]|\\b[pq] = ")
+"""A letter of an equation: evidence is read by who owns the robot, in a verdict of the calibration as well."""
 
 
 # All five settings, with and without excitation, pushes and drives, model and twin; the benchmark runs 50.

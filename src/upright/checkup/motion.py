@@ -177,7 +177,6 @@ def _by_responses(m: Resampled, left: Array, right: Array) -> _Drive | None:
 
 def _verdict(record: Record, m: Resampled, wheels: _Wheels, drive: _Drive) -> list[Finding]:
     commands = record.commands or ("", "")
-    by_gyro = f"q = {wheels.q:.2f} in δ⃛ = −qψ⃛ + pψ̇ (R² {wheels.r2:.2f}), but q > 0 for every robot"
     by_motor = drive.evidence
     findings: list[Finding] = []
     if wheels.left * wheels.right < 0:
@@ -188,6 +187,8 @@ def _verdict(record: Record, m: Resampled, wheels: _Wheels, drive: _Drive) -> li
     disagree = wheels.left < 0 and wheels.right < 0
     backwards = drive.left < 0 and drive.right < 0
     if disagree:
+        by_gyro = "when the body is thrown forward, the wheels of every robot turn back against it; here they turn on "
+        by_gyro += f"with it, {abs(wheels.q):.2f} times as fast (R² {wheels.r2:.2f})"
         opposite = f"its sign is opposite, of the gyro against the encoders: {by_gyro}{f'; {by_motor}' * backwards}"
         alike = drive.left * (drive.left == drive.right) or -np.sign(gyro_by_gravity(record, m))
         witness = int(alike or pitch_slope(record, m)[0] < 0)

@@ -26,7 +26,7 @@ def against_robot(record: Record, robot: Robot | None = None) -> list[Finding]:
     values = expected(robot)
     sure = fit.r2 > CLEAR and fit.sharp > SHARP and not fit.pushed and m.good.sum() * m.period > _CLEAR
     off = math.log(fit.values[0]) - values["q"][0] if sure and min(fit.values) > 0 else 0.0
-    shown = f"by the pendulum equation q is {math.exp(off):.2g} times that of the file of '{robot.name}'"
+    shown = f"the wheels turn back {math.exp(off):.2g} times as fast against the body as by the file of '{robot.name}'"
     if abs(off) < _HALF:
         agree = f"{shown}: a scale of both gyro and encoders, or of the clock, is not told"
         unclear = "a scale of gyro or encoders by 2 or ½ is not told: no pendulum equation holds clearly"

@@ -277,11 +277,19 @@ def _ambiguous(several: Sequence[_Suspect], estimated: dict[str, float]) -> list
     of = {True: "gyro", False: "encoders"}
     whys = [s.why if s.gyro != 1 and s.encoder != 1 else f"{s.why} ({of[s.gyro != 1]})" for s in several]
     evidence = (
-        f"a unit is wrong: as logged, the pendulum equation has q = {estimated['q']:.3g} and "
-        f"p = {estimated['p']:.3g} 1/s² (robots: 1.2 to 15, 10 to 500); it may be {', '.join(whys[:-1])} or {whys[-1]}"
+        f"a unit is wrong: as logged, {_answer(estimated['q'], estimated['p'])} (robots: 1.2 to 15, 10 to 500); it may "
+        f"be {', '.join(whys[:-1])} or {whys[-1]}"
     )
     channels = [GYRO] * any(s.gyro != 1 for s in several) + [LEFT] * any(s.encoder != 1 for s in several)
     return [error("units/scale", channel, evidence, STATE) for channel in channels]
+
+
+def _answer(q: float, p: float) -> str:
+    """What the pendulum equation δ⃛ = −q ψ⃛ + p ψ̇ says of the wheels, in words."""
+    return (
+        f"the wheels turn back {q:.3g} times as fast as the body is thrown forward, and each radian that it leans "
+        f"speeds them up by {p:.3g} rad/s²"
+    )
 
 
 def _perhaps(finding: Finding) -> Finding:
@@ -291,12 +299,10 @@ def _perhaps(finding: Finding) -> Finding:
 
 def _wrong(s: _Suspect, estimated: dict[str, float], odds: float, gravity: float, or_else: str = "") -> list[Finding]:
     ratio = s.encoder / s.gyro
-    evidence = (
-        f"{s.why}: as logged, the pendulum equation has q = {estimated['q']:.3g} and p = {estimated['p']:.3g} 1/s² "
-    )
+    evidence = f"{s.why}: as logged, {_answer(estimated['q'], estimated['p'])} "
     if ratio != 1:
-        evidence += f"(robots: 1.2 to 15, 10 to 500); repaired: {estimated['q'] / ratio:.3g} and "
-        evidence += f"{estimated['p'] / ratio:.3g}; log odds {odds:.0f}"
+        evidence += f"(robots: 1.2 to 15, 10 to 500); repaired: {estimated['q'] / ratio:.3g} times and "
+        evidence += f"{estimated['p'] / ratio:.3g} rad/s²; log odds {odds:.0f}"
     else:
         evidence += f"in any unit of angle, but the body sways by {estimated['pitch']:.2g} rad and the wheels turn at "
         evidence += f"{estimated['wheel_rate']:.2g} rad/s; log odds {odds:.0f}"
