@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import json
 import math
+import re
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -50,6 +51,22 @@ def scaled(controller: LinearController, factor: float) -> LinearController:
 @cache
 def green() -> Certificate:
     return certify(designed("pid"), ROBOT, KIT, samples=200, posterior=CALIBRATED)
+
+
+RADIANS = re.compile(r"\d rad\b(?!/)")
+
+
+@pytest.mark.parametrize("cycle", [0.01, 0.2])
+def test_who_reads_a_certificate_reads_degrees_wherever_it_is_shown(cycle: float) -> None:
+    """Reasons, table, page and tuning: an angle in rad on one line and in degrees on the next is read as another."""
+    shaky = tuple(dataclasses.replace(t, cycle=cycle) for t in green().trials)
+    examined = {f.name: getattr(green(), f.name) for f in dataclasses.fields(Examined)} | {"trials": shaky}
+    light, reasons = judge(Examined(**examined))
+    certificate = dataclasses.replace(green(), trials=shaky, light=light, reasons=reasons)
+    assert any("sways" in reason for reason in reasons) == (cycle > 0.1)
+    assert f"{math.degrees(cycle):.2f}°" in str(certificate)
+    for shown in (str(certificate), page_of(certificate).html(), certificate.refuses()):
+        assert not RADIANS.search(shown), RADIANS.search(shown)
 
 
 def test_bound_is_clopper_and_pearsons() -> None:

@@ -145,7 +145,7 @@ class Certificate(Shown):
         if wrong := self.check():
             return f"the certificate contradicts itself: {wrong[0]}"
         if self.light in (RED, UNKNOWN):
-            return f"{self.light}: {self.reasons[0]}"
+            return f"{self.light}: {in_degrees(self.reasons[0])}"
         others = [self._period_and_controller(controller)] if controller else []
         others += [self._other("robot", self.robot, robot.name, robot_facts(robot))] if robot else []
         others += [self._other("kit", self.kit, kit.name, kit_facts(kit))] if kit else []
@@ -230,11 +230,11 @@ class Certificate(Shown):
 
     def __str__(self) -> str:
         head = f"{self.light.upper()}: {self.controller} on {self.robot} with kit {self.kit}"
-        wide = max(18, *(len(t.push) for t in self.trials))
+        wide = max(18, *(len(in_degrees(t.push)) for t in self.trials))
         columns = f"{'push':<{wide}}{'battery':>8}{'of any':>8}{'fell':>11}"
         columns += f"{'saturated':>10}{'travel':>9}{'peak':>11}{'sway':>11}"
         sweeps = [_sweep("dead time +", self.delayed), _sweep("period ", self.slower)]
-        first = [f"  {line}" for line in (self.designed, *self.reasons) if line]
+        first = [f"  {in_degrees(line)}" for line in (self.designed, *self.reasons) if line]
         lines = [head, *first, "", *self.answers(), "", columns, *(_row(t, wide) for t in self.trials)]
         if worst := max((t.residual for t in self.trials), default=0.0):
             sweeps.append(f"the last iteration moved a command by {worst:.2%} of its limit at most")
@@ -383,10 +383,10 @@ def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
 
 
 def _row(t: PushTrial, wide: int) -> str:
-    numbers = f"{t.saturated:>10.0%}{t.travel:>7.2f} m{t.peak:>7.3f} rad{t.cycle:>7.3f} rad"
+    numbers = f"{t.saturated:>10.0%}{t.travel:>7.2f} m{math.degrees(t.peak):>10.1f}°{math.degrees(t.cycle):>10.2f}°"
     numbers = numbers if t.fell < t.runs else f"{'–':>10}{'–':>9}{'–':>11}{'–':>11}"
     largest = f"{t.size / t.bound:.0%}" if t.bound else "–"
-    return f"{t.push:<{wide}}{t.battery:>8}{largest:>8}{f'{t.fell}/{t.runs}':>11}{numbers}"
+    return f"{in_degrees(t.push):<{wide}}{t.battery:>8}{largest:>8}{f'{t.fell}/{t.runs}':>11}{numbers}"
 
 
 def _sweep(label: str, swept: Sequence[Swept]) -> str:

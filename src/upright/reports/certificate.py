@@ -32,7 +32,7 @@ def page_of(certificate: Certificate) -> Page:
     light = certificate.light
     verdict = Verdict(light if light == UNKNOWN else f"{light} light", LEVEL.get(light, "info"))
     green = certificate.light == GREEN
-    reasons = Section("Reasons", [*(sentence(reason) for reason in certificate.reasons)], folded=green)
+    reasons = Section("Reasons", [*(sentence(in_degrees(reason)) for reason in certificate.reasons)], folded=green)
     sections = [Section("Three questions", certificate.answers()), reasons]
     if certificate.narrowing:
         learn = [sentence(str(certificate.narrowing)), *certificate.narrowing.ways(certificate.robot)]
