@@ -172,7 +172,7 @@ def _in_lines(label: str) -> Callable[[float], None]:
     def show(fraction: float) -> None:
         nonlocal shown
         spent = time.monotonic() - begin
-        if spent > QUIET and int(10 * fraction) > shown:
+        if spent > QUIET and shown < int(10 * fraction) < 10:
             shown = int(10 * fraction)
             typer.echo(f"{label}: {10 * shown} %, about {spent * (1 / fraction - 1):.0f} s left", err=True)
 
