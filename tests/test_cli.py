@@ -20,7 +20,7 @@ from upright.cli import main as cli
 from upright.cli.help import EXAMPLES
 from upright.cli.main import BUG, USER_ERROR, group, main
 from upright.cli.options import complete_controller, complete_kit, complete_robot
-from upright.cli.output import print_text
+from upright.cli.output import print_text, progress
 from upright.control import CONTROLLERS, make_controller, write_controller
 from upright.errors import InvalidLog
 from upright.robots import PARAMETERS, Kit, Robot, kit_names
@@ -289,6 +289,10 @@ def test_robots_are_listed_with_mass_and_pole(capsys: pytest.CaptureFixture[str]
     assert listed.keys() <= set(table.split())
     assert "0.0215" in table  # wheels tell one EV3way from the other
     assert max(map(len, table.splitlines())) <= 80
+    assert main(["robots", "list"]) == 0  # which is what many type
+    assert capsys.readouterr().out == table
+    assert main(["robots", "list", "--json"]) == 0
+    assert {entry["name"]: entry for entry in json.loads(capsys.readouterr().out)} == listed
 
 
 def test_a_robot_is_shown_with_every_number_and_its_source(capsys: pytest.CaptureFixture[str]) -> None:
@@ -409,6 +413,21 @@ def test_help_names_every_command_once_under_a_heading_and_nothing_is_clipped(ca
     assert "..." not in text.split("Begin:")[1]
     listed = re.findall(r"^  ([a-z-]+)  ", text.split("Begin:")[1], re.MULTILINE)
     assert sorted(listed) == sorted(group().commands)
+
+
+def test_a_long_command_without_a_terminal_says_how_far_it_is(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A line for each tenth, from the time on when one begins to wonder; a quick one says nothing."""
+    clock = [0.0]
+    monkeypatch.setattr("time.monotonic", lambda: clock[0])
+    with progress("searching") as show:
+        for second, fraction in ((0, 0.0), (5, 0.125), (20, 0.25), (21, 0.26), (40, 0.5), (80, 1.0)):
+            clock[0] = second
+            show(fraction)
+    assert capsys.readouterr().err.splitlines() == [
+        "searching: 20 %, about 60 s left", "searching: 50 %, about 40 s left",
+    ]  # fmt: skip
 
 
 @pytest.mark.parametrize("line", [line for lines in EXAMPLES.values() for line in lines])

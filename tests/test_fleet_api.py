@@ -529,6 +529,14 @@ def test_a_basin_whose_grid_leaves_rest_out_is_shown(grid, capsys):
     assert "recover" in capsys.readouterr().out
 
 
+@pytest.mark.parametrize("command", ["fleet -n 2", "basin --points 3"])
+@pytest.mark.parametrize("seconds", ["0", "1e-9", "0.001"])
+def test_a_run_shorter_than_a_period_is_refused(command, seconds, capsys):
+    """In which nothing moves, so that nobody fell."""
+    assert main([*command.split(), "-s", seconds]) == 2
+    assert "expected a period of the controller, 0.01 s, or more" in capsys.readouterr().err
+
+
 def test_the_smooth_border_of_a_basin_keeps_every_state_on_its_side():
     across, up = np.meshgrid(np.linspace(-1, 1, 31), np.linspace(-1, 1, 31), indexing="ij")
     stood = (across**2 + 3 * across * up + 4 * up**2 < 0.5).astype(float)
