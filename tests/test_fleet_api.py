@@ -178,6 +178,7 @@ class Own:
     ("command", "size", "others"),
     [
         ("fleet -s 0.2", "-n 3", ("-n 1000", "-n 10000")),
+        ("fleet -s 0.2 --start pitch=1.5", "-n 3", ("-n 1000", "-n 10000")),  # it lies, and takes no time at all
         ("basin -s 0.2", "--points 2", ("--points 41", "--points 101")),
         (
             "push-map --watch 0.1 --durations 0.01..0.02",

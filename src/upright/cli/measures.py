@@ -13,15 +13,30 @@ RATIO = ":1"
 """The unit of a gear or a divider, which may be written from either end: 48:1 is 1:48."""
 
 _OWNERS: dict[str, tuple[float, str]] = {
-    "g": (1e-3, "kg"), "kg": (1.0, "kg"), "oz": (0.02835, "kg"), "lb": (0.4536, "kg"), "in": (0.0254, "m"),
-    "A": (1.0, "A"), "mA": (1e-3, "A"), "kg cm": (G / 100, "N m"), "N cm": (1e-2, "N m"), "oz in": (7.062e-3, "N m"),
+    "g": (1e-3, "kg"),
+    "kg": (1.0, "kg"),
+    "oz": (0.02835, "kg"),
+    "lb": (0.4536, "kg"),
+    "in": (0.0254, "m"),
+    "A": (1.0, "A"),
+    "mA": (1e-3, "A"),
+    "kg cm": (G / 100, "N m"),
+    "N cm": (1e-2, "N m"),
+    "oz in": (7.062e-3, "N m"),
     "rad/s²": (1.0, "rad/s²"),
-}  # fmt: skip
+}
 """Unit of scales, rulers and data sheets that no log has → (factor, SI unit). "g" is also an acceleration's."""
 _SPELLINGS = ALIASES | {
-    '"': "in", "inch": "in", "inches": "in", "gram": "g", "grams": "g", "amp": "A", "kgf cm": "kg cm",
-    "rad/s^2": "rad/s²", "rad/s2": "rad/s²",
-}  # fmt: skip
+    '"': "in",
+    "inch": "in",
+    "inches": "in",
+    "gram": "g",
+    "grams": "g",
+    "amp": "A",
+    "kgf cm": "kg cm",
+    "rad/s^2": "rad/s²",
+    "rad/s2": "rad/s²",
+}
 _NUMBER = re.compile(r"([+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:e[+-]?\d+)?)\s*(.*)", re.IGNORECASE)
 _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2},\d{3}")
 

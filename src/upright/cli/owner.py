@@ -55,9 +55,10 @@ class OwnerQuestion:
         behind = f" {self.unit}" if self.quantity else ""
         meant = meant_unit(number, self.unit, self.quantity, least, most)
         raise InvalidRobot(
-            f"{self.asked}: '{answer.strip()[:40]}'", expected=f"{least:g} to {most:g}{behind}{lacking}",
+            f"{self.asked}: '{answer.strip()[:40]}'",
+            expected=f"{least:g} to {most:g}{behind}{lacking}",
             hint=f"did you mean {meant}?" if meant else "",
-        )  # fmt: skip
+        )
 
     def check(self, answer: str) -> None:
         """Raise an `UprightError` for an answer that cannot be."""

@@ -96,7 +96,7 @@ class Ensemble:
         """Seconds that this machine takes for one second of a robot whose controller is called."""
         from upright.kernel.simulate import simulate
 
-        batch = self.nominal().batch(range(LANES))
+        batch = replace(self.nominal(), start=REST).batch(range(LANES))
         for _ in range(2):  # the first compiles
             begin = time.perf_counter()
             lived = float(simulate(batch, _TRIED).lived.sum())
