@@ -116,11 +116,15 @@ def push_map(
     drawn = MAP_ROBOTS[ensemble.called] if samples is None else samples
     grid = grid_of(count)
     sizes = ((count, drawn), *zip(MAP_POINTS, MAP_ROBOTS, strict=True))
-    accuracy = {"tolerance": tolerance, "watch": watch}
-    work = {f"--points {p} -n {n}": robot_seconds(ensemble, grid_of(p), n, **accuracy) for p, n in sizes}
+    work = {
+        f"--points {p} -n {n}": robot_seconds(ensemble, grid_of(p), n, tolerance=tolerance, watch=watch)
+        for p, n in sizes
+    }
     _say_how_long(asked, ensemble, work)
     with progress("searching") as show:
-        data = search(ensemble, grid, samples=drawn, **accuracy, threads=asked.threads, progress=show)
+        data = search(
+            ensemble, grid, samples=drawn, tolerance=tolerance, watch=watch, threads=asked.threads, progress=show
+        )
     _show(data, summary(data), asked)
 
 
