@@ -22,7 +22,7 @@ from upright.control import (
 )
 from upright.control.controller import Controller
 from upright.control.delay import RAW
-from upright.control.lqr import bryson, riccati, riccati_residual
+from upright.control.riccati import bryson, riccati, riccati_residual
 from upright.control.robust import robust
 from upright.errors import DesignFailed, InvalidController, SpecMismatch, UnknownName
 from upright.experiment import Hold, run

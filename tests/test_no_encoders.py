@@ -18,8 +18,9 @@ from upright.control.kalman import kalman_filter
 from upright.control.law import near_rest
 from upright.control.linear_controller import LinearController
 from upright.control.lqg import lqg
-from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, lqr
+from upright.control.lqr import lqr
 from upright.control.observed import observed, regulator
+from upright.control.riccati import LARGEST_COMMAND, LARGEST_STATE
 from upright.control.state_space import controller_of
 from upright.control.tunable import TUNABLE
 from upright.errors import DesignFailed, SpecMismatch, UprightError

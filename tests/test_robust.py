@@ -10,8 +10,9 @@ from upright.control.delay import sampled
 from upright.control.family import family, halves, plane, sides
 from upright.control.guaranteed import excess, guaranteed
 from upright.control.kalman import RECOVERED, kalman_filter
-from upright.control.lqr import LARGEST_STATE, bryson, lqr
+from upright.control.lqr import lqr
 from upright.control.observed import observed
+from upright.control.riccati import LARGEST_STATE, bryson
 from upright.control.robust import WORTH, Costs, Robust, robust
 from upright.errors import DesignFailed
 from upright.experiment import Drive, Hold, Turn, run

@@ -25,7 +25,6 @@ from upright.control.linear_controller import LinearController as LinearControll
 from upright.control.lqg import lqg as lqg
 from upright.control.lqi import lqi as lqi
 from upright.control.lqr import Lqr as Lqr
-from upright.control.lqr import bryson as bryson
 from upright.control.lqr import dlqr as dlqr
 from upright.control.lqr import lqr as lqr
 from upright.control.methods import CONTROLLERS as CONTROLLERS
@@ -37,5 +36,6 @@ from upright.control.observed import observed as observed
 from upright.control.pid import pid as pid
 from upright.control.pid_angle import AnglePid as AnglePid
 from upright.control.pid_angle_design import pid_angle as pid_angle
+from upright.control.riccati import bryson as bryson
 from upright.control.robust import robust as robust
 from upright.control.sliding import sliding as sliding

@@ -27,8 +27,8 @@ from upright.control.design import Design
 from upright.control.family import halves, sides
 from upright.control.kalman import process_noise, steady_kalman
 from upright.control.linear_controller import LinearController
-from upright.control.lqr import LARGEST_STATE
 from upright.control.observer import steady
+from upright.control.riccati import LARGEST_STATE
 from upright.control.state_space import continuous, discrete, kept, plant_of
 from upright.errors import DesignFailed
 from upright.physics.dynamics import turn_ratio

@@ -14,7 +14,7 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.control.delay import SampledRobot
-from upright.control.lqr import LARGEST_COMMAND, riccati_residual
+from upright.control.riccati import LARGEST_COMMAND, riccati_residual
 from upright.errors import DesignFailed
 from upright.physics.dynamics import motor_gain
 from upright.physics.sensing import GYRO

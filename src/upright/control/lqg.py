@@ -12,8 +12,16 @@ from upright.control.delay import SampledRobot, sampled
 from upright.control.design import Design
 from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
-from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, among, bryson, riccati, riccati_residual, weight_matrix
 from upright.control.observer import output_feedback
+from upright.control.riccati import (
+    LARGEST_COMMAND,
+    LARGEST_STATE,
+    among,
+    bryson,
+    riccati,
+    riccati_residual,
+    weight_matrix,
+)
 from upright.errors import DesignFailed
 from upright.robots import Kit, Robot, find_kit, find_robot
 

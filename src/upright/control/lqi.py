@@ -13,8 +13,8 @@ from upright.control.design import Design
 from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
 from upright.control.lqg import command_weight
-from upright.control.lqr import LARGEST_STATE, bryson, riccati, riccati_residual, weight_matrix
 from upright.control.observer import Extra, output_feedback
+from upright.control.riccati import LARGEST_STATE, bryson, riccati, riccati_residual, weight_matrix
 from upright.errors import DesignFailed
 from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot, find_kit, find_robot

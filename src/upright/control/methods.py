@@ -15,11 +15,12 @@ from upright.control.hinf import hinf
 from upright.control.identity import designed_from, request_hash
 from upright.control.lqg import lqg
 from upright.control.lqi import LARGEST_INTEGRAL, lqi
-from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, Lqr, bryson, lqr
+from upright.control.lqr import Lqr, lqr
 from upright.control.mpc import mpc
 from upright.control.observed import regulator
 from upright.control.pid import pid
 from upright.control.pid_angle_design import OWN, pid_angle
+from upright.control.riccati import LARGEST_COMMAND, LARGEST_STATE, bryson
 from upright.control.robust import robust
 from upright.control.sliding import sliding
 from upright.control.tunable import TUNABLE, Tunable, sized

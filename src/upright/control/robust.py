@@ -27,8 +27,9 @@ from upright.control.family import LoopFamily, Plane, family, halves, plane, sid
 from upright.control.guaranteed import Guaranteed, guaranteed
 from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
-from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson, lqr
+from upright.control.lqr import lqr
 from upright.control.observer import output_feedback
+from upright.control.riccati import LARGEST_COMMAND, LARGEST_STATE, bryson
 from upright.errors import DesignFailed, require
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import Uncertainty, draw

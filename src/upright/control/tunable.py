@@ -17,11 +17,11 @@ from upright.control.hinf import Expected, hinf
 from upright.control.kalman import RECOVERED, Disturbed, offset_free
 from upright.control.lqg import lqg
 from upright.control.lqi import LARGEST_INTEGRAL, lqi
-from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson
 from upright.control.mpc import HORIZON, mpc
 from upright.control.observed import regulator
 from upright.control.pid import Pid, pid
 from upright.control.pid_angle_design import pid_angle
+from upright.control.riccati import LARGEST_COMMAND, LARGEST_STATE, bryson
 from upright.control.sliding import LAYER, REACH, TIME, sliding
 from upright.robots import Kit, Robot
 from upright.signals import STATE_NAMES

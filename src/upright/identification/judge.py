@@ -18,7 +18,7 @@ from upright.calibration.calibration import Calibration
 from upright.control.delay import RAW
 from upright.control.kalman import one_step, process_noise, steady_kalman
 from upright.control.linear_controller import LinearController
-from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson, riccati
+from upright.control.riccati import LARGEST_COMMAND, LARGEST_STATE, bryson, riccati
 from upright.errors import UprightError
 from upright.experiment import Hold, outcome_of, run
 from upright.identification.grey_box import calibrated_kit

@@ -9,7 +9,7 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.control.kalman import filtered, process_noise, steady_kalman
-from upright.control.lqr import LARGEST_COMMAND
+from upright.control.riccati import LARGEST_COMMAND
 from upright.errors import DesignFailed
 from upright.identification.identified import reading
 from upright.identification.samples import Part, Samples

@@ -18,7 +18,7 @@ from upright.robots import PARAMETERS, Robot, kit_names, preset_names
 @cache
 def catalogue() -> Catalogue:
     """What there is to choose."""
-    from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE
+    from upright.control.riccati import LARGEST_COMMAND, LARGEST_STATE
 
     robots = tuple(robot_info(Robot.preset(name)) for name in preset_names())
     units = {name: unit for name, (unit, _) in PARAMETERS.items()}

@@ -11,7 +11,7 @@ import numpy as np
 
 from upright.arrays import Array, Complex
 from upright.control.controller import Controller, controller_hash
-from upright.control.lqr import LARGEST_COMMAND
+from upright.control.riccati import LARGEST_COMMAND
 from upright.loops.gap import nu_gap, stability_margin
 from upright.loops.loop import LATEST, Loop, RobotLoop, robot_loop
 from upright.loops.margins import (
