@@ -3,7 +3,7 @@
 import upright as up
 
 robot = up.Robot.preset("herrera2015")
-controller = up.lqr(robot, dt=0.01)
+controller = up.lqr_state(robot, dt=0.01)
 release = up.Hold(pitch=0.1, until=1.0)
 
 bodies = {

@@ -38,6 +38,6 @@ if __name__ == "__main__":
     push = up.Impulse(impulse=0.05, start=1.0)
     logs = {
         controller.spec.kind: up.run(up.Twin(robot), controller, push, seconds=6.0)
-        for controller in (up.lqr(robot, dt=0.01), HandMade(robot))
+        for controller in (up.lqr_state(robot, dt=0.01), HandMade(robot))
     }
     print(up.compare(logs))

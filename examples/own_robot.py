@@ -16,5 +16,5 @@ for robot in (lego, mine):
     falling = max(pole.real for pole in up.linearise(robot).poles())
     print(f"{robot.name}: a fall grows e-fold in {1000 / falling:.0f} ms")
 
-log = up.run(up.NonlinearBody(mine), up.lqr(mine, dt=0.01), up.Hold(pitch=0.1, until=1.0), seconds=5.0)
+log = up.run(up.NonlinearBody(mine), up.lqr_state(mine, dt=0.01), up.Hold(pitch=0.1, until=1.0), seconds=5.0)
 print(f"after 5 s it leans by {log['truth/pitch'][-1]:+.4f} rad")

@@ -266,7 +266,7 @@ up.compare(falls).plot("pitch", "wheel")
 # inclinaciones. Mire el ajuste (*fit*) del modelo lineal: 100 % significa igual, 0 % no mejor que una constante.
 
 # %%
-law = up.lqr(robot, dt=0.01)
+law = up.lqr_state(robot, dt=0.01)
 
 
 def caught(lean):

@@ -117,7 +117,7 @@ def riccati(Q, R):
     return np.linalg.solve(R + B.T @ P @ B, B.T @ P @ A)
 
 
-by_hand, law = riccati(Q, R), up.lqr(robot, period, Q, R)
+by_hand, law = riccati(Q, R), up.lqr_state(robot, period, Q, R)
 print("by hand equals the library:", np.allclose(by_hand, law.gain))
 print("left motor:", np.round(law.gain[0], 3))
 print("poles of the closed loop:", np.round(np.sort(np.abs(np.linalg.eigvals(model.A - model.B @ law.gain))), 3))
@@ -129,7 +129,7 @@ print("poles of the closed loop:", np.round(np.sort(np.abs(np.linalg.eigvals(mod
 
 # %%
 weights = {"cheap": 0.1 * R, "Bryson": R, "dear": 100 * R}
-compared = up.compare({name: pushed(up.lqr(robot, period, Q, weight)) for name, weight in weights.items()})
+compared = up.compare({name: pushed(up.lqr_state(robot, period, Q, weight)) for name, weight in weights.items()})
 print(compared)
 compared.plot("pitch", "wheel")
 
@@ -228,7 +228,7 @@ print("largest distance:", f"{max(np.abs(together - pole).min() for pole in sepa
 # %%
 lqg = up.lqg(robot, kit)
 on_sensors = up.run(body, lqg, push, seconds=6.0, seed=1)
-true_state = up.run(up.Twin(robot), up.lqr(robot, period), push, seconds=6.0)
+true_state = up.run(up.Twin(robot), up.lqr_state(robot, period), push, seconds=6.0)
 up.compare({"LQR, true state": true_state, "LQG, sensors": on_sensors}).plot("pitch", "wheel")
 
 # %% [markdown] lang="en"

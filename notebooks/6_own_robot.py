@@ -155,7 +155,7 @@ class HandMade:
 
 push = up.Impulse(impulse=0.05, start=1.0)
 logs = {
-    "LQR": up.run(up.Twin(mine), up.lqr(mine, 0.01), push, seconds=5.0),
+    "LQR": up.run(up.Twin(mine), up.lqr_state(mine, 0.01), push, seconds=5.0),
     "hand-made": up.run(up.Twin(mine), HandMade((25.0, 2.5, 0.5, 1.0)), push, seconds=5.0),
 }
 compared = up.compare(logs)

@@ -35,7 +35,7 @@ from upright.calibration.process_noise import arrival
 from upright.calibration.threads import in_threads
 from upright.calibration.validate import segments
 from upright.checkup.wheels import on_its_wheels
-from upright.control import Estimated, kalman, lqr, make_controller
+from upright.control import Estimated, kalman, lqr_state, make_controller
 from upright.control.excited import Excited, random_binary
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import run
@@ -59,7 +59,7 @@ TRUE = PRIOR.replace(com_height=0.0768, pitch_inertia=0.0013, back_emf=0.45, tor
 @cache
 def twin_log(seconds: float = 10.0, seed: int = 3) -> Log:
     """A twin of `TRUE` under the regulator of the *preset*, excited by ±1.5 V held 40 ms."""
-    controller = Estimated(lqr(PRIOR, 0.01), kalman(PRIOR, NXT))
+    controller = Estimated(lqr_state(PRIOR, 0.01), kalman(PRIOR, NXT))
     excitation = random_binary(round(seconds / 0.01), 1.5, seed, hold=4)
     return run(Electronics(Twin(TRUE), NXT), Excited(controller, excitation), seconds=seconds, seed=seed)
 
@@ -273,7 +273,7 @@ def test_noise_is_found() -> None:
 
 def test_a_quiet_log_gives_no_inertia() -> None:
     """Standing still moves the gyro by a step or two: every inertia stays at its prior, and the notes say so."""
-    controller = Estimated(lqr(PRIOR, 0.01), kalman(PRIOR, NXT))
+    controller = Estimated(lqr_state(PRIOR, 0.01), kalman(PRIOR, NXT))
     log = run(Electronics(Twin(TRUE), NXT), controller, seconds=3.0, seed=1, start=(0.01, 0, 0, 0, 0, 0)).between(1, 3)
     found = calibrate(log, PRIOR)
     assert found["pitch_inertia"].verdict == HELD
@@ -306,7 +306,7 @@ def test_a_useless_prediction_is_no_number_of_thousands() -> None:
 def test_a_gyro_that_also_measures_the_turn_is_told_and_how_much_of_it() -> None:
     """A sensor tilted so that it reads 0.3 of the yaw rate, of a robot whose numbers are the file's: without it no
     reading is poorly predicted. A twentieth of the share is what fitted first states take of it, and noise."""
-    controller = Estimated(lqr(PRIOR, 0.01), kalman(PRIOR, NXT))
+    controller = Estimated(lqr_state(PRIOR, 0.01), kalman(PRIOR, NXT))
     excitation = random_binary(400, 2.0, 5, hold=10)
     plain = run(Electronics(NonlinearBody(PRIOR), NXT), Excited(controller, excitation), seconds=4.0, seed=5)
     tilted = {**plain.channels, "sensor/gyro": 0.95 * plain["sensor/gyro"] + 0.3 * plain["truth/yaw_rate"]}
@@ -553,7 +553,7 @@ def test_encoders_that_always_agree_tell_nothing_of_turning() -> None:
 @pytest.mark.evidence
 def test_an_exact_model_gives_back_what_made_the_log() -> None:
     """On the nonlinear model, whose equations are the predictor's, every visible truth is inside 3 deviations."""
-    controller = Estimated(lqr(PRIOR, 0.01), kalman(PRIOR, NXT))
+    controller = Estimated(lqr_state(PRIOR, 0.01), kalman(PRIOR, NXT))
     body = Electronics(NonlinearBody(TRUE), NXT)
     log = run(body, Excited(controller, random_binary(1000, 1.5, 9, 4)), seconds=10.0, seed=9)
     found = calibrate(log, PRIOR)
@@ -703,7 +703,7 @@ def test_rolling_friction_of_the_twin_is_found_beside_the_dry_friction_of_its_mo
     """The one brakes the wheel against the floor, the other against the body, and a balancing body's pitch rate changes
     the sign between them: a log of a robot without motor friction gives none to it."""
     robot = PRIOR.replace(rolling_friction=0.004)
-    excited = Excited(Estimated(lqr(PRIOR, 0.01), kalman(PRIOR, NXT)), random_binary(1000, 1.5, 3, hold=4))
+    excited = Excited(Estimated(lqr_state(PRIOR, 0.01), kalman(PRIOR, NXT)), random_binary(1000, 1.5, 3, hold=4))
     log = run(Electronics(Twin(robot), NXT), excited, seconds=10.0, seed=3)
     found = calibrate(log, PRIOR.replace(rolling_friction=0.002))
     rolling, dry = found["rolling_friction"], found["coulomb_friction"]

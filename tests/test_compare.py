@@ -23,7 +23,7 @@ from upright.comparison import (
 )
 from upright.comparison.metrics import doubling, held_fraction
 from upright.comparison.swaying import LEVEL, answer
-from upright.control import StateFeedback, lqg, lqr
+from upright.control import StateFeedback, lqg, lqr_state
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import Hold, Impulse, motionless, outcome_of, run, undisturbed
 from upright.reports.beside import answered_fits
@@ -307,7 +307,7 @@ def test_a_push_that_never_ends_leaves_settling_unknown_and_a_fall_is_seen():
 def test_a_fall_is_the_run_s_own_outcome_in_table_page_and_json():
     """It falls where a program stops, 0.8 rad: 0.1 rad cosh(7.44 t) is there at 0.372 s, give or take a period."""
     falling = run(NonlinearBody(NXT), StateFeedback(np.zeros((2, 6)), 0.01), seconds=10, start=(0.1, 0, 0, 0, 0, 0))
-    standing = run(NonlinearBody(NXT), lqr(NXT, 0.01), seconds=1, start=(0.1, 0, 0, 0, 0, 0))
+    standing = run(NonlinearBody(NXT), lqr_state(NXT, 0.01), seconds=1, start=(0.1, 0, 0, 0, 0, 0))
     unknown = Log(falling.t, falling.channels)
     assert np.abs(falling["truth/pitch"]).max() < FALLEN  # the log ends before the row that lies
     result = compare({"falling": falling, "standing": standing, "unknown": unknown})
@@ -378,7 +378,7 @@ def test_a_page_shows_runs_that_are_pushed_to_their_end() -> None:
     """Nothing was released, so nothing settles: the page says so instead of looking for a time."""
     robot = Robot.preset("nxtway-gs")
     logs = {
-        name: run(NonlinearBody(robot), lqr(robot, 0.01), Hold(pitch=0.1, until=5.0), seconds=seconds)
+        name: run(NonlinearBody(robot), lqr_state(robot, 0.01), Hold(pitch=0.1, until=5.0), seconds=seconds)
         for name, seconds in (("short", 0.5), ("long", 0.7))
     }
     assert "differs by at most " in page_of(compare(logs)).html().replace("\u00a0", " ")

@@ -17,7 +17,7 @@ from upright.control import (
     controller_hash,
     dlqr,
     kalman,
-    lqr,
+    lqr_state,
     make_controller,
 )
 from upright.control.controller import Controller
@@ -38,7 +38,7 @@ NXT = Robot.preset("nxtway-gs")
 @pytest.mark.needs("module:control")
 def test_lqr_equals_python_control(name):
     control = pytest.importorskip("control")
-    design = lqr(Robot.preset(name), 0.01)
+    design = lqr_state(Robot.preset(name), 0.01)
     gain, cost, _ = control.dlqr(design.model.A, design.model.B, design.Q, design.R, method="scipy")
     assert np.allclose(design.gain, gain, rtol=1e-8)
     assert np.allclose(design.cost, cost, rtol=1e-8, atol=1e-8 * np.abs(cost).max())
@@ -58,7 +58,7 @@ def test_riccati_equation_of_the_textbook_has_its_published_solution():
 def test_lqr_equals_slicot():
     control = pytest.importorskip("control")
     pytest.importorskip("slycot")
-    design = lqr(NXT, 0.01)
+    design = lqr_state(NXT, 0.01)
     gain = control.dlqr(design.model.A, design.model.B, design.Q, design.R, method="slycot")[0]
     assert np.allclose(
         design.gain, gain, rtol=1e-7
@@ -67,14 +67,14 @@ def test_lqr_equals_slicot():
 
 @pytest.mark.parametrize("name", preset_names())
 def test_lqr_checks_itself_and_stabilises(name):
-    design = lqr(Robot.preset(name), 0.01)
+    design = lqr_state(Robot.preset(name), 0.01)
     assert design.check() < 1e-9
     assert np.abs(design.poles()).max() < 1
 
 
 def test_unweighted_integrator_is_refused():
     with pytest.raises(DesignFailed, match="zero on the diagonal of Q"):
-        lqr(NXT, 0.01, Q=[1, 1, 0, 1, 1, 1], R=[1, 1])
+        lqr_state(NXT, 0.01, Q=[1, 1, 0, 1, 1, 1], R=[1, 1])
 
 
 @pytest.mark.parametrize(
@@ -88,7 +88,7 @@ def test_unweighted_integrator_is_refused():
 )
 def test_bad_weights_are_named(Q, R, word):
     with pytest.raises(DesignFailed, match=word):
-        lqr(NXT, 0.01, Q=Q, R=R)
+        lqr_state(NXT, 0.01, Q=Q, R=R)
 
 
 def test_continuous_model_is_refused():
@@ -134,7 +134,7 @@ def test_deviations_without_a_square_are_refused_in_silence(size):
 
 
 def test_hash_changes_with_a_gain():
-    design = lqr(NXT, 0.01)
+    design = lqr_state(NXT, 0.01)
     other = StateFeedback(design.gain * (1 + 1e-12), 0.01, kind="lqr")
     assert controller_hash(StateFeedback(design.gain, 0.01, kind="lqr")) != controller_hash(other)
 
@@ -159,7 +159,7 @@ def test_kalman_gain_equals_python_control():
 def test_kalman_finds_a_planted_gyro_bias():
     # the sensors are otherwise ideal, so after the filter has settled (seconds) the bias is what was planted
     kit = Kit.preset("nxt")
-    design, estimator = lqr(NXT, 0.01), kalman(NXT, kit, 0.01)
+    design, estimator = lqr_state(NXT, 0.01), kalman(NXT, kit, 0.01)
     body = NonlinearBody(NXT, period=0.01)
     loop, state = Estimated(design, estimator), body.reset((0.02, 0, 0, 0, 0, 0)).values[:6]
     for _ in range(3000):

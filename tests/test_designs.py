@@ -24,7 +24,7 @@ from upright.control import (
     kalman,
     lqg,
     lqi,
-    lqr,
+    lqr_state,
     make_controller,
     pid,
     read_controller,
@@ -144,7 +144,7 @@ def test_riccati_solutions_equal_python_control():
 def test_lqg_equals_lqr_when_everything_is_measured_without_noise():
     # pushes of 0.05 N move the state by 1e-4 a period, the readings err by 1e-5 (the filter's least): it believes them,
     # and what an unforeseen push does between two readings is off by the square of that ratio
-    design = lqr(NXT, 0.01)
+    design = lqr_state(NXT, 0.01)
     controller = lqg(NXT, IDEAL, 0.01, design.Q, design.R, reads=TRUE_STATE)
     body = LinearBody(linearise(NXT), NXT, period=0.01)
     log = run(body, controller, Impulse(impulse=0.02, start=0.5), seconds=3)
@@ -155,7 +155,7 @@ def test_lqg_equals_lqr_when_everything_is_measured_without_noise():
 
 def test_lqg_equals_lqr_on_the_linear_robot_without_noise():
     # with an exact model, no noise and a known start the estimate is exact whatever the filter's gain
-    design = lqr(NXT, 0.01)
+    design = lqr_state(NXT, 0.01)
     body = LinearBody(linearise(NXT), NXT, period=0.01)
     goal = Drive(speed=0.1, until=1.0)
     feedforward = steady(NXT).u_r + design.gain @ steady(NXT).x_r - design.gain
@@ -205,7 +205,7 @@ def test_a_feedback_of_the_state_ahead_has_the_poles_of_the_loop_without_dead_ti
     # Artstein's reduction, whole periods and fractions: eig(A − B K) of the robot held over a period, and as many zeros
     # as commands are on their way; a zero of multiplicity h is only found to the h-th root of rounding
     kit = Kit(name="late", sensors={name: Sensor() for name in RAW}, delay=dead)
-    seen, design = sampled(NXT, kit, 0.01), lqr(NXT, 0.01)
+    seen, design = sampled(NXT, kit, 0.01), lqr_state(NXT, 0.01)
     plant = seen.plant
     poles = np.linalg.eigvals(plant.A - plant.B @ design.gain @ seen.ahead)
     slow = poles[np.argsort(-np.abs(poles))][:6]
@@ -215,7 +215,7 @@ def test_a_feedback_of_the_state_ahead_has_the_poles_of_the_loop_without_dead_ti
 
 def test_a_feedback_in_another_unit_is_refused():
     with pytest.raises(SpecMismatch, match="commands V"):
-        observed(lqr(NXT, 0.01), Robot.preset("twipr"), Kit.preset("twipr"))
+        observed(lqr_state(NXT, 0.01), Robot.preset("twipr"), Kit.preset("twipr"))
 
 
 @pytest.mark.parametrize("name", ["mpc", "sliding"])
@@ -299,8 +299,8 @@ def test_a_linear_controller_does_what_its_equations_say():
 
 
 def test_as_linear_commands_alike():
-    behind = Estimated(lqr(NXT, 0.01), kalman(NXT, KIT, 0.01))
-    for controller in (lqr(NXT, 0.01), behind):
+    behind = Estimated(lqr_state(NXT, 0.01), kalman(NXT, KIT, 0.01))
+    for controller in (lqr_state(NXT, 0.01), behind):
         same = as_linear(controller)
         controller.reset()
         rng = np.random.default_rng(4)
@@ -316,7 +316,7 @@ def test_as_linear_commands_alike():
 def test_a_memory_behind_an_estimator_is_no_gain():
     # what an integrator remembers is no part of Dy x̂ + Dr r
     none = np.zeros((1, 6))
-    gain = lqr(NXT, 0.01).gain
+    gain = lqr_state(NXT, 0.01).gain
     integrating = LinearController(
         np.eye(1), np.eye(1, 6, 2), none, np.zeros((1, 2)), np.full((2, 1), -0.1), -gain, gain,
         reads=TRUE_STATE, period=0.01,
@@ -530,11 +530,11 @@ def test_broken_files_are_refused_in_one_line(tmp_path):
     with pytest.raises(UprightError, match="no folder"):
         write_controller(lqg(NXT, KIT), tmp_path / "none" / "c.json")
     with pytest.raises(InvalidController, match="cannot be written"):
-        write_controller(Excited(lqr(NXT, 0.01), random_binary(4, 1.0, 0)), path)
+        write_controller(Excited(lqr_state(NXT, 0.01), random_binary(4, 1.0, 0)), path)
 
 
 def test_static_feedback_reads_back_with_its_kind(tmp_path):
-    back = read_controller(write_controller(lqr(NXT, 0.01), tmp_path / "lqr.json"))
+    back = read_controller(write_controller(lqr_state(NXT, 0.01), tmp_path / "lqr.json"))
     assert isinstance(back, StateFeedback)
     assert back.kind == "lqr"
 
@@ -668,7 +668,7 @@ def test_design_lqr_prints_k_s_and_poles_and_writes_k(tmp_path, capsys):
     robot.save(tmp_path / "mine.toml")
     path = tmp_path / "lqr.json"
     assert main(["design", "lqr", "--robot", str(tmp_path / "mine.toml"), "--kit", "nxt", "-o", str(path)]) == 0
-    plain = lqr(robot, KIT.period)
+    plain = lqr_state(robot, KIT.period)
     A, B = plain.model.A, plain.model.B
     S = solve_discrete_are(A, B, plain.Q, plain.R)
     K = np.linalg.solve(plain.R + B.T @ S @ B, B.T @ S @ A)

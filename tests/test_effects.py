@@ -16,7 +16,7 @@ from upright.calibration.own_run import spread_here
 from upright.calibration.parameters import Parameter, parameters_of
 from upright.calibration.process_noise import process
 from upright.calibration.refined import FREEDOM
-from upright.control import Estimated, kalman, lqr
+from upright.control import Estimated, kalman, lqr_state
 from upright.control.excited import Excited, random_binary
 from upright.experiment import run
 from upright.experiment.pushes import Slope
@@ -33,7 +33,7 @@ SLOPE_TORQUE = (PRIOR.body_mass + 2 * PRIOR.wheel_mass) * PRIOR.gravity * PRIOR.
 
 def logged(friction: float, slope: float, seed: int, seconds: float = 5.0, robot: Robot = TRUE) -> Log:
     body = Electronics(NonlinearBody(robot.replace(motor_friction=friction * TRUE.motor_friction)), NXT)
-    controller = Estimated(lqr(PRIOR, 0.01), kalman(PRIOR, NXT))
+    controller = Estimated(lqr_state(PRIOR, 0.01), kalman(PRIOR, NXT))
     excited = Excited(controller, random_binary(round(seconds / 0.01), 1.5, seed, hold=4))
     return run(body, excited, seconds=seconds, seed=seed, push=Slope(angle=slope))
 

@@ -15,7 +15,7 @@ import pytest
 from upright.bodies import Electronics, NonlinearBody
 from upright.calibration.calibrate import calibrate
 from upright.cli.main import main
-from upright.control import Estimated, StateFeedback, kalman, lqr, make_controller
+from upright.control import Estimated, StateFeedback, kalman, lqr_state, make_controller
 from upright.control.excited import Excited, random_binary
 from upright.control.identity import asked_of, designed_from
 from upright.control.law import as_law, near_rest
@@ -258,7 +258,7 @@ def test_a_plan_survives_a_file(tmp_path: Path) -> None:
 def test_a_plan_fits_its_controller_only() -> None:
     assert isinstance(plan().excited(LQG), Excited)
     with pytest.raises(SpecMismatch, match=r"every 0\.02 s"):
-        plan().excited(lqr(NXT, 0.02))
+        plan().excited(lqr_state(NXT, 0.02))
 
 
 def test_another_processor_s_rounding_is_the_same_controller() -> None:
@@ -270,13 +270,13 @@ def test_another_processor_s_rounding_is_the_same_controller() -> None:
 
 
 def test_what_cannot_be_designed_gets_one_line() -> None:
-    unstable = Estimated(StateFeedback(-lqr(NXT, 0.01).gain, 0.01), kalman(NXT, KIT, 0.01))
+    unstable = Estimated(StateFeedback(-lqr_state(NXT, 0.01).gain, 0.01), kalman(NXT, KIT, 0.01))
     wrong = [
         ({"focus": ("com_heigt",)}, UnknownName, "did you mean 'com_height'"),
         ({"limits": Limits(travel=1e-4)}, DesignFailed, "raise that limit"),
         ({"limits": Limits(falls=1e-3)}, DesignFailed, "fall"),  # 100 robots prove 3 % at best
         ({"controller": unstable}, DesignFailed, "do not stand unexcited"),
-        ({"controller": lqr(NXT, 0.01)}, SpecMismatch, "true state"),
+        ({"controller": lqr_state(NXT, 0.01)}, SpecMismatch, "true state"),
         ({"controller": make_controller("sliding", NXT, KIT, 0.01)}, SpecMismatch, "linear"),
         ({"seconds": 0.1}, InvalidScenario, "a hundred periods"),
         ({"samples": 5}, InvalidScenario, "100 or more"),

@@ -8,7 +8,7 @@ import pytest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.cli.options import push as push_of
-from upright.control import Estimated, StateFeedback, kalman, lqr
+from upright.control import Estimated, StateFeedback, kalman, lqr_state
 from upright.errors import InvalidScenario, SpecMismatch
 from upright.experiment import Drive, Hold, Impulse, Push, Slope, Turn, run
 from upright.experiment.pushes import combined
@@ -16,7 +16,7 @@ from upright.physics.dynamics import derivative, motor_gain
 from upright.robots import Kit, Robot
 
 NXT = Robot.preset("nxtway-gs")
-DESIGN = lqr(NXT, 0.01)
+DESIGN = lqr_state(NXT, 0.01)
 
 
 def test_a_hold_is_statics():
@@ -75,7 +75,7 @@ def test_pushes_add_up_with_their_moments():
 
 
 def test_an_impulse_is_its_time_integral():
-    log = run(NonlinearBody(NXT, period=0.001), lqr(NXT, 0.001), Impulse(impulse=0.02, start=0.1), seconds=0.3)
+    log = run(NonlinearBody(NXT, period=0.001), lqr_state(NXT, 0.001), Impulse(impulse=0.02, start=0.1), seconds=0.3)
     assert log["push/force"].sum() * 0.001 == pytest.approx(0.02, rel=1e-12)
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
-from upright.control import lqg, lqr
+from upright.control import lqg, lqr_state
 from upright.execution.executed import Readings, calibrated
 from upright.execution.executor import HostExecutor
 from upright.experiment import Impulse, outcome_of, run
@@ -75,7 +75,7 @@ def test_a_run_ends_its_commands_at_the_stop_and_its_log_on_the_floor() -> None:
 def test_who_starts_beyond_the_stop_has_fallen_in_run_and_kernel() -> None:
     # twipr's motors are ten times stronger than its weight (docs/extend.md): without a stop it comes back
     start = (0.85, 0, 0, 0, 0, 0)
-    controller = lqr(TWIPR, KIT.period)
+    controller = lqr_state(TWIPR, KIT.period)
     log = run(NonlinearBody(TWIPR), controller, seconds=2.0, start=start)
     result = simulate(FleetBatch(parameters=parameters_of(TWIPR), controller=controller, start=start), 2.0)
     assert outcome_of(log).fell

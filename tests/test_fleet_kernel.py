@@ -10,7 +10,7 @@ import pytest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.compiled import counter, lane_math, random
-from upright.control import Estimated, kalman, lqr, make_controller
+from upright.control import Estimated, kalman, lqr_state, make_controller
 from upright.control.linear_controller import LinearController
 from upright.errors import InvalidScenario, SpecMismatch, UnknownName
 from upright.experiment import Drive, Push, Slope, Turn, run
@@ -27,7 +27,7 @@ BOTH = (*STATE, "command/left", "command/right", "applied/left", "applied/right"
 START = (0.05, 0.0, 0.1, 0.0, 0.2, 0.0)
 STIFF = NXT.replace(motor_resistance=NXT.motor_resistance / 4)  # a pole near 1000 1/s: two steps in a millisecond
 NOISY = Kit.preset("nxt")
-FILTERED = Estimated(lqr(NXT, 0.01), kalman(NXT, NOISY))
+FILTERED = Estimated(lqr_state(NXT, 0.01), kalman(NXT, NOISY))
 EQUAL = 1e-9  # the bar of the issue; rounding alone gives 1e-12
 
 
@@ -61,11 +61,11 @@ def difference(robot, controller, kit=None, seconds=10.0, *, model="complete", p
 
 
 def test_models_pushes_and_references_equal_the_obvious_loop():
-    assert difference(NXT, lqr(NXT, 0.01), model="published") < EQUAL
+    assert difference(NXT, lqr_state(NXT, 0.01), model="published") < EQUAL
     shove = [Push(force=1.0, height=0.1), Push(force=-0.5, start=2.0, duration=0.3)]
-    assert difference(NXT, lqr(NXT, 0.01), push=shove, pushes=[[1, 0.1, 1, 0.1], [-0.5, np.nan, 2, 0.3]]) < EQUAL
+    assert difference(NXT, lqr_state(NXT, 0.01), push=shove, pushes=[[1, 0.1, 1, 0.1], [-0.5, np.nan, 2, 0.3]]) < EQUAL
     arc = [Drive(speed=0.2, start=1.0, until=4.0), Turn(rate=1.0, start=2.0)]
-    assert difference(NXT, lqr(NXT, 0.01), reference=arc, ramps=[[0.2, 0, 1, 4], [0, 1, 2, math.inf]]) < EQUAL
+    assert difference(NXT, lqr_state(NXT, 0.01), reference=arc, ramps=[[0.2, 0, 1, 4], [0, 1, 2, math.inf]]) < EQUAL
 
 
 @pytest.mark.parametrize("friction", [{}, {"coulomb_friction": 0.005}, {"rolling_friction": 0.005}])
@@ -75,13 +75,13 @@ def test_friction_and_slope_equal_the_obvious_loop(friction, angle):
     push = [Slope(angle=angle, start=1.0)] if angle else []
     turn = Turn(rate=1.0, start=2.0)  # a heading that changes meets the slope from all sides
     ramps = [[0, 1, 2, math.inf]]
-    assert difference(robot, lqr(NXT, 0.01), push=push, slope=[angle, 1.0], reference=turn, ramps=ramps) < EQUAL
+    assert difference(robot, lqr_state(NXT, 0.01), push=push, slope=[angle, 1.0], reference=turn, ramps=ramps) < EQUAL
 
 
 @pytest.mark.parametrize("name", ["herrera2015", "ev3way", "nxtway-gs-measured"])
 def test_other_robots_equal_the_obvious_loop(name):
     robot = Robot.preset(name)
-    assert difference(robot, lqr(robot, 0.01), seconds=3.0) < EQUAL
+    assert difference(robot, lqr_state(robot, 0.01), seconds=3.0) < EQUAL
 
 
 def test_delay_saturation_and_sensors_equal_the_obvious_loop():
@@ -220,7 +220,7 @@ def test_a_robot_does_not_get_what_only_its_company_needs():
     dry, rolling = NXT.replace(coulomb_friction=0.005), NXT.replace(rolling_friction=0.005)
     robots = [NXT, dry, rolling, NXT, dry, rolling, STIFF]
     slope = np.array([[0.0, 0.0]] * 3 + [[0.03, 0.5]] * 3 + [[0.0, 0.0]])
-    given = {"controller": lqr(NXT, 0.01), "start": START}
+    given = {"controller": lqr_state(NXT, 0.01), "start": START}
     together = simulate(FleetBatch(parameters=parameters_of(robots), slope=slope, **given), 1.0, record=10)
     for i, robot in enumerate(robots):
         alone = simulate(FleetBatch(parameters=parameters_of(robot), slope=slope[i], **given), 1.0, record=10)
@@ -231,7 +231,7 @@ def test_a_robot_does_not_get_what_only_its_company_needs():
 def test_each_robot_is_moved_in_as_many_steps_as_the_obvious_loop_takes():
     for robot in (NXT, Robot.preset("herrera2015"), STIFF):
         family = draw(robot, 40, 1)
-        batch = FleetBatch(parameters=parameters_of(family), controller=lqr(NXT, 0.01))
+        batch = FleetBatch(parameters=parameters_of(family), controller=lqr_state(NXT, 0.01))
         assert steps_of(batch).tolist() == [NonlinearBody(robot).substeps for robot in family]
         assert robot == NXT or steps_of(batch).max() > 1  # or there would be nothing to tell apart
 
@@ -301,7 +301,7 @@ def test_twipr_whose_sticking_wheels_part_runs_falls_where_the_obvious_loop_does
 
 def test_float32_stays_near_float64():
     batch = FleetBatch(
-        parameters=parameters_of(NXT), controller=lqr(NXT, 0.01), start=START, pushes=[[1.0, np.nan, 1.0, 0.1]]
+        parameters=parameters_of(NXT), controller=lqr_state(NXT, 0.01), start=START, pushes=[[1.0, np.nan, 1.0, 0.1]]
     )
     exact, short = (simulate(batch, 10.0, record=1, dtype=dtype).trace[0] for dtype in (np.float64, np.float32))
     # 2⁻²⁴ of the largest state in each of ten thousand steps, damped by the loop: the bound that docs/fleet.md states
@@ -310,7 +310,7 @@ def test_float32_stays_near_float64():
 
 def test_statistics_equal_those_of_the_recorded_rows():
     batch = FleetBatch(
-        parameters=parameters_of(NXT), controller=lqr(NXT, 0.01), start=START, kit=smooth(NOISY, delay=0.0)
+        parameters=parameters_of(NXT), controller=lqr_state(NXT, 0.01), start=START, kit=smooth(NOISY, delay=0.0)
     )
     result = simulate(batch, 5.0, record=1, channels=BOTH, bands=(0.01, math.inf, math.inf))
     pitch, wheel = result.trace[0, :, 0], result.trace[0, :, 2]
@@ -325,7 +325,7 @@ def test_statistics_equal_those_of_the_recorded_rows():
 def test_a_robot_that_falls_stops_where_it_fell():
     batch = FleetBatch(
         parameters=parameters_of(NXT),
-        controller=lqr(NXT, 0.01),
+        controller=lqr_state(NXT, 0.01),
         start=START,
         pushes=[[20.0, np.nan, 0.5, 0.2]],
     )
@@ -339,7 +339,7 @@ def test_a_robot_that_falls_stops_where_it_fell():
 
 def test_each_robot_may_have_its_own_controller_and_kit():
     robots = [Robot.preset("nxtway-gs"), Robot.preset("nxtway-gs-measured")]
-    controllers = [lqr(robot, 0.01) for robot in robots]
+    controllers = [lqr_state(robot, 0.01) for robot in robots]
     delays = np.array([0.0, 0.004])
     both = FleetBatch(
         parameters=parameters_of(robots), controller=controllers, start=START, kit=Kit(name="late"),
@@ -446,7 +446,7 @@ def test_a_damaged_file_of_machine_code_is_made_anew(damage, tmp_path, monkeypat
 
 
 def test_what_does_not_fit_is_refused():
-    one = {"parameters": parameters_of(NXT), "controller": lqr(NXT, 0.01)}
+    one = {"parameters": parameters_of(NXT), "controller": lqr_state(NXT, 0.01)}
     with pytest.raises(InvalidScenario, match="start has shape"):
         FleetBatch(**one, start=np.zeros((3, 5)))
     with pytest.raises(InvalidScenario, match="rows in a batch of 3"):

@@ -13,7 +13,7 @@ import pytest
 from upright.classwork.grading import TOLERANCE, differs, grade, grade_file
 from upright.classwork.tasks import TASKS, task_of
 from upright.classwork.worksheet import LANGUAGES, fragment, worksheet
-from upright.control import lqr
+from upright.control import lqr_state
 from upright.errors import UprightError
 from upright.lab.desk import InlineDesk
 from upright.lab.handin import HandIn, InvalidHandIn, RunResult, read_hand_in, write_hand_in
@@ -182,7 +182,7 @@ HOLD = ((1.0, Strike("front", 0.1)),)
 def test_each_task_can_be_done_and_can_be_missed(tmp_path):
     """By hand: with the regulator's gains, which the lab shows under LQR."""
     robot = Robot.preset("nxtway-gs")
-    gains = tuple(lqr(robot, dt=0.01).gain[0].tolist())
+    gains = tuple(lqr_state(robot, dt=0.01).gain[0].tolist())
     assert verdict_on("push", {}, ((1.0, Strike("impulse", 0.25)),), 6.0, tmp_path / "a") == "ok"
     assert verdict_on("push", {}, ((1.0, Strike("impulse", 0.05)),), 6.0, tmp_path / "b") == "not reached"
     assert verdict_on("gains", {}, HOLD, 10.0, tmp_path / "c") == "not reached"

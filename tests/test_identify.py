@@ -18,7 +18,7 @@ from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
 from upright.calibration.estimate import Estimate
 from upright.cli.main import USER_ERROR, main
-from upright.control import Estimated, kalman, lqr, make_controller, read_controller
+from upright.control import Estimated, kalman, lqr_state, make_controller, read_controller
 from upright.control.excited import Excited, random_binary
 from upright.errors import InvalidLog, InvalidModel, UnknownName, UprightError
 from upright.experiment import run
@@ -56,7 +56,7 @@ def sensed(seconds: float = 10.0, seed: int = 8) -> Log:
     gives a subspace in which the criterion wants a state more; not this one."""
     kit = facts_kit()
     dither = random_binary(round(seconds * 100), 3.0, seed, hold=10)
-    controller = Excited(Estimated(lqr(ROBOT, 0.01), kalman(ROBOT, kit)), dither)
+    controller = Excited(Estimated(lqr_state(ROBOT, 0.01), kalman(ROBOT, kit)), dither)
     return run(Electronics(NonlinearBody(ROBOT), kit), controller, seconds=seconds, seed=seed)
 
 
@@ -73,7 +73,7 @@ def compared() -> MethodComparison:
 @cache
 def exact() -> Log:
     """True states of the nonlinear model under ±0.05 V: pitch stays within a milliradian, where sin ψ = ψ to 2e-7."""
-    excited = Excited(lqr(ROBOT, 0.01), random_binary(600, 0.05, 2))
+    excited = Excited(lqr_state(ROBOT, 0.01), random_binary(600, 0.05, 2))
     return run(NonlinearBody(ROBOT), excited, seconds=6.0, seed=2)
 
 
@@ -206,7 +206,7 @@ def test_the_bias_of_least_squares_is_found() -> None:
 def test_the_twins_pole_comes_back_from_the_nxt_kit() -> None:
     """MuJoCo, encoders of 1°, gyro of 1 °/s steps, dead time of a fifth of a period, dead zone: nothing is left out."""
     robot, kit = Robot.preset("nxtway-gs"), Kit.preset("nxt")
-    excited = Excited(Estimated(lqr(robot, 0.01), kalman(robot, kit)), random_binary(2000, 1.5, 4, hold=4))
+    excited = Excited(Estimated(lqr_state(robot, 0.01), kalman(robot, kit)), random_binary(2000, 1.5, 4, hold=4))
     log = run(Electronics(Twin(robot), kit), excited, seconds=20.0, seed=4)
     one = study_of(log, robot, kit, runs=0)
     for method in ("instrumental", "subspace"):

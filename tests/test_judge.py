@@ -23,7 +23,7 @@ from upright.calibration.informativity import student
 from upright.calibration.judge import reasons, unpredicted
 from upright.certification import certify
 from upright.cli.main import main
-from upright.control import lqr
+from upright.control import lqr_state
 from upright.control.excited import Excited, random_binary
 from upright.errors import InvalidLog, InvalidRobot
 from upright.experiment import run
@@ -74,7 +74,7 @@ def test_what_is_predicted_is_no_reason() -> None:
 
 @pytest.fixture(scope="module")
 def model_log() -> Log:
-    log = run(NonlinearBody(ROBOT), lqr(ROBOT, 0.01), seconds=2.0, start=(0.15, 0.0, 0.0, 0.0, 0.0, 0.3))
+    log = run(NonlinearBody(ROBOT), lqr_state(ROBOT, 0.01), seconds=2.0, start=(0.15, 0.0, 0.0, 0.0, 0.0, 0.3))
     return Log(log.t, {n: v for n, v in log.channels.items() if not n.startswith("truth/")}, log.units, log.origin)
 
 
@@ -105,7 +105,7 @@ def test_a_log_of_another_preset_names_it(true: str, named: bool) -> None:
     """A log of the robot on large wheels under the file of the small ones; the file's own log proposes nothing. Nothing
     is asked where innovations are white and no stated number is contradicted."""
     robot, kit = Robot.preset(true), Kit.preset("ideal")
-    log = run(NonlinearBody(robot), Excited(lqr(robot, 0.01), random_binary(150, 2.0, 1, 4)), seconds=1.5)
+    log = run(NonlinearBody(robot), Excited(lqr_state(robot, 0.01), random_binary(150, 2.0, 1, 4)), seconds=1.5)
     raw = Log(log.t, {n: v for n, v in log.channels.items() if not n.startswith("truth/")}, log.units, log.origin)
     problem, _ = prepared([raw], Robot.preset("ev3way"), kit, (), 0.0)
     coloured = replace(problem, temper=0.5)

@@ -136,7 +136,9 @@ def test_no_figure_of_the_course_keeps_an_english_word() -> None:
     log, law = up.example("excited").between(0.0, 6.0), up.lqg(NXT, KIT)
     push = up.Impulse(impulse=0.05, start=0.5)
     runs = {"linear": up.LinearBody(up.linearise(NXT), NXT), "nonlinear": up.NonlinearBody(NXT), "twin": up.Twin(NXT)}
-    compared = up.compare({name: up.run(body, up.lqr(NXT, 0.01), push, seconds=1.0) for name, body in runs.items()})
+    compared = up.compare(
+        {name: up.run(body, up.lqr_state(NXT, 0.01), push, seconds=1.0) for name, body in runs.items()}
+    )
     analysis = up.design("lqg", NXT, KIT).analysis
     assert analysis
     calibration = up.calibrate(log, NXT)

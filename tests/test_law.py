@@ -18,7 +18,7 @@ from upright.bodies import Electronics, NonlinearBody
 from upright.compiled.generated import LANES, LEFT, RIGHT, ROW
 from upright.compiled.print_c import CPrinter
 from upright.compiled.program import Kind, Program
-from upright.control import Estimated, StateFeedback, kalman, lqr
+from upright.control import Estimated, StateFeedback, kalman, lqr_state
 from upright.control.law import as_law, near_rest, program
 from upright.control.linear_controller import Law, LinearController
 from upright.errors import InvalidController
@@ -134,7 +134,7 @@ def test_a_sliding_mode_is_the_same_bits_in_any_company(dtype: Any) -> None:
 
 
 def test_controllers_with_other_zeros_keep_their_bits_in_one_batch() -> None:
-    full = lqr(ROBOT, 0.01)
+    full = lqr_state(ROBOT, 0.01)
     sparse = replace(full, gain=full.gain * [1, 1, 0, 1, 0, 1])
     robots = parameters_of([ROBOT, ROBOT])
     batch = FleetBatch(parameters=robots, controller=[full, sparse], start=START)
@@ -149,7 +149,7 @@ def test_alike_laws_have_one_text_on_disk(tmp_path: Path, monkeypatch: pytest.Mo
     monkeypatch.setenv("UPRIGHT_CACHE", str(tmp_path))
     store._functions_of.cache_clear()
     kernel_law.compiled.cache_clear()
-    one, two = (as_law(lqr(ROBOT, 0.01, R=[r, r])) for r in (1.0, 2.0))
+    one, two = (as_law(lqr_state(ROBOT, 0.01, R=[r, r])) for r in (1.0, 2.0))
     first = kernel_law.compiled((one,), 0, "float64")
     (path,) = tmp_path.iterdir()
     whole = path.read_bytes()
@@ -181,7 +181,7 @@ class Careful(StateFeedback):
 
 
 def test_a_step_of_its_own_takes_the_law_from_a_child() -> None:
-    own = Careful(lqr(ROBOT, 0.01).gain, 0.01)
+    own = Careful(lqr_state(ROBOT, 0.01).gain, 0.01)
     assert FleetBatch(parameters=parameters_of(ROBOT), controller=own).called is own
     for says in (as_law, near_rest):
         with pytest.raises(InvalidController):
@@ -191,14 +191,14 @@ def test_a_step_of_its_own_takes_the_law_from_a_child() -> None:
 
 
 def test_a_static_law_remembers_nothing() -> None:
-    assert kernel_law.compiled((as_law(lqr(ROBOT, 0.01)),), 0, "float64").update == 0
+    assert kernel_law.compiled((as_law(lqr_state(ROBOT, 0.01)),), 0, "float64").update == 0
 
 
 def test_a_law_that_grows_without_its_robot_is_run() -> None:
     n = len(STATE_NAMES)
     runaway = LinearController(
         np.array([[2.0]]), np.ones((1, n)), np.zeros((1, 6)), np.zeros((1, 2)), np.zeros((2, 1)),
-        -lqr(ROBOT, 0.01).gain, np.zeros((2, 6)), reads=tuple(f"truth/{s}" for s in STATE_NAMES), period=0.01,
+        -lqr_state(ROBOT, 0.01).gain, np.zeros((2, 6)), reads=tuple(f"truth/{s}" for s in STATE_NAMES), period=0.01,
     )  # fmt: skip
     result = simulate(FleetBatch(parameters=parameters_of(ROBOT), controller=runaway, start=START), 2.0)
     assert not result.fell[0]

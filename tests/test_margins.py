@@ -16,7 +16,7 @@ from upright.certification.verdict import Examined, judge, linear_margins
 from upright.control import Controller, make_controller
 from upright.control.delay import RAW, sampled
 from upright.control.law import as_linear
-from upright.control.lqr import lqr
+from upright.control.lqr import lqr_state
 from upright.control.state_space import continuous, controller_of, discrete
 from upright.errors import InvalidModel
 from upright.lab.tasks import smallest
@@ -42,7 +42,7 @@ SEILER = control.tf(25, [1, 10, 10, 10])
 
 @pytest.fixture(scope="module")
 def nominal():
-    return lqr(NXT, 0.01)
+    return lqr_state(NXT, 0.01)
 
 
 @pytest.fixture(scope="module")
@@ -199,7 +199,7 @@ def test_more_delay_than_the_margin_makes_the_robot_unstable(nominal):
 def test_the_delay_margin_is_found_at_a_thousand_periods_a_second():
     # the same gains every 1 ms on the twin's kit: near continuous time, so that the phase margin at the crossover tells
     # the delay too, but for the half period that holding a command costs
-    kit, feedback = replace(IDEAL, period=0.001), lqr(NXT, 0.001)
+    kit, feedback = replace(IDEAL, period=0.001), lqr_state(NXT, 0.001)
     found = robot_loop(NXT, feedback, kit).delay_margin()
     assert found == pytest.approx(margins(robot_loop(NXT, feedback, kit).at_input, (1, 1)).delay, abs=1e-3)
 

@@ -18,8 +18,8 @@ from upright.control.kalman import kalman_filter
 from upright.control.law import near_rest
 from upright.control.linear_controller import LinearController
 from upright.control.lqg import lqg
-from upright.control.lqr import lqr
-from upright.control.observed import observed, regulator
+from upright.control.lqr import lqr, lqr_state
+from upright.control.observed import observed
 from upright.control.riccati import LARGEST_COMMAND, LARGEST_STATE
 from upright.control.state_space import controller_of
 from upright.control.tunable import TUNABLE
@@ -109,7 +109,7 @@ def test_the_regulator_is_that_of_what_is_shown(kit):
     Q, R = np.diag(1 / np.array(LARGEST_STATE)[kept] ** 2), np.eye(2) / LARGEST_COMMAND["V"] ** 2
     P = solve_discrete_are(A, B, Q, R)
     K = np.linalg.solve(R + B.T @ P @ B, B.T @ P @ A)
-    gain = regulator(ROBOT, KITS[kit], 0.01).design.gain
+    gain = lqr(ROBOT, KITS[kit], 0.01).design.gain
     np.testing.assert_allclose(gain[:, kept], K, rtol=1e-6)
     assert not gain[:, [2, 4, 5]].any()
 
@@ -177,7 +177,7 @@ def test_and_so_do_a_plan_and_a_feedback_of_all_states():
     with pytest.raises(SpecMismatch, match="no encoders"):
         ExcitedLoop(ROBOT, FUSED, lqg(ROBOT, FUSED), 20.0)
     with pytest.raises(SpecMismatch, match="feeds back wheel"):
-        observed(lqr(ROBOT, 0.01), ROBOT, FUSED)
+        observed(lqr_state(ROBOT, 0.01), ROBOT, FUSED)
     with pytest.raises(DesignFailed):
         lqg(ROBOT, replace(FUSED, sensors={"sensor/compass": Sensor()}), reads=("sensor/compass",))
 

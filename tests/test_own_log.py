@@ -12,7 +12,7 @@ import pytest
 
 import upright as up
 from upright.cli.main import main
-from upright.control import Estimated, kalman, lqr
+from upright.control import Estimated, kalman, lqr_state
 from upright.paper.own_log import CALIBRATED, LINEAR, NONLINEAR, compare_own
 from upright.robots import Kit, Robot
 
@@ -25,7 +25,7 @@ TRUE = FILE.replace(com_height=1.2 * FILE.com_height)
 def log_of(robot: Robot) -> up.Log:
     """Pushed at 0.5 s by 3 N for 50 ms, under the regulator of the file, which reads the true state."""
     push = up.Push(force=3.0, start=0.5, duration=0.05)
-    return up.run(up.NonlinearBody(robot), lqr(FILE, 0.01), push, seconds=4.0)
+    return up.run(up.NonlinearBody(robot), lqr_state(FILE, 0.01), push, seconds=4.0)
 
 
 def test_the_model_that_made_a_log_reproduces_it() -> None:
@@ -80,7 +80,7 @@ def test_the_command_writes_page_numbers_and_logs(tmp_path: Path, capsys: pytest
 
 def test_a_log_whose_law_nobody_knows_is_refused() -> None:
     kit = Kit.preset("nxt")
-    controller = Estimated(lqr(FILE, 0.01), kalman(FILE, kit))
+    controller = Estimated(lqr_state(FILE, 0.01), kalman(FILE, kit))
     log = up.run(up.Electronics(up.NonlinearBody(FILE), kit), controller, seconds=2.0, start=(0.05, 0, 0, 0, 0, 0))
     sensors = {n: x for n, x in log.channels.items() if n.startswith(("sensor/", "command/", "applied/"))}
     with pytest.raises(up.errors.InvalidLog, match="--controller"):

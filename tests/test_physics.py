@@ -12,7 +12,7 @@ from scipy.integrate import quad_vec, solve_ivp
 from scipy.linalg import expm
 
 from upright.bodies import NonlinearBody
-from upright.control import lqr
+from upright.control import lqr_state
 from upright.control.standup import lift
 from upright.errors import InvalidModel, InvalidRobot, SpecMismatch
 from upright.kernel.batch import FleetBatch, parameters_of
@@ -253,7 +253,7 @@ def test_a_step_at_its_limit_is_off_by_what_is_stated(limit, error):
 def test_a_pole_that_no_step_can_follow_is_named_with_what_is_out_of_its_range(name, value):
     robot = NXT.replace(coulomb_friction=0.01, **{name: value})  # 0.317 is shipped: a slip of the decimal point
     fastest = f"{max(abs(linearise(robot).poles())):.2g}"
-    batch = FleetBatch(parameters=parameters_of([robot]), controller=lqr(NXT, 0.01))
+    batch = FleetBatch(parameters=parameters_of([robot]), controller=lqr_state(NXT, 0.01))
     for make in (lambda: NonlinearBody(robot), lambda: simulate(batch, 0.1), lambda: lift(robot, KIT, 0.3, 0.01)):
         with pytest.raises(InvalidRobot, match=f"pole of {re.escape(fastest)}.* steps.*{name}"):
             make()

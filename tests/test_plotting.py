@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from upright.calibration.calibration import Calibration
 from upright.calibration.estimate import VISIBLE, Estimate
 from upright.comparison import compare
-from upright.control import lqr
+from upright.control import lqr_state
 from upright.loops.analysis import Analysis, analyse
 from upright.plotting import bars, intervals, panels
 from upright.reports.robot import filmstrip, labelled
@@ -42,7 +42,7 @@ def calibration() -> Calibration:
 
 @pytest.fixture(scope="module")
 def analysis() -> Analysis:
-    return analyse(NXT, lqr(NXT, 0.01), Kit.preset("ideal"))
+    return analyse(NXT, lqr_state(NXT, 0.01), Kit.preset("ideal"))
 
 
 def named(figure: Figure) -> bool:

@@ -25,7 +25,7 @@ from scipy.linalg import solve_discrete_are
 from upright.bodies import Electronics
 from upright.bodies.models import NonlinearBody
 from upright.comparison import compare
-from upright.control import Estimated, kalman, lqr
+from upright.control import Estimated, kalman, lqr_state
 from upright.errors import UprightError
 from upright.experiment import Hold, Impulse, run
 from upright.paper import as_built, controllers, equations, printed, pushes, regulator, turning
@@ -131,7 +131,9 @@ def same_logs(done: Reproduction) -> None:
 
 def test_what_the_chapters_give_is_written_and_read_whole(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A claim that was not computed: log and numbers come back as they were."""
-    log = run(NonlinearBody(Robot.preset("nxtway-gs")), lqr("nxtway-gs", 0.01), Impulse(impulse=0.01), seconds=2.0)
+    log = run(
+        NonlinearBody(Robot.preset("nxtway-gs")), lqr_state("nxtway-gs", 0.01), Impulse(impulse=0.01), seconds=2.0
+    )
     claim = Claim("5c", "Held", REPRODUCED, "It holds.", {"hold": 0.1}, [Figure("Nothing", Drawing())], {"held": log})
     monkeypatch.setattr(sys.modules[reproduce.__module__], "chapters", lambda progress: [claim])
     done = reproduce(tmp_path)
@@ -190,7 +192,7 @@ def test_every_misprint_of_motion_is_proved(parts: dict[str, Claim]) -> None:
 def test_terms_of_each_equation_add_up_to_nothing() -> None:
     # the terms are written out a second time here, and must balance with the accelerations of physics.dynamics
     robot = Robot.preset("nxtway-gs")
-    log = turning.drive(NonlinearBody(robot), lqr(robot, turning.PERIOD), 6.0)
+    log = turning.drive(NonlinearBody(robot), lqr_state(robot, turning.PERIOD), 6.0)
     listed = turning.terms(robot, log)
     for equation in "θψφ":
         mine = [term for term in listed if term.equation == equation]
@@ -343,7 +345,7 @@ def measured(**options: dict[str, float]) -> pushes.Measured:
 def test_a_robot_that_falls_has_no_rest_and_never_settles() -> None:
     """With guessed friction and backlash the robot of 5f is near its limit, and one run in sixteen falls."""
     robot, kit = Robot.preset("nxtway-gs"), Kit.preset("nxt")
-    controller = Estimated(lqr(robot, 0.01), kalman(robot, kit))
+    controller = Estimated(lqr_state(robot, 0.01), kalman(robot, kit))
     fallen, held = (
         run(Electronics(NonlinearBody(robot), kit), controller, Hold(pitch=pitch, until=8.0), seconds=16.0, seed=1)
         for pitch in (0.6, 0.05)

@@ -10,7 +10,7 @@ from upright.control.delay import sampled
 from upright.control.family import family, halves, plane, sides
 from upright.control.guaranteed import excess, guaranteed
 from upright.control.kalman import RECOVERED, kalman_filter
-from upright.control.lqr import lqr
+from upright.control.lqr import lqr_state
 from upright.control.observed import observed
 from upright.control.riccati import LARGEST_STATE, bryson
 from upright.control.robust import WORTH, Costs, Robust, robust
@@ -45,7 +45,7 @@ def test_the_plane_has_the_poles_of_the_whole_loop(preset):
     robot = Robot.preset(preset)
     kit = Kit.preset(robot.kit)
     others = draw(robot, 3, seed=1)
-    controller = observed(lqr(robot, kit.period), robot, kit)
+    controller = observed(lqr_state(robot, kit.period), robot, kit)
     seen, estimator = sampled(robot, kit), controller.design.filter
     loops = family([plane(sampled(each, kit)) for each in others], estimator)
     out, _ = halves([*STATE_NAMES, *sides(seen.history)])
@@ -60,7 +60,7 @@ def test_the_cost_is_that_of_a_noisy_run():
     seen = sampled(NXT, KIT)
     loops = family([plane(seen)], kalman_filter(seen, RECOVERED))
     k = (
-        np.concatenate([lqr(NXT, 0.01).gain[0, :4], [0, 0]])
+        np.concatenate([lqr_state(NXT, 0.01).gain[0, :4], [0, 0]])
         @ seen.ahead
         @ halves([*STATE_NAMES, *sides(seen.history)])[0]
     )
@@ -104,7 +104,7 @@ def test_a_family_of_one_has_the_gain_of_lqr():
     # for one system the inequalities are tight at the Riccati solution; Clarabel stops at 1e-7 of the cost, and the
     # gain moves by the root of that
     found = guaranteed(models([NXT]), W, PRICE, 1 / np.sqrt(np.diag(W)))
-    assert found.k == pytest.approx(lqr(NXT, 0.01).gain[0, :4], rel=1e-2)
+    assert found.k == pytest.approx(lqr_state(NXT, 0.01).gain[0, :4], rel=1e-2)
 
 
 def test_it_is_better_than_plain_lqr_where_it_says_so_and_checks_itself():
@@ -121,7 +121,7 @@ def test_what_is_called_better_is_better_on_robots_that_nobody_has_drawn_yet():
     controller, fresh = design(), draw(NXT, 12, seed=99)
     found, nominal = controller.design, sampled(NXT, KIT)
     spread = halves([*STATE_NAMES, *sides(nominal.history)])[0]
-    plain = np.concatenate([lqr(NXT, 0.01).gain[0, :4], [0, 0]]) @ nominal.ahead @ spread
+    plain = np.concatenate([lqr_state(NXT, 0.01).gain[0, :4], [0, 0]]) @ nominal.ahead @ spread
     worst = [
         max(family([plane(sampled(each, KIT))], filter_).direct(k, found.W, found.price) for each in fresh)
         for filter_, k in ((found.filter, found.k), (kalman_filter(nominal, RECOVERED), plain))

@@ -12,7 +12,7 @@ import pytest
 from upright.bodies import Electronics, NonlinearBody
 from upright.calibration.calibrate import calibrate
 from upright.calibration.stated_gain import amplified
-from upright.control import Estimated, kalman, lqr
+from upright.control import Estimated, kalman, lqr_state
 from upright.control.excited import Excited, random_binary
 from upright.experiment import run
 from upright.logs.raw import raw_log
@@ -31,7 +31,7 @@ EV3 = Path(__file__).parents[1] / "../shared/data/ev3way"
 def driven(seed: int, seconds: float) -> Log:
     """A foreign file's channels: raw sensors, and commands in volts before they are cut at full duty."""
     small = replace(NXT, battery=replace(NXT.battery, voltage=FULL, sag=0.0))
-    excited = Excited(Estimated(lqr(PRIOR, 0.01), kalman(PRIOR, small)), random_binary(600, 1.5, seed, hold=4))
+    excited = Excited(Estimated(lqr_state(PRIOR, 0.01), kalman(PRIOR, small)), random_binary(600, 1.5, seed, hold=4))
     log = run(Electronics(NonlinearBody(TRUE), small), excited, seconds=seconds, seed=seed)
     assert not log.origin["outcome"]["fell"]
     names = [n for n in log.channels if n.startswith("sensor/") or n.startswith("command/")]
@@ -100,7 +100,7 @@ def test_a_run_whose_commands_have_a_factor_is_named_by_it() -> None:
 @pytest.mark.evidence
 def test_a_winding_that_no_temperature_makes_is_named() -> None:
     """A log of a body of ours has what was applied, no supply is in doubt: a factor of 1.6 is then a winding."""
-    robot = Estimated(lqr(PRIOR, 0.01), kalman(PRIOR, NXT))
+    robot = Estimated(lqr_state(PRIOR, 0.01), kalman(PRIOR, NXT))
     logs = [
         run(
             Electronics(NonlinearBody(TRUE), NXT),

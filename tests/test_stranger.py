@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 import subprocess
 import sys
@@ -56,8 +57,20 @@ def test_a_design_takes_names(name: str) -> None:
         assert controller_hash(named) == controller_hash(given)
 
 
-def test_lqr_takes_a_name() -> None:
-    assert np.array_equal(up.lqr("nxtway-gs", 0.01).gain, up.lqr(ROBOT, 0.01).gain)
+def test_lqr_state_takes_a_name() -> None:
+    assert np.array_equal(up.lqr_state("nxtway-gs", 0.01).gain, up.lqr_state(ROBOT, 0.01).gain)
+
+
+def test_lqr_in_python_is_that_of_the_command(tmp_path: Path) -> None:
+    """`upright design` prints what `up.design` prints, and writes what it saves."""
+    designed = up.design("lqr", "nxtway-gs")
+    controller = up.lqr("nxtway-gs", "nxt")
+    written = json.loads(designed.save(tmp_path / "lqr.json").read_text("utf-8"))
+    assert written["hash"] == controller_hash(controller)
+    assert np.array_equal(written["gain"], up.lqr_state(ROBOT, KIT.period).gain)
+    printed = str(controller).split("\n", maxsplit=1)[1]  # K, S and the poles, after what it reads
+    assert "K of u" in printed
+    assert printed in str(designed)
 
 
 def test_a_flight_that_nobody_can_confirm_says_so(tmp_path: Path, capsys, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -71,14 +84,16 @@ def test_a_flight_that_nobody_can_confirm_says_so(tmp_path: Path, capsys, monkey
 
 
 SIZES = {
-    "a run": lambda: up.run(up.NonlinearBody(ROBOT), up.lqr(ROBOT, 0.01), seconds=1e9),
+    "a run": lambda: up.run(up.NonlinearBody(ROBOT), up.lqr_state(ROBOT, 0.01), seconds=1e9),
     "a fleet": lambda: up.fleet("nxtway-gs", n=10**9),
     "a long fleet": lambda: up.fleet("nxtway-gs", seconds=1e9, n=10),
     "a certificate": lambda: up.certify("lqr", ROBOT, samples=10**9),
     "an excitation": lambda: up.excite("lqg", "nxtway-gs", seconds=1e9),
     "repeats": lambda: study_of(TINY, ROBOT, runs=10**9),
     "a negative seed": lambda: up.fleet("nxtway-gs", n=10, seed=-1),
-    "a seed of 400 digits": lambda: up.run(up.NonlinearBody(ROBOT), up.lqr(ROBOT, 0.01), seconds=1.0, seed=10**400),
+    "a seed of 400 digits": lambda: up.run(
+        up.NonlinearBody(ROBOT), up.lqr_state(ROBOT, 0.01), seconds=1.0, seed=10**400
+    ),
 }
 
 
@@ -105,7 +120,7 @@ def test_sizes_are_refused_before_the_work(arguments: str, capsys, tmp_path: Pat
 def test_numbers_beyond_every_robot_are_one_line(tmp_path: Path) -> None:
     huge = up.Log(TINY.t, {"sensor/gyro": np.full(20, 1e308), "sensor/encoder_left": np.linspace(0, 1, 20)})
     push = up.Push(force=1e308, start=0.0, duration=1.0)
-    body, gain = up.NonlinearBody(ROBOT), up.lqr(ROBOT, 0.01)
+    body, gain = up.NonlinearBody(ROBOT), up.lqr_state(ROBOT, 0.01)
     (tmp_path / "exits.py").write_text("raise SystemExit(7)\n")
     for call in (
         lambda: up.doctor(huge),

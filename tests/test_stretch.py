@@ -9,7 +9,7 @@ from upright.bodies import NonlinearBody
 from upright.calibration.calibrate import prepared
 from upright.calibration.calibration import Segments
 from upright.calibration.validate import segments
-from upright.control import lqr
+from upright.control import lqr_state
 from upright.experiment import run
 from upright.robots import Kit, Robot
 from upright.signals import Log
@@ -26,7 +26,7 @@ def simulated(log: Log, robot: Robot, kit: Kit) -> Segments:
 def test_a_log_that_begins_in_motion_is_followed_from_its_first_row(pitch: float, rate: float) -> None:
     """The model's own log and parameters: what is off is the first state alone, whose pitch no sensor tells."""
     start = (pitch, rate, 0.0, 3.0, 0.0, 0.5)
-    log = run(NonlinearBody(ROBOT.replace(coulomb_friction=0.0)), lqr(ROBOT, 0.01), seconds=1.5, start=start)
+    log = run(NonlinearBody(ROBOT.replace(coulomb_friction=0.0)), lqr_state(ROBOT, 0.01), seconds=1.5, start=start)
     raw = Log(log.t, {n: v for n, v in log.channels.items() if not n.startswith("truth/")}, log.units, log.origin)
     found = simulated(raw, ROBOT.replace(coulomb_friction=0.0), IDEAL)
     assert found.lost == 0.0
@@ -51,6 +51,6 @@ def test_a_stretch_that_falls_in_simulation_is_begun_where_it_falls_as_the_readi
         com_height=height * ROBOT.com_height, back_emf=back_emf * ROBOT.back_emf,
         wheel_radius=radius * ROBOT.wheel_radius,
     )  # fmt: skip
-    log = run(NonlinearBody(smooth), lqr(ROBOT, 0.01), seconds=1.0, start=start)
+    log = run(NonlinearBody(smooth), lqr_state(ROBOT, 0.01), seconds=1.0, start=start)
     raw = Log(log.t, {n: v for n, v in log.channels.items() if not n.startswith("truth/")}, log.units, log.origin)
     assert simulated(raw, other, IDEAL).r_squared("sensor/gyro") > 0.9

@@ -12,7 +12,7 @@ import pytest
 
 import upright as up
 from upright.cli.main import main
-from upright.control import lqg, lqr
+from upright.control import lqg, lqr_state
 from upright.control.excited import Excited, random_binary
 from upright.control.files import write_controller
 from upright.errors import UprightError
@@ -242,7 +242,7 @@ LATE, STEP, EVERY = 0.03, 0.001, 10  # [s] of all sensors, [s] of the integratio
 def log_of_late_estimates() -> up.Log:
     """The equations by Runge and Kutta's formula under a state feedback, all of whose sensors are `LATE`; its pitch is
     what a program without a model has: as late as they are."""
-    robot, gains = ROBOT, lqr(ROBOT, KIT.period).gain[0]
+    robot, gains = ROBOT, lqr_state(ROBOT, KIT.period).gain[0]
     rows, late = 400, round(LATE / STEP)
     added = random_binary(rows, 1.0, seed=3, hold=6)
     past, table = [np.array([0.03, 0.0, 0.0, 0.0, 0.0, 0.0])], list[list[float]]()

@@ -19,6 +19,7 @@ from .control import kalman as kalman
 from .control import lqg as lqg
 from .control import lqi as lqi
 from .control import lqr as lqr
+from .control import lqr_state as lqr_state
 from .control import mpc as mpc
 from .control import pid as pid
 from .control import pid_angle as pid_angle

@@ -12,7 +12,7 @@ import numpy as np
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
 from upright.checkup.doctor import Diagnosis
-from upright.control import Estimated, bryson, complementary, kalman, lqr
+from upright.control import Estimated, bryson, complementary, kalman, lqr_state
 from upright.control.excited import Excited, random_binary
 from upright.errors import UprightError
 from upright.experiment import Drive, Push, Turn, run
@@ -63,7 +63,7 @@ def record(
     torque = s.robot.drive == "torque"
     estimator = complementary(s.robot, s.kit, dt, time=1.0) if filtered or torque else kalman(s.robot, s.kit, dt)
     price = np.full(2, s.price / (0.15 if torque else 4.0) ** 2)
-    controller: Any = Estimated(lqr(s.robot, dt, Q=bryson(LARGEST), R=price), estimator)
+    controller: Any = Estimated(lqr_state(s.robot, dt, Q=bryson(LARGEST), R=price), estimator)
     if excited:
         hold = round(0.06 / dt)
         controller = Excited(controller, random_binary(round(seconds / dt), gain * s.excitation, seed, hold))
@@ -307,7 +307,7 @@ def _same(log: Log, _: np.random.Generator) -> Log:
 def fallen(seed: int) -> Log:
     """A robot that a push too strong for it throws over, lying for two seconds after."""
     s = settings()["nxt"]
-    controller = Estimated(lqr(s.robot, 0.01), kalman(s.robot, s.kit, 0.01))
+    controller = Estimated(lqr_state(s.robot, 0.01), kalman(s.robot, s.kit, 0.01))
     weight = s.robot.body_mass * s.robot.gravity
     exciting = Excited(controller, random_binary(700, 0.6, seed, 6))
     log = run(

@@ -10,7 +10,7 @@ import numpy as np
 from upright.bodies import Body, Electronics
 from upright.bodies.twin import Twin
 from upright.calibration.effects import FRACTIONS
-from upright.control import Estimated, kalman, lqr, make_controller
+from upright.control import Estimated, kalman, lqr_state, make_controller
 from upright.control.excited import Excited, random_binary
 from upright.errors import UprightError
 from upright.experiment import run
@@ -56,7 +56,7 @@ def twin_log(
     robot = Robot.preset(name)
     kit = kit or Kit.preset(robot.kit)
     if name == "nxtway-gs":
-        controller = Estimated(lqr(robot, kit.period), kalman(robot, kit, kit.period))
+        controller = Estimated(lqr_state(robot, kit.period), kalman(robot, kit, kit.period))
     else:
         controller = make_controller("lqg", robot, kit, kit.period)
     plant = Electronics(body(true), kit)

@@ -62,10 +62,9 @@ class Designed(Shown):
         return self.facts() | {"design": own, "analysis": self.analysis.to_json() if self.analysis else self.remark}
 
     def __str__(self) -> str:
-        record = design_of(self.controller)
         lines = [f"{name:<10}{_shown(value)}" for name, value in self.facts().items() if value is not None]
-        words = ["", *record.words()] if record and record.words() else []
-        return "\n".join([*lines, *words, "", str(self.analysis or self.remark)])
+        words: list[str] = getattr(self.controller, "words", list)()
+        return "\n".join([*lines, *([""] if words else []), *words, "", str(self.analysis or self.remark)])
 
 
 def _shown(value: Any) -> str:

@@ -27,6 +27,7 @@ from upright.control.lqi import lqi as lqi
 from upright.control.lqr import Lqr as Lqr
 from upright.control.lqr import dlqr as dlqr
 from upright.control.lqr import lqr as lqr
+from upright.control.lqr import lqr_state as lqr_state
 from upright.control.methods import CONTROLLERS as CONTROLLERS
 from upright.control.methods import Method as Method
 from upright.control.methods import find_controller as find_controller

@@ -59,7 +59,7 @@ class Controller(Protocol):
 class Lawful:
     """A controller that says what it computes: `law()` is a `Law`, of which `linearised()` is the part near rest.
 
-    It is shown by its kind, readings and period; its matrices are attributes.
+    It is shown by its kind, readings and period; printed, it adds what its design says. Its matrices are attributes.
     """
 
     spec: Any  # a `ControllerSpec`: a field in some controllers, a property in others
@@ -71,6 +71,14 @@ class Lawful:
     def linearised(self) -> Any:
         """The `LinearController` that it is while nothing about it is at a limit."""
         return self.law().linearised()
+
+    def words(self) -> list[str]:
+        """Sentences on how it was found: those of its record of design, where it has one."""
+        record = getattr(self, "design", None)
+        return record.words() if record else []
+
+    def __str__(self) -> str:
+        return "\n".join([repr(self), *self.words()])
 
     def __repr__(self) -> str:
         spec: ControllerSpec = self.spec

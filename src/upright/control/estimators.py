@@ -75,6 +75,10 @@ class Estimated(Lawful):
         """That of the controller."""
         return gain_of(self.controller)
 
+    def words(self) -> list[str]:
+        """Those of the controller."""
+        return getattr(self.controller, "words", list)()
+
     def law(self) -> Law:
         estimator: Any = self.estimator
         law = as_law(self.controller)

@@ -13,24 +13,20 @@ from upright.control.design import Design
 from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
 from upright.control.observer import output_feedback
-from upright.control.riccati import (
-    LARGEST_COMMAND,
-    LARGEST_STATE,
-    among,
-    bryson,
-    riccati,
-    riccati_residual,
-    weight_matrix,
-)
-from upright.errors import DesignFailed
+from upright.control.riccati import among, command_weight, riccati, riccati_residual, state_weight
+from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot, find_kit, find_robot
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Lqg(Design):
-    """u = u_r − K (x̂ − r) with K from Q, R and the cost P of `riccati`, and x̂ from the `filter`."""
+    """u = u_r − K (x̂ − r) with K from Q, R and the cost P of `riccati` for the `plant`, and x̂ from the `filter`.
+
+    With an integral (lqi) that is the plant's last state.
+    """
 
     filter: Filter
+    plant: LinearModel
     Q: Array
     R: Array
     P: Array
@@ -38,8 +34,8 @@ class Lqg(Design):
 
     def check(self) -> float:
         """The larger of both Riccati residuals."""
-        plant = self.filter.sampled.plant
-        return max(self.filter.check(), riccati_residual(plant.A, plant.B, self.Q, self.R, self.P))
+        own = riccati_residual(self.plant.A, self.plant.B, self.Q, self.R, self.P)
+        return max(self.filter.check(), own)
 
     @property
     def gain(self) -> Array:
@@ -70,26 +66,14 @@ def lqg(
 def regulated(estimator: Filter, Q: ArrayLike | None = None, R: ArrayLike | None = None) -> Lqg:
     """The regulator of the robot that `estimator` sees, under weights as in `lqg`."""
     model = estimator.sampled
-    weight = state_weight(model, Q)
-    price = command_weight(model.robot, R)
-    return Lqg(estimator, weight, price, *riccati(model.plant, weight, price, regulated_states(model)))
+    plant = model.plant
+    weight = np.zeros_like(plant.A)  # none on the commands on their way, and on what no reading shows
+    weight[:6, :6] = among(state_weight(Q), model.shown)
+    price = command_weight(model.robot.command_unit, R)
+    cost, gain = riccati(plant, weight, price, regulated_states(model))
+    return Lqg(filter=estimator, plant=plant, Q=weight, R=price, P=cost, K=gain)
 
 
 def regulated_states(model: SampledRobot) -> list[int]:
     """Of the plant: those of the robot that readings show, and the commands on their way."""
     return [*model.shown, *range(6, len(model.plant.states))]
-
-
-def state_weight(model: SampledRobot, Q: ArrayLike | None, largest: ArrayLike = LARGEST_STATE) -> Array:
-    """Q (6, 6), or its diagonal, or Bryson's rule, padded with zeros for the commands on their way; zero for what no
-    reading shows."""
-    weight = among(weight_matrix(bryson(largest) if Q is None else Q, 6, "Q"), model.shown)
-    return np.pad(weight, (0, len(model.plant.states) - 6))
-
-
-def command_weight(robot: Robot, R: ArrayLike | None) -> Array:
-    """R (2, 2), or its diagonal, or Bryson's rule, positive definite."""
-    price = weight_matrix(bryson([LARGEST_COMMAND[robot.command_unit]] * 2) if R is None else R, 2, "R")
-    if np.linalg.eigvalsh(price)[0] <= 0:
-        raise DesignFailed("R is not positive definite", expected="a price on every command", hint="raise its diagonal")
-    return price

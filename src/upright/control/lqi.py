@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import ArrayLike
 
 from upright.arrays import Array
 from upright.control.delay import sampled
-from upright.control.design import Design
-from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
+from upright.control.kalman import RECOVERED, Disturbed, kalman_filter
 from upright.control.linear_controller import LinearController
-from upright.control.lqg import command_weight
+from upright.control.lqg import Lqg
 from upright.control.observer import Extra, output_feedback
-from upright.control.riccati import LARGEST_STATE, bryson, riccati, riccati_residual, weight_matrix
+from upright.control.riccati import LARGEST_STATE, command_weight, riccati, state_weight
 from upright.errors import DesignFailed
 from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot, find_kit, find_robot
@@ -22,27 +19,6 @@ from upright.signals import STATE_NAMES
 
 LARGEST_INTEGRAL = 4.0  # [rad s] of the wheel: 4 rad off for a second
 UNWINDING = 2.0  # [s] in which saturation is taken back out of the integral
-
-
-@dataclass(frozen=True, eq=False)
-class Lqi(Design):
-    """u = u_r r − K (x̂ − r) − k_i ∫(θ̂ − θ_r), from Q, R and the cost P of `servo`, the plant with its integral."""
-
-    filter: Filter
-    servo: LinearModel
-    Q: Array
-    R: Array
-    P: Array
-    K: Array
-
-    def check(self) -> float:
-        """The larger of both Riccati residuals."""
-        return max(self.filter.check(), riccati_residual(self.servo.A, self.servo.B, self.Q, self.R, self.P))
-
-    @property
-    def gain(self) -> Array:
-        """K, the six states first."""
-        return self.K
 
 
 def lqi(
@@ -68,16 +44,15 @@ def lqi(
     model = sampled(robot, kit, dt, reads)
     model.check_position("lqi")
     estimator = kalman_filter(model, disturbed)
-    weight = weight_matrix(bryson([*LARGEST_STATE, LARGEST_INTEGRAL]) if Q is None else Q, 7, "Q")
     servo = with_integral(model.plant)
-    n = len(servo.states)
-    order = [*range(6), n - 1]
-    padded = np.zeros((n, n))
-    price = command_weight(robot, R)
-    padded[np.ix_(order, order)] = weight
-    P, K = riccati(servo, padded, price)
+    weighed = [*range(6), -1]  # the robot's state and the integral: commands on their way cost nothing
+    weight = np.zeros_like(servo.A)
+    weight[np.ix_(weighed, weighed)] = state_weight(Q, [*LARGEST_STATE, LARGEST_INTEGRAL])
+    price = command_weight(robot.command_unit, R)
+    P, K = riccati(servo, weight, price)
+    design = Lqg(filter=estimator, plant=servo, Q=weight, R=price, P=P, K=K)
     extra = Extra(np.eye(1), servo.A[-1:, :-1], K[:, -1:], unwound(K[:, -1], model.dt / unwinding))
-    return output_feedback(estimator, K[:, :-1], "lqi", Lqi(estimator, servo, padded, price, P, K), extra)
+    return output_feedback(estimator, K[:, :-1], "lqi", design, extra)
 
 
 def unwound(gain: Array, fraction: float) -> Array:

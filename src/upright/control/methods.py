@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from os import PathLike
 from typing import Any
 
@@ -15,15 +16,14 @@ from upright.control.hinf import hinf
 from upright.control.identity import designed_from, request_hash
 from upright.control.lqg import lqg
 from upright.control.lqi import LARGEST_INTEGRAL, lqi
-from upright.control.lqr import Lqr, lqr
+from upright.control.lqr import Lqr, lqr, lqr_state
 from upright.control.mpc import mpc
-from upright.control.observed import regulator
 from upright.control.pid import pid
 from upright.control.pid_angle_design import OWN, pid_angle
-from upright.control.riccati import LARGEST_COMMAND, LARGEST_STATE, bryson
+from upright.control.riccati import LARGEST_COMMAND, LARGEST_STATE
 from upright.control.robust import robust
 from upright.control.sliding import sliding
-from upright.control.tunable import TUNABLE, Tunable, sized
+from upright.control.tunable import TUNABLE, Tunable, by_sizes, sized
 from upright.errors import InvalidController, UnknownName, lacking
 from upright.plugins import Registry, made
 from upright.robots import Kit, Robot
@@ -109,39 +109,28 @@ class Method:
         return designed_from(self.make(robot, kit, dt), asked)
 
 
-def _by_weights(
-    method: Callable[[Robot, Kit, float, Array, Array], Controller], integral: tuple[float, ...] = ()
-) -> Callable[..., Controller]:
-    """`method` of Q and R, as `make` of a weighted entry; `integral` are the largest values of further states."""
-
-    def make(robot: Robot, kit: Kit, dt: float, *, largest: Sequence[float], command: float) -> Controller:
-        return method(robot, kit, dt, bryson([*largest, *integral]), bryson([command] * 2))
-
-    return make
-
-
-def _lqr(robot: Robot, _kit: Kit, dt: float, Q: Array, R: Array) -> Lqr:
-    return lqr(robot, dt, Q, R)
+def _lqr_state(robot: Robot, _kit: Kit, dt: float, Q: Array, R: Array) -> Lqr:
+    return lqr_state(robot, dt, Q, R)
 
 
 def _complementary(robot: Robot, kit: Kit, dt: float, Q: Array, R: Array) -> Controller:
-    return Estimated(lqr(robot, dt, Q, R), complementary(robot, kit, dt))
+    return Estimated(lqr_state(robot, dt, Q, R), complementary(robot, kit, dt))
 
 
 OURS = (
     # the baseline of all others
-    Method(name="lqr", make=_by_weights(regulator), weighted=True, tunable=TUNABLE["lqr"]),
-    Method(name="lqr-complementary", make=_by_weights(_complementary), weighted=True, benched=False),
-    Method(name="lqi", make=_by_weights(lqi, (LARGEST_INTEGRAL,)), weighted=True, tunable=TUNABLE["lqi"]),
-    Method(name="lqg", make=_by_weights(lqg), weighted=True, tunable=TUNABLE["lqg"]),
+    Method(name="lqr", make=partial(by_sizes, lqr), weighted=True, tunable=TUNABLE["lqr"]),
+    Method(name="lqr-complementary", make=partial(by_sizes, _complementary), weighted=True, benched=False),
+    Method(name="lqi", make=partial(by_sizes, lqi, integral=LARGEST_INTEGRAL), weighted=True, tunable=TUNABLE["lqi"]),
+    Method(name="lqg", make=partial(by_sizes, lqg), weighted=True, tunable=TUNABLE["lqg"]),
     Method(name="pid", make=pid, slow=True, tunable=TUNABLE["pid"]),
     # what most have built: a program of one's own, no table's rival
     Method(name="pid-angle", make=pid_angle, own=OWN, benched=False, tunable=TUNABLE["pid-angle"]),
     Method(name="hinf", make=hinf, slow=True, tunable=TUNABLE["hinf"]),
-    Method(name="mpc", make=_by_weights(mpc), weighted=True, tunable=TUNABLE["mpc"]),
-    Method(name="sliding", make=_by_weights(sliding), weighted=True, tunable=TUNABLE["sliding"]),
+    Method(name="mpc", make=partial(by_sizes, mpc), weighted=True, tunable=TUNABLE["mpc"]),
+    Method(name="sliding", make=partial(by_sizes, sliding), weighted=True, tunable=TUNABLE["sliding"]),
     Method(name="robust", make=robust, weighted=True, slow=True, needs="cvxpy"),
-    Method(name="lqr-state", make=_by_weights(_lqr), weighted=True, reads_truth=True, benched=False),
+    Method(name="lqr-state", make=partial(by_sizes, _lqr_state), weighted=True, reads_truth=True, benched=False),
 )
 
 
@@ -153,8 +142,8 @@ def _plugin(name: str, thing: Any) -> Method:
     def checked(robot: Robot, kit: Kit, dt: float, **weights: Any) -> Controller:
         return made(f"controller {name}", Controller, lambda: make(robot, kit, dt, **weights))
 
-    by_sizes = sized(checked) if given.weighted and not given.slow else None
-    return replace(given, name=name, make=checked, tunable=given.tunable or by_sizes)
+    tunable = sized(checked) if given.weighted and not given.slow else None
+    return replace(given, name=name, make=checked, tunable=given.tunable or tunable)
 
 
 CONTROLLERS: Registry[Method] = Registry("controller", "upright.controllers", {m.name: m for m in OURS}, _plugin)

@@ -9,15 +9,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from numpy.typing import ArrayLike
-
 from upright.arrays import Array
 from upright.control.delay import sampled
 from upright.control.design import Design
 from upright.control.feedback import StateFeedback
 from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
-from upright.control.lqr import lqr
 from upright.control.observer import output_feedback
 from upright.errors import SpecMismatch
 from upright.robots import Kit, Robot
@@ -68,22 +65,8 @@ def observed(
         raise SpecMismatch(
             f"the {feedback.kind} feeds back {' and '.join(blind)}, which {' and '.join(model.reads)} do not show",
             expected="a feedback of what they show",
-            hint="regulator(robot, kit)",
+            hint="lqr(robot, kit)",
         )
     estimator = kalman_filter(model, disturbed)
     design = Observed(estimator, feedback)
     return output_feedback(estimator, feedback.gain @ model.ahead, feedback.kind, design)
-
-
-def regulator(
-    robot: Robot,
-    kit: Kit,
-    dt: float,
-    Q: ArrayLike | None = None,
-    R: ArrayLike | None = None,
-    *,
-    disturbed: Disturbed = RECOVERED,
-) -> LinearController:
-    """`lqr` of the states that the sensors of `kit` show, `observed`."""
-    shown = sampled(robot, kit, dt).shown
-    return observed(lqr(robot, dt, Q, R, shown=shown), robot, kit, disturbed=disturbed)

@@ -83,3 +83,21 @@ def riccati_residual(A: Array, B: Array, Q: Array, R: Array, P: Array) -> float:
     coupling = A.T @ P @ B
     residual = A.T @ P @ A - P - coupling @ np.linalg.solve(R + B.T @ P @ B, coupling.T) + Q
     return float(np.abs(residual).max() / np.abs(P).max())
+
+
+def state_weight(Q: ArrayLike | None, largest: Sequence[float] = LARGEST_STATE) -> Array:
+    """Q, or its diagonal, or Bryson's rule on the `largest` deviations."""
+    return weight_matrix(bryson(largest) if Q is None else Q, len(largest), "Q")
+
+
+def command_weight(unit: str, R: ArrayLike | None) -> Array:
+    """R (2, 2), or its diagonal, or Bryson's rule on the usual command in that `unit`, positive definite."""
+    return price_matrix(bryson([LARGEST_COMMAND[unit]] * 2) if R is None else R, 2)
+
+
+def price_matrix(R: ArrayLike, size: int) -> Array:
+    """A positive definite (size, size) from a matrix or its diagonal."""
+    price = weight_matrix(R, size, "R")
+    if np.linalg.eigvalsh(price)[0] <= 0:
+        raise DesignFailed("R is not positive definite", expected="a price on every command", hint="raise its diagonal")
+    return price

@@ -27,7 +27,7 @@ from upright.control.family import LoopFamily, Plane, family, halves, plane, sid
 from upright.control.guaranteed import Guaranteed, guaranteed
 from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
-from upright.control.lqr import lqr
+from upright.control.lqr import lqr_state
 from upright.control.observer import output_feedback
 from upright.control.riccati import LARGEST_COMMAND, LARGEST_STATE, bryson
 from upright.errors import DesignFailed, require
@@ -173,7 +173,7 @@ class _Task:
     def regulator(self, price: float = 1.0) -> Array:
         """Plain LQR (2, 6) at that price of the command."""
         R = price * bryson([self.size] * 2)
-        return lqr(self.robot, self.sampled.dt, self.weight, R).gain
+        return lqr_state(self.robot, self.sampled.dt, self.weight, R).gain
 
     def ahead(self, four: Array) -> Array:
         """k (m,) on the filter's plane from four gains on the state when the command arrives."""

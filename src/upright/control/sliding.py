@@ -41,14 +41,14 @@ class Sliding(Design):
 
     def poles(self) -> Complex:
         """Of the loop outside the layer's switching: those of the sliding motion and `keep` twice; largest first."""
-        plant = self.base.filter.sampled.plant
+        plant = self.base.plant
         closed = plant.A - plant.B @ self.S @ (plant.A - self.keep * np.eye(len(plant.A)))
         poles = np.linalg.eigvals(closed).astype(complex)
         return poles[np.argsort(-np.abs(poles))]
 
     def check(self) -> float:
         """The largest of both Riccati residuals and of |S B S − S|, over the largest of S."""
-        left = self.S @ self.base.filter.sampled.plant.B @ self.S - self.S
+        left = self.S @ self.base.plant.B @ self.S - self.S
         return max(self.base.check(), float(np.abs(left).max() / np.abs(self.S).max()))
 
 

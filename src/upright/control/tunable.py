@@ -6,8 +6,9 @@ ratios matter, so that the command's is fixed.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 from upright.control.controller import Controller
@@ -17,8 +18,8 @@ from upright.control.hinf import Expected, hinf
 from upright.control.kalman import RECOVERED, Disturbed, offset_free
 from upright.control.lqg import lqg
 from upright.control.lqi import LARGEST_INTEGRAL, lqi
+from upright.control.lqr import lqr
 from upright.control.mpc import HORIZON, mpc
-from upright.control.observed import regulator
 from upright.control.pid import Pid, pid
 from upright.control.pid_angle_design import pid_angle
 from upright.control.riccati import LARGEST_COMMAND, LARGEST_STATE, bryson
@@ -80,24 +81,38 @@ def sized(make: Callable[..., Controller]) -> Tunable:
     return Tunable(defaults, under)
 
 
-def _by_weights(method: Callable[..., Controller], integral: bool = False) -> Tunable:
-    """A method of Q and R behind a filter."""
+def by_sizes(
+    method: Callable[..., Controller],
+    robot: Robot,
+    kit: Kit,
+    dt: float,
+    *,
+    largest: Sequence[float],
+    command: float,
+    integral: float | None = None,
+    **own: Any,
+) -> Controller:
+    """The controller by a `method` of Q and R, from Bryson's sizes: `largest` (6,), that of the `integral` where it has
+    one, and the `command`'s; `own` are further keywords of the method."""
+    sizes = [*largest] if integral is None else [*largest, integral]
+    return method(robot, kit, dt, Q=bryson(sizes), R=bryson([command] * 2), **own)
 
-    def defaults(robot: Robot, kit: Kit, dt: float) -> dict[str, float]:
-        return _regulator(robot, kit, dt) | ({"integral": LARGEST_INTEGRAL} if integral else {})
 
-    def make(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
-        own = (weights["integral"],) if integral else ()
-        return method(robot, kit, dt, **_common(robot, weights, own))
-
-    return Tunable(defaults, make)
-
-
-def _common(robot: Robot, weights: Weights, integral: tuple[float, ...] = ()) -> dict[str, Any]:
-    """Q, R and the filter's noise."""
-    command = bryson([LARGEST_COMMAND[robot.command_unit]] * 2)
+def _on_filter(
+    method: Callable[..., Controller], robot: Robot, kit: Kit, dt: float, weights: Weights, **own: Any
+) -> Controller:
+    """A method of Q and R behind a filter, which has `weights` of its own beside those of the plane."""
     noise = replace(RECOVERED, motor=weights["motor_noise"])
-    return {"Q": bryson([*largest_of(weights), *integral]), "R": command, "disturbed": noise}
+    sizes = {"largest": largest_of(weights), "command": LARGEST_COMMAND[robot.command_unit]}
+    return by_sizes(method, robot, kit, dt, **sizes, **{"disturbed": noise, **own})
+
+
+def _lqi_defaults(robot: Robot, kit: Kit, dt: float) -> dict[str, float]:
+    return _regulator(robot, kit, dt) | {"integral": LARGEST_INTEGRAL}
+
+
+def _lqi(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
+    return _on_filter(lqi, robot, kit, dt, weights, integral=weights["integral"])
 
 
 def _sliding_defaults(robot: Robot, kit: Kit, dt: float) -> dict[str, float]:
@@ -105,8 +120,8 @@ def _sliding_defaults(robot: Robot, kit: Kit, dt: float) -> dict[str, float]:
 
 
 def _sliding(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
-    time, reach, layer = (weights[name] for name in ("time", "reach", "layer"))
-    return sliding(robot, kit, dt, time=time, reach=reach, layer=layer, **_common(robot, weights))
+    own = {name: weights[name] for name in ("time", "reach", "layer")}
+    return _on_filter(sliding, robot, kit, dt, weights, **own)
 
 
 def _mpc_defaults(robot: Robot, kit: Kit, dt: float) -> dict[str, float]:
@@ -117,9 +132,7 @@ def _mpc_defaults(robot: Robot, kit: Kit, dt: float) -> dict[str, float]:
 
 def _mpc(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
     noise = Disturbed(motor=weights["motor_noise"], push_walk=weights["push_walk"])
-    weighed = _common(robot, weights)
-    weighed["disturbed"] = noise
-    return mpc(robot, kit, dt, **weighed, horizon=round(weights["horizon"]))
+    return _on_filter(mpc, robot, kit, dt, weights, disturbed=noise, horizon=round(weights["horizon"]))
 
 
 def _hinf_defaults(_robot: Robot, _kit: Kit, _dt: float) -> dict[str, float]:
@@ -160,9 +173,9 @@ def _angle(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
 
 
 TUNABLE: dict[str, Tunable] = {
-    "lqr": _by_weights(regulator),
-    "lqi": _by_weights(lqi, integral=True),
-    "lqg": _by_weights(lqg),
+    "lqr": Tunable(_regulator, partial(_on_filter, lqr)),
+    "lqi": Tunable(_lqi_defaults, _lqi),
+    "lqg": Tunable(_regulator, partial(_on_filter, lqg)),
     "pid": Tunable(_pid_defaults, _pid),
     "pid-angle": Tunable(_angle_defaults, _angle),
     "hinf": Tunable(_hinf_defaults, _hinf),

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from upright.atomic import make_folder, write_json
-from upright.control import lqr
+from upright.control import lqr_state
 from upright.paper import as_built, controllers, equations, linear_model, printed, pushes, regulator, sensors, turning
 from upright.paper.as_built import MODELS
 from upright.paper.claim import BEYOND, IN_PART, NOT_AS_PRINTED, REPRODUCED, Claim
@@ -228,7 +228,7 @@ def chapters(progress: Progress = unwatched) -> list[Claim]:
     heavy = Robot.preset(HEAVY)
     kit = Kit.preset("nxt")
     gains = regulator.printed_feedback()
-    own = lqr(light, printed.PERIOD)
+    own = lqr_state(light, printed.PERIOD)
     why = "The printed gains do not balance this lighter robot; its regulator is an LQR of its own."
     claims = equations.chapter(lambda fraction: progress(0.2 * fraction))
     claims += turning.chapter(lambda fraction: progress(0.2 + 0.1 * fraction))

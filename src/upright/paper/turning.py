@@ -15,7 +15,7 @@ import numpy as np
 from upright.arrays import Array
 from upright.bodies import Body, NonlinearBody
 from upright.bodies.twin import Twin
-from upright.control import StateFeedback, lqr
+from upright.control import StateFeedback, lqr_state
 from upright.experiment import Drive, Turn, run
 from upright.paper.claim import BEYOND, Claim
 from upright.physics.dynamics import accelerations, mass_matrix, motor_damping, motor_gain, turn_ratio
@@ -67,7 +67,7 @@ class Deviation:
 def chapter(progress: Progress = unwatched) -> list[Claim]:
     """The size of the terms left out at each yaw rate, and both models against the twin."""
     robot = Robot.preset("nxtway-gs")
-    feedback = lqr(robot, PERIOD)
+    feedback = lqr_state(robot, PERIOD)
     logs: dict[float, dict[str, Log]] = {}
     for rate in RATES:
         logs[rate] = {name: drive(body, feedback, rate) for name, body in bodies(robot).items()}

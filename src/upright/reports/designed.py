@@ -15,7 +15,6 @@ from upright.control.hinf import Hinf
 from upright.control.kalman import Filter
 from upright.control.law import near_rest
 from upright.control.lqg import Lqg
-from upright.control.lqi import Lqi
 from upright.control.lqr import Lqr
 from upright.control.mpc import PredictiveController
 from upright.control.observed import Observed
@@ -83,10 +82,8 @@ def _parts(controller: Controller) -> list[Item]:
             items = _regulator(record.model.states, record, unit)
         case Observed(feedback=Lqr() as feedback):
             items = [*_regulator(feedback.model.states, feedback, unit), _ARRIVES]
-        case Lqi():
-            items = _regulator(record.servo.states, record, unit)
         case Lqg():
-            items = _regulator(record.filter.sampled.plant.states, record, unit)
+            items = _regulator(record.plant.states, record, unit)
             if isinstance(controller, PredictiveController):
                 items.append(f"It plans ahead, so that commands stay within ±{controller.splitting.limit:.3g} {unit}.")
         case Sliding() if isinstance(controller, SlidingMode):
@@ -104,7 +101,7 @@ def _parts(controller: Controller) -> list[Item]:
 _ARRIVES = "Here x̂ is the estimate for the moment when the command reaches the motors."
 
 
-def _regulator(states: Sequence[str], design: Lqr | Lqg | Lqi, unit: str) -> list[Item]:
+def _regulator(states: Sequence[str], design: Lqr | Lqg, unit: str) -> list[Item]:
     K = design.gain
     assert K is not None
     weights = design.Q.diagonal()
@@ -166,7 +163,7 @@ def _whole(unit: str) -> str:
 
 def _surface(design: Sliding, controller: SlidingMode, unit: str) -> list[Item]:
     table = _by_state(
-        design.base.filter.sampled.plant.states, design.base.Q.diagonal(),
+        design.base.plant.states, design.base.Q.diagonal(),
         {"S left": design.S[0], "S right": design.S[1]}, unit,
     )  # fmt: skip
     words = (
