@@ -53,10 +53,10 @@ def test_graph_symbols_are_normalised_and_give_the_system():
     P = LinearModel(rng.normal(size=(4, 4)), rng.normal(size=(4, 2)), rng.normal(size=(3, 4)), rng.normal(size=(3, 2)))
     omega = np.array([0.0, 0.3, 2.0, 50.0])
     found = graph(P)
-    right, left = found.right.response(omega), found.left.response(omega)
+    right, left = found.right.matrices(omega), found.left.matrices(omega)
     assert np.allclose(right.conj().swapaxes(1, 2) @ right, np.eye(2), atol=1e-9)
     assert np.allclose(left @ left.conj().swapaxes(1, 2), np.eye(3), atol=1e-9)
-    assert np.allclose(right[:, :3] @ np.linalg.inv(right[:, 3:]), P.response(omega), atol=1e-8)
+    assert np.allclose(right[:, :3] @ np.linalg.inv(right[:, 3:]), P.matrices(omega), atol=1e-8)
     assert np.allclose(left @ right, 0, atol=1e-9)  # one annihilates the other
 
 

@@ -81,7 +81,7 @@ def test_each_margin_of_a_loop_with_three_crossovers_has_its_frequency_and_direc
     found = margins(loop, (1.0, 1.0))
     scalar = broken_at(loop, np.full(2, math.sqrt(0.5)))
     omega = np.geomspace(0.01, 300, 3000)
-    frd = control.frd(scalar.response(omega)[:, 0, 0], omega, smooth=True)
+    frd = control.frd(scalar.response(omega)[0, 0], omega, smooth=True)
     gains, phases, _, at_gain, at_phase, _ = control.stability_margins(frd, returnall=True)
     assert len(at_phase) == 3
     k = int(np.argmin(np.abs(phases)))

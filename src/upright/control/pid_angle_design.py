@@ -216,7 +216,7 @@ def _searched(robot: Robot, kit: Kit, made: Callable[..., AnglePid]) -> AnglePid
     ones = [made(**dict(zip(_GAINS, row, strict=True))) for row in np.eye(3).tolist()]
     model = _model(robot, kit, ones[0])
     grid = np.geomspace(0.05, math.pi / model.dt, 300)
-    answers = plant_of(model, pushed=False).response(grid) @ np.ones(2)
+    answers = plant_of(model, pushed=False).response(grid).sum(axis=1)  # readings, for one of both motors
     parts = [_returned(one.linearised(), model, grid, answers) for one in ones]
     per_radian = ones[0].per_radian
     gravity = _gravity(robot) / per_radian
@@ -249,7 +249,7 @@ def _searched(robot: Robot, kit: Kit, made: Callable[..., AnglePid]) -> AnglePid
 def _returned(linear: LinearController, model: SampledRobot, grid: Array, answers: Any) -> Any:
     """The command that comes back for one of both motors, at each frequency."""
     K = controller_of(linear, model.delay).response(grid)
-    return (K[:, 0, :] * answers).sum(axis=1)
+    return (K[0] * answers).sum(axis=0)
 
 
 def drift(robot: Robot, controller: AnglePid, error: float) -> tuple[float, float, float, bool]:

@@ -350,4 +350,4 @@ def broken_input(loop: Loop, direction: Sequence[float]) -> LinearModel:
 def response_of(gain: LinearModel, count: int = 400) -> tuple[Array, Complex]:
     """Frequencies [rad/s] up to Nyquist's, and the scalar loop `gain` there."""
     grid = np.geomspace(0.05, math.pi / gain.dt, count)
-    return grid, gain.response(grid)[:, 0, 0]
+    return grid, gain.response(grid)[0, 0]

@@ -80,10 +80,10 @@ def nu_gap(first: LinearModel, second: LinearModel) -> float:
     one, two = graph(first), graph(second)
 
     def overlap(w: Array) -> Complex:
-        return np.linalg.det(_dagger(two.right.response(w)) @ one.right.response(w))
+        return np.linalg.det(_dagger(two.right.matrices(w)) @ one.right.matrices(w))
 
     def chordal(w: Array) -> Array:
-        return np.linalg.norm(two.left.response(w) @ one.right.response(w), 2, axis=(1, 2))
+        return np.linalg.norm(two.left.matrices(w) @ one.right.matrices(w), 2, axis=(1, 2))
 
     grid = _grid(first, second)
     if _winding(overlap, grid) != 0:
@@ -103,8 +103,8 @@ def stability_margin(loop: Loop) -> float:
     m = P.D.shape[1]
 
     def size(w: Array) -> Array:
-        plant = one.right.response(w)
-        back = np.roll(other.left.response(w), -m, axis=2)  # [Ñ, −M̃] of the controller meets [y; u] of the plant
+        plant = one.right.matrices(w)
+        back = np.roll(other.left.matrices(w), -m, axis=2)  # [Ñ, −M̃] of the controller meets [y; u] of the plant
         least = np.linalg.svd(back @ plant, compute_uv=False)[:, -1]
         hidden = (w == 0) & (least < HIDDEN)  # a mode at rest that no reading shows has a zero there, not the loop
         return np.where(hidden, 0.0, 1 / np.where(hidden, 1.0, least))

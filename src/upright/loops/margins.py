@@ -263,7 +263,7 @@ def _between(points: Array) -> Array:
 
 def _at_zero(system: LinearModel) -> float:
     """The real response at frequency zero, infinite where a pole lies there that the response shows."""
-    near, nearer = system.response([SLOWEST, SLOWEST / 2])[:, 0, 0].tolist()
+    near, nearer = system.response([SLOWEST, SLOWEST / 2])[0, 0].tolist()
     level = abs(near - nearer) < LEVEL * abs(nearer)
     try:
         exact = float(system.response(0.0)[0, 0, 0].real)
@@ -321,7 +321,7 @@ def disk_margin(loop: LinearModel, skew: float = 0.0) -> float:
     grid = frequencies(loop.dt)
 
     def mu(w: Array) -> Array:
-        matrices = np.linalg.inv(np.eye(m) + loop.response(w)) + (skew - 1) / 2 * np.eye(m)
+        matrices = np.linalg.inv(np.eye(m) + loop.matrices(w)) + (skew - 1) / 2 * np.eye(m)
         return np.array([ab13md(matrix, [1] * m, [2] * m)[0] for matrix in matrices])
 
     coarse = grid[:: max(1, len(grid) // 600)]

@@ -92,7 +92,7 @@ def parameter_mu(
     fastest = math.pi / nominal.dt
     crossing = _crossing(nominal, K, slopes, signs, lower) if lower else 0.0
     grid = np.array([0.0, *np.geomspace(SLOWEST, fastest, points), crossing])  # μ of real numbers may jump at z = ±1
-    upper, at = _peak(N.response(grid), blocks)
+    upper, at = _peak(N.matrices(grid), blocks)
     worst = {name: getattr(robot, name) + sign * chosen[name] / lower for name, sign in signs.items()} if lower else {}
     return Mu(lower, max(upper, lower), float(grid[at]), ranks, worst, curvature)
 

@@ -195,7 +195,12 @@ class LinearModel(Shown):
         return jw if self.continuous else np.exp(jw * self.dt)
 
     def response(self, omega: ArrayLike) -> Complex:
-        """C (λI − A)⁻¹ B + D (len(omega), p, m) at λ = jω or e^{jω dt}, ω in [rad/s]."""
+        """The gain (p, m, len(omega)) at each frequency ω [rad/s]: outputs, inputs, frequencies, as
+        `control.frequency_response` has them."""
+        return np.moveaxis(self.matrices(omega), 0, -1)
+
+    def matrices(self, omega: ArrayLike) -> Complex:
+        """C (λI − A)⁻¹ B + D at λ = jω or e^{jω dt}, the same as a stack (len(omega), p, m), which NumPy multiplies."""
         w = np.atleast_1d(np.asarray(omega, dtype=np.float64))
         points = self.points(w)
         shifted = points[:, None, None] * np.eye(len(self.A)) - self.A

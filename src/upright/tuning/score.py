@@ -135,7 +135,7 @@ def modulus_and_delay(loop: Loop) -> tuple[float, float]:
     """min |1 + l| over frequencies, and the least delay [s] that turns some |l| = 1 to −1 (infinite where |l| is never
     1), of the loop broken at both motors or at any reading (Åström and Hägglund 2006, section 4.6)."""
     grid = np.geomspace(0.1, math.pi / loop.plant.dt, GRID)
-    P, K = loop.plant.response(grid), loop.controller.response(grid)
+    P, K = loop.plant.matrices(grid), loop.controller.matrices(grid)
     places = [(K @ P, np.array(INPUTS["both motors"]))] + [(P @ K, row) for row in np.eye(P.shape[1])]
     sums = [_one_plus(gain, v / np.linalg.norm(v)) for gain, v in places]
     return float(min(np.abs(one).min() for one in sums)), min(_delay(grid, one - 1) for one in sums)
