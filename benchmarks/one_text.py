@@ -118,7 +118,7 @@ def largest(robot: Robot, kit: Kit, controller: Controller, seconds: float, fold
 
 def growth(robot: Robot, kit: Kit, controller: Controller) -> float:
     """How fast [1/s] a difference grows near rest while quantised readings stay the same: they count as cut off."""
-    loop, linear = robot_loop(robot, controller, kit), near_rest(controller)
+    loop, linear = robot_loop(controller, robot, kit), near_rest(controller)
     K, fine = loop.controller, np.diag([float(kit.sensors[name].quantum == 0) for name in linear.reads])
     poles = Loop(loop.plant, LinearModel(K.A, K.B @ fine, K.C, K.D @ fine, K.dt)).closed.poles()
     return float(np.log(np.abs(poles).max()) / K.dt)

@@ -123,7 +123,7 @@ def gyro_alone(kp: float, ki: float, kd: float) -> LinearController:
 def test_a_free_place_is_no_instability() -> None:
     """No command depends on how far the wheels have turned: poles at z = 1 for ever, and where all others decay the
     robot stands."""
-    loop = robot_loop(ROBOT, gyro_alone(20.0, 100.0, 1.0), KIT)
+    loop = robot_loop(gyro_alone(20.0, 100.0, 1.0), ROBOT, KIT)
     poles = np.sort(np.abs(loop.closed.poles()))
     assert poles[-4] < 0.9999  # beside position, heading and the sum of the readings
     margins = linear_margins(gyro_alone(20.0, 100.0, 1.0), ROBOT, KIT)
@@ -144,7 +144,7 @@ def test_a_design_says_of_a_free_place_what_the_certificate_says() -> None:
     for gains, word in (((20.0, 100.0, 1.0), "nothing holds its position"), ((5.0, 10.0, 0.2), "unstable")):
         controller = gyro_alone(*gains)
         margins = linear_margins(controller, ROBOT, KIT)
-        (said,) = analyse(ROBOT, controller, KIT, robots=[]).words()
+        (said,) = analyse(controller, ROBOT, KIT, robots=[]).words()
         _, reasons = judge(Examined(1000, 0, margins, [_trial()], KIT.period))
         assert word in said.lower()
         assert said.rstrip(".").lower() == reasons[0].lower()
@@ -192,7 +192,7 @@ def test_more_delay_and_other_periods_are_swept() -> None:
 
 
 def test_margins_are_those_of_the_analysis() -> None:
-    both = analyse(ROBOT, designed("pid"), KIT, robots=[]).both()
+    both = analyse(designed("pid"), ROBOT, KIT, robots=[]).both()
     linear = green().linear
     assert (linear.gain_low, linear.gain_high, linear.delay) == (both.gain_low, both.gain_high, both.delay)
 

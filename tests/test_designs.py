@@ -238,7 +238,7 @@ def test_predictive_control_survives_more_delay_than_a_quarter_of_its_period():
     # it leans against the push that it sees, one more loop round the dead time; 53 ms of it on TWIPR
     for preset in preset_names():
         robot, kit, controller = made("mpc", preset)
-        assert robot_loop(robot, controller, kit).delay_margin() > kit.period / 4
+        assert robot_loop(controller, robot, kit).delay_margin() > kit.period / 4
 
 
 def test_rolling_brakes_like_dry_friction_at_its_rate():

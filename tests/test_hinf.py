@@ -53,7 +53,7 @@ def test_measured_norm_does_not_exceed_gamma(designs, name):
 def test_the_design_steers_the_robot_it_was_made_for(designs, name):
     # the two channels put together and split again are the loop: same largest pole, by another route
     robot, kit, controller = designs[name]
-    loop = robot_loop(robot, controller, kit)
+    loop = robot_loop(controller, robot, kit)
     channels = controller.design.forward, controller.design.turning
     assert loop.stable
     slowest = max(float(np.abs(channel.closed.poles()[0])) for channel in channels)
@@ -88,14 +88,14 @@ def test_saturation_correction_changes_nothing_while_nothing_saturates(designs):
     robot, kit, controller = designs["twipr"]
     assert isinstance(controller, LinearController)
     assert sampled(robot, kit).delay == 5  # 53 ms at 10 ms: five whole periods, so a late report is tested
-    assert robot_loop(robot, controller, kit).stable
+    assert robot_loop(controller, robot, kit).stable
 
 
 def test_the_margin_is_wider_than_lqgs_on_nxtway(designs):
     from upright.control.lqg import lqg
 
     robot, kit, controller = designs["nxtway-gs"]
-    ours, theirs = (margins(robot_loop(robot, c, kit).at_input, (1, 1)) for c in (controller, lqg(robot, kit)))
+    ours, theirs = (margins(robot_loop(c, robot, kit).at_input, (1, 1)) for c in (controller, lqg(robot, kit)))
     assert ours.Ms < theirs.Ms  # what the method is for: LQG has no guaranteed margins (Doyle 1978)
 
 

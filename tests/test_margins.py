@@ -47,7 +47,7 @@ def nominal():
 
 @pytest.fixture(scope="module")
 def analysis(nominal):
-    return analyse(NXT, nominal, IDEAL)
+    return analyse(nominal, NXT, IDEAL)
 
 
 def test_seilers_example_has_its_published_margins():
@@ -77,7 +77,7 @@ def test_each_margin_of_a_loop_with_three_crossovers_has_its_frequency_and_direc
     # lqg on the nxtway: at its middle crossover the phase lies beyond −180°, so that a lead tips it over, not a lag;
     # python-control finds them on a grid of its own, and its negative phase margins are leads
     kit = Kit.preset("nxt")
-    loop = robot_loop(NXT, make_controller("lqg", NXT, kit, kit.period), kit).at_input
+    loop = robot_loop(make_controller("lqg", NXT, kit, kit.period), NXT, kit).at_input
     found = margins(loop, (1.0, 1.0))
     scalar = broken_at(loop, np.full(2, math.sqrt(0.5)))
     omega = np.geomspace(0.01, 300, 3000)
@@ -173,7 +173,7 @@ def test_the_bilinear_map_and_its_inverse_give_the_system_back():
 
 
 def test_state_feedback_margins_are_those_at_which_the_loop_really_breaks(nominal):
-    loop = robot_loop(NXT, nominal, IDEAL)
+    loop = robot_loop(nominal, NXT, IDEAL)
     found = margins(loop.at_input, (1, 1), "both motors")
 
     def stable(factor):
@@ -187,12 +187,12 @@ def test_state_feedback_margins_are_those_at_which_the_loop_really_breaks(nomina
 
 
 def test_more_delay_than_the_margin_makes_the_robot_unstable(nominal):
-    late = robot_loop(NXT, nominal, IDEAL).delay_margin()
+    late = robot_loop(nominal, NXT, IDEAL).delay_margin()
     linear = as_linear(nominal)
     K = controller_of(linear, 0)
     for share, holds in ((0.98, True), (1.02, False)):
         seen = sampled(NXT, replace(IDEAL, delay=share * late), 0.01, linear.reads)
-        P = robot_loop(NXT, nominal, replace(IDEAL, delay=share * late)).plant
+        P = robot_loop(nominal, NXT, replace(IDEAL, delay=share * late)).plant
         assert Loop(P, K).stable is holds, (share, seen.delay)
 
 
@@ -200,8 +200,8 @@ def test_the_delay_margin_is_found_at_a_thousand_periods_a_second():
     # the same gains every 1 ms on the twin's kit: near continuous time, so that the phase margin at the crossover tells
     # the delay too, but for the half period that holding a command costs
     kit, feedback = replace(IDEAL, period=0.001), lqr_state(NXT, 0.001)
-    found = robot_loop(NXT, feedback, kit).delay_margin()
-    assert found == pytest.approx(margins(robot_loop(NXT, feedback, kit).at_input, (1, 1)).delay, abs=1e-3)
+    found = robot_loop(feedback, NXT, kit).delay_margin()
+    assert found == pytest.approx(margins(robot_loop(feedback, NXT, kit).at_input, (1, 1)).delay, abs=1e-3)
 
 
 def grows(robot: Robot, kit: Kit, controller: Controller, more: float, at: str) -> bool:
@@ -293,7 +293,7 @@ def turns_round(gain: LinearModel) -> tuple[float, float]:
 @pytest.mark.parametrize("channel", ["both motors", "gyro"])
 def test_the_nyquist_curve_goes_round_as_often_as_the_page_says(channel: str) -> None:
     kit = Kit.preset("nxt")
-    result = analyse(NXT, make_controller("lqg", NXT, kit, 0.01), kit, robots=[])
+    result = analyse(make_controller("lqg", NXT, kit, 0.01), NXT, kit, robots=[])
     turns, _ = turns_round(result._broken(channel))
     assert result.stable
     assert turns == pytest.approx(result.turns(channel), abs=1e-6)  # the argument principle: a whole number
@@ -347,19 +347,19 @@ def test_a_repeated_real_number_meets_only_the_real_eigenvalues():
 
 def test_both_bounds_of_a_robot_are_close(nominal):
     # all of the presets' intervals at once; 1.18 over 1.08 where it is worst, 7.8 over 1.04 with full blocks instead
-    found = parameter_mu(NXT, nominal, IDEAL)
+    found = parameter_mu(robot_loop(nominal, NXT, IDEAL))
     assert 0 < found.lower <= found.upper < 1.25 * found.lower
 
 
 def test_a_robot_inside_the_bound_of_mu_holds(nominal):
     # the robot is not quite affine in its parameters, so that the corner is tried a little inside of the bound
-    found = parameter_mu(NXT, nominal, IDEAL, {"body_mass": 0.2, "com_height": 0.03}, points=40)
+    found = parameter_mu(robot_loop(nominal, NXT, IDEAL), {"body_mass": 0.2, "com_height": 0.03}, points=40)
     assert found.lower <= found.upper
     inside = {
         name: getattr(NXT, name) + size * 0.98 / found.upper
         for name, size in (("body_mass", 0.2), ("com_height", 0.03))
     }
-    assert robot_loop(NXT.replace(**inside), nominal, IDEAL).stable
+    assert robot_loop(nominal, NXT.replace(**inside), IDEAL).stable
 
 
 def test_a_zero_at_the_end_of_an_interval_is_found_where_rounding_gives_it_either_sign() -> None:
@@ -372,7 +372,7 @@ def test_a_zero_at_the_end_of_an_interval_is_found_where_rounding_gives_it_eithe
 def test_unstable_poles_of_the_opened_loop_have_owners(method: str) -> None:
     """The robot's are those of its linear equations, log z / T = s; the rest is what the controller alone has."""
     kit = Kit.preset("nxt")
-    result = analyse(NXT, make_controller(method, NXT, kit, 0.01), kit, robots=[])
+    result = analyse(make_controller(method, NXT, kit, 0.01), NXT, kit, robots=[])
     robot, controller, both = result.unstable()
     falling = [float(pole.real) for pole in linearise_rolling(NXT).poles() if pole.real > 1e-6]
     assert robot.tolist() == pytest.approx(falling, rel=1e-6)
@@ -387,7 +387,7 @@ def test_unstable_poles_of_the_opened_loop_have_owners(method: str) -> None:
 def test_beyond_a_slow_gain_margin_the_robot_rolls_to_and_fro() -> None:
     """With motors 5 % stronger than the margin the growing motion has the margin's frequency, and is one of wheels."""
     kit = Kit.preset("nxt")
-    loop = robot_loop(NXT, make_controller("lqg", NXT, kit, 0.01), kit)
+    loop = robot_loop(make_controller("lqg", NXT, kit, 0.01), NXT, kit)
     both = margins(loop.at_input, (1.0, 1.0))
     K, factor = loop.controller, 1.05 * both.gain_high
     closed = Loop(loop.plant, LinearModel(K.A, K.B, factor * K.C, factor * K.D, K.dt)).closed
@@ -416,7 +416,7 @@ def test_let_go_the_robot_moves_as_its_linear_loop_does(method: str, robot: str)
         for name, sensor in result.kit.sensors.items()
     }
     motor = replace(result.kit.motor, dead_zone=0.0, quantum=0.0, backlash=0.0)
-    run = let_go(result.robot, result.controller, replace(result.kit, sensors=sensors, motor=motor))
+    run = let_go(result.controller, result.robot, replace(result.kit, sensors=sensors, motor=motor))
     closed, x = result.analysis.loop.closed, np.zeros(len(result.analysis.loop.closed.A))
     x[0] = run.lean
     states = [x]
@@ -434,7 +434,7 @@ def test_design_certificate_and_lab_judge_one_controller_s_margins_alike() -> No
     Of nxtway-gs under lqg Ms is 2.9 (at most 2), and both motors may weaken by a quarter (to a half)."""
     robot, kit = Robot.preset("nxtway-gs"), Kit.preset("nxt")
     controller = make_controller("lqg", robot, kit, kit.period)
-    analysis = analyse(robot, controller, kit)
+    analysis = analyse(controller, robot, kit)
     parts = [part for *_, part in _targets(analysis)]
     both = analysis.both()
     assert both.Ms > 2

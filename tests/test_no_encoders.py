@@ -116,7 +116,7 @@ def test_the_regulator_is_that_of_what_is_shown(kit):
 
 def test_poles_are_those_of_the_whole_loop_but_for_the_free_ones():
     controller = lqg(ROBOT, RAW_IMU)
-    found = analyse(ROBOT, controller, RAW_IMU, robots=[])
+    found = analyse(controller, ROBOT, RAW_IMU, robots=[])
     # the loop with all six states and the command that the accelerometer shows, closed by NumPy
     model = linearise_rolling(ROBOT)
     A, B, *_ = cont2discrete((model.A, model.B, np.eye(6), np.zeros((6, 2))), 0.01)
@@ -209,6 +209,6 @@ def test_a_pid_on_the_angle_stands_by_its_integral_and_full_motors(scale, ki, sl
     # mode to any integral, a steady speed, and without one the robot always falls
     volts = math.degrees(1) * 7.4 / 255 * scale
     kit = replace(FUSED, period=0.001, sensors={"sensor/gyro": Sensor(), "sensor/pitch": Sensor()})
-    loop = robot_loop(ROBOT, pid_on_the_angle(50 * volts, ki * volts, 1.4 * volts, 0.001), kit)
+    loop = robot_loop(pid_on_the_angle(50 * volts, ki * volts, 1.4 * volts, 0.001), ROBOT, kit)
     rates = np.log(np.abs(loop.poles())) / 0.001
     np.testing.assert_allclose(rates[: len(slowest)], slowest, atol=0.01)

@@ -42,7 +42,7 @@ def calibration() -> Calibration:
 
 @pytest.fixture(scope="module")
 def analysis() -> Analysis:
-    return analyse(NXT, lqr_state(NXT, 0.01), Kit.preset("ideal"))
+    return analyse(lqr_state(NXT, 0.01), NXT, Kit.preset("ideal"))
 
 
 def named(figure: Figure) -> bool:

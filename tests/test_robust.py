@@ -50,7 +50,7 @@ def test_the_plane_has_the_poles_of_the_whole_loop(preset):
     loops = family([plane(sampled(each, kit)) for each in others], estimator)
     out, _ = halves([*STATE_NAMES, *sides(seen.history)])
     k = (controller.design.feedback.gain @ seen.ahead @ out)[0]
-    whole = [float(np.abs(robot_loop(each, controller, kit).closed.poles()[0])) for each in others]
+    whole = [float(np.abs(robot_loop(controller, each, kit).closed.poles()[0])) for each in others]
     assert loops.radii(k) == pytest.approx(whole, abs=1e-7)
 
 
@@ -127,7 +127,7 @@ def test_what_is_called_better_is_better_on_robots_that_nobody_has_drawn_yet():
         for filter_, k in ((found.filter, found.k), (kalman_filter(nominal, RECOVERED), plain))
     ]
     assert worst[0] < (1 - WORTH) * worst[1]
-    assert all(robot_loop(each, controller, KIT).stable for each in fresh)
+    assert all(robot_loop(controller, each, KIT).stable for each in fresh)
 
 
 def test_the_design_tells_what_became_of_the_inequalities():
@@ -152,7 +152,7 @@ def test_the_verdict_says_plainly_when_it_is_no_better():
 
 def test_it_stabilises_robots_that_it_has_not_seen():
     others = draw(NXT, 20, seed=9)
-    assert all(robot_loop(each, design(), KIT).stable for each in others)
+    assert all(robot_loop(design(), each, KIT).stable for each in others)
 
 
 @pytest.mark.parametrize("pitch", [0.1, -0.12])

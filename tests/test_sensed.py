@@ -121,8 +121,8 @@ def test_a_swing_of_the_gyro_is_seen_by_margins_and_filter():
     kit = Kit.preset("nxt")
     gyro = replace(kit.sensors["sensor/gyro"], resonance=6.0, damping=0.7)
     swinging = replace(kit, sensors=kit.sensors | {"sensor/gyro": gyro})
-    unaware = analyse(NXT, lqg(NXT, kit), swinging, robots=[])
-    aware = analyse(NXT, lqg(NXT, swinging), swinging, robots=[])
+    unaware = analyse(lqg(NXT, kit), NXT, swinging, robots=[])
+    aware = analyse(lqg(NXT, swinging), NXT, swinging, robots=[])
     assert unaware.delay < aware.delay
     assert unaware.disk < aware.disk
     estimator = kalman_filter(sampled(NXT, swinging))

@@ -230,7 +230,7 @@ def test_modulus_and_delay_are_those_of_the_analysis() -> None:
     """1 / Ms there is refined between frequencies; the grid's steps of 3 % miss a peak by less than 2 %. A delay is one
     of the readings and of both motors, by their phase."""
     controller = lqg(NXT, KIT)
-    analysis = analyse(NXT, controller, KIT, robots=[NXT])
+    analysis = analyse(controller, NXT, KIT, robots=[NXT])
     peaks = [analysis.both().Ms, *(m.Ms for m in analysis.outputs)]
     modulus, delay = modulus_and_delay(analysis.loop)
     assert modulus == pytest.approx(1 / max(peaks), rel=0.02)

@@ -41,7 +41,7 @@ class Designed(Shown):
 
     def let_go(self) -> Release:
         """A run in which the robot is let go from a lean at rest."""
-        return let_go(self.robot, self.controller, self.kit)
+        return let_go(self.controller, self.robot, self.kit)
 
     def save(self, path: str | Path) -> Path:
         """Write the controller as JSON; raises `InvalidController` for a kind that no file can hold."""
@@ -97,6 +97,6 @@ def design(
     else:
         raise InvalidController(f"a posterior with {method}", expected="the method robust, which alone uses it")
     try:
-        return Designed(method, nominal, parts, controller, analyse(robot=nominal, controller=controller, kit=parts))
+        return Designed(method, nominal, parts, controller, analyse(controller, nominal, parts))
     except (InvalidController, SpecMismatch) as error:
         return Designed(method, nominal, parts, controller, None, f"no margins: {error}")

@@ -72,7 +72,7 @@ class Release:
         return legend(figure)
 
 
-def let_go(robot: Robot, controller: Controller, kit: Kit, lean: float = LEAN, seconds: float = SECONDS) -> Release:
+def let_go(controller: Controller, robot: Robot, kit: Kit, lean: float = LEAN, seconds: float = SECONDS) -> Release:
     """The nonlinear model of `robot` inside `kit`, noise, dead zone and limits included, let go at `lean` [rad]."""
     body = NonlinearBody.dividing(robot, controller.spec.period)
     log = run(Electronics(body, kit), controller, seconds=seconds, start=[lean, 0.0, 0.0, 0.0, 0.0, 0.0])

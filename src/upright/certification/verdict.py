@@ -80,7 +80,7 @@ def linear_margins(controller: Controller, robot: Robot, kit: Kit, *, usual: boo
     """The nominal loop's near rest, zero where it is unstable; None where nothing linear is known of the controller.
     With how many `usual` targets are met where asked."""
     try:
-        loop = robot_loop(robot, controller, kit)
+        loop = robot_loop(controller, robot, kit)
     except InvalidController:
         return None
     radius = float(abs(loop.poles()[0]))

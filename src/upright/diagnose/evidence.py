@@ -322,7 +322,7 @@ def _stable(controller: Controller, robot: Robot, kit: Kit) -> bool | None:
     from upright.loops.loop import robot_loop
 
     try:
-        radius = abs(robot_loop(robot, controller, kit).poles()[0])
+        radius = abs(robot_loop(controller, robot, kit).poles()[0])
     except UprightError:
         return None
     return bool(radius < 1 - ROUNDED)

@@ -69,7 +69,7 @@ def analysed(controller: Controller, robot: Robot, kit: Kit) -> Analysed:
     K = gain_of(controller)
     gain = () if K is None else tuple(tuple(row) for row in K.tolist())
     try:
-        loop = robot_loop(robot, controller, kit)
+        loop = robot_loop(controller, robot, kit)
     except (InvalidController, SpecMismatch) as error:
         return Analysed(stable=False, words=str(error).split(";")[0], gain=gain)
     poles = tuple((round(float(p.real), 5), round(float(p.imag), 5)) for p in loop.poles())

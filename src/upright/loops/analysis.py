@@ -24,7 +24,6 @@ from upright.loops.margins import (
     frequencies,
     margins,
 )
-from upright.loops.mu import Mu, parameter_mu
 from upright.physics.dynamics import motor_gain
 from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot
@@ -72,7 +71,6 @@ class Analysis(Shown):
     drawn: Complex
     strengths: Array
     loop: RobotLoop
-    mu: Mu | None = None
 
     @property
     def stable(self) -> bool:
@@ -90,9 +88,14 @@ class Analysis(Shown):
         return np.abs(self.drawn).max(axis=1) if len(self.drawn) else np.empty(0)
 
     @property
+    def fell(self) -> int:
+        """How many of the drawn robots are unstable: a pole at 1, which is a free position's, is not."""
+        return int((self.radii > 1 + ROUNDED).sum())
+
+    @property
     def lost(self) -> str:
-        """How many of the drawn robots are unstable, in words."""
-        count = int((self.radii >= 1).sum())
+        """The same in words."""
+        count = self.fell
         return f"{count or 'none'} {'is' if count <= 1 else 'are'} unstable"
 
     @property
@@ -117,8 +120,7 @@ class Analysis(Shown):
             f"or phases up to {math.degrees(disk_phase(self.disk)):.0f}°.",
             f"Of {len(self.radii)} simulated robots, as different as the robot's file allows, {self.lost}.",
         ]
-        sentences += [sentence(unseen_in_words(self.loop.hidden))] if self.loop.hidden else []
-        return sentences + ([f"Parameters within their intervals (μ): the loop {self.mu.words()}"] if self.mu else [])
+        return sentences + ([sentence(unseen_in_words(self.loop.hidden))] if self.loop.hidden else [])
 
     def plot(self, channel: str = "both motors") -> Figure:
         """Bode diagram of the loop broken at `channel`, one of the margins, with its gain and phase margins."""
@@ -222,7 +224,6 @@ class Analysis(Shown):
             "inputs": [m.to_json() for m in self.inputs],
             "outputs": [m.to_json() for m in self.outputs],
             "radii": self.radii.tolist(),
-            "mu": self.mu.to_json() if self.mu else None,
             "words": self.words(),
         }
 
@@ -244,10 +245,12 @@ def instability(radius: float, period: float) -> str:
 
 
 def unseen_in_words(hidden: Sequence[str]) -> str:
-    """What it means for a stable loop that no reading shows these states; empty where there are none."""
+    """What it means for a stable loop that these states are hidden from it; empty where there are none."""
     if "wheel" in hidden:
-        return "nothing shows where the wheels are: the robot stands, and may roll away (a pole at z = 1, left out)"
-    return "nothing shows its heading: the robot may turn away (a pole at z = 1, left out)" if hidden else ""
+        return (
+            "nothing holds the wheels where they are: the robot stands, and may roll away (a pole at z = 1, left out)"
+        )
+    return "nothing holds its heading: the robot may turn away (a pole at z = 1, left out)" if hidden else ""
 
 
 def _unstable(model: LinearModel) -> Complex:
@@ -274,21 +277,19 @@ def _row(m: Margins) -> str:
 
 
 def analyse(
-    robot: Robot,
     controller: Controller,
+    robot: Robot,
     kit: Kit,
     *,
     robots: Sequence[Robot] | None = None,
     seed: int = 0,
-    with_mu: bool = False,
 ) -> Analysis:
     """All margins of `controller` on `robot` under `kit`, and its poles on `robots` (None: `DRAWN` draws of the
     spreads).
 
-    `with_mu` adds bounds on the structured singular value, which take a few seconds. Raises `InvalidController` where
-    the controller has no linear form.
+    Raises `InvalidController` where the controller has no linear form.
     """
-    loop = robot_loop(robot, controller, kit)
+    loop = robot_loop(controller, robot, kit)
     family = draw(robot, DRAWN, seed) if robots is None else list(robots)
     loops = [loop.on(each) for each in family]
     drawn = [other.poles() for other in loops]
@@ -305,7 +306,6 @@ def analyse(
         inputs=every[: len(INPUTS)], outputs=every[len(INPUTS) :],
         disk=disk_margin(loop.at_input), delay=dead_time, coprime=stability_margin(scaled),
         gap=max((nu_gap(scaled.plant, other) for other in near), default=0.0),
-        mu=parameter_mu(robot, controller, kit) if with_mu else None,
     )  # fmt: skip
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -13,13 +14,16 @@ from upright.control.controller import Controller
 from upright.control.delay import MOST_PERIODS, SampledRobot, sampled
 from upright.control.law import near_rest
 from upright.control.linear_controller import LinearController
-from upright.control.state_space import controller_of, plant_of
+from upright.control.state_space import controller_of, kept, plant_of
 from upright.errors import InvalidModel, SpecMismatch
 from upright.physics.interconnect import feedback
 from upright.physics.linear import LinearModel, decays, one_period, poles_of
 from upright.robots import Kit, Robot
+from upright.signals import STATE_NAMES
 
 LATEST = 0.3  # [s] more delay than this no balancing robot survives
+FREE = ("wheel", "yaw")  # a robot stands wherever it is, and in whatever direction
+ROUNDING = 1e-12  # of the largest entry: what is smaller is zero but for rounding
 FINEST = 1e-3  # [s] steps of delay: a loop that is unstable between two of them alone is not found
 
 
@@ -85,7 +89,7 @@ class Loop:
 class RobotLoop(Loop):
     """The loop of a controller, `linear` near rest, on a robot with the dead time and the sensor delays of its kit.
 
-    Its readings tell nothing of the states `hidden`, whose poles are left out.
+    Its readings tell nothing of the states `hidden`, or the controller does not look at them: their poles are left out.
     """
 
     robot: Robot
@@ -95,7 +99,8 @@ class RobotLoop(Loop):
 
     def on(self, robot: Robot | None = None, kit: Kit | None = None) -> Loop:
         """The same controller, which knows nothing of it, on another robot or with another kit."""
-        return Loop(commanded_plant(_sampled(robot or self.robot, kit or self.kit, self.linear)), self.controller)
+        model = _sampled(robot or self.robot, kit or self.kit, self.linear)
+        return Loop(_without(model, self.hidden), self.controller)
 
     def delay_margin(self, at: str = "", latest: float = LATEST) -> float:
         """How much more dead time [s] the loop survives when the controller does not know of it; infinite beyond
@@ -119,7 +124,7 @@ class RobotLoop(Loop):
         return self.on(kit=delayed_kit(self.kit, more, at)).stands
 
 
-def robot_loop(robot: Robot, controller: Controller, kit: Kit) -> RobotLoop:
+def robot_loop(controller: Controller, robot: Robot, kit: Kit) -> RobotLoop:
     """The loop of `controller` on `robot` with `kit`.
 
     The controller's feedback of the applied command is part of the controller. So a broken loop is broken at the
@@ -133,7 +138,8 @@ def robot_loop(robot: Robot, controller: Controller, kit: Kit) -> RobotLoop:
         )
     model = _sampled(robot, kit, linear)
     K = controller_of(linear, model.delay)
-    return RobotLoop(commanded_plant(model), K, robot=robot, kit=kit, linear=linear, hidden=model.hidden)
+    hidden = (*model.hidden, *_overlooked(model, K))
+    return RobotLoop(_without(model, hidden), K, robot=robot, kit=kit, linear=linear, hidden=hidden)
 
 
 def delayed_kit(kit: Kit, more: float, at: str) -> Kit:
@@ -144,9 +150,39 @@ def delayed_kit(kit: Kit, more: float, at: str) -> Kit:
     return replace(kit, sensors=kit.sensors | {at: replace(sensor, delay=sensor.delay + more)})
 
 
-def commanded_plant(model: SampledRobot) -> LinearModel:
-    """From the commands alone to the readings."""
-    return plant_of(model, pushed=False)
+def _overlooked(model: SampledRobot, controller: LinearModel) -> list[str]:
+    """The free positions that a controller does not look at though it is shown them: the heading, where it reads the
+    sum of both encoders, or the wheels, where their gain is zero. Each is a pole at 1 that no loop moves."""
+    plant = plant_of(model, pushed=False)
+    enters = np.vstack([controller.B, controller.D]) @ plant.C
+    smallest = ROUNDING * np.abs(enters).max(initial=0.0)
+    names = [name for name in FREE if name in model.linear.states]
+    return [name for name in names if np.abs(enters @ _at_rest(model, plant, name)).max() <= smallest]
+
+
+def _at_rest(model: SampledRobot, plant: LinearModel, name: str) -> Array:
+    """The state (n,) in which the robot stands still one radian further: the readings on their way show it as well."""
+    robot = [i for i, state in enumerate(kept(model)) if model.linear.states[state] in STATE_NAMES]
+    at = [model.linear.states[i] for i in kept(model)].index(name)
+    waiting = np.setdiff1d(np.arange(len(plant.A)), robot)
+    x = np.eye(len(plant.A))[at]
+    x[waiting] = np.linalg.solve(np.eye(len(waiting)) - plant.A[np.ix_(waiting, waiting)], plant.A[waiting, at])
+    return x
+
+
+def _without(model: SampledRobot, hidden: Sequence[str]) -> LinearModel:
+    """From the commands to the readings, without the free positions that are `hidden` from the controller alone."""
+    plant = plant_of(model, pushed=False)
+    names = [model.linear.states[i] for i in kept(model)]
+    places = [names.index(name) for name in hidden if name in names]
+    if not places:
+        return plant
+    still = np.column_stack([_at_rest(model, plant, names[at]) for at in places])
+    rest = np.setdiff1d(np.arange(len(plant.A)), places)
+    # x less what stands still: x_rest − still_rest x_places
+    back = np.eye(len(plant.A))[rest]
+    back[:, places] -= still[rest]
+    return LinearModel(back @ plant.A[:, rest], back @ plant.B, plant.C[:, rest], dt=plant.dt)
 
 
 def _sampled(robot: Robot, kit: Kit, linear: LinearController) -> SampledRobot:

@@ -17,14 +17,12 @@ from typing import Any
 import numpy as np
 
 from upright.arrays import Array, Complex
-from upright.control.controller import Controller
 from upright.errors import InvalidModel, InvalidRobot
-from upright.loops.loop import RobotLoop, robot_loop
+from upright.loops.loop import Loop, RobotLoop
 from upright.loops.margins import SLOWEST
 from upright.loops.scaling import Block, Scaling, balanced, best_scaling
 from upright.physics.interconnect import lft
 from upright.physics.linear import LinearModel
-from upright.robots import Kit, Robot
 from upright.robots.uncertainty import deviations
 
 POINTS = 100
@@ -70,30 +68,26 @@ class Mu:
         return numbers | {"ranks": dict(self.ranks), "worst": dict(self.worst)}
 
 
-def parameter_mu(
-    robot: Robot, controller: Controller, kit: Kit, intervals: Mapping[str, float] | None = None, points: int = POINTS
-) -> Mu:
+def parameter_mu(loop: RobotLoop, intervals: Mapping[str, float] | None = None, points: int = POINTS) -> Mu:
     """μ of the loop over `intervals`, half-widths by parameter (None: `REACH` standard deviations).
 
-    Infinite bounds where the nominal loop is unstable. Raises `InvalidController` where the controller is not linear.
+    Infinite bounds where the nominal loop is unstable.
     """
-    chosen = dict(intervals or {name: REACH * size for name, size in deviations(robot).items()})
-    loop = robot_loop(robot, controller, kit)
-    nominal = loop.plant
-    K = loop.controller
+    chosen = dict(intervals or {name: REACH * size for name, size in deviations(loop.robot).items()})
     slopes, curvature = _slopes(loop, chosen)
     factors = {name: _factors(slope) for name, slope in slopes.items()}
     ranks = {name: L.shape[1] for name, (L, _) in factors.items()}
     if not loop.stable:
         return Mu(math.inf, math.inf, 0.0, ranks, {}, curvature)
-    N = _uncertain(nominal, K, list(factors.values()))
+    N = _uncertain(loop, list(factors.values()))
     blocks = [(rank, True) for rank in ranks.values()]
-    lower, signs = _lower(nominal, K, slopes)
-    fastest = math.pi / nominal.dt
-    crossing = _crossing(nominal, K, slopes, signs, lower) if lower else 0.0
+    lower, signs = _lower(loop, slopes)
+    fastest = math.pi / loop.plant.dt
+    crossing = _crossing(loop, slopes, signs, lower) if lower else 0.0
     grid = np.array([0.0, *np.geomspace(SLOWEST, fastest, points), crossing])  # μ of real numbers may jump at z = ±1
     upper, at = _peak(N.matrices(grid), blocks)
-    worst = {name: getattr(robot, name) + sign * chosen[name] / lower for name, sign in signs.items()} if lower else {}
+    nominal = loop.robot
+    worst = {n: getattr(nominal, n) + sign * chosen[n] / lower for n, sign in signs.items()} if lower else {}
     return Mu(lower, max(upper, lower), float(grid[at]), ranks, worst, curvature)
 
 
@@ -150,17 +144,18 @@ def _factors(slope: Array) -> tuple[Array, Array]:
     return U[:, :rank] * root, root[:, None] * V[:rank]
 
 
-def _uncertain(P: LinearModel, K: LinearModel, factors: Sequence[tuple[Array, Array]]) -> LinearModel:
+def _uncertain(loop: Loop, factors: Sequence[tuple[Array, Array]]) -> LinearModel:
     """From w to z with the loop closed: x⁺ = A x + B u + L₁ w, y = C x + L₂ w, z = R₁ x + R₂ u, u = K y (D = 0)."""
+    P = loop.plant
     n = len(P.A)
     L, R = np.hstack([left for left, _ in factors]), np.vstack([right for _, right in factors])
     B = np.hstack([L[:n], P.B])
     C = np.vstack([R[:, :n], P.C])
     D = np.block([[np.zeros((len(R), L.shape[1])), R[:, n:]], [L[n:], P.D]])
-    return lft(LinearModel(P.A, B, C, D, P.dt), K)
+    return lft(LinearModel(P.A, B, C, D, P.dt), loop.controller)
 
 
-def _lower(P: LinearModel, K: LinearModel, slopes: Mapping[str, Array]) -> tuple[float, dict[str, float]]:
+def _lower(loop: Loop, slopes: Mapping[str, Array]) -> tuple[float, dict[str, float]]:
     """1/k of the smallest corner k·δ, δ = ±1 each, found unstable, and its signs; zero where none is up to `_FAR`."""
     names = list(slopes)
     stack = np.array(list(slopes.values()))
@@ -168,63 +163,50 @@ def _lower(P: LinearModel, K: LinearModel, slopes: Mapping[str, Array]) -> tuple
     signs = rng.choice([-1.0, 1.0], size=(_CORNERS, len(names)))
     closer = _FAR
     best = np.zeros(len(names))
-    for corner in [*signs, *_uphill(P, K, stack, np.zeros(len(names)))]:
-        closer, best = _nearer(P, K, stack, corner, closer, best)
+    for corner in [*signs, *_uphill(loop, stack, np.zeros(len(names)))]:
+        closer, best = _nearer(loop, stack, corner, closer, best)
     for _ in range(_CLIMBS):
         before = closer
-        for corner in _uphill(P, K, stack, closer * best):
-            closer, best = _nearer(P, K, stack, corner, closer, best)
+        for corner in _uphill(loop, stack, closer * best):
+            closer, best = _nearer(loop, stack, corner, closer, best)
         if closer > before * (1 - 1e-3):
             break
     result = bool(best.any())
     return (1 / closer, dict(zip(names, best.tolist(), strict=True))) if result else (0.0, {})
 
 
-def _nearer(
-    P: LinearModel, K: LinearModel, stack: Array, corner: Array, closer: float, best: Array
-) -> tuple[float, Array]:  # fmt: skip
+def _nearer(loop: Loop, stack: Array, corner: Array, closer: float, best: Array) -> tuple[float, Array]:
     """The size at which a corner turns unstable, and the corner, where that is below `closer`."""
     move = np.tensordot(corner, stack, 1)
-    if not _unstable(P, K, move, closer):
+    if abs(_worst_pole(loop, closer * move)) < 1:
         return closer, best
     low = 0.0
     high = closer
     for _ in range(24):
         middle = (low + high) / 2
-        low, high = (low, middle) if _unstable(P, K, move, middle) else (middle, high)
+        low, high = (middle, high) if abs(_worst_pole(loop, middle * move)) < 1 else (low, middle)
     return high, corner
 
 
-def _uphill(P: LinearModel, K: LinearModel, stack: Array, here: Array) -> list[Array]:
+def _uphill(loop: Loop, stack: Array, here: Array) -> list[Array]:
     """The corner towards which the spectral radius grows from `here` (parameters,), and its opposite."""
     at = np.tensordot(here, stack, 1)
     step = 1e-3
-    ends = [[_radius(P, K, at + sign * step * slope) for sign in (1.0, -1.0)] for slope in stack]
+    ends = [[abs(_worst_pole(loop, at + sign * step * slope)) for sign in (1.0, -1.0)] for slope in stack]
     uphill = np.array([1.0 if up >= down else -1.0 for up, down in ends])
     return [uphill, -uphill]
 
 
-def _crossing(
-    P: LinearModel, K: LinearModel, slopes: Mapping[str, Array], signs: Mapping[str, float], lower: float
-) -> float:
+def _crossing(loop: Loop, slopes: Mapping[str, Array], signs: Mapping[str, float], lower: float) -> float:
     """The frequency [rad/s] at which the worst corner's pole leaves the unit circle."""
     move = sum(signs[name] / lower * slope for name, slope in slopes.items())
-    poles = _poles(P, K, np.asarray(move))
-    return float(abs(np.angle(poles[np.argmax(np.abs(poles))])) / P.dt)
+    return float(abs(np.angle(_worst_pole(loop, np.asarray(move)))) / loop.plant.dt)
 
 
-def _unstable(P: LinearModel, K: LinearModel, move: Array, size: float) -> bool:
-    return _radius(P, K, size * move) >= 1
-
-
-def _radius(P: LinearModel, K: LinearModel, move: Array) -> float:
-    return float(np.abs(_poles(P, K, move)).max())
-
-
-def _poles(P: LinearModel, K: LinearModel, move: Array) -> Complex:
+def _worst_pole(loop: Loop, move: Array) -> complex:
+    """Of the loop whose plant [A B; C D] is changed by `move`: the pole of the largest size."""
+    P = loop.plant
     n = len(P.A)
-    A = P.A + move[:n, :n]
-    B = P.B + move[:n, n:]
-    C = P.C + move[n:, :n]
-    closed = np.block([[A + B @ K.D @ C, B @ K.C], [K.B @ C, K.A]])
-    return np.linalg.eigvals(closed).astype(complex)
+    M = _stacked(P) + move
+    changed = LinearModel(M[:n, :n], M[:n, n:], M[n:, :n], M[n:, n:], P.dt)
+    return complex(Loop(changed, loop.controller).poles()[0])

@@ -127,7 +127,7 @@ def _drawn(analysis: Analysis, short: Sequence[str]) -> str:
     both = analysis.both()
     if not count:
         return ""
-    unstable = bool((analysis.radii >= 1).any())
+    unstable = bool(analysis.fell)
     usual = float(np.quantile(np.abs(analysis.strengths - 1), 0.95))
     words = f" {'Yet of' if short and not unstable else 'Of'} {count} simulated robots {analysis.lost}"
     motors = any(name.startswith("motors") for name in short)
@@ -140,10 +140,10 @@ def _next(analysis: Analysis) -> str:
     here = f"--robot {analysis.robot}"
     decides = f"`upright certify {analysis.controller} {here}`"
     roomy = f"`upright design {ROOMY} {here}`"
-    small = 1 / analysis.both().Ms < CLOSE or bool((analysis.radii >= 1).any())
+    small = 1 / analysis.both().Ms < CLOSE or analysis.fell
     if not small or analysis.controller == ROOMY:
         return f"Let {decides} decide: it pushes such robots and counts falls."
-    if (analysis.radii >= 1).any():
+    if analysis.fell:
         return f"Try {roomy}: its margins are often larger. `upright certify` decides on either."
     return f"Keep it if {decides} is green. If not, try {roomy}: its margins are often larger."
 
@@ -299,9 +299,6 @@ def _margins(analysis: Analysis) -> list[Item]:
         ["largest |pole|", float(np.abs(analysis.poles).max())],
         ["largest |pole| of the drawn robots", float(analysis.radii.max()) if len(analysis.radii) else math.nan],
     ]
-    if analysis.mu:
-        numbers.append(["μ over the parameters, at least", analysis.mu.lower])
-        numbers.append(["μ over the parameters, at most", analysis.mu.upper])
     return [
         Table(header, rows, "One loop broken, all others closed", 3),
         Table(["", "value"], numbers, "The whole loop", 3),

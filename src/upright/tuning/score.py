@@ -95,7 +95,7 @@ class Scorer:
         """The modulus margin, and the excess where every margin of the floor is used up; 1 and 0 without a loop."""
         if self.floor is None:
             return 1.0, 0.0
-        loop = robot_loop(self.robot, controller, self.kit)
+        loop = robot_loop(controller, self.robot, self.kit)
         radius = float(abs(loop.poles()[0]))
         if radius >= 1:
             return 0.0, radius - 1
