@@ -134,7 +134,7 @@ def test_poles_are_those_of_the_whole_loop_but_for_the_free_ones():
     np.testing.assert_allclose(np.sort(np.abs(np.linalg.eigvals(whole)))[-len(expected) :], expected, atol=2e-5)
     assert found.stable
     assert found.loop.hidden == ("wheel", "yaw", "yaw_rate")
-    said = "nothing shows where the wheels are: the robot stands, and may roll away"
+    said = "nothing holds the wheels where they are: the robot stands, and may roll away"
     assert said in " ".join(found.words()).lower()
     margins = linear_margins(controller, ROBOT, RAW_IMU)
     assert margins is not None

@@ -20,6 +20,7 @@ from upright.control import CONTROLLERS, AnglePid, controller_hash, pid_angle, r
 from upright.control.delay import sampled
 from upright.control.law import as_law, near_rest, program
 from upright.control.pid_angle_design import drift, least_integral
+from upright.control.state_space import controller_of, plant_of
 from upright.errors import DesignFailed, InvalidController, SpecMismatch, UnknownName
 from upright.execution.execute_sketch import CORE, SketchExecutor
 from upright.experiment import Push, run
@@ -27,6 +28,8 @@ from upright.firmware import generate
 from upright.kernel.batch import FleetBatch, parameters_of
 from upright.kernel.simulate import simulate
 from upright.loops.analysis import analyse
+from upright.loops.loop import Loop
+from upright.reports.analysis import page_of
 from upright.robots import Battery, Kit, Robot, Sensor
 from upright.signals import STATE_NAMES
 
@@ -220,20 +223,20 @@ def test_without_numbers_it_finds_gains_that_stand_and_says_what_they_cannot():
 
 
 def test_an_error_of_the_set_point_uses_up_the_motors():
-    """e' = ψ is constant in the end: the robot leans, its speed and its voltage grow as ramps (own simulation)."""
+    """e' = ψ is constant in the end: the robot leans, its speed and its voltage grow as ramps until all volts are used
+    up, and it falls (own simulation, to the lean at which programs stop)."""
     pid = pid_angle(ROBOT, KIT, **CLASSIC)
-    time, speed, travel, limited = drift(ROBOT, pid, math.radians(1.0))
+    time, speed, travel, fell = drift(ROBOT, pid, math.radians(1.0))
     A, b = plane()
     volts = VOLTS / 255 * math.degrees(1)
     x, i, h, passed, way = np.zeros(3), 0.0, 1e-4, 0.0, 0.0
-    while True:
+    while abs(x[0]) < 0.8:
         e = x[0] - math.radians(1.0)
-        u = volts * (50 * e + 60 * i + 1.4 * x[1])
-        if abs(u) > VOLTS:
-            break
-        i, x = i + h * e, x + h * (A @ x + b * u)
+        u = np.clip(volts * (50 * e + 60 * i + 1.4 * x[1]), -VOLTS, VOLTS)
+        i = float(np.clip(i + h * e, -VOLTS / (volts * 60), VOLTS / (volts * 60)))
+        x = x + h * (A @ x + b * u)
         passed, way = passed + h, way + h * R * x[2]
-    assert limited
+    assert fell
     assert (time, speed, travel) == pytest.approx((passed, R * x[2], way), rel=0.03)
 
 
@@ -404,11 +407,62 @@ def test_it_says_which_gain_is_wrong():
     assert right.growth == 0.0
 
 
+def test_it_says_where_its_output_ends_and_what_its_set_point_does():
+    tilted = replace(KIT, sensors=SENSORS | {"sensor/pitch": Sensor(offset=math.radians(3.0))})
+    own = CLASSIC | {"set_point": 3.0, "limit": 500.0}
+    words = " ".join(pid_angle(ROBOT, KIT, **own).design.words())
+    assert "At 5.1° of lean its output is at its limit of 255 pwm" in words  # 255 over 50 for a degree
+    assert "A limit of 500 is more than there is" in words
+    assert "Its set point is 3° off upright" in words
+    assert "off upright" not in " ".join(pid_angle(ROBOT, tilted, **own).design.words())
+
+
+def test_gains_that_are_all_too_small_are_told_the_factor():
+    """By the poles of the plane in continuous time: at .5 ms they differ by 1 %."""
+    small = {name: gain / 30 for name, gain in CLASSIC.items()}
+    words = " ".join(pid_angle(ROBOT, KIT, 5e-4, **small).design.words())
+    factor = float(words.split("kp, ki and kd ")[1].split(" times")[0])
+    volts = VOLTS / 255 * math.degrees(1)
+    kp, ki, kd = (factor * volts * small[name] for name in ("kp", "ki", "kd"))
+    assert growth(kp, ki, kd) < 1e-3
+    assert growth(kp / 1.5, ki / 1.5, kd / 1.5) > 1e-3
+
+
+def test_a_cascade_that_reads_both_encoders_alike_has_margins_without_its_heading():
+    """Both motors get the same command, so that no loop holds the heading: the whole loop's other poles are those of
+    the analysis, and a swing fades with the delay that it is said to bear, and grows with more."""
+    pid = pid_angle(ROBOT, ENCODED, **CLASSIC, k_position=6.0, k_speed=5.0)
+    found = analyse(pid, ROBOT, ENCODED, robots=[])
+    assert found.loop.hidden == ("yaw",)
+    model = sampled(ROBOT, ENCODED, 0.01, pid.spec.reads)
+    whole = Loop(plant_of(model, pushed=False), controller_of(near_rest(pid), model.delay)).poles()
+    np.testing.assert_allclose(np.sort(np.abs(whole)), np.sort(np.abs([*found.poles, 1.0])), atol=1e-6)
+    assert found.stable
+    assert found.coprime > 1e-3  # with the heading it was 0 to rounding
+    assert "nothing holds its heading" in " ".join(found.words()).lower()
+    for share, stands in ((0.9, True), (1.1, False)):
+        quiet = dict.fromkeys(ENCODED.sensors, Sensor())
+        late = replace(ENCODED, delay=share * found.delay, sensors=quiet)
+        body = Electronics(NonlinearBody(ROBOT, period=5e-4), late)
+        log = run(body, pid, seconds=20.0, start=[1e-3, 0.0, 0.0, 0.0, 0.0, 0.0])
+        swing = np.abs(log["truth/pitch"])
+        assert (swing[-100:].max() < swing[:100].max()) == stands  # it fades, or grows to where the motors end
+
+
+def test_an_unstable_loop_shows_no_margins_but_what_to_do_next():
+    result = design("pid-angle", ROBOT, KIT, own=CLASSIC | {"ki": 0.0})
+    assert "no margins" in str(result)
+    assert "inf" not in str(result)
+    head = page_of(result).head
+    assert "a deviation doubles every" in head.title
+    assert head.next
+
+
 def test_its_margins_are_those_of_what_the_commands_reach():
     """The integral keeps up any constant speed, a mode at z = 1 that no command moves: the rest has margins. The
     lowest gain is that at which ki is what the constant term asks for; the delay that of the loop with it."""
     pid = pid_angle(ROBOT, KIT, **CLASSIC)
-    analysis = analyse(robot=ROBOT, controller=pid, kit=KIT)
+    analysis = analyse(pid, ROBOT, KIT)
     both, pitch = analysis.both(), analysis.outputs[0]
     for one in (both, pitch):  # the gyro shows nothing of what is slow
         assert one.gain_low == pytest.approx(pid.design.least_ki / 60, rel=1e-3)

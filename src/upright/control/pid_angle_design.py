@@ -20,13 +20,14 @@ from upright.arrays import Array
 from upright.control.delay import SampledRobot, sampled
 from upright.control.design import Design
 from upright.control.linear_controller import LinearController
-from upright.control.pid_angle import FULL, AnglePid
+from upright.control.pid_angle import FULL, PER_RADIAN, AnglePid
 from upright.control.state_space import controller_of, plant_of
 from upright.errors import DesignFailed, InvalidController, SpecMismatch, UnknownName
 from upright.physics.interconnect import feedback
 from upright.physics.linear import linearise_rolling
 from upright.physics.sensing import GYRO, PITCH, sensor_matrix
 from upright.robots import Kit, Robot, find_kit, find_robot
+from upright.robots.kit import STOP
 
 STIFFNESSES = np.geomspace(1.4, 24, 12)  # kp tried, against the gravity that it must overcome
 TIMES = np.geomspace(0.01, 0.3, 10)  # [s] kd tried, over kp
@@ -35,7 +36,9 @@ SLOW = (0.0, 0.3, 1.0)  # [1/s] ki tried, over kp, where none is needed
 LEAST = 0.1  # min |1 + L|: a sensitivity of 10, with which the smallest error of the model topples the robot
 NEAR = 1e-5  # from z = 1: nearer than any mode, and far above rounding
 ON_CIRCLE = 1e-6  # of |z|: position and heading, which nothing holds, stay at 1 to rounding
+AS_UPRIGHT = 1e-3  # [rad] 0.06°: no angle is mounted or set more exactly
 WATCHED = 20.0  # [s] in which an error of the set point is followed
+FACTORS = tuple(2.0 ** (sign * k / 2) for k in range(1, 21) for sign in (-1, 1))  # up to 1000, the nearest to 1 first
 _GAINS = ("kp", "ki", "kd")
 OWN = tuple(f.name for f in fields(AnglePid) if f.init and f.name not in ("period", "command_unit", "supply"))
 """Numbers and words of a program, as `pid_angle` takes them."""
@@ -85,15 +88,41 @@ class AngleDesign(Design):
             units = (each, f"{each} a step", rate if pid.rate == "gyro" else each)
         head = ", ".join(f"{name} {getattr(pid, name):.4g} {unit}" for name, unit in zip(_GAINS, units, strict=True))
         head = f"{head}: kp is {abs(pid.per_radian) * pid.kp:.3g} {pid.command_unit} for a radian."
-        return [head, *(self._falls() or [*([] if pid.cascade else [_NOTHING_HOLDS]), self._off_by_one()])]
+        return [head, *self._limits(), *(self._falls() or self._stands())]
+
+    def _limits(self) -> list[str]:
+        """From which lean on there is no more output, and a limit that is none."""
+        pid = self.controller
+        shape = pid.shape
+        lines = list[str]()
+        if pid.kp and math.isfinite(shape.limit):
+            lean = math.degrees((shape.limit - shape.dead_band) / abs(pid.per_radian * pid.kp))
+            lines.append(f"At {lean:.2g}° of lean its output is at its limit of {pid.highest:g} {pid.output}.")
+        if math.isfinite(pid.limit) and pid.limit > pid.highest:
+            lines.append(f"A limit of {pid.limit:g} is more than there is: {pid.highest:g} {pid.output} count.")
+        return lines
+
+    def _stands(self) -> list[str]:
+        """What nothing holds, and what a wrong set point does: its own, where it is not upright, and one degree."""
+        pid = self.controller
+        lines = [] if pid.cascade else [_NOTHING_HOLDS]
+        lean = pid.sign * pid.set_point / PER_RADIAN[pid.unit] - self.kit.sensors[PITCH].offset
+        if abs(lean) > AS_UPRIGHT:
+            lines.append(f"Its set point is {abs(math.degrees(lean)):.2g}° off upright: {self._off(lean)}")
+        return [*lines, f"One degree of error in the set point: {self._off(math.radians(1.0))}"]
 
     def _falls(self) -> list[str]:
         """That the linear loop grows and, where that is it, why; nothing where it does not."""
         growth = self.growth
         if not growth:
             return []
+        pole = _worst_pole(self._model, self.controller.linearised())
+        turns = abs(np.angle(pole)) / (2 * math.pi * self.controller.period)
+        swing = f", swinging {turns:.2g} times a second" if turns else ""
         least = self.least_ki
-        lines = [f"It falls: the linear loop grows by {growth:.2g} 1/s, twofold in {math.log(2) / growth:.2g} s."]
+        lines = [
+            f"It falls: the linear loop grows by {growth:.2g} 1/s, twofold in {math.log(2) / growth:.2g} s{swing}."
+        ]
         lines += self._wrong_gains()
         own = self.controller
         if least and own.kp * own.sign >= 0 and own.ki < least:
@@ -102,6 +131,7 @@ class AngleDesign(Design):
                 f"ki must be above {least:.3g}; it is {own.ki:.3g}."
             )
         sensor = self.kit.sensors[PITCH]
+        lines += self._times()
         true = replace(self.kit, sensors=self.kit.sensors | {PITCH: replace(sensor, time_constant=0.0)})
         if sensor.time_constant and not replace(self, kit=true).growth:
             lines.append(
@@ -125,14 +155,20 @@ class AngleDesign(Design):
             lines.append("kd has the other sign than kp: it helps the fall.")
         return lines
 
-    def _off_by_one(self) -> str:
-        """What one degree of error in the set point does."""
-        time, speed, travel, limited = drift(self.robot, self.controller, math.radians(1.0))
-        says = "its motors are at their limit: it falls" if limited else "it still stands"
-        return (
-            f"One degree of error in the set point: after {time:.2g} s it rolls at {abs(speed):.2g} m/s, "
-            f"{abs(travel):.2g} m away, and {says}."
-        )
+    def _times(self) -> list[str]:
+        """The factor of all gains next to one with which it would stand."""
+        own = self.controller
+        for factor in FACTORS:
+            scaled = replace(own, **{name: factor * getattr(own, name) for name in _GAINS})
+            if not _growth(self._model, scaled.linearised()):
+                return [f"With kp, ki and kd {factor:.2g} times as large the linear loop would stand."]
+        return []
+
+    def _off(self, error: float) -> str:
+        """What an error [rad] of the set point does."""
+        time, speed, travel, fell = drift(self.robot, self.controller, error)
+        says = "its motors can do no more: it falls" if fell else "it still stands"
+        return f"after {time:.2g} s it rolls at {abs(speed):.2g} m/s, {abs(travel):.2g} m away, and {says}."
 
     def to_json(self) -> dict[str, Any]:
         """The gain of the state, the growth [1/s] and the least ki."""
@@ -205,9 +241,13 @@ def _model(robot: Robot, kit: Kit, controller: AnglePid) -> SampledRobot:
     return sampled(robot, kit, controller.period, controller.spec.reads)
 
 
-def _growth(model: SampledRobot, linear: LinearController) -> float:
+def _worst_pole(model: SampledRobot, linear: LinearController) -> complex:
     closed = feedback(plant_of(model, pushed=False), controller_of(linear, model.delay), sign=1.0)
-    radius = float(abs(closed.poles()[0]))
+    return complex(closed.poles()[0])
+
+
+def _growth(model: SampledRobot, linear: LinearController) -> float:
+    radius = abs(_worst_pole(model, linear))
     return math.log(radius) / model.dt if radius > 1 + ON_CIRCLE else 0.0
 
 
@@ -253,21 +293,18 @@ def _returned(linear: LinearController, model: SampledRobot, grid: Array, answer
 
 
 def drift(robot: Robot, controller: AnglePid, error: float) -> tuple[float, float, float, bool]:
-    """When [s] the linear loop on the true angle, its set point wrong by `error` [rad], asks for the largest command,
-    or `WATCHED`; its speed [m/s] and travel [m] then, and whether it did. No delay counts."""
+    """When [s] the robot falls whose set point is wrong by `error` [rad], or `WATCHED`; its speed [m/s] and travel [m]
+    then, and whether it did: the linear robot under the program with its limits, on the true angle and without delay.
+    """
     dt = controller.period
     plant = linearise_rolling(robot).c2d(dt)
-    linear = controller.linearised()
-    read = sensor_matrix(controller.spec.reads, 0.0)  # it goes straight
+    program = replace(controller, set_point=0.0)
+    read = sensor_matrix(program.spec.reads, 0.0)  # it goes straight
     x = np.zeros(6)
-    z = np.zeros(len(linear.A))
     reference = np.eye(6)[0] * error
-    limit = controller.shape.limit
-    for k in range(round(WATCHED / dt)):
-        y = read @ x
-        u = linear.C @ z + linear.Dy @ y + linear.Dr @ reference
-        if abs(u[0]) > limit:
-            return k * dt, float(x[3]) * robot.wheel_radius, float(x[2]) * robot.wheel_radius, True
-        z = linear.A @ z + linear.By @ y + linear.Br @ reference
-        x = plant.A @ x + plant.B @ u
-    return WATCHED, float(x[3]) * robot.wheel_radius, float(x[2]) * robot.wheel_radius, False
+    steps = round(WATCHED / dt)
+    k = 0
+    while k < steps and abs(x[0]) < STOP:
+        x = plant.A @ x + plant.B @ program.step(read @ x, reference)
+        k += 1
+    return k * dt, float(x[3]) * robot.wheel_radius, float(x[2]) * robot.wheel_radius, k < steps

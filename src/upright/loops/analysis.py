@@ -229,6 +229,8 @@ class Analysis(Shown):
 
     def __str__(self) -> str:
         head = f"{self.controller} on {self.robot}, every {self.period * 1e3:g} ms"
+        if not self.stable:
+            return "\n".join([f"{head}: no margins", *self.words()])
         columns = f"{'broken at':<22}{'gain':>15}{'phase':>8}{'delay':>9}{'disk':>7}{'Ms':>7}{'Mt':>7}"
         return "\n".join([head, columns, *(_row(m) for m in (*self.inputs, *self.outputs)), *self.words()])
 

@@ -10,14 +10,15 @@ import numpy as np
 from upright.arrays import Array
 from upright.certification.design import Designed
 from upright.certification.verdict import CLOSE, PHASE, STRONG, WEAK, reached
+from upright.control import AnglePid
 from upright.errors import InvalidController
-from upright.loops.analysis import ROUNDED, Analysis
+from upright.loops.analysis import ROUNDED, Analysis, instability
 from upright.loops.margins import Margins
 from upright.plotting import AXIS, COLOURS, legend, rows_of
 from upright.reports.designed import controller_section, let_go, tile
 from upright.reports.figure import Figure
 from upright.reports.page import Cell, Item, Page, Section, Table, Verdict, cell_text
-from upright.tables import joined, sentence
+from upright.tables import joined
 
 
 def page_of(result: Analysis | Designed) -> Page:
@@ -49,7 +50,7 @@ def _page(
         sections += [Section("Closed-loop poles", [_poles(analysis), near], folded=True)]
     facts = {"controller": analysis.hash[:12], "period": f"{analysis.period * 1e3:g} ms"}
     return Page(
-        _title(analysis), sections, _lead(analysis, sentence(words[0], "")), facts, False, verdict=_verdict(analysis),
+        _title(analysis), sections, _lead(analysis), facts, False, verdict=_verdict(analysis),
         picture=_against_targets(analysis) if analysis.stable else _poles(analysis),
         numbers=[*_numbers(analysis), *more],
     )  # fmt: skip
@@ -58,7 +59,7 @@ def _page(
 def _title(analysis: Analysis) -> str:
     who = f"{analysis.controller} on {analysis.robot}"
     if not analysis.stable:
-        return f"{who}: {_verdict(analysis).text}"
+        return f"{who}: {instability(analysis.radius, analysis.period)}"
     small = ", with small margins" if 1 / analysis.both().Ms < CLOSE else ""
     return f"{who} is stable{small}: {_lost(analysis)}"
 
@@ -109,10 +110,10 @@ def _delay(analysis: Analysis) -> str:
     return _milliseconds(min(analysis.delay, analysis.weakest.delay))
 
 
-def _lead(analysis: Analysis, first: str) -> str:
+def _lead(analysis: Analysis) -> str:
     """What is small, whether it matters, and what to run next."""
     if not analysis.stable:
-        return sentence(first, "")
+        return f"{_drawn(analysis, []).strip()} Next: {_instead(analysis)}"
     targets = _targets(analysis)
     short = [name for name, _, _, part in targets if part < 1]
     below = f"Below the usual target: {', '.join(short)}." if short else "All margins reach the usual targets."
@@ -146,6 +147,13 @@ def _next(analysis: Analysis) -> str:
     if analysis.fell:
         return f"Try {roomy}: its margins are often larger. `upright certify` decides on either."
     return f"Keep it if {decides} is green. If not, try {roomy}: its margins are often larger."
+
+
+def _instead(analysis: Analysis) -> str:
+    """What would hold the robot."""
+    if analysis.controller == AnglePid.form:
+        return "Leave `--gains` out: gains that hold it are then searched."
+    return f"`upright design lqg --robot {analysis.robot}` designs a controller that holds it."
 
 
 ROOMY = "hinf"
@@ -290,7 +298,7 @@ def _phase(both: Margins) -> str:
 
 
 def _margins(analysis: Analysis) -> list[Item]:
-    rows: list[list[Cell]] = [_row(m) for m in (*analysis.inputs, *analysis.outputs)]
+    rows: list[list[Cell]] = [_row(m) for m in (*analysis.inputs, *analysis.outputs)] if analysis.stable else []
     header = ["broken at", "gain from", "gain to", "phase [°]", "delay [ms]", "disk α", "Ms", "Mt"]
     numbers: list[list[Cell]] = [
         ["disk α of both motors at once", analysis.disk],
@@ -300,7 +308,7 @@ def _margins(analysis: Analysis) -> list[Item]:
         ["largest |pole| of the drawn robots", float(analysis.radii.max()) if len(analysis.radii) else math.nan],
     ]
     return [
-        Table(header, rows, "One loop broken, all others closed", 3),
+        *([Table(header, rows, "One loop broken, all others closed", 3)] if rows else ["Unstable: no margins."]),
         Table(["", "value"], numbers, "The whole loop", 3),
         *([_GAP] if analysis.gap >= analysis.coprime else []),
     ]
