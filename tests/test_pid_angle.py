@@ -443,8 +443,8 @@ def test_a_cascade_that_reads_both_encoders_alike_has_margins_without_its_headin
     for share, stands in ((0.9, True), (1.1, False)):
         quiet = dict.fromkeys(ENCODED.sensors, Sensor())
         late = replace(ENCODED, delay=share * found.delay, sensors=quiet)
-        body = Electronics(NonlinearBody(ROBOT, period=5e-4), late)
-        log = run(body, pid, seconds=20.0, start=[1e-3, 0.0, 0.0, 0.0, 0.0, 0.0])
+        body = Electronics(NonlinearBody(ROBOT, period=1e-3), late)
+        log = run(body, pid, seconds=8.0, start=[1e-3, 0.0, 0.0, 0.0, 0.0, 0.0])
         swing = np.abs(log["truth/pitch"])
         assert (swing[-100:].max() < swing[:100].max()) == stands  # it fades, or grows to where the motors end
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import json
 import shutil
 import subprocess
@@ -15,7 +16,7 @@ import upright as up
 from firmware_cases import GOLDEN
 from upright.cli.main import USER_ERROR, main
 from upright.control.controller import controller_hash
-from upright.errors import UnknownName, UprightError
+from upright.errors import UnknownName, UprightError, WrongArguments
 from upright.identification.identify import study_of
 from upright.signals import STATE_NAMES
 
@@ -131,3 +132,36 @@ def test_numbers_beyond_every_robot_are_one_line(tmp_path: Path) -> None:
     ):
         with pytest.raises(UprightError):
             call()
+
+
+CONTROLLER = up.lqr_state(ROBOT, 0.01)
+SWAPPED = {
+    "its controller is a Robot": [lambda: up.certify(ROBOT, CONTROLLER), lambda: up.excite(ROBOT, CONTROLLER)],
+    "its logs is a Robot": [lambda: up.calibrate(ROBOT, TINY), lambda: up.validate(ROBOT, TINY)],
+    "its source is a Robot": [lambda: up.doctor(ROBOT, TINY), lambda: up.post_mortem(ROBOT, TINY)],
+    "its log is a Robot": [lambda: up.identify(ROBOT, TINY)],
+    "its body is a Robot": [lambda: up.run(ROBOT, CONTROLLER)],
+    "its method is a Robot": [lambda: up.tune(ROBOT, "lqg"), lambda: up.design(ROBOT, "lqg")],
+    "its kit is a float": [lambda: up.lqr("nxtway-gs", 0.01), lambda: up.lqg(ROBOT, 0.01)],
+    "its robot is a LinearController": [lambda: up.fleet(up.lqg(ROBOT, KIT)), lambda: up.push_map(up.lqg(ROBOT, KIT))],
+}
+
+
+@pytest.mark.parametrize("said", SWAPPED)
+def test_what_is_examined_stands_first_and_another_order_is_one_line(said: str) -> None:
+    for call in SWAPPED[said]:
+        with pytest.raises(WrongArguments, match=rf"{said}; expected \w+\("):
+            call()
+
+
+def test_what_a_verb_gives_is_a_noun_of_the_package() -> None:
+    """Also the parts of results and the contracts that an own body or controller keeps."""
+    contracts = {"Body", "BodySpec", "Sample", "Controller", "ControllerSpec", "Analysis", "Margins"}
+    elsewhere = {"None", "Path", "Dataset"}  # of Python and of xarray
+    for name in up.__all__:
+        function = inspect.unwrap(getattr(up, name))
+        if inspect.isfunction(function):
+            given = function.__annotations__["return"]
+            contracts |= set(given.split(" | ")) - elsewhere
+    missing = {name for name in contracts if not inspect.isclass(getattr(up, name, None))}
+    assert not missing

@@ -6,7 +6,7 @@ nouns that they take. `__init__.pyi` lists them; each is loaded when it is first
 
 import functools
 import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from types import FunctionType
 from typing import Any
 
@@ -29,12 +29,36 @@ def _verb(function: Callable[..., Any]) -> Callable[..., Any]:
     @functools.wraps(function)
     def called(*given: Any, **named: Any) -> Any:
         try:
-            signature.bind(*given, **named)
+            wrong = _misplaced(signature.bind(*given, **named).arguments)
         except TypeError as error:
+            wrong = str(error)
+        if wrong:
             from upright.errors import WrongArguments
 
             expected = f"{function.__name__}({', '.join(signature.parameters)})"
-            raise WrongArguments(f"{function.__name__}: {error}", expected=expected) from None
+            raise WrongArguments(f"{function.__name__}: {wrong}", expected=expected)
         return function(*given, **named)
 
     return called
+
+
+def _misplaced(arguments: Mapping[str, Any]) -> str:
+    """Which argument is a thing of another kind, as where two were given in the wrong order; "" where none is."""
+    if not _KINDS.keys() & arguments.keys():
+        return ""
+    from upright.bodies.body import Body
+    from upright.control.controller import Controller
+    from upright.robots import Kit, Robot
+    from upright.signals import Log
+
+    things = {"robot": Robot, "kit": Kit, "body": Body, "controller": Controller, "log": Log}
+    for name, value in arguments.items():
+        others = [thing for kind, thing in things.items() if kind != _KINDS[name]] if name in _KINDS else []
+        if others and isinstance(value, (*others, int, float)):
+            return f"its {name} is a {type(value).__name__}"
+    return ""
+
+
+_KINDS = {name: name for name in ("robot", "kit", "body", "controller", "log", "method", "program")}
+_KINDS |= {"logs": "log", "source": "log"}
+"""Name of an argument → what it takes."""
