@@ -318,7 +318,6 @@ def sensor_of(kit: Kit, name: str) -> Sensor:
     if name in TRUE_STATE:
         return Sensor()
     if name not in kit.sensors:
-        raise SpecMismatch(
-            f"kit '{kit.name}' has no {name}", expected="the sensors the controller reads: both encoders and a gyro"
-        )
+        has = ", ".join(kit.sensors) or "nothing but the true state"
+        raise SpecMismatch(f"kit '{kit.name}' has no {name}", expected=f"a controller that reads what it has: {has}")
     return kit.sensors[name]
