@@ -435,7 +435,7 @@ def test_a_cascade_that_reads_both_encoders_alike_has_margins_without_its_headin
     found = analyse(pid, ROBOT, ENCODED, robots=[])
     assert found.loop.hidden == ("yaw",)
     model = sampled(ROBOT, ENCODED, 0.01, pid.spec.reads)
-    whole = Loop(plant_of(model, pushed=False), controller_of(near_rest(pid), model.delay)).poles()
+    whole = Loop(plant_of(model), controller_of(near_rest(pid), model.delay)).poles()
     np.testing.assert_allclose(np.sort(np.abs(whole)), np.sort(np.abs([*found.poles, 1.0])), atol=1e-6)
     assert found.stable
     assert found.coprime > 1e-3  # with the heading it was 0 to rounding

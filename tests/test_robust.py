@@ -7,13 +7,14 @@ import pytest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.control.delay import sampled
-from upright.control.family import family, halves, plane, sides
+from upright.control.family import family, halves, plane
 from upright.control.guaranteed import excess, guaranteed
 from upright.control.kalman import RECOVERED, kalman_filter
 from upright.control.lqr import lqr_state
 from upright.control.observed import observed
 from upright.control.riccati import LARGEST_STATE, bryson
 from upright.control.robust import WORTH, Costs, Robust, robust
+from upright.control.state_space import sides
 from upright.errors import DesignFailed
 from upright.experiment import Drive, Hold, Turn, run
 from upright.loops.loop import robot_loop

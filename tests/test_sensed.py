@@ -60,7 +60,7 @@ def test_a_reading_answers_a_command_as_python_control_says(name, side):
 @pytest.mark.parametrize("name", ["sensor/pitch", "sensor/gyro"])
 def test_and_so_it_does_once_a_period(name):
     omega = np.geomspace(0.5, 300, 30)
-    plant = plant_of(sampled(NXT, PROMPT, 0.01, (name,)), pushed=False)
+    plant = plant_of(sampled(NXT, PROMPT, 0.01, (name,)))
     held = control.sample_system(control.ss(control.minreal(shown(0)[name], 1e-6, verbose=False)), 0.01, "zoh")
     np.testing.assert_allclose(plant.response(omega)[0, 0], held(np.exp(1j * omega * 0.01)), rtol=1e-4)
 

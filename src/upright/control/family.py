@@ -21,15 +21,11 @@ from upright.arrays import Array
 from upright.control.delay import SampledRobot
 from upright.control.kalman import DISTURBED, Disturbed, Filter
 from upright.control.observer import observer
-from upright.control.state_space import kept, plant_of
+from upright.control.state_space import kept, plant_of, sides
+from upright.physics.linear import LinearModel
 from upright.signals import STATE_NAMES
 
 _DOUBLINGS = 18  # 2¹⁸ periods: an hour, after which a loop that still remembers its start counts as unstable
-
-
-def sides(count: int) -> list[str]:
-    """Names of `count` commands of both motors, newest first."""
-    return [f"{side}@{i}" for i in range(count) for side in ("sent_left", "sent_right")]
 
 
 def halves(names: Sequence[str], sign: float = 1.0) -> tuple[Array, Array]:
@@ -51,6 +47,14 @@ def halves(names: Sequence[str], sign: float = 1.0) -> tuple[Array, Array]:
     return spread, np.asarray(np.linalg.pinv(spread), dtype=np.float64)
 
 
+def half(plant: LinearModel, sign: float = 1.0) -> LinearModel:
+    """The plant under equal commands of both motors, or opposed ones with the right motor positive (`sign` −1): its one
+    input is that command, and the states that only the other half moves are gone."""
+    spread, gather = halves(plant.states, sign)
+    B = gather @ plant.B @ np.array([[sign], [1.0]])
+    return LinearModel(gather @ plant.A @ spread, B, plant.C @ spread, dt=plant.dt)
+
+
 @dataclass(frozen=True, eq=False)
 class Plane:
     """One robot's pitch plane: A (n, n), b (n,), C (2, n) to the encoders' mean and the gyro, G (n, 2).
@@ -67,15 +71,14 @@ class Plane:
 def plane(model: SampledRobot, disturbed: Disturbed = DISTURBED) -> Plane:
     """The pitch plane of `model`, which reads both encoders and the gyro."""
     whole = plant_of(model)
-    names = [model.linear.states[i] for i in kept(model)]
-    line = (len(whole.A) - len(names)) // 2
-    spread, gather = halves([*names, *sides(line)])
-    entering = np.zeros((len(whole.A), 2))
-    entering[: len(names), 0] = model.linear.E[kept(model), 0] * disturbed.push_size(model.robot)
+    keep = kept(model)
     motor = disturbed.motor_size(model.robot) / np.sqrt(2)
-    entering[: len(names), 1] = (model.now + model.before)[kept(model)].sum(axis=1) * motor
-    C = np.vstack([whole.C[:2].sum(axis=0) / 2, whole.C[2]]) @ spread
-    return Plane(gather @ whole.A @ spread, gather @ whole.B[:, :2].sum(axis=1), C, gather @ entering)
+    entering = np.zeros((len(whole.A), 2))
+    entering[: len(keep), 0] = model.linear.E[keep, 0] * disturbed.push_size(model.robot)
+    entering[: len(keep), 1] = (model.now + model.before)[keep].sum(axis=1) * motor
+    both = half(whole)
+    C = np.vstack([both.C[:2].sum(axis=0) / 2, both.C[2]])
+    return Plane(both.A, both.B[:, 0], C, halves(whole.states)[1] @ entering)
 
 
 @dataclass(frozen=True, eq=False)

@@ -24,16 +24,16 @@ import numpy as np
 from upright.arrays import Array
 from upright.control.delay import RAW, SampledRobot, sampled
 from upright.control.design import Design
-from upright.control.family import halves, sides
+from upright.control.family import half
 from upright.control.kalman import process_noise, steady_kalman
 from upright.control.linear_controller import LinearController
 from upright.control.observer import steady
 from upright.control.riccati import LARGEST_STATE
-from upright.control.state_space import continuous, discrete, kept, plant_of
+from upright.control.state_space import continuous, discrete, hearing, plant_of
 from upright.errors import DesignFailed
 from upright.physics.dynamics import turn_ratio
 from upright.physics.interconnect import append, lft
-from upright.physics.linear import LinearModel, delay_line
+from upright.physics.linear import LinearModel
 from upright.physics.sensing import GYRO, sensor_matrix
 from upright.robots import Kit, Robot, find_kit, find_robot
 
@@ -128,9 +128,9 @@ def hinf(
     model = sampled(robot, kit, dt, RAW)
     wants = _checked(expected or Expected(), slack)
     size = COMMAND[robot.command_unit] if wants.command is None else wants.command
-    plant, names = plant_of(model), _names(model)
-    forward = _problem(_half(plant, names, 1.0), 2, range(4), wants, size)
-    turning = _problem(_half(plant, names, -1.0), 1, range(4, 6), wants, size)
+    plant = plant_of(model)
+    forward = _problem(_half(plant, 1.0), 2, range(4), wants, size)
+    turning = _problem(_half(plant, -1.0), 1, range(4, 6), wants, size)
     design = Hinf(_synthesised(forward, 2, slack), _synthesised(turning, 1, slack), wants, size)
     return _assembled(model, design, wants, size)
 
@@ -144,22 +144,11 @@ def _checked(wants: Expected, slack: float) -> Expected:
     return wants
 
 
-def _names(model: SampledRobot) -> list[str]:
-    """The states of `plant_of`, with the commands on their way named by their side."""
-    return [model.linear.states[i] for i in kept(model)] + sides(model.delay + bool(model.before.any()))
-
-
-def _half(plant: LinearModel, names: Sequence[str], sign: float) -> LinearModel:
-    """The plant under equal commands of both motors (`sign` 1), or opposed ones with the right motor positive (−1).
-
-    Its input is that command; its outputs the mean of the encoders (or half their difference), the gyro and the robot's
-    six states. The states that only the other half moves are gone.
-    """
-    (spread, gather), both = halves(names, sign), np.array([sign, 1.0])
-    C = np.vstack([both @ plant.C[:2] / 2, plant.C[2], np.eye(6, len(names))]) @ spread
-    return LinearModel(
-        gather @ plant.A @ spread, gather @ plant.B[:, :2] @ both[:, None], C, np.zeros((8, 1)), plant.dt
-    )
+def _half(plant: LinearModel, sign: float) -> LinearModel:
+    """The `half` of the plant, of which the outputs are the mean of the encoders (or half their difference), the gyro
+    and the robot's six states."""
+    C = np.vstack([[sign / 2, 0.5] @ plant.C[:2], plant.C[2], np.eye(6, len(plant.A))])
+    return half(LinearModel(plant.A, plant.B, C, dt=plant.dt, states=plant.states), sign)
 
 
 def _synthesised(problem: LinearModel, readings: int, slack: float) -> Channel:
@@ -255,8 +244,7 @@ def _conditioned(
     Br, Dr = reference
     B = np.hstack([K.B, Br, H, -H])  # of readings, reference, the command applied, and that which should be
     D = np.hstack([K.D, Dr, np.zeros((2, 4))])
-    twice = LinearModel(K.A, B, np.vstack([K.C, K.C]), np.vstack([D, D]), model.dt)
-    whole = lft(twice, delay_line(2, model.delay, model.dt))
+    whole = hearing(LinearModel(K.A, B, K.C, D, model.dt), model.delay)
     By, Br, Ba = np.split(whole.B, [len(model.reads), len(model.reads) + 6], axis=1)
     return LinearController(
         whole.A, By, Br, Ba, whole.C, K.D, Dr, reads=model.reads, period=model.dt,

@@ -218,7 +218,7 @@ def least_integral(model: SampledRobot) -> tuple[float, float]:
     There 1 = (kp + ki dt/(z − 1)) P(z) with P = P(1) + P'(1) (z − 1) from both commands to the angle, whose root is
     beyond z = 1 until ki dt P'(1) > 1 − kp P(1). What rolls without friction has P(1) = 0 with a voltage drive.
     """
-    plant = plant_of(model, pushed=False)
+    plant = plant_of(model)
     angle = plant.C[model.reads.index(PITCH)]
     moved = plant.B.sum(axis=1)
 
@@ -242,7 +242,7 @@ def _model(robot: Robot, kit: Kit, controller: AnglePid) -> SampledRobot:
 
 
 def _worst_pole(model: SampledRobot, linear: LinearController) -> complex:
-    closed = feedback(plant_of(model, pushed=False), controller_of(linear, model.delay), sign=1.0)
+    closed = feedback(plant_of(model), controller_of(linear, model.delay), sign=1.0)
     return complex(closed.poles()[0])
 
 
@@ -256,7 +256,7 @@ def _searched(robot: Robot, kit: Kit, made: Callable[..., AnglePid]) -> AnglePid
     ones = [made(**dict(zip(_GAINS, row, strict=True))) for row in np.eye(3).tolist()]
     model = _model(robot, kit, ones[0])
     grid = np.geomspace(0.05, math.pi / model.dt, 300)
-    answers = plant_of(model, pushed=False).response(grid).sum(axis=1)  # readings, for one of both motors
+    answers = plant_of(model).response(grid).sum(axis=1)  # readings, for one of both motors
     parts = [_returned(one.linearised(), model, grid, answers) for one in ones]
     per_radian = ones[0].per_radian
     gravity = _gravity(robot) / per_radian

@@ -23,13 +23,14 @@ from upright.arrays import Array
 from upright.atomic import finite
 from upright.control.delay import RAW, SampledRobot, sampled
 from upright.control.design import Design
-from upright.control.family import LoopFamily, Plane, family, halves, plane, sides
+from upright.control.family import LoopFamily, Plane, family, half, halves, plane
 from upright.control.guaranteed import Guaranteed, guaranteed
 from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
 from upright.control.lqr import lqr_state
 from upright.control.observer import output_feedback
 from upright.control.riccati import LARGEST_COMMAND, LARGEST_STATE, bryson
+from upright.control.state_space import sides
 from upright.errors import DesignFailed, require
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import Uncertainty, draw
@@ -252,17 +253,13 @@ def _chosen(task: _Task, result: tuple[Array, float], near: Sequence[SampledRobo
 
 
 def _inequalities(task: _Task, near: Sequence[SampledRobot]) -> Guaranteed:
-    models = [_halved(task, each) for each in near]
+    halves_of = [half(each.plant) for each in near]
+    models = [(one.A, one.B) for one in halves_of]
     n = len(models[0][0])
     W = np.zeros((n, n))
     start = np.full(n, 0.1 * task.size)
     W[:4, :4], start[:4] = task.W, 1 / np.sqrt(np.diag(task.W))
     return guaranteed(models, W, task.price, start)
-
-
-def _halved(task: _Task, model: SampledRobot) -> tuple[Array, Array]:
-    A = task.gather @ model.plant.A @ task.spread
-    return A, (task.gather @ model.plant.B.sum(axis=1))[:, None]
 
 
 def _both(task: _Task, k: Array) -> Array:

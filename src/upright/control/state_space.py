@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
@@ -43,8 +44,13 @@ def discrete(system: LinearModel, dt: float) -> LinearModel:
     return LinearModel(inverse @ (identity + A), root * inverse @ system.B, root * system.C @ inverse, D, dt)
 
 
-def plant_of(model: SampledRobot, *, pushed: bool = True) -> LinearModel:
-    """From commands (2) and, where it is `pushed`, a push at the centre of mass [N] to the readings.
+def sides(count: int) -> list[str]:
+    """Names of `count` commands of both motors, newest first."""
+    return [f"{side}@{i}" for i in range(count) for side in ("sent_left", "sent_right")]
+
+
+def plant_of(model: SampledRobot) -> LinearModel:
+    """From both commands to the readings.
 
     The states are the robot's six and the readings on their way, then the commands on theirs, newest first. Gyro bias
     and push, which no command moves, are left out.
@@ -52,19 +58,19 @@ def plant_of(model: SampledRobot, *, pushed: bool = True) -> LinearModel:
     keep = kept(model)
     n = len(keep)
     fraction = bool(model.before.any())
-    line = 2 * (model.delay + fraction)
-    A = np.zeros((n + line, n + line))
-    B = np.zeros((n + line, 3))
-    A[:n, :n], B[:n, 2] = model.linear.A[keep][:, keep], model.linear.E[keep, 0]
-    waiting = delay_line(2, line // 2, model.dt)
-    A[n:, n:], B[n:, :2] = waiting.A, waiting.B
-    places = [B[:, :2], *(A[:, n + 2 * i : n + 2 * i + 2] for i in range(line // 2))]
+    line = model.delay + fraction
+    A = np.zeros((n + 2 * line, n + 2 * line))
+    B = np.zeros((n + 2 * line, 2))
+    A[:n, :n] = model.linear.A[keep][:, keep]
+    waiting = delay_line(2, line, model.dt)
+    A[n:, n:], B[n:] = waiting.A, waiting.B
+    places = [B, *(A[:, n + 2 * i : n + 2 * i + 2] for i in range(line))]
     places[model.delay][:n] = model.now[keep]
     if fraction:
         places[model.delay + 1][:n] = model.before[keep]
-    C = np.zeros((len(model.linear.C), n + line))
+    C = np.zeros((len(model.linear.C), n + 2 * line))
     C[:, :n] = model.linear.C[:, keep]
-    return LinearModel(A, B if pushed else B[:, :2], C, dt=model.dt)
+    return LinearModel(A, B, C, dt=model.dt, states=(*(model.linear.states[i] for i in keep), *sides(line)))
 
 
 def kept(model: SampledRobot) -> list[int]:
@@ -76,5 +82,10 @@ def controller_of(linear: LinearController, delay: int) -> LinearModel:
     """From the readings to the commands, when the command applied is the one of `delay` periods ago."""
     B = np.hstack([linear.By, linear.Ba])  # of the readings, and of the command that comes back from the motors
     D = np.hstack([linear.Dy, np.zeros((2, 2))])
-    twice = LinearModel(linear.A, B, np.vstack([linear.C, linear.C]), np.vstack([D, D]), linear.period)
-    return lft(twice, delay_line(2, delay, linear.period))
+    return hearing(LinearModel(linear.A, B, linear.C, D, linear.period), delay)
+
+
+def hearing(system: LinearModel, delay: int) -> LinearModel:
+    """A system whose last inputs are its own outputs of `delay` periods ago."""
+    twice = replace(system, C=np.tile(system.C, (2, 1)), D=np.tile(system.D, (2, 1)), outputs=())
+    return lft(twice, delay_line(len(system.C), delay, system.dt))

@@ -14,7 +14,7 @@ from upright.control.controller import Controller
 from upright.control.delay import MOST_PERIODS, SampledRobot, sampled
 from upright.control.law import near_rest
 from upright.control.linear_controller import LinearController
-from upright.control.state_space import controller_of, kept, plant_of
+from upright.control.state_space import controller_of, plant_of
 from upright.errors import InvalidModel, SpecMismatch
 from upright.physics.interconnect import feedback
 from upright.physics.linear import LinearModel, decays, one_period, poles_of
@@ -100,7 +100,7 @@ class RobotLoop(Loop):
     def on(self, robot: Robot | None = None, kit: Kit | None = None) -> Loop:
         """The same controller, which knows nothing of it, on another robot or with another kit."""
         model = _sampled(robot or self.robot, kit or self.kit, self.linear)
-        return Loop(_without(model, self.hidden), self.controller)
+        return Loop(_without(plant_of(model), self.hidden), self.controller)
 
     def delay_margin(self, at: str = "", latest: float = LATEST) -> float:
         """How much more dead time [s] the loop survives when the controller does not know of it; infinite beyond
@@ -138,8 +138,9 @@ def robot_loop(controller: Controller, robot: Robot, kit: Kit) -> RobotLoop:
         )
     model = _sampled(robot, kit, linear)
     K = controller_of(linear, model.delay)
-    hidden = (*model.hidden, *_overlooked(model, K))
-    return RobotLoop(_without(model, hidden), K, robot=robot, kit=kit, linear=linear, hidden=hidden)
+    plant = plant_of(model)
+    hidden = (*model.hidden, *_overlooked(plant, K))
+    return RobotLoop(_without(plant, hidden), K, robot=robot, kit=kit, linear=linear, hidden=hidden)
 
 
 def delayed_kit(kit: Kit, more: float, at: str) -> Kit:
@@ -150,37 +151,32 @@ def delayed_kit(kit: Kit, more: float, at: str) -> Kit:
     return replace(kit, sensors=kit.sensors | {at: replace(sensor, delay=sensor.delay + more)})
 
 
-def _overlooked(model: SampledRobot, controller: LinearModel) -> list[str]:
+def _overlooked(plant: LinearModel, controller: LinearModel) -> list[str]:
     """The free positions that a controller does not look at though it is shown them: the heading, where it reads the
     sum of both encoders, or the wheels, where their gain is zero. Each is a pole at 1 that no loop moves."""
-    plant = plant_of(model, pushed=False)
     enters = np.vstack([controller.B, controller.D]) @ plant.C
     smallest = ROUNDING * np.abs(enters).max(initial=0.0)
-    names = [name for name in FREE if name in model.linear.states]
-    return [name for name in names if np.abs(enters @ _at_rest(model, plant, name)).max() <= smallest]
+    shown = [name for name in FREE if name in plant.states]
+    return [name for name in shown if np.abs(enters @ _at_rest(plant, name)).max() <= smallest]
 
 
-def _at_rest(model: SampledRobot, plant: LinearModel, name: str) -> Array:
+def _at_rest(plant: LinearModel, name: str) -> Array:
     """The state (n,) in which the robot stands still one radian further: the readings on their way show it as well."""
-    robot = [i for i, state in enumerate(kept(model)) if model.linear.states[state] in STATE_NAMES]
-    at = [model.linear.states[i] for i in kept(model)].index(name)
-    waiting = np.setdiff1d(np.arange(len(plant.A)), robot)
+    at = plant.states.index(name)
+    waiting = [i for i, state in enumerate(plant.states) if state not in STATE_NAMES]
     x = np.eye(len(plant.A))[at]
     x[waiting] = np.linalg.solve(np.eye(len(waiting)) - plant.A[np.ix_(waiting, waiting)], plant.A[waiting, at])
     return x
 
 
-def _without(model: SampledRobot, hidden: Sequence[str]) -> LinearModel:
-    """From the commands to the readings, without the free positions that are `hidden` from the controller alone."""
-    plant = plant_of(model, pushed=False)
-    names = [model.linear.states[i] for i in kept(model)]
-    places = [names.index(name) for name in hidden if name in names]
+def _without(plant: LinearModel, hidden: Sequence[str]) -> LinearModel:
+    """The plant without those of its positions that are `hidden` from the controller alone."""
+    places = [plant.states.index(name) for name in hidden if name in plant.states]
     if not places:
         return plant
-    still = np.column_stack([_at_rest(model, plant, names[at]) for at in places])
+    still = np.column_stack([_at_rest(plant, plant.states[at]) for at in places])
     rest = np.setdiff1d(np.arange(len(plant.A)), places)
-    # x less what stands still: x_rest − still_rest x_places
-    back = np.eye(len(plant.A))[rest]
+    back = np.eye(len(plant.A))[rest]  # x less what stands still: x_rest − still_rest x_places
     back[:, places] -= still[rest]
     return LinearModel(back @ plant.A[:, rest], back @ plant.B, plant.C[:, rest], dt=plant.dt)
 
