@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any, Protocol, runtime_checkable
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
@@ -46,13 +47,6 @@ class OfDesign:
         return 0.0 if self.design is None else self.design.check()
 
 
-@runtime_checkable
-class _Checked(Protocol):
-    """What computes its own residual."""
-
-    def check(self) -> float: ...
-
-
 def design_of(controller: Controller) -> Design | None:
     """The record of the controller's design, through an estimator in front of it; None where nothing is recorded."""
     record = getattr(getattr(controller, "controller", controller), "design", None)
@@ -67,4 +61,5 @@ def gain_of(controller: Controller) -> Array | None:
 
 def residual_of(controller: Controller) -> float | None:
     """What the controller's own `check()` gives, None of one that has nothing to check."""
-    return float(controller.check()) if isinstance(controller, _Checked) else None
+    check: Callable[[], float] | None = getattr(controller, "check", None)
+    return float(check()) if check else None

@@ -100,14 +100,9 @@ class Filter:
 def kalman_filter(model: SampledRobot, disturbed: Disturbed = DISTURBED) -> Filter:
     """The steady filter; raises `DesignFailed` where it has no solution."""
     W = disturbed.noise(model)
-    try:
-        return Filter(model, W, *steady_kalman(model.linear.A, model.linear.C, W, model.noise, BADLY_SCALED))
-    except DesignFailed:
-        raise DesignFailed(
-            f"no steady Kalman filter for '{model.robot.name}' at {model.dt:g} s",
-            expected="every state to be shown by the sensors", likely="too few sensors, or a period too long",
-            hint="read both encoders and the gyro, or shorten the period",
-        ) from None  # fmt: skip
+    linear = model.linear
+    of = f"'{model.robot.name}' at {model.dt:g} s"
+    return Filter(model, W, *steady_kalman(linear.A, linear.C, W, model.noise, BADLY_SCALED, of=of))
 
 
 def offset_free(model: SampledRobot) -> Disturbed:
@@ -128,12 +123,14 @@ def process_noise(entering: Array, least: float = 1e-14) -> Array:
     return entering @ entering.T + least * np.eye(len(entering))
 
 
-def steady_kalman(A: Array, C: Array, W: Array, V: Array, more: Sequence[float] = (0.0,)) -> tuple[Array, Array]:
+def steady_kalman(
+    A: Array, C: Array, W: Array, V: Array, more: Sequence[float] = (0.0,), *, of: str = "this model"
+) -> tuple[Array, Array]:
     """P (n, n) before a reading, and L (n, p), of the steady filter x = z + L (y − C z), z⁺ = A x.
 
     W (n, n) is the covariance of the process noise, V (p, p) that of the readings (Anderson and Moore 1979, chapter 4).
     `more` are variances added to every state, tried one after the other where the Riccati equation is too badly scaled.
-    Raises `DesignFailed` where none has a stabilising solution.
+    Raises `DesignFailed`, in which it is the filter `of` something, where none has a stabilising solution.
     """
     from scipy.linalg import LinAlgError, solve_discrete_are
 
@@ -144,7 +141,7 @@ def steady_kalman(A: Array, C: Array, W: Array, V: Array, more: Sequence[float] 
             if np.isfinite(L).all() and np.abs(np.linalg.eigvals(A - A @ L @ C)).max() < 1:
                 return P, L
     raise DesignFailed(
-        "no steady Kalman filter for this model", expected="every state to be shown by the sensors",
+        f"no steady Kalman filter for {of}", expected="every state to be shown by the sensors",
         likely="too few sensors, a period too long, or a model far from the robot",
         hint="read both encoders and the gyro, or shorten the period",
     )  # fmt: skip

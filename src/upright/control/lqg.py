@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from upright.arrays import Array
-from upright.control.delay import SampledRobot, sampled
+from upright.control.delay import sampled
 from upright.control.design import Design
 from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
 from upright.control.observer import output_feedback
-from upright.control.riccati import among, command_weight, riccati, riccati_residual, state_weight
+from upright.control.riccati import LARGEST_STATE, among, command_weight, riccati, riccati_residual, state_weight
 from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot, find_kit, find_robot
 
@@ -63,17 +64,24 @@ def lqg(
     return output_feedback(design.filter, design.K, "lqg", design)
 
 
-def regulated(estimator: Filter, Q: ArrayLike | None = None, R: ArrayLike | None = None) -> Lqg:
-    """The regulator of the robot that `estimator` sees, under weights as in `lqg`."""
+def regulated(
+    estimator: Filter,
+    Q: ArrayLike | None = None,
+    R: ArrayLike | None = None,
+    *,
+    servo: LinearModel | None = None,
+    largest: Sequence[float] = LARGEST_STATE,
+) -> Lqg:
+    """The regulator of the robot that `estimator` sees, under weights as in `lqg`; of the `servo` instead, which has
+    further states at its end, so many as Q or `largest` have more than six."""
     model = estimator.sampled
-    plant = model.plant
-    weight = np.zeros_like(plant.A)  # none on the commands on their way, and on what no reading shows
-    weight[:6, :6] = among(state_weight(Q), model.shown)
+    plant = servo or model.plant
+    n = len(plant.A)
+    kept = [*model.shown, *range(6, n)]
+    costly = [*range(6), *range(n + 6 - len(largest), n)]  # commands on their way cost nothing
+    weight = np.zeros((n, n))
+    weight[np.ix_(costly, costly)] = state_weight(Q, largest)
+    weight = among(weight, kept)
     price = command_weight(model.robot.command_unit, R)
-    cost, gain = riccati(plant, weight, price, regulated_states(model))
+    cost, gain = riccati(plant, weight, price, kept)
     return Lqg(filter=estimator, plant=plant, Q=weight, R=price, P=cost, K=gain)
-
-
-def regulated_states(model: SampledRobot) -> list[int]:
-    """Of the plant: those of the robot that readings show, and the commands on their way."""
-    return [*model.shown, *range(6, len(model.plant.states))]

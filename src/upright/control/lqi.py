@@ -9,9 +9,9 @@ from upright.arrays import Array
 from upright.control.delay import sampled
 from upright.control.kalman import RECOVERED, Disturbed, kalman_filter
 from upright.control.linear_controller import LinearController
-from upright.control.lqg import Lqg
+from upright.control.lqg import regulated
 from upright.control.observer import Extra, output_feedback
-from upright.control.riccati import LARGEST_STATE, command_weight, riccati, state_weight
+from upright.control.riccati import LARGEST_STATE
 from upright.errors import DesignFailed
 from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot, find_kit, find_robot
@@ -43,16 +43,12 @@ def lqi(
         raise DesignFailed(f"unwinding takes {unwinding} s", expected="a positive time")
     model = sampled(robot, kit, dt, reads)
     model.check_position("lqi")
-    estimator = kalman_filter(model, disturbed)
     servo = with_integral(model.plant)
-    weighed = [*range(6), -1]  # the robot's state and the integral: commands on their way cost nothing
-    weight = np.zeros_like(servo.A)
-    weight[np.ix_(weighed, weighed)] = state_weight(Q, [*LARGEST_STATE, LARGEST_INTEGRAL])
-    price = command_weight(robot.command_unit, R)
-    P, K = riccati(servo, weight, price)
-    design = Lqg(filter=estimator, plant=servo, Q=weight, R=price, P=P, K=K)
-    extra = Extra(np.eye(1), servo.A[-1:, :-1], K[:, -1:], unwound(K[:, -1], model.dt / unwinding))
-    return output_feedback(estimator, K[:, :-1], "lqi", design, extra)
+    largest = [*LARGEST_STATE, LARGEST_INTEGRAL]
+    design = regulated(kalman_filter(model, disturbed), Q, R, servo=servo, largest=largest)
+    by_integral = design.K[:, -1:]
+    extra = Extra(np.eye(1), servo.A[-1:, :-1], by_integral, unwound(by_integral[:, 0], model.dt / unwinding))
+    return output_feedback(design.filter, design.K[:, :-1], "lqi", design, extra)
 
 
 def unwound(gain: Array, fraction: float) -> Array:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from upright.arrays import Array, Complex
@@ -24,7 +23,7 @@ from upright.control.riccati import (
     weight_matrix,
 )
 from upright.errors import DesignFailed
-from upright.physics.linear import LinearModel, linearise_rolling
+from upright.physics.linear import LinearModel, linearise_rolling, poles_of
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import STATE_NAMES
 
@@ -43,8 +42,7 @@ class Lqr(StateFeedback):
 
     def poles(self) -> Complex:
         """Eigenvalues of A − BK, largest magnitude first."""
-        poles = np.linalg.eigvals(self.model.A - self.model.B @ self.gain).astype(complex)
-        return poles[np.argsort(-np.abs(poles))]
+        return poles_of(self.model.A - self.model.B @ self.gain, continuous=False)
 
     def words(self) -> list[str]:
         """K, the solution S of the Riccati equation, and the poles of the loop, without any filter."""

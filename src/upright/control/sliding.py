@@ -19,6 +19,7 @@ from upright.control.linear_controller import Law, LinearController, Nonlinearit
 from upright.control.lqg import Lqg, regulated
 from upright.control.observer import memory, steady_state
 from upright.errors import DesignFailed, InvalidController
+from upright.physics.linear import poles_of
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import SIDES
 
@@ -43,8 +44,7 @@ class Sliding(Design):
         """Of the loop outside the layer's switching: those of the sliding motion and `keep` twice; largest first."""
         plant = self.base.plant
         closed = plant.A - plant.B @ self.S @ (plant.A - self.keep * np.eye(len(plant.A)))
-        poles = np.linalg.eigvals(closed).astype(complex)
-        return poles[np.argsort(-np.abs(poles))]
+        return poles_of(closed, continuous=False)
 
     def check(self) -> float:
         """The largest of both Riccati residuals and of |S B S − S|, over the largest of S."""

@@ -24,6 +24,7 @@ from upright.loops.margins import (
     frequencies,
     margins,
 )
+from upright.loops.mu import Mu, parameter_mu
 from upright.physics.dynamics import motor_gain
 from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot
@@ -102,6 +103,10 @@ class Analysis(Shown):
     def weakest(self) -> Margins:
         """The loop that the smallest delay makes unstable, when it is broken alone."""
         return min((*self.inputs, *self.outputs), key=lambda m: m.delay)
+
+    def mu(self) -> Mu:
+        """Bounds on the structured singular value over the robot's spreads, which take a few seconds."""
+        return parameter_mu(self.loop)
 
     def both(self) -> Margins:
         """The margins of both motors together, which describe the pitch loop best."""

@@ -61,16 +61,6 @@ class Margins:
     delay_at: float = math.nan
     leads: bool = False
 
-    @property
-    def disk_gain(self) -> tuple[float, float]:
-        """The factors of gain inside the disk."""
-        return disk_gain(self.disk)
-
-    @property
-    def disk_phase(self) -> float:
-        """The phase [rad] inside the disk."""
-        return disk_phase(self.disk)
-
     def words(self) -> str:
         """One sentence for a reader without the mathematics."""
         if not self.delay > 0:
@@ -308,8 +298,8 @@ def peak(f: Callable[[Array], Array], grid: Array, values: Array | None = None) 
     return best
 
 
-def disk_margin(loop: LinearModel, skew: float = 0.0) -> float:
-    """α of all channels varying at once and independently: 1/max μ(S + (σ − 1)/2 I) with σ = `skew` (SLICOT AB13MD).
+def disk_margin(loop: LinearModel) -> float:
+    """α of all channels varying at once and independently: 1/max μ(S − I/2) (SLICOT AB13MD).
 
     The bound is exact for up to three channels. Zero where the closed loop is unstable.
     """
@@ -321,7 +311,7 @@ def disk_margin(loop: LinearModel, skew: float = 0.0) -> float:
     grid = frequencies(loop.dt)
 
     def mu(w: Array) -> Array:
-        matrices = np.linalg.inv(np.eye(m) + loop.matrices(w)) + (skew - 1) / 2 * np.eye(m)
+        matrices = np.linalg.inv(np.eye(m) + loop.matrices(w)) - np.eye(m) / 2
         return np.array([ab13md(matrix, [1] * m, [2] * m)[0] for matrix in matrices])
 
     coarse = grid[:: max(1, len(grid) // 600)]
