@@ -70,8 +70,7 @@ class Pid(Design):
     def check(self) -> float:
         """The filter's residual, or how much less than `margin` the loop as built keeps, or its instability."""
         plane = _Plane(self.filter.sampled)
-        loop = plane.closed(self.gains)
-        if np.abs(np.linalg.eigvals(loop[0])).max() >= 1:
+        if not all(plane.stable([self.gains])):
             return math.inf
         return max(self.filter.check(), self.margin - plane.margin(self.gains), 0.0)
 
@@ -146,23 +145,15 @@ class _Plane:
         """The same of one cascade."""
         return float(self.margins(gains, [gains])[0])
 
-    def closed(self, gains: PidGains) -> tuple[Array, Array]:
-        """A and b of the closed plane with the integral and the derivative's filter as its last states, for −ψ_ref."""
-        n = len(self.A)
-        keep = _keep(gains, self.dt)
-        error, row = np.zeros(n), np.zeros(n)
-        error[[0, 2, 3]] = 1.0, gains.wheel, gains.wheel_rate
-        row[[1, 3]] = (1 - keep) * gains.d - gains.motor, gains.motor
-        A = np.zeros((n + 2, n + 2))
-        b = np.concatenate([self.b * gains.p, [self.dt, 0.0]])
-        A[:n, :n] = self.A + np.outer(self.b, gains.p * error + row)
-        A[:n, n], A[:n, n + 1] = self.b * gains.i, self.b * keep * gains.d
-        A[n, :n], A[n, n], A[n + 1, 1], A[n + 1, n + 1] = self.dt * error, 1.0, 1 - keep, keep
-        return A, b
+    def closed(self, gains: PidGains) -> Array:
+        """A of the closed plane, with the integral and the derivative's filter as its last states."""
+        k, k_w, X, W = _pitch_law(gains, self.dt)
+        plane = np.eye(4, len(self.A))
+        return np.block([[self.A - np.outer(self.b, k @ plane), -np.outer(self.b, k_w)], [X @ plane, W]])
 
     def stable(self, cascades: Sequence[PidGains]) -> list[bool]:
         """Whether each closed plane is."""
-        matrices = np.array([self.closed(gains)[0] for gains in cascades])
+        matrices = np.array([self.closed(gains) for gains in cascades])
         return (np.abs(np.linalg.eigvals(matrices)).max(axis=1) < 1).tolist()
 
 
@@ -231,20 +222,26 @@ def _heading(model: SampledRobot, omega: float) -> tuple[float, float]:
     return yaw, rate
 
 
+def _pitch_law(gains: PidGains, dt: float) -> tuple[Array, Array, Array, Array]:
+    """k (4,), k_w (2,), X (2, 4) and W (2, 2) of u = −k x − k_w w, w⁺ = X x + W w, for x = [ψ, ψ̇, θ, θ̇] and
+    w = [∫e, the derivative's filter]."""
+    keep = _keep(gains, dt)
+    error = np.array([1.0, 0.0, gains.wheel, gains.wheel_rate])
+    rate = np.eye(4)[1]
+    k = -gains.p * error - (1 - keep) * gains.d * rate - gains.motor * (np.eye(4)[3] - rate)
+    X = np.vstack([dt * error, (1 - keep) * rate])
+    return k, np.array([-gains.i, -keep * gains.d]), X, np.diag([1.0, keep])
+
+
 def _law(model: SampledRobot, gains: PidGains, unwinding: float) -> tuple[Array, Extra]:
-    """K on the state and the two further states [∫e, w] of the pitch loop."""
-    n = len(model.plant.states)
-    keep = _keep(gains, model.dt)
-    error = np.zeros(n)
-    turn = np.zeros(n)
-    rate = np.eye(n)[1]
-    error[[0, 2, 3]] = 1.0, gains.wheel, gains.wheel_rate
+    """K on the state and the two further states of the pitch loop."""
+    k, k_w, X, W = _pitch_law(gains, model.dt)
+    plane = np.eye(4, len(model.plant.states))
+    turn = np.zeros(len(model.plant.states))
     turn[[4, 5]] = gains.yaw, gains.yaw_rate
-    straight = -gains.p * error - (1 - keep) * gains.d * rate - gains.motor * (np.eye(n)[3] - rate)
-    K_w = np.tile([-gains.i, -keep * gains.d], (2, 1))
+    K_w = np.tile(k_w, (2, 1))
     back = np.vstack([unwound(K_w[:, 0], model.dt / unwinding), np.zeros((1, 2))])
-    rows = np.vstack([model.dt * error, (1 - keep) * rate])
-    return np.vstack([straight - turn, straight + turn]), Extra(np.diag([1.0, keep]), rows, K_w, back)
+    return np.vstack([k @ plane - turn, k @ plane + turn]), Extra(W, X @ plane, K_w, back)
 
 
 def _no_cascade(plane: _Plane) -> DesignFailed:
