@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
-from upright.control.delay import sampled
+from upright.control.delay import sampled, sent
 from upright.control.family import family, halves, plane
 from upright.control.guaranteed import excess, guaranteed
 from upright.control.kalman import RECOVERED, kalman_filter
@@ -14,7 +14,6 @@ from upright.control.lqr import lqr_state
 from upright.control.observed import observed
 from upright.control.riccati import LARGEST_STATE, bryson
 from upright.control.robust import WORTH, Costs, Robust, robust
-from upright.control.state_space import sides
 from upright.errors import DesignFailed
 from upright.experiment import Drive, Hold, Turn, run
 from upright.loops.loop import robot_loop
@@ -49,7 +48,7 @@ def test_the_plane_has_the_poles_of_the_whole_loop(preset):
     controller = observed(lqr_state(robot, kit.period), robot, kit)
     seen, estimator = sampled(robot, kit), controller.design.filter
     loops = family([plane(sampled(each, kit)) for each in others], estimator)
-    out, _ = halves([*STATE_NAMES, *sides(seen.history)])
+    out, _ = halves([*STATE_NAMES, *sent(seen.history)])
     k = (controller.design.feedback.gain @ seen.ahead @ out)[0]
     whole = [float(np.abs(robot_loop(controller, each, kit).closed.poles()[0])) for each in others]
     assert loops.radii(k) == pytest.approx(whole, abs=1e-7)
@@ -63,7 +62,7 @@ def test_the_cost_is_that_of_a_noisy_run():
     k = (
         np.concatenate([lqr_state(NXT, 0.01).gain[0, :4], [0, 0]])
         @ seen.ahead
-        @ halves([*STATE_NAMES, *sides(seen.history)])[0]
+        @ halves([*STATE_NAMES, *sent(seen.history)])[0]
     )
     rng = np.random.default_rng(0)
     row, closed = k @ loops.F, loops.M[0] - np.outer(loops.b[0], k @ loops.F)
@@ -121,7 +120,7 @@ def test_what_is_called_better_is_better_on_robots_that_nobody_has_drawn_yet():
     # `robot_loop`: neither the design nor its verdict has used any of these
     controller, fresh = design(), draw(NXT, 12, seed=99)
     found, nominal = controller.design, sampled(NXT, KIT)
-    spread = halves([*STATE_NAMES, *sides(nominal.history)])[0]
+    spread = halves([*STATE_NAMES, *sent(nominal.history)])[0]
     plain = np.concatenate([lqr_state(NXT, 0.01).gain[0, :4], [0, 0]]) @ nominal.ahead @ spread
     worst = [
         max(family([plane(sampled(each, KIT))], filter_).direct(k, found.W, found.price) for each in fresh)

@@ -281,25 +281,33 @@ def _line(delay: float, dt: float, *, at_once: bool) -> tuple[int, float]:
 
 
 def _plant(between: _Between) -> LinearModel:
-    d = between.delay
-    h = between.delay + (between.rest > 0)
     phi, old, new, push = (part[:6] for part in between(between.dt))
-    n = 6 + 2 * h
-    A = np.zeros((n, n))
-    B = np.zeros((n, 2))
-    E = np.zeros((n, 1))
-    A[:6, :6], E[:6, 0] = phi[:, :6], push
-    if between.rest > 0:
-        A[:6, 6 + 2 * d : 8 + 2 * d] = old
-    if d:
-        A[:6, 4 + 2 * d : 6 + 2 * d] = new
-    else:
-        B[:6] = new
-    line = delay_line(2, h, between.dt)
-    A[6:, 6:], B[6:] = line.A, B[6:] + line.B
-    sent = tuple(f"sent_{i + 1}/{side}" for i in range(h) for side in SIDES)
-    states = (*STATE_NAMES, *sent)
+    h = between.delay + (between.rest > 0)
+    A, B = behind_dead_time(phi[:, :6], new, old, between.delay, h)
+    E = np.zeros((len(A), 1))
+    E[:6, 0] = push
+    states = (*STATE_NAMES, *sent(h))
     return LinearModel(A, B, dt=between.dt, states=states, inputs=SIDES, E=E, disturbances=("push",))
+
+
+def sent(count: int) -> list[str]:
+    """Names of `count` commands of both motors on their way, newest first."""
+    return [f"sent_{i + 1}/{side}" for i in range(count) for side in SIDES]
+
+
+def behind_dead_time(A: Array, new: Array, old: Array, delay: int, line: int) -> tuple[Array, Array]:
+    """A and B of x⁺ = A x + `new` u + `old` u⁻ where u arrives `delay` periods after it was sent, and u⁻ is the command
+    before it: the last `line` commands are further states, newest first."""
+    n = len(A)
+    waiting = delay_line(2, line, 1.0)
+    whole = np.zeros((n + 2 * line, n + 2 * line))
+    whole[:n, :n], whole[n:, n:] = A, waiting.A
+    B = np.vstack([np.zeros((n, 2)), waiting.B])
+    arrives = [B, *(whole[:, n + 2 * i : n + 2 * i + 2] for i in range(line))]
+    arrives[delay][:n] = new
+    if line > delay:
+        arrives[delay + 1][:n] = old
+    return whole, B
 
 
 def _ahead(between: _Between, plant: LinearModel) -> Array:

@@ -18,10 +18,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from upright.arrays import Array
-from upright.control.delay import SampledRobot
+from upright.control.delay import SampledRobot, sent
 from upright.control.kalman import DISTURBED, Disturbed, Filter
 from upright.control.observer import observer
-from upright.control.state_space import kept, plant_of, sides
+from upright.control.state_space import kept, plant_of
 from upright.physics.linear import LinearModel
 from upright.signals import STATE_NAMES
 
@@ -142,8 +142,8 @@ def family(planes: Sequence[Plane], estimator: Filter) -> LoopFamily:
     """The loops of `planes`, all of one size, with the observer of the nominal robot's `estimator`."""
     model = estimator.sampled
     watch = observer(estimator)
-    spread, gather = halves([*model.linear.states, *sides(model.history)])
-    out, _ = halves([*STATE_NAMES, *sides(model.history)])
+    spread, gather = halves([*model.linear.states, *sent(model.history)])
+    out, _ = halves([*STATE_NAMES, *sent(model.history)])
     into = np.linalg.pinv(out)
     both = np.ones(2)
     apart = np.array([[1.0, 0.0], [1.0, 0.0], [0.0, 1.0]])

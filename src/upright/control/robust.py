@@ -21,7 +21,7 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.atomic import finite
-from upright.control.delay import RAW, SampledRobot, sampled
+from upright.control.delay import RAW, SampledRobot, sampled, sent
 from upright.control.design import Design
 from upright.control.family import LoopFamily, Plane, family, half, halves, plane
 from upright.control.guaranteed import Guaranteed, guaranteed
@@ -30,7 +30,6 @@ from upright.control.linear_controller import LinearController
 from upright.control.lqr import lqr_state
 from upright.control.observer import output_feedback
 from upright.control.riccati import LARGEST_COMMAND, LARGEST_STATE, bryson
-from upright.control.state_space import sides
 from upright.errors import DesignFailed, require
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import Uncertainty, draw
@@ -160,7 +159,7 @@ class _Task:
         self.size = command or LARGEST_COMMAND[robot.command_unit]
         self.W = weight[:4, :4]
         self.price = 2 / self.size**2
-        self.spread, self.gather = halves([*STATE_NAMES, *sides(model.history)])
+        self.spread, self.gather = halves([*STATE_NAMES, *sent(model.history)])
 
     def over(self, planes: Sequence[Plane]) -> _Task:
         """The same over other robots."""
@@ -264,5 +263,5 @@ def _inequalities(task: _Task, near: Sequence[SampledRobot]) -> Guaranteed:
 
 def _both(task: _Task, k: Array) -> Array:
     """K (2, 6 + earlier commands): `k` on the pitch plane, plain LQR on the heading."""
-    out, into = halves([*STATE_NAMES, *sides(task.sampled.history)], -1.0)
+    out, into = halves([*STATE_NAMES, *sent(task.sampled.history)], -1.0)
     return np.tile(k @ task.gather, (2, 1)) + task.regulator() @ task.sampled.ahead @ out @ into

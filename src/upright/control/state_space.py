@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from upright.control.delay import SampledRobot
+from upright.control.delay import SampledRobot, behind_dead_time, sent
 from upright.control.linear_controller import LinearController
 from upright.errors import InvalidModel
 from upright.physics.interconnect import lft
@@ -44,11 +44,6 @@ def discrete(system: LinearModel, dt: float) -> LinearModel:
     return LinearModel(inverse @ (identity + A), root * inverse @ system.B, root * system.C @ inverse, D, dt)
 
 
-def sides(count: int) -> list[str]:
-    """Names of `count` commands of both motors, newest first."""
-    return [f"{side}@{i}" for i in range(count) for side in ("sent_left", "sent_right")]
-
-
 def plant_of(model: SampledRobot) -> LinearModel:
     """From both commands to the readings.
 
@@ -56,21 +51,11 @@ def plant_of(model: SampledRobot) -> LinearModel:
     and push, which no command moves, are left out.
     """
     keep = kept(model)
-    n = len(keep)
-    fraction = bool(model.before.any())
-    line = model.delay + fraction
-    A = np.zeros((n + 2 * line, n + 2 * line))
-    B = np.zeros((n + 2 * line, 2))
-    A[:n, :n] = model.linear.A[keep][:, keep]
-    waiting = delay_line(2, line, model.dt)
-    A[n:, n:], B[n:] = waiting.A, waiting.B
-    places = [B, *(A[:, n + 2 * i : n + 2 * i + 2] for i in range(line))]
-    places[model.delay][:n] = model.now[keep]
-    if fraction:
-        places[model.delay + 1][:n] = model.before[keep]
-    C = np.zeros((len(model.linear.C), n + 2 * line))
-    C[:, :n] = model.linear.C[:, keep]
-    return LinearModel(A, B, C, dt=model.dt, states=(*(model.linear.states[i] for i in keep), *sides(line)))
+    linear = model.linear
+    line = model.delay + bool(model.before.any())
+    A, B = behind_dead_time(linear.A[keep][:, keep], model.now[keep], model.before[keep], model.delay, line)
+    C = np.hstack([linear.C[:, keep], np.zeros((len(linear.C), 2 * line))])
+    return LinearModel(A, B, C, dt=model.dt, states=(*(linear.states[i] for i in keep), *sent(line)))
 
 
 def kept(model: SampledRobot) -> list[int]:
