@@ -75,7 +75,7 @@ def best_scaling(matrix: Complex, blocks: Sequence[Block], start: Scaling | None
     if not level > 0:
         return first
     M = matrix / level
-    z = _packed(Scaling(first.T, first.G / level), blocks)
+    z = _packed(first.T, first.G / level, blocks)
     for sharpness in SHARPNESS:
 
         def smooth(z: Array, sharpness: float = sharpness) -> tuple[float, Array]:
@@ -101,15 +101,17 @@ def _smooth(M: Complex, z: Array, blocks: Sequence[Block], sharpness: float) -> 
     left = N @ P - 1j * at.G @ P  # Σ p a v*, with a = N v − j G v; dN = E N − N E for dT = E T
     E = 2 * (left @ N.conj().T - N.conj().T @ left)
     G = 1j * (N @ P - P @ N.conj().T)
-    return value, _gradient(E @ inverse.conj().T, G, blocks)
+    return value, _packed(E @ inverse.conj().T, G, blocks, slopes=True)
 
 
-def _packed(at: Scaling, blocks: Sequence[Block]) -> Array:
-    """Real numbers: T and the G of each real block, the one number of a complex block."""
+def _packed(T: Complex, G: Complex, blocks: Sequence[Block], *, slopes: bool = False) -> Array:
+    """Real numbers: T and the G of each real block, the one number of a complex block. With `slopes` T and G are those
+    of a function, and that number's slope is the sum of all that it stands for."""
     parts: list[Array] = []
     for (i, j), (_, real) in zip(pairwise(_edges(blocks)), blocks, strict=True):
-        T, G = at.T[i:j, i:j], at.G[i:j, i:j]
-        parts += [T.real.ravel(), T.imag.ravel(), G.real.ravel(), G.imag.ravel()] if real else [T[:1, 0].real]
+        t, g = T[i:j, i:j], G[i:j, i:j]
+        number = t.trace().real[None] if slopes else t[:1, 0].real
+        parts += [t.real.ravel(), t.imag.ravel(), g.real.ravel(), g.imag.ravel()] if real else [number]
     return np.concatenate(parts)
 
 
@@ -125,15 +127,6 @@ def _unpacked(z: Array, blocks: Sequence[Block]) -> Scaling:
             T[i:j, i:j] = z[place] * np.eye(n)
         place += 4 * n * n if real else 1
     return Scaling(T, G)
-
-
-def _gradient(T: Complex, G: Complex, blocks: Sequence[Block]) -> Array:
-    """As `_packed`, of a function's slopes by T and by the Hermitian G."""
-    parts: list[Array] = []
-    for (i, j), (_, real) in zip(pairwise(_edges(blocks)), blocks, strict=True):
-        t, g = T[i:j, i:j], G[i:j, i:j]
-        parts += [t.real.ravel(), t.imag.ravel(), g.real.ravel(), g.imag.ravel()] if real else [t.trace().real[None]]
-    return np.concatenate(parts)
 
 
 def _edges(blocks: Sequence[Block]) -> list[int]:
