@@ -59,6 +59,8 @@ def _misplaced(arguments: Mapping[str, Any]) -> str:
     return ""
 
 
-_KINDS = {name: name for name in ("robot", "kit", "body", "controller", "log", "method", "program")}
-_KINDS |= {"logs": "log", "source": "log"}
+_KINDS = {
+    **{name: name for name in ("robot", "kit", "body", "controller", "log", "method", "program")},
+    **{"logs": "log", "source": "log"},
+}
 """Name of an argument → what it takes."""

@@ -102,9 +102,9 @@ def _on_filter(
     method: Callable[..., Controller], robot: Robot, kit: Kit, dt: float, weights: Weights, **own: Any
 ) -> Controller:
     """A method of Q and R behind a filter, which has `weights` of its own beside those of the plane."""
-    noise = replace(RECOVERED, motor=weights["motor_noise"])
-    sizes = {"largest": largest_of(weights), "command": LARGEST_COMMAND[robot.command_unit]}
-    return by_sizes(method, robot, kit, dt, **sizes, **{"disturbed": noise, **own})
+    own.setdefault("disturbed", replace(RECOVERED, motor=weights["motor_noise"]))
+    command = LARGEST_COMMAND[robot.command_unit]
+    return by_sizes(method, robot, kit, dt, largest=largest_of(weights), command=command, **own)
 
 
 def _lqi_defaults(robot: Robot, kit: Kit, dt: float) -> dict[str, float]:
