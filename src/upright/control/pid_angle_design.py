@@ -97,7 +97,7 @@ class AngleDesign(Design):
         lines = list[str]()
         if pid.kp and math.isfinite(shape.limit):
             lean = math.degrees((shape.limit - shape.dead_band) / abs(pid.per_radian * pid.kp))
-            lines.append(f"At {lean:.2g}° of lean its output is at its limit of {pid.highest:g} {pid.output}.")
+            lines.append(f"At {lean:.3g}° of lean its output is at its limit of {pid.highest:g} {pid.output}.")
         if math.isfinite(pid.limit) and pid.limit > pid.highest:
             lines.append(f"A limit of {pid.limit:g} is more than there is: {pid.highest:g} {pid.output} count.")
         return lines
