@@ -26,7 +26,7 @@ RAW = ("sensor/encoder_left", "sensor/encoder_right", GYRO)
 
 _FREE = STATE_NAMES[2:]  # of these a robot may know nothing and stand
 _SAME = 1e-9  # of a period: equal times may differ by rounding
-_ZERO = 1e-12  # [1] of a row's largest entry, to rounding
+ROUNDING = 1e-12  # [1] of a row's largest entry, to rounding
 _FINEST = 1e-10  # [unit²] variance of a sensor said to be perfect, so that the filter stays defined
 LONGEST = 50  # periods of delay: beyond, the states of a filter would be many and the loop hopeless
 MOST_PERIODS = 1000  # of delay, for the poles of a loop: a filter of so many states is never asked for
@@ -167,7 +167,7 @@ def _senses(robot: Robot, reads: tuple[str, ...], sensors: tuple[Sensor, ...]) -
 def _shown(model: LinearModel) -> list[bool]:
     """Which states the readings tell, themselves or by others that they move."""
     known: Mask = np.any(model.C != 0, axis=0)
-    moves = np.abs(model.A) > _ZERO * np.abs(model.A).max(axis=1, keepdims=True)
+    moves = np.abs(model.A) > ROUNDING * np.abs(model.A).max(axis=1, keepdims=True)
     for _ in model.states:
         known |= moves[known].any(axis=0)
     standing = known[STATE_NAMES.index("pitch")]  # without its lean all is hopeless, and nothing is left out
@@ -181,7 +181,7 @@ def _tells_push(model: LinearModel, shown: list[bool], push: Array, by_push: Arr
     read = np.column_stack([model.C[:, shown], by_push, bias])
     steady = np.vstack([moved, read])
     size = np.linalg.norm(steady, axis=0)
-    return bool(np.linalg.matrix_rank(steady / np.maximum(size, _ZERO), tol=_SAME) == (size > 0).sum())
+    return bool(np.linalg.matrix_rank(steady / np.maximum(size, ROUNDING), tol=_SAME) == (size > 0).sum())
 
 
 @lru_cache(maxsize=1024)

@@ -36,7 +36,6 @@ SLOW = (0.0, 0.3, 1.0)  # [1/s] ki tried, over kp, where none is needed
 LEAST = 0.1  # min |1 + L|: a sensitivity of 10, with which the smallest error of the model topples the robot
 NEAR = 1e-5  # from z = 1: nearer than any mode, and far above rounding
 ON_CIRCLE = 1e-6  # of |z|: position and heading, which nothing holds, stay at 1 to rounding
-AS_UPRIGHT = 1e-3  # [rad] 0.06°: no angle is mounted or set more exactly
 WATCHED = 20.0  # [s] in which an error of the set point is followed
 FACTORS = tuple(2.0 ** (sign * k / 2) for k in range(1, 21) for sign in (-1, 1))  # up to 1000, the nearest to 1 first
 _GAINS = ("kp", "ki", "kd")
@@ -107,8 +106,9 @@ class AngleDesign(Design):
         pid = self.controller
         lines = [] if pid.cascade else [_NOTHING_HOLDS]
         lean = pid.sign * pid.set_point / PER_RADIAN[pid.unit] - self.kit.sensors[PITCH].offset
-        if abs(lean) > AS_UPRIGHT:
-            lines.append(f"Its set point is {abs(math.degrees(lean)):.2g}° off upright: {self._off(lean)}")
+        off = round(abs(math.degrees(lean)), 1)  # no angle is mounted or set more exactly
+        if off:
+            lines.append(f"Its set point is {off:g}° off upright: {self._off(lean)}")
         return [*lines, f"One degree of error in the set point: {self._off(math.radians(1.0))}"]
 
     def _falls(self) -> list[str]:

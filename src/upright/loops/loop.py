@@ -11,7 +11,7 @@ import numpy as np
 
 from upright.arrays import Array, Complex
 from upright.control.controller import Controller
-from upright.control.delay import MOST_PERIODS, SampledRobot, sampled
+from upright.control.delay import MOST_PERIODS, ROUNDING, SampledRobot, sampled
 from upright.control.law import near_rest
 from upright.control.linear_controller import LinearController
 from upright.control.state_space import controller_of, plant_of
@@ -23,7 +23,6 @@ from upright.signals import STATE_NAMES
 
 LATEST = 0.3  # [s] more delay than this no balancing robot survives
 FREE = ("wheel", "yaw")  # a robot stands wherever it is, and in whatever direction
-ROUNDING = 1e-12  # of the largest entry: what is smaller is zero but for rounding
 FINEST = 1e-3  # [s] steps of delay: a loop that is unstable between two of them alone is not found
 
 
