@@ -66,7 +66,7 @@ def test_what_is_added_is_a_disturbance_at_the_plant_s_input() -> None:
 
     They are so small that the robot is its tangent to rounding; steps of Runge and Kutta of 1 ms follow it to 1e-6.
     """
-    feedback, tangent = lqr(NXT, 0.01), linearise(NXT)
+    feedback, tangent = lqr_state(NXT, 0.01), linearise(NXT)
     plant = control.sample_system(control.ss(tangent.A, tangent.B, np.eye(6), np.zeros((6, 2))), 0.01)
     d = random_binary(100, 1e-7, seed=1)
     batch = FleetBatch(parameters=parameters_of(NXT), controller=feedback, excitation=d, excitation_hold=2)
