@@ -1,11 +1,13 @@
 """Whether the kernel, the loop of `run` and the printed C in double precision are one: every preset, four controllers.
 
     python benchmarks/one_text.py [--runs 100] [--robot nxtway-gs] [--controllers lqg mpc]
+    python benchmarks/one_text.py --noise --runs 1000 --robot twipr --controllers lqi    # each run with its own seed
 
-Noise is off, since each machine draws its own. First figures: the largest difference of any state under a push, without
-quanta over 10 s, with them over 2 s (rounding that falls to the other side parts runs after that), and how fast any
-difference grows while quantised readings do not see it. Then `--runs` runs with all quanta under pushes up to what
-throws the robot: in how many the kernel and the loop say alike whether it fell.
+With `--noise` only the falls are compared, under the kit's own noise; else noise is off. First figures: the largest
+difference of any state under a push, without quanta over 10 s, with them over 2 s (rounding that falls to the other
+side parts runs after that), and how fast any difference grows while quantised readings do not see it. Then `--runs`
+runs with all quanta under pushes up to what throws the robot: in how many the kernel and the loop say alike whether it
+fell.
 """
 
 from __future__ import annotations
@@ -135,8 +137,33 @@ def alike(robot: Robot, kit: Kit, controller: Controller, runs: int, seconds: fl
     return int((kernel == loop).sum()), int(loop.sum())
 
 
+def noisy(robot: Robot, kit: Kit, controller: Controller, runs: int, seconds: float) -> None:
+    """Prints how often kernel and loop say alike whether it fell under noise, and where they do not."""
+    speeds = np.random.default_rng(0).permutation(np.linspace(0.0, THROWN, runs))  # so that any part has all sizes
+    body, clock, fallen, apart = Electronics(NonlinearBody(robot), kit), harness.Clock(), 0, list[str]()
+    for seed, speed in enumerate(speeds):
+        push = push_of(robot, float(speed))
+        log = run(body, controller, push, seconds=seconds, seed=seed)
+        rows = [[push.force, np.nan, STARTS, LASTS]]
+        batch = FleetBatch(parameters=parameters_of(robot), controller=controller, kit=kit, pushes=rows, seed=seed)
+        loop, kernel = bool(log.origin["outcome"]["fell"]), bool(simulate(batch, seconds).fell[0])
+        fallen += loop
+        if loop != kernel:
+            apart.append(f"seed {seed}, {speed:.4f} m/s: the loop {'falls' if loop else 'stands'}")
+        if (seed + 1) % 100 == 0 or seed + 1 == runs:
+            same = harness.share(seed + 1 - len(apart), seed + 1)
+            print(f"{robot.name} {controller.spec.kind}: alike {same}, {fallen} fell; {clock} {apart}", flush=True)
+
+
 def main() -> None:
-    options = harness.options(__doc__, runs=100, robot="", controllers=CONTROLLERS)
+    options = harness.options(__doc__, runs=100, robot="", controllers=CONTROLLERS, noise=False)
+    if options.noise:
+        for name in [options.robot] if options.robot else preset_names():
+            robot = Robot.preset(name)
+            kit = Kit.preset(robot.kit_name)
+            for family in options.controllers:
+                noisy(robot, kit, make_controller(family, robot, kit, kit.period), options.runs, 2.0)
+        return
     print(f"{'':34}{'no quanta, 10 s':>24}{'quanta, 2 s':>24}{'grows by':>12}{'fell alike':>16}")
     print(f"{'':34}{'kernel':>12}{'C':>12}{'kernel':>12}{'C':>12}{'1/s':>12}")
     for name in [options.robot] if options.robot else preset_names():
