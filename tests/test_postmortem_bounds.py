@@ -31,6 +31,7 @@ def test_a_robot_that_is_let_go_with_too_little_gain_falls_by_its_loop() -> None
     assert told
     assert float(told[1]) == pytest.approx(math.log(2) / 6.08, rel=0.1)  # two digits, and a gain by least squares
     assert not any("gyro" in cause.name for cause in found.causes)
+    assert found.onset >= 0.0, "before the log begins"
 
 
 @pytest.mark.evidence

@@ -142,7 +142,7 @@ def ranked(evidence: Evidence) -> tuple[Cause, ...]:
         Cause(
             name,
             odds[name] / total,
-            min(answer.onset, evidence.fell_at),
+            max(min(answer.onset, evidence.fell_at), evidence.run.log.t[0]),  # it may have been falling by then
             answer.evidence,
             answer.push.repair if answer.push else _repair(name),
             answer.push,
