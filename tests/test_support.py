@@ -213,6 +213,11 @@ def test_a_calibration_names_knocks_and_leaves_them_out_where_asked() -> None:
     parts, (said,) = without_knocks([log], ROBOT, KIT, cut=True)
     assert [len(part) for part in parts] == [len(part) for part in unpushed(log, ROBOT, KIT)]
     assert "is left out" in said
+    near = log.between(0.0, KNOCKS[0].start + 1.9)  # without 2 s in a row that are calm
+    (same,), (why,) = without_knocks([near], ROBOT, KIT, cut=True)
+    assert same is near
+    assert "too little lies between them" in why
+    assert "--between-knocks" not in why
     quiet = log.between(KNOCKS[-1].start + 1.0, log.t[-1])
     assert without_knocks([quiet], ROBOT, KIT, cut=True) == ([quiet], [])
 

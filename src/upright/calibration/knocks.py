@@ -197,7 +197,8 @@ def without_knocks(logs: Sequence[Log], robot: Robot, kit: Kit, *, cut: bool) ->
         if len(starts):
             times = [log.t[a + np.argmax(np.abs(trace[a:b]))] for a, b in zip(starts, stops, strict=True)]
             when = ", ".join(f"{t:.3g}" for t in times[:MOST_NAMED]) + (", …" if len(times) > MOST_NAMED else "")
-            effect = "bends the numbers, since no push is known; try --between-knocks"
+            advice = "too little lies between them to leave them out" if cut else "try --between-knocks"
+            effect = f"bends the numbers, since no push is known; {advice}"
             if own != [log]:
                 effect = f"is left out: {sum(map(len, own)) * log.period:.3g} of {len(log) * log.period:.3g} s are used"
             notes.append(f"What looks like a push at {when} s {effect}.")
