@@ -1,7 +1,7 @@
 """Do the paper's claims keep their verdicts under other noise: the chapters that simulate sensors, seed after seed.
 
-    python benchmarks/claims.py --seeds 20    # some 10 s of processor a seed
-    python benchmarks/claims.py --seeds 20 --parts linear pushes built controllers sensors    # all, a minute a seed
+    python benchmarks/claims.py --seeds 20    # half a minute of processor a seed
+    python benchmarks/claims.py --seeds 20 --parts linear pushes built controllers sensors    # all
 
 Excitations stay as they are. Seed 0 is what `upright reproduce` shows.
 """
@@ -25,7 +25,7 @@ from upright.paper import as_built, controllers, linear_model, printed, pushes, 
 from upright.paper.pushes import RegulatedRobot
 from upright.robots import Kit, Robot
 
-RUNS = ("paper.linear_model", "paper.pushes", "paper.as_built", "comparison.bench", "identify.judge")
+RUNS = ("paper.linear_model", "paper.pushes", "paper.as_built", "comparison.bench", "identification.judge")
 FAR = 1000  # between two of our seeds, more than any chapter uses
 BIASED = 0.1  # of the pole
 PARTS = ("linear", "pushes", "built", "controllers")
