@@ -27,8 +27,8 @@ ZERO = 1e-12  # what differs by less is rounding
 IGNORED = {"seconds", "version", "versions", "took", "created", "upright"}  # of a run, not of its robot
 NAMES = ("name", "code", "channel", "cause")  # by which one of a list is found again, and not by its place
 LONGEST = 360  # [s] of processor for one call
-OPTIONS = {"identify": ("--repeats", "0"), "post-mortem": ("--seconds", "300")}
-"""No simulated logs, whose noise is drawn; no search that ends with the time."""
+OPTIONS = {"identify": ("--repeats", "0")}
+"""No simulated logs, whose noise is drawn."""
 
 KEPT, WORDS = 6, 160  # differences that are printed, and letters of each
 
