@@ -20,7 +20,7 @@ from unittest.mock import patch
 
 import harness
 
-from upright.control import lqr
+from upright.control import lqr_state
 from upright.paper import as_built, controllers, linear_model, printed, pushes, regulator, sensors
 from upright.paper.pushes import RegulatedRobot
 from upright.robots import Kit, Robot
@@ -64,7 +64,7 @@ def told_by(parts: tuple[str, ...], seed: int) -> Told:
 def _said(parts: tuple[str, ...]) -> dict[str, str]:
     """Part of the paper → verdict, with the conclusions of 5e one by one, and what the parts beyond it find."""
     light, heavy, kit = Robot.preset("nxtway-gs"), Robot.preset("herrera2015"), Kit.preset("nxt")
-    own, gains = lqr(light, printed.PERIOD), regulator.printed_feedback()
+    own, gains = lqr_state(light, printed.PERIOD), regulator.printed_feedback()
     says: dict[str, str] = {}
     claims = list[Any]()
     if "linear" in parts or "sensors" in parts:
