@@ -99,7 +99,7 @@ def exactly(robots: Sequence[str], count: int) -> None:
         kit, drawn = find_kit(robot.kit), draw(robot, count, SEED)
         for method in DESIGNS:
             default = kernel_controller(make_controller(method, robot, kit, kit.period), robot, kit)
-            fell = int(trials(TrialSetup(default, robot, drawn, kit, SEED, threads=1)).fell.sum())
+            fell = int(trials(TrialSetup(robot, drawn, kit, SEED, controller=default, threads=1)).fell.sum())
             own = sum(_falls_under_its_own(method, robot, one, kit) for one in drawn)
             table.row(name, method, fell, own, count)
 
@@ -110,7 +110,7 @@ def _falls_under_its_own(method: str, nominal: Robot, robot: Robot, kit: Kit) ->
         own = kernel_controller(make_controller(method, robot, kit, kit.period), robot, kit)
     except UprightError:
         return True
-    return bool(trials(TrialSetup(own, nominal, [robot], kit, SEED, threads=1)).fell.any())
+    return bool(trials(TrialSetup(nominal, [robot], kit, SEED, controller=own, threads=1)).fell.any())
 
 
 def main() -> None:

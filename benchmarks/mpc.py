@@ -50,7 +50,7 @@ def gaps(judge: Exact, other: PredictiveController, robot: Robot, kit: Kit) -> t
 
 def falls(controller: Any, robot: Robot, kit: Kit, runs: int) -> tuple[NDArray[np.int64], float, float]:
     """Falls of each trial of a certificate, the seconds that took, and the worst residual."""
-    setup = TrialSetup(kernel_controller(controller, robot, kit), robot, draw(robot, runs, 0, None), kit)
+    setup = TrialSetup(robot, draw(robot, runs, 0, None), kit, controller=kernel_controller(controller, robot, kit))
     clock = harness.Clock()
     results = trials(setup).trials
     return np.array([t.fell for t in results]), clock.wall, max(t.residual for t in results)

@@ -21,12 +21,21 @@ from upright.calibration.calibration import Calibration
 from upright.calibration.estimate import HELD
 from upright.certification import checks
 from upright.certification.actual import as_logged
-from upright.certification.agreement import AMBER, RED, Agreement, agreement
+from upright.certification.agreement import Agreement, agreement
 from upright.certification.calibrated import Learnt, learnt
 from upright.certification.certificate import Certificate, certify, read_certificate
-from upright.certification.checks import KernelController, PushTrial, TrialSetup, kernel_controller, trials, tried
+from upright.certification.checks import (
+    KernelController,
+    PushTrial,
+    TrialSetup,
+    followed_runs,
+    kernel_controller,
+    trials,
+    tried,
+)
+from upright.certification.logged import Assumptions
 from upright.certification.pushes import standard_pushes
-from upright.certification.verdict import GREEN, Examined, LinearMargins, judge
+from upright.certification.verdict import AMBER, GREEN, RED, Examined, LinearMargins, judge
 from upright.cli.main import main
 from upright.comparison.bench import TOLERANCE, bench_one, largest_knock
 from upright.control import ControllerSpec, LinearController, as_linear, make_controller
@@ -75,7 +84,7 @@ def test_a_controller_that_is_called_falls_where_its_matrices_fall(monkeypatch: 
     plan = checks._plan
     monkeypatch.setattr(checks, "_plan", lambda setup: plan(setup)[:1])
     family = draw(ROBOT, 66, 3)
-    trial_setup = TrialSetup(kernel_controller(designed("lqg"), ROBOT, KIT), ROBOT, family, KIT)
+    trial_setup = TrialSetup(ROBOT, family, KIT, controller=kernel_controller(designed("lqg"), ROBOT, KIT))
     called = dataclasses.replace(
         trial_setup, controller=KernelController(Law(idle(designed("lqg").spec)), designed("lqg"))
     )
@@ -88,7 +97,7 @@ def test_a_controller_that_is_called_falls_where_its_matrices_fall(monkeypatch: 
 def test_pushes_that_share_a_batch_give_the_bytes_of_one_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     """Five robots, so that one block of the kernel holds several pushes, at both batteries and on two slopes."""
     robot = ROBOT.replace(conditions=Conditions(slope=(0.0, 0.05)))
-    setup = TrialSetup(kernel_controller(designed("lqg"), robot, KIT), robot, draw(robot, 5, 3), KIT)
+    setup = TrialSetup(robot, draw(robot, 5, 3), KIT, controller=kernel_controller(designed("lqg"), robot, KIT))
     together = [(one.counted, one.run) for one in tried(setup)]
     monkeypatch.setattr(checks, "TOGETHER", 1)
     alone = [(one.counted, one.run) for one in tried(setup)]
@@ -100,7 +109,7 @@ def test_pushes_that_share_a_batch_give_the_bytes_of_one_alone(monkeypatch: pyte
 
 def test_a_predictive_controller_holds_in_the_compiled_loop_as_in_run() -> None:
     controller = make_controller("mpc", ROBOT, KIT, KIT.period)
-    found, fell, _ = trials(TrialSetup(kernel_controller(controller, ROBOT, KIT), ROBOT, [ROBOT] * 3, KIT))
+    found, fell, _ = trials(TrialSetup(ROBOT, [ROBOT] * 3, KIT, controller=kernel_controller(controller, ROBOT, KIT)))
     assert not fell.any()
     push = standard_pushes(ROBOT, KIT, 1.12 * KIT.battery.voltage)[found[1].push].push
     log = run(Electronics(NonlinearBody(ROBOT), KIT), controller, push, seconds=4, seed=3)
@@ -192,22 +201,26 @@ def test_the_thresholds_of_surprise_stand_between_the_lights() -> None:
 
 
 def test_missing_readings_are_left_out_and_short_or_uneven_logs_refused() -> None:
-    log, trial_setup = recording(), TrialSetup(kernel_controller(designed("pid"), ROBOT, KIT), ROBOT, [ROBOT] * 12, KIT)
+    log = recording()
+    setup = TrialSetup(ROBOT, [ROBOT] * 12, KIT, controller=kernel_controller(designed("pid"), ROBOT, KIT))
+    drawn = followed_runs(setup)
+
+    def compared(log: Log) -> tuple[Agreement, ...]:
+        return agreement(log, setup, drawn, KIT.period)
+
     holes = np.array(log["sensor/gyro"])
     holes[::7] = np.nan
     with_holes = Log(log.t, {**log.channels, "sensor/gyro": holes})
     # one gyro reading in seven less: the filter foretells the others about as well
-    assert agreement(with_holes, trial_setup)[2].measured == pytest.approx(
-        agreement(log, trial_setup)[2].measured, rel=0.3
-    )
+    assert compared(with_holes)[2].measured == pytest.approx(compared(log)[2].measured, rel=0.3)
     with pytest.raises(InvalidLog, match="lasts"):
-        agreement(log.between(0.0, 1.5), trial_setup)
+        compared(log.between(0.0, 1.5))
     rows = np.sort(np.random.default_rng(0).choice(len(log), 400, replace=False))
     with pytest.raises(InvalidLog, match="uneven"):
-        agreement(Log(log.t[rows], {n: v[rows] for n, v in log.channels.items()}), trial_setup)
+        compared(Log(log.t[rows], {n: v[rows] for n, v in log.channels.items()}))
     silent = {n: v for n, v in log.channels.items() if "applied" not in n and "command" not in n}
     with pytest.raises(InvalidLog, match="no commands"):
-        agreement(Log(log.t, silent), trial_setup)
+        compared(Log(log.t, silent))
 
 
 class Hardware:
@@ -334,8 +347,8 @@ def test_a_log_with_a_flipped_gyro_or_of_a_robot_that_is_held_is_refused_at_once
 def test_a_quiet_log_of_this_very_robot_shows_no_other_one() -> None:
     """A filter that expects larger disturbances than there are finds the gyro to count 0.83 times: its innovations are
     then expected to be smaller."""
-    trial_setup = TrialSetup(kernel_controller(designed("pid"), ROBOT, KIT), ROBOT, draw(ROBOT, 100, 0), KIT)
-    assert as_logged(recording(), trial_setup)[2] == ()
+    assumed = Assumptions(ROBOT, draw(ROBOT, 100, 0), KIT)
+    assert as_logged(recording(), assumed)[2] == ()
 
 
 def test_the_table_of_controllers_counts_drawn_robots_that_fall() -> None:

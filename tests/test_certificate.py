@@ -14,13 +14,12 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
-from upright.certification.agreement import AMBER, RED
 from upright.certification.certificate import VERSION, Certificate, certify, read_certificate
 from upright.certification.checks import PushTrial, TrialSetup, kernel_controller, trials
 from upright.certification.pushes import RELEASE, standard_pushes
 from upright.certification.recovery import means, recoverable
 from upright.certification.support import Support
-from upright.certification.verdict import GREEN, UNKNOWN, Examined, LinearMargins, judge, linear_margins
+from upright.certification.verdict import AMBER, GREEN, RED, UNKNOWN, Examined, LinearMargins, judge, linear_margins
 from upright.cli import certify as command
 from upright.cli.main import main
 from upright.control import LinearController, as_linear, controller_hash, make_controller, write_controller
@@ -176,7 +175,8 @@ def test_falls_decide_by_their_bound(fell: int, light: str) -> None:
 
 def test_trials_are_the_loop_of_run() -> None:
     # the same robot in the one loop of `experiment.run`: peaks differ by noise alone, below some hundredths of a radian
-    found, fell, _ = trials(TrialSetup(kernel_controller(designed("pid"), ROBOT, KIT), ROBOT, [ROBOT] * 20, KIT))
+    driving = kernel_controller(designed("pid"), ROBOT, KIT)
+    found, fell, _ = trials(TrialSetup(ROBOT, [ROBOT] * 20, KIT, controller=driving))
     for trial in found[1::2]:  # one battery: a motor is at its limit for a few hundredths of the time, with either
         push = standard_pushes(ROBOT, KIT, 1.12 * KIT.battery.voltage)[trial.push].push
         log = run(Electronics(NonlinearBody(ROBOT), KIT), designed("pid"), push, seconds=RELEASE + 1, seed=3)

@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
-from upright.certification.checks import TrialSetup, batteries, kernel_controller, trials
+from upright.certification.checks import TrialSetup, kernel_controller, trials
+from upright.certification.logged import Assumptions, batteries
 from upright.certification.pushes import RELEASE, standard_pushes
 from upright.certification.support import supported
 from upright.control import lqg
@@ -70,7 +71,7 @@ def test_batteries_are_the_files_or_the_kits() -> None:
 def test_trials_on_a_slope_are_the_loop_of_run() -> None:
     """As on level ground, peaks differ by noise alone, below some hundredths of a radian."""
     robot, angle = expecting(Conditions(slope=(0.0, math.radians(3)))), math.radians(3)
-    trial_setup = TrialSetup(kernel_controller(lqg(robot, KIT), robot, KIT), robot, [robot] * 10, KIT)
+    trial_setup = TrialSetup(robot, [robot] * 10, KIT, controller=kernel_controller(lqg(robot, KIT), robot, KIT))
     runs = trials(trial_setup).trials
     assert len(runs) == trial_setup.runs_of_trials // 10 == 12
     full = 1.12 * KIT.battery.voltage
@@ -93,8 +94,8 @@ def test_a_log_is_compared_with_what_the_file_expects() -> None:
     def outside(robot: Robot) -> set[str]:
         drawn = draw(robot, 100, 3, Uncertainty.of(robot).scaled(0.2))
         floor = (math.radians(4), math.radians(3.9), math.radians(4.1))  # as a calibration of the log has it
-        trial_setup = TrialSetup(kernel_controller(lqg(ROBOT, KIT), robot, KIT), robot, drawn, KIT, floor=floor)
-        return {s.name for s in supported(raw, trial_setup) if s.outside}
+        assumed = Assumptions(robot, drawn, KIT, floor=floor)
+        return {s.name for s in supported(raw, assumed) if s.outside}
 
     assert {"battery", "slope"} <= outside(ROBOT)
     assert not {"battery", "slope"} & outside(expecting(HILLS))

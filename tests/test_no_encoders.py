@@ -8,10 +8,9 @@ import pytest
 from scipy.linalg import solve_discrete_are
 from scipy.signal import cont2discrete
 
-from upright.certification.agreement import AMBER
 from upright.certification.checks import PushTrial
 from upright.certification.design import design
-from upright.certification.verdict import Examined, judge, linear_margins
+from upright.certification.verdict import AMBER, Examined, judge, linear_margins
 from upright.control import CONTROLLERS, Controller, make_controller
 from upright.control.delay import RAW, readable, sampled
 from upright.control.kalman import kalman_filter

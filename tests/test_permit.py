@@ -15,8 +15,9 @@ import pytest
 from firmware_cases import NXT, ROBOT, frozen
 from upright.atomic import write_json
 from upright.certification.certificate import Certificate, certify
-from upright.certification.checks import BATTERIES, PushTrial
+from upright.certification.checks import PushTrial
 from upright.certification.design import design
+from upright.certification.logged import BATTERIES
 from upright.cli.main import USER_ERROR, main
 from upright.control import (
     CONTROLLERS,

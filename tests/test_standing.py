@@ -68,7 +68,7 @@ def test_the_longest_period_is_that_of_the_sampled_loop() -> None:
     """Without noise or delay the loop is x⁺ = (Φ − Γ K) x: its poles leave the circle at the longest period."""
     robot = ROBOT.without_dry_friction()
     controller = find_controller("lqr-state", robot, IDEAL, 0.01)
-    setup = TrialSetup(kernel_controller(controller, robot, IDEAL), robot, [robot] * 10, IDEAL)
+    setup = TrialSetup(robot, [robot] * 10, IDEAL, controller=kernel_controller(controller, robot, IDEAL))
     model, K = linearise(robot), np.asarray(controller.gain)
     block = np.zeros((8, 8))
     block[:6] = np.hstack([model.A, model.B])
@@ -101,7 +101,7 @@ def test_the_steepest_slope_is_that_of_statics() -> None:
 
 def test_what_is_endured_stays_below_what_any_controller_could() -> None:
     controller = find_controller("pid", ROBOT, NXT, NXT.period)
-    setup = TrialSetup(kernel_controller(controller, ROBOT, NXT), ROBOT, [ROBOT], NXT)
+    setup = TrialSetup(ROBOT, [ROBOT], NXT, controller=kernel_controller(controller, ROBOT, NXT))
     knock, hold, slope = endured(setup)
     for push in (knock, hold):
         assert push.best is not None

@@ -22,16 +22,16 @@ from upright.bodies.body import Sample
 from upright.calibration.estimate import Estimate
 from upright.calibration.knocks import _calm, first_state, unpushed, without_knocks
 from upright.certification.actual import as_logged, doubted
-from upright.certification.agreement import LARGER, RED, Agreement, agreement
+from upright.certification.agreement import Agreement, agreement
 from upright.certification.calibrated import Learnt, _weighed, calibrated, guessed, learnt, weighed
 from upright.certification.certificate import Certificate, certify
-from upright.certification.checks import PushTrial, TrialSetup, batteries, kernel_controller
-from upright.certification.logged import Logged, as_sent, loaded
+from upright.certification.checks import PushTrial, TrialSetup, followed_runs, kernel_controller
+from upright.certification.logged import Assumptions, Logged, as_sent, batteries, loaded
 from upright.certification.mass import on_the_scale
 from upright.certification.pushes import standard_pushes
 from upright.certification.recovery import _rest
 from upright.certification.support import LOAD_KNOWN, Support, slope, supported
-from upright.certification.verdict import AMBER, Examined, LinearMargins, judge
+from upright.certification.verdict import AMBER, LARGER, RED, Examined, LinearMargins, judge
 from upright.control import Controller, make_controller
 from upright.control.delay import sampled
 from upright.errors import InvalidLog, InvalidRobot, InvalidScenario
@@ -116,7 +116,7 @@ def within(s: Support) -> bool:
 
 @cache
 def trial_setup() -> TrialSetup:
-    return TrialSetup(kernel_controller(designed(), ROBOT, KIT), ROBOT, draw(ROBOT, 100, 3, KNOWN), KIT)
+    return TrialSetup(ROBOT, draw(ROBOT, 100, 3, KNOWN), KIT, controller=kernel_controller(designed(), ROBOT, KIT))
 
 
 def found(log: Log) -> dict[str, Support]:
@@ -139,7 +139,7 @@ def certified(log: Log) -> Certificate:
 )
 def test_what_was_planted_is_taken_over_with_its_size(planted: str) -> None:
     log, (met, left, taken) = taken_over(planted)
-    explained(planted, taken, left, agreement(log, met))
+    explained(planted, taken, left, agreement(log, met, followed_runs(met), KIT.period))
 
 
 @cache
@@ -272,7 +272,7 @@ def test_what_robots_within_their_spreads_explain_is_taken_for_no_other_mass() -
     known, design = Uncertainty.of(robot).scaled(0.2), make_controller("hinf", robot, KIT, KIT.period)
     truth = Electronics(NonlinearBody(draw(robot, 1, 1, known)[0]), KIT)
     log = run(truth, design, KNOCKS, reference=DRIVEN, seconds=9.0, seed=5)
-    assumed = TrialSetup(kernel_controller(design, robot, KIT), robot, draw(robot, 100, 3, known), KIT)
+    assumed = Assumptions(robot, draw(robot, 100, 3, known), KIT)
     assert not as_logged(log, assumed)[2]
 
 
@@ -414,7 +414,7 @@ def test_a_mass_is_that_of_a_calibration_or_counts_as_contradicted(
 ) -> None:
     """An ev3way of 0.63 kg that differed in none passed for one of 0.093 kg. Innovations of which one reading in five
     counts are explained by nothing."""
-    module, asked = import_module("upright.certification.calibrated"), list[TrialSetup]()
+    module, asked = import_module("upright.certification.calibrated"), list[Assumptions]()
     setup = dataclasses.replace(trial_setup(), logged=dataclasses.replace(Logged.alone(KIT), load=1 / 3))
     own = SimpleNamespace(refused=(), temper=temper)
     found = dataclasses.replace(LIGHTER, value=0.25, low=0.2, high=0.3)
@@ -502,7 +502,7 @@ def test_a_weight_goes_with_the_robot_of_a_file_alone() -> None:
 
 def test_no_log_is_asked_the_mass_of_a_robot_that_was_weighed(monkeypatch: pytest.MonkeyPatch) -> None:
     """Neither the filter nor a calibration that takes it for a guess."""
-    module, asked = import_module("upright.certification.calibrated"), list[TrialSetup]()
+    module, asked = import_module("upright.certification.calibrated"), list[Assumptions]()
     setup = dataclasses.replace(trial_setup(), is_weighed=True)
     monkeypatch.setattr(module, "as_logged", lambda _, given: asked.append(given) or (given, (), ()))
     monkeypatch.setattr(module, "_own", lambda *_: SimpleNamespace(refused=(), temper=0.9))
@@ -518,7 +518,7 @@ def test_a_weighed_robot_is_pushed_like_that_of_its_file_whatever_a_calibration_
 ) -> None:
     """A body of half the mass would be pushed half as much; and with slower sensors less can be survived. And its
     certificate holds the weight, of the robot with its wheels."""
-    module, asked = import_module("upright.certification.calibrated"), list[TrialSetup]()
+    module, asked = import_module("upright.certification.calibrated"), list[Assumptions]()
     light, slow = loaded(ROBOT, 0.5), {n: dataclasses.replace(s, delay=s.delay + 0.02) for n, s in KIT.sensors.items()}
     own = Learnt(light, kit_with(sensors=slow), Uncertainty.of(light).scaled(0.1))
     monkeypatch.setattr(module, "calibrated", lambda _, given, __: asked.append(given) or (own, ()))

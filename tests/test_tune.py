@@ -263,7 +263,7 @@ def test_the_largest_knock_is_that_of_single_runs() -> None:
     """The loop of `run` on the nonlinear body, knock by knock, which shares nothing with the kernel but the equations;
     its noise is another, and sizes are 1.2 % apart in one, 2 % in the other."""
     controller = lqg(NXT, KIT)
-    found = knock(TrialSetup(kernel_controller(controller, NXT, KIT), NXT, [NXT], KIT, 0, 1))
+    found = knock(TrialSetup(NXT, [NXT], KIT, controller=kernel_controller(controller, NXT, KIT), threads=1))
     body = Electronics(NonlinearBody(NXT), KIT)
 
     def stands(size: float) -> bool:

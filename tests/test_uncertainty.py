@@ -210,7 +210,7 @@ def test_a_certificate_and_a_fleet_draw_the_same_robots(source, tmp_path):
     batch = ensemble.batch(range(100)).parameters
     certified = draw(robot, 100, 5, uncertainty)
     assert (batch == np.array([list(each.numbers().values()) for each in certified])).all()
-    trial_setup = TrialSetup(kernel_controller(controller, robot, NXT), robot, certified, NXT, 5)
+    trial_setup = TrialSetup(robot, certified, NXT, 5, controller=kernel_controller(controller, robot, NXT))
     assert len(trials(trial_setup)[1]) == 100
 
 

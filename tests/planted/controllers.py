@@ -134,7 +134,8 @@ def fraction(
     while count < most:
         part = FIRST if count < 3 * FIRST else min(most - count, 3500)
         robots = draw(robot, part, seed + 7919 * count, unknown)
-        setup = TrialSetup(kernel_controller(controller, robot, kit), robot, robots, kit, seed + count, threads=1)
+        driving = kernel_controller(controller, robot, kit)
+        setup = TrialSetup(robot, robots, kit, seed + count, controller=driving, threads=1)
         fell, count = fell + int(trials(setup).fell.sum()), count + part
         if fell > 2 * MANY * count or (count >= 3 * FIRST and fell < FEW * count / 3):
             break

@@ -11,7 +11,8 @@ import numpy as np
 
 from planted.controllers import SECONDS, SEED
 from upright.certification.certificate import certify
-from upright.certification.checks import TAIL, batteries, kernel_controller
+from upright.certification.checks import TAIL, kernel_controller
+from upright.certification.logged import batteries
 from upright.certification.pushes import standard_pushes
 from upright.certification.verdict import MOST_CYCLE, MOST_SATURATED, MOST_TRAVEL
 from upright.control import LinearController, as_linear, make_controller

@@ -15,9 +15,8 @@ from typing import Any
 import numpy as np
 
 from upright.arrays import Array
-from upright.certification.checks import TrialSetup
 from upright.certification.likelihood import as_disturbed, filtered_log, surprise, surprises
-from upright.certification.logged import NOISED, Logged, delaying
+from upright.certification.logged import NOISED, Assumptions, Logged, delaying
 from upright.certification.support import NORMAL, Support, supported
 from upright.robots import Kit
 from upright.signals import Log
@@ -35,7 +34,7 @@ DIRECT = frozenset({"battery", "battery's sag", "slope"})  # read off, whatever 
 FROM_ZERO = frozenset({"further delay", "gyro's further delay", "gyro's noise"})  # ranges that do not lie round nominal
 
 
-def as_logged(log: Log, setup: TrialSetup) -> tuple[TrialSetup, tuple[Support, ...], tuple[Support, ...]]:
+def as_logged(log: Log, setup: Assumptions) -> tuple[Assumptions, tuple[Support, ...], tuple[Support, ...]]:
     """`setup` with what `log` shows in it, what the log then says of the numbers, and those that were taken over, each
     beside what had been assumed. Raises like `supported`.
 
@@ -63,7 +62,7 @@ def as_logged(log: Log, setup: TrialSetup) -> tuple[TrialSetup, tuple[Support, .
     return setup, shown, tuple(_in_place_of(s, last.get(s.name, s), setup) for s in known)
 
 
-def _next(log: Log, setup: TrialSetup, shown: Sequence[Support], names: set[str], now: float) -> set[str]:
+def _next(log: Log, setup: Assumptions, shown: Sequence[Support], names: set[str], now: float) -> set[str]:
     """Which numbers to take over besides those of these `names`, with which the log surprises by `now`."""
     strays = [s for s in shown if is_beyond(s) and s.name not in (*names, *NOT_LEARNT)]
     if direct := {s.name for s in strays if s.name in DIRECT}:
@@ -78,14 +77,14 @@ def _next(log: Log, setup: TrialSetup, shown: Sequence[Support], names: set[str]
     return set() if any(min(surprises(log, part, setup.disturbed)) <= then for part in parts) else {best.name}
 
 
-def _best(log: Log, setup: TrialSetup, several: Sequence[Support], known: Sequence[Support]) -> tuple[Support, float]:
+def _best(log: Log, setup: Assumptions, several: Sequence[Support], known: Sequence[Support]) -> tuple[Support, float]:
     """Of `several` numbers the one that makes the log likeliest beside those that are `known`, and its surprise."""
     then = [surprise(filtered_log(log, _learnt(setup, [*known, s]))[0]) for s in several]
     best = int(np.argmin(then))
     return several[best], then[best]
 
 
-def doubted(log: Log, setup: TrialSetup, names: Collection[str]) -> tuple[TrialSetup, Support] | None:
+def doubted(log: Log, setup: Assumptions, names: Collection[str]) -> tuple[Assumptions, Support] | None:
     """`setup` with a number that makes the log much likelier, beside those of these `names` that it knows, and what
     the log says of it; None where there is none. Robots within their spreads may explain the log as well."""
     known = (s for s in supported(log, setup) if s.name not in (*names, *DIRECT, *NOT_LEARNT) and not s.left_open)
@@ -100,7 +99,7 @@ def doubted(log: Log, setup: TrialSetup, names: Collection[str]) -> tuple[TrialS
     return moved, _in_place_of(best, last, moved)
 
 
-def _likeliest(log: Log, setup: TrialSetup, numbers: Sequence[Support]) -> tuple[TrialSetup, float]:
+def _likeliest(log: Log, setup: Assumptions, numbers: Sequence[Support]) -> tuple[Assumptions, float]:
     """The setup moved to these `numbers`, each at the value within its interval with which the log surprises least,
     and that surprise."""
     result = list(numbers)
@@ -115,7 +114,7 @@ def _likeliest(log: Log, setup: TrialSetup, numbers: Sequence[Support]) -> tuple
     return _learnt(setup, result), now
 
 
-def _in_place_of(assumed: Support, last: Support, setup: TrialSetup) -> Support:
+def _in_place_of(assumed: Support, last: Support, setup: Assumptions) -> Support:
     """What was taken over in all, with the width of the `last` interval, beside what had been `assumed`."""
     kit, before, logged = setup.actual_kit, setup.kit, setup.logged
     motor = kit.motor
@@ -145,7 +144,7 @@ def is_beyond(s: Support) -> bool:
     return not (s.least <= s.low and s.high <= s.most) and not s.low <= nominal <= s.high
 
 
-def _learnt(setup: TrialSetup, shown: Sequence[Support]) -> TrialSetup:
+def _learnt(setup: Assumptions, shown: Sequence[Support]) -> Assumptions:
     """The setup moved by what the filter of it shows."""
     n = len(setup.robots)
     kit = setup.actual_kit

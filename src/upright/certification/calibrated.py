@@ -11,12 +11,10 @@ from upright.calibration.calibrate import calibrate
 from upright.calibration.calibration import Calibration
 from upright.calibration.estimate import HELD
 from upright.calibration.knocks import unpushed
-from upright.certification.actual import as_logged, doubted, is_beyond
-from upright.certification.checks import FEWEST, TrialSetup, kernel_controller
-from upright.certification.logged import LOADED
+from upright.certification.actual import WITHIN, as_logged, doubted, is_beyond
+from upright.certification.logged import LOADED, Assumptions
 from upright.certification.support import LOAD_KNOWN, MASS, Support, body_mass, slope
 from upright.checkup.doctor import contradictions
-from upright.control.controller import Controller
 from upright.errors import InvalidLog
 from upright.logs.recording import SENSOR
 from upright.progress import Progress
@@ -47,7 +45,7 @@ class Learnt:
     floor: tuple[float, float, float] | None = None
 
 
-def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) -> tuple[Learnt, tuple[Support, ...]]:
+def calibrated(log: Log, setup: Assumptions, progress: Progress | None = None) -> tuple[Learnt, tuple[Support, ...]]:
     """The robot of `setup` calibrated from `log`, and what its file and its kit had wrong, beside what they say.
 
     A calibration doubts no scale, no weighed mass and little of the electronics: where these are wrong it bends other
@@ -100,7 +98,7 @@ def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) ->
     return replace(result, contradicted=(left,)) if left else result, taken
 
 
-def _open(asked: Calibration, setup: TrialSetup, unsure: Sequence[Support]) -> Support | None:
+def _open(asked: Calibration, setup: Assumptions, unsure: Sequence[Support]) -> Support | None:
     """What a calibration that takes the mass for a guess leaves of it, as far as the mass that a filter sees; None if
     that is within what is assumed, or the calibration is refused, or contradicts another number of the robot's file."""
     if asked.refused or learnt(asked, setup.kit).contradicted:
@@ -116,7 +114,7 @@ def _count(temper: float) -> Support:
     return Support("share of readings that count", "1", temper, temper, temper, WHITE, 1.0)
 
 
-def unloaded(met: TrialSetup) -> TrialSetup:
+def unloaded(met: Assumptions) -> Assumptions:
     """The setup without the load that the log shows, whose mass its filter asks no more."""
     logged = met.logged and replace(met.logged, load=1.0, loads=np.ones(1))
     return replace(met, logged=logged, is_weighed=True)
@@ -128,7 +126,7 @@ def unconfirmed(taken: Sequence[Support]) -> tuple[Support, ...]:
     return tuple(replace(s, low=min(s.low, m), high=max(s.high, m), left_open=True) for s, m in middle)
 
 
-def guessed(log: Log, setup: TrialSetup) -> Calibration:
+def guessed(log: Log, setup: Assumptions) -> Calibration:
     """The calibration that takes the body's mass for a guess, and weighs every other number within its spread. The
     filter of a certificate does not, and takes dry friction for mass."""
     robot, kit = setup.actual_robot, setup.actual_kit
@@ -136,7 +134,7 @@ def guessed(log: Log, setup: TrialSetup) -> Calibration:
     return calibrate(unpushed(log, robot, kit), guess, kit)
 
 
-def weighed(own: Calibration, setup: TrialSetup) -> list[Support]:
+def weighed(own: Calibration, setup: Assumptions) -> list[Support]:
     """The mass that a calibration finds which took it for a guess, where it is not within what was assumed; nothing
     where it is. Innovations far from white may be of another cause, but those of a robot with dry friction always are.
     """
@@ -148,7 +146,7 @@ def weighed(own: Calibration, setup: TrialSetup) -> list[Support]:
     return [mass] if white and is_beyond(mass) else []
 
 
-def doubtful_mass(log: Log, setup: TrialSetup, taken: Sequence[Support]) -> tuple[Support, ...]:
+def doubtful_mass(log: Log, setup: Assumptions, taken: Sequence[Support]) -> tuple[Support, ...]:
     """The mass that counts as contradicted beside a posterior that is not of this log: of a robot with dry friction
     what a calibration sees, else what the filter of a certificate had `taken` and no calibration sees."""
     if setup.dry_friction:
@@ -158,13 +156,13 @@ def doubtful_mass(log: Log, setup: TrialSetup, taken: Sequence[Support]) -> tupl
     return () if unsure and weighed(guessed(log, alone), alone) else unsure
 
 
-def _own(log: Log, setup: TrialSetup, progress: Progress | None) -> Calibration:
+def _own(log: Log, setup: Assumptions, progress: Progress | None) -> Calibration:
     """The calibration of the robot of `setup`, as the log shows it, between knocks."""
     robot, kit = setup.actual_robot, setup.actual_kit
     return calibrate(unpushed(log, robot, kit), _weighed(setup), kit, progress=progress)
 
 
-def _weighed(met: TrialSetup) -> Robot:
+def _weighed(met: Assumptions) -> Robot:
     """The robot with the load that the log shows, whose mass and inertias are then known as well as that."""
     robot = met.actual_robot
     if robot is met.robot:
@@ -206,12 +204,9 @@ def _lognormal(s: Spread) -> Spread:
 
 
 def calibrated_first(
-    log: Log, controller: Controller, robot: Robot, kit: Kit, seed: int, progress: Progress | None, *,
-    weighed: bool,
-) -> tuple[Learnt, tuple[Support, ...]]:  # fmt: skip
+    log: Log, robot: Robot, kit: Kit, seed: int, progress: Progress | None, *, weighed: bool
+) -> tuple[Learnt, tuple[Support, ...]]:
     """The robot of the file, or as it was `weighed`, as `log` shows it, and what was taken over before."""
     rubs = robot.coulomb_friction > 0
-    some = draw(robot, FEWEST, seed)
-    driven = kernel_controller(controller, robot, kit)
-    setup = TrialSetup(driven, robot, some, kit, seed, dry_friction=rubs, is_weighed=weighed)
-    return calibrated(log, setup, progress)
+    assumed = Assumptions(robot, draw(robot, WITHIN, seed), kit, seed, dry_friction=rubs, is_weighed=weighed)
+    return calibrated(log, assumed, progress)

@@ -15,10 +15,18 @@ from typing import TYPE_CHECKING, Any
 
 from upright.atomic import finite, write_json
 from upright.certification.actual import as_logged
-from upright.certification.agreement import RED, Agreement, agreement
+from upright.certification.agreement import Agreement, agreement
 from upright.certification.calibrated import calibrated_first, doubtful_mass
-from upright.certification.checks import PushTrial, RunCounter, TrialSetup, enough_robots, kernel_controller, trials
-from upright.certification.logged import as_sent
+from upright.certification.checks import (
+    PushTrial,
+    RunCounter,
+    TrialSetup,
+    enough_robots,
+    followed_runs,
+    kernel_controller,
+    trials,
+)
+from upright.certification.logged import Assumptions, as_sent
 from upright.certification.mass import as_weighed
 from upright.certification.narrowing import Guessed, Narrowing, NeededSpread, guessed, narrowing, red
 from upright.certification.standing import (
@@ -37,6 +45,7 @@ from upright.certification.support import MASS, Support, contradictions
 from upright.certification.verdict import (
     CONFIDENCE,
     MOST_FALLS,
+    RED,
     UNKNOWN,
     Examined,
     LinearMargins,
@@ -286,16 +295,18 @@ def certify(
     rubs, stated, own, wrong = nominal.coulomb_friction > 0, (nominal, parts), None, tuple[Support, ...]()
     bare = recording if unknown is None and robots is None else None
     design = _controller(controller, *stated, period)
+    driving = kernel_controller(design, *stated)
     nominal = as_weighed(nominal, weighed, alone=posterior is None and robots is None, logged=bool(bare))
     if bare:
-        own, wrong = calibrated_first(bare, design, nominal, parts, seed, progress, weighed=weighed is not None)
+        own, wrong = calibrated_first(bare, nominal, parts, seed, progress, weighed=weighed is not None)
         nominal, parts, unknown = own.robot, own.kit, own.uncertainty
     family = enough_robots(draw(nominal, samples, seed, unknown) if robots is None else list(robots), nominal)
-    setup = TrialSetup(kernel_controller(design, nominal, parts), nominal, family, parts, seed, threads,
-                       dry_friction=rubs, is_weighed=bool(bare), stated=stated, floor=own and own.floor)  # fmt: skip
-    setup, shown, taken = as_logged(recording, setup) if recording else (setup, (), ())
-    doubts = doubtful_mass(recording, setup, taken) if recording and posterior else own.contradicted if own else ()
+    floor = own and own.floor
+    assumed = Assumptions(nominal, family, parts, seed, dry_friction=rubs, is_weighed=bool(bare), floor=floor)
+    assumed, shown, taken = as_logged(recording, assumed) if recording else (assumed, (), ())
+    doubts = doubtful_mass(recording, assumed, taken) if recording and posterior else own.contradicted if own else ()
     taken = (*taken, *(s for s in wrong if s.name not in {t.name for t in taken}))
+    setup = TrialSetup(**vars(assumed), controller=driving, threads=threads, stated=stated)
     setup = replace(setup, progress=progress and RunCounter(runs_of(setup, sweeps=sweeps), progress))
     drawn = (unknown or Uncertainty.of(nominal)) if robots is None else None
     judged = _examined(setup, design, recording, support=(*shown, *doubts), taken=taken, unknown=drawn, sweeps=sweeps)
@@ -332,9 +343,11 @@ def _examined(
     alone = standing(setup, sweeps=sweeps)
     many = red(int(fallen.sum()), len(fallen)) or red(alone.lost, alone.runs)
     narrowed = sweeps and many and not setup.controller.called
+    period = design.spec.period
     return Examined(
-        len(fallen), int(fallen.sum()), linear, runs, setup.controller.law.period,
-        agreement(recording, setup) if recording else (), support, beyond=int(beyond.sum()), taken=taken,
+        len(fallen), int(fallen.sum()), linear, runs, period,
+        agreement(recording, setup, followed_runs(setup), period) if recording else (),
+        support, beyond=int(beyond.sum()), taken=taken,
         standing=alone, guessed=guessed(setup, unknown, tried=many) if unknown else None,
         narrowing=narrowing(setup, unknown, fallen) if unknown and narrowed else None,
     )  # fmt: skip

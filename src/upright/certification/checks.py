@@ -15,10 +15,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from upright.arrays import Array, Mask
-from upright.certification.logged import Logged, loaded
+from upright.certification.agreement import Runs
+from upright.certification.logged import BATTERIES, NOISED, Assumptions, Logged, batteries
 from upright.certification.pushes import StandardPush, standard_pushes
 from upright.certification.recovery import means, recoverable
 from upright.control.controller import Controller
+from upright.control.delay import RAW
 from upright.control.linear_controller import Law
 from upright.control.splitting import Splitting
 from upright.errors import InvalidScenario, SpecMismatch
@@ -31,10 +33,6 @@ from upright.robots import Kit, Robot
 
 SECONDS = 8.0  # [s] a push, what follows it, and `TAIL` to see what the robot does at rest
 TAIL = 2.0  # [s] at the end, over which the limit cycle is measured: several of its periods
-BATTERIES = {"low": 0.85, "full": 1.12}
-"""Over the kit's voltage: six AA cells under load give 7 to 9 V for 8, two lithium cells 6.4 to 8.4 V for 7.5. The
-robot's file may state others (`Robot.conditions`)."""
-
 CONFIDENCE = 0.95
 MOST_CYCLE = 0.1  # [rad] of a sway at rest: as far as the paper's pushes lean a robot
 MOST_FALLS = 0.05  # red above: with one such robot in twenty, a class of students breaks one
@@ -44,6 +42,10 @@ FEWEST = 100
 
 TOGETHER = 512  # runs of several pushes in one batch: the kernel moves 64 robots at a time, and more gain little
 
+DRAWN = 12
+"""Number of robots with which a log is compared: the largest of 12 is near the 92 % quantile of all."""
+
+APPLIED = ("applied/left", "applied/right")
 PITCH = ("truth/pitch",)
 BANDS = (SETTLED, math.inf, math.inf)
 STEP = 0.001  # [s] of the body, as everywhere
@@ -131,47 +133,21 @@ class RunCounter:
 
 
 @dataclass(frozen=True, eq=False)
-class TrialSetup:
-    """A controller, the robots it drives, their kit, and the seed of their noise.
+class TrialSetup(Assumptions):
+    """A controller, and the robots that it drives as they are assumed, or as the log shows them.
 
     Pushes are sized for the robot and the kit that were `stated` (None: `robot` and `kit`), whatever a calibration made
-    of them. What a log shows instead is `logged`, and is tried. Its filter expects `disturbed` times the usual noise of
-    forces and torques. It asks no mass where that `is_weighed`, and neither mass nor the motors' strength of a robot
-    with `dry_friction`, for which it would take that. The slope of its `floor`, with its interval [rad], is of
-    a calibration (None: not known)."""
+    of them."""
 
+    _: KW_ONLY
     controller: KernelController
-    robot: Robot
-    robots: Sequence[Robot]
-    kit: Kit
-    seed: int = 0
     threads: int | None = None
     progress: RunCounter | None = None
-    _: KW_ONLY
-    logged: Logged | None = None
-    disturbed: float = 1.0
-    dry_friction: bool = False
-    is_weighed: bool = False
     stated: tuple[Robot, Kit] | None = None
-    floor: tuple[float, float, float] | None = None
 
     def pushes(self, battery: float | None = None, slope: float = 0.0) -> dict[str, StandardPush]:
         """`standard_pushes` of what was stated."""
         return standard_pushes(*(self.stated or (self.robot, self.kit)), battery, slope)
-
-    @property
-    def actual_kit(self) -> Kit:
-        """The kit as the log shows it, or as assumed."""
-        return self.logged.kit if self.logged else self.kit
-
-    @property
-    def actual_robot(self) -> Robot:
-        """The nominal robot as the log shows it, or as assumed."""
-        return self.actual(self.robot)
-
-    def actual(self, robot: Robot) -> Robot:
-        """A robot with the load that the log shows."""
-        return loaded(robot, self.logged.load) if self.logged else robot
 
     @cached_property
     def parameters(self) -> Array:
@@ -300,6 +276,25 @@ def watched(setup: TrialSetup, push: Any, number: int, channels: Sequence[str]) 
     return simulated(setup, [PlannedPush(number, push)], channels)[0]
 
 
+def followed_runs(setup: TrialSetup) -> list[Runs]:
+    """What the first `DRAWN` robots of `setup` show of themselves under the standard pushes, push by push. Robots that
+    fall are left out. Raises `SpecMismatch` for a controller that does not read encoders and gyro."""
+    reads = setup.controller.law.linear.reads
+    if not set(RAW) <= set(reads):
+        raise SpecMismatch(f"the controller reads {', '.join(reads)}", expected="both encoders and the gyro")
+    logged = setup.logged  # its kit has the noise that the filter needs: a motion that the model lacks counts as noise
+    if logged:
+        logged = replace(logged, changes={name: drawn for name, drawn in logged.changes.items() if name != NOISED})
+    some = replace(setup, robots=setup.robots[:DRAWN], progress=None, logged=logged)
+    motor = setup.actual_kit.motor
+    runs = list[Runs]()
+    for number, standard in enumerate(some.pushes().values()):
+        result = watched(some, standard.push, number, (*RAW, *APPLIED))
+        readings, applied = np.split(result.trace[~result.fell], [3], axis=2)
+        runs.append(Runs(readings, applied * [motor.left, motor.right]))
+    return runs
+
+
 def simulated(
     setup: TrialSetup, pushes: Sequence[PlannedPush], channels: Sequence[str] = (), *, seconds: float = SECONDS
 ) -> list[FleetResult]:
@@ -336,15 +331,6 @@ def _batch(setup: TrialSetup, pushes: Sequence[PlannedPush]) -> FleetBatch:
         start=start, pushes=np.concatenate(given), slope=slope, period=STEP,
         index=np.concatenate([np.arange(n, dtype=np.uint64) + np.uint64(one.number * n) for one in pushes]),
     )  # fmt: skip
-
-
-def batteries(robot: Robot, kit: Kit) -> tuple[float, float] | None:
-    """The lowest and the highest voltage [V] that are expected: those of the robot's file, else `BATTERIES` of the
-    kit's; None for a torque drive, which has no battery in its equations, or a kit without one."""
-    if robot.command_unit != "V" or not math.isfinite(kit.battery.voltage):
-        return None
-    low, full = (fraction * kit.battery.voltage for fraction in BATTERIES.values())
-    return robot.conditions.battery or (low, full)
 
 
 def _trial(push: str, battery: str, run: FleetResult, parameters: Array, period: float) -> PushTrial:

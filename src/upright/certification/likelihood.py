@@ -12,8 +12,7 @@ import numpy as np
 
 from upright.arrays import Array, Mask
 from upright.calibration.knocks import SETTLED, at_motors, first_state, moved_by, pushed, recorded
-from upright.certification.checks import TrialSetup
-from upright.certification.logged import loaded
+from upright.certification.logged import Assumptions, loaded
 from upright.control.delay import MOST_PERIODS, RAW, SampledRobot, sampled
 from upright.control.kalman import DISTURBED, Disturbed, Filter, filtered, kalman_filter
 from upright.logs.recording import commanded
@@ -85,7 +84,7 @@ class FollowedLog:
         return result
 
 
-def filtered_log(log: Log, setup: TrialSetup, kit: Kit | None = None) -> tuple[FollowedLog, Array, Array]:
+def filtered_log(log: Log, setup: Assumptions, kit: Kit | None = None) -> tuple[FollowedLog, Array, Array]:
     """The filter of the nominal robot with a `kit` (None: that of the setup) along the log, the commands that were
     sent and what the motors make of them (n, 2)."""
     robot = setup.actual_robot
@@ -162,7 +161,7 @@ def _surprise(estimator: Filter, innovations: Array) -> float:
     return float((FREEDOM + e.shape[1]) * np.log1p(squared / FREEDOM).sum() + len(e) * np.linalg.slogdet(S)[1])
 
 
-def gyro_scale(log: Log, setup: TrialSetup) -> float:
+def gyro_scale(log: Log, setup: Assumptions) -> float:
     """The gyro's scale over the kit's with which the log is likeliest; a signature's would be drawn towards one by the
     noise of what the filter predicts."""
     kit = setup.actual_kit
@@ -174,7 +173,7 @@ def gyro_scale(log: Log, setup: TrialSetup) -> float:
     return _likeliest(log, scaled, setup.disturbed)
 
 
-def body_load(log: Log, setup: TrialSetup) -> float:
+def body_load(log: Log, setup: Assumptions) -> float:
     """The body's mass over the nominal one with which the log is likeliest; beside what the spreads explain, a
     signature's would be lost: a lighter body looks like a lower one."""
     return _likeliest(log, lambda factor: (loaded(setup.actual_robot, factor), setup.actual_kit), setup.disturbed)
@@ -200,7 +199,7 @@ def _likeliest(log: Log, changed: Callable[[float], tuple[Robot, Kit]], disturbe
     return near[int(np.argmin(surprises(log, [changed(value) for value in near], disturbed)))]
 
 
-def as_disturbed(log: Log, setup: TrialSetup) -> tuple[TrialSetup, float]:
+def as_disturbed(log: Log, setup: Assumptions) -> tuple[Assumptions, float]:
     """`setup` with the disturbances that make the log likeliest, and its surprise. With larger ones the filter expects
     larger innovations than there are, and whatever makes them smaller looks likely: a gyro that counts too little."""
     several = [replace(setup, disturbed=factor) for factor in DISTURBANCES]

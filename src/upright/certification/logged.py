@@ -1,9 +1,10 @@
-"""What a log shows of a robot that was not assumed: the certificate then tries the robot that the log shows."""
+"""What is assumed of a robot before its log is read, and what the log shows of it instead."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import KW_ONLY, dataclass, field, replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -17,6 +18,9 @@ from upright.signals import Log
 
 LOADED = ("body_mass", "pitch_inertia", "roll_inertia", "yaw_inertia")  # what goes with the mass of a body
 NOISED = "sensors.gyro.noise"
+BATTERIES = {"low": 0.85, "full": 1.12}
+"""Over the kit's voltage: six AA cells under load give 7 to 9 V for 8, two lithium cells 6.4 to 8.4 V for 7.5. The
+robot's file may state others (`Robot.conditions`)."""
 
 
 def as_sent(log: Log) -> Log:
@@ -67,6 +71,50 @@ class Logged:
             return np.full(len(parameters), slope)
         own = steepness(SimpleNamespace(**dict(zip(NAMES, parameters.T, strict=True))))
         return np.arcsin(np.sin(slope * rows(self.tilts, len(parameters))) * own / steepness(nominal))
+
+
+@dataclass(frozen=True, eq=False)
+class Assumptions:
+    """A robot, the `robots` that it may be as well, their kit, and a seed: what a log is compared with.
+
+    What the log shows instead is `logged`. The filter that follows the log expects `disturbed` times the usual noise of
+    forces and torques. It asks no mass where that `is_weighed`, and neither mass nor the motors' strength of a robot
+    with `dry_friction`, for which it would take that. The slope of its `floor`, with its interval [rad], is of
+    a calibration (None: not known)."""
+
+    robot: Robot
+    robots: Sequence[Robot]
+    kit: Kit
+    seed: int = 0
+    _: KW_ONLY
+    logged: Logged | None = None
+    disturbed: float = 1.0
+    dry_friction: bool = False
+    is_weighed: bool = False
+    floor: tuple[float, float, float] | None = None
+
+    @property
+    def actual_kit(self) -> Kit:
+        """The kit as the log shows it, or as assumed."""
+        return self.logged.kit if self.logged else self.kit
+
+    @property
+    def actual_robot(self) -> Robot:
+        """The nominal robot as the log shows it, or as assumed."""
+        return self.actual(self.robot)
+
+    def actual(self, robot: Robot) -> Robot:
+        """A robot with the load that the log shows."""
+        return loaded(robot, self.logged.load) if self.logged else robot
+
+
+def batteries(robot: Robot, kit: Kit) -> tuple[float, float] | None:
+    """The lowest and the highest voltage [V] that are expected: those of the robot's file, else `BATTERIES` of the
+    kit's; None for a torque drive, which has no battery in its equations, or a kit without one."""
+    if robot.command_unit != "V" or not math.isfinite(kit.battery.voltage):
+        return None
+    low, full = (fraction * kit.battery.voltage for fraction in BATTERIES.values())
+    return robot.conditions.battery or (low, full)
 
 
 def steepness(p: Any) -> Any:

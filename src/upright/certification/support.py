@@ -19,9 +19,8 @@ from upright.arrays import Array
 from upright.calibration.calibration import Calibration
 from upright.calibration.estimate import SURPRISE, Estimate
 from upright.calibration.knocks import at_motors, moved_by
-from upright.certification.checks import TrialSetup, batteries
 from upright.certification.likelihood import FollowedLog, body_load, filtered_log, gyro_scale, taken
-from upright.certification.logged import steepness
+from upright.certification.logged import Assumptions, batteries, steepness
 from upright.control.delay import MOST_PERIODS, sampled
 from upright.logs.recording import commanded
 from upright.robots import Kit, Robot
@@ -123,7 +122,7 @@ def contradictions(support: Sequence[Support]) -> list[str]:
     return [f"{'' if s.left_open else OUTSIDE}{s}" for s in beyond]
 
 
-def supported(log: Log, setup: TrialSetup) -> tuple[Support, ...]:
+def supported(log: Log, setup: Assumptions) -> tuple[Support, ...]:
     """What `log`, of the robot of `setup`, shows of the numbers that its certificate takes as given.
 
     Raises like `agreement`. Numbers that the log does not show at all are left out.
@@ -131,7 +130,7 @@ def supported(log: Log, setup: TrialSetup) -> tuple[Support, ...]:
     return (*_battery(log, setup), *_jitter(log, setup.actual_kit), *_dynamics(log, setup))
 
 
-def _battery(log: Log, setup: TrialSetup) -> list[Support]:
+def _battery(log: Log, setup: Assumptions) -> list[Support]:
     """The battery's open-circuit voltage and its sag, from its own readings."""
     kit = setup.actual_kit
     prefix = commanded(log)
@@ -195,7 +194,7 @@ def _jitter(log: Log, kit: Kit) -> list[Support]:
     return [Support("jitter", "s", width, width, width, 0.0, max(2 * kit.jitter, 2 * CLOCK))]
 
 
-def _dynamics(log: Log, setup: TrialSetup) -> list[Support]:
+def _dynamics(log: Log, setup: Assumptions) -> list[Support]:
     """What the filter's innovations say."""
     robot, kit = setup.actual_robot, setup.actual_kit
     path, sent, motors = filtered_log(log, setup)
@@ -223,7 +222,7 @@ def _dynamics(log: Log, setup: TrialSetup) -> list[Support]:
     return [*numbers, *(_taken(name, path, setup, sent, motors) for name in known if raw)]
 
 
-def body_mass(setup: TrialSetup, value: float, known: float) -> Support:
+def body_mass(setup: Assumptions, value: float, known: float) -> Support:
     """The mass [kg] of the body, `known` to this part of it, beside what the certificate covers."""
     mass = setup.actual_robot.body_mass
     spread = float(np.std([r.body_mass for r in setup.robots]))
@@ -263,7 +262,7 @@ def _others(path: FollowedLog, robots: Sequence[Robot], motors: Array) -> Array:
     return -path.answer(np.zeros((len(known), 3, len(moved))), np.stack(moved, axis=2))
 
 
-def _spreads(path: FollowedLog, setup: TrialSetup, motors: Array) -> Array:
+def _spreads(path: FollowedLog, setup: Assumptions, motors: Array) -> Array:
     """What robots within their spreads add (rows·sensors, k), so that their sum with normal weights has their
     covariance."""
     some = setup.robots[:DRAWN]
@@ -330,7 +329,7 @@ def _delay(fit: _Fit, path: FollowedLog, motors: Array, period: float) -> Suppor
     return Support("further delay", "s", value, low - half, high + half, LEAD * period, LAG * period)
 
 
-def _taken(name: str, path: FollowedLog, setup: TrialSetup, sent: Array, motors: Array) -> Support:
+def _taken(name: str, path: FollowedLog, setup: Assumptions, sent: Array, motors: Array) -> Support:
     """What the driver takes from commands: the motor's `dead_zone`, or its `drop`."""
     kit = setup.actual_kit
     unit = setup.robot.command_unit
@@ -354,13 +353,13 @@ def slope(calibration: Calibration) -> tuple[float, float, float]:
     return each * e.value, each * e.high, each * e.low
 
 
-def _slope(angles: tuple[float, float, float], setup: TrialSetup) -> Support:
+def _slope(angles: tuple[float, float, float], setup: Assumptions) -> Support:
     """The slope beside the floors that are tried."""
     tried = [*setup.robot.conditions.slopes, *(setup.logged.slopes if setup.logged else ())]
     return Support("slope", "rad", *angles, min(tried) - LEVEL, max(tried) + LEVEL)
 
 
-def _noise(log: Log, setup: TrialSetup, path: FollowedLog) -> list[Support]:
+def _noise(log: Log, setup: Assumptions, path: FollowedLog) -> list[Support]:
     """The gyro's noise from third differences, in which the motion nearly vanishes, of its readings or of its
     innovations, in which a fast motion is predicted: the smaller one. Where these are not white a motion is left, such
     as the frame's swing, and the log leaves the noise open below."""

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import KW_ONLY, dataclass
 
-from upright.certification.agreement import AMBER, RED, Agreement, disagreements
+from upright.certification.agreement import Agreement
 from upright.certification.checks import CONFIDENCE, MOST_CYCLE, MOST_FALLS, PushTrial, red
 from upright.certification.narrowing import Guessed, Narrowing
 from upright.certification.standing import Standing
@@ -19,7 +19,10 @@ from upright.loops.loop import robot_loop
 from upright.loops.margins import Margins, margins
 from upright.robots import Kit, Robot
 
-GREEN, UNKNOWN = "green", "unknown"
+GREEN, AMBER, RED, UNKNOWN = "green", "amber", "red", "unknown"
+
+LARGER = 2.0  # times the largest of the drawn robots: amber, since noise or model err by more than what was drawn
+FAR_LARGER = 5.0  # red: what was certified is another robot
 
 LEAST_GAIN = 0.04  # amber below: copper that warms by 10 K takes 4 % of the motor's gain
 LEAST_DELAY = 0.25  # [periods] amber below: a loop that runs in time still jitters by a tenth or two of its period
@@ -156,6 +159,16 @@ def judge(e: Examined) -> tuple[str, tuple[str, ...]]:
     delay = "with any delay" if math.isinf(linear.delay) else f"up to {linear.delay * 1e3:.1f} ms more delay"
     met = "" if linear.met is None else f"; {linear.met} of 5 margins reach the usual targets"
     return GREEN, (message, f"stable {delay}{placed(linear.delay_at)}{met}")
+
+
+def disagreements(agreements: Sequence[Agreement], light: str) -> list[str]:
+    """The sensors of a log whose innovations ask for this light, the largest first, as sentences."""
+    low, high = (FAR_LARGER, math.inf) if light == RED else (LARGER, FAR_LARGER)
+    beyond = sorted((a for a in agreements if low < a.ratio <= high), key=lambda a: -a.ratio)
+    return [
+        f"the log's {a.sensor} innovations are {a.ratio:.1f} times the largest of any drawn robot; the limit is {low:g}"
+        for a in beyond
+    ]
 
 
 def _file(standing: Standing | None) -> list[str]:

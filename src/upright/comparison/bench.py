@@ -219,7 +219,7 @@ def bench_one(
     controller = controller or _designed(method, robot, kit)
     if isinstance(controller, str):
         return BenchRow(controller=method, push=push, outcome=controller), None
-    setup = TrialSetup(kernel_controller(controller, robot, kit), robot, drawn, kit, seed)
+    setup = TrialSetup(robot, drawn, kit, seed, controller=kernel_controller(controller, robot, kit))
     plant = Electronics(make_body(body, robot), kit)
     log = run(plant, controller, Hold(pitch=PUSHES[side], until=UNTIL), seconds=SECONDS, seed=seed)
     way = math.copysign(1.0, PUSHES[side])

@@ -202,7 +202,7 @@ def figures(
     """What a certificate measures of `controller`, with margins `linear`, on `samples` robots drawn from the spreads,
     and the largest knock."""
     robots = draw(robot, samples, seed)
-    setup = TrialSetup(kernel_controller(controller, robot, kit), robot, robots, kit, seed, threads)
+    setup = TrialSetup(robot, robots, kit, seed, controller=kernel_controller(controller, robot, kit), threads=threads)
     runs = pushed(setup, blamed=True)
     light, reasons = judge(
         Examined(samples, runs.fell, linear, runs.trials, controller.spec.period, beyond=runs.beyond)

@@ -79,7 +79,7 @@ class Scorer:
         if not modulus > 0:
             return replace(NONE, excess=excess)
         kernel = kernel_controller(controller, self.robot, self.kit)
-        setup = TrialSetup(kernel, self.robot, self.robots, self.kit, self.seed, self.threads)
+        setup = TrialSetup(self.robot, self.robots, self.kit, self.seed, controller=kernel, threads=self.threads)
         groups = [(pushed(replace(setup, robots=some)), len(some)) for some in (self.robots, self.hard) if some]
         count, (runs, _), over = sum(n for _, n in groups), groups[0], 0.0
         for trial in runs.trials:

@@ -16,9 +16,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from upright.atomic import place_of
-from upright.certification.agreement import AMBER, RED
 from upright.certification.checks import FEWEST, TrialSetup, kernel_controller
-from upright.certification.verdict import GREEN, LinearMargins, linear_margins
+from upright.certification.verdict import AMBER, GREEN, RED, LinearMargins, linear_margins
 from upright.control import CONTROLLERS, Controller, controller_hash, write_controller
 from upright.control.identity import request_hash
 from upright.control.methods import Method
@@ -274,7 +273,7 @@ class _Task:
         seed = SEARCHED + self.seed
         drawn = draw(self.robot, DRAWN, seed)
         kernel = kernel_controller(default, self.robot, self.kit)
-        order = hardest(TrialSetup(kernel, self.robot, drawn, self.kit, seed, self.threads))
+        order = hardest(TrialSetup(self.robot, drawn, self.kit, seed, controller=kernel, threads=self.threads))
         hard = order[: ROBOTS // 2]
         rest = sorted(order[ROBOTS // 2 :])
         return Scorer(
