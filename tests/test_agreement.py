@@ -20,9 +20,6 @@ from upright.bodies.body import Sample
 from upright.calibration.calibration import Calibration
 from upright.calibration.estimate import HELD
 from upright.certification import checks
-from upright.certification.actual import as_logged
-from upright.certification.agreement import Agreement, agreement
-from upright.certification.calibrated import Learnt, learnt
 from upright.certification.certificate import Certificate, certify, read_certificate
 from upright.certification.checks import (
     KernelController,
@@ -33,7 +30,6 @@ from upright.certification.checks import (
     trials,
     tried,
 )
-from upright.certification.logged import Assumptions
 from upright.certification.pushes import standard_pushes
 from upright.certification.verdict import AMBER, GREEN, RED, Examined, LinearMargins, judge
 from upright.cli.main import main
@@ -45,6 +41,10 @@ from upright.errors import InvalidController, InvalidLog, NotPermitted, SpecMism
 from upright.experiment import Hold, run
 from upright.experiment.examples import example
 from upright.kernel.batch import idle
+from upright.likelihood.actual import as_logged
+from upright.likelihood.agreement import Agreement, agreement
+from upright.likelihood.assumptions import Assumptions
+from upright.likelihood.calibrated import Learnt, learnt
 from upright.physics.dynamics import CALM
 from upright.robots import Kit, Robot
 from upright.robots.sections import Conditions
@@ -317,7 +317,7 @@ def test_command_draws_its_robots_from_what_a_calibration_makes_of_the_log(
         asked.append((log, setup.robot))
         return Learnt(ROBOT.replace(name="found", body_mass=1.01 * ROBOT.body_mass), KIT, CALIBRATED), ()
 
-    monkeypatch.setattr(import_module("upright.certification.calibrated"), "calibrated", calibrated)
+    monkeypatch.setattr(import_module("upright.likelihood.calibrated"), "calibrated", calibrated)
     whole = recording()
     whole.save(tmp_path / "run.csv")
     assert main(["certify", "pid", "--log", str(tmp_path / "run.csv"), "-n", "100", "--json"]) == 0

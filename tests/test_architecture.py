@@ -28,7 +28,9 @@ WINGS = {
     "description": ("signals", "robots"),
     "model": ("physics", "compiled", "bodies", "control", "loops"),
     "simulation": ("experiment", "kernel", "fleets", "gym"),
-    "inference": ("logs", "checkup", "calibration", "excitation", "identification", "validation", "diagnose"),
+    "inference": (
+        "logs", "checkup", "calibration", "excitation", "identification", "validation", "likelihood", "diagnose",
+    ),
     "decision": ("certification", "tuning"),
     "hardware": ("links", "firmware", "bricks", "execution", "flight"),
     "presentation": ("comparison", "reports", "paper", "lab", "classwork", "cli", "__main__"),

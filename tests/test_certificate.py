@@ -18,7 +18,6 @@ from upright.certification.certificate import VERSION, Certificate, certify, rea
 from upright.certification.checks import PushTrial, TrialSetup, kernel_controller, trials
 from upright.certification.pushes import RELEASE, standard_pushes
 from upright.certification.recovery import means, recoverable
-from upright.certification.support import Support
 from upright.certification.verdict import AMBER, GREEN, RED, UNKNOWN, Examined, LinearMargins, judge, linear_margins
 from upright.cli import certify as command
 from upright.cli.main import main
@@ -27,6 +26,7 @@ from upright.errors import InvalidController, InvalidScenario, SpecMismatch
 from upright.experiment import run
 from upright.fleets.binomial import upper_bound
 from upright.kernel.batch import parameters_of
+from upright.likelihood.support import Support
 from upright.loops.analysis import analyse
 from upright.loops.loop import robot_loop
 from upright.reports.certificate import page_of

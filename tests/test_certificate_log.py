@@ -11,11 +11,11 @@ from pathlib import Path
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
-from upright.certification.calibrated import Learnt
 from upright.certification.certificate import certify
 from upright.control import controller_hash, make_controller, write_controller
 from upright.errors import InvalidLog
 from upright.experiment import Drive, run
+from upright.likelihood.calibrated import Learnt
 from upright.logs.raw import raw_log
 from upright.reports.certificate import page_of
 from upright.robots import Kit, Robot
@@ -41,7 +41,7 @@ def test_a_name_beside_a_log_is_no_new_controller_in_the_name_of_the_old(
     slow = {n: dataclasses.replace(s, delay=s.delay + 0.01) for n, s in KIT.sensors.items()}
     tall, late = ROBOT.replace(com_height=1.1 * ROBOT.com_height), dataclasses.replace(KIT, sensors=slow)
     own = Learnt(tall, late, Uncertainty.of(tall).scaled(0.1))
-    monkeypatch.setattr(import_module("upright.certification.calibrated"), "calibrated", lambda *_: (own, ()))
+    monkeypatch.setattr(import_module("upright.likelihood.calibrated"), "calibrated", lambda *_: (own, ()))
     asked = "lqg" if by_name else str(write_controller(FLOWN, tmp_path / "flown.json"))
     given = certify(asked, "nxtway-gs", samples=100, sweeps=False, log=a_log())
     assert given.hash == controller_hash(FLOWN)

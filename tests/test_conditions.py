@@ -12,14 +12,14 @@ import pytest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.certification.checks import TrialSetup, kernel_controller, trials
-from upright.certification.logged import Assumptions, batteries
 from upright.certification.pushes import RELEASE, standard_pushes
-from upright.certification.support import supported
 from upright.control import lqg
 from upright.errors import InvalidRobot
 from upright.experiment import Drive, Impulse, Slope, run
 from upright.fleets.ensemble import Ensemble
 from upright.fleets.vary import varied
+from upright.likelihood.assumptions import Assumptions, batteries
+from upright.likelihood.support import supported
 from upright.robots import Kit, Robot
 from upright.robots.facts import differences, robot_facts
 from upright.robots.sections import Conditions

@@ -157,7 +157,7 @@ def test_what_is_refused_is_not_used_elsewhere(tmp_path: Path, monkeypatch: pyte
     """A certificate is not made for the robot of a log that is another one's, nor are robots drawn from such a fit."""
     refused = SimpleNamespace(refused=("the log is of another robot",))
     certificate, handed_over = (
-        import_module(f"upright.certification.{name}") for name in ("certificate", "calibrated")
+        import_module(f"upright.{name}") for name in ("certification.certificate", "likelihood.calibrated")
     )
     monkeypatch.setattr(handed_over, "calibrate", lambda *_, **__: refused)
     monkeypatch.setattr(handed_over, "as_logged", lambda _, setup: (setup, (), ()))
@@ -177,7 +177,7 @@ def test_a_doubtful_number_is_taken_over_where_it_leaves_white_innovations(
     monkeypatch: pytest.MonkeyPatch, before: float, after: float, *, taken: bool
 ) -> None:
     """Whiter alone is no reason: 0.04 and 0.08 are of a dead zone that passed for twice the mass; see `WHITE`."""
-    handed_over = import_module("upright.certification.calibrated")
+    handed_over = import_module("upright.likelihood.calibrated")
     number, setup = (
         SimpleNamespace(name="number"),
         SimpleNamespace(kit=None, dry_friction=False, actual_kit=None, is_weighed=False),

@@ -17,7 +17,6 @@ from upright.atomic import write_json
 from upright.certification.certificate import Certificate, certify
 from upright.certification.checks import PushTrial
 from upright.certification.design import design
-from upright.certification.logged import BATTERIES
 from upright.cli.main import USER_ERROR, main
 from upright.control import (
     CONTROLLERS,
@@ -29,6 +28,7 @@ from upright.control import (
 )
 from upright.control.identity import identity
 from upright.firmware.program_file import read_program
+from upright.likelihood.assumptions import BATTERIES
 from upright.reports.certificate import page_of
 from upright.robots import Kit
 

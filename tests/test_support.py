@@ -21,22 +21,22 @@ from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.body import Sample
 from upright.calibration.estimate import Estimate
 from upright.calibration.knocks import _calm, first_state, unpushed, without_knocks
-from upright.certification.actual import as_logged, doubted
-from upright.certification.agreement import Agreement, agreement
-from upright.certification.calibrated import Learnt, _weighed, calibrated, guessed, learnt, weighed
 from upright.certification.certificate import Certificate, certify
 from upright.certification.checks import PushTrial, TrialSetup, followed_runs, kernel_controller
-from upright.certification.logged import Assumptions, Logged, as_sent, batteries, loaded
 from upright.certification.mass import on_the_scale
 from upright.certification.pushes import standard_pushes
 from upright.certification.recovery import _rest
-from upright.certification.support import LOAD_KNOWN, Support, slope, supported
 from upright.certification.verdict import AMBER, LARGER, RED, Examined, LinearMargins, judge
 from upright.control import Controller, make_controller
 from upright.control.delay import sampled
 from upright.errors import InvalidLog, InvalidRobot, InvalidScenario
 from upright.experiment import Drive, Impulse, Slope, run
 from upright.kernel.batch import parameters_of
+from upright.likelihood.actual import as_logged, doubted
+from upright.likelihood.agreement import Agreement, agreement
+from upright.likelihood.assumptions import Assumptions, Logged, as_sent, batteries, loaded
+from upright.likelihood.calibrated import Learnt, _weighed, calibrated, guessed, learnt, weighed
+from upright.likelihood.support import LOAD_KNOWN, Support, slope, supported
 from upright.physics.dynamics import CALM, Disturbance
 from upright.physics.linear import linearise_rolling
 from upright.robots import Kit, Robot
@@ -244,12 +244,12 @@ def test_a_gyro_s_scale_is_corrected_once_before_a_calibration(monkeypatch: pyte
     """Either the readings or the kit, not both: a gyro that counts 1.5 times was calibrated as one of 1.5²."""
     given: list[Any] = []
     monkeypatch.setattr(
-        import_module("upright.certification.calibrated"),
+        import_module("upright.likelihood.calibrated"),
         "calibrate",
         lambda *args, **_: given.append(args) or SimpleNamespace(refused=("enough",)),
     )
     log, made = taken_over("gyro's scale")
-    monkeypatch.setattr(import_module("upright.certification.calibrated"), "as_logged", lambda *_: made)
+    monkeypatch.setattr(import_module("upright.likelihood.calibrated"), "as_logged", lambda *_: made)
     with pytest.raises(InvalidLog):
         calibrated(log, trial_setup())
     parts, _, kit = given[0]
@@ -414,7 +414,7 @@ def test_a_mass_is_that_of_a_calibration_or_counts_as_contradicted(
 ) -> None:
     """An ev3way of 0.63 kg that differed in none passed for one of 0.093 kg. Innovations of which one reading in five
     counts are explained by nothing."""
-    module, asked = import_module("upright.certification.calibrated"), list[Assumptions]()
+    module, asked = import_module("upright.likelihood.calibrated"), list[Assumptions]()
     setup = dataclasses.replace(trial_setup(), logged=dataclasses.replace(Logged.alone(KIT), load=1 / 3))
     own = SimpleNamespace(refused=(), temper=temper)
     found = dataclasses.replace(LIGHTER, value=0.25, low=0.2, high=0.3)
@@ -448,7 +448,7 @@ def test_a_mass_is_open_where_what_is_left_of_it_reaches_beyond_what_is_assumed(
     others: tuple[Support, ...], ends: tuple[float, float] | None,
 ) -> None:  # fmt: skip
     """A calibration that contradicts another number of the file as well explains nothing."""
-    module = import_module("upright.certification.calibrated")
+    module = import_module("upright.likelihood.calibrated")
     monkeypatch.setattr(module, "learnt", lambda *_: Learnt(ROBOT, KIT, Uncertainty(), others))
     low, high = interval
     asked = MagicMock(refused=())
@@ -502,7 +502,7 @@ def test_a_weight_goes_with_the_robot_of_a_file_alone() -> None:
 
 def test_no_log_is_asked_the_mass_of_a_robot_that_was_weighed(monkeypatch: pytest.MonkeyPatch) -> None:
     """Neither the filter nor a calibration that takes it for a guess."""
-    module, asked = import_module("upright.certification.calibrated"), list[Assumptions]()
+    module, asked = import_module("upright.likelihood.calibrated"), list[Assumptions]()
     setup = dataclasses.replace(trial_setup(), is_weighed=True)
     monkeypatch.setattr(module, "as_logged", lambda _, given: asked.append(given) or (given, (), ()))
     monkeypatch.setattr(module, "_own", lambda *_: SimpleNamespace(refused=(), temper=0.9))
@@ -518,7 +518,7 @@ def test_a_weighed_robot_is_pushed_like_that_of_its_file_whatever_a_calibration_
 ) -> None:
     """A body of half the mass would be pushed half as much; and with slower sensors less can be survived. And its
     certificate holds the weight, of the robot with its wheels."""
-    module, asked = import_module("upright.certification.calibrated"), list[Assumptions]()
+    module, asked = import_module("upright.likelihood.calibrated"), list[Assumptions]()
     light, slow = loaded(ROBOT, 0.5), {n: dataclasses.replace(s, delay=s.delay + 0.02) for n, s in KIT.sensors.items()}
     own = Learnt(light, kit_with(sensors=slow), Uncertainty.of(light).scaled(0.1))
     monkeypatch.setattr(module, "calibrated", lambda _, given, __: asked.append(given) or (own, ()))

@@ -12,7 +12,6 @@ import numpy as np
 from planted.controllers import SECONDS, SEED
 from upright.certification.certificate import certify
 from upright.certification.checks import TAIL, kernel_controller
-from upright.certification.logged import batteries
 from upright.certification.pushes import standard_pushes
 from upright.certification.verdict import MOST_CYCLE, MOST_SATURATED, MOST_TRAVEL
 from upright.control import LinearController, as_linear, make_controller
@@ -21,6 +20,7 @@ from upright.experiment import Drive, Impulse, Slope
 from upright.fleets.ensemble import tables
 from upright.kernel.batch import FleetBatch, parameters_of
 from upright.kernel.simulate import simulate
+from upright.likelihood.assumptions import batteries
 from upright.robots import Kit, Robot, find_kit
 from upright.robots.uncertainty import Uncertainty, draw
 from upright.signals import Log

@@ -14,9 +14,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from upright.atomic import finite, write_json
-from upright.certification.actual import as_logged
-from upright.certification.agreement import Agreement, agreement
-from upright.certification.calibrated import calibrated_first, doubtful_mass
 from upright.certification.checks import (
     PushTrial,
     RunCounter,
@@ -26,7 +23,6 @@ from upright.certification.checks import (
     kernel_controller,
     trials,
 )
-from upright.certification.logged import Assumptions, as_sent
 from upright.certification.mass import as_weighed
 from upright.certification.narrowing import Guessed, Narrowing, NeededSpread, guessed, narrowing, red
 from upright.certification.standing import (
@@ -41,7 +37,6 @@ from upright.certification.standing import (
     standing,
     strong_enough,
 )
-from upright.certification.support import MASS, Support, contradictions
 from upright.certification.verdict import (
     CONFIDENCE,
     MOST_FALLS,
@@ -58,6 +53,11 @@ from upright.control.controller import Controller
 from upright.control.identity import Identity, identity
 from upright.errors import InvalidController, InvalidScenario
 from upright.fleets.binomial import upper_bound
+from upright.likelihood.actual import as_logged
+from upright.likelihood.agreement import Agreement, agreement
+from upright.likelihood.assumptions import Assumptions, as_sent
+from upright.likelihood.calibrated import calibrated_first, doubtful_mass
+from upright.likelihood.support import MASS, Support, contradictions
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
 from upright.progress import Progress

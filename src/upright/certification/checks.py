@@ -15,8 +15,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from upright.arrays import Array, Mask
-from upright.certification.agreement import Runs
-from upright.certification.logged import BATTERIES, NOISED, Assumptions, Logged, batteries
 from upright.certification.pushes import StandardPush, standard_pushes
 from upright.certification.recovery import means, recoverable
 from upright.control.controller import Controller
@@ -29,6 +27,8 @@ from upright.fleets.ensemble import SETTLED, tables
 from upright.kernel.batch import NAMES, FleetBatch, FleetResult, joined, law_of, parameters_of
 from upright.kernel.pack import RESIDUAL
 from upright.kernel.simulate import CALLED, simulate
+from upright.likelihood.agreement import DrawnRuns
+from upright.likelihood.assumptions import BATTERIES, NOISED, Assumptions, Logged, batteries
 from upright.robots import Kit, Robot
 
 SECONDS = 8.0  # [s] a push, what follows it, and `TAIL` to see what the robot does at rest
@@ -276,7 +276,7 @@ def watched(setup: TrialSetup, push: Any, number: int, channels: Sequence[str]) 
     return simulated(setup, [PlannedPush(number, push)], channels)[0]
 
 
-def followed_runs(setup: TrialSetup) -> list[Runs]:
+def followed_runs(setup: TrialSetup) -> list[DrawnRuns]:
     """What the first `DRAWN` robots of `setup` show of themselves under the standard pushes, push by push. Robots that
     fall are left out. Raises `SpecMismatch` for a controller that does not read encoders and gyro."""
     reads = setup.controller.law.linear.reads
@@ -287,11 +287,11 @@ def followed_runs(setup: TrialSetup) -> list[Runs]:
         logged = replace(logged, changes={name: drawn for name, drawn in logged.changes.items() if name != NOISED})
     some = replace(setup, robots=setup.robots[:DRAWN], progress=None, logged=logged)
     motor = setup.actual_kit.motor
-    runs = list[Runs]()
+    runs = list[DrawnRuns]()
     for number, standard in enumerate(some.pushes().values()):
         result = watched(some, standard.push, number, (*RAW, *APPLIED))
         readings, applied = np.split(result.trace[~result.fell], [3], axis=2)
-        runs.append(Runs(readings, applied * [motor.left, motor.right]))
+        runs.append(DrawnRuns(readings, applied * [motor.left, motor.right]))
     return runs
 
 

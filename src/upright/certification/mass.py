@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-from upright.certification.logged import LOADED, loaded
-from upright.certification.support import LOAD
 from upright.errors import InvalidRobot, InvalidScenario
+from upright.likelihood.assumptions import LOADED, loaded
+from upright.likelihood.support import LOAD
 from upright.robots import Provenance, Robot
 from upright.robots.uncertainty import deviations
 

@@ -19,7 +19,6 @@ from upright.certification.checks import (
     TrialSetup,
     simulated,
 )
-from upright.certification.logged import Logged, delaying
 from upright.certification.pushes import MOST_HOLD, MOST_KNOCK, RELEASE
 from upright.certification.recovery import (
     KNOCK_DURATION,
@@ -31,6 +30,7 @@ from upright.certification.recovery import (
 )
 from upright.experiment.pushes import Hold, Impulse
 from upright.kernel.batch import NAMES, FleetResult
+from upright.likelihood.assumptions import Logged, delaying
 
 LEAN = math.radians(1.0)
 """[rad] At which a robot is left alone: a hand sets it up no better, and no set point is known better."""

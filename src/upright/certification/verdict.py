@@ -6,14 +6,14 @@ import math
 from collections.abc import Sequence
 from dataclasses import KW_ONLY, dataclass
 
-from upright.certification.agreement import Agreement
 from upright.certification.checks import CONFIDENCE, MOST_CYCLE, MOST_FALLS, PushTrial, red
 from upright.certification.narrowing import Guessed, Narrowing
 from upright.certification.standing import Standing
-from upright.certification.support import Support, contradictions
 from upright.control.controller import Controller
 from upright.errors import InvalidController
 from upright.fleets.binomial import upper_bound
+from upright.likelihood.agreement import Agreement
+from upright.likelihood.support import Support, contradictions
 from upright.loops.analysis import INPUTS, ROUNDED, instability, loop_margins, unseen_in_words
 from upright.loops.loop import robot_loop
 from upright.loops.margins import Margins, margins

@@ -9,11 +9,11 @@ from itertools import groupby
 
 from upright.certification.certificate import Certificate
 from upright.certification.checks import PushTrial
-from upright.certification.logged import BATTERIES
 from upright.certification.pushes import HELD, KNOCKED, RELEASE
 from upright.certification.recovery import KNOCK_DURATION
 from upright.certification.standing import Swept
 from upright.certification.verdict import AMBER, GREEN, MOST_FALLS, RED, UNKNOWN, LinearMargins, placed
+from upright.likelihood.assumptions import BATTERIES
 from upright.plotting import AXIS, line, number, panels
 from upright.reports.figure import Figure
 from upright.reports.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text

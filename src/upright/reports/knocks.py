@@ -31,8 +31,8 @@ def certificate_knocks(robot: Robot, kit: Kit) -> str:
 
 def knock_sizes(robot: Robot, kit: Kit) -> list[float]:
     """With how much a certificate knocks a robot [N s], one for each battery."""
-    from upright.certification.logged import batteries
     from upright.certification.pushes import standard_pushes
+    from upright.likelihood.assumptions import batteries
 
     return [[*standard_pushes(robot, kit, volts).values()][-1].size for volts in batteries(robot, kit) or (None,)]
 

@@ -1,6 +1,6 @@
 """What a log says of the numbers that a certificate takes as given: battery, floor, motors, delays, gyro, load, clock.
 
-The nominal robot's steady Kalman filter follows the log (`certify.likelihood`). A number that differs from the assumed
+The nominal robot's steady Kalman filter follows the log (`followed`). A number that differs from the assumed
 one adds a signature to its innovations; what robots within their spreads add is taken out as well as it may (ridge
 regression). The rest gives each number's value by least squares, with a 95 % interval that counts the innovations'
 correlation in time. The gyro's scale is the likeliest.
@@ -19,9 +19,9 @@ from upright.arrays import Array
 from upright.calibration.calibration import Calibration
 from upright.calibration.estimate import SURPRISE, Estimate
 from upright.calibration.knocks import at_motors, moved_by
-from upright.certification.likelihood import FollowedLog, body_load, filtered_log, gyro_scale, taken
-from upright.certification.logged import Assumptions, batteries, steepness
 from upright.control.delay import MOST_PERIODS, sampled
+from upright.likelihood.assumptions import Assumptions, batteries, steepness
+from upright.likelihood.followed import FollowedLog, body_load, filtered_log, gyro_scale, taken
 from upright.logs.recording import commanded
 from upright.robots import Kit, Robot
 from upright.signals import Log

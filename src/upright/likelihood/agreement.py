@@ -16,14 +16,14 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.calibration.knocks import SETTLED, at_motors, first_state, recorded
-from upright.certification.logged import Assumptions
 from upright.control.delay import RAW, sampled
 from upright.control.kalman import Filter, filtered, kalman_filter
+from upright.likelihood.assumptions import Assumptions
 from upright.logs.recording import commanded
 from upright.signals import Log
 
 
-class Runs(NamedTuple):
+class DrawnRuns(NamedTuple):
     """Readings (robots, n, 3) of encoders and gyro, and what both motors make of the commands (robots, n, 2)."""
 
     readings: Array
@@ -50,7 +50,7 @@ class Agreement:
         return f"{self.sensor} innovations {self.ratio:.2f} times those expected"
 
 
-def agreement(log: Log, assumed: Assumptions, drawn: Sequence[Runs], period: float) -> tuple[Agreement, ...]:
+def agreement(log: Log, assumed: Assumptions, drawn: Sequence[DrawnRuns], period: float) -> tuple[Agreement, ...]:
     """Each sensor of `log` against what robots that were `drawn` show of it every `period` [s].
 
     Raises `InvalidLog` where the log lacks encoders, gyro or commands, is uneven, or too short; `SpecMismatch` for a
@@ -60,7 +60,7 @@ def agreement(log: Log, assumed: Assumptions, drawn: Sequence[Runs], period: flo
     followed = sampled(robot, kit, log.period)
     readings, commands = recorded(log, followed.delay)
     motors = at_motors(commands, kit, robot.command_unit, sent=commanded(log) == "command")
-    measured = innovation_size(kalman_filter(followed), Runs(readings[None], motors[None]))[0]
+    measured = innovation_size(kalman_filter(followed), DrawnRuns(readings[None], motors[None]))[0]
     estimator = kalman_filter(sampled(robot, kit, period))
     standing = np.concatenate([innovation_size(estimator, runs) for runs in drawn])
     largest = standing.max(axis=0) if len(standing) else np.ones(3)
@@ -70,7 +70,7 @@ def agreement(log: Log, assumed: Assumptions, drawn: Sequence[Runs], period: flo
     )
 
 
-def innovation_size(estimator: Filter, runs: Runs) -> Array:
+def innovation_size(estimator: Filter, runs: DrawnRuns) -> Array:
     """Size of the innovations (robots, 3), over the standard deviation that the filter predicts [1].
 
     The size is 1.48 times the median of |e|. Missing readings (NaN) and the first `SETTLED` seconds are left out.

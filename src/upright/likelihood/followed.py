@@ -12,9 +12,9 @@ import numpy as np
 
 from upright.arrays import Array, Mask
 from upright.calibration.knocks import SETTLED, at_motors, first_state, moved_by, pushed, recorded
-from upright.certification.logged import Assumptions, loaded
 from upright.control.delay import MOST_PERIODS, RAW, SampledRobot, sampled
 from upright.control.kalman import DISTURBED, Disturbed, Filter, filtered, kalman_filter
+from upright.likelihood.assumptions import Assumptions, loaded
 from upright.logs.recording import commanded
 from upright.physics.dynamics import turn_ratio
 from upright.physics.linear import LinearModel, linearise_rolling

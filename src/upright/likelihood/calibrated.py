@@ -11,11 +11,11 @@ from upright.calibration.calibrate import calibrate
 from upright.calibration.calibration import Calibration
 from upright.calibration.estimate import HELD
 from upright.calibration.knocks import unpushed
-from upright.certification.actual import WITHIN, as_logged, doubted, is_beyond
-from upright.certification.logged import LOADED, Assumptions
-from upright.certification.support import LOAD_KNOWN, MASS, Support, body_mass, slope
 from upright.checkup.doctor import contradictions
 from upright.errors import InvalidLog
+from upright.likelihood.actual import WITHIN, as_logged, doubted, is_beyond
+from upright.likelihood.assumptions import LOADED, Assumptions
+from upright.likelihood.support import LOAD_KNOWN, MASS, Support, body_mass, slope
 from upright.logs.recording import SENSOR
 from upright.progress import Progress
 from upright.robots import PARAMETERS, Kit, Robot

@@ -15,9 +15,9 @@ from typing import Any
 import numpy as np
 
 from upright.arrays import Array
-from upright.certification.likelihood import as_disturbed, filtered_log, surprise, surprises
-from upright.certification.logged import NOISED, Assumptions, Logged, delaying
-from upright.certification.support import NORMAL, Support, supported
+from upright.likelihood.assumptions import NOISED, Assumptions, Logged, delaying
+from upright.likelihood.followed import as_disturbed, filtered_log, surprise, surprises
+from upright.likelihood.support import NORMAL, Support, supported
 from upright.robots import Kit
 from upright.signals import Log
 
