@@ -53,10 +53,9 @@ from upright.control.controller import Controller
 from upright.control.identity import Identity, identity
 from upright.errors import InvalidController, InvalidScenario
 from upright.fleets.binomial import upper_bound
-from upright.likelihood.actual import as_logged
 from upright.likelihood.agreement import Agreement, agreement
 from upright.likelihood.assumptions import Assumptions, as_sent
-from upright.likelihood.calibrated import calibrated_first, doubtful_mass
+from upright.likelihood.calibrated import Met, met
 from upright.likelihood.support import MASS, Support, contradictions
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
@@ -291,30 +290,27 @@ def certify(
     given = refuse_energy(find_robot(robot))
     nominal, unknown = at_medians(given, posterior)
     parts = find_kit(kit or nominal.kit)
+    stated = (nominal, parts)
     recording = None if log is None else on_its_wheels(as_sent(raw_log(log, mapping)))[0]
-    rubs, stated, own, wrong = nominal.coulomb_friction > 0, (nominal, parts), None, tuple[Support, ...]()
-    bare = recording if unknown is None and robots is None else None
     design = _controller(controller, *stated, period)
     driving = kernel_controller(design, *stated)
-    nominal = as_weighed(nominal, weighed, alone=posterior is None and robots is None, logged=bool(bare))
-    if bare:
-        own, wrong = calibrated_first(bare, nominal, parts, seed, progress, weighed=weighed is not None)
-        nominal, parts, unknown = own.robot, own.kit, own.uncertainty
+    alone = posterior is None and robots is None
+    rubs = nominal.coulomb_friction > 0
+    nominal = as_weighed(nominal, weighed, alone=alone, logged=alone and recording is not None)
     family = enough_robots(draw(nominal, samples, seed, unknown) if robots is None else list(robots), nominal)
-    floor = own and own.floor
-    assumed = Assumptions(nominal, family, parts, seed, dry_friction=rubs, is_weighed=bool(bare), floor=floor)
-    assumed, shown, taken = as_logged(recording, assumed) if recording else (assumed, (), ())
-    doubts = doubtful_mass(recording, assumed, taken) if recording and posterior else own.contradicted if own else ()
-    taken = (*taken, *(s for s in wrong if s.name not in {t.name for t in taken}))
-    setup = TrialSetup(**vars(assumed), controller=driving, threads=threads, stated=stated)
+    assumed = Assumptions(nominal, family, parts, seed, dry_friction=rubs, is_weighed=weighed is not None)
+    now = Met(assumed, unknown, (), ())
+    if recording:
+        now = met(recording, assumed, unknown, alone=alone, progress=progress)
+    setup = TrialSetup(**vars(now.assumed), controller=driving, threads=threads, stated=stated)
     setup = replace(setup, progress=progress and RunCounter(runs_of(setup, sweeps=sweeps), progress))
-    drawn = (unknown or Uncertainty.of(nominal)) if robots is None else None
-    judged = _examined(setup, design, recording, support=(*shown, *doubts), taken=taken, unknown=drawn, sweeps=sweeps)
+    drawn = (now.unknown or Uncertainty.of(nominal)) if robots is None else None
+    judged = _examined(setup, design, recording, now._replace(unknown=drawn), sweeps=sweeps)
     light, reasons = judge(judged)
     who = identity(design)
     return Certificate(
         **vars(judged), light=light, reasons=reasons, bound=upper_bound(judged.fell, judged.samples, CONFIDENCE),
-        robot=nominal.name, kit=parts.name, controller=design.spec.kind, hash=who.hash, seed=seed,
+        robot=setup.robot.name, kit=setup.kit.name, controller=design.spec.kind, hash=who.hash, seed=seed,
         subject={"robot": robot_facts(given), "kit": kit_facts(stated[1])}, asked=who.asked, response=who.response,
         endured=endured(setup) if sweeps else (),
         strength=strong_enough(setup) if judged.beyond > MOST_FALLS * len(family) else None,
@@ -333,11 +329,9 @@ def _controller(controller: Controller | str, robot: Robot, kit: Kit, period: fl
     return design
 
 
-def _examined(
-    setup: TrialSetup, design: Controller, recording: Log | None, *, support: tuple[Support, ...],
-    taken: tuple[Support, ...], unknown: Uncertainty | None, sweeps: bool,
-) -> Examined:  # fmt: skip
-    """The trials of `setup`, and what its robots do alone; what is guessed, of robots drawn from `unknown`."""
+def _examined(setup: TrialSetup, design: Controller, recording: Log | None, now: Met, *, sweeps: bool) -> Examined:
+    """The trials of `setup`, and what its robots do alone; what is guessed, of the robot as it is `now` known."""
+    unknown = now.unknown
     runs, fallen, beyond = trials(setup)
     linear = linear_margins(design, setup.actual_robot, setup.actual_kit, usual=True)
     alone = standing(setup, sweeps=sweeps)
@@ -347,8 +341,8 @@ def _examined(
     return Examined(
         len(fallen), int(fallen.sum()), linear, runs, period,
         agreement(recording, setup, followed_runs(setup), period) if recording else (),
-        support, beyond=int(beyond.sum()), taken=taken,
-        standing=alone, guessed=guessed(setup, unknown, tried=many) if unknown else None,
+        now.support, beyond=int(beyond.sum()), taken=now.taken, standing=alone,
+        guessed=guessed(setup, unknown, tried=many) if unknown else None,
         narrowing=narrowing(setup, unknown, fallen) if unknown and narrowed else None,
     )  # fmt: skip
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -203,10 +204,30 @@ def _lognormal(s: Spread) -> Spread:
     return Spread(s.name, "lognormal", s.low, s.high / s.low)
 
 
-def calibrated_first(
-    log: Log, robot: Robot, kit: Kit, seed: int, progress: Progress | None, *, weighed: bool
-) -> tuple[Learnt, tuple[Support, ...]]:
-    """The robot of the file, or as it was `weighed`, as `log` shows it, and what was taken over before."""
-    rubs = robot.coulomb_friction > 0
-    assumed = Assumptions(robot, draw(robot, WITHIN, seed), kit, seed, dry_friction=rubs, is_weighed=weighed)
-    return calibrated(log, assumed, progress)
+class Met(NamedTuple):
+    """What is `assumed` of a robot once its log was read, what is `unknown` of its parameters, what the log says
+    of the other numbers, `support`, and those that were `taken` over."""
+
+    assumed: Assumptions
+    unknown: Uncertainty | None
+    support: tuple[Support, ...]
+    taken: tuple[Support, ...]
+
+
+def met(
+    log: Log, assumed: Assumptions, unknown: Uncertainty | None, *, alone: bool, progress: Progress | None = None
+) -> Met:
+    """The robot that is `assumed`, as its `log` shows it. One that comes from its file `alone` is calibrated first;
+    others were drawn from what is `unknown`, or are given (None)."""
+    wrong = doubts = tuple[Support, ...]()
+    if alone:
+        own, wrong = calibrated(log, replace(assumed, robots=assumed.robots[:WITHIN]), progress)
+        doubts = own.contradicted
+        unknown = own.uncertainty
+        robots = draw(own.robot, len(assumed.robots), assumed.seed, unknown)
+        assumed = replace(assumed, robot=own.robot, robots=robots, kit=own.kit, is_weighed=True, floor=own.floor)
+    assumed, shown, taken = as_logged(log, assumed)
+    if unknown and not alone:
+        doubts = doubtful_mass(log, assumed, taken)
+    names = {s.name for s in taken}
+    return Met(assumed, unknown, (*shown, *doubts), (*taken, *(s for s in wrong if s.name not in names)))
