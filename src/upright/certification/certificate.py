@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, fields, replace
+from dataclasses import asdict, dataclass, fields, is_dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from types import NoneType
+from typing import TYPE_CHECKING, Any, get_args, get_origin, get_type_hints
 
 from upright.atomic import finite, write_json
 from upright.certification.checks import (
@@ -24,7 +25,7 @@ from upright.certification.checks import (
     trials,
 )
 from upright.certification.mass import as_weighed
-from upright.certification.narrowing import Guessed, Narrowing, NeededSpread, guessed, narrowing, red
+from upright.certification.narrowing import MOST_NAMES, Guessed, Narrowing, guessed, narrowing, red, ways
 from upright.certification.standing import (
     Endured,
     Standing,
@@ -66,7 +67,7 @@ from upright.robots.facts import Facts, differences, kit_facts, robot_facts
 from upright.robots.motor import refuse_energy
 from upright.robots.uncertainty import Uncertainty, at_medians, draw
 from upright.signals import Log
-from upright.tables import Shown, in_degrees
+from upright.tables import Shown, in_degrees, sentence
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -178,6 +179,16 @@ class Certificate(Shown):
         guesses = f"Which numbers are guesses? {names}."
         return [f"Does it stand? {self.standing}.", *pushed, *([weak] if self.strength else []), guesses]
 
+    def to_learn(self) -> list[str]:
+        """What would have to be known better where robots fall, beside the reasons, and how it is measured."""
+        if not self.narrowing:
+            return []
+        first = [] if self.light == UNKNOWN else [sentence(str(self.narrowing))]
+        needed = [spread.name for spread in self.narrowing.spreads]
+        if self.light == UNKNOWN and self.guessed and not needed:
+            needed = list(self.guessed.names[:MOST_NAMES])
+        return [*first, *ways(needed, self.robot, str(self.subject["robot"]["drive"]))]
+
     def worst_first(self) -> list[PushTrial]:
         """The trials in the order of the figure: most falls first, or the longest travel where nothing fell."""
         fell = any(t.fell for t in self.trials)
@@ -246,8 +257,7 @@ class Certificate(Shown):
         lines = [head, *first, "", *self.answers(), "", columns, *(_row(t, wide) for t in self.trials)]
         if worst := max((t.residual for t in self.trials), default=0.0):
             sweeps.append(f"the last iteration moved a command by {worst:.2%} of its limit at most")
-        if self.narrowing:
-            sweeps += [str(self.narrowing), *self.narrowing.ways(self.robot)]
+        sweeps += self.to_learn()
         sweeps += [f"the log: {'; '.join(map(str, self.agreement))}"] if self.agreement else []
         taken = {s.name for s in self.taken}
         inside = "; ".join(str(s) for s in self.support if not (s.outside or s.name in taken))
@@ -342,7 +352,7 @@ def _examined(setup: TrialSetup, design: Controller, recording: Log | None, now:
         len(fallen), int(fallen.sum()), linear, runs, period,
         agreement(recording, setup, followed_runs(setup), period) if recording else (),
         now.support, beyond=int(beyond.sum()), taken=now.taken, standing=alone,
-        guessed=guessed(setup, unknown, tried=many) if unknown else None,
+        guessed=guessed(setup, unknown, fallen, tried=many) if unknown else None,
         narrowing=narrowing(setup, unknown, fallen) if unknown and narrowed else None,
     )  # fmt: skip
 
@@ -356,37 +366,28 @@ def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
     given = dict(data)
     kind, version = given.pop("file"), given.pop("version")
     if kind == KIND and version != VERSION:
-        raise InvalidController(
-            f"a certificate of version {version}", expected=f"version {VERSION}", hint="certify it again",
-        )  # fmt: skip
+        raise InvalidController(f"a certificate of version {version}", expected=f"version {VERSION}",
+                                hint="certify it again")  # fmt: skip
     if kind != KIND:
         raise ValueError(f"it is no '{KIND}'")
-    linear: dict[str, Any] | None = given["linear"]
-    near_rest: dict[str, Any] = {n: math.inf if v is None else v for n, v in (linear or {}).items()}
-    parts: dict[str, Any] = {
-        "reasons": tuple(given["reasons"]),
-        "linear": LinearMargins(**near_rest) if linear else None,
-        "agreement": tuple(Agreement(**row) for row in given["agreement"]),
-        "support": tuple(Support.from_json(row) for row in given["support"]),
-        "taken": tuple(Support.from_json(row) for row in given.get("taken", ())),
-        "trials": tuple(PushTrial(**row) for row in given["trials"]),
-        "subject": {what: dict(given["subject"][what]) for what in ("robot", "kit")},
-        "response": tuple(map(float, given["response"])),
-        "standing": Standing(**given["standing"]),
-        "endured": tuple(Endured(**row) for row in given["endured"]),
-    }
-    swept: dict[str, Any] = {name: tuple(Swept(**row) for row in given[name]) for name in ("delayed", "slower")}
-    if needed := given.get("narrowing"):
-        spreads = tuple(NeededSpread(**row) for row in needed["spreads"])
-        parts["narrowing"] = replace(Narrowing(**needed), spreads=spreads)
-    if guesses := given["guessed"]:
-        parts["guessed"] = replace(Guessed(**guesses), names=tuple(guesses["names"]))
-    if strength := given["strength"]:
-        parts["strength"] = Strength(**strength)
-    certificate = cls(**{**given, **parts, **swept})
+    given["subject"] = {what: dict(given["subject"][what]) for what in ("robot", "kit")}
+    certificate = _made(cls, given)
     if wrong := certificate.check():
         raise ValueError(wrong[0])
     return certificate
+
+
+def _made(kind: Any, data: Any) -> Any:
+    """A value of this type from what JSON keeps of it: None for what is unlimited, lists for tuples."""
+    inner = get_args(kind)
+    if is_dataclass(kind):
+        kinds = get_type_hints(kind)
+        return kind(**{name: _made(kinds[name], value) for name, value in data.items()})
+    if get_origin(kind) is tuple:
+        return tuple(_made(inner[0], value) for value in data)
+    if kind is float:
+        return math.inf if data is None else data
+    return data if data is None or NoneType not in inner else _made(inner[0], data)
 
 
 def _row(t: PushTrial, wide: int) -> str:

@@ -12,12 +12,15 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from upright.arrays import Array, Mask
+from upright.calibration.parameters import NEVER
 from upright.certification.checks import TrialSetup, red
 from upright.certification.checks import tried as pushed
 from upright.certification.standing import left_alone
 from upright.kernel.batch import NAMES, parameters_of
+from upright.robots.drives import SPEED_DRIVE
 from upright.robots.robot import PARAMETERS
 from upright.robots.uncertainty import GUESS, Spread, Uncertainty, draw
+from upright.tables import joined
 
 TRIED = 300  # robots: without a fall they bound it to 1 %
 FEW = 100  # where the controller is called for each, which takes a hundred times as long
@@ -32,14 +35,21 @@ BY_HAND = {
     "track": "measure between the middles of the tyres",
     "com_height": "lay the robot on a table's edge across its axle: where it tips is its centre of mass",
     "pitch_inertia": "hang the robot by its axle, let it swing and time ten swings",
+    "yaw_inertia": "hang the robot upright by two parallel threads, turn it a little and time ten swings",
+    "roll_inertia": "hang the robot face down by two parallel threads, turn it a little and time ten swings",
+    "wheel_inertia": "hang the wheel by its rim on an edge, let it swing and time ten swings",
     "motor_resistance": "hold a wheel and divide a small voltage by its current",
     "back_emf": "turn a wheel at a known speed and read the open motor's voltage",
     "torque_constant": "it is the back-EMF constant, or less: turn a wheel at a known speed and read the voltage",
     "coulomb_friction": "raise the voltage until a wheel in the air begins to turn",
+    "speed_lag": "film a wheel in the air at 240 frames a second while the commanded speed jumps",
+    "acceleration_limit": "it is the ramp of the program that drives the wheels",
+    "slip_torque": "hang weights on a thread round a wheel that is held by its motor: the last weight times the radius",
 }
-"""How to measure a parameter in some minutes. A time T of a swing about the axle is 2π √((J + M L²)/(M g L))."""
-LOGGED = tuple(name for name in PARAMETERS if name not in ("wheel_mass", "body_mass", "wheel_radius", "track"))
-"""What a log tells: neither a mass (docs/studies/mass.md) nor a length."""
+"""How to measure a parameter in some minutes. A time T of a swing about the axle is 2π √((J + M L²)/(M g L)), on two
+threads of length l at a distance d 4π √(J l/(m g d²))."""
+UNSEEN = ("wheel_mass", "body_mass", "wheel_radius", "track", "rolling_friction", *NEVER, *SPEED_DRIVE)
+"""What no run is asked: no mass (docs/studies/mass.md), no length, and what a calibration leaves as it is."""
 
 
 @dataclass(frozen=True)
@@ -71,44 +81,47 @@ class Narrowing:
                     "it is not the spreads")  # fmt: skip
         if not self.spreads:
             return f"no {MOST_NAMES} parameters decide: the robot has to be known better in more of them"
-        names = " and ".join(map(str, self.spreads))
+        names = joined([*map(str, self.spreads)])
         return f"measure {names}: then {self.fell} of {self.runs} robots fall"
 
-    def ways(self, robot: str) -> tuple[str, ...]:
-        """What tells these parameters, a sentence each."""
-        names = [spread.name for spread in self.spreads]
-        ways = [f"{name}: {BY_HAND[name]}." for name in names if name in BY_HAND]
-        logged = [name for name in names if name in LOGGED]
-        if logged:
-            plan = f"upright excite --robot {robot} --focus {','.join(logged)} -o plan.json"
-            ways.append(f"A run tells {' and '.join(logged)}: {plan}, then upright calibrate on its log.")
-        return tuple(ways)
+
+def ways(names: Sequence[str], robot: str, drive: str) -> list[str]:
+    """What tells these parameters of a robot with this drive, a sentence each. No run does of a drive by speed, whose
+    wheels turn as commanded whatever the robot is."""
+    result = [f"{name}: {BY_HAND[name]}." for name in names if name in BY_HAND]
+    logged = [name for name in names if name not in UNSEEN and drive != "speed"]
+    if logged:
+        plan = f"upright excite --robot {robot} --focus {','.join(logged)} -o plan.json"
+        result.append(f"A run tells {joined(logged)}: {plan}, then upright calibrate on its log.")
+    return result
 
 
 @dataclass(frozen=True)
 class Guessed:
-    """The parameters that nobody measured: with these `names` as the file has them `fell` of `runs` robots fall (0 of
-    0: not tried, since few fall with them varied)."""
+    """The parameters that nobody measured, the one that decides most first: with these `names` as the file has them
+    `fell` of `runs` robots fall (0 of 0: not tried, since few fall with them varied)."""
 
     names: tuple[str, ...]
     runs: int
     fell: int
 
 
-def guessed(setup: TrialSetup, unknown: Uncertainty, *, tried: bool) -> Guessed | None:
-    """What is only guessed in `unknown`; where it is to be `tried`, how many robots of `setup` fall with the guesses as
-    the file has them. None without a guess."""
-    names = tuple(s.name for s in unknown.spreads if s.kind == "lognormal" and s.high == GUESS)
+def guessed(setup: TrialSetup, unknown: Uncertainty, fell: Mask, *, tried: bool) -> Guessed | None:
+    """What is only guessed in `unknown`, from which the robots of `setup` were drawn of which `fell` (n,) fell. Where
+    it is to be `tried`, how many fall with the guesses as the file has them. None without a guess."""
+    names = [s.name for s in unknown.spreads if s.kind == "lognormal" and s.high == GUESS]
     if not names:
         return None
     if not tried:
-        return Guessed(names, 0, 0)
+        return Guessed(tuple(names), 0, 0)
+    order = [s.name for s in ranking(unknown, parameters_of(setup.robots), fell)]
+    names.sort(key=lambda name: order.index(name) if name in order else len(order))
     runs = FEW if setup.controller.called else TRIED
     known = _known(setup, unknown, dict.fromkeys(names, 0.0), runs)
     lost = left_alone(known).fell.copy()
     for one in pushed(known):
         lost |= one.run.fell & ~one.beyond
-    return Guessed(names, runs, int(lost.sum()))
+    return Guessed(tuple(names), runs, int(lost.sum()))
 
 
 def narrowing(setup: TrialSetup, unknown: Uncertainty, fell: Mask) -> Narrowing:

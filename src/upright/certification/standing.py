@@ -30,7 +30,7 @@ from upright.certification.recovery import (
 )
 from upright.experiment.pushes import Hold, Impulse
 from upright.kernel.batch import NAMES, FleetResult
-from upright.likelihood.assumptions import Logged, delaying
+from upright.likelihood.assumptions import Logged, batteries, delaying
 
 LEAN = math.radians(1.0)
 """[rad] At which a robot is left alone: a hand sets it up no better, and no set point is known better."""
@@ -102,16 +102,20 @@ class Endured:
 
 @dataclass(frozen=True)
 class Strength:
-    """The battery [V], or the gear's ratio [1], with which the motors would be strong enough (None: none)."""
+    """The battery [V], or the gear's ratio [1], with which the motors would be strong enough (None: none); `full` [V]
+    is the most that they get as it is (None: no battery drives them)."""
 
     battery: float | None
     gear: float | None
+    full: float | None = None
 
     def __str__(self) -> str:
-        ways = [f"a battery of {self.battery:.3g} V, if the motors bear it,"] if self.battery else []
-        ways += [f"a gear ratio of {self.gear:.3g}"] if self.gear else []
-        none = "neither three times the voltage nor three times the gear would do"
-        return f"{' or '.join(ways)} would do" if ways else none
+        if self.gear:
+            return f"a gear ratio of {self.gear:.3g} would do"
+        if self.battery is None or self.full is None:
+            return "neither three times the voltage nor three times the gear would do"
+        text = f"a battery of {self.battery:.3g} V would do"
+        return text if self.battery <= self.full else f"{text}, if motors that now get {self.full:.3g} V bear it"
 
 
 def standing(setup: TrialSetup, *, sweeps: bool = True) -> Standing:
@@ -165,10 +169,10 @@ def strong_enough(setup: TrialSetup) -> Strength:
         return all((~recoverable(table, able, push)).sum() <= most for push in pushes)
 
     full = kit.battery.voltage
-    driven = setup.robot.command_unit == "V" and math.isfinite(full)  # else no battery limits a command
-    battery = next((full * more for more in STRONGER if enough(full * more, 1.0)), None) if driven else None
+    now = batteries(setup.robot, kit)  # else no battery limits a command
+    battery = next((full * more for more in STRONGER if enough(full * more, 1.0)), None) if now else None
     gear = next((setup.robot.gear_ratio * more for more in STRONGER if enough(full, more)), None)
-    return Strength(battery, gear)
+    return Strength(battery, gear, now and now[1])
 
 
 def delay_sweep(setup: TrialSetup) -> tuple[Swept, ...]:

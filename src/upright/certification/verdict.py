@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import KW_ONLY, dataclass
 
 from upright.certification.checks import CONFIDENCE, MOST_CYCLE, MOST_FALLS, PushTrial, red
-from upright.certification.narrowing import Guessed, Narrowing
+from upright.certification.narrowing import MOST_NAMES, Guessed, Narrowing
 from upright.certification.standing import Standing
 from upright.control.controller import Controller
 from upright.errors import InvalidController
@@ -18,6 +18,7 @@ from upright.loops.analysis import INPUTS, ROUNDED, instability, loop_margins, u
 from upright.loops.loop import robot_loop
 from upright.loops.margins import Margins, margins
 from upright.robots import Kit, Robot
+from upright.tables import joined
 
 GREEN, AMBER, RED, UNKNOWN = "green", "amber", "red", "unknown"
 
@@ -127,8 +128,8 @@ def judge(e: Examined) -> tuple[str, tuple[str, ...]]:
     """The light and its one or two reasons, the gravest first.
 
     Numbers that were taken from the log, outside what was assumed, are a reason besides: they are a fault to mend, or
-    to be measured, so that the light is amber at most. Falls that end with the guesses as the file has them leave it
-    unknown.
+    to be measured, so that the light is amber at most. Falls leave it unknown where, with the guesses as the file has
+    them, not surely too many fall; else what is said first is that these do.
     """
     linear = e.linear
     logged = [f"tried as the log shows it: {s}" for s in sorted(e.taken, key=lambda s: -s.excess) if s.excess > 0]
@@ -139,15 +140,19 @@ def judge(e: Examined) -> tuple[str, tuple[str, ...]]:
     elif linear and not linear.stable:
         unstable = [instability(linear.radius, e.period)]
     drawn = _drawn(e)
-    unmeasured = bool(e.guessed and e.guessed.runs and not red(e.guessed.fell, e.guessed.runs))
+    open_guesses = False
+    if drawn and e.guessed and e.guessed.runs:
+        fell, runs = e.guessed.fell, e.guessed.runs
+        open_guesses = 1 - upper_bound(runs - fell, runs, CONFIDENCE) <= MOST_FALLS  # not surely too many
+        known = f"with the guesses as the file has them {fell} of {runs} robots fall"
+        drawn = [f"{drawn[0]}; {known}"] if open_guesses else [known, drawn[-1]]
     certain = unstable + _file(e.standing) + disagreements(e.agreement, RED)
-    grave = certain + ([] if unmeasured else drawn + _weak(e)[: len(drawn)])
+    grave = certain + ([] if open_guesses else drawn + _weak(e)[: len(drawn)])
     if grave:
         return RED, tuple((grave[:1] + logged[:1] + grave[1:] + free)[:2])
     if drawn and e.guessed:
-        known = f"with the guesses as the file has them {e.guessed.fell} of {e.guessed.runs} fall"
-        ask = str(e.narrowing) if e.narrowing and e.narrowing.spreads else f"measure {', '.join(e.guessed.names[:3])}"
-        return UNKNOWN, (f"{drawn[0]}; {known}", ask)
+        narrowed = str(e.narrowing) if e.narrowing and e.narrowing.spreads else ""
+        return UNKNOWN, (drawn[0], narrowed or f"measure {joined(e.guessed.names[:MOST_NAMES])}")
     thin = free or (_thin(linear, e.period) if linear else [])
     amber = disagreements(e.agreement, AMBER) + contradictions(e.support) + thin + _weak(e) + _laborious(e.trials)
     if amber or logged:

@@ -9,9 +9,8 @@ correlation in time. The gyro's scale is the likeliest.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import KW_ONLY, dataclass, replace
-from typing import Any
 
 import numpy as np
 
@@ -84,12 +83,6 @@ class Support:
     def excess(self) -> float:
         """How far the value lies outside what was assumed, in widths of that; negative inside."""
         return max(self.least - self.value, self.value - self.most) / max(self.most - self.least, 1e-12)
-
-    @classmethod
-    def from_json(cls, data: Mapping[str, Any]) -> Support:
-        """From a certificate's file."""
-        stated = data["stated"]
-        return replace(cls(**data), stated=stated and tuple(stated))
 
     @classmethod
     def of_estimate(cls, e: Estimate) -> Support:

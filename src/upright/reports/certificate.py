@@ -34,8 +34,8 @@ def page_of(certificate: Certificate) -> Page:
     green = certificate.light == GREEN
     reasons = Section("Reasons", [*(sentence(in_degrees(reason)) for reason in certificate.reasons)], folded=green)
     sections = [Section("Three questions", certificate.answers()), reasons]
-    if certificate.narrowing:
-        learn = [sentence(str(certificate.narrowing)), *certificate.narrowing.ways(certificate.robot)]
+    learn = certificate.to_learn()
+    if learn:
         sections.append(Section("What would have to be known better", learn))
     sections += [
         Section("Pushes", [_trials(certificate), Details("How this was tried", [_intro(certificate)])]),
