@@ -75,6 +75,11 @@ if TYPE_CHECKING:
 UNLIKE = "mend what the log shows, or measure it and write it into the file of the robot or its kit; then certify again"
 UNWEIGHED = "a scale tells the mass: put the robot on one, and certify it again with --weighed KG"
 
+PLAY = (
+    "Of {:.3g} rad of play only the encoders know, here as in the twin. A motor that runs free in it lets a robot sway "
+    "several times as much at rest, and may fell it: believe neither there, but look at the robot."
+)
+
 KIND = "upright certificate"
 VERSION = 6
 """6: it answers whether the robot stands, how hard it may be pushed, and which guess decides;
@@ -177,7 +182,9 @@ class Certificate(Shown):
         weak = f"Motors too weak in {self.beyond} of the {self.fell} that fell: {self.strength}."
         names = ", ".join(self.guessed.names) if self.guessed else "none"
         guesses = f"Which numbers are guesses? {names}."
-        return [f"Does it stand? {self.standing}.", *pushed, *([weak] if self.strength else []), guesses]
+        answers = [f"Does it stand? {self.standing}.", *pushed, *([weak] if self.strength else []), guesses]
+        play = self.subject["kit"].get("motor/backlash")
+        return [*answers, PLAY.format(play)] if play else answers
 
     def to_learn(self) -> list[str]:
         """What would have to be known better where robots fall, beside the reasons, and how it is measured."""
