@@ -8,18 +8,22 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scipy.linalg import expm
+from scipy.stats import binom
 
+from upright.calibration.parameters import parameters_of
 from upright.certification.certificate import Certificate, certify
-from upright.certification.checks import TrialSetup, kernel_controller
+from upright.certification.checks import PushTrial, TrialSetup, kernel_controller
+from upright.certification.narrowing import Guessed, ways
 from upright.certification.recovery import largest_slope, means
-from upright.certification.standing import Endured, endured, standing
-from upright.certification.verdict import UNKNOWN
+from upright.certification.standing import Endured, Standing, Strength, endured, standing
+from upright.certification.verdict import RED, UNKNOWN, Examined, judge
 from upright.cli.main import main
 from upright.control import find_controller
 from upright.errors import InvalidScenario
 from upright.physics.dynamics import Disturbance, accelerations
 from upright.physics.linear import linearise
-from upright.robots import Kit, Robot
+from upright.robots import PARAMETERS, Kit, Robot
+from upright.robots.drives import UNUSED
 
 ROBOT, IDEAL, NXT = Robot.preset("nxtway-gs"), Kit.preset("ideal"), Kit.preset("nxt")
 GUESSED = """
@@ -57,7 +61,50 @@ def test_what_hangs_on_guesses_is_unknown(tmp_path: Path) -> None:
     assert certificate.guessed.fell <= 0.05 * certificate.guessed.runs
     assert any(certificate.reasons[1].startswith(f"measure {name}") for name in certificate.guessed.names)
     assert certificate.refuses().startswith("unknown")
+    assert str(certificate).count(certificate.reasons[1]) == 1  # what to measure is not said twice
     assert Certificate.from_json(certificate.to_json()) == certificate
+
+
+@pytest.mark.parametrize(("fell", "light"), [(0, UNKNOWN), (10, UNKNOWN), (21, UNKNOWN), (25, RED), (300, RED)])
+def test_red_needs_a_reason_that_holds_with_the_guesses_as_the_file_has_them(fell: int, light: str) -> None:
+    """Most robots of the spreads fall. Of 300 with the guesses as the file has them 5 % are 15: binomial, 22 or more
+    of them fall by chance in one of twenty such robots at most."""
+    assert binom.sf(21, 300, 0.05) < 0.05 < binom.sf(20, 300, 0.05)
+    trial = PushTrial("hold at +0.17 rad", "full", 200, 150, saturated=0.0, travel=0.0, peak=0.0, cycle=0.0)
+    known = Standing(None, 0.1, 200, 88)
+    given, reasons = judge(
+        Examined(200, 150, None, [trial], 0.01, standing=known, guessed=Guessed(("com_height",), 300, fell))
+    )
+    assert given == light
+    stated = f"with the guesses as the file has them {fell} of 300 robots fall"
+    assert reasons[0] == stated if light == RED else reasons[0].endswith(stated)
+
+
+@pytest.mark.parametrize("drive", ["voltage", "torque", "speed"])
+def test_every_advised_run_is_one_that_excite_plans(drive: str) -> None:
+    """Of a drive by speed it plans none: then each number that such a robot's file may guess is measured by hand."""
+    robot = Robot.preset({"voltage": "nxtway-gs", "torque": "twipr", "speed": "stepper"}[drive])
+    used = [name for name in PARAMETERS if name not in UNUSED[drive]]
+    asked = [p.name for p in parameters_of(robot, {}, foreign=True)]
+    for name in used:
+        runs = [way for way in ways([name], "mine", drive) if "upright excite" in way]
+        assert not runs or (drive != "speed" and name in asked)
+    drawn = {name for name, source in robot.provenance.items() if source.spread is None}
+    if drive == "speed":
+        assert all(ways([name], "mine", drive) for name in drawn)
+
+
+@pytest.mark.parametrize(
+    ("strength", "words"),
+    [
+        (Strength(14.8, 60.0, 8.3), "a gear ratio of 60 would do"),
+        (Strength(14.8, None, 8.3), "a battery of 14.8 V would do, if motors that now get 8.3 V bear it"),
+        (Strength(8.1, None, 8.3), "a battery of 8.1 V would do"),
+        (Strength(None, None), "neither three times the voltage nor three times the gear would do"),
+    ],
+)
+def test_no_battery_is_advised_that_motors_may_not_bear_where_a_gear_would_do(strength: Strength, words: str) -> None:
+    assert str(strength) == words
 
 
 def test_unknown_stops_a_script(tmp_path: Path) -> None:
