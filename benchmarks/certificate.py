@@ -1,6 +1,6 @@
 """Whether the certificate is right: planted controllers on robots that it has never seen.
 
-    python benchmarks/certificate.py                      # 40 controllers on each side, six presets: half an hour
+    python benchmarks/certificate.py                      # 40 controllers on each side, nine presets: most of an hour
     python benchmarks/certificate.py --robots twipr --sides 10
     python benchmarks/certificate.py --defaults           # the light of every method on every preset with its kit
     python benchmarks/certificate.py --defaults --methods hinf robust
@@ -37,11 +37,13 @@ from upright.robots import Kit, Robot, find_kit
 from upright.robots.robot import preset_names
 from upright.robots.uncertainty import draw
 
+REFUSED = ("red", "unknown")  # lights with which no robot is driven
+
 
 def inside(robots: Sequence[str], first: int, sides: int, samples: int, *, each: bool) -> None:
     """Cases of each robot until there are `sides` on each side, or twelve times as many in all."""
     table = harness.Table(
-        "robot <22", "≥ 10 % >8", "red >6", "not >5", "≤ 1 % >9", "green >7", "amber >7", "red >5", "between >9"
+        "robot <22", "≥ 10 % >8", "refused >8", "not >5", "≤ 1 % >9", "green >7", "amber >7", "refused >8", "between >9"
     )
     rows: list[Case] = []
     for name in robots:
@@ -62,7 +64,8 @@ def inside(robots: Sequence[str], first: int, sides: int, samples: int, *, each:
         rows += own
     table.row(*counts("all", rows))
     for case in rows:
-        if (case.falls >= MANY and case.light != "red") or (case.falls <= FEW and case.light == "red"):
+        refused = case.light in REFUSED
+        if (case.falls >= MANY and not refused) or (case.falls <= FEW and refused):
             print(f"    {case}")
 
 
@@ -71,8 +74,9 @@ def counts(name: str, cases: Sequence[Case]) -> tuple[Any, ...]:
     many = Counter(c.light for c in cases if c.falls >= MANY)
     few = Counter(c.light for c in cases if c.falls <= FEW)
     between = len(cases) - many.total() - few.total()
-    lights = (few[light] for light in ("green", "amber", "red"))
-    return name, many.total(), many["red"], many.total() - many["red"], few.total(), *lights, between
+    refused = sum(many[light] for light in REFUSED)
+    lights = few["green"], few["amber"], sum(few[light] for light in REFUSED)
+    return name, many.total(), refused, many.total() - refused, few.total(), *lights, between
 
 
 def defaults(robots: Sequence[str], samples: int, methods: Sequence[str]) -> None:
