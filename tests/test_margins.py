@@ -10,8 +10,7 @@ import pytest
 from scipy.linalg import expm
 
 from upright.certification.checks import PushTrial
-from upright.certification.design import design
-from upright.certification.release import UPRIGHT, let_go
+from upright.certification.design import UPRIGHT, design, let_go
 from upright.certification.verdict import Examined, judge, linear_margins
 from upright.control import Controller, make_controller
 from upright.control.delay import RAW, sampled

@@ -8,8 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from upright.arrays import Array
-from upright.certification.design import Designed
-from upright.certification.release import UPRIGHT, Release
+from upright.certification.design import UPRIGHT, Designed, Release
 from upright.control import Controller, Design, design_of
 from upright.control.hinf import Hinf
 from upright.control.kalman import Filter
