@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, fields, is_dataclass, replace
+from dataclasses import asdict, dataclass, is_dataclass, replace
 from pathlib import Path
 from types import NoneType
 from typing import TYPE_CHECKING, Any, get_args, get_origin, get_type_hints
@@ -25,7 +25,7 @@ from upright.certification.checks import (
     trials,
 )
 from upright.certification.mass import as_weighed
-from upright.certification.narrowing import MOST_NAMES, Guessed, Narrowing, guessed, narrowing, red, ways
+from upright.certification.narrowing import MOST_NAMES, guessed, narrowing, red, ways
 from upright.certification.standing import (
     Endured,
     Standing,
@@ -44,7 +44,6 @@ from upright.certification.verdict import (
     RED,
     UNKNOWN,
     Examined,
-    LinearMargins,
     judge,
     linear_margins,
 )
@@ -54,10 +53,10 @@ from upright.control.controller import Controller
 from upright.control.identity import Identity, identity
 from upright.errors import InvalidController, InvalidScenario
 from upright.fleets.binomial import upper_bound
-from upright.likelihood.agreement import Agreement, agreement
+from upright.likelihood.agreement import agreement
 from upright.likelihood.assumptions import Assumptions, as_sent
 from upright.likelihood.calibrated import Met, met
-from upright.likelihood.support import MASS, Support, contradictions
+from upright.likelihood.support import MASS, contradictions
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
 from upright.progress import Progress
@@ -89,21 +88,15 @@ VERSION = 6
 
 
 @dataclass(frozen=True, repr=False, kw_only=True)
-class Certificate(Shown):
+class Certificate(Shown, Examined):
     """The measurements of the controller with this `hash`, every `period` [s], and the `light` that follows from them.
 
     It belongs to that controller, by its `hash`, or by the request of its design, `asked`, and its `response` (see
     `control.identity`). Its `subject` is every number of robot and kit, by name; `robot` and `kit` are their names.
-    Of `samples` robots `fell` fell in at least one of the `trials`. `bound` is the upper bound of that probability,
-    with 95 % confidence. Of those that fell no controller could save `beyond`; what motors would need is `strength`.
-    Left alone, robots stand or fall as in `standing`; what the file's robot endures is `endured`. `guessed` counts
-    falls with the guesses as the file has them (None: few fall, or nothing is guessed). `linear` is None for a
-    controller that is not linear, even near rest. `delayed` and `slower` count those that fall, left alone, with
-    additional dead time and with other periods.
-    `agreement` compares the innovations of a log with these assumptions, `support` what the log shows of each number
-    that is taken as given. What was `taken` from the log, and tried, stands beside what had been assumed. `narrowing`
-    says of a red light what would have to be known better (None: not examined). The robot `weighed` so much [kg] on a
-    scale (None: not weighed). `given` is the file or the name by which the controller was asked for ("": an object).
+    `bound` is the upper bound of the probability of a fall, with 95 % confidence; what motors that are too weak would
+    need is `strength`. What the file's robot endures is `endured`. `delayed` and `slower` count robots that fall, left
+    alone, with additional dead time and with other periods. The robot `weighed` so much [kg] on a scale (None: not
+    weighed). `given` is the file or the name by which the controller was asked for ("": an object).
     """
 
     light: str
@@ -113,33 +106,22 @@ class Certificate(Shown):
     kit: str
     controller: str
     hash: str
-    period: float
     seed: int
-    samples: int
-    fell: int
-    beyond: int
-    linear: LinearMargins | None
-    trials: tuple[PushTrial, ...]
     standing: Standing
     endured: tuple[Endured, ...] = ()
-    guessed: Guessed | None = None
     strength: Strength | None = None
     delayed: tuple[Swept, ...] = ()
     slower: tuple[Swept, ...] = ()
-    agreement: tuple[Agreement, ...] = ()
-    support: tuple[Support, ...] = ()
-    taken: tuple[Support, ...] = ()
     subject: Mapping[str, Facts]
     asked: str = ""
     response: tuple[float, ...] = ()
-    narrowing: Narrowing | None = None
     weighed: float | None = None
     given: str = ""
 
     def check(self) -> tuple[str, ...]:
         """Contradictions among this certificate's own numbers, as sentences; none where it is consistent."""
         bound = upper_bound(self.fell, self.samples, CONFIDENCE)
-        light, reasons = judge(Examined(**{f.name: getattr(self, f.name) for f in fields(Examined)}))
+        light, reasons = judge(self)
         wrong = (
             [f"the bound is {self.bound:g}; its numbers give {bound:g}"] if not math.isclose(bound, self.bound) else []
         )

@@ -104,21 +104,25 @@ def linear_margins(controller: Controller, robot: Robot, kit: Kit, *, usual: boo
 
 @dataclass(frozen=True)
 class Examined:
-    """What the light is judged by: `fell` of `samples` robots under the standard pushes, `beyond` of them only where no
-    controller could help; the `linear` loop every `period` [s]; the `trials`; what a log shows (`agreement`, `support`,
-    what was `taken` from it); robots left alone (`standing`); those with the guesses as the file has them (`guessed`),
-    and what would have to be measured (`narrowing`). None: not examined."""
+    """What the light is judged by: `fell` of `samples` robots fell in at least one of the `trials`, `beyond` of them
+    only where no controller could help. The `linear` loop is that every `period` [s] (None: not linear even near rest).
+
+    `agreement` compares the innovations of a log with what is assumed, `support` what the log shows of each number that
+    is taken as given; what was `taken` from it, and tried, stands beside what had been assumed. Left alone, robots
+    stand or fall as in `standing`; `guessed` counts falls with the guesses as the file has them, and `narrowing` says
+    what would have to be known better. None: not examined.
+    """
 
     samples: int
     fell: int
     linear: LinearMargins | None
-    trials: Sequence[PushTrial]
+    trials: tuple[PushTrial, ...]
     period: float
-    agreement: Sequence[Agreement] = ()
-    support: Sequence[Support] = ()
+    agreement: tuple[Agreement, ...] = ()
+    support: tuple[Support, ...] = ()
     _: KW_ONLY
     beyond: int = 0
-    taken: Sequence[Support] = ()
+    taken: tuple[Support, ...] = ()
     standing: Standing | None = None
     guessed: Guessed | None = None
     narrowing: Narrowing | None = None
