@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, is_dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from types import NoneType
 from typing import TYPE_CHECKING, Any, get_args, get_origin, get_type_hints
@@ -28,7 +28,6 @@ from upright.certification.mass import as_weighed
 from upright.certification.narrowing import MOST_NAMES, guessed, narrowing, red, ways
 from upright.certification.standing import (
     Endured,
-    Standing,
     Strength,
     Swept,
     delay_sweep,
@@ -107,7 +106,6 @@ class Certificate(Shown, Examined):
     controller: str
     hash: str
     seed: int
-    standing: Standing
     endured: tuple[Endured, ...] = ()
     strength: Strength | None = None
     delayed: tuple[Swept, ...] = ()
@@ -369,7 +367,7 @@ def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
 def _made(kind: Any, data: Any) -> Any:
     """A value of this type from what JSON keeps of it: None for what is unlimited, lists for tuples."""
     inner = get_args(kind)
-    if is_dataclass(kind):
+    if hasattr(kind, "__dataclass_fields__"):
         kinds = get_type_hints(kind)
         return kind(**{name: _made(kinds[name], value) for name, value in data.items()})
     if get_origin(kind) is tuple:

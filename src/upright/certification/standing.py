@@ -82,6 +82,9 @@ class Standing:
         )
 
 
+UNTRIED = Standing(None, 0.0, 0, 0)
+
+
 @dataclass(frozen=True)
 class Endured:
     """The largest push of a `kind` that the file's robot endures, and the largest that any controller could (None:

@@ -8,7 +8,7 @@ from dataclasses import KW_ONLY, dataclass
 
 from upright.certification.checks import CONFIDENCE, MOST_CYCLE, MOST_FALLS, PushTrial, red
 from upright.certification.narrowing import MOST_NAMES, Guessed, Narrowing
-from upright.certification.standing import Standing
+from upright.certification.standing import UNTRIED, Standing
 from upright.control.controller import Controller
 from upright.errors import InvalidController
 from upright.fleets.binomial import upper_bound
@@ -123,7 +123,7 @@ class Examined:
     _: KW_ONLY
     beyond: int = 0
     taken: tuple[Support, ...] = ()
-    standing: Standing | None = None
+    standing: Standing = UNTRIED
     guessed: Guessed | None = None
     narrowing: Narrowing | None = None
 
@@ -180,9 +180,9 @@ def disagreements(agreements: Sequence[Agreement], light: str) -> list[str]:
     ]
 
 
-def _file(standing: Standing | None) -> list[str]:
+def _file(standing: Standing) -> list[str]:
     """That the file's robot falls by itself."""
-    if standing is None or standing.fell is None:
+    if standing.fell is None:
         return []
     return [f"left alone, the robot of the file falls after {standing.fell:.2g} s"]
 
@@ -190,7 +190,7 @@ def _file(standing: Standing | None) -> list[str]:
 def _drawn(e: Examined) -> list[str]:
     """The falls of drawn robots that the controller could have avoided."""
     lost = []
-    if e.standing and e.standing.fell is None and red(e.standing.lost, e.standing.runs):
+    if e.standing.runs and e.standing.fell is None and red(e.standing.lost, e.standing.runs):
         lost = [f"left alone, {e.standing.lost} of {e.standing.runs} robots fall within the uncertainty of the file"]
     if not red(e.fell - e.beyond, e.samples):
         return lost
