@@ -100,7 +100,8 @@ def test_every_advised_run_is_one_that_excite_plans(drive: str) -> None:
         (Strength(14.8, 60.0, 8.3), "a gear ratio of 60 would do"),
         (Strength(14.8, None, 8.3), "a battery of 14.8 V would do, if motors that now get 8.3 V bear it"),
         (Strength(8.1, None, 8.3), "a battery of 8.1 V would do"),
-        (Strength(None, None), "neither three times the voltage nor three times the gear would do"),
+        (Strength(None, None), "not even three times the gear would do"),
+        (Strength(None, None, 8.3), "neither three times the voltage nor three times the gear would do"),
     ],
 )
 def test_no_battery_is_advised_that_motors_may_not_bear_where_a_gear_would_do(strength: Strength, words: str) -> None:

@@ -115,7 +115,9 @@ class Strength:
     def __str__(self) -> str:
         if self.gear:
             return f"a gear ratio of {self.gear:.3g} would do"
-        if self.battery is None or self.full is None:
+        if self.full is None:
+            return "not even three times the gear would do"
+        if self.battery is None:
             return "neither three times the voltage nor three times the gear would do"
         text = f"a battery of {self.battery:.3g} V would do"
         return text if self.battery <= self.full else f"{text}, if motors that now get {self.full:.3g} V bear it"
