@@ -92,6 +92,12 @@ class Filter:
     P: Array
     L: Array
 
+    @property
+    def innovation_covariance(self) -> Array:
+        """Covariance of what a reading is beside its prediction, C P Cᵀ + V."""
+        C = self.sampled.linear.C
+        return C @ self.P @ C.T + self.sampled.noise
+
     def check(self) -> float:
         """Largest entry of A P Aᵀ − P − A P Cᵀ(C P Cᵀ + V)⁻¹C P Aᵀ + W, relative to P's largest."""
         return riccati_residual(self.sampled.linear.A.T, self.sampled.linear.C.T, self.W, self.sampled.noise, self.P)

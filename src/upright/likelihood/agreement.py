@@ -83,5 +83,5 @@ def innovation_size(estimator: Filter, runs: DrawnRuns) -> Array:
     before = np.concatenate([np.zeros_like(commands[:1]), commands[:-1]])
     moved = model.before @ before + model.now @ commands
     _, errors = filtered(linear.A, linear.C, estimator.L, np.moveaxis(readings, 0, 2), moved, start)
-    predicted = np.sqrt(np.diag(linear.C @ estimator.P @ linear.C.T + model.noise))
+    predicted = np.sqrt(np.diag(estimator.innovation_covariance))
     return 1.4826 * np.nanmedian(np.abs(errors[round(SETTLED / model.dt) :]), axis=0).T / predicted

@@ -52,7 +52,7 @@ class FollowedLog:
         linear = model.linear
         start = first_state(model, readings[0])
         states, errors = filtered(linear.A, linear.C, estimator.L, readings, moved_by(model, motors), start)
-        whiten = 1 / np.sqrt(np.diag(linear.C @ estimator.P @ linear.C.T + model.noise))
+        whiten = 1 / np.sqrt(np.diag(estimator.innovation_covariance))
         keep: Mask = np.isfinite(errors).all(axis=1) & (np.arange(len(errors)) >= SETTLED / model.dt)
         keep &= ~pushed(errors, model.dt)
         whitened = (errors * whiten)[keep].ravel()
@@ -154,7 +154,7 @@ def surprise(path: FollowedLog) -> float:
 
 def _surprise(estimator: Filter, innovations: Array) -> float:
     model = estimator.sampled
-    S = model.linear.C @ estimator.P @ model.linear.C.T + model.noise
+    S = estimator.innovation_covariance
     there = np.isfinite(innovations).all(axis=1) & (np.arange(len(innovations)) >= SETTLED / model.dt)
     e = innovations[there]
     squared = np.einsum("ij,jk,ik->i", e, np.linalg.inv(S), e)
