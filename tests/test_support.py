@@ -21,7 +21,7 @@ from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.body import Sample
 from upright.calibration.estimate import Estimate
 from upright.calibration.knocks import _calm, first_state, unpushed, without_knocks
-from upright.certification.certificate import Certificate, certify
+from upright.certification.certificate import Certificate, _made, certify
 from upright.certification.checks import PushTrial, TrialSetup, followed_runs, kernel_controller
 from upright.certification.mass import on_the_scale
 from upright.certification.pushes import standard_pushes
@@ -365,7 +365,7 @@ def test_a_number_that_the_file_states_and_the_log_contradicts_makes_the_light_a
     )  # fmt: skip
     calibration.__getitem__.return_value = estimate("constant_command", 0.0, 0.0, 0.1, 0.0, guess=True)
     (found,) = learnt(calibration, KIT).contradicted
-    assert Support.from_json(json.loads(json.dumps(dataclasses.asdict(found)))) == found
+    assert _made(Support, json.loads(json.dumps(dataclasses.asdict(found)))) == found
     trial = PushTrial("hold", "low", 1000, 0, saturated=0.0, travel=0.2, peak=0.1, cycle=0.01)
     light, reasons = judge(Examined(1000, 0, LinearMargins(0.99, 0.5, 2.0, 0.02), [trial], 0.01, support=[found]))
     assert light == AMBER
