@@ -74,7 +74,7 @@ UNLIKE = "mend what the log shows, or measure it and write it into the file of t
 UNWEIGHED = "a scale tells the mass: put the robot on one, and certify it again with --weighed KG"
 
 PLAY = (
-    "Of {:.3g} rad of play only the encoders know, here as in the twin. A motor that runs free in it lets a robot sway "
+    "Of {:.2g}° of play only the encoders know, here as in the twin. A motor that runs free in it lets a robot sway "
     "several times as much at rest, and may fell it: believe neither there, but look at the robot."
 )
 
@@ -164,7 +164,7 @@ class Certificate(Shown, Examined):
         guesses = f"Which numbers are guesses? {names}."
         answers = [f"Does it stand? {self.standing}.", *pushed, *([weak] if self.strength else []), guesses]
         play = self.subject["kit"].get("motor/backlash")
-        return [*answers, PLAY.format(play)] if play else answers
+        return [*answers, PLAY.format(math.degrees(float(play)))] if play else answers
 
     def to_learn(self) -> list[str]:
         """What would have to be known better where robots fall, beside the reasons, and how it is measured."""
