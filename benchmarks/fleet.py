@@ -39,7 +39,7 @@ from upright.fleets.push_map import PushGrid, push_map
 from upright.fleets.sweep import find_controller
 from upright.kernel import store
 from upright.kernel.batch import FleetBatch, idle, parameters_of
-from upright.kernel.law import compiled
+from upright.kernel.functions import compiled
 from upright.kernel.pack import constants
 from upright.kernel.simulate import simulate
 from upright.robots import Kit, Robot
@@ -58,7 +58,6 @@ CONSTANTS = [
 """Which of the kernel's the C needs, in the order of its enum."""
 
 FLAGS = ("-O3", "-march=native", "-ffast-math", "-mprefer-vector-width=512", "-shared", "-fPIC")
-NUMBERS = {"float64": ("double", ctypes.c_double), "float32": ("float", ctypes.c_float)}
 
 
 def spread_fleet(n: int) -> np.ndarray:
@@ -94,15 +93,13 @@ def full(n: int, jitter: float = 0.0) -> FleetBatch:
 
 
 class Roofline:
-    """benchmarks/roofline.c, compiled for one kind of number and one width of block."""
+    """benchmarks/roofline.c, compiled for one width of block."""
 
-    def __init__(self, folder: Path, number: str, lanes: int = 64) -> None:
-        name, self._real = NUMBERS[number]
-        built = folder / f"roofline-{name}-{lanes}.so"
+    def __init__(self, folder: Path, lanes: int = 64) -> None:
+        built = folder / f"roofline-{lanes}.so"
         command = [
             "gcc",
             *FLAGS,
-            f"-DREAL={name}",
             f"-DLANES={lanes}",
             str(HERE / "roofline.c"),
             "-o",
@@ -111,14 +108,14 @@ class Roofline:
         ]
         subprocess.run(command, check=True)
         self._run: Any = ctypes.CDLL(str(built)).simulate
-        self._run.argtypes = [ctypes.c_void_p] * 3 + [ctypes.c_long] * 3 + [self._real]
-        self._dtype, self._lanes = np.dtype(number), lanes
+        self._run.argtypes = [ctypes.c_void_p] * 3 + [ctypes.c_long] * 3 + [ctypes.c_double]
+        self._lanes = lanes
 
     def job(self, n: int, periods: int, threads: int = 1) -> Callable[[], None]:
         """The bare loop for n robots (rounded up to whole blocks), as a function to be timed."""
         many = -(-n // self._lanes) * self._lanes
-        table = np.ascontiguousarray(constants(bare(many))[:, CONSTANTS], self._dtype)
-        gain, start = np.ascontiguousarray(lqr(ROBOT, 0.01).gain, self._dtype), start_of(many).astype(self._dtype)
+        table = np.ascontiguousarray(constants(bare(many))[:, CONSTANTS])
+        gain, start = np.ascontiguousarray(lqr(ROBOT, 0.01).gain), start_of(many)
         parts = np.array_split(np.arange(many // self._lanes) * self._lanes, threads)
         bounds = [(int(p[0]), int(p[-1]) + self._lanes) for p in parts if len(p)]
 
@@ -137,8 +134,8 @@ class Roofline:
         return job
 
 
-def kernel(batch: FleetBatch, periods: int, number: str = "float64", threads: int = 1) -> Callable[[], None]:
-    return lambda: simulate(batch, periods * PERIOD, dtype=np.dtype(number), threads=threads) and None
+def kernel(batch: FleetBatch, periods: int, threads: int = 1) -> Callable[[], None]:
+    return lambda: simulate(batch, periods * PERIOD, threads=threads) and None
 
 
 def periods_for(n: int, steps: float = 3e7) -> int:
@@ -148,28 +145,24 @@ def periods_for(n: int, steps: float = 3e7) -> int:
 
 def against_c(folder: Path, repeats: int) -> None:
     print("\nbare loop, one thread: M steps/s of the kernel and of the C (bar: 0.9 of it)")
-    for number in NUMBERS:
-        roof = Roofline(folder, number)
-        for n in (1_000, 10_000, 100_000):
-            periods = periods_for(n)
-            jobs = {"kernel": kernel(bare(n), periods, number), "C": roof.job(n, periods)}
-            t = harness.best(jobs, max(3, min(repeats, 300_000 // n)), time.thread_time)
-            rate = n * periods * STRIDE / 1e6
-            print(
-                f"  {number} n = {n:7d}: {rate / t['kernel']:6.1f}  {rate / t['C']:6.1f}  {t['C'] / t['kernel']:5.2f}"
-            )
-    print("\nsensors, noise, delay, saturation, Kalman filter: M steps/s and share of the bare C (bar 0.5)")
-    for number in NUMBERS:
-        roof, n = Roofline(folder, number), 10_000
+    roof = Roofline(folder)
+    for n in (1_000, 10_000, 100_000):
         periods = periods_for(n)
-        jobs = {"kernel": kernel(full(n), periods, number), "late": kernel(full(n, 0.001), periods, number)}
-        t = harness.best(jobs | {"C": roof.job(n, periods)}, repeats, time.thread_time)
+        jobs = {"kernel": kernel(bare(n), periods), "C": roof.job(n, periods)}
+        t = harness.best(jobs, max(3, min(repeats, 300_000 // n)), time.thread_time)
         rate = n * periods * STRIDE / 1e6
-        print(
-            f"  {number} n = {n:7d}: {rate / t['kernel']:6.1f}  {t['C'] / t['kernel']:5.2f}"
-            f"   with a jitter of 1 ms too: {rate / t['late']:6.1f}  {t['C'] / t['late']:5.2f}"
-        )
-    scalar = Roofline(folder, "float64", lanes=1)
+        print(f"  n = {n:7d}: {rate / t['kernel']:6.1f}  {rate / t['C']:6.1f}  {t['C'] / t['kernel']:5.2f}")
+    print("\nsensors, noise, delay, saturation, Kalman filter: M steps/s and share of the bare C (bar 0.5)")
+    n = 10_000
+    periods = periods_for(n)
+    jobs = {"kernel": kernel(full(n), periods), "late": kernel(full(n, 0.001), periods)}
+    t = harness.best(jobs | {"C": roof.job(n, periods)}, repeats, time.thread_time)
+    rate = n * periods * STRIDE / 1e6
+    print(
+        f"  n = {n:7d}: {rate / t['kernel']:6.1f}  {t['C'] / t['kernel']:5.2f}"
+        f"   with a jitter of 1 ms too: {rate / t['late']:6.1f}  {t['C'] / t['late']:5.2f}"
+    )
+    scalar = Roofline(folder, lanes=1)
     for periods in (1000, 20_000):
         jobs = {"kernel": kernel(bare(1), periods), "C": scalar.job(1, periods)}
         t = harness.best(jobs, repeats * (20 if periods == 1000 else 1), time.thread_time)
@@ -195,7 +188,7 @@ def laws(repeats: int) -> None:
             store._functions_of.cache_clear()
             for name, controller in designs.items():
                 began = time.thread_time()
-                compiled((as_law(controller),), 0, "float64")
+                compiled((as_law(controller),), 0)
                 first[name].append(time.thread_time() - began)
     for name, controller in every.items():
         batch = FleetBatch(parameters=spread_fleet(n), controller=controller, kit=kit, substeps=1)
@@ -214,7 +207,7 @@ def scaling(folder: Path | None, repeats: int) -> None:
     n, periods = 100_000, 60
     jobs = {f"kernel {threads}": kernel(bare(n), periods, threads=threads) for threads in (1, 2)}
     if folder:
-        roof = Roofline(folder, "float64")
+        roof = Roofline(folder)
         jobs |= {f"C {threads}": roof.job(n, periods, threads) for threads in (1, 2)}
     t = harness.best(jobs, repeats)
     for name in ("kernel", "C") if folder else ("kernel",):
@@ -239,15 +232,14 @@ def flatness(repeats: int) -> None:
 
 
 def equality() -> None:
-    """Every state of 10 s, under a push, against the single-robot path, and float32 against float64."""
+    """Every state of 10 s, under a push, against the single-robot path."""
     push, rows = Push(force=1.0, start=1.0, duration=0.1), [[1.0, np.nan, 1.0, 0.1]]
     start = (0.05, 0.0, 0.1, 0.0, 0.2, 0.0)
     log = run(NonlinearBody(ROBOT), lqr(ROBOT, 0.01), push, start=start, seconds=10.0)
     batch = FleetBatch(parameters=parameters_of(ROBOT), controller=lqr(ROBOT, 0.01), start=start, pushes=rows)
-    exact, short = (simulate(batch, 10.0, record=1, dtype=kind).trace[0] for kind in (np.float64, np.float32))
-    apart, coarse = np.abs(log.state()[: len(exact)] - exact).max(), np.abs(short - exact).max()
+    fleet = simulate(batch, 10.0, record=1).trace[0]
+    apart = np.abs(log.state()[: len(fleet)] - fleet).max()
     print(f"\n10 s under a push, kernel against the single-robot path: {apart:.1e} (bar 1e-9)")
-    print(f"  float32 against float64: {coarse / np.abs(exact).max():.1e} of the largest state (stated bound 2e-5)")
 
 
 def largest_pushes() -> None:

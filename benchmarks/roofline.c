@@ -2,19 +2,16 @@
  *
  * Blocks of LANES robots as structures of arrays, each robot with its own constants; state feedback held over `stride`
  * steps of the classical Runge-Kutta method. Compiled with -O3 -march=native -ffast-math -mprefer-vector-width=512.
- * REAL is double or float. The constants are those of upright.compiled.generated, chosen by name in fleet.py.
+ * The constants are those of upright.compiled.generated, chosen by name in fleet.py.
  */
 #include <math.h>
 #include <string.h>
 
-#ifndef REAL
-#define REAL double
-#endif
 #ifndef LANES
 #define LANES 64
 #endif
 
-typedef REAL real;
+typedef double real;
 typedef struct { real pitch, wheel, yaw; } accelerations;
 
 enum { MOTOR_DAMPING, CENTRIFUGAL, WEIGHT, MOTOR_TORQUE, LEVER, ROLLING_DAMPING, TURNING_LEVER, YAW_CORIOLIS, YAW_LEVER,
@@ -22,16 +19,12 @@ enum { MOTOR_DAMPING, CENTRIFUGAL, WEIGHT, MOTOR_TORQUE, LEVER, ROLLING_DAMPING,
 
 static inline real sine(real x, real z)
 {
-    if (sizeof(real) == 4)
-        return x + x * z * (-0.1666666585318928f + z * (0.008333231596071784f + z * (-0.0001982134379298083f + z * 2.630318081585478e-06f)));
     return x + x * z * (-0.16666666666666644 + z * (0.008333333333324111 + z * (-0.00019841269835503347 + z *
         (2.7557317871404647e-06 + z * (-2.5051957219467882e-08 + z * (1.605036165533037e-10 + z * -7.399223452318581e-13))))));
 }
 
 static inline real cosine(real z)
 {
-    if (sizeof(real) == 4)
-        return 1 + z * (-0.5f + z * (0.04166666598557934f + z * (-0.0013888803715295553f + z * (2.478491208017009e-05f + z * -2.6508844065115494e-07f))));
     return 1 + z * (-0.5 + z * (0.04166666666666665 + z * (-0.0013888888888883752 + z * (2.480158729837543e-05 + z *
         (-2.755731847067295e-07 + z * (2.0876672808453326e-09 + z * (-1.1465911985580485e-11 + z * 4.641514219343068e-14)))))));
 }

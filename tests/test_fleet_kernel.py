@@ -202,14 +202,13 @@ def part(batch, rows):
     return FleetBatch(**{**batch, **cut, "index": np.asarray(rows, dtype=np.uint64)})
 
 
-@pytest.mark.parametrize("dtype", [np.float64, pytest.param(np.float32, marks=pytest.mark.evidence)])
-def test_a_robot_is_the_same_bits_in_any_batch_order_and_number_of_threads(dtype):
+def test_a_robot_is_the_same_bits_in_any_batch_order_and_number_of_threads():
     batch = fleet()
-    whole = simulate(FleetBatch(**batch), 2.0, dtype=dtype, threads=1)
+    whole = simulate(FleetBatch(**batch), 2.0, threads=1)
     assert 0.1 < whole.fell.mean() < 0.9  # or the test would be about one sort of robot only
-    threaded = simulate(FleetBatch(**batch), 2.0, dtype=dtype, threads=2)
+    threaded = simulate(FleetBatch(**batch), 2.0, threads=2)
     order = np.random.default_rng(0).permutation(200)
-    shuffled, alone = simulate(part(batch, order), 2.0, dtype=dtype), simulate(part(batch, [137]), 2.0, dtype=dtype)
+    shuffled, alone = simulate(part(batch, order), 2.0), simulate(part(batch, [137]), 2.0)
     for name in ("final", "lived", "peak", "effort", "saturated"):
         assert np.array_equal(getattr(whole, name), getattr(threaded, name))
         assert np.array_equal(getattr(whole, name)[order], getattr(shuffled, name))
@@ -299,15 +298,6 @@ def test_twipr_whose_sticking_wheels_part_runs_falls_where_the_obvious_loop_does
     assert [one for one, other in fell if one != other] == []
 
 
-def test_float32_stays_near_float64():
-    batch = FleetBatch(
-        parameters=parameters_of(NXT), controller=lqr_state(NXT, 0.01), start=START, pushes=[[1.0, np.nan, 1.0, 0.1]]
-    )
-    exact, short = (simulate(batch, 10.0, record=1, dtype=dtype).trace[0] for dtype in (np.float64, np.float32))
-    # 2⁻²⁴ of the largest state in each of ten thousand steps, damped by the loop: the bound that docs/fleet.md states
-    assert np.abs(exact - short).max() < 2e-5 * np.abs(exact).max()
-
-
 def test_statistics_equal_those_of_the_recorded_rows():
     batch = FleetBatch(
         parameters=parameters_of(NXT), controller=lqr_state(NXT, 0.01), start=START, kit=smooth(NOISY, delay=0.0)
@@ -383,13 +373,12 @@ def sines(x, wide):
     return out
 
 
-@pytest.mark.parametrize(("dtype", "bound"), [(np.float64, 1.3e-15), (np.float32, 1.8e-7)])  # as lane_math states
-def test_sine_and_cosine_keep_to_their_stated_error(dtype, bound):
-    near = np.linspace(-lane_math.REACH, lane_math.REACH, 50_001).astype(dtype)
-    far = np.linspace(-200.0, 200.0, 50_001).astype(dtype)
+def test_sine_and_cosine_keep_to_their_stated_error():
+    near = np.linspace(-lane_math.REACH, lane_math.REACH, 50_001)
+    far = np.linspace(-200.0, 200.0, 50_001)
     for x, wide in ((near, False), (far, True)):
         exact = x.astype(np.longdouble)
-        assert np.abs(sines(x, wide) - np.stack([np.sin(exact), np.cos(exact)])).max() <= bound
+        assert np.abs(sines(x, wide) - np.stack([np.sin(exact), np.cos(exact)])).max() <= 1.3e-15  # as lane_math states
 
 
 @numba.njit
@@ -413,7 +402,7 @@ def test_normal_numbers_are_normal_and_independent():
 
 def test_machine_code_is_kept_and_found_again(tmp_path, monkeypatch):
     monkeypatch.setenv("UPRIGHT_CACHE", str(tmp_path))
-    arguments = ("*float32", "int64", "float32", "float32")
+    arguments = ("*float64", "int64", "float64", "float64")
     store._address_of.cache_clear()
     store.address_of("compiled.generated_motion", "advance_smooth", arguments)
     (kept,) = tmp_path.iterdir()

@@ -23,7 +23,7 @@ from upright.control.law import as_law, near_rest, program
 from upright.control.linear_controller import Law, LinearController
 from upright.errors import InvalidController
 from upright.experiment import Drive, Push, run
-from upright.kernel import law as kernel_law
+from upright.kernel import functions as kernel_functions
 from upright.kernel import store
 from upright.kernel.batch import FleetBatch, parameters_of
 from upright.kernel.rows import COMMAND, FIXED, REFERENCE
@@ -91,7 +91,7 @@ def by_c(library: Any, number: int, text: Program) -> np.ndarray:
 
 def by_kernel(name: str) -> np.ndarray:
     law = as_law(designed(name))
-    compiled, m = kernel_law.compiled((law,), 6, "float64"), len(law.linear.reads)
+    compiled, m = kernel_functions.compiled((law,), 6), len(law.linear.reads)
     raw = np.zeros((FIXED + compiled.rows) * ROW + 8)
     w = raw[(-raw.ctypes.data % 64) // 8 :][: (FIXED + compiled.rows) * ROW].reshape(-1, ROW)
     places = [*range(FIXED, FIXED + m), *range(REFERENCE, REFERENCE + 6), LEFT, RIGHT]
@@ -124,12 +124,11 @@ def test_the_kernel_does_what_run_does(name: str, quantised: bool, seconds: floa
         assert np.abs(log[channel] - result.trace[0, : len(log), k]).max() < EQUAL, channel
 
 
-@pytest.mark.parametrize("dtype", [np.float64, np.float32])
-def test_a_sliding_mode_is_the_same_bits_in_any_company(dtype: Any) -> None:
+def test_a_sliding_mode_is_the_same_bits_in_any_company() -> None:
     parameters = parameters_of(ROBOT, {"com_height": np.linspace(0.06, 0.08, 150)})
     batch = FleetBatch(parameters=parameters, controller=designed("sliding"), start=START, kit=KIT, seed=3)
-    whole = simulate(batch, 0.5, dtype=dtype, threads=2)
-    some = simulate(batch.part(np.array([140, 7, 99])), 0.5, dtype=dtype, threads=1)
+    whole = simulate(batch, 0.5, threads=2)
+    some = simulate(batch.part(np.array([140, 7, 99])), 0.5, threads=1)
     assert np.array_equal(whole.final[[140, 7, 99]], some.final)
 
 
@@ -148,20 +147,20 @@ def test_controllers_with_other_zeros_keep_their_bits_in_one_batch() -> None:
 def test_alike_laws_have_one_text_on_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("UPRIGHT_CACHE", str(tmp_path))
     store._functions_of.cache_clear()
-    kernel_law.compiled.cache_clear()
+    kernel_functions.compiled.cache_clear()
     one, two = (as_law(lqr_state(ROBOT, 0.01, R=[r, r])) for r in (1.0, 2.0))
-    first = kernel_law.compiled((one,), 0, "float64")
+    first = kernel_functions.compiled((one,), 0)
     (path,) = tmp_path.iterdir()
     whole = path.read_bytes()
-    second = kernel_law.compiled((two,), 0, "float64")
+    second = kernel_functions.compiled((two,), 0)
     assert (first.command, first.update) == (second.command, second.update)
     assert not np.array_equal(first.constants, second.constants)
     damaged = bytearray(whole)
     damaged[len(whole) // 2] ^= 1
     path.write_bytes(damaged)
     store._functions_of.cache_clear()
-    kernel_law.compiled.cache_clear()
-    kernel_law.compiled((one,), 0, "float64")
+    kernel_functions.compiled.cache_clear()
+    kernel_functions.compiled((one,), 0)
     assert path.read_bytes() == whole  # made anew
 
 
@@ -191,7 +190,7 @@ def test_a_step_of_its_own_takes_the_law_from_a_child() -> None:
 
 
 def test_a_static_law_remembers_nothing() -> None:
-    assert kernel_law.compiled((as_law(lqr_state(ROBOT, 0.01)),), 0, "float64").update == 0
+    assert kernel_functions.compiled((as_law(lqr_state(ROBOT, 0.01)),), 0).update == 0
 
 
 def test_a_law_that_grows_without_its_robot_is_run() -> None:

@@ -4,7 +4,7 @@
 # pyright: basic
 
 from upright.compiled.generated import WORK
-from upright.compiled.jit import absolute, add, align_stack, fma, get, inlined, mul, positive, put, reciprocal, sqrt
+from upright.compiled.jit import absolute, align_stack, fma, get, inlined, put, sqrt
 from upright.compiled.lane_math import sincos, sincos_any
 
 @inlined
@@ -47,7 +47,7 @@ def moved_smooth(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_wheel
     a33 = t2
     determinant = fma(-a12, a12, a22)
     before_0 = determinant * a33
-    over = reciprocal(before_0)
+    over = 1.0 / before_0
     over_1 = over * determinant
     rest_1 = over * a33
     t11 = -pitch_rate + wheel_rate
@@ -89,7 +89,7 @@ def constants_smooth(w, i):
 def rk4_smooth(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, right, force, moment, motor_damping, centrifugal, weight, moment_response, motor_torque, lever, rolling_damping, turning_lever, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing):
     held_pitch, held_wheel, held_yaw, t10 = held_smooth(left, right, force, moment, moment_response, motor_torque, force_response, yaw_motor_torque)
     pitch_acc1, wheel_acc1, yaw_acc1 = moved_smooth(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_wheel, held_yaw, t10, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing)
-    half = mul(h, 0.5)
+    half = 0.5 * h
     pitch2 = fma(half, pitch_rate, pitch)
     pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
     wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
@@ -105,7 +105,7 @@ def rk4_smooth(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, rig
     wheel_rate4 = fma(h, wheel_acc3, wheel_rate)
     yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
     pitch_acc4, wheel_acc4, yaw_acc4 = moved_smooth(pitch4, pitch_rate4, wheel_rate4, yaw_rate4, held_pitch, held_wheel, held_yaw, t10, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing)
-    sixth = mul(h, 1 / 6)
+    sixth = 1 / 6 * h
     new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
     new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
     new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
@@ -123,8 +123,8 @@ def step_smooth(w, count, fallen, now):
     put(w, 3, i, new_wheel_rate)
     put(w, 4, i, new_yaw)
     put(w, 5, i, new_yaw_rate)
-    put(w, 7, i, now if positive(h) else lived)
-    put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+    put(w, 7, i, now if h > 0.0 else lived)
+    put(w, 6, i, h if absolute(new_pitch) <= fallen else 0.0)
 
 
 
@@ -143,7 +143,7 @@ def advance_smooth(w, count, fallen, now):
         put(w, WORK + 14, i, t10)
     for i in range(count):
         pitch, pitch_rate, wheel_rate, yaw_rate, h, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing, pitch_acc1, wheel_acc1, yaw_acc1, held_pitch, held_wheel, held_yaw, t10 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 6, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
-        half = mul(h, 0.5)
+        half = 0.5 * h
         pitch2 = fma(half, pitch_rate, pitch)
         pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
         wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
@@ -155,7 +155,7 @@ def advance_smooth(w, count, fallen, now):
         put(w, WORK + 9, i, pitch_rate2)
     for i in range(count):
         pitch, pitch_rate, wheel_rate, yaw_rate, h, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing, pitch_acc2, wheel_acc2, yaw_acc2, pitch_rate2, held_pitch, held_wheel, held_yaw, t10 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 6, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 9, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
-        half = mul(h, 0.5)
+        half = 0.5 * h
         pitch3 = fma(half, pitch_rate2, pitch)
         pitch_rate3 = fma(half, pitch_acc2, pitch_rate)
         wheel_rate3 = fma(half, wheel_acc2, wheel_rate)
@@ -172,7 +172,7 @@ def advance_smooth(w, count, fallen, now):
         wheel_rate4 = fma(h, wheel_acc3, wheel_rate)
         yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
         pitch_acc4, wheel_acc4, yaw_acc4 = moved_smooth(pitch4, pitch_rate4, wheel_rate4, yaw_rate4, held_pitch, held_wheel, held_yaw, t10, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing)
-        sixth = mul(h, 1 / 6)
+        sixth = 1 / 6 * h
         new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
         new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
         new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
@@ -182,8 +182,8 @@ def advance_smooth(w, count, fallen, now):
         put(w, 3, i, new_wheel_rate)
         put(w, 4, i, new_yaw)
         put(w, 5, i, new_yaw_rate)
-        put(w, 7, i, now if positive(h) else lived)
-        put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+        put(w, 7, i, now if h > 0.0 else lived)
+        put(w, 6, i, h if absolute(new_pitch) <= fallen else 0.0)
 
 
 
@@ -243,7 +243,7 @@ def moved_coulomb(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_whee
     before_0 = determinant * a33
     before_1 = before_0 * root_slip_left
     before_2 = before_1 * root_slip_right
-    over = reciprocal(before_2)
+    over = 1.0 / before_2
     over_3 = over * before_1
     rest_3 = over * root_slip_right
     over_2 = rest_3 * before_0
@@ -294,7 +294,7 @@ def constants_coulomb(w, i):
 def rk4_coulomb(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, right, force, moment, half_track, motor_damping, centrifugal, weight, moment_response, coulomb_torque, motor_torque, lever, rolling_damping, turning_lever, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared):
     held_pitch, held_wheel, held_yaw, t12 = held_coulomb(left, right, force, moment, moment_response, motor_torque, force_response, yaw_motor_torque)
     pitch_acc1, wheel_acc1, yaw_acc1 = moved_coulomb(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_wheel, held_yaw, t12, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
-    half = mul(h, 0.5)
+    half = 0.5 * h
     pitch2 = fma(half, pitch_rate, pitch)
     pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
     wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
@@ -310,7 +310,7 @@ def rk4_coulomb(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, ri
     wheel_rate4 = fma(h, wheel_acc3, wheel_rate)
     yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
     pitch_acc4, wheel_acc4, yaw_acc4 = moved_coulomb(pitch4, pitch_rate4, wheel_rate4, yaw_rate4, held_pitch, held_wheel, held_yaw, t12, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
-    sixth = mul(h, 1 / 6)
+    sixth = 1 / 6 * h
     new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
     new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
     new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
@@ -328,8 +328,8 @@ def step_coulomb(w, count, fallen, now):
     put(w, 3, i, new_wheel_rate)
     put(w, 4, i, new_yaw)
     put(w, 5, i, new_yaw_rate)
-    put(w, 7, i, now if positive(h) else lived)
-    put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+    put(w, 7, i, now if h > 0.0 else lived)
+    put(w, 6, i, h if absolute(new_pitch) <= fallen else 0.0)
 
 
 
@@ -348,7 +348,7 @@ def advance_coulomb(w, count, fallen, now):
         put(w, WORK + 14, i, t12)
     for i in range(count):
         pitch, pitch_rate, wheel_rate, yaw_rate, h, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc1, wheel_acc1, yaw_acc1, held_pitch, held_wheel, held_yaw, t12 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
-        half = mul(h, 0.5)
+        half = 0.5 * h
         pitch2 = fma(half, pitch_rate, pitch)
         pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
         wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
@@ -360,7 +360,7 @@ def advance_coulomb(w, count, fallen, now):
         put(w, WORK + 9, i, pitch_rate2)
     for i in range(count):
         pitch, pitch_rate, wheel_rate, yaw_rate, h, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc2, wheel_acc2, yaw_acc2, pitch_rate2, held_pitch, held_wheel, held_yaw, t12 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 9, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
-        half = mul(h, 0.5)
+        half = 0.5 * h
         pitch3 = fma(half, pitch_rate2, pitch)
         pitch_rate3 = fma(half, pitch_acc2, pitch_rate)
         wheel_rate3 = fma(half, wheel_acc2, wheel_rate)
@@ -377,7 +377,7 @@ def advance_coulomb(w, count, fallen, now):
         wheel_rate4 = fma(h, wheel_acc3, wheel_rate)
         yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
         pitch_acc4, wheel_acc4, yaw_acc4 = moved_coulomb(pitch4, pitch_rate4, wheel_rate4, yaw_rate4, held_pitch, held_wheel, held_yaw, t12, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
-        sixth = mul(h, 1 / 6)
+        sixth = 1 / 6 * h
         new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
         new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
         new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
@@ -387,8 +387,8 @@ def advance_coulomb(w, count, fallen, now):
         put(w, 3, i, new_wheel_rate)
         put(w, 4, i, new_yaw)
         put(w, 5, i, new_yaw_rate)
-        put(w, 7, i, now if positive(h) else lived)
-        put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+        put(w, 7, i, now if h > 0.0 else lived)
+        put(w, 6, i, h if absolute(new_pitch) <= fallen else 0.0)
 
 
 
@@ -458,7 +458,7 @@ def moved_rolling(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_whee
     before_2 = before_1 * root_slip_right
     before_3 = before_2 * root_roll_left
     before_4 = before_3 * root_roll_right
-    over = reciprocal(before_4)
+    over = 1.0 / before_4
     over_5 = over * before_3
     rest_5 = over * root_roll_right
     over_4 = rest_5 * before_2
@@ -517,7 +517,7 @@ def constants_rolling(w, i):
 def rk4_rolling(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, right, force, moment, half_track, motor_damping, centrifugal, weight, moment_response, coulomb_torque, motor_torque, lever, rolling_damping, turning_lever, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared):
     held_pitch, held_wheel, held_yaw, t14 = held_rolling(left, right, force, moment, moment_response, motor_torque, force_response, yaw_motor_torque)
     pitch_acc1, wheel_acc1, yaw_acc1 = moved_rolling(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_wheel, held_yaw, t14, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
-    half = mul(h, 0.5)
+    half = 0.5 * h
     pitch2 = fma(half, pitch_rate, pitch)
     pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
     wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
@@ -533,7 +533,7 @@ def rk4_rolling(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, ri
     wheel_rate4 = fma(h, wheel_acc3, wheel_rate)
     yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
     pitch_acc4, wheel_acc4, yaw_acc4 = moved_rolling(pitch4, pitch_rate4, wheel_rate4, yaw_rate4, held_pitch, held_wheel, held_yaw, t14, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
-    sixth = mul(h, 1 / 6)
+    sixth = 1 / 6 * h
     new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
     new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
     new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
@@ -551,8 +551,8 @@ def step_rolling(w, count, fallen, now):
     put(w, 3, i, new_wheel_rate)
     put(w, 4, i, new_yaw)
     put(w, 5, i, new_yaw_rate)
-    put(w, 7, i, now if positive(h) else lived)
-    put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+    put(w, 7, i, now if h > 0.0 else lived)
+    put(w, 6, i, h if absolute(new_pitch) <= fallen else 0.0)
 
 
 
@@ -571,7 +571,7 @@ def advance_rolling(w, count, fallen, now):
         put(w, WORK + 14, i, t14)
     for i in range(count):
         pitch, pitch_rate, wheel_rate, yaw_rate, h, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc1, wheel_acc1, yaw_acc1, held_pitch, held_wheel, held_yaw, t14 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
-        half = mul(h, 0.5)
+        half = 0.5 * h
         pitch2 = fma(half, pitch_rate, pitch)
         pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
         wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
@@ -583,7 +583,7 @@ def advance_rolling(w, count, fallen, now):
         put(w, WORK + 9, i, pitch_rate2)
     for i in range(count):
         pitch, pitch_rate, wheel_rate, yaw_rate, h, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc2, wheel_acc2, yaw_acc2, pitch_rate2, held_pitch, held_wheel, held_yaw, t14 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 9, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
-        half = mul(h, 0.5)
+        half = 0.5 * h
         pitch3 = fma(half, pitch_rate2, pitch)
         pitch_rate3 = fma(half, pitch_acc2, pitch_rate)
         wheel_rate3 = fma(half, wheel_acc2, wheel_rate)
@@ -600,7 +600,7 @@ def advance_rolling(w, count, fallen, now):
         wheel_rate4 = fma(h, wheel_acc3, wheel_rate)
         yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
         pitch_acc4, wheel_acc4, yaw_acc4 = moved_rolling(pitch4, pitch_rate4, wheel_rate4, yaw_rate4, held_pitch, held_wheel, held_yaw, t14, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
-        sixth = mul(h, 1 / 6)
+        sixth = 1 / 6 * h
         new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
         new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
         new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
@@ -610,8 +610,8 @@ def advance_rolling(w, count, fallen, now):
         put(w, 3, i, new_wheel_rate)
         put(w, 4, i, new_yaw)
         put(w, 5, i, new_yaw_rate)
-        put(w, 7, i, now if positive(h) else lived)
-        put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+        put(w, 7, i, now if h > 0.0 else lived)
+        put(w, 6, i, h if absolute(new_pitch) <= fallen else 0.0)
 
 
 
@@ -666,7 +666,7 @@ def moved_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, held_pitch, held_w
     a33 = t2
     determinant = fma(-a12, a12, a22)
     before_0 = determinant * a33
-    over = reciprocal(before_0)
+    over = 1.0 / before_0
     over_1 = over * determinant
     rest_1 = over * a33
     t11 = -pitch_rate + wheel_rate
@@ -709,7 +709,7 @@ def constants_slope(w, i):
 def rk4_slope(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, right, force, moment, sin_slope, cos_slope, motor_damping, centrifugal, weight, moment_response, motor_torque, lever, rolling_damping, turning_lever, slope_weight, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_weight, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing):
     held_pitch, held_wheel, held_yaw, t10, t12, t13, t18, t23 = held_slope(left, right, force, moment, sin_slope, cos_slope, weight, moment_response, motor_torque, slope_weight, force_response, yaw_weight, yaw_motor_torque)
     pitch_acc1, wheel_acc1, yaw_acc1 = moved_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, held_pitch, held_wheel, held_yaw, t10, t12, t13, t18, t23, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing)
-    half = mul(h, 0.5)
+    half = 0.5 * h
     pitch2 = fma(half, pitch_rate, pitch)
     pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
     wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
@@ -728,7 +728,7 @@ def rk4_slope(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, righ
     yaw4 = fma(h, yaw_rate3, yaw)
     yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
     pitch_acc4, wheel_acc4, yaw_acc4 = moved_slope(pitch4, pitch_rate4, wheel_rate4, yaw4, yaw_rate4, held_pitch, held_wheel, held_yaw, t10, t12, t13, t18, t23, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing)
-    sixth = mul(h, 1 / 6)
+    sixth = 1 / 6 * h
     new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
     new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
     new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
@@ -746,8 +746,8 @@ def step_slope(w, count, fallen, now):
     put(w, 3, i, new_wheel_rate)
     put(w, 4, i, new_yaw)
     put(w, 5, i, new_yaw_rate)
-    put(w, 7, i, now if positive(h) else lived)
-    put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+    put(w, 7, i, now if h > 0.0 else lived)
+    put(w, 6, i, h if absolute(new_pitch) <= fallen else 0.0)
 
 
 
@@ -770,7 +770,7 @@ def advance_slope(w, count, fallen, now):
         put(w, WORK + 20, i, t23)
     for i in range(count):
         pitch, pitch_rate, wheel_rate, yaw, yaw_rate, h, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing, pitch_acc1, wheel_acc1, yaw_acc1, held_pitch, held_wheel, held_yaw, t10, t12, t13, t18, t23 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 17, i), get(w, 18, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
-        half = mul(h, 0.5)
+        half = 0.5 * h
         pitch2 = fma(half, pitch_rate, pitch)
         pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
         wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
@@ -784,7 +784,7 @@ def advance_slope(w, count, fallen, now):
         put(w, WORK + 10, i, yaw_rate2)
     for i in range(count):
         pitch, pitch_rate, wheel_rate, yaw, yaw_rate, h, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing, pitch_acc2, wheel_acc2, yaw_acc2, pitch_rate2, yaw_rate2, held_pitch, held_wheel, held_yaw, t10, t12, t13, t18, t23 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 17, i), get(w, 18, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 9, i), get(w, WORK + 10, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
-        half = mul(h, 0.5)
+        half = 0.5 * h
         pitch3 = fma(half, pitch_rate2, pitch)
         pitch_rate3 = fma(half, pitch_acc2, pitch_rate)
         wheel_rate3 = fma(half, wheel_acc2, wheel_rate)
@@ -804,7 +804,7 @@ def advance_slope(w, count, fallen, now):
         yaw4 = fma(h, yaw_rate3, yaw)
         yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
         pitch_acc4, wheel_acc4, yaw_acc4 = moved_slope(pitch4, pitch_rate4, wheel_rate4, yaw4, yaw_rate4, held_pitch, held_wheel, held_yaw, t10, t12, t13, t18, t23, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing)
-        sixth = mul(h, 1 / 6)
+        sixth = 1 / 6 * h
         new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
         new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
         new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
@@ -814,8 +814,8 @@ def advance_slope(w, count, fallen, now):
         put(w, 3, i, new_wheel_rate)
         put(w, 4, i, new_yaw)
         put(w, 5, i, new_yaw_rate)
-        put(w, 7, i, now if positive(h) else lived)
-        put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+        put(w, 7, i, now if h > 0.0 else lived)
+        put(w, 6, i, h if absolute(new_pitch) <= fallen else 0.0)
 
 
 
@@ -884,7 +884,7 @@ def moved_coulomb_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, held_pitch
     before_0 = determinant * a33
     before_1 = before_0 * root_slip_left
     before_2 = before_1 * root_slip_right
-    over = reciprocal(before_2)
+    over = 1.0 / before_2
     over_3 = over * before_1
     rest_3 = over * root_slip_right
     over_2 = rest_3 * before_0
@@ -936,7 +936,7 @@ def constants_coulomb_slope(w, i):
 def rk4_coulomb_slope(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, right, force, moment, sin_slope, cos_slope, half_track, motor_damping, centrifugal, weight, moment_response, coulomb_torque, motor_torque, lever, rolling_damping, turning_lever, slope_weight, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_weight, yaw_coulomb_torque, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared):
     held_pitch, held_wheel, held_yaw, t12, t15, t16, t21, t28 = held_coulomb_slope(left, right, force, moment, sin_slope, cos_slope, weight, moment_response, motor_torque, slope_weight, force_response, yaw_weight, yaw_motor_torque)
     pitch_acc1, wheel_acc1, yaw_acc1 = moved_coulomb_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, held_pitch, held_wheel, held_yaw, t12, t15, t16, t21, t28, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
-    half = mul(h, 0.5)
+    half = 0.5 * h
     pitch2 = fma(half, pitch_rate, pitch)
     pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
     wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
@@ -955,7 +955,7 @@ def rk4_coulomb_slope(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, le
     yaw4 = fma(h, yaw_rate3, yaw)
     yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
     pitch_acc4, wheel_acc4, yaw_acc4 = moved_coulomb_slope(pitch4, pitch_rate4, wheel_rate4, yaw4, yaw_rate4, held_pitch, held_wheel, held_yaw, t12, t15, t16, t21, t28, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
-    sixth = mul(h, 1 / 6)
+    sixth = 1 / 6 * h
     new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
     new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
     new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
@@ -973,8 +973,8 @@ def step_coulomb_slope(w, count, fallen, now):
     put(w, 3, i, new_wheel_rate)
     put(w, 4, i, new_yaw)
     put(w, 5, i, new_yaw_rate)
-    put(w, 7, i, now if positive(h) else lived)
-    put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+    put(w, 7, i, now if h > 0.0 else lived)
+    put(w, 6, i, h if absolute(new_pitch) <= fallen else 0.0)
 
 
 
@@ -997,7 +997,7 @@ def advance_coulomb_slope(w, count, fallen, now):
         put(w, WORK + 20, i, t28)
     for i in range(count):
         pitch, pitch_rate, wheel_rate, yaw, yaw_rate, h, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc1, wheel_acc1, yaw_acc1, held_pitch, held_wheel, held_yaw, t12, t15, t16, t21, t28 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
-        half = mul(h, 0.5)
+        half = 0.5 * h
         pitch2 = fma(half, pitch_rate, pitch)
         pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
         wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
@@ -1011,7 +1011,7 @@ def advance_coulomb_slope(w, count, fallen, now):
         put(w, WORK + 10, i, yaw_rate2)
     for i in range(count):
         pitch, pitch_rate, wheel_rate, yaw, yaw_rate, h, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc2, wheel_acc2, yaw_acc2, pitch_rate2, yaw_rate2, held_pitch, held_wheel, held_yaw, t12, t15, t16, t21, t28 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 9, i), get(w, WORK + 10, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
-        half = mul(h, 0.5)
+        half = 0.5 * h
         pitch3 = fma(half, pitch_rate2, pitch)
         pitch_rate3 = fma(half, pitch_acc2, pitch_rate)
         wheel_rate3 = fma(half, wheel_acc2, wheel_rate)
@@ -1031,7 +1031,7 @@ def advance_coulomb_slope(w, count, fallen, now):
         yaw4 = fma(h, yaw_rate3, yaw)
         yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
         pitch_acc4, wheel_acc4, yaw_acc4 = moved_coulomb_slope(pitch4, pitch_rate4, wheel_rate4, yaw4, yaw_rate4, held_pitch, held_wheel, held_yaw, t12, t15, t16, t21, t28, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
-        sixth = mul(h, 1 / 6)
+        sixth = 1 / 6 * h
         new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
         new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
         new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
@@ -1041,8 +1041,8 @@ def advance_coulomb_slope(w, count, fallen, now):
         put(w, 3, i, new_wheel_rate)
         put(w, 4, i, new_yaw)
         put(w, 5, i, new_yaw_rate)
-        put(w, 7, i, now if positive(h) else lived)
-        put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+        put(w, 7, i, now if h > 0.0 else lived)
+        put(w, 6, i, h if absolute(new_pitch) <= fallen else 0.0)
 
 
 
@@ -1121,7 +1121,7 @@ def moved_rolling_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, held_pitch
     before_2 = before_1 * root_slip_right
     before_3 = before_2 * root_roll_left
     before_4 = before_3 * root_roll_right
-    over = reciprocal(before_4)
+    over = 1.0 / before_4
     over_5 = over * before_3
     rest_5 = over * root_roll_right
     over_4 = rest_5 * before_2
@@ -1181,7 +1181,7 @@ def constants_rolling_slope(w, i):
 def rk4_rolling_slope(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, right, force, moment, sin_slope, cos_slope, half_track, motor_damping, centrifugal, weight, moment_response, coulomb_torque, motor_torque, lever, rolling_damping, turning_lever, slope_weight, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_weight, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared):
     held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32 = held_rolling_slope(left, right, force, moment, sin_slope, cos_slope, weight, moment_response, motor_torque, slope_weight, force_response, yaw_weight, yaw_motor_torque)
     pitch_acc1, wheel_acc1, yaw_acc1 = moved_rolling_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
-    half = mul(h, 0.5)
+    half = 0.5 * h
     pitch2 = fma(half, pitch_rate, pitch)
     pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
     wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
@@ -1200,7 +1200,7 @@ def rk4_rolling_slope(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, le
     yaw4 = fma(h, yaw_rate3, yaw)
     yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
     pitch_acc4, wheel_acc4, yaw_acc4 = moved_rolling_slope(pitch4, pitch_rate4, wheel_rate4, yaw4, yaw_rate4, held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
-    sixth = mul(h, 1 / 6)
+    sixth = 1 / 6 * h
     new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
     new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
     new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
@@ -1218,8 +1218,8 @@ def step_rolling_slope(w, count, fallen, now):
     put(w, 3, i, new_wheel_rate)
     put(w, 4, i, new_yaw)
     put(w, 5, i, new_yaw_rate)
-    put(w, 7, i, now if positive(h) else lived)
-    put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+    put(w, 7, i, now if h > 0.0 else lived)
+    put(w, 6, i, h if absolute(new_pitch) <= fallen else 0.0)
 
 
 
@@ -1242,7 +1242,7 @@ def advance_rolling_slope(w, count, fallen, now):
         put(w, WORK + 20, i, t32)
     for i in range(count):
         pitch, pitch_rate, wheel_rate, yaw, yaw_rate, h, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc1, wheel_acc1, yaw_acc1, held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
-        half = mul(h, 0.5)
+        half = 0.5 * h
         pitch2 = fma(half, pitch_rate, pitch)
         pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
         wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
@@ -1256,7 +1256,7 @@ def advance_rolling_slope(w, count, fallen, now):
         put(w, WORK + 10, i, yaw_rate2)
     for i in range(count):
         pitch, pitch_rate, wheel_rate, yaw, yaw_rate, h, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc2, wheel_acc2, yaw_acc2, pitch_rate2, yaw_rate2, held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 9, i), get(w, WORK + 10, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
-        half = mul(h, 0.5)
+        half = 0.5 * h
         pitch3 = fma(half, pitch_rate2, pitch)
         pitch_rate3 = fma(half, pitch_acc2, pitch_rate)
         wheel_rate3 = fma(half, wheel_acc2, wheel_rate)
@@ -1276,7 +1276,7 @@ def advance_rolling_slope(w, count, fallen, now):
         yaw4 = fma(h, yaw_rate3, yaw)
         yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
         pitch_acc4, wheel_acc4, yaw_acc4 = moved_rolling_slope(pitch4, pitch_rate4, wheel_rate4, yaw4, yaw_rate4, held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
-        sixth = mul(h, 1 / 6)
+        sixth = 1 / 6 * h
         new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
         new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
         new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
@@ -1286,8 +1286,8 @@ def advance_rolling_slope(w, count, fallen, now):
         put(w, 3, i, new_wheel_rate)
         put(w, 4, i, new_yaw)
         put(w, 5, i, new_yaw_rate)
-        put(w, 7, i, now if positive(h) else lived)
-        put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+        put(w, 7, i, now if h > 0.0 else lived)
+        put(w, 6, i, h if absolute(new_pitch) <= fallen else 0.0)
 
 
 
@@ -1343,7 +1343,7 @@ def moved_free(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_wheel, 
     a33 = t2
     determinant = fma(-a12, a12, a22)
     before_0 = determinant * a33
-    over = reciprocal(before_0)
+    over = 1.0 / before_0
     over_1 = over * determinant
     rest_1 = over * a33
     t13 = -pitch_rate + wheel_rate
@@ -1385,7 +1385,7 @@ def constants_free(w, i):
 def rk4_free(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, right, roll_left, roll_right, motor_damping, centrifugal, weight, motor_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing):
     held_pitch, held_wheel, held_yaw = held_free(left, right, roll_left, roll_right, motor_torque, rolling_torque, yaw_rolling_torque, yaw_motor_torque)
     pitch_acc1, wheel_acc1, yaw_acc1 = moved_free(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_wheel, held_yaw, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing)
-    half = mul(h, 0.5)
+    half = 0.5 * h
     pitch2 = fma(half, pitch_rate, pitch)
     pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
     wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
@@ -1401,7 +1401,7 @@ def rk4_free(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, right
     wheel_rate4 = fma(h, wheel_acc3, wheel_rate)
     yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
     pitch_acc4, wheel_acc4, yaw_acc4 = moved_free(pitch4, pitch_rate4, wheel_rate4, yaw_rate4, held_pitch, held_wheel, held_yaw, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing)
-    sixth = mul(h, 1 / 6)
+    sixth = 1 / 6 * h
     new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
     new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
     new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
@@ -1441,7 +1441,7 @@ def moved_speed(pitch, pitch_rate, wheel_rate, yaw_rate, speed_left, speed_right
     before_0 = determinant * a33
     before_1 = before_0 * root_roll_left
     before_2 = before_1 * root_roll_right
-    over = reciprocal(before_2)
+    over = 1.0 / before_2
     over_3 = over * before_1
     rest_3 = over * root_roll_right
     over_2 = rest_3 * before_0
@@ -1479,15 +1479,15 @@ def moved_speed(pitch, pitch_rate, wheel_rate, yaw_rate, speed_left, speed_right
     drive_4 = drive_3 - pitch_rate
     drive_5 = a33 * yaw_inertia
     drive_6 = speed_left - drive_2
-    drive_7 = reciprocal(speed_lag)
+    drive_7 = 1.0 / speed_lag
     drive_8 = drive_6 * drive_7
     drive_9 = drive_8 * drive_8
     drive_10 = absolute(drive_8)
-    drive_11 = reciprocal(acceleration_limit)
+    drive_11 = 1.0 / acceleration_limit
     drive_12 = drive_10 * drive_11
-    drive_13 = mul(drive_8, 2.0)
-    drive_14 = add(drive_12, 1.0)
-    drive_15 = add(drive_12, -1.0)
+    drive_13 = 2.0 * drive_8
+    drive_14 = drive_12 + 1.0
+    drive_15 = drive_12 - 1.0
     drive_16 = drive_15 * drive_15
     drive_17 = absolute(drive_15)
     drive_18 = drive_14 + drive_17
@@ -1497,23 +1497,23 @@ def moved_speed(pitch, pitch_rate, wheel_rate, yaw_rate, speed_left, speed_right
     drive_22 = drive_21 * drive_21
     drive_23 = absolute(drive_21)
     drive_24 = drive_23 * drive_11
-    drive_25 = mul(drive_21, 2.0)
-    drive_26 = add(drive_24, 1.0)
-    drive_27 = add(drive_24, -1.0)
+    drive_25 = 2.0 * drive_21
+    drive_26 = drive_24 + 1.0
+    drive_27 = drive_24 - 1.0
     drive_28 = drive_27 * drive_27
     drive_29 = absolute(drive_27)
     drive_30 = drive_26 + drive_29
     drive_31 = drive_25 / drive_30
     drive_32 = drive_19 + drive_31
-    drive_33 = mul(drive_32, 0.5)
+    drive_33 = 0.5 * drive_32
     drive_34 = free_wheel_acc - free_pitch_acc
     drive_35 = drive_33 - drive_34
     drive_36 = a22
     drive_37 = a12 * a12
     drive_38 = drive_36 - drive_37
     drive_39 = drive_35 * drive_38
-    drive_40 = mul(a12, 2.0)
-    drive_41 = add(drive_40, 1.0)
+    drive_40 = 2.0 * a12
+    drive_41 = drive_40 + 1.0
     drive_42 = drive_41 + a22
     drive_43 = drive_39 / drive_42
     drive_44 = drive_31 - drive_19
@@ -1521,19 +1521,19 @@ def moved_speed(pitch, pitch_rate, wheel_rate, yaw_rate, speed_left, speed_right
     drive_46 = drive_44 * drive_45
     drive_47 = drive_46 - free_yaw_acc
     drive_48 = drive_47 * drive_5
-    drive_49 = reciprocal(half_track)
+    drive_49 = 1.0 / half_track
     drive_50 = drive_48 * drive_49
     drive_51 = drive_43 - drive_50
-    drive_52 = mul(drive_51, 0.5)
+    drive_52 = 0.5 * drive_51
     drive_53 = drive_43 + drive_50
-    drive_54 = mul(drive_53, 0.5)
+    drive_54 = 0.5 * drive_53
     drive_55 = drive_52 * drive_52
     drive_56 = absolute(drive_52)
-    drive_57 = reciprocal(slip_torque)
+    drive_57 = 1.0 / slip_torque
     drive_58 = drive_56 * drive_57
-    drive_59 = mul(drive_52, 2.0)
-    drive_60 = add(drive_58, 1.0)
-    drive_61 = add(drive_58, -1.0)
+    drive_59 = 2.0 * drive_52
+    drive_60 = drive_58 + 1.0
+    drive_61 = drive_58 - 1.0
     drive_62 = drive_61 * drive_61
     drive_63 = absolute(drive_61)
     drive_64 = drive_60 + drive_63
@@ -1541,16 +1541,16 @@ def moved_speed(pitch, pitch_rate, wheel_rate, yaw_rate, speed_left, speed_right
     drive_66 = drive_54 * drive_54
     drive_67 = absolute(drive_54)
     drive_68 = drive_67 * drive_57
-    drive_69 = mul(drive_54, 2.0)
-    drive_70 = add(drive_68, 1.0)
-    drive_71 = add(drive_68, -1.0)
+    drive_69 = 2.0 * drive_54
+    drive_70 = drive_68 + 1.0
+    drive_71 = drive_68 - 1.0
     drive_72 = drive_71 * drive_71
     drive_73 = absolute(drive_71)
     drive_74 = drive_70 + drive_73
     drive_75 = drive_69 / drive_74
     drive_76 = drive_65 + drive_75
     drive_77 = drive_76 / drive_38
-    drive_78 = add(a12, 1.0)
+    drive_78 = a12 + 1.0
     drive_79 = drive_78 * drive_77
     drive_80 = free_pitch_acc - drive_79
     drive_81 = a12 + a22
@@ -1584,7 +1584,7 @@ def constants_speed(w, i):
 def rk4_speed(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, right, force, moment, half_track, motor_damping, centrifugal, weight, moment_response, lever, rolling_damping, turning_lever, force_response, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia):
     speed_left, speed_right, held_wheel, t6 = held_speed(left, right, force, moment, moment_response, force_response)
     pitch_acc1, wheel_acc1, yaw_acc1 = moved_speed(pitch, pitch_rate, wheel_rate, yaw_rate, speed_left, speed_right, held_wheel, t6, half_track, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
-    half = mul(h, 0.5)
+    half = 0.5 * h
     pitch2 = fma(half, pitch_rate, pitch)
     pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
     wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
@@ -1600,7 +1600,7 @@ def rk4_speed(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, righ
     wheel_rate4 = fma(h, wheel_acc3, wheel_rate)
     yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
     pitch_acc4, wheel_acc4, yaw_acc4 = moved_speed(pitch4, pitch_rate4, wheel_rate4, yaw_rate4, speed_left, speed_right, held_wheel, t6, half_track, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
-    sixth = mul(h, 1 / 6)
+    sixth = 1 / 6 * h
     new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
     new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
     new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
@@ -1618,8 +1618,8 @@ def step_speed(w, count, fallen, now):
     put(w, 3, i, new_wheel_rate)
     put(w, 4, i, new_yaw)
     put(w, 5, i, new_yaw_rate)
-    put(w, 7, i, now if positive(h) else lived)
-    put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+    put(w, 7, i, now if h > 0.0 else lived)
+    put(w, 6, i, h if absolute(new_pitch) <= fallen else 0.0)
 
 
 
@@ -1638,7 +1638,7 @@ def advance_speed(w, count, fallen, now):
         put(w, WORK + 14, i, t6)
     for i in range(count):
         pitch, pitch_rate, wheel_rate, yaw_rate, h, half_track, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia, pitch_acc1, wheel_acc1, yaw_acc1, speed_left, speed_right, held_wheel, t6 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, 40, i), get(w, 41, i), get(w, 42, i), get(w, 43, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
-        half = mul(h, 0.5)
+        half = 0.5 * h
         pitch2 = fma(half, pitch_rate, pitch)
         pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
         wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
@@ -1650,7 +1650,7 @@ def advance_speed(w, count, fallen, now):
         put(w, WORK + 9, i, pitch_rate2)
     for i in range(count):
         pitch, pitch_rate, wheel_rate, yaw_rate, h, half_track, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia, pitch_acc2, wheel_acc2, yaw_acc2, pitch_rate2, speed_left, speed_right, held_wheel, t6 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, 40, i), get(w, 41, i), get(w, 42, i), get(w, 43, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 9, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
-        half = mul(h, 0.5)
+        half = 0.5 * h
         pitch3 = fma(half, pitch_rate2, pitch)
         pitch_rate3 = fma(half, pitch_acc2, pitch_rate)
         wheel_rate3 = fma(half, wheel_acc2, wheel_rate)
@@ -1667,7 +1667,7 @@ def advance_speed(w, count, fallen, now):
         wheel_rate4 = fma(h, wheel_acc3, wheel_rate)
         yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
         pitch_acc4, wheel_acc4, yaw_acc4 = moved_speed(pitch4, pitch_rate4, wheel_rate4, yaw_rate4, speed_left, speed_right, held_wheel, t6, half_track, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
-        sixth = mul(h, 1 / 6)
+        sixth = 1 / 6 * h
         new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
         new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
         new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
@@ -1677,8 +1677,8 @@ def advance_speed(w, count, fallen, now):
         put(w, 3, i, new_wheel_rate)
         put(w, 4, i, new_yaw)
         put(w, 5, i, new_yaw_rate)
-        put(w, 7, i, now if positive(h) else lived)
-        put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+        put(w, 7, i, now if h > 0.0 else lived)
+        put(w, 6, i, h if absolute(new_pitch) <= fallen else 0.0)
 
 
 
@@ -1737,7 +1737,7 @@ def moved_speed_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, speed_left, 
     before_0 = determinant * a33
     before_1 = before_0 * root_roll_left
     before_2 = before_1 * root_roll_right
-    over = reciprocal(before_2)
+    over = 1.0 / before_2
     over_3 = over * before_1
     rest_3 = over * root_roll_right
     over_2 = rest_3 * before_0
@@ -1776,15 +1776,15 @@ def moved_speed_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, speed_left, 
     drive_4 = drive_3 - pitch_rate
     drive_5 = a33 * yaw_inertia
     drive_6 = speed_left - drive_2
-    drive_7 = reciprocal(speed_lag)
+    drive_7 = 1.0 / speed_lag
     drive_8 = drive_6 * drive_7
     drive_9 = drive_8 * drive_8
     drive_10 = absolute(drive_8)
-    drive_11 = reciprocal(acceleration_limit)
+    drive_11 = 1.0 / acceleration_limit
     drive_12 = drive_10 * drive_11
-    drive_13 = mul(drive_8, 2.0)
-    drive_14 = add(drive_12, 1.0)
-    drive_15 = add(drive_12, -1.0)
+    drive_13 = 2.0 * drive_8
+    drive_14 = drive_12 + 1.0
+    drive_15 = drive_12 - 1.0
     drive_16 = drive_15 * drive_15
     drive_17 = absolute(drive_15)
     drive_18 = drive_14 + drive_17
@@ -1794,23 +1794,23 @@ def moved_speed_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, speed_left, 
     drive_22 = drive_21 * drive_21
     drive_23 = absolute(drive_21)
     drive_24 = drive_23 * drive_11
-    drive_25 = mul(drive_21, 2.0)
-    drive_26 = add(drive_24, 1.0)
-    drive_27 = add(drive_24, -1.0)
+    drive_25 = 2.0 * drive_21
+    drive_26 = drive_24 + 1.0
+    drive_27 = drive_24 - 1.0
     drive_28 = drive_27 * drive_27
     drive_29 = absolute(drive_27)
     drive_30 = drive_26 + drive_29
     drive_31 = drive_25 / drive_30
     drive_32 = drive_19 + drive_31
-    drive_33 = mul(drive_32, 0.5)
+    drive_33 = 0.5 * drive_32
     drive_34 = free_wheel_acc - free_pitch_acc
     drive_35 = drive_33 - drive_34
     drive_36 = a22
     drive_37 = a12 * a12
     drive_38 = drive_36 - drive_37
     drive_39 = drive_35 * drive_38
-    drive_40 = mul(a12, 2.0)
-    drive_41 = add(drive_40, 1.0)
+    drive_40 = 2.0 * a12
+    drive_41 = drive_40 + 1.0
     drive_42 = drive_41 + a22
     drive_43 = drive_39 / drive_42
     drive_44 = drive_31 - drive_19
@@ -1818,19 +1818,19 @@ def moved_speed_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, speed_left, 
     drive_46 = drive_44 * drive_45
     drive_47 = drive_46 - free_yaw_acc
     drive_48 = drive_47 * drive_5
-    drive_49 = reciprocal(half_track)
+    drive_49 = 1.0 / half_track
     drive_50 = drive_48 * drive_49
     drive_51 = drive_43 - drive_50
-    drive_52 = mul(drive_51, 0.5)
+    drive_52 = 0.5 * drive_51
     drive_53 = drive_43 + drive_50
-    drive_54 = mul(drive_53, 0.5)
+    drive_54 = 0.5 * drive_53
     drive_55 = drive_52 * drive_52
     drive_56 = absolute(drive_52)
-    drive_57 = reciprocal(slip_torque)
+    drive_57 = 1.0 / slip_torque
     drive_58 = drive_56 * drive_57
-    drive_59 = mul(drive_52, 2.0)
-    drive_60 = add(drive_58, 1.0)
-    drive_61 = add(drive_58, -1.0)
+    drive_59 = 2.0 * drive_52
+    drive_60 = drive_58 + 1.0
+    drive_61 = drive_58 - 1.0
     drive_62 = drive_61 * drive_61
     drive_63 = absolute(drive_61)
     drive_64 = drive_60 + drive_63
@@ -1838,16 +1838,16 @@ def moved_speed_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, speed_left, 
     drive_66 = drive_54 * drive_54
     drive_67 = absolute(drive_54)
     drive_68 = drive_67 * drive_57
-    drive_69 = mul(drive_54, 2.0)
-    drive_70 = add(drive_68, 1.0)
-    drive_71 = add(drive_68, -1.0)
+    drive_69 = 2.0 * drive_54
+    drive_70 = drive_68 + 1.0
+    drive_71 = drive_68 - 1.0
     drive_72 = drive_71 * drive_71
     drive_73 = absolute(drive_71)
     drive_74 = drive_70 + drive_73
     drive_75 = drive_69 / drive_74
     drive_76 = drive_65 + drive_75
     drive_77 = drive_76 / drive_38
-    drive_78 = add(a12, 1.0)
+    drive_78 = a12 + 1.0
     drive_79 = drive_78 * drive_77
     drive_80 = free_pitch_acc - drive_79
     drive_81 = a12 + a22
@@ -1881,7 +1881,7 @@ def constants_speed_slope(w, i):
 def rk4_speed_slope(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, right, force, moment, sin_slope, cos_slope, half_track, motor_damping, centrifugal, weight, moment_response, lever, rolling_damping, turning_lever, slope_weight, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_weight, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia):
     speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21 = held_speed_slope(left, right, force, moment, sin_slope, cos_slope, weight, moment_response, slope_weight, force_response, yaw_weight)
     pitch_acc1, wheel_acc1, yaw_acc1 = moved_speed_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21, half_track, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
-    half = mul(h, 0.5)
+    half = 0.5 * h
     pitch2 = fma(half, pitch_rate, pitch)
     pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
     wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
@@ -1900,7 +1900,7 @@ def rk4_speed_slope(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left
     yaw4 = fma(h, yaw_rate3, yaw)
     yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
     pitch_acc4, wheel_acc4, yaw_acc4 = moved_speed_slope(pitch4, pitch_rate4, wheel_rate4, yaw4, yaw_rate4, speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21, half_track, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
-    sixth = mul(h, 1 / 6)
+    sixth = 1 / 6 * h
     new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
     new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
     new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
@@ -1918,8 +1918,8 @@ def step_speed_slope(w, count, fallen, now):
     put(w, 3, i, new_wheel_rate)
     put(w, 4, i, new_yaw)
     put(w, 5, i, new_yaw_rate)
-    put(w, 7, i, now if positive(h) else lived)
-    put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+    put(w, 7, i, now if h > 0.0 else lived)
+    put(w, 6, i, h if absolute(new_pitch) <= fallen else 0.0)
 
 
 
@@ -1942,7 +1942,7 @@ def advance_speed_slope(w, count, fallen, now):
         put(w, WORK + 20, i, t21)
     for i in range(count):
         pitch, pitch_rate, wheel_rate, yaw, yaw_rate, h, half_track, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia, pitch_acc1, wheel_acc1, yaw_acc1, speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, 40, i), get(w, 41, i), get(w, 42, i), get(w, 43, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
-        half = mul(h, 0.5)
+        half = 0.5 * h
         pitch2 = fma(half, pitch_rate, pitch)
         pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
         wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
@@ -1956,7 +1956,7 @@ def advance_speed_slope(w, count, fallen, now):
         put(w, WORK + 10, i, yaw_rate2)
     for i in range(count):
         pitch, pitch_rate, wheel_rate, yaw, yaw_rate, h, half_track, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia, pitch_acc2, wheel_acc2, yaw_acc2, pitch_rate2, yaw_rate2, speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, 40, i), get(w, 41, i), get(w, 42, i), get(w, 43, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 9, i), get(w, WORK + 10, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
-        half = mul(h, 0.5)
+        half = 0.5 * h
         pitch3 = fma(half, pitch_rate2, pitch)
         pitch_rate3 = fma(half, pitch_acc2, pitch_rate)
         wheel_rate3 = fma(half, wheel_acc2, wheel_rate)
@@ -1976,7 +1976,7 @@ def advance_speed_slope(w, count, fallen, now):
         yaw4 = fma(h, yaw_rate3, yaw)
         yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
         pitch_acc4, wheel_acc4, yaw_acc4 = moved_speed_slope(pitch4, pitch_rate4, wheel_rate4, yaw4, yaw_rate4, speed_left, speed_right, held_wheel, t6, t8, t9, t14, t21, half_track, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, speed_lag, acceleration_limit, slip_torque, yaw_inertia)
-        sixth = mul(h, 1 / 6)
+        sixth = 1 / 6 * h
         new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
         new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
         new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
@@ -1986,8 +1986,8 @@ def advance_speed_slope(w, count, fallen, now):
         put(w, 3, i, new_wheel_rate)
         put(w, 4, i, new_yaw)
         put(w, 5, i, new_yaw_rate)
-        put(w, 7, i, now if positive(h) else lived)
-        put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+        put(w, 7, i, now if h > 0.0 else lived)
+        put(w, 6, i, h if absolute(new_pitch) <= fallen else 0.0)
 
 
 

@@ -1,8 +1,7 @@
 """Numba's compiler as the kernel uses it: what every compiled function shares.
 
 Products that are added are written `fma(a, b, c)`, rounded once, and no flag lets the compiler change an order of
-arithmetic: a lane of a vector of any width, a robot alone and another machine give the same bits. The kind of float
-is that of the first argument, so that one text serves float64 and float32.
+arithmetic: a lane of a vector of any width, a robot alone and another machine give the same bits.
 """
 # ruff: noqa: ARG001 (Numba calls an intrinsic with more than it may need)
 
@@ -88,65 +87,9 @@ def rint(typingctx: Any, a: Any) -> Any:
 
 
 @intrinsic
-def trunc(typingctx: Any, a: Any) -> Any:
-    """The whole number towards zero."""
-    return _same(a), _call("llvm.trunc")
-
-
-@intrinsic
 def absolute(typingctx: Any, a: Any) -> Any:
     """|a|."""
     return _same(a), _call("llvm.fabs")
-
-
-@intrinsic
-def mul(typingctx: Any, a: Any, b: Any) -> Any:
-    """a·b in the kind of a."""
-
-    def emit(builder: Any, args: Any) -> Any:
-        return builder.fmul(*args)
-
-    return _same(a, b), _code(emit)
-
-
-@intrinsic
-def add(typingctx: Any, a: Any, b: Any) -> Any:
-    """a + b in the kind of a."""
-
-    def emit(builder: Any, args: Any) -> Any:
-        return builder.fadd(*args)
-
-    return _same(a, b), _code(emit)
-
-
-@intrinsic
-def reciprocal(typingctx: Any, a: Any) -> Any:
-    """1/a."""
-
-    def emit(builder: Any, args: Any) -> Any:
-        return builder.fdiv(ir.Constant(args[0].type, 1.0), args[0])
-
-    return _same(a), _code(emit)
-
-
-@intrinsic
-def positive(typingctx: Any, a: Any) -> Any:
-    """a > 0."""
-
-    def emit(builder: Any, args: Any) -> Any:
-        return builder.fcmp_ordered(">", args[0], ir.Constant(args[0].type, 0.0))
-
-    return types.boolean(a), _code(emit)
-
-
-@intrinsic
-def like(typingctx: Any, array: Any, value: Any) -> Any:
-    """`value` in the kind of the array's numbers."""
-
-    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        return args[1]
-
-    return array.dtype(array, array.dtype), codegen
 
 
 @intrinsic

@@ -13,29 +13,16 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from upright.compiled.generated import ROW
-from upright.compiled.program import (
-    INFINITY,
-    Absolute,
-    Block,
-    Choose,
-    Function,
-    Fused,
-    Limit,
-    Operand,
-    Product,
-    Program,
-    Quotient,
-    Repeat,
-    Step,
-    Sum,
-    Whole,
-)
+from upright.compiled.printer import Printer
+from upright.compiled.program import INFINITY, Block, Choose, Limit, Operand, Program, Quotient, Repeat, Step, Sum
 
-_INTRINSICS = {"whole": "trunc", "nearest": "rint", "absolute": "fabs", "sqrt": "sqrt"}
-"""What LLVM computes of a number by itself, and its name for it."""
+_INTRINSICS = {"nearest": "rint", "sqrt": "sqrt"}
+"""Functions of a program that LLVM computes by itself, and its names for them."""
 
-WIDTHS = {"double": 8, "float": 16}
+WIDTH = 8
 """Numbers in one vector: 64 bytes, which the compiler cuts into what the processor has."""
+
+_VECTOR = f"<{WIDTH} x double>"
 
 
 class RowOf(NamedTuple):
@@ -45,18 +32,19 @@ class RowOf(NamedTuple):
     relative: bool = False
 
 
-class LanesPrinter:
-    """One module with a function for each of `blocks`: (block, robots, first own row, table of constants)."""
+class LanesPrinter(Printer):
+    """One module with a function for each of `blocks`: (block, robots, first own row, table of constants).
 
-    def __init__(
-        self, blocks: Sequence[Block], number: str, places: Mapping[str, RowOf], *, table: bool, own: bool = False
-    ) -> None:
-        """`number` is "double" or "float". Without a `table` constants are in the text; with `own` constants each one
-        of the table is a row of the block, else one number."""
-        self._blocks, self._places, self._table, self._own = blocks, places, table, own
-        self._number = number
-        self._width = WIDTHS[number]
-        self._vector = f"<{self._width} x {number}>"
+    What stands for an expression is the name of the vector that holds it, after the lines that compute it.
+    """
+
+    def __init__(self, blocks: Sequence[Block], places: Mapping[str, RowOf], *, table: bool, own: bool = False) -> None:
+        """Without a `table` constants are in the text; with `own` constants each one of the table is a row of the
+        block, else one number."""
+        self._blocks = blocks
+        self._places = places
+        self._table = table
+        self._own = own
         self._lines = list[str]()
         self._names = dict[str, str]()
         self._count = 0
@@ -65,8 +53,8 @@ class LanesPrinter:
     def text(self) -> str:
         """The module."""
         functions = "\n".join(map(self._function, self._blocks))
-        known = "\n".join(f"declare {self._vector} @llvm.{name}({self._vector})" for name in _INTRINSICS.values())
-        known += f"\ndeclare {self._vector} @llvm.fma({', '.join([self._vector] * 3)})"
+        known = "\n".join(f"declare {_VECTOR} @llvm.{name}({_VECTOR})" for name in ("trunc", "rint", "fabs", "sqrt"))
+        known += f"\ndeclare {_VECTOR} @llvm.fma({', '.join([_VECTOR] * 3)})"
         return f"{known}\n{functions}"
 
     def _function(self, block: Block) -> str:
@@ -77,11 +65,11 @@ class LanesPrinter:
             if isinstance(statement, Repeat):
                 label = self._repeat(statement, label)
             else:
-                self._names[statement.target] = self._right(statement)
-        after = [(state, self._read(value)) for state, value in block.commit]
+                self._names[statement.target] = self.right(statement)
+        after = [(state, self.read(value)) for state, value in block.commit]
         for name, value in [*((s.target, self._names[s.target]) for s in block.steps), *after]:
             if name in self._places:
-                self._lines.append(f"store {self._vector} {value}, ptr {self._address(name)}, align 64")
+                self._lines.append(f"store {_VECTOR} {value}, ptr {self._address(name)}, align 64")
         body = "\n  ".join(self._lines)
         return f"""define void @{block.name}(ptr %w, i64 %count, i64 %first, ptr %constants) {{
 start:
@@ -90,11 +78,11 @@ start:
   br i1 %some, label %loop, label %end
 loop:
   %i = phi i64 [0, %start], [%next, %{label}]
-  %here = getelementptr {self._number}, ptr %w, i64 %i
-  %own = getelementptr {self._number}, ptr %here, i64 %below
-  %table = getelementptr {self._number}, ptr %constants, i64 {"%i" if self._own else 0}
+  %here = getelementptr double, ptr %w, i64 %i
+  %own = getelementptr double, ptr %here, i64 %below
+  %table = getelementptr double, ptr %constants, i64 {"%i" if self._own else 0}
   {body}
-  %next = add i64 %i, {self._width}
+  %next = add i64 %i, {WIDTH}
   %more = icmp slt i64 %next, %count
   br i1 %more, label %loop, label %end
 end:
@@ -105,20 +93,17 @@ end:
         """A loop over what it carries, from the block `label` to the one whose name it returns."""
         self._count += 1
         here, then = f"repeat{self._count}", f"after{self._count}"
-        first = {name: self._read(name) for name, _ in loop.carry}
+        first = {name: self.read(name) for name, _ in loop.carry}
         self._lines.append(f"br label %{here}\n{here}:")
         top = len(self._lines)
         self._names |= {name: f"%{here}.{name}" for name in first}
         for step in loop.steps:
-            self._names[step.target] = self._right(step)
+            self._names[step.target] = self.right(step)
         for name, value in loop.carry:
-            self._names[name] = self._read(value)
+            self._names[name] = self.read(value)
         self._lines[top:top] = [
             f"%{here}.pass = phi i64 [0, %{label}], [%{here}.more, %{here}]",
-            *(
-                f"%{here}.{n} = phi {self._vector} [{v}, %{label}], [{self._names[n]}, %{here}]"
-                for n, v in first.items()
-            ),
+            *(f"%{here}.{n} = phi {_VECTOR} [{v}, %{label}], [{self._names[n]}, %{here}]" for n, v in first.items()),
         ]
         self._lines += [
             f"%{here}.more = add i64 %{here}.pass, 1",
@@ -127,93 +112,76 @@ end:
         ]
         return then
 
-    def _right(self, statement: Step) -> str:  # noqa: PLR0911 (one for each kind of statement)
-        """The name of the vector that holds the right side."""
-        match statement:
-            case Sum(_, terms, constant, low, high):
-                value = self._sum(terms, constant)
-                return value if low == -INFINITY else self._limited(value, low, high)
-            case Product(_, first, second):
-                return self._arithmetic("fmul", self._read(first), self._read(second))
-            case Quotient(_, number, below):
-                return self._arithmetic("fdiv", self._operand(number), self._read(below))
-            case Limit(_, value, low, high):
-                return self._limited(self._read(value), low, high)
-            case Absolute(_, value):
-                return self._intrinsic("absolute", value)
-            case Whole(_, value):
-                return self._intrinsic("whole", value)
-            case Fused(_, terms, products):
-                return self._fused(terms, products)
-            case Function(_, "square", value):
-                return self._arithmetic("fmul", self._read(value), self._read(value))
-            case Function(_, name, value):
-                return self._intrinsic(name, value)
-            case Choose(_, left, right, then, other):
-                return self._select(self._read(left), *(self._operand(o) for o in (right, then, other)))
+    def product(self, first: str, second: str) -> str:
+        return self._let(f"fmul {_VECTOR} {first}, {second}")
 
-    def _sum(self, terms: Sequence[tuple[float, str]], constant: float) -> str:
-        parts = [self._times(coefficient, self._read(name)) for coefficient, name in terms]
-        parts += [self._constant(constant)] if constant or not terms else []
+    def quotient(self, number: str, below: str) -> str:
+        return self._let(f"fdiv {_VECTOR} {number}, {below}")
+
+    def sum(self, terms: Sequence[tuple[float, str]], constant: float) -> str:
+        parts = [self._times(coefficient, self.read(name)) for coefficient, name in terms]
+        parts += [self.number(constant)] if constant or not terms else []
+        return self._added(parts)
+
+    def fused(self, terms: Sequence[tuple[float, Operand]], products: Sequence[tuple[float, Operand, Operand]]) -> str:
+        total = self._added([self._times(sign, self.operand(value)) for sign, value in terms])
+        for sign, first, second in products:
+            given = (self._times(sign, self.operand(first)), self.operand(second), total)
+            total = self._let(f"call {_VECTOR} @llvm.fma({', '.join(f'{_VECTOR} {v}' for v in given)})")
+        return total
+
+    def _added(self, parts: Sequence[str]) -> str:
         total, *rest = parts
         for part in rest:
-            total = self._arithmetic("fadd", total, part)
+            total = self._let(f"fadd {_VECTOR} {total}, {part}")
         return total
 
-    def _fused(self, terms: Sequence[tuple[float, Operand]], products: Sequence[tuple[float, Operand, Operand]]) -> str:
-        total, *rest = [self._times(sign, self._operand(value)) for sign, value in terms]
-        for part in rest:
-            total = self._arithmetic("fadd", total, part)
-        for sign, first, second in products:
-            given = (self._times(sign, self._operand(first)), self._operand(second), total)
-            total = self._let(f"call {self._vector} @llvm.fma({', '.join(f'{self._vector} {v}' for v in given)})")
-        return total
+    def _times(self, size: float, name: str) -> str:
+        if not self._table and abs(size) == 1:
+            return name if size > 0 else self._let(f"fneg {_VECTOR} {name}")
+        return self.product(self.number(size), name)
 
-    def _times(self, coefficient: float, value: str) -> str:
-        if not self._table and abs(coefficient) == 1:
-            return value if coefficient > 0 else self._let(f"fneg {self._vector} {value}")
-        return self._arithmetic("fmul", self._constant(coefficient), value)
+    def limit(self, value: str, low: str, high: str) -> str:
+        return self.choose(value, low, low, self.choose(high, value, high, value))
 
-    def _limited(self, value: str, least: float, most: float) -> str:
-        low, high = self._constant(least), self._constant(most)
-        return self._select(value, low, low, self._select(high, value, high, value))
+    def absolute(self, value: str) -> str:
+        return self._intrinsic("fabs", value)
+
+    def whole(self, value: str) -> str:
+        return self._intrinsic("trunc", value)
+
+    def function(self, name: str, value: str) -> str:
+        return self.product(value, value) if name == "square" else self._intrinsic(_INTRINSICS[name], value)
 
     def _intrinsic(self, name: str, value: str) -> str:
-        return self._let(f"call {self._vector} @llvm.{_INTRINSICS[name]}({self._vector} {self._read(value)})")
+        return self._let(f"call {_VECTOR} @llvm.{name}({_VECTOR} {value})")
 
-    def _select(self, left: str, right: str, then: str, other: str) -> str:
-        less = self._let(f"fcmp olt {self._vector} {left}, {right}")
-        return self._let(f"select <{self._width} x i1> {less}, {self._vector} {then}, {self._vector} {other}")
+    def choose(self, left: str, right: str, then: str, other: str) -> str:
+        less = self._let(f"fcmp olt {_VECTOR} {left}, {right}")
+        return self._let(f"select <{WIDTH} x i1> {less}, {_VECTOR} {then}, {_VECTOR} {other}")
 
-    def _arithmetic(self, operation: str, first: str, second: str) -> str:
-        return self._let(f"{operation} {self._vector} {first}, {second}")
-
-    def _operand(self, operand: Operand) -> str:
-        return self._read(operand) if isinstance(operand, str) else self._constant(operand)
-
-    def _read(self, name: str) -> str:
+    def read(self, name: str) -> str:
         if name not in self._names:
-            self._names[name] = self._let(f"load {self._vector}, ptr {self._address(name)}, align 64")
+            self._names[name] = self._let(f"load {_VECTOR}, ptr {self._address(name)}, align 64")
         return self._names[name]
 
     def _address(self, name: str) -> str:
         row, relative = self._places[name]
         start = "%own" if relative else "%here"
-        return self._let(f"getelementptr {self._number}, ptr {start}, i64 {row * ROW}")
+        return self._let(f"getelementptr double, ptr {start}, i64 {row * ROW}")
 
-    def _constant(self, value: float) -> str:
+    def number(self, value: float) -> str:
         """A constant: of a table, the next one in the order of `constants`."""
         if not self._table:
-            return f"<{', '.join([f'{self._number} {_hexadecimal(value)}'] * self._width)}>"
+            return f"<{', '.join([f'double {_hexadecimal(value)}'] * WIDTH)}>"
         place = self._used * (ROW if self._own else 1)
         self._used += 1
-        address = self._let(f"getelementptr {self._number}, ptr %table, i64 {place}")
+        address = self._let(f"getelementptr double, ptr %table, i64 {place}")
         if self._own:
-            return self._let(f"load {self._vector}, ptr {address}, align 64")
-        number = self._let(f"load {self._number}, ptr {address}")
-        one = self._let(f"insertelement {self._vector} poison, {self._number} {number}, i64 0")
-        spread = f"<{self._width} x i32> zeroinitializer"
-        return self._let(f"shufflevector {self._vector} {one}, {self._vector} poison, {spread}")
+            return self._let(f"load {_VECTOR}, ptr {address}, align 64")
+        number = self._let(f"load double, ptr {address}")
+        one = self._let(f"insertelement {_VECTOR} poison, double {number}, i64 0")
+        return self._let(f"shufflevector {_VECTOR} {one}, {_VECTOR} poison, <{WIDTH} x i32> zeroinitializer")
 
     def _let(self, expression: str) -> str:
         self._count += 1
@@ -222,9 +190,8 @@ end:
 
 
 def _hexadecimal(value: float) -> str:
-    """The bits of a number that a float holds too, as LLVM reads constants of both kinds."""
-    (nearest,) = struct.unpack("f", struct.pack("f", value))
-    return f"0x{struct.pack('>d', nearest).hex().upper()}"
+    """The bits of a number, as LLVM reads constants."""
+    return f"0x{struct.pack('>d', value).hex().upper()}"
 
 
 def constants(program: Program) -> list[float]:

@@ -69,9 +69,9 @@ class Printer:
                 text = self.sum(terms, constant)
                 return text if low == -INFINITY else self.limit(text, self.number(low), self.number(high))
             case Product(_, first, second):
-                return f"{self.read(first)} * {self.read(second)}"
+                return self.product(self.read(first), self.read(second))
             case Quotient(_, number, below):
-                return f"{self.operand(number)} / {self.read(below)}"
+                return self.quotient(self.operand(number), self.read(below))
             case Limit(_, value, low, high):
                 return self.limit(self.read(value), self.number(low), self.number(high))
             case Absolute(_, value):
@@ -84,6 +84,12 @@ class Printer:
                 return self.function(name, self.read(value))
             case Fused(_, terms, products):
                 return self.fused(terms, products)
+
+    def product(self, first: str, second: str) -> str:
+        return f"{first} * {second}"
+
+    def quotient(self, number: str, below: str) -> str:
+        return f"{number} / {below}"
 
     def fused(self, terms: Sequence[tuple[float, Operand]], products: Sequence[tuple[float, Operand, Operand]]) -> str:
         text = " ".join(f"{'-' if sign < 0 else '+'} {self.operand(value)}" for sign, value in terms)
@@ -118,4 +124,4 @@ class Printer:
         return f"{left} < {right} ? {then} : {other}"
 
     def function(self, name: str, value: str) -> str:
-        return f"{value} * {value}" if name == "square" else f"{name}({value})"
+        return self.product(value, value) if name == "square" else f"{name}({value})"

@@ -65,7 +65,7 @@ motors have no friction of their own."""
 FOR_BLOCKS = tuple(name for name in VARIANTS if name != "free")
 
 IMPORTS = """from upright.compiled.generated import WORK
-from upright.compiled.jit import absolute, add, align_stack, fma, get, inlined, mul, positive, put, reciprocal, sqrt
+from upright.compiled.jit import absolute, align_stack, fma, get, inlined, put, sqrt
 from upright.compiled.lane_math import sincos, sincos_any"""
 
 _ANGLES = ("pitch", "wheel", "yaw")
@@ -229,7 +229,7 @@ class _Work:
 
     def _stage(self, k: int, *, recall: bool) -> list[SourceLine]:
         """The accelerations of stage `k` from those before it. With `recall` no line of another stage is at hand."""
-        half = [called(("half",), "mul", ("h", "0.5"))] if k == 2 or (recall and k == 3) else []
+        half = [SourceLine("half = 0.5 * h", ("half",), ("h",))] if k == 2 or (recall and k == 3) else []
         at = [f"{n}{k}" if k > 1 and n in self._moving else n for n in self._moving]
         steps = _runge_kutta().steps(k, self._moving) if k > 1 else []
         arguments = [*at, *self.held, *self._constants]
@@ -256,7 +256,7 @@ def _sums() -> list[SourceLine]:
     ends = [
         called((f"new_{n}", f"new_{n}_rate"), "ended", ("h", "sixth", *g)) for n, g in zip(_ANGLES, given, strict=True)
     ]
-    return [called(("sixth",), "mul", ("h", "1 / 6")), *ends]
+    return [SourceLine("sixth = 1 / 6 * h", ("sixth",), ("h",)), *ends]
 
 
 def _ended() -> str:
@@ -279,8 +279,8 @@ def _put(row: object, value: str, *reads: str) -> SourceLine:
 
 _STORE = [
     *(_put(row, name) for row, name in enumerate(_NEW)),
-    _put(ROWS.index("lived"), "now if positive(h) else lived", "h", "lived"),
-    _put(ROWS.index("h"), "h if absolute(new_pitch) <= fallen else mul(h, 0.0)", "h", "new_pitch"),
+    _put(ROWS.index("lived"), "now if h > 0.0 else lived", "h", "lived"),
+    _put(ROWS.index("h"), "h if absolute(new_pitch) <= fallen else 0.0", "h", "new_pitch"),
 ]
 
 

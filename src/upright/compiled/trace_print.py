@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any, NamedTuple
@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import sympy as sp
 
 from upright.compiled.printer import Printer
-from upright.compiled.program import Function, Fused, Operand, Product, Quotient, Step, operands
+from upright.compiled.program import Function, Fused, Operand, Product, Step, operands
 from upright.robots.robot import PARAMETERS
 
 COMPLETE = sp.Symbol("complete", real=True)
@@ -104,16 +104,8 @@ class LaneSource(Printer):
 
     end = ""
 
-    def sum(self, terms: Sequence[tuple[float, str]], constant: float) -> str:
-        """In the kind of float of what is added."""
-        text = super().sum(terms, 0.0)
-        return f"add({text}, {self.number(constant)})" if constant else text
-
     def absolute(self, value: str) -> str:
         return f"absolute({value})"
-
-    def _times(self, size: float, name: str) -> str:
-        return name if size == 1 else f"mul({name}, {self.number(size)})"
 
     def lines(self, steps: Iterable[Step]) -> list[SourceLine]:  # type: ignore[override]
         """One line for each statement, but one for a sine and the cosine after it."""
@@ -126,8 +118,6 @@ class LaneSource(Printer):
                 case Function(target, "cos", angle):
                     way = "sincos" if angle == str(PITCH) else "sincos_any"
                     lines.append(called((sine, target), way, (angle,)))
-                case Quotient(target, 1.0, below):
-                    lines.append(called((target,), "reciprocal", (below,)))
                 case _:
                     lines.append(SourceLine(self.statement(step)[0], (step.target,), operands(step)))
         return lines

@@ -68,7 +68,6 @@ class Ensemble:
     seed: int = 0
     model: str = "complete"
     band: float = SETTLED
-    single: bool = False
 
     def __post_init__(self) -> None:
         if not 0 <= self.seed < 2**64:
@@ -119,8 +118,7 @@ class Ensemble:
 
         batch = self.batch(index)
         bands = (self.band, math.inf, math.inf)
-        kind = np.float32 if self.single else np.float64
-        result = simulate(batch, self.seconds, bands=bands, dtype=kind, threads=threads)
+        result = simulate(batch, self.seconds, bands=bands, threads=threads)
         drawn = self.family.draw(self.seed, np.asarray(index))
         return drawn | self._outcomes(result, batch)
 
@@ -134,7 +132,6 @@ class Ensemble:
         scenario = {
             "push": [_entry(p) for p in self.pushes], "reference": [_entry(r) for r in self.references],
             "seconds": self.seconds, "start": list(self.start), "model": self.model, "band": self.band,
-            "single": self.single,
         }  # fmt: skip
         return {
             "robot": {"name": family.robot.name, "drive": family.robot.drive, **family.robot.numbers()},

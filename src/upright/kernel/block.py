@@ -27,10 +27,7 @@ from upright.compiled.jit import (
     fma,
     get,
     item,
-    like,
-    mul,
     njit,
-    positive,
     put,
     store,
 )
@@ -138,9 +135,8 @@ def arrive_alike(w: Any, count: int, ring: int, slots: int, k: int, stride: int)
 @njit
 def hold(w: Any, count: int, row: int, step: float) -> None:
     """The command that has arrived by `step` of the period goes to the motors, in two rows from `row` on."""
-    at = like(w, step)
     for i in range(count):
-        before_second, before_third = get(w, HOLD + 6, i) > at, get(w, HOLD + 7, i) > at
+        before_second, before_third = get(w, HOLD + 6, i) > step, get(w, HOLD + 7, i) > step
         left = get(w, HOLD, i)
         right = get(w, HOLD + 1, i)
         next_left, next_right = get(w, HOLD + 2, i), get(w, HOLD + 3, i)
@@ -213,7 +209,7 @@ def sense(w: Any, count: int, kind: int, out: int) -> None:
     if kind <= ENCODER_RIGHT:
         side = -1.0 if kind == ENCODER_LEFT else 1.0
         for i in range(count):
-            turn = mul(get(w, HALF_TRACK, i), side)
+            turn = get(w, HALF_TRACK, i) * side
             put(w, out, i, fma(turn, get(w, YAW, i), get(w, WHEEL, i)) - get(w, PITCH, i))
     else:
         state = PITCH_RATE if kind == GYRO else YAW if kind == COMPASS else PITCH
@@ -234,7 +230,7 @@ def direct(w: Any, count: int, out: int, angle: int) -> None:
 def add(w: Any, out: int, source: int, count: int, factor: float) -> None:
     """To row `out` that many times row `source`."""
     for i in range(count):
-        put(w, out, i, fma(like(w, factor), get(w, source, i), get(w, out, i)))
+        put(w, out, i, fma(factor, get(w, source, i), get(w, out, i)))
 
 
 @njit
@@ -250,9 +246,8 @@ def count_period(w: Any, count: int, bands: Any, t: Any) -> None:
     one = item(bands, 0)
     two = item(bands, 1)
     three = item(bands, 2)
-    now = like(w, t)
     for i in range(count):
-        standing = positive(get(w, H, i))
+        standing = get(w, H, i) > 0.0
         pitch, wheel, yaw = (
             absolute(get(w, PITCH, i)),
             absolute(get(w, WHEEL, i)),
@@ -266,7 +261,7 @@ def count_period(w: Any, count: int, bands: Any, t: Any) -> None:
         put(w, PEAK_YAW, i, max(peak, yaw) if standing else peak)
         outside = (pitch > one) | (wheel > two) | (yaw > three)
         before = get(w, OUTSIDE, i)
-        put(w, OUTSIDE, i, now if outside & standing else before)
+        put(w, OUTSIDE, i, t if outside & standing else before)
         square = get(w, SQUARE, i)
         put(w, SQUARE, i, fma(pitch, pitch, square) if standing else square)
         saturated = get(w, SATURATED, i)
@@ -281,7 +276,7 @@ def count_effort(w: Any, count: int, row: int) -> None:
         right = get(w, row + 1, i)
         sum_ = get(w, EFFORT, i)
         square = fma(left, left, right * right)
-        put(w, EFFORT, i, sum_ + square if positive(get(w, H, i)) else sum_)
+        put(w, EFFORT, i, sum_ + square if get(w, H, i) > 0.0 else sum_)
 
 
 @njit
@@ -289,7 +284,7 @@ def standing(w: Any, count: int) -> int:
     """How many robots of the block have not fallen."""
     n = 0
     for i in range(count):
-        n += int(positive(get(w, H, i)))
+        n += int(get(w, H, i) > 0.0)
     return n
 
 
@@ -299,5 +294,5 @@ def record(w: Any, count: int, rows: Any, many: int, trace: Trace, since: float)
     for m in range(many):
         row = item(rows, m)
         for i in range(count):
-            if positive(get(w, H, i)) or get(w, LIVED, i) > since:
+            if get(w, H, i) > 0.0 or get(w, LIVED, i) > since:
                 store(trace.out, trace.place + i * trace.size + m, get(w, row, i))

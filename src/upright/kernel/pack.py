@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from upright.arrays import Array, Whole
 from upright.compiled import generated as g
@@ -15,8 +14,8 @@ from upright.control.linear_controller import LinearController
 from upright.errors import SpecMismatch
 from upright.kernel import rows as b
 from upright.kernel.batch import NAMES, FleetBatch
+from upright.kernel.functions import CompiledLaw, compiled
 from upright.kernel.kit import KitTables
-from upright.kernel.law import CompiledLaw, compiled
 from upright.kernel.rows import Rows
 from upright.signals import STATE_NAMES
 
@@ -33,9 +32,9 @@ class Packed:
     `alike`: all robots have one dead time, without jitter."""
 
     at: Rows
-    common: NDArray[Any]
+    common: Array
     rows: Whole
-    table: NDArray[Any]
+    table: Array
     truth: Whole
     sensors: Whole
     program: CompiledLaw
@@ -58,9 +57,9 @@ class _Block:
             self._given.append((first, values.reshape(len(values), rows)))
         return first
 
-    def pack(self, dtype: Any) -> tuple[NDArray[Any], Whole, NDArray[Any]]:
+    def pack(self) -> tuple[Array, Whole, Array]:
         """`common`, `rows` and `table` of `Packed`."""
-        common = np.zeros(self.end, dtype)
+        common = np.zeros(self.end)
         rows = list[int]()
         columns = list[Array]()
         for first, values in self._given:
@@ -69,11 +68,11 @@ class _Block:
             else:
                 rows += range(first, first + values.shape[1])
                 columns.append(values.T)
-        table = np.concatenate(columns, dtype=dtype) if columns else np.zeros((0, 1), dtype)
+        table = np.concatenate(columns) if columns else np.zeros((0, 1))
         return common, np.array(rows, dtype=np.int64), np.ascontiguousarray(table)
 
 
-def pack(batch: FleetBatch, kit: KitTables, h: float, dtype: Any) -> Packed:
+def pack(batch: FleetBatch, kit: KitTables, h: float) -> Packed:
     """The batch in the form from which blocks are filled."""
     controller = batch.form
     block = _Block()
@@ -94,7 +93,7 @@ def pack(batch: FleetBatch, kit: KitTables, h: float, dtype: Any) -> Packed:
     excitation = batch.excitation.reshape(len(batch.excitation), -1)
     # a reference that is zero all the time takes no products
     applied = b.APPLIED if kit.unequal else g.LEFT
-    program = compiled(batch.laws, len(STATE_NAMES) if ramps.shape[1] else 0, np.dtype(dtype).name, applied)
+    program = compiled(batch.laws, len(STATE_NAMES) if ramps.shape[1] else 0, applied)
     own = len(batch.laws) > 1
     slots = int(kit.dead_time[:, 0].max()) + 4 if kit.dead_time.any() else 0
     at = Rows(
@@ -107,7 +106,7 @@ def pack(batch: FleetBatch, kit: KitTables, h: float, dtype: Any) -> Packed:
         ring=block.take(2 * slots), slots=slots,
     )  # fmt: skip
     sensors = _sensors(controller, kit, at, block)
-    common, rows, table = block.pack(dtype)
+    common, rows, table = block.pack()
     truth = [(g.PITCH + _state(name), at.reading + i) for i, name in enumerate(controller.reads) if "truth/" in name]
     return Packed(
         at=at, common=common, rows=rows, table=table, truth=np.array(truth, dtype=np.int64).reshape(-1, 2),

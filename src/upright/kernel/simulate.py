@@ -10,7 +10,6 @@ import os
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from types import SimpleNamespace
-from typing import Any
 
 import numpy as np
 
@@ -46,22 +45,21 @@ def simulate(
     record: int = 0,
     channels: Sequence[str] = TRUE_STATE,
     bands: Sequence[float] = FOREVER,
-    dtype: Any = np.float64,
     threads: int | None = None,
 ) -> FleetResult:
     """Every robot of `batch` for `seconds`, or until it falls.
 
     `channels` are recorded every `record` periods (0: not at all): truth/…, reference/…, command/…, applied/…,
     push/force, the sensor/… that the controller reads, and command/residual of a predictive one. `bands` are |pitch|,
-    |wheel|, |yaw| [rad] inside which a robot counts as settled. `dtype` is float64 or float32; `threads` is by default
-    the number of processors. A controller that is called runs in one thread, in float64.
+    |wheel|, |yaw| [rad] inside which a robot counts as settled. `threads` is by default the number of processors. A
+    controller that is called runs in one thread.
 
     Raises `InvalidScenario` for an impossible time, `SpecMismatch` for unknown channels and periods that do not fit.
     """
     stride, periods = _times(batch.period, batch.form.period, seconds)
     order = Order(
         periods=periods, stride=stride, record=record, channels=tuple(channels if record else ()),
-        bands=tuple(bands), dtype=np.dtype(float if batch.called else dtype), called=batch.called,
+        bands=tuple(bands), called=batch.called,
     )  # fmt: skip
     out = Outcome.room(batch.n, order)
     workers = 1 if batch.called else max(1, threads or os.cpu_count() or 1)

@@ -34,8 +34,8 @@ class Stepped:
         stride = stride_of(pool.period, pool.form.period)
         piece = undivided(pool)
         h = pool.period / piece.substeps
-        order = Order(periods=0, stride=stride, record=0, channels=(), bands=(), dtype=np.dtype(float), called=None)
-        self._packed = pack(pool, kit_tables(pool, stride), h, order.dtype)
+        order = Order(periods=0, stride=stride, record=0, channels=(), bands=(), called=None)
+        self._packed = pack(pool, kit_tables(pool, stride), h)
         plan = planned(pool, piece, self._packed, order, "advance")
         self._rows = len(self._packed.common)
         sizes = Sizes(count, self._rows, 0, 0, 0, len(self._packed.sensors), 0, 0)
@@ -92,7 +92,7 @@ class Stepped:
         return self._memory[self._block, row : row + size, self._lane]
 
     def _blocks(self, count: int) -> Array:
-        return aligned(count * self._rows * ROW, np.dtype(float)).reshape(count, self._rows, ROW)
+        return aligned(count * self._rows * ROW).reshape(count, self._rows, ROW)
 
     def _call(self, function: str, memory: Array, count: int, index: Any) -> None:
         tables = (self._clock, self._numbers, self._times, self._packed.sensors, index)

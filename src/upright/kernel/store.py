@@ -211,7 +211,7 @@ def _optimised(module: Any, machine: Any) -> Any:
     return module
 
 
-_LLVM = {"int64": "i64", "uint64": "i64", "float64": "double", "float32": "float"}
+_LLVM = {"int64": "i64", "uint64": "i64", "float64": "double"}
 
 
 def _entrance(name: str, inner: str, kinds: list[str]) -> str:

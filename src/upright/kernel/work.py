@@ -8,13 +8,13 @@ from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.compiled.generated import LANES, ROW
 from upright.control import Controller
 from upright.kernel import rows as b
 from upright.kernel.batch import FleetBatch, FleetResult, Selection
-from upright.kernel.electronics import functions
+from upright.kernel.functions import electronics
 from upright.kernel.kit import kit_tables
 from upright.kernel.lanes import Lanes
 from upright.kernel.pack import Packed, pack, recorded
@@ -36,7 +36,6 @@ class Order:
     record: int  # periods from one recorded row to the next, 0: none
     channels: tuple[str, ...]
     bands: tuple[float, ...]
-    dtype: Any
     called: Controller | None
 
 
@@ -51,16 +50,16 @@ class Piece(NamedTuple):
 class Outcome(NamedTuple):
     """Arrays that the compiled loop writes."""
 
-    final: NDArray[Any]
-    lived: NDArray[Any]
-    counted: NDArray[Any]
-    trace: NDArray[Any]
+    final: Array
+    lived: Array
+    counted: Array
+    trace: Array
 
     @classmethod
     def room(cls, n: int, order: Order) -> Outcome:
-        final, lived, counted = (np.zeros(size, order.dtype) for size in ((n, 6), (n,), (n, b.COUNTED)))
         kept = -(-order.periods // order.record) if order.record else 0
-        return cls(final, lived, counted, np.full((n, kept, len(order.channels)), np.nan, order.dtype))
+        trace = np.full((n, kept, len(order.channels)), np.nan)
+        return cls(np.zeros((n, 6)), np.zeros(n), np.zeros((n, b.COUNTED)), trace)
 
     def part(self, rows: Selection) -> Outcome:
         """Some robots: a view for a slice, else a copy."""
@@ -75,14 +74,14 @@ class Outcome(NamedTuple):
         period = order.stride * step
         end = order.periods * period
         fell = ~(np.abs(self.final[:, 0]) <= STOP)
-        lived, counted = np.asarray(self.lived, np.float64), np.asarray(self.counted, np.float64)
-        periods = np.maximum(1, np.ceil(lived / period - 1e-6))
+        counted = self.counted
+        periods = np.maximum(1, np.ceil(self.lived / period - 1e-6))
         outside = counted[:, b.OUTSIDE - b.COUNTS]
         never = fell | (outside > end - 1.5 * period)
         return FleetResult(
             final=self.final,
             fell=fell,
-            lived=lived,
+            lived=self.lived,
             peak=counted[:, :3],
             settled=np.where(never, np.nan, np.where(outside < 0, 0.0, outside + period)),
             rms_pitch=np.sqrt(counted[:, b.SQUARE - b.COUNTS] / periods),
@@ -108,13 +107,13 @@ def run_piece(batch: FleetBatch, piece: Piece, order: Order, out: Outcome, threa
     whole = isinstance(rows, slice) and rows.stop - rows.start == batch.n
     some = batch if whole else batch.part(rows)
     h = batch.period / substeps
-    packed = pack(some, kit_tables(some, order.stride), h, order.dtype)
+    packed = pack(some, kit_tables(some, order.stride), h)
     before, after = recorded(order.channels, packed, some.form)
     lanes = Lanes(order.called, packed) if order.called else None
     move = "step" if batch.n == 1 else "advance"
     plan = planned(some, piece, packed, order, move, lanes.address if lanes else 0)
     here = out if whole else out.part(rows)
-    extra = (np.array(order.bands, order.dtype), before, after)
+    extra = (np.array(order.bands), before, after)
     _run(some, packed, plan, Times(batch.period, h, STOP), extra, here, threads)
     if lanes:
         lanes.check()
@@ -124,15 +123,14 @@ def run_piece(batch: FleetBatch, piece: Piece, order: Order, out: Outcome, threa
 
 def planned(batch: FleetBatch, piece: Piece, packed: Packed, order: Order, move: str, called: int = 0) -> Plan:
     """What is common to the robots of a `piece`, which `move` moves: "advance", or "step" for a robot alone."""
-    number = _name(order.dtype)
-    advance = address_of(MOTION, f"{move}_{piece.variant}", (f"*{number}", "int64", number, number))
+    advance = address_of(MOTION, f"{move}_{piece.variant}", ("*float64", "int64", "float64", "float64"))
     accelerometer = 0
     if any("accel" in name or name == "sensor/pitch" for name in batch.form.reads):
-        accelerometer = address_of(MOTION, f"specific_force_{piece.variant}", (f"*{number}", "int64", "int64"))
+        accelerometer = address_of(MOTION, f"specific_force_{piece.variant}", ("*float64", "int64", "int64"))
     return Plan(
         order.periods, order.stride, piece.substeps, order.record, packed.program.command, packed.program.update,
         int(len(batch.laws) > 1), int("slope" in piece.variant), int(packed.alike), advance, accelerometer,
-        packed.applied, *functions(number), called, int(np.uint64(batch.seed).astype(np.int64)),
+        packed.applied, *electronics(), called, int(np.uint64(batch.seed).astype(np.int64)),
     )  # fmt: skip
 
 
@@ -141,21 +139,20 @@ def _run(
 ) -> None:
     """Distributes the blocks; each thread has its own working memory, which starts at a cache line."""
     size = len(packed.common)
-    entry = _entry(_name(packed.common.dtype))
+    entry = _entry()
     index = np.arange(batch.n, dtype=np.uint64) if batch.index is None else np.array(batch.index, dtype=np.uint64)
     held = (packed.truth, packed.sensors, rows[1], rows[2])
-    constants = packed.program.constants[0].astype(packed.common.dtype)
     sizes = Sizes(batch.n, size, len(packed.rows), out.trace.shape[1], *map(len, held))
     numbers = np.array([*packed.at, *plan, *sizes], dtype=np.int64)
     arrays = (
         numbers, np.array(times), packed.common, packed.rows, packed.table, index, packed.truth, packed.sensors,
-        constants, *rows, *out,
+        packed.program.constants[0], *rows, *out,
     )  # fmt: skip
     blocks = -(-batch.n // LANES)
     size_of_part = LANES * (blocks if threads == 1 else max(1, -(-blocks // (threads * _PARTS))))
 
     def work(start: int) -> None:
-        memory = aligned(size * ROW, packed.common.dtype)
+        memory = aligned(size * ROW)
         addresses = [array.ctypes.data for array in (memory, *arrays)]  # here, so that a thread alone keeps them alive
         call(entry, [addresses[0], start, min(batch.n, start + size_of_part), *addresses[1:]])
 
@@ -168,19 +165,15 @@ def _run(
 
 
 @cache
-def _entry(number: str) -> int:
+def _entry() -> int:
     p = "*int64"
-    w = f"*{number}"
-    kinds = (w, "int64", "int64", p, "*float64", w, p, w, "*uint64", p, p, w, w, p, p, w, w, w, w)
+    w = "*float64"
+    kinds = (w, "int64", "int64", p, w, w, p, w, "*uint64", p, p, w, w, p, p, w, w, w, w)
     return address_of("kernel.run", "entry", kinds)
 
 
-@cache
-def _name(dtype: Any) -> str:
-    return np.dtype(dtype).name
-
-
-def aligned(size: int, dtype: Any) -> NDArray[Any]:
-    raw = np.zeros(size * dtype.itemsize + 64, np.uint8)
-    skip = -raw.ctypes.data % 64
-    return raw[skip : skip + size * dtype.itemsize].view(dtype)
+def aligned(size: int) -> Array:
+    """That many zeros, the first at a cache line."""
+    raw = np.zeros(size + 7)
+    skip = -raw.ctypes.data % 64 // 8
+    return raw[skip : skip + size]
