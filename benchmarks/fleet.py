@@ -188,7 +188,7 @@ def laws(repeats: int) -> None:
             store._functions_of.cache_clear()
             for name, controller in designs.items():
                 began = time.thread_time()
-                compiled((as_law(controller),), 0)
+                compiled(as_law(controller), 0)
                 first[name].append(time.thread_time() - began)
     for name, controller in every.items():
         batch = FleetBatch(parameters=spread_fleet(n), controller=controller, kit=kit, substeps=1)

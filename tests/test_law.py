@@ -91,11 +91,11 @@ def by_c(library: Any, number: int, text: Program) -> np.ndarray:
 
 def by_kernel(name: str) -> np.ndarray:
     law = as_law(designed(name))
-    compiled, m = kernel_functions.compiled((law,), 6), len(law.linear.reads)
+    compiled, m = kernel_functions.compiled(law, 6), len(law.linear.reads)
     raw = np.zeros((FIXED + compiled.rows) * ROW + 8)
     w = raw[(-raw.ctypes.data % 64) // 8 :][: (FIXED + compiled.rows) * ROW].reshape(-1, ROW)
     places = [*range(FIXED, FIXED + m), *range(REFERENCE, REFERENCE + 6), LEFT, RIGHT]
-    table, commands = np.array(compiled.constants[0]), []
+    table, commands = np.array(compiled.constants), []
     for k in range(PERIODS):
         w[places, :LANES] = readings(k, len(places))[:, None]
         arguments = [w.ctypes.data, LANES, FIXED, table.ctypes.data]
@@ -132,27 +132,15 @@ def test_a_sliding_mode_is_the_same_bits_in_any_company() -> None:
     assert np.array_equal(whole.final[[140, 7, 99]], some.final)
 
 
-def test_controllers_with_other_zeros_keep_their_bits_in_one_batch() -> None:
-    full = lqr_state(ROBOT, 0.01)
-    sparse = replace(full, gain=full.gain * [1, 1, 0, 1, 0, 1])
-    robots = parameters_of([ROBOT, ROBOT])
-    batch = FleetBatch(parameters=robots, controller=[full, sparse], start=START)
-    together = simulate(batch, 1.0)
-    for i, controller in enumerate((full, sparse)):
-        alone = simulate(FleetBatch(parameters=robots[:1], controller=controller, start=START), 1.0)
-        # alone one robot's equations are a text of their own, whose last bits differ
-        assert np.abs(alone.final[0] - together.final[i]).max() < 1e-12
-
-
 def test_alike_laws_have_one_text_on_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("UPRIGHT_CACHE", str(tmp_path))
     store._functions_of.cache_clear()
     kernel_functions.compiled.cache_clear()
     one, two = (as_law(lqr_state(ROBOT, 0.01, R=[r, r])) for r in (1.0, 2.0))
-    first = kernel_functions.compiled((one,), 0)
+    first = kernel_functions.compiled(one, 0)
     (path,) = tmp_path.iterdir()
     whole = path.read_bytes()
-    second = kernel_functions.compiled((two,), 0)
+    second = kernel_functions.compiled(two, 0)
     assert (first.command, first.update) == (second.command, second.update)
     assert not np.array_equal(first.constants, second.constants)
     damaged = bytearray(whole)
@@ -160,15 +148,13 @@ def test_alike_laws_have_one_text_on_disk(tmp_path: Path, monkeypatch: pytest.Mo
     path.write_bytes(damaged)
     store._functions_of.cache_clear()
     kernel_functions.compiled.cache_clear()
-    kernel_functions.compiled((one,), 0)
+    kernel_functions.compiled(one, 0)
     assert path.read_bytes() == whole  # made anew
 
 
-def test_what_no_law_describes_is_called_alone_and_refused_in_numbers() -> None:
+def test_what_no_law_describes_is_called() -> None:
     own = designed("lqr-complementary")
     assert FleetBatch(parameters=parameters_of(ROBOT), controller=own).called is own
-    with pytest.raises(InvalidController, match="sliding"):
-        FleetBatch(parameters=parameters_of([ROBOT] * 2), controller=[own, own])
 
 
 class Careful(StateFeedback):
@@ -190,7 +176,7 @@ def test_a_step_of_its_own_takes_the_law_from_a_child() -> None:
 
 
 def test_a_static_law_remembers_nothing() -> None:
-    assert kernel_functions.compiled((as_law(lqr_state(ROBOT, 0.01)),), 0).update == 0
+    assert kernel_functions.compiled(as_law(lqr_state(ROBOT, 0.01)), 0).update == 0
 
 
 def test_a_law_that_grows_without_its_robot_is_run() -> None:

@@ -104,10 +104,10 @@ def _reduced(terms: tuple[tuple[int, str], ...], constant: int, shift: int) -> S
     return Scaled(tuple((f >> spare, n) for f, n in terms), constant >> spare, shift - spare)
 
 
-def quantum(program: Program, bits: Mapping[str, int] | None = None) -> float:
+def quantum(program: Program) -> float:
     """What fixed point may add to a command at worst, in the command's unit, with the design given the same words:
     rounding of every sum and coefficient, carried through the memory by the l1 norm of its impulse response."""
-    places = fractions(program) if bits is None else bits
+    places = fractions(program)
     names, inner, A = memory(program)
     errors = _reading_errors(program, places)
     rows = {s.target: s for s in program.update.steps if isinstance(s, Sum)}

@@ -38,13 +38,11 @@ class LanesPrinter(Printer):
     What stands for an expression is the name of the vector that holds it, after the lines that compute it.
     """
 
-    def __init__(self, blocks: Sequence[Block], places: Mapping[str, RowOf], *, table: bool, own: bool = False) -> None:
-        """Without a `table` constants are in the text; with `own` constants each one of the table is a row of the
-        block, else one number."""
+    def __init__(self, blocks: Sequence[Block], places: Mapping[str, RowOf], *, table: bool) -> None:
+        """Without a `table` constants are in the text."""
         self._blocks = blocks
         self._places = places
         self._table = table
-        self._own = own
         self._lines = list[str]()
         self._names = dict[str, str]()
         self._count = 0
@@ -80,7 +78,6 @@ loop:
   %i = phi i64 [0, %start], [%next, %{label}]
   %here = getelementptr double, ptr %w, i64 %i
   %own = getelementptr double, ptr %here, i64 %below
-  %table = getelementptr double, ptr %constants, i64 {"%i" if self._own else 0}
   {body}
   %next = add i64 %i, {WIDTH}
   %more = icmp slt i64 %next, %count
@@ -174,11 +171,8 @@ end:
         """A constant: of a table, the next one in the order of `constants`."""
         if not self._table:
             return f"<{', '.join([f'double {_hexadecimal(value)}'] * WIDTH)}>"
-        place = self._used * (ROW if self._own else 1)
+        address = self._let(f"getelementptr double, ptr %constants, i64 {self._used}")
         self._used += 1
-        address = self._let(f"getelementptr double, ptr %table, i64 {place}")
-        if self._own:
-            return self._let(f"load {_VECTOR}, ptr {address}, align 64")
         number = self._let(f"load double, ptr {address}")
         one = self._let(f"insertelement {_VECTOR} poison, double {number}, i64 0")
         return self._let(f"shufflevector {_VECTOR} {one}, {_VECTOR} poison, <{WIDTH} x i32> zeroinitializer")

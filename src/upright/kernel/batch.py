@@ -17,7 +17,7 @@ from upright.control.controller import ControllerSpec
 from upright.control.excited import Excited
 from upright.control.law import as_law
 from upright.control.linear_controller import Law, LinearController
-from upright.errors import InvalidController, InvalidModel, InvalidRobot, InvalidScenario, SpecMismatch, check_within
+from upright.errors import InvalidController, InvalidModel, InvalidRobot, InvalidScenario, check_within
 from upright.physics.dynamics import MODELS
 from upright.robots import Kit, Robot
 from upright.robots.robot import PARAMETERS
@@ -41,9 +41,9 @@ _TAILS = {
 class FleetBatch:
     """n robots under any controller. Every array has n rows, or one that all robots share.
 
-    `parameters` (·, 25) in the order and units of `robots.robot.PARAMETERS` (see `parameters_of`); `controller` is
-    one for all or a sequence of n, and `laws` what they compute. One that no law describes is `called` in Python, for
-    one robot after another and a hundred times as slowly, as is one that is given as `called` in the law's place.
+    `parameters` (·, 25) in the order and units of `robots.robot.PARAMETERS` (see `parameters_of`); `law` is what the
+    `controller` of all computes. One that no law describes is `called` in Python, for one robot after another and a
+    hundred times as slowly, as is one that is given as `called` in the law's place.
     `start` (·, 6) is the state at t = 0;
     `pushes` (·, p, 4) force [N], height above the axle [m] (NaN: at the centre of mass), start [s], duration [s];
     `slope` (·, 2) angle [rad] and start [s];
@@ -51,16 +51,15 @@ class FleetBatch:
     `excitation` (·, e, 2) is added to the controller's commands [unit], each row for `excitation_hold` periods, as
     `Excited` adds it; that of an `Excited` controller, where none is given here. `kit` is the electronics,
     None the bare body; `kit_changes` replaces its numbers for each robot, by dotted name: "delay", "motor.limit",
-    "sensors.gyro.noise" (channel without "sensor/"), (·,). `model` is "complete" or "published", or one for each.
+    "sensors.gyro.noise" (channel without "sensor/"), (·,). `model` is "complete" or "published".
     `index` (n,) numbers the robots for their random numbers, so that a part of a fleet behaves as in the whole fleet.
     `period` [s] is the body's step, cut into `substeps` (None: for each robot as many as its fastest pole needs).
 
-    Raises `InvalidController` for several that no law describes, `SpecMismatch` for controllers of different forms,
-    `InvalidModel` or `InvalidScenario` for the rest.
+    Raises `InvalidModel` or `InvalidScenario`.
     """
 
     parameters: Array
-    controller: Controller | Law | Sequence[Controller | Law]
+    controller: Controller | Law
     start: Array = field(default_factory=lambda: np.zeros((1, 6)))
     pushes: Array = field(default_factory=lambda: np.zeros((1, 0, 4)))
     slope: Array = field(default_factory=lambda: np.zeros((1, 2)))
@@ -69,13 +68,13 @@ class FleetBatch:
     excitation_hold: int = 1
     kit: Kit | None = None
     kit_changes: Mapping[str, ArrayLike] = field(default_factory=dict)
-    model: str | Sequence[str] = "complete"
+    model: str = "complete"
     seed: int = 0
     index: NDArray[np.uint64] | None = None
     period: float = 0.001
     substeps: int | None = None
     called: Controller | None = None
-    laws: tuple[Law, ...] = field(init=False)
+    law: Law = field(init=False)
     n: int = field(init=False)
 
     def __post_init__(self) -> None:
@@ -85,24 +84,24 @@ class FleetBatch:
         check_within("periods for a row of an excitation", self.excitation_hold, 1, math.inf)
         for name, tail in _TAILS.items():
             object.__setattr__(self, name, _table(name, getattr(self, name), tail))
-        laws, called = _laws(self.controller)
-        object.__setattr__(self, "laws", laws)
+        given = self.controller
+        law, called = (given, None) if isinstance(given, Law) else law_of(given)
+        object.__setattr__(self, "law", law)
         object.__setattr__(self, "called", self.called or called)
         changes = {name: _table(name, np.reshape(values, (-1,)), ()) for name, values in self.kit_changes.items()}
         object.__setattr__(self, "kit_changes", changes)
-        models = (self.model,) if isinstance(self.model, str) else tuple(self.model)
-        if unknown := set(models) - set(MODELS):
-            raise InvalidModel(f"no model is called '{unknown.pop()}'", expected=" or ".join(MODELS))
+        if self.model not in MODELS:
+            raise InvalidModel(f"no model is called '{self.model}'", expected=" or ".join(MODELS))
         sizes = {name: len(getattr(self, name)) for name in _TAILS}
         sizes |= {name: len(values) for name, values in changes.items()}
-        sizes |= {"model": len(models), "controller": len(self.laws)}
-        sizes |= {} if self.index is None else {"index": len(self.index)}
+        if self.index is not None:
+            sizes["index"] = len(self.index)
         object.__setattr__(self, "n", _common(sizes))
 
     @property
     def form(self) -> LinearController:
-        """The controller of robot 0, whose size, channels, period and unit are those of all."""
-        return self.laws[0].linear
+        """The controller's size, channels, period and unit."""
+        return self.law.linear
 
     def part(self, rows: Selection, **changes: Array) -> FleetBatch:
         """The robots number `rows` (n,) under the numbers they have in the whole, with whole arrays (`start`, `pushes`)
@@ -113,12 +112,8 @@ class FleetBatch:
 
         arrays = {name: some(getattr(self, name)) for name in _TAILS} | changes
         kit_changes = {name: some(np.asarray(values)) for name, values in self.kit_changes.items()}
-        models = self.model if isinstance(self.model, str) else tuple(np.asarray(self.model)[rows].tolist())
         index = np.arange(self.n, dtype=np.uint64) if self.index is None else self.index
-        laws = np.array(self.laws, dtype=object)
-        return replace(
-            self, **arrays, controller=some(laws).tolist(), kit_changes=kit_changes, model=models, index=index[rows]
-        )
+        return replace(self, **arrays, controller=self.law, kit_changes=kit_changes, index=index[rows])
 
 
 def law_of(controller: Controller) -> tuple[Law, Controller | None]:
@@ -153,25 +148,6 @@ def parameters_of(robots: Robot | Iterable[Robot], changes: Mapping[str, ArrayLi
         table = np.repeat(table, len(column), axis=0) if len(table) == 1 else table
         table[:, NAMES.index(name)] = column
     return table
-
-
-def _laws(
-    controller: Controller | Law | Sequence[Controller | Law],
-) -> tuple[tuple[Law, ...], Controller | None]:
-    """One controller, or one for each robot, which read the same channels at the same rate; and one to be called."""
-    if isinstance(controller, Controller):
-        law, called = law_of(controller)
-        return (law,), called
-    several = [controller] if isinstance(controller, Law) else controller
-    laws = tuple(as_law(one) for one in several)
-    forms = {(one.reads, one.period, one.command_unit, len(one.A)) for one in (law.linear for law in laws)}
-    if len(laws) > 1 and any(law.nonlinear for law in laws):
-        raise SpecMismatch("several controllers that are not linear in a batch", expected="one of them, or linear ones")
-    if len(forms) != 1:
-        raise SpecMismatch(
-            f"{len(forms)} forms of controllers", expected="one period, size and set of channels for all"
-        )
-    return laws, None
 
 
 def _table(name: str, given: ArrayLike, tail: tuple[int, ...]) -> Array:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache, lru_cache
 from typing import NamedTuple
 
@@ -13,7 +12,7 @@ from upright.arrays import Array
 from upright.compiled.electronics import FUSED_NUMBERS, GYRO_NUMBERS, SENSOR_NUMBERS, formulas
 from upright.compiled.generated import GRAVITY, LEFT, PITCH_RATE, RIGHT, YAW_RATE
 from upright.compiled.print_lanes import LanesPrinter, RowOf, constants
-from upright.compiled.program import Block, Kind, Program, Step, Sum
+from upright.compiled.program import Kind
 from upright.control.law import program
 from upright.control.linear_controller import Law
 from upright.kernel import rows as b
@@ -29,8 +28,8 @@ FIXED = {f"reference_{name}": RowOf(b.REFERENCE + i) for i, name in enumerate(ST
 @dataclass(frozen=True, eq=False)
 class CompiledLaw:
     """Addresses of both functions (`update` is 0 where nothing is remembered), the number of their own `rows`, which
-    begin with the readings, and their `constants`: one row for all robots, or one for each. `residual` is the row of
-    a predictive controller's, among its own; 0 for any other."""
+    begin with the readings, and their `constants` (k,). `residual` is the row of a predictive controller's, among its
+    own; 0 for any other."""
 
     command: int
     update: int
@@ -40,10 +39,10 @@ class CompiledLaw:
 
 
 @lru_cache(maxsize=64)
-def compiled(laws: tuple[Law, ...], referred: int, applied: int = LEFT) -> CompiledLaw:
-    """The laws of a batch; for the first `referred` states there is a reference, and what is applied stands in the two
+def compiled(law: Law, referred: int, applied: int = LEFT) -> CompiledLaw:
+    """The law of a batch; for the first `referred` states there is a reference, and what is applied stands in the two
     rows from `applied` on."""
-    text, table = merged([program(law, referred) for law in laws])
+    text = program(law, referred)
     outputs = [v.name for v in text.of(Kind.OUTPUT) if v.name not in FIXED]
     own = [*text.channels, *(v.name for v in text.of(Kind.STATE)), *text.carried(), *outputs]
     places = (
@@ -51,42 +50,10 @@ def compiled(laws: tuple[Law, ...], referred: int, applied: int = LEFT) -> Compi
         | {"applied_left": RowOf(applied), "applied_right": RowOf(applied + 1)}
         | {name: RowOf(i, relative=True) for i, name in enumerate(own)}
     )
-    module = LanesPrinter((text.command, text.update), places, table=True, own=len(laws) > 1).text()
+    module = LanesPrinter((text.command, text.update), places, table=True).text()
     command, update = functions_of(module, "command", "update")
     residual = own.index("residual") if "residual" in own else 0
-    return CompiledLaw(command, update if text.update.statements else 0, len(own), table, residual)
-
-
-def merged(programs: Sequence[Program]) -> tuple[Program, Array]:
-    """One program with the terms that any of several like ones has, and the constants (n, k) of each: zero for a term
-    that it does not have, which changes none of its bits."""
-    first, *others = programs
-    if not others:
-        return first, np.array([constants(first)])
-    place = {name: i for i, name in enumerate(first.variables)}
-
-    def whole(blocks: Sequence[Block], terms: Sequence[Sequence[str]]) -> list[Block]:
-        statements = [[_filled(s, names) for s, names in zip(b.steps, terms, strict=True)] for b in blocks]
-        return [replace(b, statements=tuple(s)) for b, s in zip(blocks, statements, strict=True)]
-
-    filled: list[list[Block]] = []
-    for blocks in ([p.command for p in programs], [p.update for p in programs]):
-        rows = zip(*(b.steps for b in blocks), strict=True)
-        filled.append(whole(blocks, [sorted(set().union(*map(_names, row)), key=place.__getitem__) for row in rows]))
-    each = [replace(p, command=c, update=u) for p, c, u in zip(programs, *filled, strict=True)]
-    return each[0], np.array([constants(p) for p in each])
-
-
-def _names(statement: Step) -> set[str]:
-    return {name for _, name in statement.terms} if isinstance(statement, Sum) else set()
-
-
-def _filled(statement: Step, names: Sequence[str]) -> Step:
-    """A sum with a coefficient for each of `names`."""
-    if not isinstance(statement, Sum):
-        return statement
-    terms = {name: coefficient for coefficient, name in statement.terms}
-    return replace(statement, terms=tuple((terms.get(name, 0.0), name) for name in names))
+    return CompiledLaw(command, update if text.update.statements else 0, len(own), np.array(constants(text)), residual)
 
 
 _DRIVE = {

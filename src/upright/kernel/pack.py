@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -93,8 +92,7 @@ def pack(batch: FleetBatch, kit: KitTables, h: float) -> Packed:
     excitation = batch.excitation.reshape(len(batch.excitation), -1)
     # a reference that is zero all the time takes no products
     applied = b.APPLIED if kit.unequal else g.LEFT
-    program = compiled(batch.laws, len(STATE_NAMES) if ramps.shape[1] else 0, applied)
-    own = len(batch.laws) > 1
+    program = compiled(batch.law, len(STATE_NAMES) if ramps.shape[1] else 0, applied)
     slots = int(kit.dead_time[:, 0].max()) + 4 if kit.dead_time.any() else 0
     at = Rows(
         pushes=block.take(pushes.shape[1], pushes), push_count=pushes.shape[1] // 4,
@@ -102,7 +100,6 @@ def pack(batch: FleetBatch, kit: KitTables, h: float) -> Packed:
         excitation=block.take(excitation.shape[1], excitation), excitation_count=excitation.shape[1] // 2,
         excitation_hold=batch.excitation_hold,
         reading=block.take(program.rows),
-        constants=block.take(program.constants.shape[1], program.constants) if own else 0,
         ring=block.take(2 * slots), slots=slots,
     )  # fmt: skip
     sensors = _sensors(controller, kit, at, block)
@@ -117,12 +114,9 @@ def pack(batch: FleetBatch, kit: KitTables, h: float) -> Packed:
 
 def constants(batch: FleetBatch) -> Array:
     """(·, constants): each robot's constants of the traced dynamics."""
-    if isinstance(batch.model, str):
-        complete: Any = float(batch.model == "complete")
-        if len(batch.parameters) == 1:  # one robot's numbers are quicker by themselves than as arrays of one
-            return np.array([g.constants(batch.parameters[0].tolist(), complete)])
-    else:
-        complete = np.array([float(model == "complete") for model in batch.model])
+    complete = float(batch.model == "complete")
+    if len(batch.parameters) == 1:  # one robot's numbers are quicker by themselves than as arrays of one
+        return np.array([g.constants(batch.parameters[0].tolist(), complete)])
     return np.stack(np.broadcast_arrays(*g.constants(batch.parameters.T, complete))).T
 
 

@@ -59,7 +59,6 @@ class Rows(NamedTuple):
     excitation_count: int
     excitation_hold: int  # for how many periods each of them is added
     reading: int  # one for each channel that the controller reads, then its states and what it carries over
-    constants: int  # of each robot's own controller
     ring: int  # 2 for each command on its way
     slots: int
 
@@ -73,7 +72,6 @@ class Plan(NamedTuple):
     every: int  # periods from one recorded row to the next, 0: none
     decide: int  # address of the controller's `command`
     update: int  # and of its `update`, 0 where it remembers nothing
-    own: int  # 1: each robot has its own controller
     slope: int  # 1: some floor slopes
     alike: int  # 1: all robots have the same dead time, without jitter
     advance: int  # address of `advance_…`
@@ -112,10 +110,10 @@ class Times(NamedTuple):
 
 
 PUSHES, PUSH_COUNT, RAMPS, RAMP_COUNT, EXCITATION, EXCITATION_COUNT, EXCITATION_HOLD = range(7)
-READING, CONSTANTS, RING, SLOTS = range(7, 11)
-PERIODS, STRIDE, SUBSTEPS, EVERY, DECIDE, UPDATE, OWN, SLOPE, ALIKE, ADVANCE, ACCELEROMETER = range(11, 22)
-APPLIED_ROW, DRIVE, TURN, SLACKEN, SETTLE, SWING, FUSE, MEASURE, CALLED, SEED = range(22, 32)
-ROBOTS, ALL_ROWS, VARIED, HELD, TRUTHS, SENSORS, BEFORE, AFTER = range(32, 40)
+READING, RING, SLOTS = range(7, 10)
+PERIODS, STRIDE, SUBSTEPS, EVERY, DECIDE, UPDATE, SLOPE, ALIKE, ADVANCE, ACCELEROMETER = range(10, 20)
+APPLIED_ROW, DRIVE, TURN, SLACKEN, SETTLE, SWING, FUSE, MEASURE, CALLED, SEED = range(20, 30)
+ROBOTS, ALL_ROWS, VARIED, HELD, TRUTHS, SENSORS, BEFORE, AFTER = range(30, 38)
 """Places of the fields of `Rows`, `Plan` and `Sizes` in the one array that compiled functions get."""
 STEP, H_STEP, FALLEN_AT = range(3)
 """Places of the fields of `Times`."""

@@ -18,7 +18,6 @@ from upright.compiled.jit import (
     item,
     njit,
     put,
-    row_of,
     store,
 )
 from upright.compiled.random import fill_normals
@@ -32,7 +31,6 @@ from upright.kernel.rows import (
     BEFORE,
     CALLED,
     COMMAND,
-    CONSTANTS,
     COUNTED,
     COUNTS,
     DECIDE,
@@ -53,7 +51,6 @@ from upright.kernel.rows import (
     MEASURE,
     NEVER,
     NOISE,
-    OWN,
     PERIODS,
     PLAIN,
     PUSH_COUNT,
@@ -214,20 +211,13 @@ def read(block: RobotBlock, plan: Any, times: Any, sensors: Any, k: int) -> None
 
 
 @njit
-def control(address: int, w: Any, count: int, plan: Any, constants: Any) -> None:
-    """One of the controller's two functions, with the constants of all robots or of each."""
-    table = row_of(w, item(plan, CONSTANTS)) if item(plan, OWN) else constants
-    call_program(address, w, count, item(plan, READING), table)
-
-
-@njit
 def decide(block: RobotBlock, plan: Any, times: Any, constants: Any, k: int) -> int:
     """The command of period `k`, into the delay line; returns the last of its steps at which a command arrives."""
     w, count = block.w, block.robots
     if item(plan, RAMP_COUNT) > 0:
         t = k * item(plan, STRIDE) * item(times, STEP)
         b.refer(w, count, item(plan, RAMPS), item(plan, RAMP_COUNT), t)
-    control(item(plan, DECIDE), w, count, plan, constants)
+    call_program(item(plan, DECIDE), w, count, item(plan, READING), constants)
     if item(plan, CALLED) != 0:
         call_on_block(item(plan, CALLED), w, count, k)
     row = k // item(plan, EXCITATION_HOLD)
@@ -337,5 +327,5 @@ def entry(
                 for side in range(2):  # the controller remembers what itself has commanded
                     b.copy(w, COMMAND + side, DECIDED + side, count)
             if item(plan, UPDATE) != 0:
-                control(item(plan, UPDATE), w, count, plan, constants)
+                call_program(item(plan, UPDATE), w, count, item(plan, READING), constants)
         write(w, count, final, lived, counted, first)

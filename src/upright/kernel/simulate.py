@@ -111,13 +111,9 @@ def steps_of(batch: FleetBatch) -> Whole:
     """Runge–Kutta steps (·,) in a body's period that follow the fastest pole of each robot, as `NonlinearBody` does."""
     if batch.substeps:
         return np.array([batch.substeps])
-    models = [batch.model] if isinstance(batch.model, str) else batch.model
-    each = {model: _steps(batch.parameters, model, batch.period) for model in set(models)}
-    return each[models[0]] if len(each) == 1 else np.array([each[m][i % len(each[m])] for i, m in enumerate(models)])
-
-
-def _steps(parameters: Array, model: str, period: float) -> Whole:
-    jacobian = _jacobian(parameters, model)
+    parameters = batch.parameters
+    period = batch.period
+    jacobian = _jacobian(parameters, batch.model)
     steps = np.ones(len(parameters), dtype=np.int64)
     stiff = np.flatnonzero(~(_bound(jacobian) * period <= SIMULATED))
     for i, poles in zip(stiff.tolist(), np.abs(np.linalg.eigvals(jacobian[stiff])), strict=True):

@@ -129,7 +129,7 @@ def planned(batch: FleetBatch, piece: Piece, packed: Packed, order: Order, move:
         accelerometer = address_of(MOTION, f"specific_force_{piece.variant}", ("*float64", "int64", "int64"))
     return Plan(
         order.periods, order.stride, piece.substeps, order.record, packed.program.command, packed.program.update,
-        int(len(batch.laws) > 1), int("slope" in piece.variant), int(packed.alike), advance, accelerometer,
+        int("slope" in piece.variant), int(packed.alike), advance, accelerometer,
         packed.applied, *electronics(), called, int(np.uint64(batch.seed).astype(np.int64)),
     )  # fmt: skip
 
@@ -146,7 +146,7 @@ def _run(
     numbers = np.array([*packed.at, *plan, *sizes], dtype=np.int64)
     arrays = (
         numbers, np.array(times), packed.common, packed.rows, packed.table, index, packed.truth, packed.sensors,
-        packed.program.constants[0], *rows, *out,
+        packed.program.constants, *rows, *out,
     )  # fmt: skip
     blocks = -(-batch.n // LANES)
     size_of_part = LANES * (blocks if threads == 1 else max(1, -(-blocks // (threads * _PARTS))))
