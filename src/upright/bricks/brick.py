@@ -163,10 +163,6 @@ class Flash:
         self.sizes.pop(name)
         return OK
 
-    def close_all(self) -> None:
-        """As the brick does when a program ends."""
-        self.handles.clear()
-
     def _handle(self, opened: OpenFile) -> int:
         handle = next(i for i in range(256) if i not in self.handles)
         self.handles[handle] = opened
@@ -177,13 +173,13 @@ class Hardware:
     """The devices of a `vm.Machine`. `world(time [µs])` is called before every reading and setting, so that it can move
     the robot on and set `inputs`, `motors`, `registers` (of digital sensors by port), `battery` [mV] and `buttons`."""
 
-    def __init__(self, world: Callable[[int], None] | None = None, flash: Flash | None = None) -> None:
+    def __init__(self, world: Callable[[int], None] | None = None) -> None:
         self.inputs, self.motors = [Port() for _ in range(4)], [MotorPort() for _ in range(3)]
         self.registers: dict[int, dict[int, int]] = {}
         self.battery = 8000
         self.buttons = set[int]()
         self.lines = dict[int, str]()
-        self.flash = Flash() if flash is None else flash
+        self.flash = Flash()
         self.world = world
         self.asked: dict[int, bytes] = {}  # port → answer of its digital sensor
 
@@ -195,7 +191,7 @@ class Hardware:
         """Motors off and files closed, as the firmware does whenever a program ends."""
         for motor in self.motors:
             motor.mode = motor.power = motor.state = motor.limit = motor.fading = 0
-        self.flash.close_all()
+        self.flash.handles.clear()
 
     def tick(self, milliseconds: int) -> None:
         """Advance the firmware's control of all motors."""
@@ -259,17 +255,8 @@ def _name(text: bytearray) -> str:
     return bytes(text).split(b"\0")[0].decode("ascii", "replace")
 
 
-def _open_read(brick: Hardware, a: list[Any]) -> None:
-    a[0], a[1], a[3] = brick.flash.open(_name(a[2]))
-
-
 def _open_write(brick: Hardware, a: list[Any]) -> None:
     a[0], a[1] = brick.flash.create(_name(a[2]), a[3])
-
-
-def _read(brick: Hardware, a: list[Any]) -> None:
-    a[0], data = brick.flash.read(a[1], a[3])
-    a[2], a[3] = bytearray(data), len(data)
 
 
 def _write(brick: Hardware, a: list[Any]) -> None:
@@ -312,14 +299,9 @@ def _read_module(brick: Hardware, a: list[Any]) -> None:
     a[0], a[4] = OK, bytearray(struct.pack("<H", brick.battery)[: a[3]])
 
 
-def _accepted(_: Hardware, a: list[Any]) -> None:
-    """A tone or a cleared screen, without effect on the robot."""
-    a[0] = OK
-
-
 CALLS: Mapping[int, Callable[[Hardware, list[Any]], None]] = {
-    0: _open_read, 1: _open_write, 3: _read, 4: _write, 5: _close, 8: _delete, 9: _accepted, 10: _accepted, 13: _text,
-    19: _accepted, 20: _button, 21: _ask_sensor, 22: _sensor_answer, 23: _sensor_ready, 31: _accepted, 78: _read_module,
+    1: _open_write, 4: _write, 5: _close, 8: _delete, 13: _text, 20: _button, 21: _ask_sensor, 22: _sensor_answer,
+    23: _sensor_ready, 78: _read_module,
 }  # fmt: skip
 """Number of a system call → its function."""
 

@@ -7,26 +7,15 @@ single precision.
 from __future__ import annotations
 
 import struct
-from collections.abc import Callable, Sequence
-from typing import Any, Protocol
+from collections.abc import Callable
+from typing import Any
 
+from upright.bricks.brick import Hardware
 from upright.bricks.rxe import NOTHING, Executable, InvalidProgram, Type, Value
 
 _SINGLE = struct.Struct("<f")
 _WIDTH = {Type.UBYTE: 8, Type.SBYTE: 8, Type.UWORD: 16, Type.SWORD: 16, Type.ULONG: 32, Type.SLONG: 32, Type.MUTEX: 32}
 _SIGNED = frozenset({Type.SBYTE, Type.SWORD, Type.SLONG})
-
-
-class Devices(Protocol):
-    """What is around the machine: time, ports and the system's calls. Ports and properties are numbered as in the
-    LEGO manual; `reach` brings the world to a time [µs] before anything is read or set."""
-
-    def reach(self, time: int) -> None: ...
-    def get_input(self, port: int, item: int) -> int: ...
-    def set_input(self, port: int, item: int, value: int) -> None: ...
-    def get_output(self, port: int, item: int) -> int: ...
-    def set_output(self, ports: Sequence[int], settings: Sequence[tuple[int, int]]) -> None: ...
-    def call(self, number: int, arguments: list[Value]) -> None: ...
 
 
 class Processor:
@@ -35,13 +24,13 @@ class Processor:
     Abstract: a `Machine` runs the instructions.
     """
 
-    def __init__(self, program: Executable, devices: Devices) -> None:
+    def __init__(self, program: Executable, devices: Hardware) -> None:
         self.program, self.devices = program, devices
         self.cells: list[Value] = [copied(v) for v in program.values]
         self.time = self.naps = 0
         self.returns: dict[int, int] = {}  # the variable of a subroutine's caller → where it goes on
 
-    def now(self) -> Devices:
+    def now(self) -> Hardware:
         """The world, brought to this moment."""
         self.devices.reach(self.time)
         return self.devices

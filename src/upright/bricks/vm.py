@@ -7,7 +7,8 @@ depend on it.
 
 from __future__ import annotations
 
-from upright.bricks.processor import Devices, Processor
+from upright.bricks.brick import Hardware
+from upright.bricks.processor import Processor
 from upright.bricks.rxe import Executable, InvalidProgram
 from upright.bricks.vm_instructions import END, INSTRUCTIONS, Step
 
@@ -15,7 +16,7 @@ from upright.bricks.vm_instructions import END, INSTRUCTIONS, Step
 class Machine(Processor):
     """Runs `program` with `devices`. An instruction takes `cost` [µs]; `executed` counts instructions."""
 
-    def __init__(self, program: Executable, devices: Devices, cost: int) -> None:
+    def __init__(self, program: Executable, devices: Hardware, cost: int) -> None:
         super().__init__(program, devices)
         self.cost = cost
         self.executed = 0

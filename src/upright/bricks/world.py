@@ -9,15 +9,16 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-import numpy as np
-
 from upright.bodies import Electronics, make_body
+from upright.compiled.counter import FOR_HAND, FOR_STILL, KINDS, Normals, whole
 from upright.experiment.pushes import PushProgramme, combined
 from upright.firmware.targets import BATTERY, COMPASS, GYRO, OFFSET, find_target
 from upright.robots import Kit, Robot
 
 HELD = (math.radians(2.0), math.radians(3.0))
 """[rad] by which a hand holds a robot off the vertical when it lets go: between these, to either side."""
+
+PLACES = 1024  # between those two, as fine as no hand is
 
 
 class World:
@@ -40,11 +41,16 @@ class World:
         known = find_target(target)
         self._raw = {channel: known.sensor(channel, kit) for channel in kit.sensors if channel in known.raw}
         self._raw |= {BATTERY: known.sensor(BATTERY, kit)}
-        self._pushes, self._robot, self._kit = pushes, robot, kit
-        self._rng = np.random.Generator(np.random.Philox(seed))
+        self._pushes = pushes
+        self._robot = robot
+        self._kit = kit
+        self._noise = Normals(FOR_STILL, KINDS.index(GYRO), seed)
+        self._looks = 0
         self.period = self._plant.spec.period
         self._names = [signal.name for signal in self._plant.spec.channels]
-        lean = float(self._rng.uniform(*HELD) * self._rng.choice((-1, 1)))
+        choice = whole(0, FOR_HAND, 2 * PLACES, seed)
+        low, high = HELD
+        lean = (low + (high - low) * (choice // 2) / PLACES) * (1 if choice % 2 else -1)
         self._now = self._plant.reset((lean, 0.0, lean, 0.0, 0.0, 0.0), seed)
         self.released = self.fallen = False
 
@@ -66,7 +72,8 @@ class World:
         channels = dict(zip(self._names, self._now.numbers, strict=True))
         battery = self._kit.battery.voltage
         if not self.released:
-            noise = self._kit.sensors[GYRO].noise * float(self._rng.standard_normal())
+            noise = self._kit.sensors[GYRO].noise * self._noise.at(self._looks)
+            self._looks += 1
             channels = dict.fromkeys(channels, 0.0) | {GYRO: noise, BATTERY: battery}
         return {channel: self._read(channel, channels.get(channel, battery)) for channel in self._raw}
 

@@ -16,8 +16,14 @@ import numpy as np
 from upright.arrays import Array, Whole
 from upright.signals.signal import FUSED, SENSORS
 
-FOR_NOISE, FOR_WALK, FOR_BIAS, FOR_JITTER = 0, 2, 4, 6
-"""Purposes; the first three have room for eight kinds of sensors, two times the four normal numbers of a counter."""
+FOR_NOISE = 0
+FOR_WALK = 2
+FOR_BIAS = 4
+FOR_JITTER = 6
+FOR_STILL = 8  # noise of sensors while a hand holds the robot
+FOR_HAND = 10  # what the hand does
+"""Purposes; all but jitter and hand have room for eight kinds of sensors, two times the four normal numbers of a
+counter."""
 
 KINDS = (*(s.name for s in SENSORS[:-1]), FUSED[0].name, SENSORS[-1].name)
 """Sensors by kind; the kernel knows all but the last, the battery."""

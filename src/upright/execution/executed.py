@@ -12,6 +12,7 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.bodies.electronics import drive
+from upright.compiled.counter import FOR_STILL, KINDS, normals
 from upright.compiled.fixed import fractions, memory
 from upright.compiled.program import Kind, Program
 from upright.control.controller import Controller, ControllerSpec
@@ -53,11 +54,10 @@ class Readings:
 
     def still(self, count: int, seed: int = 0) -> Iterator[dict[str, float]]:
         """Readings of a robot held still, with the gyro's own noise round its offset."""
-        rng = np.random.Generator(np.random.Philox(seed))
-        sensor = self._kit.sensors[GYRO]
+        size = self._kit.sensors[GYRO].noise
         resting = {channel: 0.0 for channel in self.channels.values() if channel != BATTERY}
-        for _ in range(count):
-            yield self.raw(resting | {GYRO: sensor.noise * float(rng.standard_normal())}, self.offset)
+        for normal in normals(np.arange(count), FOR_STILL, KINDS.index(GYRO), seed).tolist():
+            yield self.raw(resting | {GYRO: size * normal}, self.offset)
 
     def si(self, channel: str, channels: Mapping[str, float], raw: Values, offset: float) -> float:
         """The channel as the program computes it [SI], with the gyro's `offset` [raw] of its calibration."""
