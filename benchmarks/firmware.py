@@ -12,15 +12,17 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import harness
 
+from planted.measured_arm import CLOCK, MeasuredArm
 from upright.bricks.virtual_robot import COST
 from upright.control import CONTROLLERS, make_controller
 from upright.errors import UprightError
-from upright.execution import execute_arm, execute_avr, executed_parity
+from upright.execution import execute_avr, executed_parity
 from upright.execution.execute import execute
 from upright.firmware import generate
 from upright.robots import Kit, Robot
@@ -52,7 +54,8 @@ def row(name: str, robot: Robot, kit: Kit, target: str, number: str, chip: str) 
         made = generate(controller, robot, kit, target, number=number)
         with tempfile.TemporaryDirectory() as folder:
             source = made.write(Path(folder) / f"balance{next(iter(made.files))}")[0]
-            executor: Any = execute(source, made.program, number, chip)
+            make: Any = MeasuredArm if chip == "arm7" else partial(execute, chip=chip)
+            executor = make(source, made.program, number)
             found = executed_parity(executor, controller, made, robot, kit)
             cost = COSTS[chip](executor, kit.period)
             executor.close()
@@ -63,7 +66,7 @@ def row(name: str, robot: Robot, kit: Kit, target: str, number: str, chip: str) 
 
 
 def on_arm(executor: Any, period: float) -> str:
-    cost, time = executor.worst, executor.worst.cycles / execute_arm.CLOCK
+    cost, time = executor.worst, executor.worst.cycles / CLOCK
     counts = f"{cost.instructions:>14}{cost.cycles:>9}"
     return f"{counts}{time * 1e3:>7.3f} ms{time / period:>11.1%}{executor.code_bytes:>8}{'':>6}"
 

@@ -295,7 +295,7 @@ def against_mujoco(repeats: int) -> None:
 
     from upright.bodies.mjcf import mjcf
 
-    contact = {"contact_time": 0.0005, "impedance": 0.95, "impratio": 10.0, "grip": 10.0}
+    contact = {"contact_time": 0.0005, "grip": 10.0}
     model = MjModel.from_xml_string(mjcf(ROBOT, timestep=0.00025, **contact))
     many, seconds = 32, 1.0
     data = [MjData(model) for _ in range(2)]

@@ -13,6 +13,7 @@ import pytest
 from upright.control import LinearController, make_controller, read_controller
 from upright.control.controller import Controller
 from upright.execution import Parity
+from upright.execution.execute import PythonExecutor
 from upright.firmware import Firmware, generate
 from upright.robots import Kit, Robot
 
@@ -53,6 +54,13 @@ def written(
     made = generate(controller or frozen(), ROBOT, kit, target, **options)  # type: ignore[arg-type]
     suffix = next(iter(made.files))
     return made.write(folder / f"balance{suffix}")[0], made
+
+
+def finish(executor: PythonExecutor) -> list[str]:
+    """Press the button and return the program's output, its log last."""
+    while executor.script.exchange([0.0, 0.0, 0.0, 8000.0], pressed=True):
+        pass
+    return executor.script.lines
 
 
 STILL = 10

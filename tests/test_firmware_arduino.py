@@ -11,21 +11,10 @@ from pathlib import Path
 import pytest
 
 from firmware_cases import NXT, STILL, brief
+from planted.uno import ABSENT, HUNG, LED, PRESENT, level, output, pwm, run_for
 from upright.control import lqg
 from upright.errors import SpecMismatch
-from upright.execution.execute_sketch import (
-    ABSENT,
-    BUTTON,
-    CONDITION,
-    CORE,
-    GYRO,
-    HUNG,
-    IDENTITY,
-    LED,
-    POWER,
-    PRESENT,
-    SketchExecutor,
-)
+from upright.execution.execute_sketch import BUTTON, CONDITION, CORE, GYRO, IDENTITY, POWER, SketchExecutor
 from upright.execution.executed import Readings
 from upright.firmware import Firmware, generate
 from upright.firmware.setup import SENSOR_FAILED
@@ -59,16 +48,16 @@ def balancing(sketch: tuple[Path, Firmware]) -> SketchExecutor:
     for k in range(1, 6):
         executor.step(readings.raw({"sensor/encoder_left": 0.02 * k, "sensor/encoder_right": 0.02 * k}))
     assert executor.results()["status"] == 0
-    assert executor.level(LED)
-    assert all(executor.pwm())
+    assert level(executor, LED)
+    assert all(pwm(executor))
     executor.real = True
     return executor
 
 
 def last_words(executor: SketchExecutor) -> str:
     """The last line, without the check that the standard library agrees with."""
-    executor.run(0.02)
-    text, _, crc = executor.output()[-1].rpartition("*")
+    run_for(executor, 0.02)
+    text, _, crc = output(executor)[-1].rpartition("*")
     assert int(crc, 16) == binascii.crc_hqx(text.encode(), 0xFFFF)
     return text
 
@@ -79,13 +68,13 @@ def test_a_missing_sensor_never_balances(sketch: tuple[Path, Firmware], what: in
     executor = SketchExecutor(sketch[0], sketch[1].program, sketch[1].number, real=True)
     executor.set_input(what, value)
     executor.set_input(GYRO, -1)
-    executor.run(0.4)  # more than a start takes
-    assert not executor.level(LED)
-    assert executor.pwm() == [0, 0]
+    run_for(executor, 0.4)  # more than a start takes
+    assert not level(executor, LED)
+    assert pwm(executor) == [0, 0]
     assert last_words(executor) == f"E {SENSOR_FAILED}"
     executor.set_input(what, 0x68 if what == IDENTITY else PRESENT)
-    executor.run(0.4)
-    assert not executor.level(LED)  # until somebody presses RESET
+    run_for(executor, 0.4)
+    assert not level(executor, LED)  # until somebody presses RESET
     executor.close()
 
 
@@ -97,25 +86,25 @@ def test_a_sensor_lost_in_a_run_stops_the_motors_or_is_started_anew(
 ) -> None:
     executor = balancing(sketch)
     executor.set_input(what, value)
-    executor.run(LATEST)
+    run_for(executor, LATEST)
     if what == POWER:  # it answers, but sleeps until it has its settings again
-        assert executor.level(LED)
+        assert level(executor, LED)
         assert executor.results()["status"] == 0
     else:
-        assert executor.pwm() == [0, 0]
-        assert not executor.level(LED)
+        assert pwm(executor) == [0, 0]
+        assert not level(executor, LED)
         assert last_words(executor) == f"E {SENSOR_FAILED}"
         executor.set_input(CONDITION, PRESENT)
-        executor.run(LATEST)
-        assert executor.pwm() == [0, 0]
+        run_for(executor, LATEST)
+        assert pwm(executor) == [0, 0]
     executor.close()
 
 
 def test_every_line_of_telemetry_has_its_own_time(sketch: tuple[Path, Firmware]) -> None:
     """Ten periods of 10 ms from one to the next, by the cycles of the simulated processor."""
     executor = balancing(sketch)
-    executor.run(0.45)
-    lines = [line.partition("*")[0].split() for line in executor.output() if line.startswith("T")]
+    run_for(executor, 0.45)
+    lines = [line.partition("*")[0].split() for line in output(executor) if line.startswith("T")]
     assert all(len(words) == 7 for words in lines)
     assert len(lines) >= 3
     periods = {(int(b[1]) - int(a[1])) * 10 - (int(b[-1]) - int(a[-1])) for a, b in pairwise(lines)}
@@ -127,11 +116,11 @@ def test_a_bus_that_hangs_for_a_moment_is_survived(sketch: tuple[Path, Firmware]
     """Two periods without a reading, less than the three that are allowed."""
     executor = balancing(sketch)
     executor.set_input(CONDITION, HUNG)
-    executor.run(0.02)
+    run_for(executor, 0.02)
     executor.set_input(CONDITION, PRESENT)
-    executor.run(LATEST)
+    run_for(executor, LATEST)
     assert executor.results()["status"] == 0
-    assert executor.level(LED)
+    assert level(executor, LED)
     executor.close()
 
 
@@ -139,20 +128,20 @@ def test_the_button_works_while_the_bus_hangs(sketch: tuple[Path, Firmware], tmp
     patient = edited(sketch, tmp_path, "#define MISSES 3 ", "#define MISSES 200 ")
     executor = balancing(patient)
     executor.set_input(CONDITION, HUNG)
-    executor.run(0.03)
-    assert executor.level(LED)
+    run_for(executor, 0.03)
+    assert level(executor, LED)
     executor.set_input(BUTTON, 1)
-    executor.run(0.03)
-    assert executor.pwm() == [0, 0]
+    run_for(executor, 0.03)
+    assert pwm(executor) == [0, 0]
     executor.close()
 
 
 def test_a_loop_that_hangs_is_ended_by_the_watchdog(sketch: tuple[Path, Firmware], tmp_path: Path) -> None:
     """With interrupts off as well the processor's next time-out is a reset, which simavr does not know."""
     executor = balancing(edited(sketch, tmp_path, "        count++;\n", "        if (++count == 8) for (;;) ;\n"))
-    executor.run(0.2)
-    assert executor.pwm() == [0, 0]
-    assert not executor.level(LED)
+    run_for(executor, 0.2)
+    assert pwm(executor) == [0, 0]
+    assert not level(executor, LED)
     executor.close()
 
 
@@ -182,7 +171,7 @@ def test_a_sketch_is_executed_with_the_pins_that_it_names(sketch: tuple[Path, Fi
         for raw in readings.still(STILL):
             executor.step(raw)
         turned = [readings.raw({"sensor/encoder_left": -0.02 * k, "sensor/gyro": 0.1}, 3.0) for k in range(12)]
-        outputs.append([(dict(executor.step(raw)), executor.pwm()) for raw in turned])
+        outputs.append([(dict(executor.step(raw)), pwm(executor)) for raw in turned])
         executor.close()
     assert outputs[0] == outputs[1]
 
@@ -198,9 +187,9 @@ def test_steppers_turn_as_they_are_commanded(tmp_path: Path) -> None:
     step, enable, asked = 6.283185307 / 3200, 8, 0.0
     for _ in range(30):
         executor.period()
-        if executor.level(LED):
+        if level(executor, LED):
             break
-    assert executor.level(LED)
+    assert level(executor, LED)
     executor.set_input(GYRO, round(0.02 * 65.5 * 57.29578))  # it falls forward with 0.02 rad/s, whatever it does
     expected, speed, now = 0.0, 0.0, 0
     for _ in range(60):
@@ -217,10 +206,10 @@ def test_steppers_turn_as_they_are_commanded(tmp_path: Path) -> None:
         assert abs(left * step - expected) < 0.0015 * abs(speed) + 2 * step
         assert abs(left - right) <= 1
     assert speed == 20
-    assert not executor.level(enable)  # LOW switches the drivers on
+    assert not level(executor, enable)  # LOW switches the drivers on
     executor.set_input(BUTTON, 1)
-    executor.run(0.02)
-    assert executor.level(enable)
+    run_for(executor, 0.02)
+    assert level(executor, enable)
     executor.close()
 
 

@@ -17,9 +17,8 @@ from firmware_cases import NXT, ROBOT, SPIKE, STILL, brief, frozen, steering, wr
 from interpreter import Interpreter
 from upright.compiled.program import Program
 from upright.errors import InvalidController
-from upright.execution.execute import execute
+from upright.execution.execute import PythonExecutor, execute
 from upright.execution.execute_nxc import NxcExecutor
-from upright.execution.execute_python import PythonExecutor
 from upright.execution.executed import Readings
 from upright.firmware import trace
 from upright.firmware.setup import SENSOR_FAILED, TOO_FAR
@@ -314,7 +313,7 @@ def test_after_a_stall_no_period_is_short(tmp_path: Path, target: str) -> None:
     executor.start()
     for raw in [*readings.still(STILL), *[readings.raw({}, readings.offset)] * 20]:
         executor.step(raw)
-    begun = [float(line.split()[1]) for line in executor.lines if line.startswith("at")]
+    begun = [float(line.split()[1]) for line in executor.script.lines if line.startswith("at")]
     periods = [b - a for a, b in pairwise(begun)]
     assert max(periods) > 25  # [ms] the stall
     assert min(periods) > 9.9

@@ -14,7 +14,7 @@ from upright.control import Estimated, kalman, lqr_state, make_controller
 from upright.control.linear_controller import LinearController
 from upright.errors import InvalidScenario, SpecMismatch, UnknownName
 from upright.experiment import Drive, Push, Slope, Turn, run
-from upright.kernel import store
+from upright.kernel import rows, store
 from upright.kernel.batch import FleetBatch, idle, parameters_of
 from upright.kernel.simulate import simulate, steps_of
 from upright.robots import Battery, Kit, Motor, Robot, Sensor, find_kit, preset_names
@@ -450,3 +450,8 @@ def test_what_does_not_fit_is_refused():
         simulate(FleetBatch(**one, kit_changes={"motor.limt": [1.0]}), 0.1)
     with pytest.raises(InvalidScenario, match="a run of"):
         simulate(FleetBatch(**one), math.nan)
+
+
+def test_the_places_of_a_plan_are_those_of_its_fields():
+    for names in ((*rows.Rows._fields, *rows.Plan._fields, *rows.Sizes._fields), rows.Times._fields):
+        assert [getattr(rows, name.upper()) for name in names] == list(range(len(names)))

@@ -9,7 +9,7 @@ import numba
 import numpy as np
 import pytest
 
-from upright.compiled import generated, generated_motion, trace_motion
+from upright.compiled import generated, generated_motion
 from upright.compiled.generate import sources
 from upright.compiled.trace_constants import ConstantNames
 from upright.compiled.trace_print import P
@@ -91,10 +91,3 @@ def test_a_product_without_a_name_stops_the_generator():
         known.of(P.body_mass)
     with pytest.raises(InvalidModel, match="do not need"):
         known.check()
-
-
-def test_another_step_than_the_classical_one_is_not_printed(monkeypatch):
-    """Were `rk4_step` changed, the printed step could not go on as it was."""
-    monkeypatch.setattr(trace_motion, "rk4_step", lambda f, x, h: [a + h * k for a, k in zip(x, f(x), strict=True)])
-    with pytest.raises((InvalidModel, IndexError)):
-        trace_motion._RungeKutta()

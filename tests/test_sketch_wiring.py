@@ -13,12 +13,13 @@ import numpy as np
 import pytest
 
 from firmware_cases import GOLDEN, NXT, ROBOT, STILL, brief, frozen
+from planted.uno import HUNG, LED, level, pwm, run_for
 from upright.bodies import Electronics, make_body
 from upright.cli.main import USER_ERROR, main
 from upright.control import lqg
 from upright.control.controller import Controller
 from upright.errors import InvalidRobot, SpecMismatch
-from upright.execution.execute_sketch import BUTTON, CONDITION, CORE, HUNG, LED, LEFT, RIGHT, SketchExecutor
+from upright.execution.execute_sketch import BUTTON, CONDITION, CORE, LEFT, RIGHT, SketchExecutor
 from upright.execution.executed import Executed, Readings
 from upright.execution.executor import Values
 from upright.experiment import Impulse, run
@@ -69,7 +70,7 @@ def test_an_angle_is_counted_as_that_angle(tmp_path: Path, decoding: int) -> Non
     for left, right in ((1.0, -0.3), (3.0, -2.0), (-0.7, 1.1), (-0.701, 1.101), (0.0, 0.0)):  # [rad]
         for what, angle in ((LEFT, left), (RIGHT, right)):
             executor.set_input(what, math.floor(angle / math.tau * EDGES))
-        executor.run(0.08)  # an edge each 1000 cycles of 16 MHz: 1280, for at most 883
+        run_for(executor, 0.08)  # an edge each 1000 cycles of 16 MHz: 1280, for at most 883
         for count, scale, angle in zip(counts(executor), scales, (left, right), strict=True):
             assert abs(count * scale - angle) <= math.tau / (decoding * PULSES)
     assert counts(executor) == [0, 0]
@@ -84,10 +85,10 @@ def test_a_wheel_that_rocks_over_one_edge_does_not_count_up(tmp_path: Path, deco
     for place in range(4):
         for k in range(12):
             executor.set_input(LEFT, place + k % 2)
-            executor.run(0.001)
+            run_for(executor, 0.001)
         assert abs(counts(executor)[0] * 4 / decoding - place) <= 4  # within a pulse
     executor.set_input(LEFT, 0)
-    executor.run(0.001)
+    run_for(executor, 0.001)
     assert counts(executor)[0] == 0
     executor.close()
 
@@ -139,7 +140,7 @@ def balancing(executor: SketchExecutor, made: Firmware, kit: Kit, turn: float = 
         executor.step(raw)
     for k in range(1, 6):
         executor.step(readings.raw({"sensor/encoder_left": turn * k, "sensor/encoder_right": turn * k}))
-    assert executor.level(LED)
+    assert level(executor, LED)
 
 
 @on_an_uno
@@ -151,7 +152,7 @@ def test_a_driver_turns_its_motors_as_the_program_commands(tmp_path: Path, drive
     balancing(executor, made, kit, turn)
     out = executor.results()
     assert out["duty_left"]
-    assert executor.pwm() == [out["duty_left"], out["duty_right"]]
+    assert pwm(executor) == [out["duty_left"], out["duty_right"]]
     executor.close()
 
 
@@ -173,14 +174,14 @@ def test_every_stop_leaves_every_pin_of_a_driver_low(tmp_path: Path, driver: str
     kit = counting(360, driver=driver)
     executor, made = sketch(tmp_path, kit, *edits)
     balancing(executor, made, kit)
-    assert any(executor.pwm())
+    assert any(pwm(executor))
     executor.real = True
     if value:
         executor.set_input(what, value)
-    executor.run(0.1)  # ten periods
-    assert executor.pwm() == [0, 0]
-    assert not any(executor.level(pin) for pin in DRIVERS[driver])
-    assert not executor.level(LED)
+    run_for(executor, 0.1)  # ten periods
+    assert pwm(executor) == [0, 0]
+    assert not any(level(executor, pin) for pin in DRIVERS[driver])
+    assert not level(executor, LED)
     assert stop != "sensor" or executor.results()["status"] == SENSOR_FAILED
     executor.close()
 

@@ -171,7 +171,7 @@ def test_rolling_friction_brakes_like_mujoco_s_own_and_the_closed_form() -> None
     a11 = mass * robot.wheel_radius**2 + 2 * robot.wheel_inertia
     change = -2 * torque / a11 * seconds
     ours = coast(Twin(robot.replace(rolling_friction=torque)), (0, 0, 0, first, 0, 0), (0, 0), round(seconds / 0.001))
-    text = mjcf(robot, timestep=0.00025, contact_time=0.0005, impedance=0.95, impratio=10.0, grip=10.0)
+    text = mjcf(robot, timestep=0.00025, contact_time=0.0005, grip=10.0)
     coefficient = torque / (mass * robot.gravity / 2)
     model = mujoco.MjModel.from_xml_string(
         text.replace('condim="3" friction="10.0 0 0"', f'condim="6" friction="10.0 0 {coefficient}"')
@@ -275,7 +275,6 @@ def test_what_does_not_fit_is_refused_in_one_line() -> None:
         (lambda: Twin(ROBOT, period=-1.0), InvalidScenario),
         (lambda: Twin(ROBOT, timestep=0.0), InvalidScenario),
         (lambda: Twin(ROBOT, contact_time=0.0001), InvalidScenario),
-        (lambda: Twin(ROBOT, impedance=1.0), InvalidScenario),
         (lambda: Twin(ROBOT, grip=math.nan), InvalidScenario),
         (lambda: Twin(ROBOT.replace(wheel_inertia=2e-3)), InvalidRobot),
         (lambda: Twin(ROBOT).step((math.nan, 0.0)), SpecMismatch),
@@ -301,7 +300,7 @@ def test_motion_without_bounds_is_an_error_not_a_number(tmp_path: Path, monkeypa
 def test_a_name_cannot_break_the_model_file() -> None:
     robot = ROBOT.replace()
     object.__setattr__(robot, "name", 'a <"b"> & c')  # past the check of names: the printer escapes by itself
-    text = mjcf(robot, timestep=0.001, contact_time=0.002, impedance=0.9, impratio=1.0, grip=1.0)
+    text = mjcf(robot, timestep=0.001, contact_time=0.002, grip=1.0)
     assert "a &lt;&quot;b&quot;> &amp; c" in text
     Twin(robot)
 

@@ -259,7 +259,7 @@ class BrokenBody(FaultyBody):
 
 def walled(twin: Twin, robot: Robot, place: float, height: float) -> None:
     """A box across the way at `place` [m], `height` [m] high."""
-    text = mjcf(robot, timestep=0.00025, contact_time=0.0005, impedance=0.95, impratio=10.0, grip=10.0)
+    text = mjcf(robot, timestep=0.00025, contact_time=0.0005, grip=10.0)
     box = (
         f'<geom name="wall" type="box" pos="{place + 0.05} 0 {height / 2}" size="0.05 1 {height / 2}" contype="1" '
         f'conaffinity="0" condim="3" priority="2" friction="{WALL_FRICTION} 0 0"/>'

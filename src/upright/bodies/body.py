@@ -81,20 +81,17 @@ def sample(t: float, values: Sequence[float], applied: Sequence[float], fallen: 
     return Sample(t, tuple(map(float, values)), (float(applied[0]), float(applied[1])), bool(fallen), slipped)
 
 
-MOST = 1e12
-"""Of a command and of a state that a run begins with: far beyond any robot, and far from overflow."""
+LARGEST_SUM = 1e12
+"""Of the sizes in a command, and in a state that a run begins with: far beyond any robot, and far from overflow."""
 
 
 def checked(values: Sequence[float], size: int, name: str) -> tuple[float, ...]:
     """`values` as floats, refused with `SpecMismatch` unless there are `size` of them and all are finite."""
     numbers = tuple(map(float, values))
-    if len(numbers) == size and sum(map(abs, numbers)) <= MOST:  # which every step asks, and no NaN passes
-        return numbers
-    if len(numbers) != size or not all(abs(number) <= MOST for number in numbers):
+    if len(numbers) != size or not sum(map(abs, numbers)) <= LARGEST_SUM:  # which no NaN is
         likely = "a controller that diverged" if name == "command" else ""
-        raise SpecMismatch(
-            f"{name} is {list(numbers)}", expected=f"{size} finite numbers up to {MOST:g}", likely=likely
-        )
+        expected = f"{size} finite numbers that come to {LARGEST_SUM:g} at most"
+        raise SpecMismatch(f"{name} is {list(numbers)}", expected=expected, likely=likely)
     return numbers
 
 

@@ -12,6 +12,8 @@ from upright.robots import Robot
 _DIAMETRAL = 0.501  # J_d / J_w: that of a disc is 1/2, and MuJoCo refuses less than half; the rest is margin
 _WIDTH = 0.25  # half width of a wheel, per radius: a point touches the floor, so this shows only in pictures
 
+_IMPEDANCE = 0.95  # how little a contact yields along the floor's normal; docs/model.md says why
+_IMPRATIO = 10.0  # how much less it yields across it, likewise
 _STICK = 0.9999  # impedance of the joints' dry friction, MuJoCo's hardest: less would let a stuck joint creep
 
 _TEMPLATE = """\
@@ -57,7 +59,7 @@ _WHEEL = """
       """
 
 
-def mjcf(robot: Robot, *, timestep: float, contact_time: float, impedance: float, impratio: float, grip: float) -> str:
+def mjcf(robot: Robot, *, timestep: float, contact_time: float, grip: float) -> str:
     """The MJCF text of `robot` for steps of `timestep` [s] and contacts that settle in `contact_time` [s].
 
     Each wheel is an ellipsoid, which touches the floor in one point below its middle: a cylinder touches along
@@ -74,9 +76,9 @@ def mjcf(robot: Robot, *, timestep: float, contact_time: float, impedance: float
         name=_escaped(robot.name),
         timestep=timestep,
         contact_time=contact_time,
-        impedance=f"{impedance} {impedance} 0.001",
+        impedance=f"{_IMPEDANCE} {_IMPEDANCE} 0.001",
         stick=f"{_STICK} {_STICK} 0.001",
-        impratio=impratio,
+        impratio=_IMPRATIO,
         down=-robot.gravity,
         damping=robot.motor_friction,
         armature=robot.gear_ratio**2 * robot.rotor_inertia,

@@ -35,8 +35,7 @@ class Twin:
     """`robot` simulated by MuJoCo; `period` [s] is what one `step` takes.
 
     `timestep` [s] is MuJoCo's own step and must divide the period; contacts settle within `contact_time` [s], at
-    least twice the time step. `impedance` (below 1) and `impratio` say how little the contact yields along and
-    across the floor's normal, `grip` is the coefficient of friction of the wheels. Why these defaults: docs/model.md.
+    least twice the time step. `grip` is the coefficient of friction of the wheels. Why these defaults: docs/model.md.
 
     Raises `InvalidScenario` for times that do not fit, and `InvalidRobot` for a robot that no rigid body is.
     """
@@ -48,15 +47,12 @@ class Twin:
         *,
         timestep: float = 0.00025,
         contact_time: float = 0.0005,
-        impedance: float = 0.95,
-        impratio: float = 10.0,
         grip: float = 10.0,
     ) -> None:
         self._count = _steps_per_period(period, timestep)
         self._more = [mujoco.mj_step] * (self._count - 1)
-        contact = {"contact_time": contact_time, "impedance": impedance, "impratio": impratio, "grip": grip}
-        _check_contact(timestep, **contact)
-        text = mjcf(robot, timestep=period / self._count, **contact)
+        _check_contact(timestep, contact_time, grip)
+        text = mjcf(robot, timestep=period / self._count, contact_time=contact_time, grip=grip)
         channels = (*TRUTH, *SENSORS[:-1])
         self.spec = BodySpec(
             kind="twin", robot=robot, channels=channels, period=period, command_unit=robot.command_unit
@@ -255,17 +251,14 @@ def _steps_per_period(period: float, timestep: float) -> int:
     return count
 
 
-def _check_contact(timestep: float, *, contact_time: float, impedance: float, impratio: float, grip: float) -> None:
+def _check_contact(timestep: float, contact_time: float, grip: float) -> None:
     if not 2 * timestep * (1 - 1e-9) <= contact_time < math.inf:
         raise InvalidScenario(
             f"contact_time is {contact_time} s with a timestep of {timestep} s",
             expected="at least two time steps, or MuJoCo would change it silently",
         )
-    if not 0.0001 <= impedance <= 0.9999:
-        raise InvalidScenario(f"impedance is {impedance}", expected="between 0.0001 and 0.9999, MuJoCo's range")
-    for name, value in (("impratio", impratio), ("grip", grip)):
-        if not 0 < value < math.inf:
-            raise InvalidScenario(f"{name} is {value}", expected="a positive number")
+    if not 0 < grip < math.inf:
+        raise InvalidScenario(f"grip is {grip}", expected="a positive number")
 
 
 def _unstable(t: float, u: Sequence[float]) -> UprightError:

@@ -20,11 +20,10 @@ IDLE = 0.02  # [s] to wait for a telegram while no program runs
 class Line:
     """`path` is what a program on this computer opens; telegrams carry their length in front, as over Bluetooth.
 
-    The brick's time runs `speed` times as fast as the clock, as fast as it can where `speed` is None, and not beyond
-    `until` [s].
+    The brick's time runs as fast as it can, and not beyond `until` [s].
     """
 
-    def __init__(self, brick: VirtualBrick, speed: float | None = None) -> None:
+    def __init__(self, brick: VirtualBrick) -> None:
         try:
             import pty
             import tty
@@ -36,7 +35,6 @@ class Line:
 
         self.brick = brick
         self.until = math.inf
-        self._speed = speed
         self._ours, self._theirs = pty.openpty()
         tty.setraw(self._theirs)
         self.path = os.ttyname(self._theirs)
@@ -85,11 +83,8 @@ class Line:
         return received
 
     def _go_on(self) -> None:
-        began = time.monotonic()
         machine = self.brick.machine
         assert machine is not None
         self.brick.run(min(machine.time * 1e-6 + SLICE, self.until))
         if self.brick.seconds >= self.until:
             time.sleep(IDLE / 10)
-        if self._speed is not None:
-            time.sleep(max(0.0, SLICE / self._speed - (time.monotonic() - began)))

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Generator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from typing import Any
 
 from upright.bricks.brick import WIRED, Hardware, set_readings
-from upright.bricks.hub import PACE, VirtualHub
+from upright.bricks.hub import VirtualHub
 from upright.bricks.lcp import VirtualBrick
 from upright.bricks.line import Line
 from upright.bricks.world import World
@@ -67,13 +68,12 @@ def virtual_flight(
     kit: Kit,
     pushes: Sequence[PushProgramme] = (),
     *,
-    body: str = "twin",
     seed: int = 1,
     wiring: Wiring = WIRED,
 ) -> Generator[VirtualFlight]:
     """A brick with the twin round it, wired so, for as long as the block lasts; its time runs as fast as it can."""
     brick = VirtualBrick(cost=COST)
-    world = World("nxc", robot, kit, pushes, body=body, seed=seed)
+    world = World("nxc", robot, kit, pushes, seed=seed)
     around = VirtualRobot(brick.hardware, world, wiring)
     with Line(brick) as line:
         yield VirtualFlight(line, brick, around)
@@ -86,15 +86,11 @@ def virtual_hub(
     kit: Kit,
     pushes: Sequence[PushProgramme] = (),
     *,
-    body: str = "twin",
     seed: int = 1,
-    absent: Sequence[str] = (),
-    speed: float | None = None,
-    pace: float = PACE,
-    tells: bool = False,
+    **line: Any,
 ) -> Generator[VirtualHub]:
-    """A hub with the twin round it, for as long as the block lasts; the others as `VirtualHub` has them."""
-    hub = VirtualHub(World("pybricks", robot, kit, pushes, body=body, seed=seed), absent, speed, pace=pace, tells=tells)
+    """A hub with the twin round it, for as long as the block lasts; its `line` is as `VirtualHub` has it."""
+    hub = VirtualHub(World("pybricks", robot, kit, pushes, seed=seed), **line)
     try:
         yield hub
     finally:

@@ -33,11 +33,10 @@ class World:
         kit: Kit,
         pushes: Sequence[PushProgramme] = (),
         *,
-        body: str = "twin",
         seed: int = 1,
     ) -> None:
         parts = replace(kit, delay=0.0, jitter=0.0, motor=replace(kit.motor, quantum=0.0))
-        self._plant = Electronics(make_body(body, robot), parts)
+        self._plant = Electronics(make_body("twin", robot), parts)
         known = find_target(target)
         self._raw = {channel: known.sensor(channel, kit) for channel in kit.sensors if channel in known.raw}
         self._raw |= {BATTERY: known.sensor(BATTERY, kit)}

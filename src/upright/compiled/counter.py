@@ -66,17 +66,17 @@ def philox(c0: Any, c1: Any, c2: Any, c3: Any, k0: Any, k1: Any) -> Any:
     return c0, c1, c2, c3
 
 
-def _words(times: Any, purpose: int, seed: int) -> Any:
-    """Four words for each of the whole `times`, of robot 0."""
-    robot = np.uint64(0)
+def words(times: Any, purpose: int, seed: int, index: Any) -> Any:
+    """Four words for each of the whole `times`, of the robot number `index`."""
+    robot = np.uint64(index)
     key = np.uint64(seed)
-    return philox(np.uint64(times), robot, robot, np.uint64(purpose), key & LOW, key >> SHIFT)
+    return philox(np.uint64(times), robot & LOW, robot >> SHIFT, np.uint64(purpose), key & LOW, key >> SHIFT)
 
 
 def normals(times: Whole, purpose: int, kind: int, seed: int) -> Array:
     """A standard normal number (n,) for a sensor of this `kind` at each of the whole `times` (n,)."""
-    words = _words(times, purpose + kind // 4, seed)
-    first, second = words[:2] if kind % 4 < 2 else words[2:]
+    four = words(times, purpose + kind // 4, seed, 0)
+    first, second = four[:2] if kind % 4 < 2 else four[2:]
     radius = np.sqrt(-2 * np.log((first + 0.5) / 2**32))
     angle = np.pi * (second / 2**31 - 1)
     return radius * (np.sin(angle) if kind % 2 else np.cos(angle))
@@ -88,9 +88,9 @@ def walk_steps(every: int, loop: float) -> int:
     return every * max(1, round(loop / every))
 
 
-def whole(time: int, purpose: int, below: int, seed: int) -> int:
-    """A whole number from 0 to `below` − 1, evenly to within 2⁻³² of each."""
-    return int(_words(time, purpose, seed)[0]) * below >> 32
+def whole(time: int, purpose: int, below: int, seed: int, index: int = 0) -> int:
+    """A whole number from 0 to `below` − 1 for robot `index`, evenly to within 2⁻³² of each."""
+    return int(np.int64((words(time, purpose, seed, index)[0] * np.uint64(below)) >> SHIFT))
 
 
 class Normals:

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from upright.compiled.generated import ROW
 from upright.compiled.printer import Printer
-from upright.compiled.program import INFINITY, Block, Choose, Limit, Operand, Program, Quotient, Repeat, Step, Sum
+from upright.compiled.program import INFINITY, Block, Choose, Limit, Program, Quotient, Repeat, Step, Sum
 
 _INTRINSICS = {"nearest": "rint", "sqrt": "sqrt"}
 """Functions of a program that LLVM computes by itself, and its names for them."""
@@ -52,7 +52,6 @@ class LanesPrinter(Printer):
         """The module."""
         functions = "\n".join(map(self._function, self._blocks))
         known = "\n".join(f"declare {_VECTOR} @llvm.{name}({_VECTOR})" for name in ("trunc", "rint", "fabs", "sqrt"))
-        known += f"\ndeclare {_VECTOR} @llvm.fma({', '.join([_VECTOR] * 3)})"
         return f"{known}\n{functions}"
 
     def _function(self, block: Block) -> str:
@@ -118,16 +117,6 @@ end:
     def sum(self, terms: Sequence[tuple[float, str]], constant: float) -> str:
         parts = [self._times(coefficient, self.read(name)) for coefficient, name in terms]
         parts += [self.number(constant)] if constant or not terms else []
-        return self._added(parts)
-
-    def fused(self, terms: Sequence[tuple[float, Operand]], products: Sequence[tuple[float, Operand, Operand]]) -> str:
-        total = self._added([self._times(sign, self.operand(value)) for sign, value in terms])
-        for sign, first, second in products:
-            given = (self._times(sign, self.operand(first)), self.operand(second), total)
-            total = self._let(f"call {_VECTOR} @llvm.fma({', '.join(f'{_VECTOR} {v}' for v in given)})")
-        return total
-
-    def _added(self, parts: Sequence[str]) -> str:
         total, *rest = parts
         for part in rest:
             total = self._let(f"fadd {_VECTOR} {total}, {part}")

@@ -92,11 +92,8 @@ class Printer:
         return f"{number} / {below}"
 
     def fused(self, terms: Sequence[tuple[float, Operand]], products: Sequence[tuple[float, Operand, Operand]]) -> str:
-        text = " ".join(f"{'-' if sign < 0 else '+'} {self.operand(value)}" for sign, value in terms)
-        text = text.removeprefix("+ ").replace("- ", "-", 1) if text.startswith("- ") else text.removeprefix("+ ")
-        for sign, first, second in products:
-            text = f"fma({'-' if sign < 0 else ''}{self.operand(first)}, {self.operand(second)}, {text})"
-        return text
+        """The equations of motion alone have such, in the kernel."""
+        raise NotImplementedError
 
     def operand(self, operand: Operand) -> str:
         return self.read(operand) if isinstance(operand, str) else self.number(operand)

@@ -10,9 +10,8 @@ loop is `Repeat`, a fixed number of times.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from enum import StrEnum
-from typing import Any
 
 INFINITY = float("inf")
 
@@ -241,13 +240,6 @@ class Program:
         """Number of multiplications and divisions in one period."""
         return sum(map(_products, (*self.command.statements, *self.update.statements)))
 
-    def to_json(self) -> dict[str, Any]:
-        """Everything, as plain values; infinite limits are left out."""
-        facts = {k: v for k, v in vars(self).items() if k not in ("variables", "calibrate", "command", "update")}
-        facts = {k: dict(v) if isinstance(v, Mapping) else v for k, v in facts.items()}
-        blocks = {b.name: [*(_plain(s) for s in b.statements), {"commit": list(b.commit)}] for b in self.blocks}
-        return facts | {"variables": [_plain(v) for v in self.variables.values()], "blocks": blocks}
-
     def __str__(self) -> str:
         lines = [f"# {line}" for line in self.head()]
         for variable in (*self.of(Kind.INPUT), *self.of(Kind.STATE)):
@@ -301,13 +293,6 @@ def _products(statement: Statement) -> int:
     if isinstance(statement, Sum):
         return sum(abs(c) != 1 for c, _ in statement.terms)
     return int(isinstance(statement, Product | Quotient))
-
-
-def _plain(part: Statement | Variable) -> dict[str, Any]:
-    values = {k: v for k, v in asdict(part).items() if v not in (INFINITY, -INFINITY)}
-    if isinstance(part, Repeat):
-        values["steps"] = [_plain(step) for step in part.steps]
-    return {"op": type(part).__name__.lower()} | values if not isinstance(part, Variable) else values
 
 
 def _range(variable: Variable) -> str:

@@ -20,6 +20,8 @@ _SQRT2 = 1.4142135623730951
 
 taken(counter.two_rounds)
 philox = taken(counter.philox)
+taken(counter.words)
+whole = taken(counter.whole)
 
 
 @inlined
@@ -62,11 +64,3 @@ def fill_normals(block: RobotBlock, out: int, time: int, purpose: int, half: int
         a, b = normal_pair(r2 if second else r0, r3 if second else r1)
         put(block.w, out, i, a)
         put(block.w, out + 1, i, b)
-
-
-@inlined
-def whole(index: Any, time: int, purpose: int, seed: Any, below: int) -> Any:
-    """A whole number from 0 to `below` − 1 for robot `index`, evenly to within 2⁻³² of each."""
-    time_word, purpose_word, key = np.uint64(time), np.uint64(purpose), np.uint64(seed)
-    word = philox(time_word, index & LOW, index >> SHIFT, purpose_word, key & LOW, key >> SHIFT)[0]
-    return np.int64((word * np.uint64(below)) >> SHIFT)

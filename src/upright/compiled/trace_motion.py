@@ -46,7 +46,6 @@ from upright.compiled.trace_print import (
     function,
 )
 from upright.compiled.tracer import FormulaTracer
-from upright.errors import InvalidModel
 from upright.physics.dynamics import Unpowered, held_at_speed
 from upright.physics.integrate import rk4_step
 from upright.physics.sensing import accelerometer
@@ -86,58 +85,26 @@ def work_rows() -> int:
     return max(len(_Work(name).rows) for name in FOR_BLOCKS)
 
 
-class _RungeKutta:
-    """`rk4_step` over symbols: what each stage is evaluated at, and the state one step on."""
+@cache
+def _stages() -> list[list[Any]]:
+    """What each stage of `rk4_step` is evaluated at, over symbols. Where it ends is printed by `_ended`."""
+    stages = list[list[Any]]()
 
-    def __init__(self) -> None:
-        self.stages: list[list[Any]] = []
-        start = sp.symbols(_STATES)
-        end = rk4_step(self._slopes, start, _H)  # type: ignore[arg-type]
-        names = {sp.Symbol(name): expression for k in (1, 2, 3) for name, expression in self._named(k)}
-        for _ in range(3):  # a stage's rates are those of the stage before it
-            end = [sp.expand(sp.sympify(value).xreplace(names)) for value in end]
-        for name, value in zip(_STATES, end, strict=True):
-            if sp.expand(value - _END[name]) != 0:
-                raise InvalidModel(f"rk4_step gives {value} for {name}", expected=f"{_END[name]}, which is printed")
-
-    def _slopes(self, x: Sequence[Any]) -> list[Any]:
-        self.stages.append(list(x))
-        k = str(len(self.stages))
+    def slopes(x: Sequence[Any]) -> list[Any]:
+        stages.append(list(x))
+        k = str(len(stages))
         rates = [sp.Symbol(f"{n}_rate{k if k != '1' else ''}") for n in _ANGLES]
         accelerations = sp.symbols([f"{n}_acc{k}" for n in _ANGLES])
         return [value for pair in zip(rates, accelerations, strict=True) for value in pair]
 
-    def _named(self, k: int) -> list[tuple[str, Any]]:
-        return [(f"{name}{k + 1}", value) for name, value in zip(_STATES, self.stages[k], strict=True)]
-
-    def steps(self, k: int, moving: Iterable[str]) -> list[Step]:
-        """The states that stage `k` (from 1) is evaluated at, those in `moving` alone."""
-        return [_increment(name, value) for name, value in self._named(k - 1) if name[:-1] in moving]
+    rk4_step(slopes, sp.symbols(_STATES), _H)  # type: ignore[arg-type]
+    return stages
 
 
 def _increment(name: str, expression: Any) -> Fused:
     """x + h s or x + h s/2 in one rounding."""
     number, slope = expression.coeff(_H).as_coeff_Mul()
     return Fused(name, ((1.0, str(expression.coeff(_H, 0))),), ((1.0, _STEP[number], str(slope)),))
-
-
-@cache
-def _runge_kutta() -> _RungeKutta:
-    return _RungeKutta()
-
-
-def _ends() -> dict[str, Any]:
-    """The state one step on, in the accelerations of the four stages (Nyström's form of the classical method)."""
-    end: dict[str, Any] = {}
-    for n in _ANGLES:
-        angle, rate = sp.symbols([n, f"{n}_rate"])
-        one, two, three, four = sp.symbols([f"{n}_acc{k}" for k in (1, 2, 3, 4)])
-        end[n] = sp.expand(angle + _H * (rate + _H / 6 * (one + two + three)))
-        end[f"{n}_rate"] = sp.expand(rate + _H / 6 * (one + 2 * two + 2 * three + four))
-    return end
-
-
-_END = _ends()
 
 
 class _Work:
@@ -231,7 +198,8 @@ class _Work:
         """The accelerations of stage `k` from those before it. With `recall` no line of another stage is at hand."""
         half = [SourceLine("half = 0.5 * h", ("half",), ("h",))] if k == 2 or (recall and k == 3) else []
         at = [f"{n}{k}" if k > 1 and n in self._moving else n for n in self._moving]
-        steps = _runge_kutta().steps(k, self._moving) if k > 1 else []
+        states = zip(_STATES, _stages()[k - 1], strict=True) if k > 1 else ()
+        steps = [_increment(f"{name}{k}", value) for name, value in states if name in self._moving]
         arguments = [*at, *self.held, *self._constants]
         return [
             *half,
@@ -260,7 +228,8 @@ def _sums() -> list[SourceLine]:
 
 
 def _ended() -> str:
-    """`_END` of one angle, with the sums that angle and rate share."""
+    """One angle and its rate a step on, in the accelerations of the four stages (Nyström's form of the classical
+    method), with the sums that both share."""
     steps = [
         Fused("middle", ((1.0, "two"), (1.0, "three"))),
         Fused("all_four", ((1.0, "one"), (1.0, "middle"))),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any, NamedTuple
@@ -103,6 +103,13 @@ class LaneSource(Printer):
     """Statements as source text for Numba, on a lane of a block."""
 
     end = ""
+
+    def fused(self, terms: Sequence[tuple[float, Operand]], products: Sequence[tuple[float, Operand, Operand]]) -> str:
+        text = " ".join(f"{'-' if sign < 0 else '+'} {self.operand(value)}" for sign, value in terms)
+        text = text.removeprefix("+ ").replace("- ", "-", 1) if text.startswith("- ") else text.removeprefix("+ ")
+        for sign, first, second in products:
+            text = f"fma({'-' if sign < 0 else ''}{self.operand(first)}, {self.operand(second)}, {text})"
+        return text
 
     def absolute(self, value: str) -> str:
         return f"absolute({value})"

@@ -1,19 +1,55 @@
-"""Which executor runs a program: by its target, and for C by the chip."""
+"""Which executor runs a program: by its target, and for C by the chip; and the one of Python programs."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
 
+from upright.atomic import write_text
+from upright.bricks.script import READINGS, Script
 from upright.compiled.program import Program
 from upright.errors import UnknownName
 from upright.execution.execute_arm import ArmExecutor
 from upright.execution.execute_avr import AvrExecutor
 from upright.execution.execute_nxc import NxcExecutor
-from upright.execution.execute_python import PythonExecutor
 from upright.execution.execute_sketch import SketchExecutor
-from upright.execution.executor import Executor, HostExecutor
+from upright.execution.executor import Executor, HostExecutor, Values
 from upright.firmware.targets import check_time
+from upright.firmware.tools import ExecutionFailed, run_tool, tool
+
+
+class PythonExecutor:
+    """A program as it stands, one period a step: Pybricks' in MicroPython, ev3dev's in CPython, among the stand-ins of
+    its `script`. With `compiled`, MicroPython runs the .mpy that `mpy-cross` makes of it; `duties` [%] are what its
+    motors got last."""
+
+    def __init__(self, source: Path, program: Program, compiled: bool = False) -> None:
+        self._names = program.results()
+        micro = program.target == "pybricks"
+        made = ".mpy by mpy-cross, " if compiled else ""
+        self.where = f"MicroPython ({made}floats of 64 bits; a hub's have 32)" if micro else "CPython"
+        self.numbers = "double"
+        self.duties = (0.0, 0.0)
+        self.script = Script(program.target)
+        copy = self.script.folder / "balance.py"
+        write_text(copy, source.read_text("utf-8"))
+        if compiled:
+            run_tool([tool("mpy-cross"), "-o", str(copy.with_suffix(".mpy")), str(copy)], source.name)
+            copy.unlink()
+
+    def start(self) -> None:
+        self.script.start()
+
+    def step(self, raw: Values) -> Values:
+        reply = self.script.exchange([raw[name] for name in READINGS])
+        if reply is None:
+            raise ExecutionFailed(f"the program ended: {' '.join(self.script.lines[-1:]) or 'without output'}")
+        self.duties = reply.duties or (0.0, 0.0)
+        return dict(zip(self._names, reply.row, strict=True)) if reply.row else {}
+
+    def close(self) -> None:
+        self.script.close()
+
 
 Maker = Callable[[Path, Program, str], Executor]
 """From a program's file, its representation and its arithmetic to what runs it."""

@@ -17,7 +17,6 @@ from upright.execution.executor import FLAGS, Values, Words
 from upright.firmware.tools import ExecutionFailed, run_tool, tool
 
 CLOCK = 16e6  # [Hz]
-FLASH, MEMORY = 32_256, 2048  # [bytes] beside the boot loader of an Uno
 RESET, CALIBRATE, BALANCE = 1, 2, 3
 SHIMS = files("upright.execution") / "shims"
 CHIP = ("-mmcu=atmega328p", f"-DF_CPU={int(CLOCK)}UL", "-Os", "-ffp-contract=off")

@@ -15,7 +15,7 @@ from upright.firmware.wiring import nxt_wiring
 
 COST = 1  # [µs] an instruction takes here; how many there are in a period is what is reported
 LOOK = 100  # [µs] from one look at whether the program has come to rest to the next
-LONGEST = 1_000_000  # [µs] after which a program that does not rest has lost its way
+LONGEST_PERIOD = 1_000_000  # [µs] after which a program that does not rest has lost its way
 
 NBC = ("-EF", "-v=128", "-sm-")
 """Enhanced firmware 1.28, and no chatter."""
@@ -72,7 +72,7 @@ class NxcExecutor:
         naps = self._machine.naps
         while machine.naps == naps and not machine.ended:
             machine.run(machine.time + LOOK)
-            if machine.time - began > LONGEST:
+            if machine.time - began > LONGEST_PERIOD:
                 raise ExecutionFailed(f"the program does not wait for the next period after {machine.executed} steps")
 
     def _read(self, name: str) -> float:

@@ -29,17 +29,8 @@ SOURCES = (
 GYRO, BATTERY, LEFT, RIGHT, BUTTON, CONDITION, IDENTITY, POWER, PINS = range(9)
 FORWARD, UP = 13, 14
 STEPS_OF_G, STANDARD_GRAVITY = 16_384, 9.80665  # [steps] of an accelerometer of ±2 g, [m/s²]
-PRESENT, ABSENT, HUNG = range(3)
-"""Inputs of the board, and conditions of its sensor (`shims/board.h`)."""
+"""Inputs of the board (`shims/board.h`)."""
 
-TIMERS = {3: (0xB0, 5, 0xB4), 5: (0x44, 5, 0x48), 6: (0x44, 7, 0x47), 9: (0x80, 7, 0x88), 10: (0x80, 5, 0x8A),
-          11: (0xB0, 7, 0xB3)}  # fmt: skip
-"""Pin with a timer → its control register, the bit that connects the pin, and the register of its duty."""
-
-PORTS = ((8, 0x2B), (14, 0x25), (20, 0x28))
-"""First pin of the next port, and the register with this one's levels."""
-
-LED = 13
 STEP_INTERRUPT = 0x6F  # TIMSK1
 INPUT_PINS = ("LEFT_ENCODER_A", "LEFT_ENCODER_B", "RIGHT_ENCODER_A", "RIGHT_ENCODER_B", "BUTTON")
 """Inputs of the board from `PINS` on; a sketch without encoders has the last alone."""
@@ -75,7 +66,7 @@ class SketchExecutor(Chip):
     def __init__(self, source: Path, program: Program, number: str, real: bool = False) -> None:
         self.real = real
         text = source.read_text("utf-8")
-        self._constants = constants(text)
+        self.constants = constants(text)
         self._steps = bool(defined(text, "LEFT_STEP"))
         self._angle = program.scales.get("raw_pitch", 0.0)
         super().__init__(source, program, number)
@@ -92,14 +83,14 @@ class SketchExecutor(Chip):
         super().start()
         self.request("A", self.symbols["due"], self.symbols["loop"], self.symbols["timer0_overflow_count"])
         for place, name in enumerate(INPUT_PINS):
-            if name in self._constants:
-                self.set_input(PINS + place, self._constants[name])
+            if name in self.constants:
+                self.set_input(PINS + place, self.constants[name])
         self.period()  # its setup
 
     def step(self, raw: Values) -> Values:
-        sign = self._constants["GYRO_SIGN"]
+        sign = self.constants["GYRO_SIGN"]
         inputs = {GYRO: sign * raw["raw_gyro"], BATTERY: raw.get("raw_battery", 0.0)}
-        decoding = self._constants["DECODING"]
+        decoding = self.constants["DECODING"]
         if decoding:
             edges = 4 / decoding
             inputs |= {LEFT: edges * raw["raw_encoder_left"], RIGHT: edges * raw["raw_encoder_right"]}
@@ -139,40 +130,6 @@ class SketchExecutor(Chip):
         """Run a period: when it began, and how long its work took [cycles]."""
         began, took = struct.unpack("<8s8s", self.request("P", not self.real, answer=16))
         return spent(began), spent(took)
-
-    def run(self, seconds: float) -> None:
-        """Let that time [s] pass."""
-        for _ in range(round(seconds * 1000)):
-            self.request("T", 16_000, answer=8)
-
-    def pwm(self) -> list[float]:
-        """What the driver gives both motors now, of 255, by the levels of its own inputs."""
-        return [self._driven(side) for side in ("LEFT", "RIGHT")]
-
-    def _driven(self, side: str) -> float:
-        pins = self._constants
-        own = f"{side}_PWM"
-        strength = self._duty(pins[own if own in pins else "ENABLE"])
-        back = self._duty(pins[f"{side}_BACK"])
-        forward = self._duty(pins[f"{side}_FORWARD"]) if f"{side}_FORWARD" in pins else 255 - back
-        return strength * (forward - back) / 255
-
-    def level(self, pin: int) -> bool:
-        """Whether an output is high."""
-        first, register = next((end - (8 if end < 14 else 6), port) for end, port in PORTS if pin < end)
-        return bool(self.read(register, "B")[0] >> (pin - first) & 1)
-
-    def output(self) -> list[str]:
-        """The lines that came over the serial port."""
-        (count,) = struct.unpack("<I", self.request("S", answer=4))
-        return self.receive(count).decode("ascii", "replace").splitlines()
-
-    def _duty(self, pin: int) -> float:
-        if pin in TIMERS:
-            control, bit, duty = TIMERS[pin]
-            if self.read(control, "B")[0] >> bit & 1:
-                return float(self.read(duty, "B")[0])
-        return 255.0 * self.level(pin)
 
 
 def constants(text: str) -> Mapping[str, int]:

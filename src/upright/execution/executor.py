@@ -38,7 +38,6 @@ class Words:
         self.states = [v.name for v in program.of(Kind.STATE)] + program.carried()
         self.number = number
         self.code = {"float": "f", "double": "d", "fixed": "i"}[number]
-        self.bytes = 8 if number == "double" else 4
         bits = fractions(program) if number == "fixed" else {}
         self._ones = {name: 2.0 ** bits.get(name, 0) for name in (*self.inputs, *self.outputs)}
 
@@ -55,13 +54,40 @@ FLAGS = ("-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror", "-O2", "-ffp-co
 """Products and sums stay apart: a fused multiply-add rounds once where the other targets round twice."""
 
 
-class HostExecutor:
+class CExecutor:
+    """The three functions of a program in C, called once a period; a kind of machine says how."""
+
+    def __init__(self, program: Program, number: str) -> None:
+        self.numbers = number
+        self._words = Words(program, number)
+        self._ready = False
+
+    def step(self, raw: Values) -> Values:
+        self._give(self._words.to_words(raw))
+        if not self._ready:
+            self._call("calibrate")
+            self._ready = bool(self._results()["ready"])
+            return {}
+        self._call("command")
+        self._call("update")
+        return self._results()
+
+    def _give(self, words: Sequence[Any]) -> None:
+        raise NotImplementedError
+
+    def _call(self, name: str) -> None:
+        raise NotImplementedError
+
+    def _results(self) -> dict[str, float]:
+        raise NotImplementedError
+
+
+class HostExecutor(CExecutor):
     """The program's C, built by gcc as a library of this process."""
 
     def __init__(self, source: Path, program: Program, number: str, flags: Sequence[str] = ()) -> None:
+        super().__init__(program, number)
         self.where = "this machine (gcc)"
-        self.numbers = number
-        self._words = Words(program, number)
         self._folder = TemporaryFolder()
         library = Path(self._folder.name) / "balance.so"
         run_tool([tool("gcc"), *FLAGS, *flags, "-shared", "-fPIC", "-o", str(library), str(source)], source.name)
@@ -76,21 +102,14 @@ class HostExecutor:
         self._library.upright_reset(self._state)
         self._ready = False
 
-    def step(self, raw: Values) -> Values:
-        self._in[:] = self._words.to_words(raw)
-        if not self._ready:
-            self._call("calibrate")
-            self._ready = bool(self._results()["ready"])
-            return {}
-        self._call("command")
-        self._call("update")
-        return self._results()
+    def close(self) -> None:
+        self._folder.cleanup()
+
+    def _give(self, words: Sequence[Any]) -> None:
+        self._in[:] = words
 
     def _results(self) -> dict[str, float]:
         return self._words.from_words([float(word) for word in self._out])
 
-    def close(self) -> None:
-        self._folder.cleanup()
-
-    def _call(self, block: str) -> None:
-        self._library[f"upright_{block}"](self._state, self._in, self._out)
+    def _call(self, name: str) -> None:
+        self._library[f"upright_{name}"](self._state, self._in, self._out)

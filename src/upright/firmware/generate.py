@@ -130,7 +130,7 @@ def generate(
     program = trace(controller, robot, kit, target, reference=reference)
     _check_period(program, place.suffix)
     check_time(program, target)
-    finest = quantum(program, fractions(program)) if arithmetic == "fixed" else None
+    finest = quantum(program) if arithmetic == "fixed" else None
     facts: dict[str, Any] = {**_facts(program, arithmetic, finest), "hub": hub, "seconds": longest}
     who = identity(controller)
     more = [f"asked: {who.asked}"] if who.asked else []

@@ -11,7 +11,6 @@ from upright.errors import UprightError
 from upright.firmware.generate import longest_run
 from upright.flight.program_logs import ProgramLog
 
-"""Called with the fraction done."""
 Clock = Callable[[], float]
 """The time [s] of a real or virtual brick."""
 

@@ -105,8 +105,8 @@ def arrive(block: RobotBlock, ring: int, slots: int, k: int, stride: int, seed: 
         jitter = int(get(w, DEAD_TIME + 2, i))
         if jitter > 0:
             robot = item(block.index, block.first + i)
-            one += whole(robot, (j - 1) * stride, FOR_JITTER, seed, jitter + 1)
-            two = max(one, two + whole(robot, j * stride, FOR_JITTER, seed, jitter + 1))
+            one += whole((j - 1) * stride, FOR_JITTER, jitter + 1, seed, robot)
+            two = max(one, two + whole(j * stride, FOR_JITTER, jitter + 1, seed, robot))
         for m in range(3):
             slot = ring + 2 * ((j - 2 + m) % slots)
             put(w, HOLD + 2 * m, i, get(w, slot, i))

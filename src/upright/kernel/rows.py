@@ -84,7 +84,7 @@ class Plan(NamedTuple):
     swing: int
     fuse: int
     measure: int
-    called: int  # address of the controller that is called instead (see `lanes`), 0: none
+    called: int  # address of the controller that is called instead (see `work.Lanes`), 0: none
     seed: int  # its 64 bits as a signed number
 
 
@@ -117,7 +117,3 @@ ROBOTS, ALL_ROWS, VARIED, HELD, TRUTHS, SENSORS, BEFORE, AFTER = range(30, 38)
 """Places of the fields of `Rows`, `Plan` and `Sizes` in the one array that compiled functions get."""
 STEP, H_STEP, FALLEN_AT = range(3)
 """Places of the fields of `Times`."""
-
-_NAMED = ((*Rows._fields, *Plan._fields, *Sizes._fields), Times._fields)
-if wrong := [name for names in _NAMED for place, name in enumerate(names) if globals()[name.upper()] != place]:
-    raise ImportError(f"the places of {', '.join(wrong)} are not those of their fields")

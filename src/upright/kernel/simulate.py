@@ -59,7 +59,7 @@ def simulate(
     stride, periods = _times(batch.period, batch.form.period, seconds)
     order = Order(
         periods=periods, stride=stride, record=record, channels=tuple(channels if record else ()),
-        bands=tuple(bands), called=batch.called,
+        bands=tuple(bands),
     )  # fmt: skip
     out = Outcome.room(batch.n, order)
     workers = 1 if batch.called else max(1, threads or os.cpu_count() or 1)

@@ -34,7 +34,7 @@ class Stepped:
         stride = stride_of(pool.period, pool.form.period)
         piece = undivided(pool)
         h = pool.period / piece.substeps
-        order = Order(periods=0, stride=stride, record=0, channels=(), bands=(), called=None)
+        order = Order(periods=0, stride=stride, record=0, channels=(), bands=())
         self._packed = pack(pool, kit_tables(pool, stride), h)
         plan = planned(pool, piece, self._packed, order, "advance")
         self._rows = len(self._packed.common)

@@ -1,7 +1,11 @@
-"""One piece of a batch through the compiled loop: makes its tables, distributes its blocks, writes its results."""
+"""One piece of a batch through the compiled loop: makes its tables, distributes its blocks, writes its results, and
+calls controllers that no law describes, one copy for each robot of a block."""
 
 from __future__ import annotations
 
+import copy
+import ctypes
+import math
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cache
@@ -10,13 +14,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from upright.arrays import Array
-from upright.compiled.generated import LANES, ROW
+from upright.compiled.generated import LANES, ROW, H
 from upright.control import Controller
+from upright.errors import SpecMismatch
 from upright.kernel import rows as b
 from upright.kernel.batch import FleetBatch, FleetResult, Selection
 from upright.kernel.functions import electronics
 from upright.kernel.kit import kit_tables
-from upright.kernel.lanes import Lanes
 from upright.kernel.pack import Packed, pack, recorded
 from upright.kernel.rows import Plan, Sizes, Times
 from upright.kernel.store import address_of, call
@@ -36,7 +40,6 @@ class Order:
     record: int  # periods from one recorded row to the next, 0: none
     channels: tuple[str, ...]
     bands: tuple[float, ...]
-    called: Controller | None
 
 
 class Piece(NamedTuple):
@@ -109,7 +112,7 @@ def run_piece(batch: FleetBatch, piece: Piece, order: Order, out: Outcome, threa
     h = batch.period / substeps
     packed = pack(some, kit_tables(some, order.stride), h)
     before, after = recorded(order.channels, packed, some.form)
-    lanes = Lanes(order.called, packed) if order.called else None
+    lanes = Lanes(batch.called, packed) if batch.called else None
     move = "step" if batch.n == 1 else "advance"
     plan = planned(some, piece, packed, order, move, lanes.address if lanes else 0)
     here = out if whole else out.part(rows)
@@ -119,6 +122,56 @@ def run_piece(batch: FleetBatch, piece: Piece, order: Order, out: Outcome, threa
         lanes.check()
     if not isinstance(rows, slice):
         out.take(rows, here)
+
+
+_CALLED = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int64, ctypes.c_int64)
+
+
+class Lanes:
+    """The function that `Plan.called` points to. Compiled code passes no exception on: an error is kept, commands are
+    zero from then on, and `check` raises it after the run."""
+
+    def __init__(self, controller: Controller, packed: Packed) -> None:
+        at = packed.at
+        self._applied = slice(packed.applied, packed.applied + 2)
+        self._copies = [copy.deepcopy(controller) for _ in range(LANES)]
+        self._reading = slice(at.reading, at.reading + len(controller.spec.reads))
+        self._rows = max(at.reading + len(controller.spec.reads), b.COMMAND + 2, b.REFERENCE + 6)
+        self._error: BaseException | None = None
+        self._function: Any = _CALLED(self._decide)
+        self.address = int(ctypes.cast(self._function, ctypes.c_void_p).value or 0)
+
+    def check(self) -> None:
+        """Raise the error of a controller, if there was one."""
+        if self._error:
+            raise self._error
+
+    def _decide(self, block: int, count: int, k: int) -> None:
+        numbers = (ctypes.c_double * (self._rows * ROW)).from_address(block)
+        w: Array = np.ctypeslib.as_array(numbers).reshape(self._rows, ROW)[:, :count]
+        try:
+            if not self._error:
+                self._command(w, k)
+        except BaseException as error:  # a compiled caller would print it and go on, Ctrl-C included
+            self._error = error
+        if self._error:
+            w[b.COMMAND : b.COMMAND + 2] = 0.0
+
+    def _command(self, w: Array, k: int) -> None:
+        readings = w[self._reading].T.copy()
+        references = w[b.REFERENCE : b.REFERENCE + 6].T.copy()
+        applied = w[self._applied].T.tolist()
+        standing = w[H] > 0
+        for i in np.flatnonzero(standing).tolist():
+            one = self._copies[i]
+            if k == 0:
+                one.reset()
+            else:
+                one.applied(applied[i])
+            left, right = one.step(readings[i], references[i])
+            if not (math.isfinite(left) and math.isfinite(right)):
+                raise SpecMismatch(f"command is [{left}, {right}]", expected="finite numbers")
+            w[b.COMMAND : b.COMMAND + 2, i] = left, right
 
 
 def planned(batch: FleetBatch, piece: Piece, packed: Packed, order: Order, move: str, called: int = 0) -> Plan:

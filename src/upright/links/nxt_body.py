@@ -7,10 +7,8 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 
-from upright.bodies.body import REST, Sample, checked
 from upright.links.brick import GYRO, GYRO_KIND, LEFT, RIGHT, BrickLost, BrickRefused, Connection
-from upright.links.remote import STILL, Reading, as_sample, at_rest, duty, remote_spec, unpushed
-from upright.physics.dynamics import CALM, Disturbance
+from upright.links.remote import STILL, Reading, RemoteBody
 from upright.robots import Robot
 
 PERIOD = 0.1  # [s]: six telegrams a step, of 10 to 15 ms each over the cable
@@ -51,7 +49,7 @@ class Leash:
         return max(LEAST_REACH, REACH * abs(power))
 
 
-class NxtBody:
+class NxtBody(RemoteBody):
     """`robot` on an NXT at `port` (usb, or a device such as /dev/rfcomm0), its gyro in input 1, motors at C and B.
 
     Every `PERIOD` both motors get a duty and are read: far too slow for balancing, good for measuring motors and
@@ -70,41 +68,33 @@ class NxtBody:
 
     def __init__(self, robot: Robot, port: str = "usb", *, wait: Callable[[float], None] | None = None) -> None:
         kind = "NXT over a cable" if wait is None else "virtual NXT with the twin round it, over a cable"
-        self.spec = remote_spec(kind, robot, PERIOD, FRESH, real=wait is None)
-        self.overruns = 0
+        super().__init__(kind, robot, PERIOD, FRESH, real=wait is None)
         self._port = port
         self._wait = wait
         self._brick = None
-        self._steps, self._offset, self._battery, self._tick, self._began = 0, 0.0, 0.0, 0.0, 0.0
+        self._steps = 0
+        self._tick = 0.0
+        self._began = 0.0
         self._leashes = [Leash() for _ in MOTORS]
         self._turned = [0 for _ in MOTORS]
 
-    def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:  # noqa: ARG002 (hardware makes its own noise)
-        at_rest(start, self.spec.kind)
+    def _begin(self) -> Sequence[Reading]:
         brick = self._connected()
         brick.ask("release", ports=MOTORS)
         brick.ask("sensor", port=GYRO, kind=GYRO_KIND)
         self._steps = 0
-        self.overruns = 0
-        self._offset = 0.0
-        self._tick = time.monotonic()
         self._leashes = [Leash() for _ in MOTORS]
         still = [self._look() for _ in range(STILL)]
-        self._offset = sum(reading.gyro for reading in still) / STILL
-        self._battery = still[-1].battery
         self._tick = time.monotonic()
         self._began = self._tick
-        return as_sample(0.0, still[-1], self._offset, (0.0, 0.0))
+        return still
 
-    def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
-        duties = [duty(volts, self._battery) for volts in checked(command, 2, "command")]
-        unpushed(disturbance, self.spec.kind)
+    def _exchange(self, duties: Sequence[int]) -> tuple[float, Reading, Sequence[int]]:
         self._drive(duties)
         self._pass()
         reading = self._look()
         self._steps += 1
-        self._battery = reading.battery
-        return as_sample(self._clock(), reading, self._offset, duties)
+        return self._clock(), reading, duties
 
     def _clock(self) -> float:
         """The time [s] since the start: the computer's, or that of a virtual brick, which passes in whole periods."""

@@ -10,17 +10,15 @@ from importlib.resources import files
 from pathlib import Path
 
 from upright.atomic import TemporaryFolder, write_text
-from upright.bodies.body import REST, Sample, checked
 from upright.links.hub import HubLink, HubLost, HubRefused, Peripheral, linked
-from upright.links.remote import STILL, Reading, as_sample, at_rest, duty, remote_spec, unpushed
-from upright.physics.dynamics import CALM, Disturbance
+from upright.links.remote import STILL, Reading, RemoteBody
 from upright.robots import Robot
 
 PERIOD = 0.05  # [s] as `remote.micropython` has it: a line to a hub and back takes 20 to 40 ms over Bluetooth
 FRESH = 8.4  # [V] of two full lithium cells
 
 
-class PybricksBody:
+class PybricksBody(RemoteBody):
     """`robot` on a Pybricks hub at `port`: ble, ble:NAME, or a virtual one. The hub runs a small program that takes
     duties as lines, reads its sensors every `PERIOD`, and stops its motors after half a second without a line.
 
@@ -33,49 +31,43 @@ class PybricksBody:
     def __init__(self, robot: Robot, port: str | Peripheral = "ble", *, program: Path | None = None) -> None:
         real = isinstance(port, str)
         kind = "Pybricks hub over Bluetooth" if real else "virtual Pybricks hub with the twin round it"
-        self.spec = remote_spec(kind, robot, PERIOD, FRESH, real)
-        self.overruns = 0
+        super().__init__(kind, robot, PERIOD, FRESH, real)
         self._port = port
         self._program = program
         self._runner = asyncio.Runner()
         self._stack = AsyncExitStack()
         self._hub = None
-        self._tick, self._time, self._began, self._offset, self._battery = 0, 0, 0, 0.0, 0.0
+        self._tick = 0
+        self._time = 0
+        self._began = 0
 
-    def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:  # noqa: ARG002 (hardware makes its own noise)
-        at_rest(start, self.spec.kind)
-        return self._runner.run(self._reset())
+    def _begin(self) -> Sequence[Reading]:
+        return self._runner.run(self._begun())
 
-    def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
-        duties = [duty(volts, self._battery) for volts in checked(command, 2, "command")]
-        unpushed(disturbance, self.spec.kind)
-        return self._runner.run(self._step(duties))
+    def _exchange(self, duties: Sequence[int]) -> tuple[float, Reading, Sequence[int]]:
+        return self._runner.run(self._exchanged(duties))
 
     def close(self) -> None:
         """End the program, motors first, and let go of the hub."""
         self._runner.run(self._close())
 
-    async def _reset(self) -> Sample:
+    async def _begun(self) -> Sequence[Reading]:
         hub = self._hub or await self._connected()
         if hub.running:
             await self._ended(hub)
         await hub.start()
-        self._tick, self.overruns = 0, 0
+        self._tick = 0
         still = [(await self._next(hub))[0] for _ in range(STILL)]
-        self._offset = sum(reading.gyro for reading in still) / STILL
-        self._battery = still[-1].battery
         self._began = self._time
-        self.overruns = 0
-        return as_sample(0.0, still[-1], self._offset, (0, 0))
+        return still
 
-    async def _step(self, duties: Sequence[int]) -> Sample:
+    async def _exchanged(self, duties: Sequence[int]) -> tuple[float, Reading, Sequence[int]]:
         hub = self._hub or await self._connected()
         order = f"{duties[0]} {duties[1]}".encode()
         await hub.write(order + b"*%04X\n" % binascii.crc_hqx(order, 0xFFFF))
         self._newest(hub)  # readings from before the order arrived
         reading, really = await self._next(hub)
-        self._battery = reading.battery
-        return as_sample((self._time - self._began) / 1000, reading, self._offset, really)
+        return (self._time - self._began) / 1000, reading, really
 
     async def _connected(self) -> HubLink:
         hub = await self._stack.enter_async_context(linked(self._port))
