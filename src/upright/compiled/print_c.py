@@ -63,7 +63,11 @@ class CPrinter(Printer):
         members = [(v.name, v.start) for v in self.program.of(Kind.STATE)] + [
             (name, 0.0) for name in self.program.carried()
         ]
-        return [f"s->{name} = {self.number(start)};" for name, start in members]
+        return [f"s->{name} = {self.start(name, start)};" for name, start in members]
+
+    def start(self, name: str, value: float) -> str:  # noqa: ARG002 (words in fixed point have a format each)
+        """A state's first value."""
+        return self.number(value)
 
     def note(self, variable: Variable) -> str:
         """Unit and range of a variable, for a comment."""

@@ -11,7 +11,6 @@ from upright.compiled.program import (
     Choose,
     Function,
     Fused,
-    Kind,
     Limit,
     Operand,
     Product,
@@ -43,9 +42,8 @@ class FixedPrinter(CPrinter):
     def number(self, value: float) -> str:
         return self.word(value, 0)
 
-    def starts(self) -> list[str]:
-        states = [f"s->{v.name} = {self.word(v.start, self.bits[v.name])};" for v in self.program.of(Kind.STATE)]
-        return [*states, *(f"s->{name} = 0;" for name in self.program.carried())]
+    def start(self, name: str, value: float) -> str:
+        return self.word(value, self.bits[name])
 
     def commit(self, state: str, value: str) -> list[str]:
         return [f"{self.read(state)} = {self.moved(value, self.bits[state])};"]

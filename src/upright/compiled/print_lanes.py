@@ -9,12 +9,12 @@ its own numbers. Formulas have the few constants that they are written with in t
 from __future__ import annotations
 
 import struct
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from upright.compiled.generated import ROW
 from upright.compiled.printer import Printer
-from upright.compiled.program import INFINITY, Block, Choose, Limit, Program, Quotient, Repeat, Step, Sum
+from upright.compiled.program import Block, Repeat
 
 _INTRINSICS = {"nearest": "rint", "sqrt": "sqrt"}
 """Functions of a program that LLVM computes by itself, and its names for them."""
@@ -39,14 +39,14 @@ class LanesPrinter(Printer):
     """
 
     def __init__(self, blocks: Sequence[Block], places: Mapping[str, RowOf], *, table: bool) -> None:
-        """Without a `table` constants are in the text."""
+        """Without a `table` constants are in the text; with it `constants` are what the text found there, in order."""
         self._blocks = blocks
         self._places = places
         self._table = table
         self._lines = list[str]()
         self._names = dict[str, str]()
         self._count = 0
-        self._used = 0
+        self.constants = list[float]()
 
     def text(self) -> str:
         """The module."""
@@ -157,11 +157,11 @@ end:
         return self._let(f"getelementptr double, ptr {start}, i64 {row * ROW}")
 
     def number(self, value: float) -> str:
-        """A constant: of a table, the next one in the order of `constants`."""
+        """A constant: of the table, the next one of `constants`."""
         if not self._table:
             return f"<{', '.join([f'double {_hexadecimal(value)}'] * WIDTH)}>"
-        address = self._let(f"getelementptr double, ptr %constants, i64 {self._used}")
-        self._used += 1
+        address = self._let(f"getelementptr double, ptr %constants, i64 {len(self.constants)}")
+        self.constants.append(value)
         number = self._let(f"load double, ptr {address}")
         one = self._let(f"insertelement {_VECTOR} poison, double {number}, i64 0")
         return self._let(f"shufflevector {_VECTOR} {one}, {_VECTOR} poison, <{WIDTH} x i32> zeroinitializer")
@@ -175,24 +175,3 @@ end:
 def _hexadecimal(value: float) -> str:
     """The bits of a number, as LLVM reads constants."""
     return f"0x{struct.pack('>d', value).hex().upper()}"
-
-
-def constants(program: Program) -> list[float]:
-    """The numbers in the statements of `command` and `update`, in the order in which the text reads them."""
-    return [value for block in (program.command, program.update) for step in block.steps for value in _constants(step)]
-
-
-def _constants(statement: Step) -> Iterator[float]:
-    match statement:
-        case Sum(_, terms, constant, low, high):
-            yield from (coefficient for coefficient, _ in terms)
-            yield from [constant] if constant or not terms else []
-            yield from [] if low == -INFINITY else [low, high]
-        case Quotient(_, number, _):
-            yield from [] if isinstance(number, str) else [number]
-        case Limit(_, _, low, high):
-            yield from (low, high)
-        case Choose(_, _, right, then, other):
-            yield from (operand for operand in (right, then, other) if not isinstance(operand, str))
-        case _:
-            return

@@ -95,7 +95,8 @@ def fetch_nxt(source: Path, program: Program, port: str) -> Flight:
 
 def check_ready(brick: Connection, gyro: int) -> None:
     """Refuse a brick that is busy, with another firmware, a flat battery, or no gyro where the program looks for it."""
-    if busy := brick.ask("running"):
+    busy = brick.ask("running")
+    if busy:
         raise FlightRefused(
             f"{busy} runs on the brick already", expected="no program",
             hint="stop it with the orange button, or fetch its log with --fetch",
@@ -106,7 +107,8 @@ def check_ready(brick: Connection, gyro: int) -> None:
             f"the brick's firmware is {'.'.join(map(str, version))}", expected="enhanced firmware 1.28 or later",
             hint="put it on the brick with BricxCC or NeXTTool",
         )  # fmt: skip
-    if (battery := brick.ask("battery")) < LEAST_BATTERY:
+    battery = brick.ask("battery")
+    if battery < LEAST_BATTERY:
         raise FlightRefused(
             f"the battery gives {battery / 1000:.1f} V", expected="6 V at least", hint="use fresh cells"
         )

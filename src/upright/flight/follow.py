@@ -21,7 +21,7 @@ VIRTUAL = "virtual"
 """The port of a brick or hub that is simulated."""
 POLL = 0.1  # [s] between two looks at the hub
 
-LONGEST = 10_000  # characters of a line: a program sends some hundreds
+LONGEST_LINE = 10_000  # [characters] a program sends some hundreds
 
 OnLine = Callable[[str], None]
 
@@ -58,7 +58,7 @@ def _read(stream: TextIO, source: str, on_line: OnLine) -> None:
     device = source != "-" and Path(source).is_char_device()
     while True:
         try:
-            line = stream.readline(LONGEST)
+            line = stream.readline(LONGEST_LINE)
         except OSError:  # the system's answer for a device that was pulled out; another is the end of its lines
             line, device = "", True
         if not line and device:

@@ -11,7 +11,7 @@ import numpy as np
 from upright.arrays import Array
 from upright.compiled.electronics import FUSED_NUMBERS, GYRO_NUMBERS, SENSOR_NUMBERS, formulas
 from upright.compiled.generated import GRAVITY, LEFT, PITCH_RATE, RIGHT, YAW_RATE
-from upright.compiled.print_lanes import LanesPrinter, RowOf, constants
+from upright.compiled.print_lanes import LanesPrinter, RowOf
 from upright.compiled.program import Kind
 from upright.control.law import program
 from upright.control.linear_controller import Law
@@ -50,10 +50,12 @@ def compiled(law: Law, referred: int, applied: int = LEFT) -> CompiledLaw:
         | {"applied_left": RowOf(applied), "applied_right": RowOf(applied + 1)}
         | {name: RowOf(i, relative=True) for i, name in enumerate(own)}
     )
-    module = LanesPrinter((text.command, text.update), places, table=True).text()
-    command, update = functions_of(module, "command", "update")
+    printer = LanesPrinter((text.command, text.update), places, table=True)
+    command, update = functions_of(printer.text(), "command", "update")
     residual = own.index("residual") if "residual" in own else 0
-    return CompiledLaw(command, update if text.update.statements else 0, len(own), np.array(constants(text)), residual)
+    return CompiledLaw(
+        command, update if text.update.statements else 0, len(own), np.array(printer.constants), residual
+    )
 
 
 _DRIVE = {
