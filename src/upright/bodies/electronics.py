@@ -49,7 +49,8 @@ class Electronics:
             )
         kit.check_drive(inner.robot.drive)
         names = [*(s.name for s in TRUTH if s.name in have), *kit.sensors]
-        self.body, self.kit = body, kit
+        self.body = body
+        self.kit = kit
         self._truth = [have[s.name] for s in TRUTH if s.name in have]
         channels = tuple(KNOWN[name] for name in names)
         limit = kit.most(inner.command_unit)
@@ -159,7 +160,8 @@ class _CommandLine:
     """Delays a command by the kit's dead time, and each new one by a jitter on top."""
 
     def __init__(self, kit: Kit, period: float) -> None:
-        self._delay, self._jitter = round(kit.delay / period), round(kit.jitter / period)
+        self._delay = round(kit.delay / period)
+        self._jitter = round(kit.jitter / period)
 
     def reset(self, seed: int) -> None:
         self._seed = seed

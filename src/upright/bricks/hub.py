@@ -76,7 +76,9 @@ class VirtualHub:
         self.world = world
         self.speed = speed
         self.until = math.inf
-        self.firmware, self.protocol, self.capable = FIRMWARE, PROTOCOL, MPY6
+        self.firmware = FIRMWARE
+        self.protocol = PROTOCOL
+        self.capable = MPY6
         self.silent = False
         self.pressed = False
         self.duties = (0.0, 0.0)
@@ -91,7 +93,10 @@ class VirtualHub:
         self._stopped = False
         self._script = Script("pybricks", absent, pace, tells)
         self._stops = 0
-        self.running, self.seconds, self._clock, self._sent = False, 0.0, 0.0, 0
+        self.running = False
+        self.seconds = 0.0
+        self._clock = 0.0
+        self._sent = 0
 
     def read(self, uuid: str) -> bytes:
         """A characteristic's value."""
@@ -159,8 +164,13 @@ class VirtualHub:
         for name, code in modules.items():
             write_bytes(self._script.folder / f"{'balance' if name == '__main__' else name}.mpy", code)
         self._script.start()
-        self.running, self.seconds, self._clock, self._sent, self._typed = True, 0.0, 0.0, 0, b""
-        self._stopped, self._stops = False, 0
+        self.running = True
+        self.seconds = 0.0
+        self._clock = 0.0
+        self._sent = 0
+        self._typed = b""
+        self._stopped = False
+        self._stops = 0
         self.report()
 
     def _step(self) -> None:

@@ -75,9 +75,12 @@ class Line:
 
     def _answer(self, received: bytes) -> bytes:
         """Answer every complete telegram and return the remaining bytes."""
-        while len(received) >= 2 and len(received) >= 2 + (size := struct.unpack("<H", received[:2])[0]):
-            reply = self.brick.telegram(received[2 : 2 + size])
-            received = received[2 + size :]
+        while len(received) >= 2:
+            end = 2 + int.from_bytes(received[:2], "little")
+            if len(received) < end:
+                break
+            reply = self.brick.telegram(received[2:end])
+            received = received[end:]
             if reply:
                 os.write(self._ours, struct.pack("<H", len(reply)) + reply)
         return received

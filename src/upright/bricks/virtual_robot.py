@@ -25,7 +25,9 @@ class VirtualRobot:
     """The `world` of `hardware` (`hardware.world`), brought to the brick's time whenever the brick looks at it."""
 
     def __init__(self, hardware: Hardware, world: World, wiring: Wiring = WIRED) -> None:
-        self.world, self._hardware, self._wiring = world, hardware, wiring
+        self.world = world
+        self._hardware = hardware
+        self._wiring = wiring
         self._period = round(world.period * 1e6)
         self._next = 0
         set_readings(hardware, world.raw(), wiring)

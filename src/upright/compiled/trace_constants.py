@@ -93,5 +93,6 @@ class ConstantNames:
 
     def check(self) -> None:
         """Raise `InvalidModel` for names that the equations do not need."""
-        if unused := NAMED.keys() - self.used:
+        unused = NAMED.keys() - self.used
+        if unused:
             raise InvalidModel(f"the traced equations do not need {', '.join(sorted(unused))}", expected="names in use")

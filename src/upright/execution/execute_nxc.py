@@ -45,7 +45,8 @@ class NxcExecutor:
         self.wiring = nxt_wiring(source.read_text("utf-8"))
         with TemporaryFolder() as folder:
             self._executable, self._names = compiled(source, Path(folder))
-        if missing := [name for name in (*program.results(), "ready") if name not in self._names]:
+        missing = [name for name in (*program.results(), "ready") if name not in self._names]
+        if missing:
             raise ExecutionFailed(f"the compiled program has no variable {missing[0]}")
 
     def start(self) -> None:

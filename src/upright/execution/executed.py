@@ -38,7 +38,8 @@ class Readings:
     arithmetic `numbers`."""
 
     def __init__(self, program: Program, kit: Kit, numbers: str = "double") -> None:
-        self._program, self._kit = program, kit
+        self._program = program
+        self._kit = kit
         bits = fractions(program) if numbers == "fixed" else {}
         self._steps = {name: 2.0 ** -bits[name] for name in program.channels if name in bits}
         self.channels = dict(program.channels)
@@ -100,7 +101,10 @@ class Executed:
     """
 
     def __init__(self, executor: Executor, program: Program, kit: Kit, design: Controller) -> None:
-        self._executor, self._program, self._kit, self._design = executor, program, kit, design
+        self._executor = executor
+        self._program = program
+        self._kit = kit
+        self._design = design
         self._readings = Readings(program, kit, executor.numbers)
         self._slack = SLACK[executor.numbers]
         self._longest = comparable(program, executor.numbers)

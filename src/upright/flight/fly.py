@@ -159,7 +159,10 @@ def _certificate(certificate: Permit | str | Path | None) -> Permit | None:
 
 def _labelled(flight: Flight, plan: FlightPlan) -> Flight:
     program = plan.file.program
-    flight.robot, flight.hash, flight.port, flight.where = program.robot, program.hash, plan.port, plan.where
+    flight.robot = program.robot
+    flight.hash = program.hash
+    flight.port = plan.port
+    flight.where = plan.where
     return flight
 
 

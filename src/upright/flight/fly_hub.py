@@ -180,7 +180,8 @@ async def _stop(hub: HubLink, doubtful: bool = False) -> bool:
 
 def _go_on() -> None:
     """Whoever caught a cancellation goes on, and its time limits count again."""
-    if task := asyncio.current_task():
+    task = asyncio.current_task()
+    if task:
         task.uncancel()
 
 

@@ -182,6 +182,7 @@ class FleetResult:
     |yaw| [rad],
     `settled` (n,) [s] the time from which it stayed inside `bands` (NaN: still outside or fallen),
     `rms_pitch` (n,) [rad].
+    Nothing here tells of a speed drive whose motors slipped: `run` alone counts that.
     `effort` (n,) is ∫ u_l² + u_r² dt of the applied command, `saturated` (n,) the fraction of periods [1] in which a
     command exceeded the limit. `trace` (n, k, m) holds `channels` at times `t` (k,) [s], NaN after a fall.
     """

@@ -108,7 +108,8 @@ def _stamp(sources: tuple[str, ...]) -> str:
 
 def folder() -> Path:
     """Where compiled functions are kept: among temporary files for a user without a home folder."""
-    if chosen := os.environ.get("UPRIGHT_CACHE"):
+    chosen = os.environ.get("UPRIGHT_CACHE")
+    if chosen:
         return Path(chosen)
     home = {"win32": os.environ.get("LOCALAPPDATA"), "darwin": "~/Library/Caches"}.get(sys.platform)
     place = os.path.expanduser(home or os.environ.get("XDG_CACHE_HOME") or "~/.cache")
@@ -201,7 +202,8 @@ def _optimised(module: Any, machine: Any) -> Any:
     """At level 3, with loops as vectors. Unrolled, a loop over 64 robots is no quicker, and takes twice as long to
     compile."""
     tuning = llvm.create_pipeline_tuning_options(speed_level=3)
-    tuning.loop_vectorization, tuning.slp_vectorization = True, False
+    tuning.loop_vectorization = True
+    tuning.slp_vectorization = False
     tuning.loop_unrolling = tuning.loop_interleaving = False
     tuning.inlining_threshold = 0
     builder = llvm.create_pass_builder(machine, tuning)

@@ -35,7 +35,10 @@ class Leash:
             return 0, False  # nothing to stop, and it leaves the end where it is
         way = 1 if power > 0 else -1
         reach = self._reach(power)
-        if self.end is None or (more := reach - way * (self.end - at)) < -reach:
+        if self.end is None:
+            return reach, True
+        more = reach - way * (self.end - at)
+        if more < -reach:
             return reach, True  # an end too far ahead cannot be called back
         self.end += way * max(1, more)  # a limit of 0 would be none
         return max(1, more), False

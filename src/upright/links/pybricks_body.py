@@ -84,7 +84,8 @@ class PybricksBody(RemoteBody):
     async def _next(self, hub: HubLink) -> tuple[Reading, tuple[int, int]]:
         """The newest whole reading, once there is one, and the duties it was taken under."""
         while True:
-            if row := self._newest(hub):
+            row = self._newest(hub)
+            if row:
                 left, right, gyro, battery, *duties = row
                 return Reading(left, right, gyro / 1000, battery / 1000), (duties[0], duties[1])
             if hub.lost or not await hub.news(hub.patience):
