@@ -12,19 +12,18 @@ from upright.robots import Robot
 _DIAMETRAL = 0.501  # J_d / J_w: that of a disc is 1/2, and MuJoCo refuses less than half; the rest is margin
 _WIDTH = 0.25  # half width of a wheel, per radius: a point touches the floor, so this shows only in pictures
 
-_IMPEDANCE = 0.95  # how little a contact yields along the floor's normal; docs/model.md says why
-_IMPRATIO = 10.0  # how much less it yields across it, likewise
 _STICK = 0.9999  # impedance of the joints' dry friction, MuJoCo's hardest: less would let a stuck joint creep
 
+# Why contacts have this impedance and this ratio: docs/model.md.
 _TEMPLATE = """\
 <mujoco model="{name}">
   <compiler angle="radian" autolimits="true"/>
-  <option timestep="{timestep}" gravity="0 0 {down}" integrator="implicitfast" cone="elliptic" impratio="{impratio}"
+  <option timestep="{timestep}" gravity="0 0 {down}" integrator="implicitfast" cone="elliptic" impratio="10.0"
           solver="Newton" tolerance="1e-12" iterations="50">
     <flag autoreset="disable"/>
   </option>
   <default>
-    <geom solref="{contact_time} 1" solimp="{impedance}" contype="0" conaffinity="1"/>
+    <geom solref="{contact_time} 1" solimp="0.95 0.95 0.001" contype="0" conaffinity="1"/>
     <joint axis="0 1 0" damping="{damping}" armature="{armature}" frictionloss="{frictionloss}"
            solreffriction="{contact_time} 1" solimpfriction="{stick}"/>
   </default>
@@ -76,9 +75,7 @@ def mjcf(robot: Robot, *, timestep: float, contact_time: float, grip: float) -> 
         name=_escaped(robot.name),
         timestep=timestep,
         contact_time=contact_time,
-        impedance=f"{_IMPEDANCE} {_IMPEDANCE} 0.001",
         stick=f"{_STICK} {_STICK} 0.001",
-        impratio=_IMPRATIO,
         down=-robot.gravity,
         damping=robot.motor_friction,
         armature=robot.gear_ratio**2 * robot.rotor_inertia,

@@ -18,8 +18,6 @@ from upright.robots import Kit, Robot
 HELD = (math.radians(2.0), math.radians(3.0))
 """[rad] by which a hand holds a robot off the vertical when it lets go: between these, to either side."""
 
-PLACES = 1024  # between those two, as fine as no hand is
-
 
 class World:
     """`robot` in the electronics of `kit`, with the sensors and motors of a `target`; `pushes` are timed from its
@@ -47,9 +45,9 @@ class World:
         self._looks = 0
         self.period = self._plant.spec.period
         self._names = [signal.name for signal in self._plant.spec.channels]
-        choice = whole(0, FOR_HAND, 2 * PLACES, seed)
+        side = 2 * whole(1, FOR_HAND, 2, seed) - 1
         low, high = HELD
-        lean = (low + (high - low) * (choice // 2) / PLACES) * (1 if choice % 2 else -1)
+        lean = side * (low + (high - low) * whole(0, FOR_HAND, 1024, seed) / 1024)  # in steps finer than any hand's
         self._now = self._plant.reset((lean, 0.0, lean, 0.0, 0.0, 0.0), seed)
         self.released = self.fallen = False
 

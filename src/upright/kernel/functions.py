@@ -87,7 +87,7 @@ for _name in ("slacken", "settle", "swing", "fuse", "measure"):
     PLACES[_name] = {n: RowOf(row) for n, row in _MOTION.items()} | {n: RowOf(row, True) for n, row in _SENSOR.items()}
 
 
-class Electronics(NamedTuple):
+class CompiledElectronics(NamedTuple):
     """Addresses of the electronics' functions, by the formulas' names."""
 
     drive: int
@@ -100,11 +100,11 @@ class Electronics(NamedTuple):
 
 
 @cache
-def electronics() -> Electronics:
+def electronics() -> CompiledElectronics:
     """The functions, compiled once."""
     known = formulas()
     addresses = list[int]()
-    for name in Electronics._fields:
+    for name in CompiledElectronics._fields:
         text = LanesPrinter((known[name].block,), PLACES[name], table=False).text()
         addresses += functions_of(text, name)
-    return Electronics(*addresses)
+    return CompiledElectronics(*addresses)
