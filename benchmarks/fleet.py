@@ -31,7 +31,7 @@ import numpy as np
 
 from upright.bodies import NonlinearBody
 from upright.compiled.generated import Constants
-from upright.control import Estimated, kalman, lqr, make_controller
+from upright.control import Estimated, kalman, lqr_state, make_controller
 from upright.control.law import as_law, program
 from upright.experiment import Push, run
 from upright.fleets.ensemble import Ensemble
@@ -76,7 +76,9 @@ def start_of(n: int) -> np.ndarray:
 
 
 def bare(n: int, **options: Any) -> FleetBatch:
-    return FleetBatch(parameters=spread_fleet(n), controller=lqr(ROBOT, 0.01), start=start_of(n), substeps=1, **options)
+    return FleetBatch(
+        parameters=spread_fleet(n), controller=lqr_state(ROBOT, 0.01), start=start_of(n), substeps=1, **options
+    )
 
 
 def full(n: int, jitter: float = 0.0) -> FleetBatch:
@@ -85,7 +87,7 @@ def full(n: int, jitter: float = 0.0) -> FleetBatch:
     `jitter` [s] counts in whole steps of 1 ms: the kit's own 0.5 ms would be none.
     """
     kit = replace(Kit.preset("nxt"), jitter=jitter)
-    controller = Estimated(lqr(ROBOT, 0.01), kalman(ROBOT, kit))
+    controller = Estimated(lqr_state(ROBOT, 0.01), kalman(ROBOT, kit))
     push = [[[0.5, np.nan, 0.2, 0.1]]]
     return FleetBatch(
         parameters=spread_fleet(n), controller=controller, start=start_of(n), kit=kit, pushes=push, substeps=1
@@ -115,7 +117,7 @@ class Roofline:
         """The bare loop for n robots (rounded up to whole blocks), as a function to be timed."""
         many = -(-n // self._lanes) * self._lanes
         table = np.ascontiguousarray(constants(bare(many))[:, CONSTANTS])
-        gain, start = np.ascontiguousarray(lqr(ROBOT, 0.01).gain), start_of(many)
+        gain, start = np.ascontiguousarray(lqr_state(ROBOT, 0.01).gain), start_of(many)
         parts = np.array_split(np.arange(many // self._lanes) * self._lanes, threads)
         bounds = [(int(p[0]), int(p[-1]) + self._lanes) for p in parts if len(p)]
 
@@ -235,8 +237,8 @@ def equality() -> None:
     """Every state of 10 s, under a push, against the single-robot path."""
     push, rows = Push(force=1.0, start=1.0, duration=0.1), [[1.0, np.nan, 1.0, 0.1]]
     start = (0.05, 0.0, 0.1, 0.0, 0.2, 0.0)
-    log = run(NonlinearBody(ROBOT), lqr(ROBOT, 0.01), push, start=start, seconds=10.0)
-    batch = FleetBatch(parameters=parameters_of(ROBOT), controller=lqr(ROBOT, 0.01), start=start, pushes=rows)
+    log = run(NonlinearBody(ROBOT), lqr_state(ROBOT, 0.01), push, start=start, seconds=10.0)
+    batch = FleetBatch(parameters=parameters_of(ROBOT), controller=lqr_state(ROBOT, 0.01), start=start, pushes=rows)
     fleet = simulate(batch, 10.0, record=1).trace[0]
     apart = np.abs(log.state()[: len(fleet)] - fleet).max()
     print(f"\n10 s under a push, kernel against the single-robot path: {apart:.1e} (bar 1e-9)")
@@ -274,8 +276,8 @@ def memory() -> None:
 
 def first_call() -> None:
     code = (
-        "import time, numpy, scipy.linalg; from upright.robots import Robot; from upright.control import lqr; r = Robot.preset('nxtway-gs');"
-        "k = lqr(r, 0.01); t = time.perf_counter(); from upright.kernel.simulate import simulate;"
+        "import time, numpy, scipy.linalg; from upright.robots import Robot; from upright.control import lqr_state; r = Robot.preset('nxtway-gs');"
+        "k = lqr_state(r, 0.01); t = time.perf_counter(); from upright.kernel.simulate import simulate;"
         "from upright.kernel.batch import FleetBatch, parameters_of;"
         "simulate(FleetBatch(parameters=parameters_of(r), controller=k), 1.0); print(time.perf_counter() - t)"
     )

@@ -9,7 +9,7 @@ import harness
 
 from upright.bodies import NonlinearBody
 from upright.bodies.twin import Twin
-from upright.control import lqr
+from upright.control import lqr_state
 from upright.experiment import run
 from upright.paper import turning
 from upright.robots import Robot
@@ -17,7 +17,7 @@ from upright.robots import Robot
 
 def agreement(robot: Robot) -> None:
     """Complete and published model against the twin, at three yaw rates."""
-    feedback = lqr(robot, turning.PERIOD)
+    feedback = lqr_state(robot, turning.PERIOD)
     table = harness.Table(
         "yaw [rad/s] >12g",
         "model >12",
@@ -38,7 +38,7 @@ def cost(robot: Robot) -> None:
     """Computing time for one simulated second under feedback every 10 ms, beside the nonlinear model's."""
     bodies = {"nonlinear model": NonlinearBody(robot), "twin": Twin(robot)}
     start = (0.05, 0, 0, 0, 0, 0)
-    jobs = {n: lambda b=b: run(b, lqr(robot, 0.01), seconds=4.0, start=start) for n, b in bodies.items()}
+    jobs = {n: lambda b=b: run(b, lqr_state(robot, 0.01), seconds=4.0, start=start) for n, b in bodies.items()}
     took = harness.best(jobs, 3)
     print()
     table = harness.Table("body <20", "[s] a simulated second >25.4f", "ratio >8.2f")
