@@ -36,10 +36,10 @@ from upright.cli.main import main
 from upright.comparison.bench import TOLERANCE, bench_one, largest_knock
 from upright.control import ControllerSpec, LinearController, as_linear, make_controller
 from upright.control.linear_controller import Law
-from upright.control.permit import permitted
 from upright.errors import InvalidController, InvalidLog, NotPermitted, SpecMismatch
 from upright.experiment import Hold, run
 from upright.experiment.examples import example
+from upright.experiment.permit import permitted
 from upright.kernel.batch import idle
 from upright.likelihood.actual import as_logged
 from upright.likelihood.agreement import Agreement, agreement

@@ -40,9 +40,9 @@ from upright.control.observed import observed
 from upright.control.observer import steady
 from upright.control.reach import largest_pitch, static_pitch
 from upright.control.robust import robust
-from upright.control.standup import Lift, StandUpController, lift
 from upright.errors import DesignFailed, InvalidController, SpecMismatch, UprightError
 from upright.experiment import Drive, Hold, Impulse, Turn, run
+from upright.experiment.standup import Lift, StandUpController, lift
 from upright.loops.loop import robot_loop
 from upright.physics.dynamics import accelerations
 from upright.physics.linear import linearise, rolling

@@ -11,7 +11,8 @@ from planted import exact_mpc
 from upright.bodies import Electronics, LinearBody, NonlinearBody
 from upright.control import controller_hash, lqg, mpc, read_controller, write_controller
 from upright.control.law import as_law, program
-from upright.control.mpc import PredictiveController, doubling, largest_command, predicted
+from upright.control.mpc import PredictiveController, doubling, predicted
+from upright.control.reach import largest_command
 from upright.errors import DesignFailed, InvalidController
 from upright.experiment import Drive, Hold, Impulse, run
 from upright.physics.linear import linearise

@@ -13,8 +13,8 @@ from scipy.linalg import expm
 
 from upright.bodies import NonlinearBody
 from upright.control import lqr_state
-from upright.control.standup import lift
 from upright.errors import InvalidModel, InvalidRobot, SpecMismatch
+from upright.experiment.standup import lift
 from upright.kernel.batch import FleetBatch, parameters_of
 from upright.kernel.simulate import simulate
 from upright.physics.dynamics import Disturbance, derivative, mass_matrix, turn_ratio

@@ -24,7 +24,7 @@ from upright.cli.main import main
 from upright.compiled.generated import constants
 from upright.control import LinearController, make_controller, write_controller
 from upright.control.delay import RAW
-from upright.control.mpc import largest_command
+from upright.control.reach import largest_command
 from upright.diagnose import PostMortem, post_mortem
 from upright.diagnose.causes import (
     CANNOT_TELL,

@@ -66,7 +66,7 @@ def firmware(
     """
     from upright.certification import read_certificate
     from upright.control import find_controller
-    from upright.control.permit import permitted
+    from upright.experiment.permit import permitted
     from upright.firmware import generate
     from upright.robots import find_kit, find_robot
     from upright.robots.motor import refuse_energy

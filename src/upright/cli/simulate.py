@@ -129,7 +129,7 @@ def _standing_up(controller: Controller, robot: Robot, kit: Kit | str, pitch: fl
     """The controller behind a lift from that pitch."""
     if start:
         raise InvalidController("both --start and --lying", expected="one of them: a lift begins at rest")
-    from upright.control.standup import StandUpController, lift
+    from upright.experiment.standup import StandUpController, lift
     from upright.robots import find_kit
 
     parts = find_kit(kit)

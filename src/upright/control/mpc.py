@@ -19,7 +19,6 @@ limit, and `residual` is by how much that iteration still moved it. A period tak
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
@@ -33,6 +32,7 @@ from upright.control.kalman import Disturbed, kalman_filter, offset_free
 from upright.control.linear_controller import Law, LinearController, Remembering
 from upright.control.lqg import Lqg, regulated
 from upright.control.observer import memory, steady_push, steady_state
+from upright.control.reach import largest_command
 from upright.control.splitting import MOST_ITERATIONS, Splitting
 from upright.errors import DesignFailed, InvalidController
 from upright.robots import Kit, Robot, find_kit, find_robot
@@ -154,13 +154,6 @@ def mpc(
     bounds = {"pitch": pitch, "wheel": travel / robot.wheel_radius}
     bounds = {name: bound for name, bound in bounds.items() if name not in model.hidden}
     return _split(design, lengths, bounds, limit=min(most, UNLIMITED), iterations=iterations)
-
-
-def largest_command(robot: Robot, kit: Kit) -> float:
-    """What the motors are sure to get: the driver's limit, and for volts the battery under both motors at full."""
-    full = kit.battery.voltage
-    battery = full * (1 - 2 * kit.battery.sag) if robot.command_unit == "V" and math.isfinite(full) else math.inf
-    return min(kit.motor.limit, battery)
 
 
 def doubling(horizon: int) -> tuple[int, ...]:

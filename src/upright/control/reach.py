@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
-from upright.control.mpc import largest_command
 from upright.errors import DesignFailed
 from upright.physics.dynamics import motor_gain
 from upright.physics.linear import linearise_rolling
 from upright.robots import Kit, Robot
+
+
+def largest_command(robot: Robot, kit: Kit) -> float:
+    """What the motors are sure to get: the driver's limit, and for volts the battery under both motors at full."""
+    full = kit.battery.voltage
+    battery = full * (1 - 2 * kit.battery.sag) if robot.command_unit == "V" and math.isfinite(full) else math.inf
+    return min(kit.motor.limit, battery)
 
 
 def largest_pitch(robot: Robot, kit: Kit, limit: float | None = None) -> float:

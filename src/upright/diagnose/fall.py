@@ -12,7 +12,7 @@ from upright.arrays import Array, Mask
 from upright.checkup.finding import FALLING, Segment
 from upright.checkup.poses import NEAR_FLOOR, segments
 from upright.checkup.wheels import record_of
-from upright.control.mpc import largest_command
+from upright.control.reach import largest_command
 from upright.diagnose.innovations import FULL_RANGE, FilterRun
 from upright.logs.raw import RATES
 from upright.logs.recording import commanded

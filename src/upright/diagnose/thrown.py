@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from upright.arrays import Array
-from upright.control.mpc import largest_command
+from upright.control.reach import largest_command
 from upright.diagnose.fall import LEANING, falling, gyro, limit, pace
 from upright.diagnose.innovations import FULL_RANGE, asked_of
 from upright.logs.raw import RATES

@@ -9,9 +9,9 @@ from typing import Any
 
 from upright.bodies.body import REST, Body, BodySpec
 from upright.control.controller import Controller
-from upright.control.permit import Permit, permitted
 from upright.errors import InvalidScenario, check_within
 from upright.experiment.loop import Stepper
+from upright.experiment.permit import Permit, permitted
 from upright.experiment.pushes import PushProgramme, combined
 from upright.experiment.references import Reference, total
 from upright.physics.dynamics import Disturbance

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from upright.control.controller import Controller
-from upright.control.permit import Permit, permitted
 from upright.errors import UprightError
+from upright.experiment.permit import Permit, permitted
 from upright.experiment.pushes import PushProgramme
 from upright.firmware.generate import head
 from upright.firmware.program_file import ProgramFile, read_program, read_text

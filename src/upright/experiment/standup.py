@@ -19,8 +19,7 @@ import numpy as np
 from upright.arrays import Array
 from upright.compiled.straight_line import written
 from upright.control.controller import Controller
-from upright.control.mpc import largest_command
-from upright.control.reach import largest_pitch, static_pitch
+from upright.control.reach import largest_command, largest_pitch, static_pitch
 from upright.errors import DesignFailed
 from upright.physics.dynamics import CALM, motor_damping, motor_gain
 from upright.physics.integrate import PREDICTED, substeps
