@@ -12,9 +12,9 @@ from upright.bodies.body import FALLEN, REST, BodySpec, Sample, checked, checked
 from upright.compiled.straight_line import Step, written
 from upright.errors import InvalidModel, InvalidScenario
 from upright.physics.dynamics import CALM, MODELS, Disturbance, accelerations, drives_speed, slips
-from upright.physics.integrate import substeps
-from upright.physics.linear import DISTURBANCES, LinearModel, linearise, linearise_rolling
+from upright.physics.linear import DISTURBANCES, LinearModel, linearise_rolling
 from upright.physics.sensing import readings
+from upright.physics.steps import steps_of
 from upright.robots import Robot
 from upright.signals.signal import SENSORS, STATE_NAMES, TRUTH
 
@@ -34,8 +34,7 @@ class NonlinearBody:
         self.spec = _spec(f"{model} nonlinear model", robot, checked_period(period))
         self._model = model
         self._may_slip = drives_speed(robot)
-        fastest = max(abs(linearise(robot, model=model).poles()))
-        self.substeps = substeps(period, float(fastest), numbers=robot.numbers())
+        self.substeps = steps_of(robot, period, model=model)
         self.reset()
 
     @classmethod

@@ -30,8 +30,8 @@ from upright.diagnose.innovations import FilterRun
 from upright.diagnose.remedy import Window
 from upright.diagnose.signatures import YOUNGEST, Bank, beside, pushing, unknown_parameters
 from upright.physics.dynamics import motor_damping, motor_gain
-from upright.physics.integrate import PREDICTED, substeps
-from upright.physics.linear import linearise
+from upright.physics.integrate import PREDICTED
+from upright.physics.steps import steps_of
 from upright.robots import PARAMETERS, Robot
 
 FORCED = {"ramp": 3, "load": 3, "radius": 2, "payload": 4, "slip": 1}
@@ -83,9 +83,8 @@ class Observer:
     @cached_property
     def _followed(self) -> tuple[int, tuple[Array, ...]]:
         part = self.part
-        fastest = float(np.abs(linearise(part.robot).poles()).max())
         longest = float(part.spans.max())
-        steps = substeps(longest, fastest, PREDICTED, numbers=part.robot.numbers())
+        steps = steps_of(part.robot, longest, PREDICTED)
         reads, error = part.reads[part.row], np.nan_to_num(part.innovation)
         reading = error + (reads * (part.after - part.gains * error[:, None])).sum(axis=1)
         deviation = np.where(part.readings, np.sqrt(part.variance), np.nan)

@@ -23,8 +23,8 @@ from upright.compiled.generated import constants
 from upright.errors import InvalidLog
 from upright.logs.recording import FEWEST, Recording
 from upright.physics import electronics
-from upright.physics.integrate import PREDICTED, substeps
-from upright.physics.linear import linearise
+from upright.physics.integrate import PREDICTED
+from upright.physics.steps import steps_of
 from upright.robots import PARAMETERS, Kit, Robot
 from upright.signals import Log
 
@@ -341,8 +341,7 @@ def _flown(run: FilterRun, p: Any, x: Array, u: Array, w: Array) -> Array:
     from upright.diagnose.propagation import fly
 
     robot, spans = run.robot, run.spans
-    fastest = float(np.abs(linearise(robot).poles()).max())
-    steps = substeps(float(spans.max()), fastest, PREDICTED, numbers=robot.numbers())
+    steps = steps_of(robot, float(spans.max()), PREDICTED)
     lanes = np.ones(len(x))
     coefficients = [np.ravel(one) * lanes for one in constants([getattr(p, name) for name in PARAMETERS], 1.0)]
     arrays = (np.array(coefficients), x, u, w, spans)

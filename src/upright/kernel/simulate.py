@@ -19,7 +19,8 @@ from upright.errors import InvalidScenario, SpecMismatch
 from upright.kernel.batch import NAMES, FleetBatch, FleetResult, Selection
 from upright.kernel.work import Order, Outcome, Piece, run_piece
 from upright.physics.dynamics import derivative
-from upright.physics.integrate import SIMULATED, substeps
+from upright.physics.integrate import SIMULATED
+from upright.physics.steps import steps_for
 from upright.signals import TRUE_STATE
 
 FOREVER = (math.inf, math.inf, math.inf)
@@ -118,7 +119,7 @@ def steps_of(batch: FleetBatch) -> Whole:
     stiff = np.flatnonzero(~(_bound(jacobian) * period <= SIMULATED))
     for i, poles in zip(stiff.tolist(), np.abs(np.linalg.eigvals(jacobian[stiff])), strict=True):
         numbers = dict(zip(NAMES, parameters[i].tolist(), strict=True))
-        steps[i] = substeps(period, float(poles.max()), numbers=numbers)
+        steps[i] = steps_for(float(poles.max()), period, numbers)
     return steps
 
 

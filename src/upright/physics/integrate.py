@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
-
-from upright.errors import InvalidRobot
-from upright.robots.robot import unusual
 
 Derivative = Callable[[Sequence[Any]], Sequence[Any]]
 
@@ -18,28 +15,11 @@ PREDICTED = 0.7
 """The same in predictions and plans, which many steps are spent on: e^(−0.7) is off by 1.3e-3, of a mode that dies
 within a period, and below what their noise and their feedback leave."""
 
-
-SHORTEST = 2e-6
-"""[s] Shortest step of `rk4_step`: 500 of them in a millisecond, where a robot of usual numbers takes one to thirty."""
-
-
 _ROUNDING = 1e-6  # of a pole: what an eigenvalue is off by is no reason for another step
 
 
-def substeps(
-    period: float, fastest: float, limit: float = SIMULATED, *, numbers: Mapping[str, float] | None = None
-) -> int:
-    """Steps of `rk4_step` in a `period` [s] that keep |pole|·h within `limit` for the `fastest` |pole| [1/s].
-
-    Raises `InvalidRobot` for a pole that would take steps below `SHORTEST`, and names which of the robot's `numbers` is
-    the likely cause.
-    """
-    if not fastest * SHORTEST <= limit:
-        cause = unusual(numbers or {}) or "inertias, friction and the motor's constants"
-        raise InvalidRobot(
-            f"a pole of {fastest:.2g} 1/s needs {fastest * period / limit:.3g} steps in a period of {period:g} s",
-            expected=f"at most {period / SHORTEST:.3g}", hint=f"check {cause}",
-        )  # fmt: skip
+def substeps(period: float, fastest: float, limit: float = SIMULATED) -> int:
+    """Steps of `rk4_step` in a `period` [s] that keep |pole|·h within `limit` for the `fastest` |pole| [1/s]."""
     return max(1, math.ceil(fastest * period / limit * (1 - _ROUNDING)))
 
 

@@ -29,6 +29,7 @@ INPUTS = ("left", "right")
 DISTURBANCES = ("force", "moment", "slope")
 """A push enters as its force [N] and its moment about the axle [N m]; the floor as its slope [rad]."""
 
+UPRIGHT = ((0.0,) * 6, (0.0, 0.0), "complete")  # state, commands and model of the usual tangent
 _ARRAYS = ("A", "B", "C", "D", "E", "x0", "u0", "f0")
 _NAMES = ("states", "inputs", "outputs", "disturbances")
 _TINY = 1e-100  # complex step: no subtraction, so no cancellation, and its square vanishes
@@ -340,19 +341,21 @@ def rolling(robot: Robot, rate: float = 3.0) -> Robot:
 @lru_cache(maxsize=256)
 def linearise_rolling(robot: Robot) -> LinearModel:
     """The tangent upright of the robot as it rolls (`rolling`): what designs and linear bodies take for the robot."""
-    return linearise(rolling(robot))
+    return _tangent(rolling(robot), *UPRIGHT)
 
 
 @lru_cache(maxsize=256)  # a margin asks for that of one robot hundreds of times
 def _tangent(robot: Robot, x: tuple[float, ...], u: tuple[float, ...], model: str) -> LinearModel:
-    def column(dx: Sequence[complex], du: Sequence[complex], w: Disturbance) -> Array:
+    def rates(dx: Sequence[complex], du: Sequence[complex], w: Disturbance) -> Complex:
         at_x = [a + b for a, b in zip(x, dx, strict=True)]
         at_u = [a + b for a, b in zip(u, du, strict=True)]
         try:
-            slopes = derivative(at_x, at_u, robot, w, cmath, model)
+            return np.array(derivative(at_x, at_u, robot, w, cmath, model), dtype=np.complex128)
         except ArithmeticError:  # the mass matrix is singular to rounding, or a speed overflows
             raise _extreme(robot, x, u) from None
-        return np.array([complex(s).imag / _TINY for s in slopes])
+
+    def column(dx: Sequence[complex], du: Sequence[complex], w: Disturbance) -> Array:
+        return rates(dx, du, w).imag / _TINY
 
     def unit(size: int, index: int) -> list[complex]:
         return [1j * _TINY if i == index else 0j for i in range(size)]
@@ -363,8 +366,8 @@ def _tangent(robot: Robot, x: tuple[float, ...], u: tuple[float, ...], model: st
     force = column(still, idle, Disturbance(force=1j * _TINY))
     moment = column(still, idle, Disturbance(force=1j * _TINY, height=1.0)) - force
     slope = column(still, idle, Disturbance(slope=1j * _TINY))
-    f0 = np.array(derivative(x, u, robot, CALM, model=model), dtype=np.float64)
     E = np.column_stack([force, moment, slope])
+    f0 = rates(still, idle, CALM).real
     return LinearModel(A, B, E=E, disturbances=DISTURBANCES, x0=np.array(x), u0=np.array(u), f0=f0)
 
 
