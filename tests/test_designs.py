@@ -641,7 +641,7 @@ def test_a_robot_whose_motors_do_not_reach_says_so_in_numbers():
             lift(robot, Kit.preset(robot.kit), 1.7)
     with pytest.raises(DesignFailed, match="between 0 and π"):
         lift(NXT, KIT, 0.0)
-    other, volts = Lift(Robot.preset("twipr"), 1.0, 0.01, np.zeros(6), (0.0, 0.0, 0.0)), lqg(NXT, KIT)
+    other, volts = Lift(Robot.preset("twipr"), 1.0, 0.01, np.zeros(6)), lqg(NXT, KIT)
     with pytest.raises(DesignFailed, match="the same of both"):
         StandUpController(other, volts, KIT)
 

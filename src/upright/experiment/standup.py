@@ -17,13 +17,12 @@ from typing import Any
 import numpy as np
 
 from upright.arrays import Array
-from upright.compiled.straight_line import written
+from upright.bodies.body import Body
+from upright.bodies.models import NonlinearBody
 from upright.control.controller import Controller
 from upright.control.reach import largest_command, largest_pitch, static_pitch
 from upright.errors import DesignFailed
-from upright.physics.dynamics import CALM, motor_damping, motor_gain
-from upright.physics.integrate import PREDICTED, substeps
-from upright.physics.linear import linearise
+from upright.physics.dynamics import motor_damping, motor_gain
 from upright.robots import Kit, Robot
 
 PARTS = 6
@@ -39,32 +38,29 @@ _EASE = 0.03  # weight of the commands beside the end
 
 @dataclass(frozen=True, eq=False)
 class Lift:
-    """`commands` (n,) for both motors, every `period` [s], from `pitch` [rad].
-
-    `end` is the state after them: pitch, its rate and the wheels' rate [rad, rad/s, rad/s].
-    """
+    """`commands` (n,) for both motors, every `period` [s], from `pitch` [rad]."""
 
     robot: Robot
     pitch: float
     period: float
     commands: Array
-    end: tuple[float, float, float]
 
     def check(self) -> float:
-        """The largest of where it ends over what counts as upright, computed anew: below one is well."""
-        end = _ends(self.robot, self.pitch, self.period, self.commands[None])[0]
-        return float((np.abs(end) / UPRIGHT).max())
+        """The largest of where it ends over what counts as upright: below one is well."""
+        body = NonlinearBody(self.robot, period=self.period)
+        return float((np.abs(_end(body, self.pitch, self.commands)) / UPRIGHT).max())
 
 
 def lift(robot: Robot, kit: Kit, pitch: float, dt: float | None = None) -> Lift:
     """The shortest lift from rest at `pitch` [rad]; `DesignFailed` says in numbers why there is none."""
     period = kit.period if dt is None else dt
-    most = (1 - KEPT) * largest_command(robot, kit)
+    full = largest_command(robot, kit)
+    most = (1 - KEPT) * full
     reach = largest_pitch(robot, kit)
     if not 0 < abs(pitch) < np.pi:
         raise DesignFailed(f"a lift from {pitch:g} rad", expected="a pitch between 0 and π, of either sign")
     if abs(pitch) > 1.1 * reach:  # exact for linear robots, and 1 to 5 % too large for the presets
-        raise DesignFailed(_why(robot, kit, pitch, reach), hint="stronger motors, or a prop that holds it higher")
+        raise DesignFailed(_why(robot, kit, pitch, full, reach), hint="stronger motors, or a prop that holds it higher")
     lengths = range(2, int(LONGEST / (PARTS * period)) + 1)
     for n in lengths:
         plan = _planned(robot, pitch, period, n, most)
@@ -76,18 +72,17 @@ def lift(robot: Robot, kit: Kit, pitch: float, dt: float | None = None) -> Lift:
     )
 
 
-def _why(robot: Robot, kit: Kit, pitch: float, reach: float) -> str:
-    most = largest_command(robot, kit)
+def _why(robot: Robot, kit: Kit, pitch: float, most: float, reach: float) -> str:
     message = (
         f"{robot.name} cannot stand up from {pitch:g} rad: {most:.3g} {robot.command_unit} bring it back from at most "
+        f"{reach:.2f} rad"
     )
-    message += f"{reach:.2f} rad"
     if damping := motor_damping(robot):
         top = motor_gain(robot) * most / damping * robot.wheel_radius
         message += (
             f"; standing still they hold it up to {static_pitch(robot, kit):.2f} rad, but the wheels run away, and at "
+            f"{top:.2f} m/s nothing is left against gravity"
         )
-        message += f"{top:.2f} m/s nothing is left against gravity"
     return message
 
 
@@ -95,37 +90,22 @@ def _planned(robot: Robot, pitch: float, period: float, each: int, most: float) 
     """The lift of `PARTS` commands that hold for `each` periods."""
     from scipy.optimize import least_squares
 
+    body = NonlinearBody(robot, period=each * period)
+
     def errors(fractions: Array) -> Array:
-        ends = _ends(robot, pitch, period, np.repeat(most * fractions, each, axis=1))
-        return np.hstack([ends / UPRIGHT, _EASE * fractions])
-
-    def one(fractions: Array) -> Array:
-        return errors(fractions[None])[0]
-
-    def slopes(fractions: Array) -> Array:
-        nudge = 1e-5 * np.eye(PARTS)
-        return ((errors(fractions + nudge) - errors(fractions - nudge)) / 2e-5).T
+        return np.hstack([_end(body, pitch, most * fractions) / UPRIGHT, _EASE * fractions])
 
     first = np.sign(pitch) * np.array([0.8, 0.5, -0.2, -0.6, -0.2, 0.2])
-    jacobian: Any = slopes
-    result: Any = least_squares(one, first, jacobian, bounds=(-1, 1), max_nfev=40)
-    commands = np.repeat(most * result.x, each)
-    end = _ends(robot, pitch, period, commands[None])[0]
-    return Lift(robot, pitch, period, commands, (float(end[0]), float(end[1]), float(end[2])))
+    found = least_squares(errors, first, bounds=(-1, 1), max_nfev=40)
+    return Lift(robot, pitch, period, np.repeat(most * found.x, each))
 
 
-def _ends(robot: Robot, pitch: float, period: float, commands: Array) -> Array:
-    """Pitch, its rate and the wheels' rate (lanes, 3) after commands (lanes, n), from rest."""
-    fastest = float(np.abs(linearise(robot).poles()).max())
-    steps = max(2, substeps(period, fastest, PREDICTED, numbers=robot.numbers()))
-    step = written(robot, "complete", period, steps)
-    ends = list[tuple[float, float, float]]()
-    for lane in commands.tolist():
-        x: Sequence[float] = (pitch, 0.0, 0.0, 0.0, 0.0, 0.0)
-        for u in lane:
-            x = step(x[:6], (u, u), CALM)
-        ends.append((x[0], x[1], x[3]))
-    return np.array(ends)
+def _end(body: Body, pitch: float, commands: Array) -> Array:
+    """Pitch, its rate and the wheels' rate (3,) after `commands` (n,), one for each step of the body, from rest."""
+    now = body.reset((pitch, 0.0, 0.0, 0.0, 0.0, 0.0))
+    for u in commands.tolist():
+        now = body.step((u, u))
+    return now.values[[0, 1, 3]]
 
 
 class StandUpController:
