@@ -10,11 +10,12 @@ from upright.bodies.body import Body as Body
 from upright.bodies.body import BodySpec as BodySpec
 from upright.bodies.body import Sample as Sample
 from upright.bodies.electronics import Electronics as Electronics
+from upright.bodies.electronics import without_missing
 from upright.bodies.models import LinearBody as LinearBody
 from upright.bodies.models import NonlinearBody as NonlinearBody
 from upright.physics.linear import linearise_rolling
 from upright.plugins import Registry, made
-from upright.robots import Robot
+from upright.robots import Kit, Robot
 
 
 def _twin(robot: Robot) -> Body:
@@ -42,3 +43,9 @@ def make_body(name: str, robot: Robot) -> Body:
     Raises `UnknownName`, which lists them, or `InvalidPlugin` for one from outside that cannot be made.
     """
     return BODIES[name](robot)
+
+
+def equipped(name: str, robot: Robot, kit: Kit) -> Electronics:
+    """The body of that name behind the electronics of `kit`; the ideal kit has whatever the body offers."""
+    body = make_body(name, robot)
+    return Electronics(body, without_missing(kit, body) if kit.name == "ideal" else kit)

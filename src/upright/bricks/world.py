@@ -9,7 +9,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-from upright.bodies import Electronics, make_body
+from upright.bodies import equipped
 from upright.compiled.counter import FOR_HAND, FOR_STILL, KINDS, Normals, whole
 from upright.experiment.pushes import PushProgramme, combined
 from upright.firmware.targets import BATTERY, COMPASS, GYRO, OFFSET, find_target
@@ -34,7 +34,7 @@ class World:
         seed: int = 1,
     ) -> None:
         parts = replace(kit, delay=0.0, jitter=0.0, motor=replace(kit.motor, quantum=0.0))
-        self._plant = Electronics(make_body("twin", robot), parts)
+        self._plant = equipped("twin", robot, parts)
         known = find_target(target)
         self._raw = {channel: known.sensor(channel, kit) for channel in kit.sensors if channel in known.raw}
         self._raw |= {BATTERY: known.sensor(BATTERY, kit)}

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from upright.arrays import Array, Mask
-from upright.bodies import Body, Electronics, make_body
+from upright.bodies import Body, equipped
 from upright.certification.checks import TrialSetup, kernel_controller, watched
 from upright.comparison.comparison import compare
 from upright.control import CONTROLLERS, Controller, make_controller
@@ -220,7 +220,7 @@ def bench_one(
     if isinstance(controller, str):
         return BenchRow(controller=method, push=push, outcome=controller), None
     setup = TrialSetup(robot, drawn, kit, seed, controller=kernel_controller(controller, robot, kit))
-    plant = Electronics(make_body(body, robot), kit)
+    plant = equipped(body, robot, kit)
     log = run(plant, controller, Hold(pitch=PUSHES[side], until=UNTIL), seconds=SECONDS, seed=seed)
     way = math.copysign(1.0, PUSHES[side])
     impulse = largest_knock(plant, controller, way, seed, near=_border(setup, way)) if knocks else None

@@ -17,7 +17,7 @@ from upright.atomic import finite
 from upright.certification.verdict import MOST_TRAVEL
 from upright.comparison import metrics, resting, swaying
 from upright.errors import InvalidLog, UnknownName
-from upright.experiment import outcome_of
+from upright.experiment import motionless, outcome_of, undisturbed
 from upright.logs.recording import commanded
 from upright.signals import STATE_NAMES, Log
 from upright.tables import Listing, Shown
@@ -121,13 +121,16 @@ class Comparison(Shown):
         return where | {"metrics": numbers, "fit": fits}
 
     def ended(self, label: str) -> str:
-        """How a run ended, in words, also that its swing grows and that it rolled far."""
+        """How a run ended, in words, also that its swing grows, that it rolled far, or why it never moved."""
         log, numbers = self.logs[label], self.metrics[label]
         ended = str(outcome_of(log))
         rolled = log.origin.get("robot", {}).get("wheel_radius", 0) * numbers.wheel_travel
         if math.isfinite(numbers.doubling):
             ended += f", but its swing doubled every {numbers.doubling:.2g} s"
-        return f"{ended}, and rolled {rolled:.2g} m" if rolled > MOST_TRAVEL else ended
+        if rolled > MOST_TRAVEL:
+            ended += f", and rolled {rolled:.2g} m"
+        still = motionless(log) if undisturbed(log) else ""
+        return f"{ended}. {still}" if still else ended
 
     def plot(self, *signals: str) -> Figure:
         """States of all logs over time (default: all that are compared), one panel each; the push is shaded."""

@@ -18,6 +18,7 @@ from upright.control.lqg import lqg
 from upright.control.lqi import LARGEST_INTEGRAL, lqi
 from upright.control.lqr import Lqr, lqr, lqr_state
 from upright.control.mpc import mpc
+from upright.control.observed import by_gain
 from upright.control.pid import pid
 from upright.control.pid_angle_design import OWN, pid_angle
 from upright.control.riccati import LARGEST_COMMAND, LARGEST_STATE
@@ -158,11 +159,16 @@ def make_controller(
     return CONTROLLERS[name](robot, kit, dt, own=own)
 
 
-def find_controller(controller: Controller | str | PathLike[str], robot: Robot, kit: Kit, dt: float) -> Controller:
-    """The controller itself, the one in a `.json` file, or by the method of that name or of `file.py:Name`.
+def find_controller(
+    controller: Controller | str | PathLike[str], robot: Robot, kit: Kit, dt: float, gain: str | None = None
+) -> Controller:
+    """The controller itself, the one in a `.json` file, or by the method of that name or of `file.py:Name`; in place of
+    these the one `by_gain`, where a `gain` is given.
 
     Raises `UnknownName`, or `InvalidPlugin` for a file or a package whose controller cannot be made.
     """
+    if gain is not None:
+        return by_gain(gain, robot, kit, dt)
     if not isinstance(controller, str | PathLike):
         return controller
     name = str(controller)

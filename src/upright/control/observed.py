@@ -7,16 +7,20 @@ on their way. Then u = u_r − K (x̂(t + τ) − x_r) has the poles of A − B 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 from upright.arrays import Array
+from upright.control.controller import Controller
 from upright.control.delay import sampled
 from upright.control.design import Design
 from upright.control.feedback import StateFeedback
 from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
 from upright.control.observer import output_feedback
-from upright.errors import SpecMismatch
+from upright.errors import InvalidController, SpecMismatch
+from upright.reading import read_json, understood
 from upright.robots import Kit, Robot
 from upright.signals import STATE_NAMES
 
@@ -70,3 +74,18 @@ def observed(
     estimator = kalman_filter(model, disturbed)
     design = Observed(estimator, feedback)
     return output_feedback(estimator, feedback.gain @ model.ahead, feedback.kind, design)
+
+
+def by_gain(gain: str | Sequence[float], robot: Robot, kit: Kit, dt: float) -> Controller:
+    """u = −K x by the left motor's six gains, numbers or "k1,…,k6", or by a JSON file with a 2×6 "gain": of the true
+    state on the ideal kit, else `observed`. Raises `InvalidController` for what is no gain."""
+    if isinstance(gain, str) and gain.endswith(".json"):
+        expected = 'JSON such as {"gain": [[six], [six]]}'
+        data = read_json(Path(gain), InvalidController, expected)
+        with understood(f"the gain in {gain}", InvalidController, expected):
+            feedback = StateFeedback(data["gain"], dt, robot.command_unit)
+    else:
+        with understood("--gains", InvalidController, "six numbers"):
+            row = list(map(float, gain.split(","))) if isinstance(gain, str) else gain
+        feedback = StateFeedback.symmetric(row, dt, command_unit=robot.command_unit)
+    return feedback if kit.name == "ideal" else observed(feedback, robot, kit)

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from upright.bodies import Electronics, make_body
+from upright.bodies import equipped
 from upright.control.controller import Controller
 from upright.errors import InvalidController
 from upright.execution.execute import execute
@@ -134,7 +134,7 @@ def executed_parity(
     """The parity of a program that `executor` runs; raises `ExecutionFailed` for one that does not answer."""
     program = firmware.program
     fine = replace(kit, motor=replace(kit.motor, quantum=0.0)) if program.full else kit  # its duties are whole already
-    plant = Electronics(make_body(body, robot), fine)
+    plant = equipped(body, robot, fine)
     executed = Executed(executor, program, kit, controller)
     lasting = HELD if set(ENCODERS) & set(program.channels.values()) else KNOCKED
     pushes = [Hold(pitch=p, start=start, until=start + lasting) for p, start in PUSHES.values()]

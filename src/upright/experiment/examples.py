@@ -86,7 +86,7 @@ def example(name: str) -> Log:
 
 @cache
 def _simulated(pushes: tuple[PushProgramme, ...], excited: bool) -> Log:
-    from upright.bodies import Electronics, make_body
+    from upright.bodies import equipped
     from upright.control import find_controller
     from upright.control.excited import Excited, random_binary
     from upright.robots import find_kit, find_robot
@@ -97,7 +97,7 @@ def _simulated(pushes: tuple[PushProgramme, ...], excited: bool) -> Log:
     added = random_binary(round(SECONDS / kit.period), AMPLITUDE, seed=SEED, hold=HELD)
     if excited:
         controller = Excited(controller, added)
-    body = Electronics(make_body("twin", robot), kit)
+    body = equipped("twin", robot, kit)
     try:
         log = run(body, controller, pushes, seconds=SECONDS, seed=SEED)
     finally:

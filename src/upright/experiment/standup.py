@@ -96,8 +96,8 @@ def _planned(robot: Robot, pitch: float, period: float, each: int, most: float) 
         return np.hstack([_end(body, pitch, most * fractions) / UPRIGHT, _EASE * fractions])
 
     first = np.sign(pitch) * np.array([0.8, 0.5, -0.2, -0.6, -0.2, 0.2])
-    found = least_squares(errors, first, bounds=(-1, 1), max_nfev=40)
-    return Lift(robot, pitch, period, np.repeat(most * found.x, each))
+    result = least_squares(errors, first, bounds=(-1, 1), max_nfev=40)
+    return Lift(robot, pitch, period, np.repeat(most * result.x, each))
 
 
 def _end(body: Body, pitch: float, commands: Array) -> Array:
@@ -106,6 +106,11 @@ def _end(body: Body, pitch: float, commands: Array) -> Array:
     for u in commands.tolist():
         now = body.step((u, u))
     return now.values[[0, 1, 3]]
+
+
+def standing_up(controller: Controller, robot: Robot, kit: Kit, pitch: float) -> StandUpController:
+    """The `controller` behind the `lift` of its robot from rest at `pitch` [rad]."""
+    return StandUpController(lift(robot, kit, pitch, controller.spec.period), controller, kit)
 
 
 class StandUpController:

@@ -9,7 +9,8 @@ from typing import Any
 
 from upright.bodies import Body, Electronics, LinearBody, NonlinearBody, Sample
 from upright.bodies.body import REST
-from upright.control import CONTROLLERS, Controller, ControllerSpec, Method, StateFeedback, observed
+from upright.control import CONTROLLERS, Controller, ControllerSpec, Method
+from upright.control.observed import by_gain
 from upright.errors import InvalidController, InvalidPlugin, InvalidRobot, UnknownName, UprightError
 from upright.lab.messages import FamilyInfo, Setup
 from upright.physics.dynamics import CALM, Disturbance, drives_speed, motor_gain
@@ -163,7 +164,7 @@ def design(setup: Setup, robot: Robot, kit: Kit) -> Controller:
     if family == OFF:
         return Off(kit.period, robot.command_unit)
     if family == BY_HAND:
-        return _by_hand(setup, robot, kit)
+        return by_gain(setup.gains or _usual(robot, kit), robot, kit, kit.period)
     if family not in CONTROLLERS:  # a page must not name a file, whose code would run here
         raise UnknownName("controller", family, [*CONTROLLERS, BY_HAND, OFF])
     method = CONTROLLERS[family]
@@ -186,11 +187,6 @@ def _weights(setup: Setup) -> dict[str, Any]:
     if len(setup.largest) != 7:
         raise InvalidController(f"{len(setup.largest)} largest deviations", expected="7 (6 states, 1 command), or none")
     return {"largest": setup.largest[:6], "command": setup.largest[6]}
-
-
-def _by_hand(setup: Setup, robot: Robot, kit: Kit) -> Controller:
-    feedback = StateFeedback.symmetric(setup.gains or _usual(robot, kit), kit.period, command_unit=robot.command_unit)
-    return feedback if kit.name == "ideal" else observed(feedback, robot, kit)
 
 
 def _usual(robot: Robot, kit: Kit) -> tuple[float, ...]:

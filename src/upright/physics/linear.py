@@ -29,7 +29,6 @@ INPUTS = ("left", "right")
 DISTURBANCES = ("force", "moment", "slope")
 """A push enters as its force [N] and its moment about the axle [N m]; the floor as its slope [rad]."""
 
-UPRIGHT = ((0.0,) * 6, (0.0, 0.0), "complete")  # state, commands and model of the usual tangent
 _ARRAYS = ("A", "B", "C", "D", "E", "x0", "u0", "f0")
 _NAMES = ("states", "inputs", "outputs", "disturbances")
 _TINY = 1e-100  # complex step: no subtraction, so no cancellation, and its square vanishes
@@ -320,7 +319,7 @@ def linearise(
 
     if model not in MODELS:
         raise InvalidModel(f"no model is called '{model}'", expected=" or ".join(MODELS))
-    return _tangent(find_robot(robot), tuple(map(float, x)), tuple(map(float, u)), model)
+    return tangent(find_robot(robot), tuple(map(float, x)), tuple(map(float, u)), model)
 
 
 def rolling(robot: Robot, rate: float = 3.0) -> Robot:
@@ -341,11 +340,15 @@ def rolling(robot: Robot, rate: float = 3.0) -> Robot:
 @lru_cache(maxsize=256)
 def linearise_rolling(robot: Robot) -> LinearModel:
     """The tangent upright of the robot as it rolls (`rolling`): what designs and linear bodies take for the robot."""
-    return _tangent(rolling(robot), *UPRIGHT)
+    return tangent(rolling(robot))
 
 
 @lru_cache(maxsize=256)  # a margin asks for that of one robot hundreds of times
-def _tangent(robot: Robot, x: tuple[float, ...], u: tuple[float, ...], model: str) -> LinearModel:
+def tangent(
+    robot: Robot, x: tuple[float, ...] = (0.0,) * 6, u: tuple[float, ...] = (0.0, 0.0), model: str = "complete"
+) -> LinearModel:
+    """`linearise` of a robot at hand, at a point that is one."""
+
     def rates(dx: Sequence[complex], du: Sequence[complex], w: Disturbance) -> Complex:
         at_x = [a + b for a, b in zip(x, dx, strict=True)]
         at_u = [a + b for a, b in zip(u, du, strict=True)]
@@ -381,7 +384,7 @@ def _extreme(robot: Robot, x: Sequence[float], u: Sequence[float]) -> UprightErr
 
 def unstable_pole(robot: Robot) -> float:
     """The rate [1/s] at which the robot falls: its largest pole, standing upright."""
-    return float(linearise(robot).poles()[0].real)
+    return float(tangent(robot).poles()[0].real)
 
 
 def impulse_norm(A: Array, B: Array) -> Array:

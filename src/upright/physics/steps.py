@@ -8,7 +8,7 @@ import numpy as np
 
 from upright.errors import InvalidRobot
 from upright.physics.integrate import SIMULATED, substeps
-from upright.physics.linear import linearise
+from upright.physics.linear import tangent
 from upright.robots import Robot
 from upright.robots.robot import unusual
 
@@ -21,7 +21,7 @@ def steps_of(robot: Robot, period: float, limit: float = SIMULATED, model: str =
 
     Raises `InvalidRobot` for a pole that would take steps below `SHORTEST`.
     """
-    fastest = float(np.abs(linearise(robot, model=model).poles()).max())
+    fastest = float(np.abs(tangent(robot, model=model).poles()).max())
     return steps_for(fastest, period, robot.numbers(), limit)
 
 
