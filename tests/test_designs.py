@@ -45,7 +45,7 @@ from upright.experiment import Drive, Hold, Impulse, Turn, run
 from upright.experiment.standup import Lift, StandUpController, lift
 from upright.loops.loop import robot_loop
 from upright.physics.dynamics import accelerations
-from upright.physics.linear import linearise, rolling
+from upright.physics.linear import linearise
 from upright.robots import Kit, Robot, Sensor, preset_names
 from upright.signals import STATE_NAMES, TRUE_STATE
 
@@ -244,7 +244,7 @@ def test_predictive_control_survives_more_delay_than_a_quarter_of_its_period():
 def test_rolling_brakes_like_dry_friction_at_its_rate():
     robot = Robot.preset("twipr").replace(rolling_friction=0.005)
     exact = accelerations((0, 0, 0, 3.0, 0, 0), (0, 0), robot)
-    assert np.allclose(accelerations((0, 0, 0, 3.0, 0, 0), (0, 0), rolling(robot, 3.0)), exact, rtol=1e-12)
+    assert np.allclose(accelerations((0, 0, 0, 3.0, 0, 0), (0, 0), robot.rolling(3.0)), exact, rtol=1e-12)
 
 
 def test_steady_motion_stands_still():

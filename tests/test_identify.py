@@ -32,7 +32,7 @@ from upright.identification.rebuilt import _errors, rebuilt
 from upright.identification.samples import Part, samples
 from upright.identification.study import Study
 from upright.logs.raw import raw_log
-from upright.physics.linear import LinearModel, linearise, rolling, unstable_pole
+from upright.physics.linear import LinearModel, linearise, unstable_pole
 from upright.reports.identification import page_of
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import Log
@@ -500,7 +500,7 @@ def test_a_pole_says_whether_it_has_dry_friction(shared: Path) -> None:
     known = Estimate(name="unstable_pole", unit="1/s", verdict="visible", shift=0.0, shrink=0.1, **numbers)
     studied.__dict__["calibration"] = Calibrated(robot, known)
     pole = identify_one(studied, "calibrate").pole
-    assert pole.value == pytest.approx(unstable_pole(rolling(robot)), rel=1e-6)
+    assert pole.value == pytest.approx(unstable_pole(robot.rolling()), rel=1e-6)
     assert pole.without_friction == (free, free - 0.1, free + 0.1)
     assert pole.value < free - 0.5  # what friction takes: more than the intervals of either, 0.1
     linear = identify_one(studied, "subspace")

@@ -25,7 +25,7 @@ from upright.loops.margins import broken_at, disk_gain, disk_margin, disk_phase,
 from upright.loops.mu import parameter_mu
 from upright.loops.scaling import balanced, best_scaling
 from upright.physics.dynamics import turn_ratio
-from upright.physics.linear import LinearModel, linearise, linearise_rolling, rolling
+from upright.physics.linear import LinearModel, linearise_rolling
 from upright.physics.sensing import sensor_matrix
 from upright.reports import report
 from upright.reports.analysis import _targets
@@ -207,7 +207,7 @@ def grows(robot: Robot, kit: Kit, controller: Controller, more: float, at: str) 
     """Whether the linear robot's motion grows, stepped every 0.5 ms: each part of kit and program as itself, without
     any model of the loop. The program believes that the command of so many periods ago was applied."""
     step = 0.0005
-    model, period, reads = linearise(rolling(robot)), controller.spec.period, controller.spec.reads
+    model, period, reads = linearise_rolling(robot), controller.spec.period, controller.spec.reads
     phi = expm(step * np.block([[model.A, model.B], [np.zeros((2, 8))]]))[:6]
     C, lag = sensor_matrix(reads, turn_ratio(robot)), math.floor((kit.delay + kit.jitter / 2) / period + 1e-9)
     waits = [round((kit.sensors[n].delay + more * (n == at)) / step) for n in reads]

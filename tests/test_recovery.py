@@ -19,7 +19,7 @@ from upright.kernel.batch import FleetBatch, parameters_of
 from upright.kernel.simulate import simulate
 from upright.physics.dynamics import Disturbance, accelerations
 from upright.physics.integrate import rk4_step
-from upright.physics.linear import linearise, rolling
+from upright.physics.linear import linearise_rolling
 from upright.robots import Kit, Robot, find_kit
 from upright.robots.kit import STOP
 from upright.signals import STATE_NAMES
@@ -86,7 +86,7 @@ def test_feedback_of_the_falling_mode_comes_near_the_largest_knock(preset: str) 
     # u = −g λ wᵀx / wᵀB, with the true state and the kit's dead time; 5 %: the linear mode of a nonlinear robot
     robot = Robot.preset(preset)
     kit = dataclasses.replace(find_kit(robot.kit), jitter=0.0)
-    model = linearise(rolling(robot))
+    model = linearise_rolling(robot)
     values, vectors = np.linalg.eig(model.A.T)
     index = int(np.argmax(values.real))
     w = vectors[:, index].real

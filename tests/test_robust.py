@@ -17,7 +17,7 @@ from upright.control.robust import WORTH, Costs, Robust, robust
 from upright.errors import DesignFailed
 from upright.experiment import Drive, Hold, Turn, run
 from upright.loops.loop import robot_loop
-from upright.physics.linear import linearise, rolling
+from upright.physics.linear import linearise_rolling
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import Uncertainty, draw
 from upright.signals import STATE_NAMES
@@ -86,7 +86,7 @@ def test_doubling_equals_the_lyapunov_equation_and_an_unstable_loop_costs_infini
 
 
 def models(robots, dt=0.01):
-    found = [linearise(rolling(each)).c2d(dt) for each in robots]
+    found = [linearise_rolling(each).c2d(dt) for each in robots]
     return [(m.A[:4, :4], m.B[:4].sum(axis=1)[:, None]) for m in found]
 
 

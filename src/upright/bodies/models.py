@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from functools import cached_property
 
@@ -11,9 +10,9 @@ import numpy as np
 from upright.bodies.body import FALLEN, REST, BodySpec, Sample, checked, checked_period, sample
 from upright.compiled.straight_line import Step, written
 from upright.errors import InvalidModel, InvalidScenario
-from upright.physics.dynamics import CALM, MODELS, Disturbance, accelerations, drives_speed, slips
+from upright.physics.dynamics import CALM, MODELS, Disturbance, drives_speed, slips
 from upright.physics.linear import DISTURBANCES, LinearModel, linearise_rolling
-from upright.physics.sensing import readings
+from upright.physics.sensing import readings, readings_under
 from upright.physics.steps import steps_of
 from upright.robots import Robot
 from upright.signals.signal import SENSORS, STATE_NAMES, TRUTH
@@ -46,8 +45,8 @@ class NonlinearBody:
         self._x: Sequence[float] = checked(start, 6, "start")
         self._steps = 0
         self._slipped = False
-        wheel_acc = accelerations(self._x, (0.0, 0.0), self.spec.robot, CALM, math, self._model)[1]
-        return self._sample((*self._x, *readings(self._x, wheel_acc, self.spec.robot)), (0.0, 0.0))
+        still = (0.0, 0.0)
+        return self._sample((*self._x, *readings_under(still, self._x, self.spec.robot, model=self._model)), still)
 
     @cached_property
     def _next(self) -> Step:

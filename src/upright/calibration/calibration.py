@@ -15,7 +15,7 @@ from upright.arrays import Array, Whole
 from upright.atomic import finite
 from upright.calibration.estimate import HELD, MOVED, NORMAL, REFUSED, SURPRISE, VISIBLE, Estimate
 from upright.errors import InvalidRobot
-from upright.physics.linear import rolling, unstable_pole
+from upright.physics.linear import unstable_pole
 from upright.robots import Kit, Robot
 from upright.tables import Listing, Shown, sentence
 
@@ -347,7 +347,7 @@ class Calibration(Shown):
     @property
     def which_pole(self) -> tuple[str, ...]:
         """What `upright identify` gives instead of the unstable pole, of a robot with dry friction."""
-        damped = rolling(self.robot)
+        damped = self.robot.rolling()
         if damped is self.robot:
             return ()
         return (

@@ -14,9 +14,9 @@ from typing import Any
 from upright.compiled.print_python import PythonStatements
 from upright.compiled.program import Block
 from upright.compiled.tracer import FormulaTracer, Number
-from upright.physics.dynamics import Disturbance, accelerations, derivative
+from upright.physics.dynamics import Disturbance, derivative
 from upright.physics.integrate import rk4_step
-from upright.physics.sensing import readings
+from upright.physics.sensing import readings_under
 from upright.robots import Robot
 
 Step = Callable[[Sequence[float], Sequence[float], Sequence[float]], tuple[float, ...]]
@@ -49,7 +49,7 @@ def blocks(robot: Robot, model: str, h: float) -> tuple[Block, Block]:
     x, u, w = inputs(step)
     moved = rk4_step(lambda state: derivative(state, u, robot, w, step, model), x, h)
     x, u, w = inputs(after)
-    sensed = readings(x, accelerations(x, u, robot, w, after, model)[1], robot, w.slope, after)
+    sensed = readings_under(u, x, robot, w, after, model)
     return step.block("step", _named("x", moved)), after.block("read", _named("y", sensed))
 
 

@@ -29,7 +29,6 @@ from upright.control.lqi import unwound
 from upright.control.observer import Extra, output_feedback
 from upright.errors import DesignFailed
 from upright.physics.dynamics import drives_speed, motor_damping, motor_gain
-from upright.physics.linear import rolling
 from upright.robots import Kit, Robot, find_kit, find_robot
 
 STIFFNESSES = np.geomspace(1.4, 24, 10)  # pitch gains tried, against the gravity they must overcome
@@ -104,7 +103,7 @@ def pid(
     model.check_position("pid")
     estimator = kalman_filter(model, disturbed)
     plane = _Plane(model)
-    still = rolling(robot)
+    still = robot.rolling()
     motor = motor_damping(still) / motor_gain(still)
     turning = _heading(model, heading)
     chosen = _tuned(plane, motor, turning) if gains is None else _given(plane, motor, turning, gains)

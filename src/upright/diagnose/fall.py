@@ -16,7 +16,7 @@ from upright.control.reach import largest_command
 from upright.diagnose.innovations import FULL_RANGE, FilterRun
 from upright.logs.raw import RATES
 from upright.logs.recording import commanded
-from upright.physics.linear import linearise, rolling
+from upright.physics.linear import linearise_rolling
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import Log
 
@@ -128,7 +128,7 @@ class Falling:
 
 def falling(robot: Robot) -> Falling:
     """The falling mode, in which pitch counts one."""
-    model = linearise(rolling(robot))
+    model = linearise_rolling(robot)
     values, vectors = np.linalg.eig(model.A.T)
     index = int(np.argmax(np.real(values)))
     w = np.real(vectors)[:, index]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from functools import cache
+from functools import cache, cached_property
 from importlib.metadata import version
 from typing import Any
 
@@ -20,7 +20,7 @@ from upright.errors import SpecMismatch
 from upright.experiment.outcome import RunOutcome
 from upright.physics.dynamics import Disturbance
 from upright.robots.kit import STOP
-from upright.signals import Log
+from upright.signals import Log, Signal
 from upright.signals.signal import ESTIMATE, PUSH, REFERENCE, command_signals
 
 
@@ -36,10 +36,6 @@ class Stepper:
     def __init__(self, body: Body, controller: Controller, start: Sequence[float] = REST, seed: int = 0) -> None:
         self.body, self.controller = body, controller
         self._inputs, self._stride = _fit(body.spec, controller)
-        self.signals = (
-            *body.spec.channels, *command_signals(body.spec.command_unit), *PUSH, *REFERENCE,
-            *(ESTIMATE if controller.spec.estimates else ()),
-        )  # fmt: skip
         names = [signal.name for signal in body.spec.channels]
         watched = "truth/pitch" in names and not controller.spec.stands_up
         self._pitch = names.index("truth/pitch") if watched else None
@@ -49,6 +45,12 @@ class Stepper:
         self.command = (0.0, 0.0)
         self.stopped = self.slipped = math.inf
         self._judge()
+
+    @cached_property
+    def signals(self) -> tuple[Signal, ...]:
+        spec = self.body.spec
+        estimate = ESTIMATE if self.controller.spec.estimates else ()
+        return (*spec.channels, *command_signals(spec.command_unit), *PUSH, *REFERENCE, *estimate)
 
     def _judge(self) -> None:
         """Whether the robot has fallen by now, or lost its wheels' position."""

@@ -11,7 +11,7 @@ from upright.calibration.calibration import Calibration
 from upright.identification.coordinates import COMMANDS, PHYSICAL, growth_rate, half_model, with_sent
 from upright.identification.samples import Part
 from upright.identification.study import MethodFit, Pole, Study
-from upright.physics.linear import LinearModel, linearise, rolling
+from upright.physics.linear import LinearModel, linearise_rolling
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import STATE_NAMES
 
@@ -49,7 +49,7 @@ def fractional_delay(calibration: Calibration, part: Part) -> float:
 def tangent(robot: Robot, part: Part, delay: float = 0.0) -> LinearModel:
     """The linearised robot's half over the period of `part`, whose command waits for `delay` [s], under a period."""
     axes = [STATE_NAMES.index(name) for name in PHYSICAL[part.name]]
-    model = linearise(rolling(robot))
+    model = linearise_rolling(robot)
     sides = 2 * np.array(COMMANDS[part.name])
 
     def held(seconds: float) -> tuple[Array, Array]:

@@ -20,7 +20,7 @@ from upright.identification.samples import Samples, samples
 from upright.identification.study import Pole, Study
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
-from upright.physics.linear import rolling, unstable_pole
+from upright.physics.linear import unstable_pole
 from upright.progress import Progress
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
@@ -170,7 +170,7 @@ def identify_all(
     orders = study.orders if {"subspace", "instrumental"} & models.keys() else {}
     return MethodComparison(
         samples=study.samples, models=models, trials=trials, failed=failed, orders=orders, judge=judge,
-        true_pole=unstable_pole(rolling(judge.robot)) if judge.made_the_log else np.nan, notes=(*common, *own),
+        true_pole=unstable_pole(judge.robot.rolling()) if judge.made_the_log else np.nan, notes=(*common, *own),
     )  # fmt: skip
 
 

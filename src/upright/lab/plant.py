@@ -14,7 +14,7 @@ from upright.control.observed import by_gain
 from upright.errors import InvalidController, InvalidPlugin, InvalidRobot, UnknownName, UprightError
 from upright.lab.messages import FamilyInfo, Setup
 from upright.physics.dynamics import CALM, Disturbance, drives_speed, motor_gain
-from upright.physics.linear import linearise, rolling
+from upright.physics.linear import linearise, linearise_rolling
 from upright.robots import PARAMETERS, Kit, Robot, kit_names
 
 EXPORTED, FINE, COARSE = 0.001, 0.002, 0.01
@@ -239,7 +239,7 @@ def body_of(name: str, plant: Plant, setup: Setup, fine: float, calibrated: Robo
         return Pulled(Twin(plant.robot, period, timestep=TWIN_STEP, contact_time=2 * TWIN_STEP, grip=setup.grip))
     if name == "linear":
         # The linear model is of what the controller knows: no payload, no other floor.
-        return Pulled(LinearBody(linearise(rolling(plant.nominal)), plant.nominal, period))
+        return Pulled(LinearBody(linearise_rolling(plant.nominal), plant.nominal, period))
     robot = calibrated if name == "calibrated" and calibrated else plant.robot
     body = NonlinearBody(robot, "published" if name == "published" else "complete", period)
     if body.substeps > QUICKEST * period:

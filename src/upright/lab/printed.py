@@ -20,7 +20,7 @@ from upright.control.law import as_law, program
 from upright.errors import InvalidController
 from upright.lab.plant import EXPORTED, is_bare
 from upright.physics.dynamics import turn_ratio
-from upright.physics.linear import linearise, rolling
+from upright.physics.linear import linearise_rolling
 from upright.physics.sensing import sensor_matrix
 from upright.robots import Kit, Robot, Sensor
 from upright.signals.signal import TRUTH
@@ -32,7 +32,7 @@ def printed_robot(robot: Robot, kit: Kit, period: float = EXPORTED) -> tuple[str
     """Its motion as JavaScript, and what `simulator.js` needs beside it; raises an `UprightError` for a robot that
     cannot be simulated."""
     text = motion(robot, "complete", period, NonlinearBody(robot, period=period).substeps)
-    model = linearise(rolling(robot)).c2d(period)
+    model = linearise_rolling(robot).c2d(period)
     linear = {name: getattr(model, name).tolist() for name in "ABE"}
     linear |= {"turn": turn_ratio(robot), "radius": robot.wheel_radius, "gravity": robot.gravity, "period": period}
     facts = {"period": period, "gravity": robot.gravity, "kit": kit_numbers(kit, robot, period), "linear": linear}
@@ -79,7 +79,7 @@ def _own_numbers(name: str, sensor: Sensor, spell: float, step: float) -> dict[s
 
 def linear_plant(robot: Robot, kit: Kit) -> dict[str, Any]:
     """The robot about upright as `margins.js` takes it, read by `RAW` sensors, with its delays [s]."""
-    model = linearise(rolling(robot))
+    model = linearise_rolling(robot)
     sensors = [kit.sensors[name] for name in RAW]
     C = sensor_matrix(RAW, turn_ratio(robot), kit.sensors)
     times = {"dead": kit.delay + kit.jitter / 2, "delays": [s.delay for s in sensors], "period": kit.period}

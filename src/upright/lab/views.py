@@ -11,7 +11,7 @@ from upright.lab.lane import Lane
 from upright.lab.messages import Catalogue, Changed, Equations, Look, RobotInfo, Setup
 from upright.lab.plant import Plant, families
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain, turn_ratio, yaw_swing
-from upright.physics.linear import linearise, rolling
+from upright.physics.linear import linearise_rolling
 from upright.robots import PARAMETERS, Robot, kit_names, preset_names
 
 
@@ -57,7 +57,7 @@ def look_of(robot: Robot, setup: Setup, limit: float) -> Look:
 
 def equations(robot: Robot) -> Equations:
     """The equations of a robot, in numbers."""
-    model = linearise(rolling(robot))
+    model = linearise_rolling(robot)
     poles = tuple((round(float(p.real), 3), round(float(p.imag), 3)) for p in model.poles())
     return Equations(
         inertias=tuple(float(a) for a in mass_matrix(1.0, 0.0, robot)), alpha=float(motor_gain(robot)),

@@ -7,7 +7,7 @@ import math
 from upright.errors import UprightError
 from upright.identification.identify import MethodComparison, identify_all, study_of
 from upright.paper.claim import BEYOND, Claim
-from upright.physics.linear import rolling, unstable_pole
+from upright.physics.linear import unstable_pole
 from upright.progress import Progress, unwatched
 from upright.reports.identification import methods_table, pole_table, trial_table
 from upright.reports.page import Item, Table, cell_text
@@ -25,7 +25,7 @@ def chapter(robot: Robot, kit: Kit, log: Log, progress: Progress = unwatched) ->
         compared = identify_all(study_of(log, robot, kit, runs=REPEATS), progress=progress)
     except UprightError as error:
         return Claim("3c", TITLE, BEYOND, f"No model was identified from the twin's log: {error}", {})
-    true = unstable_pole(rolling(robot))
+    true = unstable_pole(robot.rolling())
     return Claim("3c", TITLE, BEYOND, _summary(compared, true), _numbers(compared, true), _items(compared))
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import cmath
-import math
 from collections.abc import Sequence
 from dataclasses import KW_ONLY, dataclass, field, replace
 from functools import lru_cache
@@ -322,25 +321,10 @@ def linearise(
     return tangent(find_robot(robot), tuple(map(float, x)), tuple(map(float, u)), model)
 
 
-def rolling(robot: Robot, rate: float = 3.0) -> Robot:
-    """The robot with its dry friction replaced by the damping that brakes alike at `rate` [rad/s].
-
-    At rest a smoothed dry friction has its steepest slope, which would pass for a brake that no moving robot has: a
-    linear model of the robot in motion, for a design or as a body, is the tangent of this one.
-    """
-    if not (robot.coulomb_friction or robot.rolling_friction):
-        return robot
-    alike = math.hypot(rate, robot.stiction_rate)
-    return robot.without_dry_friction().replace(
-        motor_friction=robot.motor_friction + robot.coulomb_friction / alike,
-        wheel_friction=robot.wheel_friction + robot.rolling_friction / alike,
-    )
-
-
 @lru_cache(maxsize=256)
 def linearise_rolling(robot: Robot) -> LinearModel:
-    """The tangent upright of the robot as it rolls (`rolling`): what designs and linear bodies take for the robot."""
-    return tangent(rolling(robot))
+    """The tangent upright of the robot as it rolls (`Robot.rolling`): what designs and linear bodies take it for."""
+    return tangent(robot.rolling())
 
 
 @lru_cache(maxsize=256)  # a margin asks for that of one robot hundreds of times

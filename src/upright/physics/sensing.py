@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from upright.arrays import Array
 from upright.errors import SpecMismatch
-from upright.physics.dynamics import turn_ratio
+from upright.physics.dynamics import CALM, Disturbance, accelerations, turn_ratio
 from upright.physics.electronics import response
 from upright.physics.interconnect import append
 from upright.physics.linear import LinearModel
@@ -142,3 +142,10 @@ def readings(x: Sequence[Any], wheel_acc: Any, p: Any, slope: Any = 0.0, xp: Any
     left, right = encoders(x, p)
     forward, up = accelerometer(x, wheel_acc, p, slope, xp)
     return left, right, x[1], x[4], forward, up
+
+
+def readings_under(
+    u: Sequence[Any], x: Sequence[Any], p: Any, w: Disturbance = CALM, xp: Any = math, model: str = "complete"
+) -> tuple[Any, ...]:
+    """The `readings` in state `x` while the command `u` and the disturbance `w` act."""
+    return readings(x, accelerations(x, u, p, w, xp, model)[1], p, w.slope, xp)

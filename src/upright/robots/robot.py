@@ -144,6 +144,20 @@ class Robot:
         """The same robot as it moves while its wheels turn: its tangent at rest would take dry friction for a brake."""
         return self.replace(coulomb_friction=0.0, rolling_friction=0.0)
 
+    def rolling(self, rate: float = 3.0) -> Robot:
+        """The robot with its dry friction replaced by the damping that brakes alike at `rate` [rad/s].
+
+        At rest a smoothed dry friction has its steepest slope, which would pass for a brake that no moving robot has: a
+        linear model of the robot in motion, for a design or as a body, is the tangent of this one.
+        """
+        if not (self.coulomb_friction or self.rolling_friction):
+            return self
+        alike = math.hypot(rate, self.stiction_rate)
+        return self.without_dry_friction().replace(
+            motor_friction=self.motor_friction + self.coulomb_friction / alike,
+            wheel_friction=self.wheel_friction + self.rolling_friction / alike,
+        )
+
     @property
     def command_unit(self) -> str:
         """Unit of the two commands, by the drive: 'V', 'N m' or 'rad/s'."""
@@ -250,16 +264,13 @@ class _Rule(NamedTuple):
 def unusual(numbers: Mapping[str, float]) -> str:
     """The number that lies furthest from those of the shipped robots, with theirs; "" where none is far off."""
     shipped = [Robot.preset(name).numbers() for name in preset_names()]
-    far = _UNUSUAL
-    words = ""
+    far: dict[float, str] = {}
     for name, value in numbers.items():
         usual = sorted(robot[name] for robot in shipped if robot[name] > 0)
-        if usual and value > 0 and (factor := max(value / usual[-1], usual[0] / value)) > far:
-            far, words = (
-                factor,
-                f"{name} = {value:g} {PARAMETERS[name][0]} (shipped: {usual[0]:.3g} to {usual[-1]:.3g})",
-            )
-    return words
+        if usual and value > 0:
+            words = f"{name} = {value:g} {PARAMETERS[name][0]} (shipped: {usual[0]:.3g} to {usual[-1]:.3g})"
+            far[max(value / usual[-1], usual[0] / value)] = words
+    return far[max(far)] if far and max(far) > _UNUSUAL else ""
 
 
 def _sign(name: str) -> _Rule:
