@@ -53,11 +53,6 @@ class Listing:
         return ["  ".join([*cells, first]).rstrip(), *(" " * left + line for line in rest)]
 
 
-def preformatted(text: str, names: Collection[str] = ()) -> str:
-    """Lines as HTML, in the chosen language; `names` stay."""
-    return f"<pre>{escape(text_translated(text, names))}</pre>"
-
-
 class Shown:
     """A result that prints itself. A notebook shows its table, or the same text; its `repr` is the first line."""
 
@@ -69,9 +64,14 @@ class Shown:
         """The result as a table, where it is one."""
         return None
 
+    def labels(self) -> Collection[str]:
+        """Names in its text, which stay in every language."""
+        return ()
+
     def _repr_html_(self) -> str:
         table = self.listing()
-        return table.html(type(self).__name__) if table else f"<pre>{escape(str(self))}</pre>"
+        text = f"<pre>{escape(text_translated(str(self), self.labels()))}</pre>"
+        return table.html(type(self).__name__) if table else text
 
 
 def wrapped(text: str, width: int) -> str:

@@ -29,7 +29,7 @@ from upright.physics.dynamics import motor_gain
 from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import draw
-from upright.tables import Shown, preformatted, sentence, short
+from upright.tables import Shown, sentence, short
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -238,9 +238,6 @@ class Analysis(Shown):
             return "\n".join([f"{head}: no margins", *self.words()])
         columns = f"{'broken at':<22}{'gain':>15}{'phase':>8}{'delay':>9}{'disk':>7}{'Ms':>7}{'Mt':>7}"
         return "\n".join([head, columns, *(_row(m) for m in (*self.inputs, *self.outputs)), *self.words()])
-
-    def _repr_html_(self) -> str:
-        return preformatted(str(self))
 
 
 def instability(radius: float, period: float) -> str:

@@ -18,7 +18,7 @@ from upright.physics.dynamics import CALM, MODELS, Disturbance, derivative
 from upright.robots import Robot, find_robot
 from upright.robots.robot import unusual
 from upright.signals import STATE_NAMES
-from upright.tables import Listing, Shown, preformatted
+from upright.tables import Listing, Shown
 
 FADING = 1 - 1e-5  # |pole| beyond which a memory counts as one that never fades: it would take 1000 s
 CONVERGED = 1e-10  # of the sum: a response that has faded so far adds less than `SPARE` from then on
@@ -164,8 +164,9 @@ class LinearModel(Shown):
         kind = "continuous" if self.continuous else f"every {self.dt:g} s"
         return f"LinearModel({len(self.A)} states, {len(self.inputs)} inputs, {len(self.outputs)} outputs, {kind})"
 
-    def _repr_html_(self) -> str:
-        return preformatted(str(self), (*self.states, *self.inputs))
+    def labels(self) -> tuple[str, ...]:
+        """Names of states and inputs."""
+        return *self.states, *self.inputs
 
     @classmethod
     def gain(cls, D: ArrayLike, dt: float = 0.0) -> LinearModel:
