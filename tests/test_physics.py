@@ -18,9 +18,10 @@ from upright.experiment.standup import lift
 from upright.kernel.batch import FleetBatch, parameters_of
 from upright.kernel.simulate import simulate
 from upright.physics.dynamics import Disturbance, derivative, mass_matrix, turn_ratio
-from upright.physics.integrate import PREDICTED, SIMULATED, rk4_step, substeps
+from upright.physics.integrate import PREDICTED, SIMULATED, rk4_step
 from upright.physics.linear import LinearModel, delay_line, linearise
 from upright.physics.sensing import readings, sensor_matrix
+from upright.physics.steps import substeps
 from upright.robots import PARAMETERS, Kit, Robot
 from upright.signals import STATE_NAMES
 

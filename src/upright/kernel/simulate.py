@@ -20,7 +20,7 @@ from upright.kernel.batch import NAMES, FleetBatch, FleetResult, Selection
 from upright.kernel.work import Order, Outcome, Piece, run_piece
 from upright.physics.dynamics import derivative
 from upright.physics.integrate import SIMULATED
-from upright.physics.steps import steps_for
+from upright.physics.steps import substeps
 from upright.signals import TRUE_STATE
 
 FOREVER = (math.inf, math.inf, math.inf)
@@ -119,7 +119,7 @@ def steps_of(batch: FleetBatch) -> Whole:
     stiff = np.flatnonzero(~(_bound(jacobian) * period <= SIMULATED))
     for i, poles in zip(stiff.tolist(), np.abs(np.linalg.eigvals(jacobian[stiff])), strict=True):
         numbers = dict(zip(NAMES, parameters[i].tolist(), strict=True))
-        steps[i] = steps_for(float(poles.max()), period, numbers)
+        steps[i] = substeps(period, float(poles.max()), numbers=numbers)
     return steps
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -12,15 +11,8 @@ SIMULATED = 0.5
 """Largest |pole|·h of a step of `rk4_step` in a simulation: e^(−0.5) is off by 2.4e-4, far inside stability (2.78)."""
 
 PREDICTED = 0.7
-"""The same in predictions and plans, which many steps are spent on: e^(−0.7) is off by 1.3e-3, of a mode that dies
+"""The same in predictions, which many steps are spent on: e^(−0.7) is off by 1.3e-3, of a mode that dies
 within a period, and below what their noise and their feedback leave."""
-
-_ROUNDING = 1e-6  # of a pole: what an eigenvalue is off by is no reason for another step
-
-
-def substeps(period: float, fastest: float, limit: float = SIMULATED) -> int:
-    """Steps of `rk4_step` in a `period` [s] that keep |pole|·h within `limit` for the `fastest` |pole| [1/s]."""
-    return max(1, math.ceil(fastest * period / limit * (1 - _ROUNDING)))
 
 
 def rk4_step(f: Derivative, x: Sequence[Any], h: float) -> tuple[Any, ...]:
