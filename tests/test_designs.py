@@ -9,6 +9,7 @@ from itertools import product
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 from scipy.linalg import solve_continuous_are, solve_discrete_are
 
 from upright.bodies import Electronics, LinearBody, NonlinearBody
@@ -42,9 +43,9 @@ from upright.control.reach import largest_pitch, static_pitch
 from upright.control.robust import robust
 from upright.errors import DesignFailed, InvalidController, SpecMismatch, UprightError
 from upright.experiment import Drive, Hold, Impulse, Turn, run
-from upright.experiment.standup import Lift, StandUpController, lift
+from upright.experiment.standup import UPRIGHT, Lift, StandUpController, lift
 from upright.loops.loop import robot_loop
-from upright.physics.dynamics import accelerations
+from upright.physics.dynamics import accelerations, derivative
 from upright.physics.linear import linearise
 from upright.robots import Kit, Robot, Sensor, preset_names
 from upright.signals import STATE_NAMES, TRUE_STATE
@@ -630,6 +631,20 @@ def test_twipr_stands_up_from_lying_on_the_twins_floor(side):
     assert not log.origin["outcome"]["fell"]
     assert np.abs(log["truth/pitch"][log.t > 2]).max() < 0.3
     body.close()
+
+
+def test_a_lift_ends_upright_by_another_integration():
+    # the plan's Runge–Kutta steps leave a twentieth of what counts as upright, where the body is low and turns fast
+    robot, kit = Robot.preset("twipr"), Kit.preset("twipr")
+    plan = lift(robot, kit, 1.83)
+    x = np.array([1.83, 0, 0, 0, 0, 0.0])
+    for u in plan.commands.tolist():
+
+        def slopes(_t, state, u=u):
+            return derivative(state, (u, u), robot)
+
+        x = solve_ivp(slopes, (0, plan.period), x, rtol=1e-9, atol=1e-12).y[:, -1]
+    assert np.abs(x[[0, 1, 3]] / UPRIGHT).max() < plan.check() + 0.1
 
 
 def test_a_robot_whose_motors_do_not_reach_says_so_in_numbers():

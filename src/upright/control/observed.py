@@ -85,7 +85,7 @@ def by_gain(gain: str | Sequence[float], robot: Robot, kit: Kit, dt: float) -> C
         with understood(f"the gain in {gain}", InvalidController, expected):
             feedback = StateFeedback(data["gain"], dt, robot.command_unit)
     else:
-        with understood("--gains", InvalidController, "six numbers"):
+        with understood("the gains", InvalidController, "six numbers"):
             row = list(map(float, gain.split(","))) if isinstance(gain, str) else gain
         feedback = StateFeedback.symmetric(row, dt, command_unit=robot.command_unit)
     return feedback if kit.name == "ideal" else observed(feedback, robot, kit)

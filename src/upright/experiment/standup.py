@@ -90,10 +90,11 @@ def _planned(robot: Robot, pitch: float, period: float, each: int, most: float) 
     """The lift of `PARTS` commands that hold for `each` periods."""
     from scipy.optimize import least_squares
 
-    body = NonlinearBody(robot, period=each * period)
+    body = NonlinearBody(robot, period=period)
 
     def errors(fractions: Array) -> Array:
-        return np.hstack([_end(body, pitch, most * fractions) / UPRIGHT, _EASE * fractions])
+        commands = np.repeat(most * fractions, each)
+        return np.hstack([_end(body, pitch, commands) / UPRIGHT, _EASE * fractions])
 
     first = np.sign(pitch) * np.array([0.8, 0.5, -0.2, -0.6, -0.2, 0.2])
     result = least_squares(errors, first, bounds=(-1, 1), max_nfev=40)
