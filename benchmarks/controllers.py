@@ -17,7 +17,7 @@ import numpy as np
 
 from upright.bodies import Electronics, make_body
 from upright.control import CONTROLLERS, make_controller
-from upright.control.mpc import largest_command
+from upright.control.reach import largest_command
 from upright.errors import UprightError
 from upright.experiment import Hold, run
 from upright.robots import Kit, Robot, preset_names

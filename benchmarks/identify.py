@@ -22,7 +22,7 @@ from upright.bodies.twin import Twin
 from upright.errors import UprightError
 from upright.identification.identify import identify_one, study_of
 from upright.identification.judge import judge_of, loop_trial
-from upright.physics.linear import rolling, unstable_pole
+from upright.physics.linear import unstable_pole
 from upright.robots import Kit, Robot, Sensor
 
 METHODS = ("least-squares", "total-least-squares", "instrumental", "subspace")
@@ -39,7 +39,7 @@ def facts_kit() -> Kit:
 def coverage(name: str, seeds: int, facts: bool) -> None:
     robot = Robot.preset(name)
     kit = facts_kit() if facts else Kit.preset(robot.kit)
-    true = unstable_pole(rolling(robot))
+    true = unstable_pole(robot.rolling())
     poles: dict[str, list[float]] = {m: [] for m in METHODS}
     inside: dict[str, list[bool]] = {m: [] for m in METHODS}
     biases: dict[str, list[float]] = {m: [] for m in METHODS}

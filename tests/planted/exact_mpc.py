@@ -15,8 +15,9 @@ from upright.control import mpc
 from upright.control.controller import ControllerSpec
 from upright.control.linear_controller import LinearController
 from upright.control.lqg import Lqg
-from upright.control.mpc import SOFTNESS, UNLIMITED, PredictiveController, largest_command, predicted
+from upright.control.mpc import SOFTNESS, UNLIMITED, PredictiveController, predicted
 from upright.control.observer import memory, steady_push, steady_state
+from upright.control.reach import largest_command
 from upright.errors import DesignFailed
 from upright.robots import Kit, Robot
 from upright.signals import STATE_NAMES

@@ -15,7 +15,7 @@ from upright.bodies import Electronics
 from upright.bodies.body import REST, Sample
 from upright.bodies.twin import Twin
 from upright.control import Controller, make_controller
-from upright.control.mpc import largest_command
+from upright.control.reach import largest_command
 from upright.errors import InvalidRobot
 from upright.experiment import Drive, Impulse, Push, run
 from upright.physics.dynamics import CALM, Disturbance
