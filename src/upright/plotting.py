@@ -8,7 +8,9 @@ user's matplotlibrc, so that a page is the same bytes everywhere.
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Generator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from io import BytesIO
 from itertools import pairwise
 from typing import Any, ParamSpec, TypeVar
@@ -53,6 +55,7 @@ STYLE: dict[str, Any] = {
 }  # fmt: skip
 
 WIDTH, LEFT, RIGHT = 7.2, 0.75, 0.15  # [inches], as what follows
+PHONE = 4.0  # its letters of 9 pt are 11 px high on a screen of 390 px
 PANEL, HEAD, FOOT = 1.85, 0.42, 0.55
 SCREEN, LEAST = 4.7, 0.7  # [inches] of all panels that a screen shows below a title, and of one panel at least
 CIRCLE = "unit circle: inside it a motion fades"
@@ -75,6 +78,19 @@ def styled(draw: Callable[P, T]) -> Callable[P, T]:
     return inside
 
 
+_across: ContextVar[float] = ContextVar("across", default=WIDTH)
+
+
+@contextmanager
+def drawn_for_a_phone() -> Generator[None]:
+    """Figures that the block draws are as wide as a phone, with letters of the same size."""
+    before = _across.set(PHONE)
+    try:
+        yield
+    finally:
+        _across.reset(before)
+
+
 @styled
 def panels(
     labels: Sequence[str], x_label: str = "time [s]", x_scale: str = "linear", height: float | None = None,
@@ -84,10 +100,11 @@ def panels(
     height = height or min(PANEL, max((SCREEN - FOOT) / len(labels) - HEAD, LEAST))
     heights = [height * weight for weight in weights or [1.0] * len(labels)]
     bottom = total = len(labels) * HEAD + sum(heights) + FOOT
-    figure, axes = _Picture(figsize=(WIDTH, total)), list[Axes]()
+    across = _across.get()
+    figure, axes = _Picture(figsize=(across, total)), list[Axes]()
     for label, high in zip(labels, heights, strict=True):
         bottom -= HEAD + high
-        box = (LEFT / WIDTH, bottom / total, (WIDTH - LEFT - RIGHT) / WIDTH, high / total)
+        box = (LEFT / across, bottom / total, (across - LEFT - RIGHT) / across, high / total)
         axes.append(_axes(figure, box, sharex=axes[0] if axes else None))
         axes[-1].set(ylabel=label, xscale=x_scale)
         _label_above(axes[-1])
@@ -135,7 +152,7 @@ def span(axes: Sequence[Axes], start: float, stop: float, name: str, colour: str
 @styled
 def plane(x_label: str, y_label: str, *, circle: bool = False) -> tuple[Figure, Axes]:
     """An empty plane with one scale for both axes; `circle` draws the unit circle of a sampled system."""
-    side = 4.6
+    side = min(4.6, _across.get() - LEFT - RIGHT)
     figure = _Picture(figsize=(size := (LEFT + side + RIGHT, HEAD + side + FOOT)))
     ax = _axes(figure, (LEFT / size[0], FOOT / size[1], side / size[0], side / size[1]))
     ax.set(ylabel=y_label)
@@ -214,10 +231,11 @@ def intervals(names: Sequence[str], values: ArrayLike, ends: ArrayLike, x_label:
 @styled
 def rows_of(names: Sequence[str], x_label: str, y_label: str) -> tuple[Figure, Axes]:
     """An empty figure with one row for each name, the first on top."""
-    left = min(2.75, 0.4 + 0.075 * max((len(name) for name in names), default=0))
+    across = _across.get()
+    left = min(0.4 * across, 0.4 + 0.075 * max((len(name) for name in names), default=0))
     total = HEAD + (height := max(len(names), 2) * (0.24 if len(names) <= MANY else 0.2)) + FOOT
-    figure = _Picture(figsize=(WIDTH, total))
-    ax = _axes(figure, (left / WIDTH, FOOT / total, (WIDTH - left - RIGHT) / WIDTH, height / total))
+    figure = _Picture(figsize=(across, total))
+    ax = _axes(figure, (left / across, FOOT / total, (across - left - RIGHT) / across, height / total))
     texts = [spoken(name).replace("-0", "−0") for name in names]
     ax.set(yticks=range(len(names)), yticklabels=texts, ylabel=y_label, ylim=(len(names) - 0.4, -0.6), gid=ROWS)
     ax.set_xlabel(x_label, loc="right")
@@ -238,7 +256,8 @@ def colour_map(
     `levels` are the borders between colours (None: round ones round the values), `names` what each colour means;
     `smooth` draws the borders between the cells.
     """
-    side, height, bar = 4.6, 2.7, 1.1
+    height, bar = 2.7, 1.1
+    side = min(4.6, _across.get() - LEFT - bar)
     size = (LEFT + side + bar, HEAD + height + FOOT)
     figure = _Picture(figsize=size)
     ax = _axes(figure, (LEFT / size[0], FOOT / size[1], side / size[0], height / size[1]))
@@ -276,7 +295,7 @@ def colour_map(
 def empty(columns: int, height: float) -> tuple[Figure, list[Axes]]:
     """A figure of drawings beside each other, without axes, to one scale across and up."""
     total = height + 0.3
-    figure = _Picture(figsize=(WIDTH, total))
+    figure = _Picture(figsize=(_across.get(), total))
     axes = [_axes(figure, (k / columns, 0.02, 1 / columns, height / total)) for k in range(columns)]
     for ax in axes:
         ax.set_aspect("equal", adjustable="box")

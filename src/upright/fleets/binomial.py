@@ -26,6 +26,7 @@ def clopper_pearson(count: int, n: int, confidence: float = 0.95) -> Interval:
     return Interval(count / n, low, high)
 
 
+MOST_FALLS = 0.05  # red above: with one such robot in twenty, a class of students breaks one
 RARE = 0.05  # [1] up to here the upper bound says all; above, both bounds count
 
 

@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from xarray import Dataset
 
+    from upright.pages import Page
+
 MOST_ROBOTS = 10_000_000
 """In one fleet, whose results take a gigabyte; more go into a campaign."""
 
@@ -47,8 +49,16 @@ class Fleet(Shown):
         """The summary as plain numbers."""
         return self.summary.to_json()
 
+    def page(self) -> Page:
+        """The fleet for people."""
+        from upright.fleets.fleet_page import fleet_page
+
+        return fleet_page(self)
+
     def __str__(self) -> str:
-        return str(self.summary)
+        from upright.pages.terminal import text
+
+        return text(self.page())
 
 
 def distribution(data: Dataset, outcome: str, bins: int = 60) -> Figure:

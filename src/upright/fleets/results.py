@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO
 
@@ -15,9 +15,11 @@ from numpy.typing import NDArray
 from upright.arrays import Array
 from upright.atomic import filling, place_of, writing
 from upright.errors import InvalidLog, UprightError, require
-from upright.fleets.binomial import RARE, Interval, clopper_pearson
+from upright.fleets.binomial import Interval, clopper_pearson
 from upright.fleets.ensemble import OUTCOMES, Ensemble, Index
+from upright.fleets.influence import Influence, influence
 from upright.fleets.vary import kit_numbers
+from upright.pages import Say
 from upright.reading import expanded, understood
 from upright.robots import PARAMETERS, Kit
 from upright.robots.drives import EFFORT_UNITS
@@ -30,26 +32,25 @@ if TYPE_CHECKING:
 
 _NOTE = b"upright-fleet"
 
+OUTCOME_NAMES = {
+    "fell": Say("falls"), "lived": Say("time until the fall"), "peak_pitch": Say("largest pitch"),
+    "settling": Say("settling time"), "rms_pitch": Say("RMS pitch"), "effort": Say("effort"),
+    "saturated": Say("saturated fraction"), "travel": Say("distance rolled"),
+}  # fmt: skip
+
 
 @dataclass(frozen=True, repr=False)
 class Summary(Shown):
     """Statistics of a fleet: `fell` of `n` robots fell; the probability of a fall with its bounds; and the 5, 50 and
-    95 % quantiles of each outcome over the robots that stood, in `units`."""
+    95 % quantiles of each outcome over the robots that stood, in `units`; and which varied number the falls, or
+    without enough of them the largest pitch, follow."""
 
     n: int
     fell: int
     chance: Interval
     quantiles: Mapping[str, tuple[float, float, float]]
     units: Mapping[str, str]
-
-    def __str__(self) -> str:
-        least = f"at least {self.chance.low:.2g}, " if self.chance.value > RARE else ""
-        chance = f"{self.chance.value:.3g} ({least}at most {self.chance.high:.2g}; 95 % confidence of each)"
-        lines = [f"{self.fell} of {self.n} robots fell; P(fall) = {chance}", "", "of those that stood:"]
-        for name, (low, middle, high) in self.quantiles.items():
-            words = OUTCOMES[name][1] if name in OUTCOMES else name
-            lines.append(f"  {words:<32} {middle:>9.4g}   {low:>9.4g} … {high:<9.4g} {self.units[name]}")
-        return "\n".join([*lines, "  (median and 5 … 95 %)"])
+    influence: Influence
 
     def to_json(self) -> dict[str, Any]:
         """The same as JSON; NaN, where no robot stood, is null."""
@@ -57,7 +58,8 @@ class Summary(Shown):
             name: dict(zip(("q05", "q50", "q95"), (None if np.isnan(q) else q for q in row), strict=True))
             for name, row in self.quantiles.items()
         }
-        return {"n": self.n, "fell": self.fell, "chance": self.chance._asdict(), "outcomes": quantiles}
+        return {"n": self.n, "fell": self.fell, "chance": self.chance._asdict(), "outcomes": quantiles,
+                "influence": asdict(self.influence) | {"strongest": self.influence.strongest}}  # fmt: skip
 
 
 def summarise(data: Dataset) -> Summary:
@@ -68,7 +70,12 @@ def summarise(data: Dataset) -> Summary:
     names = [name for name in OUTCOMES if name in data and name not in others]
     quantiles = {name: _quantiles(data[name].values[~fell]) for name in names}
     units = {name: str(data[name].attrs["unit"]) for name in names}
-    return Summary(len(fell), int(fell.sum()), clopper_pearson(int(fell.sum()), len(fell)), quantiles, units)
+    count = int(fell.sum())
+    follows = influence(data, "fell" if count >= ENOUGH else "peak_pitch")
+    return Summary(len(fell), count, clopper_pearson(count, len(fell)), quantiles, units, follows)
+
+
+ENOUGH = 10  # falls: from fewer no cause is named
 
 
 def _quantiles(values: Array) -> tuple[float, float, float]:

@@ -1,0 +1,171 @@
+"""The page of a fleet: how many robots fell, how far the others leaned, and what decides."""
+
+from __future__ import annotations
+
+import functools
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from upright.experiment.described import pushes_said
+from upright.fleets.binomial import MOST_FALLS, RARE, upper_bound
+from upright.fleets.origin import made_of, names_varied, spreads_table
+from upright.fleets.results import OUTCOME_NAMES, origin_of
+from upright.pages import Block, Column, Fold, Next, Number, Page, Picture, Quantity, Say, Table, Verdict
+from upright.pages.terms import term
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+    from xarray import Dataset
+
+    from upright.fleets.fleet import Fleet
+    from upright.fleets.influence import Influence
+    from upright.fleets.results import Summary
+
+GROUPS = 12  # of as many robots each, of which the fraction that fell is drawn
+DOTS = 500  # robots that a cloud shows at most
+
+
+def fleet_page(fleet: Fleet) -> Page:
+    """The page of a fleet."""
+    data, summary = fleet.data, fleet.summary
+    origin = origin_of(data)
+    pushes = origin.get("scenario", {}).get("push") or ()
+    influence = summary.influence
+    lead = [
+        Say("Simulated: {robot} under {controller}, {n} numbers varied; {pushes}.", robot=origin["robot"]["name"],
+            controller=(origin.get("controller") or {}).get("kind") or Say("a controller of one's own"),
+            n=len(names_varied(data)), pushes=pushes_said(pushes))
+    ]  # fmt: skip
+    if influence.strongest:
+        what, name = OUTCOME_NAMES[influence.outcome], term(influence.strongest)
+        lead.append(Say("What the {outcome} depends on most: {name}.", outcome=what, name=name))
+    elif summary.fell < summary.n:
+        lead.append(Say("No varied number decides by more than chance."))
+    drawn = [name for name, row in summary.quantiles.items() if row[2] > row[0]]
+    pictures = [
+        Picture(
+            Say("How the {outcome} is distributed over the robots that stood", outcome=OUTCOME_NAMES[name]),
+            functools.partial(fleet.plot, name),
+        )
+        for name in drawn
+    ]
+    if influence.strongest:
+        pictures.insert(0, _over(data, influence))
+    first, *others = pictures or [None]
+    folds: list[Block] = []
+    if influence.correlations:
+        folds.append(Fold(Say("What decides"), [_correlations(influence)]))
+    if others:
+        folds.append(Fold(Say("Distributions"), [picture for picture in others if picture]))
+    if names_varied(data):
+        folds.append(Fold(Say("What varies"), [spreads_table(data)]))
+    return Page(
+        Say("{fell} of {n} robots fell", fell=summary.fell, n=summary.n),
+        verdict=_verdict(summary, bool(pushes), len(names_varied(data))),
+        lead=lead, numbers=_numbers(summary), picture=first, next=[_next(data, bool(pushes))],
+        blocks=[_quantiles(summary), *folds], origin=made_of(data),
+    )  # fmt: skip
+
+
+def _verdict(summary: Summary, pushed: bool, varied: int) -> Verdict:
+    """A certificate pushes and varies every number: without that, few falls are no green light."""
+    most = Quantity(None, "fraction", high=upper_bound(summary.fell, summary.n), digits=2)
+    if summary.fell > MOST_FALLS * summary.n:
+        return Verdict(Say("too many fall: {most}", most=most), "bad")
+    if not pushed:
+        return Verdict(Say("nobody pushed them"))
+    if varied <= FEW:
+        return Verdict(Say("only {n} numbers varied: no certificate", n=varied))
+    if upper_bound(summary.fell, summary.n) <= MOST_FALLS:
+        return Verdict(Say("few fall: {most}", most=most), "good")
+    return Verdict(Say("too few robots to tell: {most} fall", most=most), "warn")
+
+
+FEW = 3  # varied numbers: with so few the robots are all but one robot
+
+
+def _numbers(summary: Summary) -> list[Number]:
+    chance = summary.chance
+    rare = chance.value <= RARE
+    falls = Quantity(
+        None, "fraction", low=None if rare else chance.low,
+        high=upper_bound(summary.fell, summary.n) if rare else chance.high, digits=2,
+    )  # fmt: skip
+    numbers = [Number(falls, Say("of such robots fall (95 % confidence)"))]
+    said = {
+        "peak_pitch": Say("95 % of those that stood leaned less"),
+        "settling": Say("after the last push 95 % had settled"),
+        "travel": Say("95 % of those that stood rolled less far"),
+    }
+    for name, meaning in said.items():
+        row = summary.quantiles.get(name)
+        if row and math.isfinite(row[2]) and len(numbers) < 3:
+            numbers.append(Number(Quantity(row[2], summary.units[name], digits=2), meaning))
+    return numbers
+
+
+def _quantiles(summary: Summary) -> Table:
+    rows = [
+        [
+            OUTCOME_NAMES[name],
+            *(Quantity(q, "fraction" if summary.units[name] == "1" else summary.units[name]) for q in row),
+        ]
+        for name, row in summary.quantiles.items()
+    ]
+    columns = [
+        Column(Say("robots that stood")),
+        Column(Say("5 % below")),
+        Column(Say("half below")),
+        Column(Say("95 % below")),
+    ]
+    return Table(columns, rows)
+
+
+def _correlations(influence: Influence) -> Table:
+    rows = [[term(name), size] for name, size in influence.correlations.items()]
+    caption = Say(
+        "Rank correlation with {outcome}; up to {chance} may be chance",
+        outcome=OUTCOME_NAMES[influence.outcome],
+        chance=Quantity(influence.chance, "1", digits=2),
+    )
+    return Table([Column(Say("varied number")), Column(Say("rank correlation"), "1", digits=2)], rows, caption)
+
+
+def _over(data: Dataset, influence: Influence) -> Picture:
+    """The outcome over the number that it follows most: each robot a dot, or the fraction that fell."""
+    name = influence.strongest
+    assert name
+    claim = Say(
+        "The {outcome}, robot by robot, over the {name}", outcome=OUTCOME_NAMES[influence.outcome], name=term(name)
+    )
+    return Picture(claim, functools.partial(_draw_over, data, name, influence.outcome))
+
+
+def _draw_over(data: Dataset, name: str, outcome: str) -> Figure:
+    from upright.plotting import line, panels
+
+    x = data[name].values.astype(np.float64)
+    y = data[outcome].values.astype(np.float64)
+    across = f"{term(name)} [{data[name].attrs.get('unit') or '1'}]"
+    if outcome == "fell":
+        figure, (ax,) = panels([str(Say("robots that fell [%]"))], across)
+        groups = np.array_split(np.argsort(x), min(GROUPS, max(len(x) // 20, 2)))
+        line(ax, str(Say("fell")), [x[g].mean() for g in groups], [100 * y[g].mean() for g in groups], solid=True)
+        ax.set_ylim(-2, 102)
+        return figure
+    use = np.flatnonzero(np.isfinite(y) & (data["fell"].values == 0))
+    use = use[:: max(1, math.ceil(len(use) / DOTS))]
+    unit = str(data[outcome].attrs["unit"])
+    factor = 180 / math.pi if unit == "rad" else 1.0
+    figure, (ax,) = panels([f"{OUTCOME_NAMES[outcome]} [{unit.replace('rad', '°')}]"], across)
+    ax.plot(x[use], factor * y[use], ".", markersize=3)
+    return figure
+
+
+def _next(data: Dataset, pushed: bool) -> Next:
+    robot = str(origin_of(data)["robot"]["name"])
+    if pushed:
+        return Next("push_map", robot=robot)
+    return Next("fleet", robot=robot, push="impulse:0.1", why=Say("A push shows more than noise does."))

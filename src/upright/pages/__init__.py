@@ -1,0 +1,15 @@
+"""What every result is shown with: sentences with facts, a verdict, numbers, pictures, tables, and what to run next."""
+
+from upright.pages.blocks import Block as Block
+from upright.pages.blocks import Column as Column
+from upright.pages.blocks import Fold as Fold
+from upright.pages.blocks import Formula as Formula
+from upright.pages.blocks import Items as Items
+from upright.pages.blocks import Next as Next
+from upright.pages.blocks import Number as Number
+from upright.pages.blocks import Page as Page
+from upright.pages.blocks import Picture as Picture
+from upright.pages.blocks import Table as Table
+from upright.pages.blocks import Verdict as Verdict
+from upright.pages.words import Quantity as Quantity
+from upright.pages.words import Say as Say

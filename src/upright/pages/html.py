@@ -1,0 +1,79 @@
+"""A page as one HTML file without links to elsewhere, or as a piece of HTML for a notebook and the lab."""
+
+from __future__ import annotations
+
+import functools
+import re
+from html import escape
+from importlib import resources
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from markupsafe import Markup
+
+from upright.atomic import write_text
+from upright.pages.blocks import Block, Page, Picture
+from upright.pages.cells import columns_of
+from upright.pages.words import chosen, translated
+
+if TYPE_CHECKING:
+    from jinja2 import Template
+
+
+def document(page: Page, command: str = "") -> str:
+    """The whole page: style, script and drawings inside, nothing fetched; `command` made it, and stands at its foot."""
+    style = Markup(_read("style.css"))
+    script = Markup(_read("hover.js"))
+    return _template("page.html").render(page=page, command=command, language=chosen(), style=style, script=script)
+
+
+def fragment(page: Page) -> str:
+    """The first screen and what is not folded, for a notebook."""
+    return _template("fragment.html").render(page=page)
+
+
+def write(page: Page, path: str | Path, command: str = "") -> Path:
+    """Write the document as UTF-8, whole or not at all; raises `UprightError` where that cannot be done."""
+    return write_text(path, document(page, command))
+
+
+def marked(text: object) -> Markup:
+    """Text as HTML: a name in backticks is code, a letter with an index, such as J_ψ, has a subscript."""
+    parts = _CODE.split(escape(str(text)))  # prose and code by turns
+    return Markup(
+        "".join(f"<code>{p}</code>" if i % 2 else _INDEX.sub(r"\1<sub>\2</sub>", p) for i, p in enumerate(parts))
+    )
+
+
+_INDEX = re.compile(r"\b([A-Za-zα-ωΔ]\u0307?)_(\w)\b")
+_CODE = re.compile(r"`([^`]+)`")
+
+
+def kind(block: Block) -> str:
+    """The name of the template of a block."""
+    return type(block).__name__.lower()
+
+
+def drawings(picture: Picture) -> list[Markup]:
+    """The picture as SVG, for a page and for a phone."""
+    from upright.pages.drawing import svg
+
+    return [Markup(svg(picture, narrow=narrow)) for narrow in (False, True)]
+
+
+def _read(name: str) -> str:
+    return resources.files("upright.pages").joinpath(name).read_text(encoding="utf-8")
+
+
+@functools.cache
+def _template(name: str) -> Template:
+    from jinja2 import Environment, FunctionLoader, StrictUndefined
+
+    environment = Environment(
+        loader=FunctionLoader(lambda file: _read(f"templates/{file}")), autoescape=True, undefined=StrictUndefined,
+        trim_blocks=True, lstrip_blocks=True,
+    )  # fmt: skip
+    environment.filters["marked"] = marked
+    environment.tests["numbers"] = lambda cells: all(cell.is_number for cell in cells)
+    environment.globals.update(kind=kind, columns_of=columns_of, drawings=drawings, say=translated)
+    return environment.get_template(name)

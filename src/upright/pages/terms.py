@@ -1,0 +1,11 @@
+"""Names of parameters in words of the field."""
+
+from __future__ import annotations
+
+from upright.pages.words import Say
+from upright.tables import spoken
+
+
+def term(name: str) -> Say:
+    """The name of a parameter, as of a file: "com_height" is centre of mass height."""
+    return Say(spoken(name))

@@ -1,0 +1,223 @@
+"""What is said: whole sentences with facts, and quantities; both are text in the language that was chosen.
+
+A sentence stands where it is said, in English, as a template with places: `Say("{n} of {m} robots fell", n=3, m=100)`.
+The template is the key of its translation in `es.json`. No sentence is put together from pieces, and none is read.
+"""
+
+from __future__ import annotations
+
+import functools
+import json
+import math
+import os
+from collections.abc import Generator, Mapping, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
+from importlib import resources
+from typing import Any
+
+from upright.errors import UnknownName
+
+LANGUAGES = ("en", "es")
+_language: ContextVar[str | None] = ContextVar("language", default=None)
+
+
+def chosen() -> str:
+    """The language of all text: that of `speaking` or `speak`, else of UPRIGHT_LANG, else English."""
+    asked = _language.get() or os.environ.get("UPRIGHT_LANG", "")[:2]
+    return asked if asked in LANGUAGES else LANGUAGES[0]
+
+
+def speak(language: str) -> None:
+    """From now on text is in this language; raises `UnknownName`."""
+    if language not in LANGUAGES:
+        raise UnknownName("language", language, LANGUAGES)
+    _language.set(language)
+
+
+@contextmanager
+def speaking(language: str) -> Generator[None]:
+    """Text is in this language as long as the block runs; raises `UnknownName`."""
+    if language not in LANGUAGES:
+        raise UnknownName("language", language, LANGUAGES)
+    before = _language.set(language)
+    try:
+        yield
+    finally:
+        _language.reset(before)
+
+
+@functools.cache
+def catalogue(language: str) -> Mapping[str, str]:
+    """English template → template in another language."""
+    if language == LANGUAGES[0]:
+        return {}
+    return json.loads(resources.files("upright.pages").joinpath(f"{language}.json").read_text("utf-8"))
+
+
+def translated(template: str) -> str:
+    """A template in the chosen language; one that the catalogue lacks, as of a plug-in, stays English."""
+    return catalogue(chosen()).get(template, template)
+
+
+class Say:
+    """A whole sentence, heading or label: a `template` with its `facts`.
+
+    A fact is another `Say`, a `Quantity`, a whole number, a name (a string, which is never translated), or a sequence
+    of these, which becomes a list with commas. A float is none: it has a unit, and is a `Quantity`.
+
+    >>> print(Say("{n} of {m} robots fell", n=3, m=100))
+    3 of 100 robots fell
+    """
+
+    __slots__ = ("facts", "template")
+
+    def __init__(self, template: str, /, **facts: Fact) -> None:
+        wrong = [name for name, fact in facts.items() if isinstance(fact, float)]
+        if wrong:
+            raise TypeError(f"{wrong} of '{template}': a float has a unit; say Quantity(value, unit)")
+        self.template = template
+        self.facts = facts
+
+    def __str__(self) -> str:
+        return translated(self.template).format(**{name: said(fact) for name, fact in self.facts.items()})
+
+    def __repr__(self) -> str:
+        return f"Say({str(self)!r})"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Say) and (self.template, self.facts) == (other.template, other.facts)
+
+    def __hash__(self) -> int:
+        return hash((self.template, str(self)))
+
+
+Fact = Any  # Say | Quantity | int | str | Sequence[Fact]
+
+
+def said(fact: Fact) -> str:
+    """A fact as text."""
+    if isinstance(fact, Sequence) and not isinstance(fact, str):
+        return ", ".join(map(said, fact))
+    return str(fact)
+
+
+class Quantity:
+    """A `value` in `unit` (SI), perhaps with its interval `low` to `high`, as text for people.
+
+    Angles are shown in degrees, a "fraction" in per cent, lengths below 1 m in cm, times below 0.1 s in ms. Without a
+    value the interval stands alone; with one end alone it is a bound, which is never rounded to the safe side.
+
+    >>> print(Quantity(0.0312, "m"), Quantity(math.pi / 2, "rad"), Quantity(None, "N s", low=0.1897))
+    3.12 cm 90° at least 0.189 N s
+    """
+
+    __slots__ = ("digits", "high", "low", "unit", "value")
+
+    def __init__(
+        self, value: float | None, unit: str = "", *, low: float | None = None, high: float | None = None,
+        digits: int = 3,
+    ) -> None:  # fmt: skip
+        self.value = value
+        self.unit = unit
+        self.low = low
+        self.high = high
+        self.digits = digits
+
+    def __str__(self) -> str:
+        ends = [end for end in (self.value, self.low, self.high) if end is not None]
+        factor, unit = shown_in(self.unit, max(map(abs, ends), default=math.nan))
+        parts = {
+            name: number(factor * end, self.digits, toward)
+            for name, end, toward in (("value", self.value, 0), ("low", self.low, -1), ("high", self.high, 1))
+            if end is not None
+        }
+        form = _FORMS[frozenset(parts)]
+        return with_unit(translated(form).format(**parts), unit)
+
+    def __repr__(self) -> str:
+        return f"Quantity({str(self)!r})"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Quantity) and all(getattr(self, n) == getattr(other, n) for n in self.__slots__)
+
+    def __hash__(self) -> int:
+        return hash((self.value, self.unit, self.low, self.high))
+
+
+_FORMS = {
+    frozenset(): "–",
+    frozenset({"value"}): "{value}",
+    frozenset({"low"}): "at least {low}",
+    frozenset({"high"}): "at most {high}",
+    frozenset({"low", "high"}): "{low} to {high}",
+    frozenset({"value", "low", "high"}): "{value} ({low} to {high})",
+    frozenset({"value", "low"}): "{value} (at least {low})",
+    frozenset({"value", "high"}): "{value} (at most {high})",
+}
+"""What of a quantity is known → how it is said."""
+
+_PEOPLE = {"rad": (180 / math.pi, "°"), "rad/s": (180 / math.pi, "°/s"), "fraction": (100.0, "%")}
+"""Unit of data → factor and unit for people."""
+
+SHORT_LENGTH = 0.995  # [m]: from here on two digits of centimetres would make 100 cm
+SHORT_TIME = 0.0995  # [s]
+
+
+def shown_in(unit: str, largest: float) -> tuple[float, str]:
+    """Factor and unit in which people read values as large as `largest`."""
+    if unit == "m" and largest < SHORT_LENGTH:
+        return 100.0, "cm"
+    if unit == "s" and 0 < largest < SHORT_TIME:
+        return 1000.0, "ms"
+    if unit == "1":
+        return 1.0, ""
+    return _PEOPLE.get(unit, (1.0, unit))
+
+
+def with_unit(text: str, unit: str) -> str:
+    """A number with its unit, between which no line breaks."""
+    if not unit or text == "–":
+        return text
+    return f"{text}{unit}" if unit[0] == "°" else f"{text}\u00a0{unit}"
+
+
+def number(value: float, digits: int = 3, toward: int = 0) -> str:
+    """A number as text: a true minus sign, a power of ten beyond 10⁵ or 10⁻⁴, the decimal sign of the language.
+
+    `toward` −1 never rounds up, 1 never down, 0 rounds a half away from zero.
+    """
+    if math.isnan(value):
+        return "–"
+    if math.isinf(value):
+        return "∞" if value > 0 else "−∞"
+    rounded = _rounded(value, digits, toward)
+    if rounded == 0 or 1e-4 <= abs(rounded) < 1e5:
+        decimals = max(0, digits - 1 - math.floor(math.log10(abs(rounded)))) if rounded else 0
+        return localised(f"{rounded:.{decimals}f}".rstrip("0").rstrip(".") if decimals else f"{rounded:.0f}")
+    exponent = math.floor(math.log10(abs(rounded)))
+    mantissa = f"{rounded / 10**exponent:.{digits - 1}f}".rstrip("0").rstrip(".")
+    raised = str(exponent).translate(_RAISED)
+    return localised(f"10{raised}" if mantissa == "1" else f"{mantissa}\u00a0·\u00a010{raised}")
+
+
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+_HALF_UP = 1 + 1e-12  # Python rounds a half to the even neighbour, readers round it up
+
+
+def _rounded(value: float, digits: int, toward: int) -> float:
+    if value == 0 or not toward:
+        return float(f"{value * _HALF_UP:.{digits}g}")
+    step = 10.0 ** (math.floor(math.log10(abs(value))) - digits + 1)
+    steps = value / step
+    # a value that is whole up to its last bits stays
+    whole = round(steps)
+    if abs(steps - whole) > 1e-9 * abs(steps):
+        whole = math.floor(steps) if toward < 0 else math.ceil(steps)
+    return float(f"{whole * step:.{digits}g}")
+
+
+def localised(text: str) -> str:
+    """A number's text with a true minus sign and the decimal sign of the language."""
+    text = text.replace("-", "−")
+    return text.replace(".", ",") if chosen() == "es" else text
