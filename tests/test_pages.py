@@ -1,168 +1,158 @@
-"""Pages as a browser shows them: nothing wider than the screen, figures that say numbers, few printed pages."""
+"""The grammar of pages: what is said is a literal sentence with a translation, and every rendering says the same."""
 
 from __future__ import annotations
 
+import ast
+import json
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from xml.etree import ElementTree
 
-import numpy as np
 import pytest
 
-from upright.certification.design import design
-from upright.comparison import compare
-from upright.comparison.bench import Bench, BenchRow
-from upright.experiment import Impulse
-from upright.fleets.basin import Axis, basin
-from upright.fleets.fleet import ensemble_of, fleet
-from upright.reports import report
-from upright.signals import STATE_NAMES, Log
+import budget
+import upright
+from upright.pages import Column, Fold, KeyNumber, Next, Page, Quantity, Say, Table, Verdict, html, terminal
+from upright.pages.terms import term
+from upright.pages.words import _FORMS, LANGUAGES, catalogue, speaking
+from upright.robots import PARAMETERS
 
-pytestmark = [pytest.mark.needs("chromium", "module:playwright")]
-
-KINDS = ("comparison", "design", "fleet", "basin", "bench")
-DEAR = pytest.param("design", marks=pytest.mark.evidence)
-"""Half of the time that all pages take."""
-SCREENS = ((1280, 900), (390, 844))  # [px] a laptop's window, a phone
+SOURCE = Path(upright.__file__).parent
+OTHERS = [language for language in LANGUAGES if language != "en"]
 
 
-def run(decay: float) -> Log:
-    t = np.arange(0, 6, 0.01)
-    pitch = 0.1 * np.exp(-np.maximum(t - 1, 0) / decay)
-    columns = {f"truth/{name}": pitch for name in STATE_NAMES} | {"push/force": np.where(t < 1, 1.0, 0.0)}
-    columns |= {f"{p}/{s}": 10 * pitch for p in ("command", "applied") for s in ("left", "right")}
-    return Log(t, columns)
+def called_says() -> Iterator[tuple[Path, ast.Call]]:
+    for path in sorted(SOURCE.rglob("*.py")):
+        if path.name == "terms.py" and path.parent.name == "pages":
+            continue  # names of parameters, which a test below asks
+        for node in budget.nodes()[path]:
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "Say":
+                yield path, node
 
 
-def bench() -> Bench:
-    rows = tuple(
-        BenchRow(controller=name, push=push, outcome="yes", peak=0.12345, settling=1.234, travel=12.345, effort=123.4,
-                 saturated=0.0, impulse=size, spread=0.01)
-        for name, size in (("lqr-complementary", 0.2), ("lqg", 0.3)) for push in ("front, +0.10 rad", "back, −0.12 rad")
-    )  # fmt: skip
-    logs = {(row.controller, row.push): run(0.5) for row in rows}
-    return Bench(robot="nxtway-gs", kit="nxt", body="twin", seed=1, rows=rows, logs=logs)
+def literals() -> set[str]:
+    """Every template of the package, in Python and in the templates of pages."""
+    said = {
+        node.args[0].value
+        for _, node in called_says()
+        if isinstance(node.args[0], ast.Constant) and isinstance(node.args[0].value, str)
+    }
+    for path in (SOURCE / "pages" / "templates").glob("*.html"):
+        said |= set(re.findall(r'say\("([^"]+)"\)', path.read_text("utf-8")))
+    return said
 
 
-RESULTS: dict[str, Callable[[], Any]] = {
-    "comparison": lambda: compare({"twin": run(0.5), "nonlinear model": run(0.4), "linear": run(0.3)}),
-    "design": lambda: design("lqg", "nxtway-gs"),
-    "fleet": lambda: fleet("nxtway-gs", 20, vary={"com_height": "±10%"}, pushes=(Impulse(impulse=0.1),), seconds=2.0),
-    "basin": lambda: basin(ensemble_of("nxtway-gs", seconds=1.0), Axis("pitch", -1.0, 1.0, 5), Axis("wheel", -1, 1, 3)),
-    "bench": bench,
-}
+def test_what_is_said_is_one_literal_sentence() -> None:
+    """A sentence put together from pieces cannot be translated: other languages order their words otherwise."""
+    made = [
+        f"{path.relative_to(SOURCE)}:{node.lineno}"
+        for path, node in called_says()
+        if not (isinstance(node.args[0], ast.Constant) and isinstance(node.args[0].value, str))
+    ]
+    assert made == []
 
 
-class Pages(dict[str, Path]):
-    """One page of each kind whose result takes no more than seconds, made when it is asked for."""
-
-    def __init__(self, folder: Path) -> None:
-        self.folder = folder
-
-    def __missing__(self, name: str) -> Path:
-        self[name] = report(RESULTS[name](), self.folder / f"{name}.html")
-        return self[name]
-
-
-@pytest.fixture(scope="module")
-def pages(tmp_path_factory: pytest.TempPathFactory) -> Pages:
-    return Pages(tmp_path_factory.mktemp("pages"))
+@pytest.mark.parametrize("language", OTHERS)
+def test_every_sentence_is_translated_and_no_translation_is_left_over(language: str) -> None:
+    names = {term(name).template for name in PARAMETERS}
+    needed = literals() | names | set(_FORMS.values()) - {"–", "{value}"}
+    known = set(catalogue(language))
+    # a template of places alone needs no words
+    wordless = {text for text in needed if not re.search(r"[A-Za-z]", re.sub(r"\{\w+\}", "", text))}
+    assert sorted(needed - known - wordless) == []
+    other_terms = {text for text in known if text not in needed}
+    assert sorted(text for text in other_terms if "{" in text) == []
 
 
-AXE = [(("bench",), "dark"), *(pytest.param(KINDS, way, marks=pytest.mark.evidence) for way in ("light", "dark"))]
-"""One page with numbers, figure and table, where contrast is hardest; the others have the same template and style."""
+@pytest.mark.parametrize("language", OTHERS)
+def test_a_translation_keeps_its_places(language: str) -> None:
+    def places(text: str) -> list[str]:
+        return sorted(re.findall(r"\{\w+\}", text))
+
+    assert [text for text, other in catalogue(language).items() if places(text) != places(other)] == []
 
 
-@pytest.mark.needs("npm")
-@pytest.mark.parametrize(("kinds", "scheme"), AXE)
-def test_axe_core_finds_nothing_serious(
-    pages: dict[str, Path], browser: Any, lend: Any, axe: Path, kinds: tuple[str, ...], scheme: str
-) -> None:
-    """Neither on a light screen nor on a dark one, where it also measures the contrast of all letters."""
-    page = lend(browser, scheme=scheme)
-    found: list[str] = []
-    for name in kinds:
-        page.goto(pages[name].as_uri())
-        page.evaluate("document.querySelectorAll('details').forEach((item) => { item.open = true })")
-        page.add_script_tag(path=str(axe))
-        for wrong in page.evaluate("axe.run().then((result) => result.violations)"):
-            if wrong["impact"] in ("serious", "critical"):
-                found += [f"{name}: {wrong['id']}: {node['html'][:200]}" for node in wrong["nodes"]]
-    assert not found
+@pytest.mark.parametrize(
+    ("quantity", "text"),
+    [
+        (Quantity(math.pi / 6, "rad"), "30°"),
+        (Quantity(0.0999, "fraction", digits=2), "10 %"),
+        (Quantity(0.1897, "N s", digits=2), "0.19 N s"),
+        (Quantity(None, "N s", low=0.1897, digits=2), "at least 0.18 N s"),  # a bound is never rounded to the safe side
+        (Quantity(None, "N s", high=0.1811, digits=2), "at most 0.19 N s"),
+        (Quantity(None, "1", low=0.3, digits=2), "at least 0.3"),  # 0.3 is not below itself
+        (Quantity(0.0455, "N m/A", low=0.043, high=0.0471), "0.0455 (0.043 to 0.0471) N m/A"),
+        (Quantity(1.5e-6, "kg m²", digits=2), "1.5 · 10⁻⁶ kg m²"),
+        (Quantity(-0.02, "m"), "−2 cm"),
+        (Quantity(0.02, "s"), "20 ms"),
+        (Quantity(math.nan, "s"), "–"),
+        (Quantity(math.inf, "s"), "∞ s"),
+    ],
+)
+def test_a_quantity_is_said_in_the_units_of_people(quantity: Quantity, text: str) -> None:
+    assert str(quantity).replace("\u00a0", " ") == text
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_lines_and_letters_of_a_drawing_differ_from_the_paper(
-    pages: dict[str, Path], browser: Any, lend: Any, scheme: str
-) -> None:
-    """Letters by 4.5:1 and lines by 3:1, as WCAG 2.2 asks (1.4.3, 1.4.11), by its formula of contrast."""
-    page = lend(browser, scheme=scheme)
-    page.goto(pages["comparison"].as_uri())
-
-    def luminance(variable: str) -> float:
-        text = page.evaluate(f"getComputedStyle(document.documentElement).getPropertyValue('--{variable}').trim()")
-        parts = [int(text[k : k + 2], 16) / 255 for k in (1, 3, 5)]
-        linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in parts]
-        return float(np.dot(linear, (0.2126, 0.7152, 0.0722)))
-
-    def contrast(one: str, other: str) -> float:
-        low, high = sorted((luminance(one), luminance(other)))
-        return (high + 0.05) / (low + 0.05)
-
-    least = {"soft": 4.5, "ink": 4.5, **dict.fromkeys(("axis", "c0", "c1", "c2", "c3", "c4", "c5"), 3.0)}
-    weak = {name: contrast(name, "paper") for name, bar in least.items() if contrast(name, "paper") < bar}
-    assert not weak
+def test_spanish_has_a_decimal_comma() -> None:
+    with speaking("es"):
+        assert str(Quantity(1.25, "V")) == "1,25\u00a0V"
+    assert str(Quantity(1.25, "V")) == "1.25\u00a0V"
 
 
-@pytest.mark.parametrize("name", [DEAR if name == "design" else name for name in KINDS])
-def test_a_page_fits_a_laptop_and_a_phone(pages: dict[str, Path], browser: Any, lend: Any, name: str) -> None:
-    """Nothing is wider than the screen, on the first screen are picture, numbers and what to run next, and no axis is
-    a logarithm."""
-    page = lend(browser, 1280, 900)
-    page.goto(pages[name].as_uri())
-    top = page.evaluate("document.querySelector('header figure svg').getBoundingClientRect().top")
-    assert top < 450  # half a laptop's screen
-    letters = page.evaluate("[...document.querySelectorAll('figure svg text')].map((t) => t.textContent)")
-    assert not [text for text in letters if re.search(r"log|power of ten", text)]
-    for width, height in SCREENS:
-        page.set_viewport_size({"width": width, "height": height})
-        for part in page.query_selector_all("header .numbers, header .next"):
-            box = part.bounding_box()
-            assert box["y"] + box["height"] <= height
-    page.evaluate("document.querySelectorAll('details').forEach((item) => { item.open = true })")
-    for width, height in SCREENS:
-        page.set_viewport_size({"width": width, "height": height})
-        assert page.evaluate("document.documentElement.scrollWidth") == width
-        wide = "[...document.querySelectorAll('.table')].filter((t) => t.scrollWidth > t.clientWidth + 1).length"
-        assert width < 1280 or page.evaluate(wide) == 0  # a phone scrolls a table by itself
+def test_a_float_is_no_fact() -> None:
+    with pytest.raises(TypeError, match="has a unit"):
+        Say("it weighs {mass}", mass=0.6)
 
 
-def test_a_pointer_over_a_figure_reads_its_lines(pages: dict[str, Path], browser: Any, lend: Any) -> None:
-    page = lend(browser, 1280, 900)
-    page.goto(pages["comparison"].as_uri())
-    box = page.evaluate("(({x, y, width, height}) => [x, y, width, height])"
-                        "(document.querySelector('svg.lines').getBoundingClientRect())")  # fmt: skip
-    data = page.evaluate("JSON.parse(document.querySelector('svg.lines').dataset.curves)[0]")
-    wide = page.evaluate("document.querySelector('svg.lines').viewBox.baseVal.width")
-    (low, high), left, right = data["x"], data["left"], data["right"]
-    at = left + (0.5 - low) / (high - low) * (right - left)  # half a second, while pitch is held at 0.1
-    page.mouse.move(box[0] + at / wide * box[2], box[1] + box[3] / 2)
-    text = page.evaluate("document.querySelector('output').textContent")
-    time, *values = re.findall(r"-?\d+\.?\d*", text)
-    assert float(time) == pytest.approx(0.5, abs=0.02)
-    assert [float(value) for value in values] == pytest.approx([math.degrees(0.1)] * 3, abs=0.1)  # angles in degrees
+def example() -> Page:
+    columns = [Column(Say("number")), Column(Say("middle"), "rad"), Column(Say("varies"))]
+    rows = [[term("wheel_radius"), 0.5, "x" * 30], [term("body_mass"), 0.25, None]]
+    table = Table(
+        [*columns, Column(Say("middle")), Column(Say("varies"))], [[*row, "y" * 20, "z" * 30] for row in rows]
+    )
+    return Page(
+        Say("{fell} of {n} robots fell", fell=3, n=100),
+        verdict=Verdict(Say("few fall: {most}", most=Quantity(None, "fraction", high=0.05)), "good"),
+        numbers=[KeyNumber(Quantity(0.04, "m"), Say("distance rolled"))],
+        next=[Next("push_map", robot="my robot.toml")],
+        blocks=[table, Fold(Say("What varies"), [table])],
+    )
 
 
-@pytest.mark.parametrize("left_out", ["design", pytest.param("", marks=pytest.mark.evidence)])
-def test_captions_are_short_sentences(pages: dict[str, Path], left_out: str) -> None:
-    """Half of them of at most 14 words, none of more than 25."""
-    lengths: list[int] = []
-    for name in set(KINDS) - {left_out}:
-        page = pages[name].read_text()
-        for text in re.findall(r"<(?:p|figcaption)\b[^>]*>(.*?)</(?:p|figcaption)>", page, re.DOTALL):
-            plain = re.sub(r"<[^>]+>", "", text)
-            lengths += [len(re.findall(r"\S*\w\S*", part)) for part in re.split(r"(?<=[.;:!?])\s+", plain)]
-    assert np.median(lengths) <= 14
-    assert max(lengths) <= 25
+def test_a_terminal_has_eighty_columns_and_says_what_it_left_out() -> None:
+    text = terminal.text(example())
+    assert max(map(len, text.splitlines())) <= 80
+    assert "more columns" in text
+    assert "`upright push-map --robot 'my robot.toml'`" in text
+    assert "more columns" not in terminal.text(example(), wide=True)
+
+
+def test_a_page_fetches_nothing_and_is_well_formed() -> None:
+    text = html.document(example(), "upright fleet")
+    assert "http" not in re.sub(r"http://www\.w3\.org/\S+", "", text)
+    body = text[text.index("<body>") : text.index("<script>")]
+    ElementTree.fromstring(f"{body}</body>".replace("&nbsp;", " "))
+    assert "28.6" in text  # 0.5 and 0.25 rad, in degrees with equal decimals
+    assert "14.3" in text
+
+
+def test_a_page_that_says_too_much_is_refused() -> None:
+    one = KeyNumber(1, Say("number"))
+    with pytest.raises(ValueError, match="4 numbers; at most 3"):
+        Page(Say("number"), numbers=[one] * 4)
+
+
+def test_every_rendering_has_the_same_numbers() -> None:
+    """A fleet's head as JSON, terminal, page and notebook; in Spanish with its comma."""
+    fleet = upright.fleet("nxtway-gs", 40, controller="lqr", seconds=2.0, pushes=(upright.Impulse(impulse=0.1),))
+    page = fleet.page()
+    values = [value.replace("\u00a0", " ") for value, _ in page.head()["numbers"]]
+    assert len(values) == 3
+    for rendered in (str(fleet), html.document(page), fleet._repr_html_(), json.dumps(page.head(), ensure_ascii=False)):
+        assert all(value in rendered.replace("\u00a0", " ") for value in values)
+    with speaking("es"):
+        spanish = terminal.text(page)
+    assert re.findall(r"\d+", spanish.partition("upright")[0]) == re.findall(r"\d+", str(fleet).partition("upright")[0])
+    assert "robots cayeron" in spanish

@@ -18,19 +18,19 @@ from typing import Any, ParamSpec, TypeVar
 import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.axis import Axis
 from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.image import NonUniformImage
 from matplotlib.patches import Circle
-from matplotlib.ticker import Formatter, FuncFormatter, LogFormatter, MaxNLocator
+from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike
 
 from upright.arrays import Array, Complex
 from upright.decimate import decimate
 from upright.errors import InvalidLog
 from upright.languages import figure_translated
-from upright.tables import HALF_UP, power_of_ten, spoken
+from upright.tables import spoken
+from upright.ticks import AxisNumbers, number, numbered
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -285,7 +285,7 @@ def colour_map(
     key = figure.colorbar(picture, cax=beside, ticks=borders)
     key.outline.set_visible(False)
     beside.set_title(label, loc="right", x=1.0 + 0.7 / 0.18)
-    beside.yaxis.set_major_formatter(_Numbers())
+    beside.yaxis.set_major_formatter(AxisNumbers())
     if names:
         key.set_ticks([(low + high) / 2 for low, high in pairwise(borders)], labels=list(names))
     return figure
@@ -332,45 +332,6 @@ def legend(figure: Figure) -> Figure:
     return figure
 
 
-def numbered(*axes: Axis) -> None:
-    """Numbers at the ticks in one style: 0.25, 1000, 2 · 10⁻⁷, and 0.1, 1, 10 on a logarithmic axis."""
-    for axis in axes:
-        logarithmic = axis.get_scale() == "log"
-        axis.set_major_formatter(FuncFormatter(_plain) if logarithmic else _Numbers())
-        if logarithmic:
-            axis.set_minor_formatter(_Between(labelOnlyBase=False, minor_thresholds=(1.5, 0.5)))
-
-
-def _plain(value: float, _: object) -> str:
-    return number(value)
-
-
-class _Numbers(Formatter):
-    """All ticks of an axis with the same number of decimals."""
-
-    def __call__(self, x: float, pos: int | None = None) -> str:
-        del pos
-        return number(x)
-
-    def format_ticks(self, values: Any) -> list[str]:
-        ticks = np.asarray(values, dtype=np.float64)
-        step = float(np.diff(ticks).min()) if len(ticks) > 1 else 0.0
-        largest = float(np.abs(ticks).max()) if len(ticks) else 0.0
-        decimals = max(0, -int(np.floor(np.log10(step) + 1e-9))) if step > 0 else 4
-        if decimals > 4 or largest >= 1e5:
-            return [number(0.0 if abs(tick) < 1e-9 * step else float(tick), 3) for tick in ticks]
-        exact = (d for d in range(decimals, 5) if np.allclose(np.round(ticks, d), ticks, atol=1e-6 * step))
-        decimals = next(exact, decimals)
-        return [f"{tick + 0.0:.{decimals}f}".replace("-", "−") for tick in np.round(ticks, decimals)]
-
-
-class _Between(LogFormatter):
-    """Ticks between powers of ten are named where few powers are in view."""
-
-    def __call__(self, x: float, pos: int | None = None) -> str:
-        return number(x) if super().__call__(x, pos) else ""
-
-
 @styled
 class _Picture(Figure):
     """A figure that a notebook shows by itself: only figures of pyplot have a backend there."""
@@ -406,14 +367,3 @@ def _names(panel: Axes) -> list[str]:
     """The names drawn so far in the figure of a panel, each once, but for those of shaded spans."""
     lines = (line.get_label() for ax in panel.figure.axes for line in ax.lines)
     return list(dict.fromkeys(str(name) for name in lines if not str(name).startswith("_")))
-
-
-def number(value: float, digits: int = 4) -> str:
-    """A finite number as text: a half goes away from zero, a true minus sign, powers of ten beyond 10⁵ or 10⁻⁴."""
-    rounded = float(f"{value * HALF_UP:.{digits}g}")
-    if rounded == 0 or 1e-4 <= abs(rounded) < 1e5:
-        return np.format_float_positional(rounded + 0.0, trim="-").replace("-", "−")
-    mantissa, _, power = f"{rounded:.{digits - 1}e}".partition("e")
-    mantissa = mantissa.rstrip("0").rstrip(".")
-    head = {"1": "", "-1": "-"}.get(mantissa, f"{mantissa} · ")
-    return f"{head}{power_of_ten(int(power))}".replace("-", "−")

@@ -56,6 +56,7 @@ def fleet(
     Prints the probability of a fall with its 95 % interval, and quantiles of pitch, settling, effort and travel.
     """
     from upright.fleets.fleet import fleet as simulate
+    from upright.fleets.results import save
 
     asked.check()
     pushes, references = map(tuple, options.pushes_and_references(push, drive, turn))
@@ -64,7 +65,9 @@ def fleet(
     _say_how_long(asked, ensemble, {f"-n {n}": n * seconds for n in (number, *FLEET)})
     with progress("simulating") as show:
         result = simulate(ensemble, number, threads=asked.threads, progress=show)
-    _show(result.data, result.to_json(), asked)
+    if asked.output:
+        save(result.data, asked.output)
+    finish(result, asked.as_json, page=asked.report, written=[asked.output], text="")
 
 
 @asked_alike

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from importlib import import_module
 from typing import Any
 
 import typer
-from typer.core import TyperGroup
+from typer.core import TyperCommand, TyperGroup
 from typer.main import get_command
+
+from upright.cli.typed import GIVEN
 
 GROUPS = {
     "Begin": {"start": ("upright start", "upright start study --robot ev3way")},
@@ -107,11 +109,26 @@ def _part(name: str) -> Any:
     return getattr(import_module(f"upright.cli.{HOMES.get(name, function)}"), function)
 
 
+def parameters_of(verb: str) -> Collection[str]:
+    """The names of what a command takes, as Python writes them."""
+    part = _part(verb.replace("_", "-"))
+    return () if isinstance(part, typer.Typer) else inspect.signature(part).parameters
+
+
+class _Remembered(TyperCommand):
+    """A command that leaves behind which of its options were typed."""
+
+    def invoke(self, ctx: Any) -> Any:
+        named = {name for name in ctx.params if ctx.get_parameter_source(name).name == "COMMANDLINE"}
+        GIVEN.set({name: ctx.params[name] for name in named})
+        return super().invoke(ctx)
+
+
 def _command(name: str) -> Any:
     whole = part = _part(name)
     if not isinstance(part, typer.Typer):
         whole = typer.Typer(add_completion=False, rich_markup_mode=None)
-        whole.command(name)(part)
+        whole.command(name, cls=_Remembered)(part)
     made = get_command(whole)
     made.name, made.epilog = name, epilog(name)
     return made

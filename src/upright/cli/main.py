@@ -13,7 +13,7 @@ from typer.main import get_command
 from upright import interrupts
 from upright.atomic import together
 from upright.cli.help import Commands, Grouped, option_meant
-from upright.cli.output import TYPED
+from upright.cli.typed import TYPED
 from upright.errors import UprightError
 
 USER_ERROR, BUG = 2, 1

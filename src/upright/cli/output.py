@@ -7,17 +7,22 @@ import shlex
 import shutil
 import sys
 import time
-from collections.abc import Callable, Collection, Generator, Iterable, Sequence
+from collections.abc import Callable, Collection, Generator, Iterable, Mapping, Sequence
 from contextlib import contextmanager
-from contextvars import ContextVar
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
 import typer
 
 from upright.atomic import json_text, place_of, write_json
+from upright.cli.typed import GIVEN, TYPED
 from upright.errors import UprightError, require
+from upright.pages import Next, Say
+from upright.pages import Page as NewPage
+from upright.pages import Result as Shown
+from upright.pages.terminal import WIDTH
+from upright.pages.terminal import text as page_text
 from upright.tables import Listing, wrapped
 
 if TYPE_CHECKING:
@@ -25,7 +30,7 @@ if TYPE_CHECKING:
     from upright.robots import Robot
 
 
-class Result(Protocol):
+class Printable(Protocol):
     """What a library function returns: it prints as text and as JSON."""
 
     def to_json(self) -> dict[str, Any]: ...
@@ -47,7 +52,7 @@ AGAINST = 3
 
 
 def finish(
-    result: Result, as_json: bool, *,
+    result: Printable, as_json: bool, *,
     output: Path | None = None, page: Path | None = None, written: Iterable[Path | None] = (), paged: Any = None,
     text: str | None = None, **facts: Any,
 ) -> None:  # fmt: skip
@@ -67,6 +72,9 @@ def print_result(
 ) -> None:
     """Print the head of what has a page first: as JSON beside the data `below`, or over the text `below`, with the
     `tables` of the page where these are asked for. The files `written` end it."""
+    if isinstance(paged, Shown):
+        _print_page(paged.page(), below, written)
+        return
     page = _page_of(paged)
     head = page and page.head
     if not isinstance(below, str):
@@ -75,6 +83,36 @@ def print_result(
     shown = [head.text(shutil.get_terminal_size().columns) if head else "", below]
     shown += [page.tables() if page and tables else "", "\n".join(f"wrote {path}" for path in written if path)]
     print_text("\n\n".join(filter(None, shown)), head.verdict.level if head and head.verdict else "")
+
+
+def _print_page(page: NewPage, data: str | dict[str, Any], written: Iterable[Path | None]) -> None:
+    """Print a page for people, or its head as JSON beside the `data`; the files `written` end it."""
+    page = _continued(page)
+    if not isinstance(data, str):
+        print_json({"head": page.head()} | data)
+        return
+    terminal = sys.stdout.isatty()
+    width = shutil.get_terminal_size().columns if terminal else WIDTH
+    colour = terminal and not os.environ.get("NO_COLOR")
+    files = "\n".join(str(Say("wrote {file}", file=str(path))) for path in written if path)
+    typer.echo("\n\n".join(filter(None, [page_text(page, width, colour=colour), data, files])))
+
+
+CARRIED = ("robot", "kit", "controller", "mapping", "posterior")
+"""Options that the next command takes over from this one."""
+
+
+def _continued(page: NewPage) -> NewPage:
+    """The page whose next commands are for the robot, the kit and the files that were typed."""
+    typed = {name: value for name, value in GIVEN.get().items() if name in CARRIED}
+    return replace(page, next=[_for_typed(step, typed) for step in page.next])
+
+
+def _for_typed(step: Next, typed: Mapping[str, Any]) -> Next:
+    from upright.cli.help import parameters_of
+
+    kept = {name: value for name, value in typed.items() if name in parameters_of(step.verb)}
+    return Next(step.verb, *step.given, why=step.why, **{**step.options, **kept})
 
 
 def _page_of(result: Any) -> Page | None:
@@ -111,7 +149,11 @@ def print_text(text: str, level: str = "") -> None:
 def write_page(result: Any, path: Path | None, title: str = "") -> None:
     """Write the page of a result to `path`, where one is given, with the command at its foot; `title` replaces the
     page's own."""
-    if path:
+    if path and isinstance(result, Shown):
+        from upright.pages.result import write_page as write
+
+        write(_continued(result.page()), path, _command())
+    elif path:
         from upright.reports import report
 
         report(result, path, title=title, command=_command())
@@ -119,8 +161,6 @@ def write_page(result: Any, path: Path | None, title: str = "") -> None:
 
 QUIET = 10.0
 """[s] in which nobody asks whether a command still runs."""
-TYPED: ContextVar[Sequence[str]] = ContextVar("TYPED", default=())
-"""The arguments of the command that runs."""
 
 
 def _command() -> str:

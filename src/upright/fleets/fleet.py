@@ -8,17 +8,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from upright.arrays import Array
 from upright.control import Controller
 from upright.errors import UnknownName, check_within
 from upright.fleets.ensemble import Ensemble
-from upright.fleets.results import OUTCOMES, Summary, labelled, summarise
+from upright.fleets.results import OUTCOMES, Summary, labelled, origin_of, summarise
 from upright.fleets.sweep import electronics, find_controller
 from upright.fleets.vary import Vary, varied
+from upright.pages import Result
 from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_robot
 from upright.robots.uncertainty import Family, Uncertainty, at_medians
-from upright.tables import Shown
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -33,7 +32,7 @@ CHUNK = 16384  # robots between two reports of progress; the memory of a run gro
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Fleet(Shown):
+class Fleet(Result):
     """The outcomes of each robot, `data`, and their `summary`."""
 
     data: Dataset
@@ -43,57 +42,19 @@ class Fleet(Shown):
         """How an `outcome` is distributed over the robots that stood; `UnknownName` lists the outcomes."""
         if outcome not in OUTCOMES:
             raise UnknownName("outcome", outcome, OUTCOMES)
+        from upright.fleets.fleet_page import distribution
+
         return distribution(self.data, outcome)
 
     def to_json(self) -> dict[str, Any]:
-        """The summary as plain numbers."""
-        return self.summary.to_json()
+        """The summary, and where it comes from."""
+        return {"result": self.summary.to_json(), "origin": origin_of(self.data)}
 
     def page(self) -> Page:
         """The fleet for people."""
         from upright.fleets.fleet_page import fleet_page
 
-        return fleet_page(self)
-
-    def __str__(self) -> str:
-        from upright.pages.terminal import text
-
-        return text(self.page())
-
-
-def distribution(data: Dataset, outcome: str, bins: int = 60) -> Figure:
-    """The fraction of the robots that stood over an outcome of theirs, as a histogram."""
-    from upright.plotting import panels
-
-    values = stood(data, outcome)
-    unit = str(data[outcome].attrs["unit"])
-    if unit in ("rad", "rad/s"):
-        values = np.degrees(values)
-        unit = unit.replace("rad", "°")
-    words = str(data[outcome].attrs["long_name"])
-    if unit == "1":
-        values = 100 * values
-        unit = "%"
-    figure, (ax,) = panels(["robots [%]"], f"{words} [{unit}]", height=1.4)
-    if len(values):
-        ax.hist(values, _borders(values, bins), weights=np.full(len(values), 100 / len(values)), histtype="stepfilled",
-                alpha=0.8)  # fmt: skip
-    return figure
-
-
-def _borders(values: Array, bins: int) -> int | list[float]:
-    """Borders between the values where these are few, as of counted periods; other bins would look like a comb."""
-    few = np.unique(np.round(values, 9))
-    step = float(np.diff(few).min()) if len(few) > 1 else 0.0
-    if not step or np.ptp(few) > bins * step:
-        return bins
-    return [float(few[0]) + step * (k - 0.5) for k in range(round(float(np.ptp(few)) / step) + 2)]
-
-
-def stood(data: Dataset, outcome: str) -> Array:
-    """An outcome of the robots that stood, as far as they have one."""
-    values = data[outcome].values[data["fell"].values == 0]
-    return values[np.isfinite(values)]
+        return fleet_page(self.data, self.summary)
 
 
 def ensemble_of(

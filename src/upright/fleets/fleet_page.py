@@ -8,18 +8,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from upright.experiment.described import pushes_said
+from upright.arrays import Array
+from upright.experiment.described import pushes_in_words
 from upright.fleets.binomial import MOST_FALLS, RARE, upper_bound
 from upright.fleets.origin import made_of, names_varied, spreads_table
 from upright.fleets.results import OUTCOME_NAMES, origin_of
-from upright.pages import Block, Column, Fold, Next, Number, Page, Picture, Quantity, Say, Table, Verdict
+from upright.pages import Block, Column, Fold, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.terms import term
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from xarray import Dataset
 
-    from upright.fleets.fleet import Fleet
     from upright.fleets.influence import Influence
     from upright.fleets.results import Summary
 
@@ -27,16 +27,15 @@ GROUPS = 12  # of as many robots each, of which the fraction that fell is drawn
 DOTS = 500  # robots that a cloud shows at most
 
 
-def fleet_page(fleet: Fleet) -> Page:
-    """The page of a fleet."""
-    data, summary = fleet.data, fleet.summary
+def fleet_page(data: Dataset, summary: Summary) -> Page:
+    """The page of a fleet's outcomes."""
     origin = origin_of(data)
     pushes = origin.get("scenario", {}).get("push") or ()
     influence = summary.influence
     lead = [
         Say("Simulated: {robot} under {controller}, {n} numbers varied; {pushes}.", robot=origin["robot"]["name"],
             controller=(origin.get("controller") or {}).get("kind") or Say("a controller of one's own"),
-            n=len(names_varied(data)), pushes=pushes_said(pushes))
+            n=len(names_varied(data)), pushes=pushes_in_words(pushes))
     ]  # fmt: skip
     if influence.strongest:
         what, name = OUTCOME_NAMES[influence.outcome], term(influence.strongest)
@@ -47,7 +46,7 @@ def fleet_page(fleet: Fleet) -> Page:
     pictures = [
         Picture(
             Say("How the {outcome} is distributed over the robots that stood", outcome=OUTCOME_NAMES[name]),
-            functools.partial(fleet.plot, name),
+            functools.partial(distribution, data, name),
         )
         for name in drawn
     ]
@@ -86,23 +85,23 @@ def _verdict(summary: Summary, pushed: bool, varied: int) -> Verdict:
 FEW = 3  # varied numbers: with so few the robots are all but one robot
 
 
-def _numbers(summary: Summary) -> list[Number]:
+def _numbers(summary: Summary) -> list[KeyNumber]:
     chance = summary.chance
     rare = chance.value <= RARE
     falls = Quantity(
         None, "fraction", low=None if rare else chance.low,
         high=upper_bound(summary.fell, summary.n) if rare else chance.high, digits=2,
     )  # fmt: skip
-    numbers = [Number(falls, Say("of such robots fall (95 % confidence)"))]
-    said = {
+    numbers = [KeyNumber(falls, Say("of such robots fall (95 % confidence)"))]
+    meanings = {
         "peak_pitch": Say("95 % of those that stood leaned less"),
         "settling": Say("after the last push 95 % had settled"),
         "travel": Say("95 % of those that stood rolled less far"),
     }
-    for name, meaning in said.items():
+    for name, meaning in meanings.items():
         row = summary.quantiles.get(name)
         if row and math.isfinite(row[2]) and len(numbers) < 3:
-            numbers.append(Number(Quantity(row[2], summary.units[name], digits=2), meaning))
+            numbers.append(KeyNumber(Quantity(row[2], summary.units[name], digits=2), meaning))
     return numbers
 
 
@@ -169,3 +168,38 @@ def _next(data: Dataset, pushed: bool) -> Next:
     if pushed:
         return Next("push_map", robot=robot)
     return Next("fleet", robot=robot, push="impulse:0.1", why=Say("A push shows more than noise does."))
+
+
+def distribution(data: Dataset, outcome: str, bins: int = 60) -> Figure:
+    """The fraction of the robots that stood over an outcome of theirs, as a histogram."""
+    from upright.plotting import panels
+
+    values = stood(data, outcome)
+    unit = str(data[outcome].attrs["unit"])
+    if unit in ("rad", "rad/s"):
+        values = np.degrees(values)
+        unit = unit.replace("rad", "°")
+    words = str(data[outcome].attrs["long_name"])
+    if unit == "1":
+        values = 100 * values
+        unit = "%"
+    figure, (ax,) = panels(["robots [%]"], f"{words} [{unit}]", height=1.4)
+    if len(values):
+        ax.hist(values, _borders(values, bins), weights=np.full(len(values), 100 / len(values)), histtype="stepfilled",
+                alpha=0.8)  # fmt: skip
+    return figure
+
+
+def _borders(values: Array, bins: int) -> int | list[float]:
+    """Borders between the values where these are few, as of counted periods; other bins would look like a comb."""
+    few = np.unique(np.round(values, 9))
+    step = float(np.diff(few).min()) if len(few) > 1 else 0.0
+    if not step or np.ptp(few) > bins * step:
+        return bins
+    return [float(few[0]) + step * (k - 0.5) for k in range(round(float(np.ptp(few)) / step) + 2)]
+
+
+def stood(data: Dataset, outcome: str) -> Array:
+    """An outcome of the robots that stood, as far as they have one."""
+    values = data[outcome].values[data["fell"].values == 0]
+    return values[np.isfinite(values)]

@@ -24,7 +24,6 @@ from upright.reading import expanded, understood
 from upright.robots import PARAMETERS, Kit
 from upright.robots.drives import EFFORT_UNITS
 from upright.signals import parquet
-from upright.tables import Shown
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -39,8 +38,8 @@ OUTCOME_NAMES = {
 }  # fmt: skip
 
 
-@dataclass(frozen=True, repr=False)
-class Summary(Shown):
+@dataclass(frozen=True)
+class Summary:
     """Statistics of a fleet: `fell` of `n` robots fell; the probability of a fall with its bounds; and the 5, 50 and
     95 % quantiles of each outcome over the robots that stood, in `units`; and which varied number the falls, or
     without enough of them the largest pitch, follow."""

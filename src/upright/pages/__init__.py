@@ -5,11 +5,12 @@ from upright.pages.blocks import Column as Column
 from upright.pages.blocks import Fold as Fold
 from upright.pages.blocks import Formula as Formula
 from upright.pages.blocks import Items as Items
+from upright.pages.blocks import KeyNumber as KeyNumber
 from upright.pages.blocks import Next as Next
-from upright.pages.blocks import Number as Number
 from upright.pages.blocks import Page as Page
 from upright.pages.blocks import Picture as Picture
 from upright.pages.blocks import Table as Table
 from upright.pages.blocks import Verdict as Verdict
+from upright.pages.result import Result as Result
 from upright.pages.words import Quantity as Quantity
 from upright.pages.words import Say as Say

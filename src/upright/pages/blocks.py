@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import KW_ONLY, dataclass, field
 from typing import TYPE_CHECKING, Any, Literal
 
 from upright.pages.words import Quantity, Say
@@ -27,7 +28,7 @@ class Verdict:
 
 
 @dataclass(frozen=True)
-class Number:
+class KeyNumber:
     """One of the numbers that matter, and what it is."""
 
     value: Quantity | Say | int
@@ -117,8 +118,6 @@ class Next:
     @property
     def command(self) -> str:
         """The line to type."""
-        import shlex
-
         words = ["upright", self.verb.replace("_", "-"), *map(shlex.quote, self.given)]
         for name, value in self.options.items():
             words += [f"--{name.replace('_', '-')}", *([shlex.quote(value)] if value != "True" else [])]
@@ -137,9 +136,10 @@ class Page:
     """
 
     title: Say
+    _: KW_ONLY
     verdict: Verdict | None = None
     lead: Sequence[Say] = ()
-    numbers: Sequence[Number] = ()
+    numbers: Sequence[KeyNumber] = ()
     picture: Picture | None = None
     next: Sequence[Next] = ()
     blocks: Sequence[Block] = ()

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from upright.pages.blocks import Cell, Column, Table, Verdict
-from upright.pages.words import Say, localised, number, said, shown_in
+from upright.pages.words import Say, localised, number, shown_in, text_of
 
 
 @dataclass(frozen=True)
@@ -67,5 +67,5 @@ def _text(cell: Cell, factor: float, decimals: int | None, digits: int) -> Text:
         plain = decimals is None or not math.isfinite(cell)
         text = number(factor * cell, digits) if plain else localised(f"{factor * cell:.{decimals}f}")
     else:
-        text = said(cell)
+        text = text_of(cell)
     return Text(text, is_number=not isinstance(cell, str | Say))

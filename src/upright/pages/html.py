@@ -6,12 +6,8 @@ import functools
 import re
 from html import escape
 from importlib import resources
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-from markupsafe import Markup
-
-from upright.atomic import write_text
 from upright.pages.blocks import Block, Page, Picture
 from upright.pages.cells import columns_of
 from upright.pages.words import chosen, translated
@@ -22,8 +18,8 @@ if TYPE_CHECKING:
 
 def document(page: Page, command: str = "") -> str:
     """The whole page: style, script and drawings inside, nothing fetched; `command` made it, and stands at its foot."""
-    style = Markup(_read("style.css"))
-    script = Markup(_read("hover.js"))
+    style = _read("style.css")
+    script = _read("hover.js")
     return _template("page.html").render(page=page, command=command, language=chosen(), style=style, script=script)
 
 
@@ -32,17 +28,10 @@ def fragment(page: Page) -> str:
     return _template("fragment.html").render(page=page)
 
 
-def write(page: Page, path: str | Path, command: str = "") -> Path:
-    """Write the document as UTF-8, whole or not at all; raises `UprightError` where that cannot be done."""
-    return write_text(path, document(page, command))
-
-
-def marked(text: object) -> Markup:
+def marked(text: object) -> str:
     """Text as HTML: a name in backticks is code, a letter with an index, such as J_ψ, has a subscript."""
     parts = _CODE.split(escape(str(text)))  # prose and code by turns
-    return Markup(
-        "".join(f"<code>{p}</code>" if i % 2 else _INDEX.sub(r"\1<sub>\2</sub>", p) for i, p in enumerate(parts))
-    )
+    return "".join(f"<code>{p}</code>" if i % 2 else _INDEX.sub(r"\1<sub>\2</sub>", p) for i, p in enumerate(parts))
 
 
 _INDEX = re.compile(r"\b([A-Za-zα-ωΔ]\u0307?)_(\w)\b")
@@ -54,11 +43,11 @@ def kind(block: Block) -> str:
     return type(block).__name__.lower()
 
 
-def drawings(picture: Picture) -> list[Markup]:
+def drawings(picture: Picture) -> list[str]:
     """The picture as SVG, for a page and for a phone."""
     from upright.pages.drawing import svg
 
-    return [Markup(svg(picture, narrow=narrow)) for narrow in (False, True)]
+    return [svg(picture, narrow=narrow) for narrow in (False, True)]
 
 
 def _read(name: str) -> str:

@@ -7,7 +7,7 @@ import textwrap
 import unicodedata
 from collections.abc import Iterator, Sequence
 
-from upright.pages.blocks import Block, Fold, Formula, Items, Number, Page, Picture, Table
+from upright.pages.blocks import Block, Fold, Formula, Items, KeyNumber, Page, Picture, Table
 from upright.pages.cells import Text, columns_of
 from upright.pages.words import Say
 
@@ -39,7 +39,7 @@ def _head(page: Page, width: int, colour: bool) -> Iterator[str]:
             yield wrapped(f"  {step.why}", width, indent=2)
 
 
-def _numbers(numbers: Sequence[Number], width: int) -> Iterator[str]:
+def _numbers(numbers: Sequence[KeyNumber], width: int) -> Iterator[str]:
     values = [str(number.value) for number in numbers]
     wide = max(map(length, values), default=0)
     for value, number in zip(values, numbers, strict=True):

@@ -80,7 +80,7 @@ class Say:
         self.facts = facts
 
     def __str__(self) -> str:
-        return translated(self.template).format(**{name: said(fact) for name, fact in self.facts.items()})
+        return translated(self.template).format(**{name: text_of(fact) for name, fact in self.facts.items()})
 
     def __repr__(self) -> str:
         return f"Say({str(self)!r})"
@@ -95,10 +95,10 @@ class Say:
 Fact = Any  # Say | Quantity | int | str | Sequence[Fact]
 
 
-def said(fact: Fact) -> str:
+def text_of(fact: Fact) -> str:
     """A fact as text."""
     if isinstance(fact, Sequence) and not isinstance(fact, str):
-        return ", ".join(map(said, fact))
+        return ", ".join(map(text_of, fact))
     return str(fact)
 
 

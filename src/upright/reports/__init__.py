@@ -8,6 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from upright.errors import UprightError
+from upright.pages import Result
+from upright.pages.result import write_page
 from upright.reports.figure import Figure as Figure
 from upright.reports.following import completed
 from upright.reports.head import Verdict as Verdict
@@ -21,7 +23,7 @@ from upright.reports.page import Table as Table
 PAGES = {
     "Comparison": "comparing", "Calibration": "calibration", "MethodComparison": "identification",
     "ExcitationPlan": "excitation", "Analysis": "analysis", "Designed": "analysis", "Certificate": "certificate",
-    "PostMortem": "postmortem", "Fleet": "fleet", "Dataset": "fleet", "Bench": "bench",
+    "PostMortem": "postmortem", "Dataset": "fleet", "Bench": "bench",
     "Cases": "campaign", "Tuned": "tuning", "Validation": "validation", "Diagnosis": "diagnosed", "Parity": "checked",
     "LinearModel": "checked",
 }  # fmt: skip
@@ -37,6 +39,8 @@ def report(result: Any, path: str | Path, *, title: str = "", command: str = "")
     its foot. Raises `UprightError` for a result without a
     page, or where the file cannot be written.
     """
+    if isinstance(result, Result):
+        return write_page(result.page(), path, command)
     return finished(result, title=title, command=command).write(path)
 
 

@@ -201,7 +201,7 @@ def find_kit(kit: Kit | str | Path) -> Kit:
     return Kit.load(kit) if toml.is_path(kit) else Kit.preset(str(kit))
 
 
-def quantity_of(number: str) -> toml.Quantity:
+def quantity_of(number: str) -> toml.Meaning:
     """Unit and meaning of a `number` as a kit's file names it, such as `motor.limit` or `sensors.gyro.noise`."""
     *place, name = number.split(".")
     if place[:1] == ["sensors"]:

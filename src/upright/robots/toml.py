@@ -91,18 +91,18 @@ def quantity(unit: str, default: float | None = None, meaning: str = "", *, only
     return field(metadata=metadata) if default is None else field(default=default, metadata=metadata)
 
 
-class Quantity(NamedTuple):
+class Meaning(NamedTuple):
     """The units in which a number may be stated, the first when it is written, and what it means."""
 
     units: tuple[str, ...]
     meaning: str
 
 
-def quantities(kind: Any, signal: Signal | None = None) -> dict[str, Quantity]:
+def quantities(kind: Any, signal: Signal | None = None) -> dict[str, Meaning]:
     """The numbers of a part by name; of a sensor, those that there are of its `signal`."""
     channel, unit = (signal.name, signal.unit) if signal else ("", "")
     return {
-        f.name: Quantity(tuple(f.metadata["unit"].format(unit).split(" or ")), f.metadata["meaning"])
+        f.name: Meaning(tuple(f.metadata["unit"].format(unit).split(" or ")), f.metadata["meaning"])
         for f in fields(kind)
         if f.metadata and f.metadata["only"] in ("", channel)
     }
