@@ -14,9 +14,10 @@ import pytest
 
 import budget
 import upright
+from upright.languages import LANGUAGES, speaking
 from upright.pages import Column, Fold, KeyNumber, Next, Page, Quantity, Say, Table, Verdict, html, terminal
 from upright.pages.terms import term
-from upright.pages.words import _FORMS, LANGUAGES, catalogue, speaking
+from upright.pages.words import _FORMS, catalogue
 from upright.robots import PARAMETERS
 
 SOURCE = Path(upright.__file__).parent

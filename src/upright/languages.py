@@ -6,9 +6,11 @@ A figure is drawn once, in English; its words are replaced while it is shown. Wh
 from __future__ import annotations
 
 import functools
+import os
 import re
 from collections.abc import Collection, Generator, Mapping
 from contextlib import contextmanager
+from contextvars import ContextVar
 from typing import Any
 
 from upright.errors import UnknownName
@@ -110,20 +112,44 @@ SPANISH = {
 
 LANGUAGES = {"en": {}, "es": SPANISH}
 
+ENGLISH = "en"
+
 _words: dict[str, str] = {}
+_language: ContextVar[str | None] = ContextVar("language", default=None)
 
 
-def language(name: str = "en", words: Mapping[str, str] | None = None) -> None:
-    """From now on, figures and tables that a notebook shows are in English ("en") or Spanish ("es"), with its commas.
+def chosen() -> str:
+    """The language of all text: that of `language` or `speaking`, else of UPRIGHT_LANG, else English."""
+    asked = _language.get() or os.environ.get("UPRIGHT_LANG", "")[:2]
+    return asked if asked in LANGUAGES else ENGLISH
 
-    `words` of your own, such as names of runs, go from English to that language. What `print` writes, and reports,
-    stay English. Raises `UnknownName` for another language.
+
+@contextmanager
+def speaking(name: str) -> Generator[None]:
+    """Text is in this language as long as the block runs; raises `UnknownName`."""
+    before = _language.set(_known(name))
+    try:
+        yield
+    finally:
+        _language.reset(before)
+
+
+def language(name: str = ENGLISH, words: Mapping[str, str] | None = None) -> None:
+    """From now on text is in English ("en") or Spanish ("es"), with its decimal comma.
+
+    `words` of your own, such as names of runs in figures, go from English to that language. Raises `UnknownName` for
+    another language.
     """
+    _language.set(_known(name))
+    _words.clear()
+    _words.update(LANGUAGES[name], **(words or {}) if name != ENGLISH else {})
+    _patterns.cache_clear()
+
+
+def _known(name: str) -> str:
     if name not in LANGUAGES:
         raise UnknownName("language", name, list(LANGUAGES))
-    _words.clear()
-    _words.update(LANGUAGES[name], **(words or {}) if name != "en" else {})
-    _patterns.cache_clear()
+    return name
 
 
 _NUMBER = r"[±+−-]? ?\d*\.?\d+(?:e[+-]?\d+)?(?: · 10[⁻⁰¹²³⁴-⁹]+)?(?: ?[%°])?"

@@ -18,6 +18,7 @@ import typer
 from upright.atomic import json_text, place_of, write_json
 from upright.cli.typed import GIVEN, TYPED
 from upright.errors import UprightError, require
+from upright.languages import ENGLISH, speaking
 from upright.pages import Next, Say
 from upright.pages import Page as NewPage
 from upright.pages import Result as Shown
@@ -89,7 +90,8 @@ def _print_page(page: NewPage, data: str | dict[str, Any], written: Iterable[Pat
     """Print a page for people, or its head as JSON beside the `data`; the files `written` end it."""
     page = _continued(page)
     if not isinstance(data, str):
-        print_json({"head": page.head()} | data)
+        with speaking(ENGLISH):  # what a program reads is in one language
+            print_json({"head": page.head()} | data)
         return
     terminal = sys.stdout.isatty()
     width = shutil.get_terminal_size().columns if terminal else WIDTH

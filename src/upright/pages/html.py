@@ -8,9 +8,10 @@ from html import escape
 from importlib import resources
 from typing import TYPE_CHECKING
 
+from upright.languages import chosen
 from upright.pages.blocks import Block, Page, Picture
 from upright.pages.cells import columns_of
-from upright.pages.words import chosen, translated
+from upright.pages.words import translated
 
 if TYPE_CHECKING:
     from jinja2 import Template

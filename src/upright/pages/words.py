@@ -9,48 +9,17 @@ from __future__ import annotations
 import functools
 import json
 import math
-import os
-from collections.abc import Generator, Mapping, Sequence
-from contextlib import contextmanager
-from contextvars import ContextVar
+from collections.abc import Mapping, Sequence
 from importlib import resources
 from typing import Any
 
-from upright.errors import UnknownName
-
-LANGUAGES = ("en", "es")
-_language: ContextVar[str | None] = ContextVar("language", default=None)
-
-
-def chosen() -> str:
-    """The language of all text: that of `speaking` or `speak`, else of UPRIGHT_LANG, else English."""
-    asked = _language.get() or os.environ.get("UPRIGHT_LANG", "")[:2]
-    return asked if asked in LANGUAGES else LANGUAGES[0]
-
-
-def speak(language: str) -> None:
-    """From now on text is in this language; raises `UnknownName`."""
-    if language not in LANGUAGES:
-        raise UnknownName("language", language, LANGUAGES)
-    _language.set(language)
-
-
-@contextmanager
-def speaking(language: str) -> Generator[None]:
-    """Text is in this language as long as the block runs; raises `UnknownName`."""
-    if language not in LANGUAGES:
-        raise UnknownName("language", language, LANGUAGES)
-    before = _language.set(language)
-    try:
-        yield
-    finally:
-        _language.reset(before)
+from upright.languages import ENGLISH, chosen
 
 
 @functools.cache
 def catalogue(language: str) -> Mapping[str, str]:
     """English template → template in another language."""
-    if language == LANGUAGES[0]:
+    if language == ENGLISH:
         return {}
     return json.loads(resources.files("upright.pages").joinpath(f"{language}.json").read_text("utf-8"))
 
