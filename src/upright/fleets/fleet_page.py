@@ -10,7 +10,7 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.experiment.described import pushes_in_words
-from upright.fleets.binomial import MOST_FALLS, RARE, upper_bound
+from upright.fleets.binomial import MOST_FALLS, RARE
 from upright.fleets.origin import made_of, names_varied, spreads_table
 from upright.fleets.results import OUTCOME_NAMES, origin_of
 from upright.pages import Block, Column, Fold, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
@@ -70,14 +70,14 @@ def fleet_page(data: Dataset, summary: Summary) -> Page:
 
 def _verdict(summary: Summary, pushed: bool, varied: int) -> Verdict:
     """A certificate pushes and varies every number: without that, few falls are no green light."""
-    most = Quantity(None, "fraction", high=upper_bound(summary.fell, summary.n), digits=2)
+    most = Quantity(None, "fraction", high=summary.chance.high, digits=2)
     if summary.fell > MOST_FALLS * summary.n:
         return Verdict(Say("too many fall: {most}", most=most), "bad")
     if not pushed:
         return Verdict(Say("nobody pushed them"))
     if varied <= FEW:
         return Verdict(Say("only {n} numbers varied: no certificate", n=varied))
-    if upper_bound(summary.fell, summary.n) <= MOST_FALLS:
+    if summary.chance.high <= MOST_FALLS:
         return Verdict(Say("few fall: {most}", most=most), "good")
     return Verdict(Say("too few robots to tell: {most} fall", most=most), "warn")
 
@@ -90,7 +90,7 @@ def _numbers(summary: Summary) -> list[KeyNumber]:
     rare = chance.value <= RARE
     falls = Quantity(
         None, "fraction", low=None if rare else chance.low,
-        high=upper_bound(summary.fell, summary.n) if rare else chance.high, digits=2,
+        high=chance.high, digits=2,
     )  # fmt: skip
     numbers = [KeyNumber(falls, Say("of such robots fall (95 % confidence)"))]
     meanings = {
