@@ -249,7 +249,7 @@ def largest_pushes() -> None:
     ensemble = Ensemble(family=family, controller=find_controller("lqr", ROBOT, family.kit))
     grid = PushGrid(heights=np.linspace(0.0, ROBOT.body_height, 64), durations=np.linspace(0.01, 0.5, 64))
     wall, used = time.perf_counter(), time.process_time()
-    data = push_map(ensemble, grid, samples=200, threads=2)
+    data = push_map(ensemble, grid, samples=200, threads=2).data
     wall, used = time.perf_counter() - wall, time.process_time() - used
     runs = json.loads(data.attrs["origin"])["push_map"]["runs"]
     print(f"\npush map, 64 × 64 points in both directions, band of 200 samples (bar 60 s): {wall:.1f} s", end="")

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 import shutil
 import signal
+import sys
 import tempfile
 import time
 from collections.abc import Callable
@@ -18,11 +20,14 @@ from conftest import PATIENCE
 from upright.cli.fleet import sweep
 from upright.cli.main import main
 from upright.errors import InvalidScenario, UnknownName, UprightError
+from upright.experiment.pushes import Impulse, Slope
 from upright.fleets import workers
+from upright.fleets.binomial import clopper_pearson, upper_bound
 from upright.fleets.campaign import chunk_path, collect, run_campaign
+from upright.fleets.cases import Cases
 from upright.fleets.fleet import ensemble_of
 from upright.fleets.sweep import campaign_of, read_campaign
-from upright.fleets.tally import Moments
+from upright.fleets.tally import CaseSummary, Moments
 
 SPEC = """
 robots = ["nxtway-gs"]
@@ -242,6 +247,7 @@ def test_a_full_disk_is_one_line_and_the_campaign_goes_on_from_there(spec, alone
     def on_full_disk():
         import resource
 
+        sys.dont_write_bytecode = True  # else what is imported here first stays cut off for later processes
         resource.setrlimit(resource.RLIMIT_FSIZE, (largest - 1, largest - 1))
         return main(command)
 
@@ -280,6 +286,76 @@ def test_all_runs_come_together_and_the_tally_is_theirs(spec, alone):
         assert found == pytest.approx(
             (stood.size, stood.mean(), stood.std(ddof=1), stood.min(), stood.max()), rel=1e-12
         )
+
+
+def campaign_with(fell, n=200, names=("robot", "controller", "scenario", "motor.dead_zone")):
+    """Cases by their labels, each with how many of its robots fell."""
+    return Cases(CaseSummary(dict(zip(names, key, strict=False)), n, k, clopper_pearson(k, n), {}) for key, k in fell)
+
+
+def test_a_campaign_is_ranked_by_falls_and_what_nobody_survived_has_a_dash():
+    stood = {"effort": Moments().with_values(np.array([2.0, 4.0]))}
+    cases = Cases((
+        CaseSummary({"robot": "a"}, 100, 0, clopper_pearson(0, 100), stood),
+        CaseSummary({"robot": "b"}, 100, 100, clopper_pearson(100, 100), {"effort": Moments()}),
+    ))  # fmt: skip
+    (ax,) = cases.plot().axes
+    assert [label.get_text() for label in ax.get_yticklabels()] == ["b", "a"]
+    # where none of the 100 fell, the line ends at 1 − 0.05^(1/100)
+    (lines,) = ax.collections
+    assert lines.get_segments()[-1][:, 0].tolist() == pytest.approx([0.0, 100 * upper_bound(0, 100)])
+    text = str(cases)
+    assert "with b 100 % fall, with a 0 %." in text
+    assert [line.split() for line in text.splitlines()[-2:]] == [["b", "100", "100", "–"], ["a", "0", "100", "3"]]
+
+
+def test_a_campaign_names_the_case_that_falls_and_not_its_mean_with_those_that_stand():
+    """All of b fall when knocked and 3 % on a slope: 51 % is what no case has."""
+    fell = {("a", "x", "knock"): 0, ("a", "x", "slope"): 0, ("b", "x", "knock"): 100, ("b", "x", "slope"): 3}
+    page = campaign_with(fell.items(), 100).page()
+    assert str(page.title) == "Worst case (b, knock): 100\u00a0% of the robots fall"
+    low = math.floor(100 * clopper_pearson(100, 100).low)
+    assert [str(number.value) for number in page.numbers] == [f"{low} to 100\u00a0%", "2 of 4"]
+    assert (str(page.verdict.text), page.verdict.level) == ("too many fall in 1 of 4 cases", "bad")
+
+
+def test_cases_without_a_clear_difference_are_counted_together():
+    knocked = {("a", "lqr", "knock"): 117, ("a", "hinf", "knock"): 116, ("b", "hinf", "knock"): 8}
+    others = {("b", "hinf", "slope"): 9, ("b", "lqr", "knock"): 0, ("b", "lqr", "slope"): 0, ("a", "lqr", "slope"): 4,
+              ("a", "hinf", "slope"): 0}  # fmt: skip
+    cases = campaign_with(((*key, zone), k) for key, k in (knocked | others).items() for zone in (0.0, 0.4))
+    # 9 of 200 [2.1, 8.4] % are apart from 0 of 200 [0, 1.8] %: on b's slope the controller matters, the zone nowhere
+    assert cases.alike() == ["motor.dead_zone"]
+    page = cases.page()
+    (ax,) = page.picture.draw().axes
+    rows = [label.get_text() for label in ax.get_yticklabels()]
+    assert len(rows) == 8
+    assert rows[:4] == ["a, lqr, knock", "a, hinf, knock", "b, hinf, slope", "b, hinf, knock"]
+    assert [text.get_text() for text in ax.texts][:4] == ["58.5 %", "58 %", "4.5 %", "4 %"]
+    # the same 200 robots stood for both dead zones: their interval is that of 200
+    merged = cases.merged(["motor.dead_zone"])
+    assert [(case.n, case.fell) for case in merged.worst_first()[:2]] == [(200, 117), (200, 116)]
+    assert merged.worst_first()[0].chance == pytest.approx(clopper_pearson(117, 200))
+    name, levels = cases.decisive()
+    assert (name, list(levels)) == ("scenario", ["knock", "slope"])
+
+
+def test_a_campaign_says_what_is_done_in_each_scenario():
+    cases = campaign_with({("a", "x", "knock"): 0, ("a", "x", "hill"): 0}.items(), 100)
+    pushes = ((Impulse(impulse=0.3),), (Slope(angle=0.1),))
+    cases.origins = [ensemble_of("nxtway-gs", pushes=push).origin() for push in pushes]
+    (items,) = [block.blocks[0] for block in cases.page().blocks if str(getattr(block, "heading", "")) == "Scenarios"]
+    assert [str(item).replace("\u00a0", " ") for item in items.items] == [
+        "knock: a knock of 0.3 N s", "hill: a slope of 5.73°",
+    ]  # fmt: skip
+    # the cases have the same 100 robots: none of 200 would bound falls twice as well (1 − 0.05^(1/100) = 3.0 %)
+    assert str(cases.page().numbers[0].value) == "at most 3\u00a0%"
+
+
+def test_a_campaign_is_judged_by_the_bound_of_its_worst_case():
+    # 4 of 100 fell, but with 95 % confidence up to 8.9 % may (Clopper and Pearson), which a certificate counts
+    levels = [campaign_with({("a",): fell}.items(), 100).page().verdict.level for fell in (0, 4, 30)]
+    assert levels == ["good", "warn", "bad"]
 
 
 def test_moments_merge_to_those_of_the_whole():
@@ -348,5 +424,5 @@ def test_only_what_is_asked_for_is_kept(tmp_path, capsys):
     path = tmp_path / "c.toml"
     path.write_text(SPEC.replace("n = 24", "n = 20").replace("seed = 3", "seed = 3\nkeep = ['fell', 'effort']"))
     sweep(path, workers=0)
-    assert capsys.readouterr().out.startswith("Verdict: ")
+    assert "Worst case" in capsys.readouterr().out
     assert set(collect(tmp_path / "c").data_vars) == {"fell", "effort", "case"}

@@ -6,7 +6,6 @@ import json
 import math
 import re
 import sys
-from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -22,18 +21,19 @@ from upright.errors import InvalidLog, InvalidScenario, UnknownName, UprightErro
 from upright.experiment import Drive, Hold, Impulse, Push, Slope, run
 from upright.experiment.pushes import combined
 from upright.fleets.basin import Axis, basin, islands
+from upright.fleets.basin_page import smooth
 from upright.fleets.binomial import clopper_pearson, upper_bound
+from upright.fleets.cases import Cases
 from upright.fleets.ensemble import Ensemble, tables
-from upright.fleets.fleet import ensemble_of, fleet
+from upright.fleets.fleet import Fleet, ensemble_of, fleet
+from upright.fleets.fleet_page import falls_of
+from upright.fleets.maps import Basin, PushMap
 from upright.fleets.push_map import PushGrid, first_border, largest, push_map, robot_seconds
-from upright.fleets.results import Summary, labelled, load, origin_of, save, summarise
-from upright.fleets.tally import Cases, CaseSummary
+from upright.fleets.results import labelled, load, origin_of, save, summarise
+from upright.fleets.tally import CaseSummary
 from upright.fleets.vary import variation, varied, with_number
 from upright.kernel.batch import parameters_of
 from upright.plotting import colour_map
-from upright.reports.basins import _between, basin_figure
-from upright.reports.fleet import page_of
-from upright.reports.maps import push_map_figures
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import Family, Uncertainty
 
@@ -156,7 +156,7 @@ def test_a_controller_of_ones_own_drives_a_fleet_and_a_push_map():
     assert own["peak_pitch"].values == pytest.approx(known["peak_pitch"].values, rel=1e-6)
     grid = PushGrid(heights=np.array([0.0]), durations=np.array([0.1]))
     known, own = (push_map("nxtway-gs", grid, samples=2, nodes=(1, 1), controller=c) for c in (design, Own(design)))
-    assert np.array_equal(known["impulse"].values, own["impulse"].values)
+    assert np.array_equal(known.data["impulse"].values, own.data["impulse"].values)
 
 
 OWN = """
@@ -279,13 +279,12 @@ def test_each_bound_of_a_share_is_clopper_and_pearsons_and_that_of_a_certificate
 
 @pytest.mark.parametrize(("fell", "n"), [(0, 100), (4, 100), (60, 100), (100, 100)])
 def test_every_table_of_falls_has_the_bounds_of_one_meaning(fell, n):
-    """A fleet's words, a campaign's table and the bound by which a certificate judges the same count."""
-    chance = clopper_pearson(fell, n)
-    most = f"{binomtest(fell, n, alternative='less').proportion_ci(method='exact').high:.2g}"
-    assert f"at most {most}; 95 % confidence of each" in str(Summary(n, fell, chance, {}, {}))
-    table = Cases((CaseSummary({"robot": "a"}, n, fell, chance, {}),))
-    assert f"{most})" in str(table)
-    assert "fell (each bound: 95 %)" in str(table)
+    """A fleet's number, a campaign's number and the bound by which a certificate judges the same count."""
+    most = binomtest(fell, n, alternative="less").proportion_ci(method="exact").high
+    assert falls_of(fell, n).high == pytest.approx(most)
+    table = Cases((CaseSummary({"robot": "a"}, n, fell, clopper_pearson(fell, n), {}),))
+    assert table.page().numbers[0].value.high == pytest.approx(most)
+    assert table.to_json()["cases"][0]["chance"]["high"] == pytest.approx(most)
 
 
 @pytest.fixture(scope="module")
@@ -333,38 +332,31 @@ def test_the_summary_counts_falls_and_leaves_the_fallen_out(results):
     assert summary.fell == int((~stood).sum())
     assert summary.quantiles["travel"][1] == pytest.approx(np.median(results["travel"].values[stood]))
     json.dumps(summary.to_json(), allow_nan=False)
-    page = page_of(results).html()
-    assert f"{summary.fell} of 100 robots fell" in page
+    assert str(Fleet(results, summary).page().title) == f"{summary.fell} of 100 robots fell"
 
 
-def test_falls_that_chance_explains_have_no_cause_and_no_chart_of_one(results):
+def test_falls_that_chance_explains_have_no_cause(results):
     """1 of 500 fell, and the page drew that "falls follow torque constant most", below the size that chance makes.
     Here 12 fall whatever their numbers are; then those with the highest centre of mass do."""
-    from upright.reports.fleet import influence
-
     chance, clear, one = (results.copy(deep=True) for _ in range(3))
     for data, rows in ((chance, np.arange(0, 96, 8)), (one, [7]),
                        (clear, np.argsort(results["com_height"].values)[-12:])):  # fmt: skip
         data["fell"].values[:] = 0
         data["fell"].values[rows] = 1
-    assert "No varied number clearly tells which fall." in page_of(chance).lead
-    assert "1 fall is too few to tell why." in page_of(one).lead
-    pictures = [page_of(data).picture for data in (chance, one, clear)]
-    assert [bool(p and "robots with the least centre of mass height" in p.title) for p in pictures] == [0, 0, 1]
-    figure = influence(chance, "fell")
-    assert figure is not None
-    assert figure.title.startswith("Chance alone may make these")
+    found = [summarise(data).influence for data in (chance, one, clear)]
+    assert [follows.outcome for follows in found] == ["fell", "peak_pitch", "fell"]  # one fall is too few
+    assert found[0].strongest is None
+    assert found[2].strongest == "com_height"
+    assert "com_height" in str(Fleet(clear, summarise(clear)).to_json()["result"]["influence"])
 
 
 def test_without_a_push_there_is_no_settling_and_one_limit(results):
-    page = page_of(results)
-    words = [words for _, words in page.numbers]
-    assert not any("push" in text for text in words)
-    assert page.verdict is not None
     standing = results.copy(deep=True)
     standing["fell"].values[:] = 0
-    assert page_of(standing).verdict.text == "not pushed"
-    assert page_of(standing).numbers[0][0] == "≤ 3 %"  # 1 − 0.05^(1/100)
+    page = Fleet(standing, summarise(standing)).page()
+    assert not any("push" in str(number.meaning) for number in page.numbers)
+    assert str(page.verdict.text) == "nobody pushed them"
+    assert str(page.numbers[0].value) == "at most 3\u00a0%"  # 1 − 0.05^(1/100)
 
 
 # The largest push
@@ -395,7 +387,7 @@ def small_map():
     kit = Kit(name="limited", motor=Kit.preset("ideal").motor.__class__(limit=8.0))
     ensemble = bare(family=Family(ROBOT, kit, ensemble.family.uncertainty))
     grid = PushGrid(heights=np.array([0.05, 0.1, 0.144]), durations=np.array([0.02, 0.1, 0.2]))
-    return ensemble, push_map(ensemble, grid, samples=20, nodes=(3, 2), watch=3.0)
+    return ensemble, push_map(ensemble, grid, samples=20, nodes=(3, 2), watch=3.0).data
 
 
 @pytest.mark.parametrize(("gap", "border"), [((0.6, 0.7), 0.6), ((0.36, 0.99), 0.36), ((2.0, 3.0), 1.0)])
@@ -448,7 +440,7 @@ def test_the_band_is_that_of_robots_searched_one_by_one(small_map):
     grid = PushGrid(directions=(1,), heights=np.array([0.1]), durations=np.array([0.1]))
     alone = [
         float(push_map(bare(family=Family(ROBOT.replace(com_height=float(h)), ensemble.family.kit)), grid, samples=0,
-                       watch=3.0)["impulse"].item())
+                       watch=3.0).data["impulse"].item())
         for h in heights[:20]
     ]  # fmt: skip
     at = data.sel(direction="forward", height=0.1, duration=0.1)
@@ -462,7 +454,7 @@ def test_the_band_is_that_of_robots_searched_one_by_one(small_map):
 
 def test_a_basin_is_symmetric_holds_upright_and_agrees_with_single_runs():
     kit = Kit(name="limited", motor=Kit.preset("ideal").motor.__class__(limit=8.0))
-    data = basin(bare(family=Family(ROBOT, kit)), Axis("pitch", -1.2, 1.2, 13), Axis("pitch_rate", -12, 12, 11))
+    data = basin(bare(family=Family(ROBOT, kit)), Axis("pitch", -1.2, 1.2, 13), Axis("pitch_rate", -12, 12, 11)).data
     share = data["recovered"].values
     assert (share == share[::-1, ::-1]).all()  # x → −x, u → −u maps motions into motions
     assert share[6, 5] == 1.0
@@ -477,7 +469,7 @@ def test_a_basin_is_symmetric_holds_upright_and_agrees_with_single_runs():
 
 def test_a_basin_over_a_family_is_a_share():
     family = Family(ROBOT, None, variation("motor_resistance=±60%", ROBOT))
-    data = basin(bare(family=family), Axis("pitch", 0.0, 1.3, 9), Axis("wheel_rate", -20, 20, 3), samples=8)
+    data = basin(bare(family=family), Axis("pitch", 0.0, 1.3, 9), Axis("wheel_rate", -20, 20, 3), samples=8).data
     assert set(np.unique(data["recovered"].values * 8)) <= set(range(9))
     with pytest.raises(UnknownName, match="pitch_rate"):
         Axis("pitch_rat", 0, 1)
@@ -503,20 +495,64 @@ def test_a_map_draws_every_cell_in_its_colour_and_leaves_out_what_is_not_known()
     assert light[1, 2] == pytest.approx(1)  # paper
 
 
-def test_pages_of_maps_are_well_formed(small_map, tmp_path):
+def test_pages_of_maps_hold_what_is_in_their_json_and_come_back_from_a_file(small_map, tmp_path):
     data = small_map[1]
-    assert len(push_map_figures(data)) == 2  # a map and its slices; this robot is alike forward and backward
-    uneven = data.copy(deep=True)
-    uneven["impulse"].loc[{"direction": data["direction"].values[-1]}] *= 0.8  # more than `ALIKE` off
-    figures = push_map_figures(uneven)
-    assert len(figures) == 4  # the same for each direction
-    for figure in figures:
-        ElementTree.fromstring(figure.svg())
-    assert_identical(load(save(data, tmp_path / "map.parquet")), data)  # texts, numbers and truths
-    assert "still stands 3 s later" in page_of(data).html().replace("\u00a0", " ")  # `watch`, and the default tolerance
+    saved = load(save(data, tmp_path / "map.parquet"))
+    assert_identical(saved, data)  # texts, numbers and truths
+    found = PushMap(saved).to_json()
+    json.dumps(found, allow_nan=False)
+    for way in ("forward", "backward"):
+        part = data.sel(direction=way)
+        place = found["result"][way]
+        assert place["impulse"] == part["impulse"].values.min()
+        assert part["impulse"].sel(height=place["height"], duration=place["duration"]) == place["impulse"]
+    # ROBOT's centre of mass is between the heights, and the shortest push lasts as long as a knock: linear between two
+    at = np.interp(ROBOT.com_height, data["height"], data["impulse"].min("direction").sel(duration=0.02))
+    assert found["result"]["at_centre"] == pytest.approx(at)
+    page = PushMap(saved).page()
+    assert f"at least {1e-3 * math.floor(1e3 * data['impulse'].values.min()):.3g}" in str(page.title)
+    assert page.next[0].command == "upright certify lqr --robot nxtway-gs"
+    assert len(page.picture.draw().axes) == 2
     cut = basin(bare(seconds=1.0), Axis("pitch", -1.0, 1.0, 5), Axis("wheel", -1, 1, 3))
-    ElementTree.fromstring(basin_figure(cut).svg())
-    assert "still stands 1 s later" in page_of(cut).html().replace("\u00a0", " ")
+    back = Basin(load(save(cut.data, tmp_path / "basin.parquet")))
+    assert str(back) == str(cut)
+    assert "stands 1 s later" in str(cut).replace("\n", " ")
+    assert len(cut.plot().axes) == 1
+
+
+def planted_basin(recovered, able=None):
+    """A basin over −0.3 to 0.3 rad, and −2 to 2 rad/s."""
+    import xarray as xr
+
+    coords = {"pitch": ("pitch", np.linspace(-0.3, 0.3, 7), {"unit": "rad"}),
+              "pitch_rate": ("pitch_rate", np.linspace(-2, 2, 5), {"unit": "rad/s"})}  # fmt: skip
+    values = {"recovered": (("pitch", "pitch_rate"), recovered), "island": (("pitch", "pitch_rate"), recovered > 2)}
+    origin = bare().origin() | {"basin": {"samples": 1, "saved_by_any": able}}
+    return Basin(xr.Dataset(values, coords, {"origin": json.dumps(origin)}))
+
+
+def test_a_basin_says_from_where_it_recovers_round_rest():
+    recovered = np.zeros((7, 5))
+    recovered[2:5, 2] = 1.0  # −0.1 to 0.1 rad at no rate
+    recovered[6, 2] = 1.0  # apart from rest
+    recovered[3, 1:3] = 1.0  # −1 to 0 rad/s upright
+    found = planted_basin(recovered, able=0.25)
+    assert found.to_json()["result"]["ranges"] == {"pitch": pytest.approx((-0.1, 0.1)), "pitch_rate": (-1.0, 0.0)}
+    page = found.page()
+    assert "−5.73° to 5.73°" in str(page.title)  # 0.1 rad
+    assert [str(number.value) for number in page.numbers][:2] == ["−57.3°/s to 0°/s", "14°"]
+    recovered[3, 2] = 0.0
+    assert planted_basin(recovered).page().verdict.level == "bad"
+
+
+def test_a_basin_knows_what_any_controller_could_save():
+    from upright.control.reach import largest_pitch
+
+    kit = Kit.preset("nxt")
+    found = basin(ensemble_of("nxtway-gs", seconds=0.2), Axis("pitch", -0.1, 0.1, 3), Axis("pitch_rate", -1, 1, 3))
+    assert found.to_json()["result"]["saved_by_any"] == largest_pitch(ROBOT, kit)
+    other = basin(bare(seconds=0.2), Axis("yaw", -0.1, 0.1, 3), Axis("pitch_rate", -1, 1, 3))
+    assert other.to_json()["result"]["saved_by_any"] is None
 
 
 # The verbs
@@ -542,7 +578,7 @@ def test_the_smooth_border_of_a_basin_keeps_every_state_on_its_side():
     across, up = np.meshgrid(np.linspace(-1, 1, 31), np.linspace(-1, 1, 31), indexing="ij")
     stood = (across**2 + 3 * across * up + 4 * up**2 < 0.5).astype(float)
     stood[2, 2] = 1.0  # an island of one state
-    field = _between(stood)
+    field = smooth(stood)
     assert ((field > 0.5) == (stood > 0.5)).all()
     assert max(np.abs(np.diff(field, axis=k)).max() for k in (0, 1)) < 0.6  # a stair jumps from 0 to 1
 
@@ -579,7 +615,7 @@ def test_the_commands_write_what_they_say(tmp_path, capsys):
     assert load(target).sizes["robot"] == 50
     assert page.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
     basin_command(kit="ideal", points=5, seconds=1.0)
-    assert "recovers from" in capsys.readouterr().out
+    assert "nxtway-gs recovers from a pitch of" in capsys.readouterr().out
     with pytest.raises(UprightError, match="mkdir"):
         fleet_command(kit="ideal", samples=1, output=tmp_path / "none" / "f.parquet")
     with pytest.raises(InvalidScenario, match="0 robots in a fleet"):
@@ -600,9 +636,6 @@ def test_a_fleet_says_whether_what_was_varied_matters() -> None:
     data = fleet("nxtway-gs", 200, kit="nxt", vary={"com_height": "±10%"}, seconds=0.5, seed=4, threads=1).data
     height = data["com_height"].values
     order = np.argsort(np.argsort(height))
-    for ranks, says in ((order, "follows centre of mass height clearly"), (order * 61 % 200, "no visible difference")):
+    for ranks, strongest in ((order, "com_height"), (order * 61 % 200, None)):
         data["peak_pitch"].values[:] = 0.01 + 1e-4 * ranks
-        page = page_of(data)
-        assert says in page.lead
-        assert page.picture is not None
-        assert "the largest pitch is " in page.picture.title
+        assert summarise(data).influence.strongest == strongest

@@ -18,12 +18,11 @@ from upright.reports.head import MOST, WIDTH, Head
 KNOCK = "--push impulse:0.1"
 QUICK = [
     "linearise", "linearise --period 0.01", f"simulate {KNOCK} -s 2", "doctor a.csv",
-    "fleet -n 30 -s 1 --vary com_height=±10%", "basin --points 5 -s 1", "sweep spec.toml --workers 0",
 ]  # fmt: skip
 """One of each kind of head: with a verdict, of either level, and without one; with and without what to run next."""
 
 LONGER = [
-    "simulate -s 1", "compare a.csv b.csv", f"fleet -n 30 -s 2 {KNOCK}", "push-map --points 2 -n 0 --watch 1",
+    "simulate -s 1", "compare a.csv b.csv",
     "grade hand-ins", "bench-controllers -c lqr", "tune lqr --budget 2 --samples 100",
     "identify excited.csv --method instrumental --repeats 1", "post-mortem fall.csv",
 ]  # fmt: skip
@@ -31,16 +30,6 @@ LONGER = [
 
 COMMANDS = [*QUICK, *(pytest.param(command, marks=pytest.mark.evidence) for command in LONGER)]
 EXAMPLES = {"excited.csv": "excited", "fall.csv": "fall", "hand-ins": "handed-in"}
-SPEC = """
-robots = ["nxtway-gs"]
-n = 20
-seconds = 1.0
-vary = ["spread"]
-
-[[scenario]]
-name = "knock"
-push = [{ kind = "impulse", impulse = 0.1, start = 0.2 }]
-"""
 
 
 @pytest.fixture(scope="module")
@@ -49,7 +38,6 @@ def study(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("study")
     for name in "ab":
         assert main(f"simulate {KNOCK} -s 2 --seed {ord(name)} -o {folder / name}.csv".split()) == 0
-    (folder / "spec.toml").write_text(SPEC, "utf-8")
     return folder
 
 

@@ -6,16 +6,23 @@ import ast
 import json
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 
 import budget
 import upright
+from upright.fleets.basin import Axis, basin
+from upright.fleets.binomial import clopper_pearson
+from upright.fleets.cases import Cases
+from upright.fleets.fleet import ensemble_of
+from upright.fleets.push_map import PushGrid
+from upright.fleets.tally import CaseSummary
 from upright.languages import LANGUAGES, speaking
-from upright.pages import Column, Fold, KeyNumber, Next, Page, Quantity, Say, Table, Verdict, html, terminal
+from upright.pages import Column, Fold, KeyNumber, Next, Page, Quantity, Result, Say, Table, Verdict, html, terminal
 from upright.pages.terms import term
 from upright.pages.words import _FORMS, catalogue
 from upright.robots import PARAMETERS
@@ -145,15 +152,39 @@ def test_a_page_that_says_too_much_is_refused() -> None:
         Page(Say("number"), numbers=[one] * 4)
 
 
-def test_every_rendering_has_the_same_numbers() -> None:
-    """A fleet's head as JSON, terminal, page and notebook; in Spanish with its comma."""
-    fleet = upright.fleet("nxtway-gs", 40, controller="lqr", seconds=2.0, pushes=(upright.Impulse(impulse=0.1),))
-    page = fleet.page()
+def a_fleet() -> Result:
+    return upright.fleet("nxtway-gs", 40, seconds=2.0, pushes=(upright.Impulse(impulse=0.1),))
+
+
+def a_push_map() -> Result:
+    grid = PushGrid(heights=np.array([0.05, 0.1]), durations=np.array([0.02, 0.1]))
+    return upright.push_map("nxtway-gs", grid, samples=3, nodes=(1, 1), watch=1.0)
+
+
+def a_basin() -> Result:
+    return basin(ensemble_of("nxtway-gs", seconds=1.0), Axis("pitch", -0.3, 0.3, 5), Axis("pitch_rate", -2, 2, 5))
+
+
+def a_campaign() -> Result:
+    counts = {"lqr": 30, "lqg": 0}
+    return Cases(CaseSummary({"controller": k}, 100, n, clopper_pearson(n, 100), {}) for k, n in counts.items())
+
+
+@pytest.mark.parametrize("make", [a_fleet, a_push_map, a_basin, a_campaign])
+def test_every_rendering_has_the_same_numbers(make: Callable[[], Result]) -> None:
+    """A head as JSON, terminal, page and notebook; in Spanish with its comma."""
+    result = make()
+    page = result.page()
     values = [value.replace("\u00a0", " ") for value, _ in page.head()["numbers"]]
-    assert len(values) == 3
-    for rendered in (str(fleet), html.document(page), fleet._repr_html_(), json.dumps(page.head(), ensure_ascii=False)):
+    assert values
+    json.dumps(result.to_json(), allow_nan=False)
+    head = json.dumps(page.head(), ensure_ascii=False)
+    for rendered in (str(result), html.document(page), result._repr_html_(), head):
         assert all(value in rendered.replace("\u00a0", " ") for value in values)
+    assert max(map(len, str(result).splitlines())) <= 80
     with speaking("es"):
         spanish = terminal.text(page)
-    assert re.findall(r"\d+", spanish.partition("upright")[0]) == re.findall(r"\d+", str(fleet).partition("upright")[0])
-    assert "robots cayeron" in spanish
+    assert re.findall(r"\d+", spanish.partition("upright")[0]) == re.findall(
+        r"\d+", str(result).partition("upright")[0]
+    )
+    assert "Simulación" in spanish

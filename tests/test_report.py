@@ -20,10 +20,9 @@ from upright.comparison.bench import Bench, BenchRow
 from upright.control import design_of, make_controller
 from upright.decimate import decimate
 from upright.errors import InvalidLog, UnknownName, UprightError
-from upright.experiment.pushes import Impulse, Slope
-from upright.fleets.binomial import clopper_pearson, upper_bound
-from upright.fleets.fleet import ensemble_of
-from upright.fleets.tally import Cases, CaseSummary, Moments
+from upright.fleets.binomial import clopper_pearson
+from upright.fleets.cases import Cases
+from upright.fleets.tally import CaseSummary
 from upright.plotting import (
     BESIDE,
     COLOURS,
@@ -41,10 +40,8 @@ from upright.plotting import (
     span,
 )
 from upright.reports import PAGES, Details, Figure, Formula, Page, Section, Table, Verdict, page_of, report
-from upright.reports.campaign import falls_verdict
 from upright.reports.designed import controller_section
 from upright.reports.following import completed
-from upright.reports.knocks import harder
 from upright.reports.page import cell_text
 from upright.robots import Kit, Robot
 from upright.signals import STATE_NAMES, Log
@@ -418,104 +415,10 @@ def test_a_state_without_motion_is_a_sentence_and_no_figure_of_rounding():
     assert [item for item in others if isinstance(item, Figure) and item.title.startswith("Yaw rate,")]
 
 
-def test_a_campaign_is_ranked_by_falls_and_what_nobody_survived_has_a_dash():
-    stood = {"effort": Moments().with_values(np.array([2.0, 4.0]))}
-    cases = Cases((
-        CaseSummary({"robot": "a"}, 100, 0, clopper_pearson(0, 100), stood),
-        CaseSummary({"robot": "b"}, 100, 100, clopper_pearson(100, 100), {"effort": Moments()}),
-    ))  # fmt: skip
-    (ax,) = cases.plot().axes
-    assert [label.get_text() for label in ax.get_yticklabels()] == ["b", "a"]
-    html = page_of(cases).html().replace("\u00a0", " ")
-    assert (
-        "With b 97 to 100 % of the robots fall, with a at most 3 %" in html
-    )  # as in the figure: 1 − 0.05^(1/100) = 2.95 %, and as much from 100 %
-    rows = [re.findall(r"<td[^>]*>([^<]*)</td>", row) for row in re.split("<tr[^>]*>", html)]
-    assert ["a", "0", "3"] in rows
-    assert ["b", "100", "–"] in rows
-    assert str(cases).splitlines()[-1].endswith("–")
-    assert "0 (≤ 0.03)" in str(cases)  # as the page's bound: 1 − 0.05^(1/100) = 2.95 %
-
-
-def test_a_campaign_names_the_cases_that_fall_and_not_their_mean_with_those_that_stand():
-    """All of b fall when knocked and 3 % on a slope: 51 % is what no case has."""
-    fell = {("a", "knock"): 0, ("a", "slope"): 0, ("b", "knock"): 100, ("b", "slope"): 3}
-    cases = Cases(
-        CaseSummary({"robot": robot, "scenario": scene}, 100, count, clopper_pearson(count, 100), {})
-        for (robot, scene), count in fell.items()
-    )
-    page = page_of(cases)
-    assert page.title == "All 100 b robots fall when knocked; in the other cases at most 3 of 100 do"
-    assert [value for value, _ in page.numbers] == ["100 %", "3 %", "2 of 4"]
-    assert page.verdict == Verdict("in 1 of 4 cases more fall than the 5 % that a certificate allows", "bad")
-    assert "4 cases = 2 robots × 2 scenarios, each with 100 simulated variations of its robot." in page.lead
-
-
-def campaign_of(fell, n=200):
-    """Cases of robot, controller, scenario and dead zone, each with how many of its robots fell."""
-    names = ("robot", "controller", "scenario", "motor.dead_zone")
-    return Cases(CaseSummary(dict(zip(names, key, strict=True)), n, k, clopper_pearson(k, n), {}) for key, k in fell)
-
-
-def test_the_next_worst_case_of_a_campaign_is_the_next_row_of_its_chart():
-    """4 % and 4.5 % are alike, but the tile named the 4 %; and 117 of 200 are 58.5 %, not 58."""
-    knocked = {("a", "lqr", "knock"): 117, ("a", "hinf", "knock"): 116, ("b", "hinf", "knock"): 8}
-    others = {("b", "hinf", "slope"): 9, ("b", "lqr", "knock"): 0, ("b", "lqr", "slope"): 0, ("a", "lqr", "slope"): 4,
-              ("a", "hinf", "slope"): 0}  # fmt: skip
-    cases = campaign_of(((*key, zone), k) for key, k in (knocked | others).items() for zone in (0.0, 0.4))
-    page = page_of(cases)
-    (ax,) = page.picture.drawing.axes
-    rows = [label.get_text() for label in ax.get_yticklabels()]
-    beside = [text.get_text() for text in ax.texts]
-    assert rows[:4] == ["a, lqr, knock", "a, hinf, knock", "b, hinf, slope", "b, hinf, knock"]
-    assert beside[:4] == ["58.5 %", "58 %", "4.5 %", "4 %"]
-    assert page.numbers[1][0] == beside[2]
-    assert "the next worst case, b, hinf, slope " in page.numbers[1][1]
-    # the same 200 robots stood for both dead zones: their interval is that of 200
-    low, high = clopper_pearson(9, 200)[1:]
-    assert f"(95 %: {100 * low:.2g} to {100 * high:.2g} %)" in page.numbers[1][1]
-    # 9 of 200 [2.1, 8.4] % are apart from 0 of 200 [0, 1.8] %: on b's slope the controller matters
-    note = page.picture.note
-    assert "the runs with dead zone 0 and dead zone 0.4 together: that makes no clear difference." in note
-    assert "On b, slope, the controller matters: 4.5 % fall with hinf, none with lqr." in note
-    assert len(rows) == 8  # of 16 cases: both dead zones in one row
-    # where none of the 200 fell, the line ends at the tile's bound, 1 − 0.05^(1/200), and not at a two-sided one
-    (lines,) = ax.collections
-    assert lines.get_segments()[-1][:, 0].tolist() == pytest.approx([0.0, 100 * upper_bound(0, 200)])
-
-
 def test_numbers_are_rounded_as_readers_round():
     """Python takes a half to the even neighbour."""
     assert [number(x, 2) for x in (58.5, 57.5, -58.5, 0.125)] == ["59", "58", "−59", "0.13"]
     assert cell_text(58.5, 2) == "59"
-
-
-def test_a_campaign_says_what_is_done_in_each_scenario():
-    cases = Cases(CaseSummary({"scenario": name}, 100, 0, clopper_pearson(0, 100), {}) for name in ("knock", "hill"))
-    pushes = ((Impulse(impulse=0.3),), (Slope(angle=math.radians(5.0)),))
-    cases.origins = [ensemble_of("nxtway-gs", pushes=push).origin() for push in pushes]
-    assert (
-        "Knock: pushed forward by 0.3 N s for 10 ms at the centre of mass. Hill: on a floor tilted by 5°."
-        in page_of(cases).picture.note
-    )
-    # the cases have the same 100 robots: none of 200 would bound falls twice as well (1 − 0.05^(1/100) = 3.0 %)
-    assert page_of(cases).numbers[0][0] == "≤ 3 %"
-
-
-def test_a_knock_harder_than_a_certificates_is_said_and_no_red_light():
-    """`upright certify` knocks nxtway-gs with 0.186 N s (low battery) to 0.245 N s (full): printed there."""
-    fleets = {size: ensemble_of("nxtway-gs", pushes=(Impulse(impulse=size),)).origin() for size in (0.24, 0.3)}
-    assert harder([fleets[0.24]]) == ""
-    assert harder([fleets[0.24], ensemble_of("ev3way", pushes=(Impulse(impulse=0.24),)).origin()]) == (
-        " The knock, 0.24 N s, is 2.8 times the hardest that `upright certify` tries on ev3way."
-    )  # as hard a knock for both, and too hard for one, whose certificate knocks with 0.0641 to 0.0845 N s
-    assert harder(list(fleets.values())) == (
-        " The knock, 0.3 N s, is 1.2 times the hardest that `upright certify` tries on nxtway-gs."
-    )
-    assert [falls_verdict(30, 100, words).level for words in ("", "harder")] == ["bad", "warn"]
-    # 4 of 100 fell, but with 95 % confidence up to 8.9 % may (Clopper and Pearson), which a certificate counts
-    assert [falls_verdict(fell, 100).level for fell in (0, 4)] == ["good", "warn"]
-    assert falls_verdict(4, 100).text == "up to 8.9 % may fall: above the 5 % that a certificate allows"
 
 
 def test_a_bench_takes_of_tied_controllers_the_one_with_the_least_effort():

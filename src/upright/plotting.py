@@ -8,6 +8,7 @@ user's matplotlibrc, so that a page is the same bytes everywhere.
 from __future__ import annotations
 
 import functools
+import textwrap
 from collections.abc import Callable, Generator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -57,6 +58,7 @@ STYLE: dict[str, Any] = {
 WIDTH, LEFT, RIGHT = 7.2, 0.75, 0.15  # [inches], as what follows
 PHONE = 4.0  # its letters of 9 pt are 11 px high on a screen of 390 px
 PANEL, HEAD, FOOT = 1.85, 0.42, 0.55
+LETTER = 0.075  # [inch] of width
 SCREEN, LEAST = 4.7, 0.7  # [inches] of all panels that a screen shows below a title, and of one panel at least
 CIRCLE = "unit circle: inside it a motion fades"
 BELOW: dict[str, Any] = {"linewidth": 4.0, "alpha": 0.35}
@@ -232,11 +234,14 @@ def intervals(names: Sequence[str], values: ArrayLike, ends: ArrayLike, x_label:
 def rows_of(names: Sequence[str], x_label: str, y_label: str) -> tuple[Figure, Axes]:
     """An empty figure with one row for each name, the first on top."""
     across = _across.get()
-    left = min(0.4 * across, 0.4 + 0.075 * max((len(name) for name in names), default=0))
-    total = HEAD + (height := max(len(names), 2) * (0.24 if len(names) <= MANY else 0.2)) + FOOT
+    texts = [spoken(name).replace("-0", "−0") for name in names]
+    left = min(0.4 * across, 0.4 + LETTER * max(map(len, texts), default=0))
+    if across < WIDTH:  # a phone breaks long names
+        texts = [textwrap.fill(text, round((left - 0.1) / LETTER)) for text in texts]
+    lines = max((text.count("\n") for text in texts), default=0)  # more than one for each name
+    total = HEAD + (height := max(len(names), 2) * ((0.24 if len(names) <= MANY else 0.2) + 0.14 * lines)) + FOOT
     figure = _Picture(figsize=(across, total))
     ax = _axes(figure, (left / across, FOOT / total, (across - left - RIGHT) / across, height / total))
-    texts = [spoken(name).replace("-0", "−0") for name in names]
     ax.set(yticks=range(len(names)), yticklabels=texts, ylabel=y_label, ylim=(len(names) - 0.4, -0.6), gid=ROWS)
     ax.set_xlabel(x_label, loc="right")
     ax.grid(visible=False, axis="y")

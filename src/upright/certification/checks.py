@@ -22,7 +22,7 @@ from upright.control.delay import RAW
 from upright.control.linear_controller import Law
 from upright.control.splitting import Splitting
 from upright.errors import InvalidScenario, SpecMismatch
-from upright.fleets.binomial import upper_bound
+from upright.fleets.binomial import MOST_FALLS, upper_bound
 from upright.fleets.ensemble import SETTLED, tables
 from upright.kernel.batch import NAMES, FleetBatch, FleetResult, joined, law_of, parameters_of
 from upright.kernel.pack import RESIDUAL
@@ -35,7 +35,6 @@ SECONDS = 8.0  # [s] a push, what follows it, and `TAIL` to see what the robot d
 TAIL = 2.0  # [s] at the end, over which the limit cycle is measured: several of its periods
 CONFIDENCE = 0.95
 MOST_CYCLE = 0.1  # [rad] of a sway at rest: as far as the paper's pushes lean a robot
-MOST_FALLS = 0.05  # red above: with one such robot in twenty, a class of students breaks one
 
 FEWEST = 100
 """Number of robots below which no certificate is given: even without a fall the bound would exceed 3 %."""

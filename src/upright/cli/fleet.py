@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -18,14 +18,14 @@ from upright.cli.options import (
     StartOption,
     TurnOption,
 )
-from upright.cli.output import check_targets, finish, print_result, progress, write_page
+from upright.cli.output import check_targets, finish, progress
 from upright.errors import InvalidScenario
 from upright.fleets.usual import BASIN_POINTS, FLEET, MAP_POINTS, MAP_ROBOTS
 
 if TYPE_CHECKING:
-    from xarray import Dataset
-
     from upright.fleets.ensemble import Ensemble
+    from upright.fleets.fleet import Fleet
+    from upright.fleets.maps import Basin, PushMap
 
 
 WAYS = {"forward": (1,), "backward": (-1,), "both": (1, -1)}
@@ -56,7 +56,6 @@ def fleet(
     Prints the probability of a fall with its 95 % interval, and quantiles of pitch, settling, effort and travel.
     """
     from upright.fleets.fleet import fleet as simulate
-    from upright.fleets.results import save
 
     asked.check()
     pushes, references = map(tuple, options.pushes_and_references(push, drive, turn))
@@ -65,9 +64,7 @@ def fleet(
     _say_how_long(asked, ensemble, {f"-n {n}": n * seconds for n in (number, *FLEET)})
     with progress("simulating") as show:
         result = simulate(ensemble, number, threads=asked.threads, progress=show)
-    if asked.output:
-        save(result.data, asked.output)
-    finish(result, asked.as_json, page=asked.report, written=[asked.output], text="")
+    _finish(result, asked)
 
 
 @asked_alike
@@ -99,7 +96,7 @@ def push_map(
     """
     import numpy as np
 
-    from upright.fleets.push_map import PushGrid, robot_seconds, summary
+    from upright.fleets.push_map import PushGrid, robot_seconds
     from upright.fleets.push_map import push_map as search
 
     asked.check()
@@ -125,10 +122,10 @@ def push_map(
     }
     _say_how_long(asked, ensemble, work)
     with progress("searching") as show:
-        data = search(
+        result = search(
             ensemble, grid, samples=drawn, tolerance=tolerance, watch=watch, threads=asked.threads, progress=show
         )
-    _show(data, summary(data), asked)
+    _finish(result, asked)
 
 
 @asked_alike
@@ -150,7 +147,7 @@ def basin(
 
     On a grid of any two of the six states; with samples, the fraction of the robots that recover.
     """
-    from upright.fleets.basin import Axis, summary
+    from upright.fleets.basin import Axis
     from upright.fleets.basin import basin as cut
 
     asked.check()
@@ -160,8 +157,8 @@ def basin(
     first, second = (Axis(name, low, high, number) for name, low, high in axes)
     _say_how_long(asked, ensemble, {f"--points {p}": p * p * samples * seconds for p in (number, *BASIN_POINTS)})
     with progress("simulating") as show:
-        data = cut(ensemble, first, second, samples=samples, threads=asked.threads, progress=show)
-    _show(data, summary(data), asked)
+        result = cut(ensemble, first, second, samples=samples, threads=asked.threads, progress=show)
+    _finish(result, asked)
 
 
 def sweep(
@@ -237,15 +234,9 @@ def _axis(text: str, option: str) -> tuple[str, float, float]:
     return (name, *_range(ends, option))
 
 
-def _show(data: Dataset, numbers: Any, asked: Asked) -> None:
-    from upright.fleets.results import origin_of, save
+def _finish(result: Fleet | PushMap | Basin, asked: Asked) -> None:
+    from upright.fleets.results import save
 
-    output, report = asked.output, asked.report
-    write_page(data, report)
-    if output:
-        save(data, output)
-    if asked.as_json:
-        written = {"output": str(output) if output else None, "report": str(report) if report else None}
-        print_result(data, {"result": numbers, "origin": origin_of(data), **written})
-    else:
-        print_result(data, "", (output, report), tables=True)
+    if asked.output:
+        save(result.data, asked.output)
+    finish(result, asked.as_json, page=asked.report, written=[asked.output], text="")

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from importlib import import_module
 from typing import Any
 
 import typer
 from typer.core import TyperCommand, TyperGroup
 from typer.main import get_command
+from typer.models import ArgumentInfo
 
 from upright.cli.typed import GIVEN
 
@@ -109,10 +110,16 @@ def _part(name: str) -> Any:
     return getattr(import_module(f"upright.cli.{HOMES.get(name, function)}"), function)
 
 
-def parameters_of(verb: str) -> Collection[str]:
-    """The names of what a command takes, as Python writes them."""
+def parameters_of(verb: str) -> Mapping[str, bool]:
+    """The names of what a command takes, as Python writes them, and whether each is an argument, not an option."""
     part = _part(verb.replace("_", "-"))
-    return () if isinstance(part, typer.Typer) else inspect.signature(part).parameters
+    if isinstance(part, typer.Typer):
+        return {}
+    known = inspect.signature(part, eval_str=True).parameters
+    return {
+        name: any(isinstance(mark, ArgumentInfo) for mark in getattr(parameter.annotation, "__metadata__", ()))
+        for name, parameter in known.items()
+    }
 
 
 class _Remembered(TyperCommand):

@@ -113,8 +113,12 @@ def _continued(page: NewPage) -> NewPage:
 def _for_typed(step: Next, typed: Mapping[str, Any]) -> Next:
     from upright.cli.help import parameters_of
 
-    kept = {name: value for name, value in typed.items() if name in parameters_of(step.verb)}
-    return Next(step.verb, *step.given, why=step.why, **{**step.options, **kept})
+    known = parameters_of(step.verb)
+    kept = {name: value for name, value in typed.items() if name in known}
+    given = step.given
+    if "controller" in kept and known["controller"]:  # of a name or a file that is typed first
+        given = [str(kept.pop("controller")), *given[1:]]
+    return Next(step.verb, *given, why=step.why, **{**step.options, **kept})
 
 
 def _page_of(result: Any) -> Page | None:

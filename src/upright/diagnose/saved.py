@@ -42,7 +42,7 @@ def with_saved(
         survived = push_map(ensemble_of(robot, law, kit), grid, samples=0)
     except UprightError:  # a controller that no law describes
         return tuple(causes)
-    known = replace(push, by=law.spec.kind, saves=float(survived["impulse"].values.squeeze()))
+    known = replace(push, by=law.spec.kind, saves=float(survived.data["impulse"].values.squeeze()))
     return (replace(first, push=known, repair=known.repair), *others)
 
 

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import json
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from upright.arrays import Array, Mask, Whole
+from upright.control.reach import largest_pitch
 from upright.errors import InvalidScenario, UnknownName, check_within
 from upright.fleets.ensemble import Ensemble
+from upright.fleets.maps import Basin
 from upright.progress import Progress, unwatched
 from upright.signals import STATE_NAMES
 from upright.signals.signal import STATE
@@ -55,7 +58,7 @@ def basin(
     samples: int = 1,
     threads: int | None = None,
     progress: Progress | None = None,
-) -> Dataset:
+) -> Basin:
     """The fraction of `samples` robots that stand `ensemble.seconds` after a start at each point of the two axes.
 
     The other states start as the ensemble's `start`. One sample is the nominal robot, so that the fraction is 0 or 1;
@@ -80,14 +83,7 @@ def basin(
         stood[first : first + at_once] = ~result.fell.reshape(-1, samples)
         settled[first : first + at_once] = result.settled.reshape(-1, samples)
         show(min(1.0, (first + at_once) / len(starts)))
-    return _labelled(ensemble, across, up, stood, settled)
-
-
-def summary(data: Dataset) -> dict[str, Any]:
-    """The fraction of the grid from which robots recover, as plain numbers."""
-    recovered = data["recovered"]
-    apart = float(data["island"].values.mean())
-    return {"fraction": float(recovered.values.mean()), "islands": apart, "points": int(recovered.size)}
+    return Basin(_labelled(ensemble, across, up, stood, settled))
 
 
 def _starts(ensemble: Ensemble, across: Axis, up: Axis) -> Array:
@@ -128,5 +124,8 @@ def _labelled(ensemble: Ensemble, across: Axis, up: Axis, stood: Array, settled:
         ),
     }  # fmt: skip
     coords = {axis.name: (axis.name, axis.values, {"unit": units[axis.name]}) for axis in (across, up)}
-    origin = ensemble.origin() | {"basin": {"samples": stood.shape[1]}}
+    kit = ensemble.family.kit
+    able = largest_pitch(ensemble.family.robot, kit) if kit and across.name == "pitch" else math.inf
+    settings = {"samples": stood.shape[1], "saved_by_any": able if able < math.pi / 2 else None}
+    origin = ensemble.origin() | {"basin": settings}
     return xr.Dataset(variables, coords, {"origin": json.dumps(origin, ensure_ascii=False)})

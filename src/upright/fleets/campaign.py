@@ -22,9 +22,10 @@ import numpy as np
 
 from upright.atomic import make_folder, place_of, write_bytes, write_json
 from upright.errors import InvalidScenario, SpecMismatch, require
+from upright.fleets.cases import Cases
 from upright.fleets.ensemble import OUTCOMES, Ensemble
 from upright.fleets.results import labelled, load, unit_of, write_parquet
-from upright.fleets.tally import Cases, tally
+from upright.fleets.tally import tally
 from upright.fleets.workers import Worker, connected, run_all
 
 if TYPE_CHECKING:

@@ -10,8 +10,8 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.experiment.described import pushes_in_words
-from upright.fleets.binomial import MOST_FALLS, RARE
-from upright.fleets.origin import made_of, names_varied, spreads_table
+from upright.fleets.binomial import MOST_FALLS, RARE, clopper_pearson
+from upright.fleets.origin import made_of, names_varied, spreads_of, spreads_table
 from upright.fleets.results import OUTCOME_NAMES, origin_of
 from upright.pages import Block, Column, Fold, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.terms import term
@@ -59,7 +59,8 @@ def fleet_page(data: Dataset, summary: Summary) -> Page:
     if others:
         folds.append(Fold(Say("Distributions"), [picture for picture in others if picture]))
     if names_varied(data):
-        folds.append(Fold(Say("What varies"), [spreads_table(data)]))
+        units = {str(name): str(column.attrs.get("unit") or "") for name, column in data.data_vars.items()}
+        folds.append(Fold(Say("What varies"), [spreads_table(spreads_of(data), units)]))
     return Page(
         Say("{fell} of {n} robots fell", fell=summary.fell, n=summary.n),
         verdict=_verdict(summary, bool(pushes), len(names_varied(data))),
@@ -85,14 +86,14 @@ def _verdict(summary: Summary, pushed: bool, varied: int) -> Verdict:
 FEW = 3  # varied numbers: with so few the robots are all but one robot
 
 
+def falls_of(fell: int, n: int) -> Quantity:
+    """How many fall: few at most, else between two bounds, each with 95 % confidence."""
+    chance = clopper_pearson(fell, n)
+    return Quantity(None, "fraction", low=None if chance.value <= RARE else chance.low, high=chance.high, digits=2)
+
+
 def _numbers(summary: Summary) -> list[KeyNumber]:
-    chance = summary.chance
-    rare = chance.value <= RARE
-    falls = Quantity(
-        None, "fraction", low=None if rare else chance.low,
-        high=chance.high, digits=2,
-    )  # fmt: skip
-    numbers = [KeyNumber(falls, Say("of such robots fall (95 % confidence)"))]
+    numbers = [KeyNumber(falls_of(summary.fell, summary.n), Say("of such robots fall (95 % confidence)"))]
     meanings = {
         "peak_pitch": Say("95 % of those that stood leaned less"),
         "settling": Say("after the last push 95 % had settled"),

@@ -24,12 +24,12 @@ def names_varied(data: Dataset) -> list[str]:
     return [str(spread["name"]) for spread in spreads_of(data)]
 
 
-def spreads_table(data: Dataset) -> Table:
+def spreads_table(spreads: Sequence[Mapping[str, Any]], units: Mapping[str, str]) -> Table:
     """Each number that varies, with its middle and how widely."""
     rows: list[list[Any]] = []
-    for spread in spreads_of(data):
+    for spread in spreads:
         name, low, high = str(spread["name"]), float(spread["low"]), float(spread["high"])
-        unit = str(data[name].attrs.get("unit") or "1") if name in data else "1"
+        unit = units.get(name) or "1"
         if spread["kind"] == "uniform":
             rows.append([term(name), Quantity((low + high) / 2, unit), Quantity(None, unit, low=low, high=high)])
         elif spread["kind"] == "lognormal":

@@ -25,6 +25,7 @@ from upright.errors import InvalidScenario, check_within
 from upright.experiment.run import MAX_SECONDS
 from upright.fleets.ensemble import Ensemble
 from upright.fleets.fleet import ensemble_of
+from upright.fleets.maps import PushMap
 from upright.fleets.usual import MAP_POINTS, MAP_ROBOTS
 from upright.kernel.batch import FleetBatch
 from upright.progress import Progress, unwatched
@@ -164,7 +165,7 @@ def push_map(
     threads: int | None = None,
     progress: Progress | None = None,
     **choices: Any,
-) -> Dataset:
+) -> PushMap:
     """The nominal robot's largest survived impulse [N s] at every point of `grid` (None: `PushGrid.usual`), within
     `tolerance` (relative), and its band of 95 % over `samples` robots of the family (None: as many as usual).
 
@@ -193,7 +194,7 @@ def push_map(
     first = search.first(grid, last)
     spread = search.sampled(small, _at(last, grid, small), samples) if samples else None
     search.show(1.0)
-    return _labelled(ensemble, grid, small, (first, last), capped, spread, search)
+    return PushMap(_labelled(ensemble, grid, small, (first, last), capped, spread, search))
 
 
 def robot_seconds(
@@ -202,20 +203,6 @@ def robot_seconds(
     """About how long all robots together run for a map [s]; raises as `push_map`."""
     search = _Search(ensemble, tolerance, watch, min(GLANCE, watch), None)
     return search.robot_seconds(grid, grid.thinned(*NODES), samples)
-
-
-def summary(data: Dataset) -> dict[str, Any]:
-    """The smallest impulse that fells the nominal robot, by direction, as plain numbers."""
-    numbers: dict[str, Any] = {}
-    for direction in data["direction"].values.tolist():
-        part = data.sel(direction=direction)
-        impulse = part["impulse"].values
-        least = np.unravel_index(int(np.argmin(impulse)), impulse.shape)
-        row = {"impulse": float(impulse[least]), "height": float(part["height"][least[0]])}
-        row |= {"duration": float(part["duration"][least[1]])}
-        row |= {name: float(part[name].values[least]) for name in ("low", "high") if name in part}
-        numbers[direction] = row | {"islands": float(part["island"].values.mean())}
-    return numbers
 
 
 class _Search:

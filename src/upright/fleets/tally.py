@@ -6,17 +6,15 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 
 from upright.arrays import Array
 from upright.fleets.binomial import Interval, clopper_pearson
 from upright.fleets.ensemble import OUTCOMES
-from upright.tables import Listing, Shown, spoken
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+from upright.pages import Quantity, Say
+from upright.pages.terms import term
 
 
 class Moments(NamedTuple):
@@ -65,7 +63,7 @@ class CaseSummary:
         return moments.mean if moments.n else None
 
 
-class Cases(Shown, tuple[CaseSummary, ...]):
+class Tally(tuple[CaseSummary, ...]):
     """The summaries of a campaign, in the order of its plan, whose `origins` are those of its cases. `pushes` and
     `spreads` (what varies) are those of the first case; `units` are those of labels and of what varies."""
 
@@ -83,15 +81,15 @@ class Cases(Shown, tuple[CaseSummary, ...]):
         labels = {name: [case.labels.get(name, "") for case in self] for case in self for name in case.labels}
         return {name: kept for name, values in labels.items() if len(kept := list(dict.fromkeys(values))) > 1}
 
-    def names(self) -> list[str]:
+    def names(self) -> list[Say]:
         """What tells each case from the others."""
         differ = list(self.varied()) or list(dict.fromkeys(name for case in self for name in case.labels))
-        return [", ".join(self.labelled(name, case.labels.get(name, "")) for name in differ) for case in self]
+        return [Say("{labels}", labels=[self.labelled(n, case.labels.get(n, "")) for n in differ]) for case in self]
 
-    def labelled(self, name: str, value: str | float) -> str:
+    def labelled(self, name: str, value: str | float) -> str | Say:
         """A label of a case in words, with its unit; the name of a controller or a robot speaks for itself."""
         unit = self.units.get(name, "")
-        return value if isinstance(value, str) else f"{spoken(name)} {_short(value)}{f' {unit}' if unit else ''}"
+        return value if isinstance(value, str) else Say("{name} {value}", name=term(name), value=Quantity(value, unit))
 
     def effects(self) -> dict[str, dict[str | float, Interval]]:
         """For each label that differs the fraction that fell at each of its values, in all cases together, with its
@@ -100,9 +98,7 @@ class Cases(Shown, tuple[CaseSummary, ...]):
         effects: dict[str, dict[str | float, Interval]] = {}
         for name, values in self.varied().items():
             groups = {v: [c for c in self.worst_first() if c.labels.get(name, "") == v] for v in values}
-            effects[name] = {
-                v: together(cases) for v, cases in groups.items() if cases
-            }  # fmt: skip
+            effects[name] = {v: _chance(together({}, cases)) for v, cases in groups.items() if cases}
         return dict(sorted(effects.items(), key=lambda item: -_reach(item[1])))
 
     def drawn(self) -> dict[str, tuple[CaseSummary, float, float]]:
@@ -124,85 +120,51 @@ class Cases(Shown, tuple[CaseSummary, ...]):
         plan."""
         return sorted((c for c in self if c.chance), key=lambda c: -_chance(c).value)
 
-    def matters(self) -> dict[str, tuple[CaseSummary, CaseSummary]]:
-        """The labels that change the falls, each with the worse and the better of two cases that differ in it alone
-        and whose bounds are apart; of several such pairs the two that are furthest apart."""
-        pairs: dict[str, tuple[CaseSummary, CaseSummary]] = {}
+    def alike(self) -> list[str]:
+        """The labels that change no case's falls: no two cases that differ in one alone have intervals apart."""
+        changing: set[str] = set()
         for name in self.varied():
-            alike: dict[tuple[tuple[str, str | float], ...], list[CaseSummary]] = {}
-            for case in self.worst_first():
-                alike.setdefault(tuple(item for item in case.labels.items() if item[0] != name), []).append(case)
-            apart = [(c[0], c[-1]) for c in alike.values() if _chance(c[0]).low > _chance(c[-1]).high]
-            if apart:
-                pairs[name] = max(apart, key=lambda pair: _chance(pair[0]).value - _chance(pair[1]).value)
-        return pairs
+            for cases in self._groups([name]).values():
+                if any(_chance(a).low > _chance(b).high for a in cases for b in cases):
+                    changing.add(name)
+        return [name for name in self.varied() if name not in changing]
 
-    def merged(self, without: Collection[str]) -> Cases:
-        """The same campaign with the cases together that differ in the labels `without` alone, each with as many runs
-        and the interval of as many robots as differ. It has names and falls, and no other outcomes."""
-        groups: dict[tuple[tuple[str, str | float], ...], list[CaseSummary]] = {}
-        for case in self:
-            kept = tuple(item for item in case.labels.items() if item[0] not in without)
-            groups.setdefault(kept, []).append(case)
-        whole = Cases(
-            CaseSummary(
-                dict(labels), sum(c.n for c in cases), sum(c.fell or 0 for c in cases),
-                together(cases) if all(c.chance for c in cases) else None, {},
-            )
-            for labels, cases in groups.items()
-        )  # fmt: skip
+    def merged(self, without: Collection[str]) -> Self:
+        """The same campaign with the cases together that differ in the labels `without` alone. It has no outcomes but
+        the falls."""
+        whole = type(self)(together(dict(labels), cases) for labels, cases in self._groups(without).items())
         whole.units = self.units
         return whole
 
-    def plot(self) -> Figure:
-        """The fraction that fell in each case [%] as a bar, its bounds as a line, the `DRAWN` worst first; the
-        label with the largest effect has the colours."""
-        from upright.plotting import COLOURS, INK, legend, number, rows_of
+    def _groups(self, without: Collection[str]) -> dict[tuple[tuple[str, str | float], ...], list[CaseSummary]]:
+        groups: dict[tuple[tuple[str, str | float], ...], list[CaseSummary]] = {}
+        for case in self.worst_first():
+            groups.setdefault(tuple(item for item in case.labels.items() if item[0] not in without), []).append(case)
+        return groups
 
-        names = self.names()
-        worst = self.worst_first()[:DRAWN]
-        effects = self.effects()
-        chances = [c.chance or Interval(np.nan, np.nan, np.nan) for c in worst]
-        figure, ax = rows_of([names[self.index(case)] for case in worst], "robots that fell [%]", "case")
-        percent = 100 * np.array([(c.value, c.low, c.high) for c in chances]).reshape(-1, 3)
-        first, levels = next(iter(effects.items()), ("", {}))
-        marks = [case.labels.get(first, "") for case in worst]
-        for k, level in enumerate(levels if 1 < len(levels) < len(COLOURS) else [None]):
-            rows = np.array([i for i, mark in enumerate(marks) if level is None or mark == level], dtype=int)
-            name = "robots that fell" if level is None else self.labelled(first, level)
-            name = name if level is None or percent[rows, 0].any() else "_"  # no bar, no line in the key
-            ax.barh(rows, percent[rows, 0], height=0.6, color=COLOURS[k], label=name)
-        ax.hlines(np.arange(len(worst)), percent[:, 1], percent[:, 2], linewidth=1.2, color=INK, zorder=3)
-        for row, (value, _, high) in enumerate(percent.tolist()):
-            ax.annotate(f"{number(value, 3)} %", (high, row), (4, 0), textcoords="offset points", va="center")
-        ax.set_xlim(0, max(1.0, 1.3 * float(np.nanmax(percent, initial=0.0))))
-        if ax.get_xlim()[1] > 100:  # room for the names, but no tick above 100 %
-            ax.set_xticks(np.arange(0, 101, 25))
-        return legend(figure)
+    def decisive(self) -> tuple[str, dict[str | float, Interval]] | None:
+        """The label with the largest effect on the falls, whose best and worst value have intervals apart, with the
+        fraction at each of its values, the worst first; None where chance explains them all."""
+        for name, levels in self.effects().items():
+            ranked = dict(sorted(levels.items(), key=lambda item: -item[1].value))
+            chances = list(ranked.values())
+            if chances and chances[-1].high < chances[0].low:
+                return name, ranked
+        return None
 
-    def listing(self) -> Listing:
-        """All cases, one row each."""
-        names = list(dict.fromkeys(name for case in self for name in case.labels))
-        rows: list[list[str]] = []
-        for case in self:
-            chance = case.chance
-            least = f"{chance.low:.2g} … " if chance and case.fell else "≤ "
-            fell = f"{case.fell} ({least}{chance.high:.2g})" if chance else "–"
-            labels = [_short(case.labels.get(name, "")) for name in names]
-            means = ["–" if (mean := case.mean(o)) is None else f"{mean:.4g}" for o in self.shown()]
-            rows.append([*labels, str(case.n), fell, *means])
-        numbers = ["robots", "fell (each bound: 95 %)", *self.shown()]
-        return Listing([*names, *numbers], rows, numbers)
-
-    def __str__(self) -> str:
-        return str(self.listing())
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain numbers."""
-        return {"cases": [_plain(case) for case in self]}
+    def numbers(self) -> dict[str, Any]:
+        """Each case, what each label does to the falls, and the drawn numbers that decide them."""
+        effects = {
+            name: [{"value": value, "fell": chance._asdict()} for value, chance in levels.items()]
+            for name, levels in self.effects().items()
+        }
+        drawn = {
+            name: {"case": self.index(case), "least": least, "most": most}
+            for name, (case, least, most) in self.drawn().items()
+        }
+        return {"cases": [_plain(case) for case in self], "effects": effects, "drawn": drawn}
 
 
-DRAWN = 40  # cases at most in a figure
 END = 0.2  # [1] of the robots: those with the least, or the largest, values of a drawn number
 
 
@@ -210,24 +172,20 @@ def _chance(case: CaseSummary) -> Interval:
     return case.chance or Interval(np.nan, np.nan, np.nan)
 
 
-def together(cases: Sequence[CaseSummary]) -> Interval:
-    """The fraction that fell in several cases, with the interval of as many robots as differ."""
-    fell = sum(c.fell or 0 for c in cases)
-    runs = sum(c.n for c in cases)
+def together(labels: Mapping[str, str | float], cases: Sequence[CaseSummary]) -> CaseSummary:
+    """Several cases as one with as many robots as differ, since the cases of one robot have the same drawn robots."""
     robots: dict[str | float, int] = {}
     for case in cases:
         robots[case.labels.get("robot", "")] = max(case.n, robots.get(case.labels.get("robot", ""), 0))
-    differ = sum(robots.values())
-    return clopper_pearson(round(fell / runs * differ), differ)._replace(value=fell / runs)
+    n = sum(robots.values())
+    part = sum(case.fell or 0 for case in cases) / sum(case.n for case in cases)
+    fell = round(part * n)
+    return CaseSummary(labels, n, fell, clopper_pearson(fell, n)._replace(value=part), {})
 
 
 def _reach(levels: Mapping[str | float, Interval]) -> float:
     values = [chance.value for chance in levels.values()]
     return max(values) - min(values) if values else 0.0
-
-
-def _short(value: Any) -> str:
-    return value if isinstance(value, str) else f"{value:.4g}"
 
 
 def _plain(case: CaseSummary) -> dict[str, Any]:

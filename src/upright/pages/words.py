@@ -148,7 +148,8 @@ def with_unit(text: str, unit: str) -> str:
     """A number with its unit, between which no line breaks."""
     if not unit or text == "–":
         return text
-    return f"{text}{unit}" if unit[0] == "°" else f"{text}\u00a0{unit}"
+    whole = unit.replace(" ", "\u00a0")
+    return f"{text}{whole}" if unit[0] == "°" else f"{text}\u00a0{whole}"
 
 
 def number(value: float, digits: int = 3, toward: int = 0) -> str:

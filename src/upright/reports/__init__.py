@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from upright.errors import UprightError
-from upright.pages import Result
+from upright.pages import Result, Say
 from upright.pages.result import write_page
 from upright.reports.figure import Figure as Figure
 from upright.reports.following import completed
@@ -23,8 +23,8 @@ from upright.reports.page import Table as Table
 PAGES = {
     "Comparison": "comparing", "Calibration": "calibration", "MethodComparison": "identification",
     "ExcitationPlan": "excitation", "Analysis": "analysis", "Designed": "analysis", "Certificate": "certificate",
-    "PostMortem": "postmortem", "Dataset": "fleet", "Bench": "bench",
-    "Cases": "campaign", "Tuned": "tuning", "Validation": "validation", "Diagnosis": "diagnosed", "Parity": "checked",
+    "PostMortem": "postmortem", "Bench": "bench",
+    "Tuned": "tuning", "Validation": "validation", "Diagnosis": "diagnosed", "Parity": "checked",
     "LinearModel": "checked",
 }  # fmt: skip
 """Class of a result → the file of this room that has its page."""
@@ -40,7 +40,8 @@ def report(result: Any, path: str | Path, *, title: str = "", command: str = "")
     page, or where the file cannot be written.
     """
     if isinstance(result, Result):
-        return write_page(result.page(), path, command)
+        page = result.page()
+        return write_page(replace(page, title=Say("{title}", title=title) if title else page.title), path, command)
     return finished(result, title=title, command=command).write(path)
 
 

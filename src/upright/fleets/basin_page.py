@@ -1,0 +1,194 @@
+"""The page of a basin of attraction: from where a robot recovers when it is let go, over two of its states."""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from upright.arrays import Array
+from upright.fleets.limits import ranges, samples, saved_by_any, states
+from upright.fleets.origin import made_of
+from upright.fleets.results import origin_of
+from upright.pages import Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
+from upright.pages.blocks import Cell
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from xarray import Dataset
+
+LEVELS = 10  # colours of a map of parts: few enough to be told apart side by side
+
+SMOOTHED = 2.0  # [steps of the grid] of the filter that smooths a border
+SIDE = 0.02  # [1] how far from one half a state stays on its side
+
+STATES = {
+    "pitch": Say("pitch"), "pitch_rate": Say("pitch rate"), "wheel": Say("wheel angle"),
+    "wheel_rate": Say("wheel rate"), "yaw": Say("heading"), "yaw_rate": Say("yaw rate"),
+}  # fmt: skip
+
+
+def basin_page(data: Dataset) -> Page:
+    """The page of a basin."""
+    origin = origin_of(data)
+    robot = str(origin["robot"]["name"])
+    kind = str((origin.get("controller") or {}).get("kind") or "")
+    across, up = states(data)
+    part = Quantity(float(data["recovered"].values.mean()), "fraction")
+    known = ranges(data)[across]
+    span = _range(data, across)
+    if not known:
+        title = Say("Of the states tried, {robot} recovers from {part}", robot=robot, part=part)
+        verdict = Verdict(Say("falls when let go at rest"), "bad")
+    elif samples(data) > 1:
+        title = Say("With no {up}, most robots like {robot} recover from a {across} of {range}", up=STATES[up],
+                    robot=robot, across=STATES[across], range=span)  # fmt: skip
+        verdict = Verdict(Say("most recover from {range}", range=span))
+    else:
+        title = Say("With no {up}, {robot} recovers from a {across} of {range}", up=STATES[up], robot=robot,
+                    across=STATES[across], range=span)  # fmt: skip
+        verdict = Verdict(Say("recovers from {range}", range=span))
+    lead = [
+        Say("Simulated: {robot} under {controller}, let go at each state; it recovers if it stands {time} later.",
+            robot=robot, controller=kind or Say("a controller of one's own"),
+            time=Quantity(float(origin["scenario"]["seconds"]), "s"))
+    ]  # fmt: skip
+    return Page(
+        title, verdict=verdict, lead=lead, numbers=_numbers(data), picture=_picture(data),
+        next=[Next("push_map", robot=robot, controller=kind or None, why=Say("It does the same for pushes."))],
+        blocks=[_table(data), Fold(Say("How this was tried"), [_tried(data)])], origin=made_of(data),
+    )  # fmt: skip
+
+
+def _range(data: Dataset, name: str) -> Say:
+    """The range round zero of a state."""
+    return _between(ranges(data)[name] or (math.nan, math.nan), str(data[name].attrs["unit"]))
+
+
+def _between(ends: Sequence[float], unit: str) -> Say:
+    low, high = ends
+    return Say("{low} to {high}", low=Quantity(low, unit), high=Quantity(high, unit))
+
+
+def _numbers(data: Dataset) -> list[KeyNumber]:
+    across, up = states(data)
+    numbers: list[KeyNumber] = []
+    if ranges(data)[across]:
+        meaning = Say("{up} from which it recovers at zero {across}", up=STATES[up], across=STATES[across])
+        numbers.append(KeyNumber(_range(data, up), meaning))
+    if best := saved_by_any(data):
+        meaning = Say("largest pitch at rest that any controller saves (linear model)")
+        numbers.append(KeyNumber(Quantity(best, "rad", digits=2), meaning))
+    fraction = Quantity(float(data["recovered"].values.mean()), "fraction")
+    return [*numbers, KeyNumber(fraction, Say("of the states tried recover"))]
+
+
+def _table(data: Dataset) -> Table:
+    columns = [Column(Say("state")), Column(Say("recovers from")), Column(Say("tried")), Column(Say("step"))]
+    rows = [_row(data, name) for name in states(data)]
+    return Table(columns, rows, Say("Each state while the other is zero"))
+
+
+def _row(data: Dataset, name: str) -> list[Cell]:
+    values = data[name].values
+    unit = str(data[name].attrs["unit"])
+    tried = _between((float(values.min()), float(values.max())), unit)
+    recovers = _range(data, name) if ranges(data)[name] else None
+    return [STATES[name], recovers, tried, Quantity(float(np.diff(values).mean()), unit)]
+
+
+def _tried(data: Dataset) -> Items:
+    apart = float(data["island"].values.mean())
+    items = [
+        Say("Robots at each state: {n}", n=samples(data)),
+        Say("States tried: {n}", n=int(data["recovered"].size)),
+        Say("Islands, cut off from rest by states from which it falls: {part}",
+            part=Quantity(apart, "fraction", digits=2)),
+        Say("The picture shows the part around what recovers, its border smoothed."),
+    ]  # fmt: skip
+    return Items(items)
+
+
+def _picture(data: Dataset) -> Picture:
+    up = STATES[states(data)[1]]
+    claim = Say("It recovers from the green states; the white line has no {up}", up=up)
+    if samples(data) > 1:
+        claim = Say("The lighter, the more robots recover; the black line has no {up}", up=up)
+    note = Say("Marks: the largest pitch at rest that any controller saves.") if saved_by_any(data) else None
+    return Picture(claim, functools.partial(draw_basin, data), note)
+
+
+def draw_basin(data: Dataset) -> Figure:
+    """The part that recovers, in colour over both states, and the range at rest."""
+    from upright.plotting import INK, colour_map
+
+    across, _ = states(data)
+    recovered: Array = data["recovered"].values
+    family = samples(data) > 1
+    units = {name: str(data[name].attrs["unit"]) for name in states(data)}
+    x, y = (DEGREES * data[name].values for name in states(data))
+    names = [f"{STATES[name]} [{unit.replace('rad', '°')}]" for name, unit in units.items()]
+    drawing = colour_map(
+        x, y, recovered if family else smooth(recovered), x_label=names[0], y_label=names[1],
+        label=str(Say("recovers [1]")) if family else "", names=() if family else ("", ""),
+        levels=np.linspace(0, 1, LEVELS + 1).tolist() if family else [0.0, 0.5, 1.0], smooth=True,
+    )  # fmt: skip
+    ax = drawing.axes[0]
+    light, dark = ("white", "black") if family else (INK, "white")
+    _zoom(ax, x, y, recovered)
+    if best := saved_by_any(data):
+        _mark_limit(ax, DEGREES * best, light)
+    if ends := ranges(data)[across]:
+        ax.plot([DEGREES * end for end in ends], [0, 0], color=dark, linewidth=2.5, solid_capstyle="butt")
+    ax.locator_params(axis="x", nbins=5)
+    if not family:
+        _without_bar(drawing)
+    return drawing
+
+
+DEGREES = 180 / math.pi  # [°/rad]: all states are angles or their rates
+
+
+def smooth(recovered: Array) -> Array:
+    """A smooth field that is above one half where the robot recovers, and below where it falls."""
+    from scipy.ndimage import gaussian_filter
+
+    field = gaussian_filter(recovered, SMOOTHED, mode="nearest")
+    return np.where(recovered > 0.5, np.maximum(field, 0.5 + SIDE), np.minimum(field, 0.5 - SIDE))
+
+
+def _mark_limit(ax: Axes, best: float, colour: str) -> None:
+    """The pitch [°] beyond which no controller saves the robot, let go at rest: so only where the rate is zero."""
+    ax.plot([-best, best], [0, 0], "|", markersize=22, markeredgewidth=2, color=colour)
+    for side in (-best, best):
+        ax.annotate(str(Quantity(side / DEGREES, "rad", digits=2)), (side, 0.0), (0, 14), textcoords="offset points",
+                    ha="center", color=colour)  # fmt: skip
+    ax.set_xlim(min(ax.get_xlim()[0], -1.2 * best), max(ax.get_xlim()[1], 1.2 * best))
+
+
+def _without_bar(drawing: Figure) -> None:
+    """Two areas need no scale of colours."""
+    from upright.plotting import RIGHT
+
+    ax, beside = drawing.axes
+    drawing.delaxes(beside)
+    box = ax.get_position()
+    right = 1 - RIGHT / drawing.get_size_inches()[0]
+    ax.set_position((box.x0, box.y0, right - box.x0, box.height))
+    x, y = ax.yaxis.label.get_position()
+    ax.yaxis.set_label_coords(x * box.width / (right - box.x0), y)
+
+
+def _zoom(ax: Axes, x: Array, y: Array, recovered: Array) -> None:
+    """Show what recovers and as much again around it."""
+    for values, some, limit in ((x, recovered.max(axis=1), ax.set_xlim), (y, recovered.max(axis=0), ax.set_ylim)):
+        inside = values[some > 0]
+        if len(inside) > 1:
+            room = 0.5 * float(np.ptp(inside))
+            low = float(values[0])
+            high = float(values[-1])
+            limit(max(low, float(inside.min()) - room), min(high, float(inside.max()) + room))

@@ -1,0 +1,233 @@
+"""The page of a campaign: in which cases robots fall, and what makes the difference."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from upright.experiment.described import pushes_in_words
+from upright.fleets.binomial import MOST_FALLS, upper_bound
+from upright.fleets.fleet_page import falls_of
+from upright.fleets.origin import spreads_table
+from upright.fleets.tally import END, CaseSummary, Tally
+from upright.pages import (
+    Block,
+    Column,
+    Fold,
+    Items,
+    KeyNumber,
+    Next,
+    Page,
+    Picture,
+    Quantity,
+    Say,
+    Table,
+    Verdict,
+)
+from upright.pages.blocks import Cell
+from upright.pages.terms import term
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+DRAWN = 40  # cases at most in a figure
+FEW = 4  # cases, which are shown one by one
+LISTED = 12  # cases at most in the open table
+MATTER = 8  # drawn numbers in a table
+
+LABELS = {"robot": Say("robot"), "controller": Say("controller"), "scenario": Say("scenario")}
+
+
+def cases_page(cases: Tally) -> Page:
+    """The page of a campaign."""
+    counted = cases.worst_first()
+    alike = cases.alike() if len(cases) > FEW else []
+    shown = cases.merged(alike) if alike and counted else cases
+    blocks: list[Block] = [_table(shown, _order(shown)[:LISTED])]
+    if shown is not cases or len(cases) > LISTED:
+        blocks.append(Fold(Say("All cases"), [_table(cases, _order(cases))]))
+    if drawn := _drawn(cases):
+        blocks.append(Fold(Say("What decides"), [drawn]))
+    if cases.spreads and "robot" not in cases.varied():  # they are those of the first case
+        blocks.append(Fold(Say("What varies"), [spreads_table(cases.spreads, cases.units)]))
+    if scenarios := _scenarios(cases):
+        blocks.append(Fold(Say("Scenarios"), [scenarios]))
+    if not counted:
+        title = Say("{n} cases; who fell is not kept", n=len(cases))
+        return Page(title, blocks=blocks, origin=_made_of(cases))
+    return Page(
+        _title(shown), verdict=_verdict(cases, counted), lead=_lead(cases), numbers=_numbers(counted, shown),
+        picture=_picture(shown, alike), next=_next(counted), blocks=blocks, origin=_made_of(cases),
+    )  # fmt: skip
+
+
+def _title(shown: Tally) -> Say:
+    worst, *others = shown.worst_first()
+    if not worst.fell:
+        return Say("No robot fell in any case")
+    if not others:
+        return Say("{fell} of {n} robots fell", fell=worst.fell, n=worst.n)
+    name = shown.names()[shown.index(worst)]
+    return Say("Worst case ({case}): {part} of the robots fall", case=name, part=_part(worst.fell / worst.n))
+
+
+def _verdict(cases: Tally, counted: Sequence[CaseSummary]) -> Verdict:
+    """As a certificate judges, which counts the upper bound of the falls of the worst case."""
+    worst = counted[0]
+    above = [case for case in counted if (case.fell or 0) > MOST_FALLS * case.n]
+    bound = upper_bound(worst.fell or 0, worst.n)
+    most = Quantity(None, "fraction", high=bound, digits=2)
+    if above:
+        return Verdict(Say("too many fall in {n} of {all} cases", n=len(above), all=len(cases)), "bad")
+    if cases.origins and not any(_pushes(origin) for origin in cases.origins):
+        return Verdict(Say("nobody pushed them"))
+    if bound <= MOST_FALLS:
+        return Verdict(Say("few fall: {most}", most=most), "good")
+    return Verdict(Say("too few robots to tell: {most} fall", most=most), "warn")
+
+
+def _lead(cases: Tally) -> list[Say]:
+    lead = [Say("Simulated: {n} cases with {robots} robots in all.", n=len(cases), robots=sum(c.n for c in cases))]
+    if decisive := cases.decisive():
+        name, levels = decisive
+        first, *_, last = levels
+        lead.append(
+            Say("Most depends on the {label}: with {worst} {most} fall, with {best} {least}.",
+                label=LABELS.get(name, term(name)), worst=cases.labelled(name, first), best=cases.labelled(name, last),
+                most=_part(levels[first].value), least=_part(levels[last].value))
+        )  # fmt: skip
+    elif len(cases) > 1:
+        lead.append(Say("No difference between the cases is clear."))
+    return lead
+
+
+def _part(value: float) -> Quantity:
+    return Quantity(value, "fraction")
+
+
+def _numbers(counted: Sequence[CaseSummary], shown: Tally) -> list[KeyNumber]:
+    worst, *_ = shown.worst_first()
+    numbers = [KeyNumber(falls_of(worst.fell or 0, worst.n), Say("fall in the worst case (95 % confidence)"))]
+    if len(counted) > 1:
+        safe = sum(not case.fell for case in counted)
+        numbers.append(KeyNumber(Say("{n} of {all}", n=safe, all=len(counted)), Say("cases in which no robot fell")))
+    return numbers
+
+
+def _picture(shown: Tally, alike: Sequence[str]) -> Picture:
+    limit = Quantity(MOST_FALLS, "fraction")
+    note = Say("Thin lines: bounds, each with 95 % confidence. Dashed: {limit}, as a certificate allows.", limit=limit)
+    if alike:
+        labels = [LABELS.get(name, term(name)) for name in alike]
+        note = Say("Dashed: {limit}, as a certificate allows. Counted together, without clear difference: {labels}.",
+                   limit=limit, labels=labels)  # fmt: skip
+    draw = functools.partial(draw_cases, shown)
+    return Picture(Say("Robots that fell in each case, the worst on top"), draw, note)
+
+
+def draw_cases(cases: Tally) -> Figure:
+    """The fraction that fell in each case [%], the worst first, beside the limit of a certificate."""
+    from upright.plotting import AXIS, COLOURS, INK, number, rows_of
+
+    names = cases.names()
+    worst = cases.worst_first()[:DRAWN]
+    labels = [str(names[cases.index(case)]) for case in worst]
+    figure, ax = rows_of(labels, str(Say("robots that fell [%]")), str(Say("case")))
+    chances = [(chance.value, chance.low, chance.high) for case in worst if (chance := case.chance)]
+    percent = 100 * np.array(chances).reshape(-1, 3)
+    rows = np.arange(len(worst))
+    ax.barh(rows, percent[:, 0], height=0.6, color=COLOURS[0])
+    ax.hlines(rows, percent[:, 1], percent[:, 2], linewidth=1.2, color=INK, zorder=3)
+    limit = 100 * MOST_FALLS
+    ax.axvline(limit, linestyle="--", linewidth=1, color=AXIS)
+    for row, (value, _, high) in enumerate(percent.tolist()):
+        at = max(high, limit)  # not across the line of the limit
+        ax.annotate(f"{number(value, 3)} %", (at, row), (4, 0), textcoords="offset points", va="center")
+    ax.set_xlim(0, 1.3 * max(limit, percent[:, 2].max()))
+    if ax.get_xlim()[1] > 100:  # room for the numbers, but no tick above 100 %
+        ax.set_xticks(np.arange(0, 101, 25))
+    return figure
+
+
+def _order(cases: Tally) -> list[int]:
+    """The numbers of the cases, the worst first; those without counted falls last."""
+    first = [cases.index(case) for case in cases.worst_first()]
+    return [*first, *(k for k in range(len(cases)) if k not in first)]
+
+
+def _table(cases: Tally, order: Sequence[int]) -> Table:
+    """Cases with their falls, and means of the robots that stood."""
+    kinds = {
+        "peak_pitch": Column(Say("pitch"), "rad"), "settling": Column(Say("settles"), "s"),
+        "effort": Column(Say("effort"), "V² s"),
+    }  # fmt: skip
+    shown = [name for name in cases.shown() if name in kinds]
+    names = cases.names()
+    rows: list[list[Cell]] = []
+    for k in order:
+        case = cases[k]
+        fell = None if case.fell is None else case.fell / case.n
+        rows.append([names[k], fell, case.n, *(case.mean(outcome) for outcome in shown)])
+    caption = Say("Cases, the worst first; means of the robots that stood") if shown else None
+    columns = [
+        Column(Say("case")),
+        Column(Say("fell"), "fraction"),
+        Column(Say("robots")),
+        *(kinds[name] for name in shown),
+    ]
+    return Table(columns, rows, caption)
+
+
+def _drawn(cases: Tally) -> Table | None:
+    """The drawn numbers over which falls change most."""
+    names = cases.names()
+    part = Quantity(END, "fraction")
+    rows: list[list[Cell]] = [
+        [term(name), least, most, names[cases.index(case)]]
+        for name, (case, least, most) in list(cases.drawn().items())[:MATTER]
+    ]
+    columns = [
+        Column(Say("varied number")), Column(Say("small: fell"), "fraction"), Column(Say("large: fell"), "fraction"),
+        Column(Say("case")),
+    ]  # fmt: skip
+    caption = Say("Falls of the {part} with the smallest and of the {part} with the largest value", part=part)
+    return Table(columns, rows, caption) if rows else None
+
+
+def _scenarios(cases: Tally) -> Items | None:
+    """What is done to the robots in each scenario."""
+    if len(cases.origins) != len(cases):
+        return None
+    pushes = {str(c.labels.get("scenario", "")): _pushes(o) for c, o in zip(cases, cases.origins, strict=True)}
+    items = [Say("{name}: {pushes}", name=name, pushes=pushes_in_words(push)) for name, push in pushes.items() if name]
+    return Items(items) if items else None
+
+
+def _pushes(origin: Mapping[str, Any]) -> Sequence[Mapping[str, Any]]:
+    return origin.get("scenario", {}).get("push") or ()
+
+
+def _next(counted: Sequence[CaseSummary]) -> list[Next]:
+    """Where too many fall, the largest push that the worst case survives; else a certificate."""
+    worst = counted[0]
+    robot, controller = (str(worst.labels.get(name, "")) or None for name in ("robot", "controller"))
+    if (worst.fell or 0) > MOST_FALLS * worst.n:
+        why = Say("It finds the largest push that the worst case survives.")
+        return [Next("push_map", robot=robot, controller=controller, why=why)]
+    why = Say("It tries what a campaign leaves out.")
+    return [Next("certify", controller or "lqr", robot=robot, why=why)]
+
+
+def _made_of(cases: Tally) -> dict[str, str]:
+    """Seed, length of the runs and versions, as of the first case."""
+    origin = cases.origins[0] if cases.origins else {}
+    seconds = origin.get("scenario", {}).get("seconds")
+    facts = {
+        "seed": str(origin.get("seed", "")),
+        "each run": str(Quantity(float(seconds), "s")) if seconds else "",
+        "versions": ", ".join(f"{name} {number}" for name, number in sorted(origin.get("versions", {}).items())),
+    }
+    return {name: text for name, text in facts.items() if text}

@@ -1,0 +1,183 @@
+"""The page of a push map: the weakest push, the limit over height and duration in colour, and its slices."""
+
+from __future__ import annotations
+
+import functools
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from upright.arrays import Array
+from upright.fleets.limits import KNOCK, at_centre, weakest
+from upright.fleets.origin import made_of
+from upright.fleets.results import origin_of
+from upright.pages import Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from xarray import Dataset
+
+LEVELS = 10  # colours of a map: few enough to be told apart side by side
+
+WAYS = {"forward": Say("forward"), "backward": Say("backward")}
+
+
+def push_map_page(data: Dataset) -> Page:
+    """The page of a push map."""
+    origin = origin_of(data)
+    robot = str(origin["robot"]["name"])
+    controller = origin.get("controller") or {}
+    kind = str(controller.get("kind") or "")
+    least = min(place["impulse"] for place in weakest(data).values())
+    title = Say("{robot} survives {size}, wherever it is pushed", robot=robot, size=Quantity(None, "N s", low=least))
+    verdict = Verdict(Say("weakest push: {size}", size=Quantity(least, "N s")))
+    if not least:
+        title = Say("The smallest push tried fells {robot}", robot=robot)
+        verdict = Verdict(Say("no push is survived"), "bad")
+    lead = [
+        Say("Simulated: {robot} under {controller}, pushed ever harder until it falls.", robot=robot,
+            controller=kind or Say("a controller of one's own"))
+    ]  # fmt: skip
+    first, *others = [_map(data, way) for way in weakest(data)]
+    slices = [_slices(data.sel(direction=way), way) for way in weakest(data)]
+    folds = [
+        Fold(Say("Heights and directions"), [*slices, *others]),
+        Fold(Say("How this was tried"), [_tried(data)]),
+    ]
+    return Page(
+        title, verdict=verdict, lead=lead, numbers=_numbers(data), picture=first,
+        next=[Next("certify", kind or "lqg", robot=robot, why=Say("It counts how many similar robots fall."))],
+        blocks=[_table(data), *folds], origin=made_of(data),
+    )  # fmt: skip
+
+
+def _numbers(data: Dataset) -> list[KeyNumber]:
+    numbers: list[KeyNumber] = []
+    lows = [place["low"] for place in weakest(data).values() if "low" in place]
+    if lows:
+        meaning = Say("survived at its weakest place by 97.5 % of similar robots")
+        numbers.append(KeyNumber(Quantity(None, "N s", low=min(lows)), meaning))
+    if knock := at_centre(data):
+        meaning = Say("survived at the centre of mass within {time}", time=Quantity(KNOCK, "s"))
+        numbers.append(KeyNumber(Quantity(knock, "N s"), meaning))
+    longest = Quantity(float(data["duration"].values[-1]), "s", digits=2)
+    lasting = Quantity(float(data["impulse"].isel(duration=-1).min()), "N s")
+    return [*numbers, KeyNumber(lasting, Say("survived at every height within {time}", time=longest))]
+
+
+def _table(data: Dataset) -> Table:
+    columns = [
+        Column(Say("direction")), Column(Say("weakest push"), "N s"), Column(Say("height"), "m"),
+        Column(Say("lasts"), "s"), Column(Say("97.5 % survive"), "N s"),
+    ]  # fmt: skip
+    rows = [
+        [WAYS[way], place["impulse"], place["height"], place["duration"], place.get("low")]
+        for way, place in weakest(data).items()
+    ]
+    return Table(columns, rows, Say("The weakest place of each direction; height above the axle"))
+
+
+def _tried(data: Dataset) -> Items:
+    search = origin_of(data)["push_map"]
+    heights, durations = data["height"].values, data["duration"].values
+    apart = float(data["island"].values.mean())
+    items = [
+        Say("Heights: {range} above the axle", range=_reach(heights, "m")),
+        Say("Durations: {range}", range=_reach(durations, "s")),
+        Say("A push is survived if the robot still stands {time} later", time=Quantity(float(search["watch"]), "s")),
+        Say("Accuracy of each limit: {part}", part=Quantity(float(search["tolerance"]), "fraction")),
+        Say("Similar robots drawn for the band: {n}", n=int(search["samples"])),
+        Say("Points where a larger push is survived again: {part}", part=Quantity(apart, "fraction", digits=2)),
+    ]
+    return Items(items)
+
+
+def _reach(values: Array, unit: str) -> Quantity:
+    return Quantity(None, unit, low=float(values.min()), high=float(values.max()))
+
+
+def _map(data: Dataset, way: str) -> Picture:
+    place = weakest(data)[way]
+    claim = Say("Pushed {way}, it is weakest {height} above the axle, for {time}", way=WAYS[way],
+                height=Quantity(place["height"], "m"), time=Quantity(place["duration"], "s"))  # fmt: skip
+    note = Say("Numbers on the lines: the largest push survived [N s]. The lightest colour includes larger ones.")
+    return Picture(claim, functools.partial(draw_map, data.sel(direction=way)), note)
+
+
+def draw_map(part: Dataset) -> Figure:
+    """The largest impulse of one direction over height and duration, and a mark where it is least."""
+    from upright.plotting import colour_map
+
+    impulse: Array = part["impulse"].values
+    low = float(np.nanmin(impulse))
+    high = float(np.nanquantile(impulse, 0.98))
+    row, column = np.unravel_index(int(np.nanargmin(impulse)), impulse.shape)
+    height, duration = float(part["height"].values[row]), float(part["duration"].values[column])
+    levels = _levels(low, high)
+    drawing = colour_map(
+        part["duration"].values, part["height"].values, impulse.T, x_label=str(Say("duration of the push [s]")),
+        y_label=str(Say("height above the axle [m]")), label=str(Say("push [N s]")), levels=levels, smooth=True,
+    )  # fmt: skip
+    ax = drawing.axes[0]
+    _numbered(ax, part, levels)
+    ax.plot(duration, height, "o", color="white", markeredgecolor="black", markersize=9, clip_on=False, zorder=5)
+    right = part["duration"].values.mean() >= duration
+    above = part["height"].values.mean() >= height
+    ax.annotate(
+        str(Say("weakest")), (duration, height), (28 if right else -28, 24 if above else -24), color="white",
+        textcoords="offset points", ha="left" if right else "right", arrowprops={"arrowstyle": "-", "color": "white"},
+    )  # fmt: skip
+    return drawing
+
+
+def _numbered(ax: Axes, part: Any, levels: list[float]) -> None:
+    """The impulse on each border between colours: white on dark ones, dark on light ones."""
+    from upright.plotting import number
+
+    inner = levels[1:-1]
+    if not inner:
+        return
+    half = (len(levels) - 1) / 2
+    colours = ["white" if k < half else "#101010" for k in range(1, len(levels) - 1)]
+    lines = ax.contour(part["duration"].values, part["height"].values, part["impulse"].values, levels=inner,
+                       colors=colours, linewidths=0.6)  # fmt: skip
+    far = [level for level in inner if level > 1.1 * float(np.nanmin(part["impulse"].values))]  # not at the marker
+    ax.clabel(lines, far, fmt={level: number(level, 2) for level in inner}, fontsize=9)
+
+
+def _levels(low: float, high: float) -> list[float]:
+    """Round borders between colours: equal steps, or where the values span more than a factor of three equal ratios."""
+    from upright.plotting import round_levels
+
+    if low <= 0 or high < 3 * low:
+        return round_levels(low, high, LEVELS)
+    powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
+    steps = [m * 10.0**p for p in powers for m in (1, 1.5, 2, 3, 4, 6, 8)]
+    steps = steps if high < 30 * low else [10.0**p for p in powers]
+    first = max(k for k, step in enumerate(steps) if step <= low)
+    return steps[first : 1 + min(k for k, step in enumerate(steps) if step >= high)]
+
+
+def _slices(part: Dataset, way: str) -> Picture:
+    return Picture(
+        Say("Pushed {way}: a longer push may be larger", way=WAYS[way]), functools.partial(_draw_slices, part)
+    )
+
+
+def _draw_slices(part: Dataset) -> Figure:
+    """The limit over the duration at three heights, with the band of similar robots."""
+    from upright.plotting import legend, line, panels
+
+    rows = np.unique(np.rint(np.array([0.25, 0.5, 1.0]) * (part.sizes["height"] - 1)).astype(int)).tolist()
+    heights = [Quantity(float(part["height"].values[row]), "m", digits=2) for row in rows]
+    labels = [str(Say("survived, {height} above the axle [N s]", height=height)) for height in heights]
+    figure, axes = panels(labels, str(Say("duration of the push [s]")))
+    names = {"impulse": Say("this robot"), "low": Say("2.5 % of similar robots below"), "high": Say("2.5 % above")}
+    for ax, row in zip(axes, rows, strict=True):
+        for name, words in names.items():
+            if name in part:
+                line(ax, str(words), part["duration"].values, part[name].values[row])
+        ax.set_ylim(0)
+    return legend(figure)
