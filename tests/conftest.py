@@ -59,7 +59,7 @@ def pytest_configure(config: pytest.Config) -> None:
     )
 
 
-BROWSER = frozenset(("test_lab_page", "test_lab_exported", "test_pages"))
+BROWSER = frozenset(("test_lab_page", "test_lab_exported", "test_browser_pages"))
 """Files with a browser, and a lab beside it: two at once take more than two cores."""
 
 FIRST = (

@@ -16,15 +16,12 @@ def pushes_in_words(pushes: Sequence[Mapping[str, Any]]) -> Say:
 
 
 def _in_words(push: Mapping[str, Any]) -> Say:
-    for name, value in push.items():
-        if value and name in _WORDS:
-            return _WORDS[name](push)
+    if push.get("impulse"):
+        return Say("a knock of {size}", size=Quantity(push["impulse"], "N s"))
+    if push.get("force"):
+        return Say("{force} for {time}", force=Quantity(push["force"], "N"), time=Quantity(push["duration"], "s"))
+    if push.get("pitch"):
+        return Say("held at {angle} and let go", angle=Quantity(push["pitch"], "rad"))
+    if push.get("angle"):
+        return Say("a slope of {angle}", angle=Quantity(push["angle"], "rad"))
     return Say("a push")
-
-
-_WORDS = {
-    "impulse": lambda p: Say("a knock of {size}", size=Quantity(p["impulse"], "N s")),
-    "force": lambda p: Say("{force} for {time}", force=Quantity(p["force"], "N"), time=Quantity(p["duration"], "s")),
-    "pitch": lambda p: Say("held at {angle} and let go", angle=Quantity(p["pitch"], "rad")),
-    "angle": lambda p: Say("a slope of {angle}", angle=Quantity(p["angle"], "rad")),
-}

@@ -45,7 +45,7 @@ def influence(data: Dataset, outcome: str) -> Influence:
         for name in varied:
             drawn = data[name].values[use]
             if np.ptp(drawn) > 0:
-                sizes[name] = float(spearmanr(drawn, values[use]).statistic)
+                sizes[name] = float(spearmanr(drawn, values[use])[0])
     ranked = dict(sorted(sizes.items(), key=lambda pair: -abs(pair[1])))
     chance = float(norm.ppf(1 - 0.025 / max(len(ranked), 1))) / math.sqrt(max(int(use.sum()) - 1, 1))
     return Influence(outcome, ranked, chance)

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import functools
 import re
+from collections.abc import Sequence
 from html import escape
 from importlib import resources
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from upright.languages import chosen
 from upright.pages.blocks import Block, Page, Picture
-from upright.pages.cells import columns_of
+from upright.pages.cells import Text, columns_of
 from upright.pages.words import translated
 
 if TYPE_CHECKING:
@@ -39,6 +40,11 @@ _INDEX = re.compile(r"\b([A-Za-zα-ωΔ]\u0307?)_(\w)\b")
 _CODE = re.compile(r"`([^`]+)`")
 
 
+def right(cells: Sequence[Text]) -> bool:
+    """Whether a column stands to the right: all of it are numbers."""
+    return all(cell.is_number for cell in cells)
+
+
 def kind(block: Block) -> str:
     """The name of the template of a block."""
     return type(block).__name__.lower()
@@ -64,6 +70,7 @@ def _template(name: str) -> Template:
         trim_blocks=True, lstrip_blocks=True,
     )  # fmt: skip
     environment.filters["marked"] = marked
-    environment.tests["numbers"] = lambda cells: all(cell.is_number for cell in cells)
-    environment.globals.update(kind=kind, columns_of=columns_of, drawings=drawings, say=translated)
+    names: dict[str, Any] = {"kind": kind, "columns_of": columns_of, "drawings": drawings, "say": translated,
+                             "right": right}  # fmt: skip
+    environment.globals.update(names)
     return environment.get_template(name)
