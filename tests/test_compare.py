@@ -7,6 +7,9 @@ import math
 
 import numpy as np
 import pytest
+from upright.reports.beside import answered_fits
+from upright.reports.comparing import page_of
+from upright.reports.metrics import around, fit_tables, left_out, listed_metrics, metrics_table
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.body import FALLEN
@@ -26,9 +29,6 @@ from upright.comparison.swaying import LEVEL, answer
 from upright.control import StateFeedback, lqg, lqr_state
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import Hold, Impulse, motionless, outcome_of, run, undisturbed
-from upright.reports.beside import answered_fits
-from upright.reports.comparing import page_of
-from upright.reports.metrics import around, fit_tables, left_out, listed_metrics, metrics_table
 from upright.robots import Robot, find_kit, find_robot
 from upright.signals import STATE_NAMES, Log
 

@@ -86,7 +86,7 @@ def _show(log: Log, body: str, output: Path | None, report: Path | None, *, as_j
     numbers = compare({body: log})
     written = log.save(output) if output else None
     finish(
-        numbers, as_json, page=report, written=[written], text=numbers.ended(body), outcome=log.origin["outcome"],
+        numbers, as_json, page=report, written=[written], text="", outcome=log.origin["outcome"],
         origin=log.origin, log=str(written) if written else None,
     )  # fmt: skip
 

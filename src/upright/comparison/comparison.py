@@ -6,21 +6,21 @@ import dataclasses
 import math
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from upright.arrays import Array
 from upright.atomic import finite
-from upright.certification.verdict import MOST_TRAVEL
-from upright.comparison import metrics, resting, swaying
+from upright.comparison import metrics
+from upright.comparison.runs import Compared, Metrics, negligible
 from upright.errors import InvalidLog, UnknownName
-from upright.experiment import motionless, outcome_of, undisturbed
+from upright.experiment import outcome_of
 from upright.logs.recording import commanded
+from upright.pages import Page, Result
 from upright.signals import STATE_NAMES, Log
-from upright.tables import Listing, Shown
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -28,79 +28,14 @@ if TYPE_CHECKING:
 NEAR_LIMIT = 0.8
 """Fraction of its limit below which no command was cut: a battery that sags gives way by less than the rest."""
 
-NEGLIGIBLE = {"yaw": math.radians(1.0), "yaw_rate": math.radians(1.0)}
-"""[rad], [rad/s] A compass of an NXT resolves one degree: where the reference turns less than that, its yaw is noise,
-and nothing is fitted to it."""
 
-DIVERGED = -100.0
-"""[%] of fit: the error is twice the reference's own deviation. Nothing is scored below: how far a run is that went
-another way is chance."""
-
-CONSTANT = 1e-9
-"""[rad], [rad/s] of a reference that only rounding moves: nothing can be fitted to it."""
-
-
-def _number(unit: str, label: str) -> Any:
-    return field(metadata={"unit": unit, "label": label})
-
-
-@dataclass(frozen=True, kw_only=True)
-class Metrics:
-    """What one log shows; times count from the release of the push, NaN where a log cannot say.
-
-    Settling and overshoot are of pitch about zero, and `wheel_travel` is the largest |θ − θ(first sample)|. A run that
-    leaves the band in the last quarter after the release too has no settling time. One that swings further on the far
-    side than on the side of the release has no overshoot: it was struck, and let go before it leaned.
-    `fell` is the run's own outcome, None where a log from elsewhere has none (`experiment.outcome_of`).
-    """
-
-    settling_2: float = _number("s", "settling 2 %")
-    settling_5: float = _number("s", "settling 5 %")
-    overshoot: float = _number("1", "overshoot")
-    pitch_peak: float = _number("rad", "peak pitch")
-    pitch_rms: float = _number("rad", "RMS pitch")
-    doubling: float = _number("s", "swing doubles in")
-    wheel_travel: float = _number("rad", "wheel travel")
-    effort: float = _number("u² s", "effort")
-    saturated: float = _number("1", "saturated")
-    fell: bool | None = _number("", "fell")
-
-
-METRICS: dict[str, tuple[str, str]] = {
-    f.name: (f.metadata["unit"], f.metadata["label"]) for f in dataclasses.fields(Metrics)
-}
-"""Field name → (unit, label) of every metric, in order; the effort's u is `Comparison.command_unit`."""
-
-
-@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Comparison(Shown):
-    """Logs under their labels, the metrics of each, and how well each fits the reference.
-
-    `fits[label][signal]` is the NRMSE fit [%] to the log labelled `reference`. `sources` says whether a log's
-    states are its `truth` or its `estimate`; `releases` when its push ended [s] (inf: never); `kinds` what body
-    it is of. `release` is what the caller asked for, None for each log's own.
-    """
-
-    logs: Mapping[str, Log]
-    reference: str
-    signals: tuple[str, ...]
-    release: float | None
-    sources: Mapping[str, str]
-    releases: Mapping[str, float]
-    kinds: Mapping[str, str]
-    command_unit: str
-    metrics: Mapping[str, Metrics]
-    fits: Mapping[str, Mapping[str, float]]
+class Comparison(Compared, Result):
+    """Runs beside each other as a result: pages, figures and data."""
 
     def check(self) -> bool:
         """Whether comparing the logs kept here again gives these very numbers."""
         again = compare(self.logs, reference=self.reference, signals=self.signals, release=self.release)
         return again.to_json() == self.to_json()
-
-    def unit(self, metric: str) -> str:
-        """Unit of a metric, '1' for a fraction, '' for yes or no."""
-        squared = f"({self.command_unit})²" if not self.command_unit.isalpha() else f"{self.command_unit}²"
-        return METRICS[metric][0].replace("u²", squared)
 
     def to_json(self) -> dict[str, Any]:
         """Everything but the logs as plain values, None for what is not a finite number."""
@@ -118,99 +53,30 @@ class Comparison(Shown):
         seconds, within = self.at_rest(label)
         numbers |= {"settled": finite(seconds), "settled_within": finite(within)} if self.pushed else {}
         where = {"kind": self.kinds[label], "source": self.sources[label], "release": finite(self.releases[label])}
+        if label in self.answered:
+            where["fit_answered"] = {name: finite(value) for name, value in self.answered[label].items()}
+        if fits and "pitch" in fits:
+            where["pitch_apart"] = finite(self.apart(label))
         return where | {"metrics": numbers, "fit": fits}
 
-    def ended(self, label: str) -> str:
-        """How a run ended, in words, also that its swing grows, that it rolled far, or why it never moved."""
-        log, numbers = self.logs[label], self.metrics[label]
-        ended = str(outcome_of(log))
-        rolled = log.origin.get("robot", {}).get("wheel_radius", 0) * numbers.wheel_travel
-        if math.isfinite(numbers.doubling):
-            ended += f", but its swing doubled every {numbers.doubling:.2g} s"
-        if rolled > MOST_TRAVEL:
-            ended += f", and rolled {rolled:.2g} m"
-        still = motionless(log) if undisturbed(log) else ""
-        return f"{ended}. {still}" if still else ended
+    def page(self) -> Page:
+        """The comparison for people; of a single log what its robot did."""
+        from upright.comparison.comparison_page import comparison_page
+        from upright.comparison.run_page import run_page
+
+        return run_page(self) if len(self.logs) == 1 else comparison_page(self)
 
     def plot(self, *signals: str) -> Figure:
-        """States of all logs over time (default: all that are compared), one panel each; the push is shaded."""
-        names = signals or self.signals
-        source = self.sources[self.reference]
-        titles = [f"{n.replace('_', ' ')} [{self.logs[self.reference].unit(f'{source}/{n}')}]" for n in names]
-        return self._drawn(titles, {label: [f"{of}/{name}" for name in names] for label, of in self.sources.items()})
+        """States of all logs over time (default: those that move), one panel each, in degrees; the push is shaded."""
+        from upright.comparison.drawing import draw_states
+
+        return draw_states(self, signals or self.moving)
 
     def plot_commands(self) -> Figure | None:
         """Both commands of the logs that have them, applied ones first; None where no log has any."""
-        drawn = {label: [f"{p}/left", f"{p}/right"] for label, log in self.logs.items() if (p := commanded(log))}
-        titles = [f"{side} command [{self.command_unit}]" for side in ("left", "right")]
-        return self._drawn(titles, drawn, step=True) if drawn else None
+        from upright.comparison.drawing import draw_commands
 
-    def _drawn(self, titles: Sequence[str], channels: Mapping[str, Sequence[str]], *, step: bool = False) -> Figure:
-        """Those channels of each log, one panel each, and when the push acts."""
-        from upright.plotting import legend, line, panels, span
-
-        figure, axes = panels(titles)
-        for style, (label, log) in enumerate(self.logs.items()):
-            for ax, name in zip(axes, channels.get(label, ()), strict=False):
-                line(ax, label, log.t, log[name], step=step, style=style)
-        end = max(float(log.t[-1]) for log in self.logs.values())
-        for start, stop in self.pushed:
-            span(axes, start, min(stop, end), "push acts")
-        return legend(figure)
-
-    @property
-    def pushed(self) -> tuple[tuple[float, float], ...]:
-        """From when to when [s] a push acts, by the reference's log or the first that has pushes."""
-        logs = (self.logs[self.reference], *self.logs.values())
-        log = next((log for log in logs if "push/force" in log), None)
-        return () if log is None else metrics.active_intervals(log.t, log["push/force"])
-
-    def released(self, label: str) -> resting.Released:
-        """|pitch| of a run from the release on; empty where it fell, or is pushed to its end."""
-        log, release = self.logs[label], self.releases[label]
-        ends = self.metrics[label].fell or not release <= log.t[-1]
-        after = log.between(release, math.inf) if not ends else None
-        name = f"{self.sources[label]}/pitch"
-        none = np.zeros(0)
-        return (
-            resting.Released(after.t, np.abs(after[name])) if after and name in after else resting.Released(none, none)
-        )
-
-    def at_rest(self, label: str) -> tuple[float, float]:
-        """How long after the release until pitch stays near zero [s], and what near means for all runs [rad]:
-        `resting.at_rest`; where the run never rests NaN and 5 % of its largest pitch."""
-        seconds, within = resting.at_rest({name: self.released(name) for name in self.logs}, label)
-        return seconds, 0.05 * abs(self.metrics[label].pitch_peak) if math.isnan(seconds) else within
-
-    def answer(self, label: str, name: str = "pitch") -> swaying.Answered | None:
-        """How a run and the reference answer the pushes until both are at rest: `swaying.answer`."""
-        one = self.logs[self.reference]
-        log = self.logs[label]
-        t = one.t[(one.t >= log.t[0]) & (one.t <= log.t[-1])]
-        names = (f"{self.sources[self.reference]}/{name}", f"{self.sources[label]}/{name}")
-        rest = max(self.at_rest(each)[0] for each in (self.reference, label))
-        return swaying.answer(
-            t, one[names[0]][np.isin(one.t, t)], np.interp(t, log.t, log[names[1]]), self.pushed, rest
-        )
-
-    def listing(self) -> Listing:
-        """Metrics and fits, one column for each log."""
-        labels = list(self.logs)
-        rows: list[list[str]] = []
-        if self.pushed:
-            calm = [self.at_rest(label) for label in labels]
-            within = f"{math.degrees(max(limit for _, limit in calm)):.3g}°"
-            rows.append([f"settling ±{within}", "s", *(_cell(seconds) for seconds, _ in calm)])
-        for name, (_, text) in METRICS.items():
-            rows.append([text, self.unit(name), *(_cell(getattr(self.metrics[label], name)) for label in labels)])
-        for name in self.signals if self.fits else ():
-            cells = (fit_cell(self.fits[label][name]) if label in self.fits else "reference" for label in labels)
-            rows.append([f"fit of {name}", "%", *cells])
-        rows.append(["states from", "", *(self.sources[label] for label in labels)])
-        return Listing(("", "unit", *labels), rows, labels)
-
-    def __str__(self) -> str:
-        return str(self.listing())
+        return draw_commands(self) if any(map(commanded, self.logs.values())) else None
 
 
 def compare(
@@ -325,7 +191,9 @@ def _command_unit(log: Log) -> str:
 
 
 def _measure(log: Log, source: str, release: float, unit: str) -> Metrics:
-    pitch, wheel = _channel(log, f"{source}/pitch"), _channel(log, f"{source}/wheel")
+    pitch = _channel(log, f"{source}/pitch")
+    wheel = _channel(log, f"{source}/wheel")
+    turn = abs(metrics.peak(log.t, wheel, float(wheel[0])).value)
     after = pitch[log.t >= release]
     fell = outcome_of(log).fell
     return Metrics(
@@ -335,14 +203,15 @@ def _measure(log: Log, source: str, release: float, unit: str) -> Metrics:
         pitch_peak=metrics.peak(log.t, pitch).value,
         pitch_rms=metrics.rms(pitch),
         doubling=math.nan if fell else metrics.doubling(log.t, pitch, start=release),
-        wheel_travel=abs(metrics.peak(log.t, wheel, float(wheel[0])).value),
+        wheel_travel=turn,
+        rolled=turn * log.origin.get("robot", {}).get("wheel_radius", math.nan),
         effort=_effort(log, unit),
         saturated=_saturated(log),
         fell=fell,
     )
 
 
-def _channel(log: Log, name: str) -> metrics.Array:
+def _channel(log: Log, name: str) -> Array:
     return log[name] if name in log else np.full(len(log), np.nan)
 
 
@@ -383,18 +252,7 @@ def _fit(anchor: Log, log: Log, mine: Mapping[str, str], other: Mapping[str, str
     pairs = {name: (anchor[mine[name]][keep], np.interp(t, log.t, log[other[name]])) for name in mine}
     return {
         name: math.nan
-        if np.ptp(y) <= max(NEGLIGIBLE.get(name, 0.0), CONSTANT)
+        if np.ptp(y) <= negligible(name)
         else metrics.nrmse_fit(y, z)
         for name, (y, z) in pairs.items()
     }  # fmt: skip
-
-
-def fit_cell(fit: float) -> str:
-    """A fit [%] as it is shown."""
-    return "diverges" if fit < DIVERGED else _cell(fit)
-
-
-def _cell(value: float | bool | None) -> str:
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    return "–" if value is None or math.isnan(value) else f"{value:.4g}"

@@ -1,4 +1,4 @@
-"""What was done to a robot, in words."""
+"""What was done to a robot, in words, and who it was."""
 
 from __future__ import annotations
 
@@ -25,3 +25,23 @@ def _in_words(push: Mapping[str, Any]) -> Say:
     if push.get("angle"):
         return Say("a slope of {angle}", angle=Quantity(push["angle"], "rad"))
     return Say("a push")
+
+
+def facts_of(origin: Mapping[str, Any]) -> dict[str, str]:
+    """Robot, kit, controller, seed and versions of a log or a fleet, for a page's foot."""
+    controller = origin.get("controller") or {}
+    scenario = origin.get("scenario") or {}
+    versions = origin.get("versions") or {}
+    facts = {
+        "robot": name_in(origin, "robot"),
+        "kit": name_in(origin, "kit"),
+        "controller": f"{controller.get('kind', '')} {str(controller.get('hash', ''))[:12]}".strip(),
+        "seed": str(origin.get("seed", scenario.get("seed", ""))),
+        "versions": ", ".join(f"{name} {number}" for name, number in sorted(versions.items())),
+    }
+    return {name: text for name, text in facts.items() if text}
+
+
+def name_in(origin: Mapping[str, Any], part: str) -> str:
+    """The name of the robot or the kit, empty where the origin has none."""
+    return str((origin.get(part) or {}).get("name", ""))

@@ -10,10 +10,8 @@ from typing import Any
 import numpy as np
 
 from upright.bodies.body import FALLEN
+from upright.pages import Quantity, Say
 from upright.signals import Log
-
-PUSHED = "--push hold:0.1,until=1"
-"""What to add to a run that nothing disturbs."""
 
 
 @dataclass(frozen=True)
@@ -26,10 +24,20 @@ class RunOutcome:
     seconds: float
     slipped: float = math.inf
 
+    @property
+    def in_words(self) -> Say:
+        """The outcome as the title of a page."""
+        time = Quantity(self.seconds, "s", digits=4)
+        if self.fell is None:
+            return Say("A log of {time}", time=time)
+        if self.fell:
+            return Say("It fell at {time}", time=time)
+        if math.isfinite(self.slipped):
+            return Say("It stood for {time}; its motors slipped at {when}", time=time, when=Quantity(self.slipped, "s"))
+        return Say("It stood for {time}", time=time)
+
     def __str__(self) -> str:
-        words = {True: "fell at", False: "stood for", None: "recorded for"}
-        lost = f", motors slipped at {self.slipped:.4g} s" if math.isfinite(self.slipped) else ""
-        return f"{words[self.fell]} {self.seconds:.4g} s{lost}"
+        return str(self.in_words)
 
     def to_json(self) -> dict[str, Any]:
         lost = {"slipped": self.slipped} if math.isfinite(self.slipped) else {}
@@ -72,30 +80,20 @@ def undisturbed(log: Log) -> bool:
     return not (any(scenario["start"]) or scenario.get("push") or scenario.get("reference") or "excitation" in kind)
 
 
-TAKEN = {"dead_zone": "dead zone", "drop": "drop"}
-"""Numbers of a motor [V] that keep small commands from it, in words."""
-
-
-def motionless(log: Log) -> str:
-    """Why an undisturbed robot never moved, as a sentence; '' where it moved, or the log lacks its state or commands.
+def motionless(log: Log) -> Say | None:
+    """Why an undisturbed robot never moved; None where it moved, or the log lacks its state or commands.
 
     A controller that reads noise commands something; a kit's dead zone and resolution take away what is small.
     """
     sides = ("left", "right")
     if not all(f"{kind}/{side}" in log for kind in ("command", "applied") for side in sides):
-        return ""
+        return None
     if not all(name in log and not np.ptp(log[name]) for name in ("truth/pitch", "truth/wheel")):
-        return ""
-    asked, given = (
-        max(float(np.abs(log[f"{kind}/{side}"]).max()) for side in sides) for kind in ("command", "applied")
-    )
-    if given:
-        return ""
+        return None
+    if any(log[f"applied/{side}"].any() for side in sides):
+        return None
+    asked = max(float(np.abs(log[f"command/{side}"]).max()) for side in sides)
     if not asked:
-        return "Exactly upright it reads no lean, so every command is 0."
-    unit = log.unit("command/left")
-    asks = f"The sensors' noise makes commands of up to {asked:.2g} {unit}"
-    motor = log.origin.get("kit", {}).get("motor", {}) if unit == "V" else {}
-    why = [f"{words}: {motor[name]:g} V" for name, words in TAKEN.items() if motor.get(name)]
-    within = f" ({', '.join(why)})" if why else ""
-    return f"{asks}, too small to turn the motors{within}: 0 {unit} is applied."
+        return Say("Exactly upright it reads no lean, so every command is 0.")
+    most = Quantity(asked, log.unit("command/left"), digits=2)
+    return Say("Sensor noise asks for {most} at most, too little to turn the motors.", most=most)

@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from upright.experiment.described import facts_of
 from upright.fleets.results import origin_of
 from upright.pages import Column, Quantity, Say, Table
 from upright.pages.terms import term
@@ -43,14 +44,4 @@ def spreads_table(spreads: Sequence[Mapping[str, Any]], units: Mapping[str, str]
 
 def made_of(data: Dataset) -> dict[str, str]:
     """Robot, kit, controller, seed and versions, for a page's foot."""
-    origin = origin_of(data)
-    controller = origin.get("controller") or {}
-    versions = origin.get("versions") or {}
-    facts = {
-        "robot": str(origin.get("robot", {}).get("name", "")),
-        "kit": str((origin.get("kit") or {}).get("name", "ideal")),
-        "controller": f"{controller.get('kind', '')} {str(controller.get('hash', ''))[:12]}".strip(),
-        "seed": str(origin.get("seed", "")),
-        "versions": ", ".join(f"{name} {number}" for name, number in sorted(versions.items())),
-    }
-    return {name: text for name, text in facts.items() if text}
+    return {"kit": "ideal"} | facts_of(origin_of(data))

@@ -198,7 +198,7 @@ def keep_report(report: Report, logs: dict[str, Log], path: Path) -> Path:  # no
     from upright.comparison import compare
     from upright.reports import report as write_report
 
-    return write_report(compare(logs), path, title="From the lab: runs compared")
+    return write_report(compare(logs), path)
 
 
 def keep_comparison(report: Report, opened: tuple[Path, Robot, Kit], logs: dict[str, Log], path: Path) -> Path:

@@ -1,6 +1,7 @@
 """What every result is shown with: sentences with facts, a verdict, numbers, pictures, tables, and what to run next."""
 
 from upright.pages.blocks import Block as Block
+from upright.pages.blocks import Cell as Cell
 from upright.pages.blocks import Column as Column
 from upright.pages.blocks import Fold as Fold
 from upright.pages.blocks import Formula as Formula

@@ -21,8 +21,8 @@ from upright.paper.claim import Claim, judged
 from upright.paper.pushes import PUSHES, RELEASE, SECONDS, RegulatedRobot
 from upright.progress import Progress, unwatched
 from upright.reports import Figure, Table
-from upright.reports.comparing import state_figure
 from upright.reports.page import Cell, cell_text
+from upright.reports.states import state_figure
 from upright.robots import Kit, Robot
 from upright.signals import Log
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from upright.atomic import make_folder, write_json
-from upright.comparison.comparison import DIVERGED, NEGLIGIBLE
+from upright.comparison.runs import DIVERGED, NEGLIGIBLE
 from upright.control import Controller
 from upright.experiment.pushes import PushProgramme
 from upright.logs.mapping import Mapping as Columns
@@ -20,9 +20,8 @@ from upright.paper.own_log import OwnRobot, compare_own
 from upright.paper.pushes import FIGURES, NAMED
 from upright.progress import Progress, unwatched
 from upright.reports import Details, Figure, Page, Section, Table
-from upright.reports.comparing import state_figure
-from upright.reports.metrics import fit_tables, metrics_table
 from upright.reports.page import Cell, Item, cell_text
+from upright.reports.states import fit_table, metrics_table, state_figure
 from upright.robots import Kit, Robot
 from upright.signals import STATE_NAMES
 from upright.tables import Shown, sentence
@@ -135,7 +134,7 @@ def page_of(result: OwnRobot) -> Page:
             ],
         ),
         Section(f"{NAMED[result.side].capitalize()}, of this robot", [*figures[1:], *still]),
-        Section("Numbers", [metrics_table(comparison), *fit_tables(comparison)]),
+        Section("Numbers", [metrics_table(comparison), fit_table(comparison)]),
         Section("How this was done", [_HOW, Details("Law and push", [f"Law: {result.law}.", sentence(result.push)])]),
     ]
     title = f"{result.robot.name} in the experiment of Herrera et al. (2015)"

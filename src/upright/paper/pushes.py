@@ -12,7 +12,7 @@ from upright.atomic import finite
 from upright.bodies import Body, Electronics, LinearBody, NonlinearBody
 from upright.bodies.twin import Twin
 from upright.comparison import Comparison, compare
-from upright.comparison.comparison import NEGLIGIBLE
+from upright.comparison.runs import NEGLIGIBLE
 from upright.control import Controller, Estimated, StateFeedback, kalman
 from upright.experiment import Hold, run
 from upright.paper import printed
@@ -21,10 +21,9 @@ from upright.physics.linear import LinearModel
 from upright.plotting import legend, line, panels
 from upright.progress import Progress, unwatched
 from upright.reports import Figure, Table
-from upright.reports.comparing import state_figure
-from upright.reports.metrics import fit_tables, metrics_table
 from upright.reports.page import Cell, cell_text
 from upright.reports.robot import filmstrip
+from upright.reports.states import fit_table, metrics_table, state_figure
 from upright.robots import Kit, Motor, Robot
 from upright.tables import sentence
 
@@ -160,7 +159,7 @@ def _shown(trial: RegulatedRobot, side: str, comparison: Comparison, measured: M
         "Under each time: pitch, and how far the axle has rolled.",
     )  # fmt: skip
     title = f"{robot.name}: force on the {side}, {NAMED[side]}"
-    items = [*figures[:1], strip, metrics_table(comparison), _restless(comparison), *_fits(comparison, measured)]
+    items = [*figures[:1], strip, metrics_table(comparison), _restless(comparison), _fits(comparison, measured)]
     items += figures[1:]
     numbers = {"force": force, "hold": PUSHES[side], **comparison.to_json()}
     logs = {f"{robot.name}-{side}-{name}": log for name, log in comparison.logs.items()}
@@ -200,16 +199,11 @@ def _restless(comparison: Comparison) -> str:
     )
 
 
-def _fits(comparison: Comparison, measured: Measured) -> list[Table]:
+def _fits(comparison: Comparison, measured: Measured) -> Table:
     """The fits; those of yaw only where the robot turns."""
-    tables = fit_tables(comparison)
-    if not measured.yaw_negligible:
-        return tables
-    kept = [[k for k, name in enumerate(t.header) if not name.startswith("yaw")] for t in tables]
-    return [
-        replace(t, header=[t.header[k] for k in keep], rows=[[row[k] for k in keep] for row in t.rows])
-        for t, keep in zip(tables, kept, strict=True)
-    ]
+    table = fit_table(comparison)
+    kept = [k for k, name in enumerate(table.header) if not (measured.yaw_negligible and name.startswith("yaw"))]
+    return replace(table, header=[table.header[k] for k in kept], rows=[[row[k] for k in kept] for row in table.rows])
 
 
 def _figures(comparison: Comparison, measured: Measured, numbers: Mapping[str, int]) -> list[Figure]:

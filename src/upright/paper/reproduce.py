@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from upright.atomic import make_folder, write_json
+from upright.comparison.runs import FAIR
 from upright.control import lqr_state
 from upright.paper import as_built, controllers, equations, linear_model, printed, pushes, regulator, sensors, turning
 from upright.paper.as_built import MODELS
@@ -19,7 +20,6 @@ from upright.paper.pushes import RELEASE, RegulatedRobot
 from upright.plotting import legend, line, panels, span
 from upright.progress import Progress, unwatched
 from upright.reports import Details, Figure, Page, Section, Table, Verdict
-from upright.reports.comparing import FAIR
 from upright.reports.page import Cell, cell_text
 from upright.reports.robot import labelled
 from upright.robots import PARAMETERS, Kit, Robot

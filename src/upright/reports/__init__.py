@@ -21,7 +21,7 @@ from upright.reports.page import Section as Section
 from upright.reports.page import Table as Table
 
 PAGES = {
-    "Comparison": "comparing", "Calibration": "calibration", "MethodComparison": "identification",
+    "Calibration": "calibration", "MethodComparison": "identification",
     "ExcitationPlan": "excitation", "Analysis": "analysis", "Designed": "analysis", "Certificate": "certificate",
     "PostMortem": "postmortem", "Bench": "bench",
     "Tuned": "tuning", "Validation": "validation", "Diagnosis": "diagnosed", "Parity": "checked",

@@ -13,7 +13,6 @@ from upright.firmware.targets import computing_time
 from upright.fleets.binomial import upper_bound
 from upright.plotting import AXIS, COLOURS, number
 from upright.reports.figure import Figure
-from upright.reports.metrics import degrees
 from upright.reports.page import Cell, Details, Page, Section, Table, Verdict, cell_text
 from upright.robots.drives import EFFORT_UNITS
 from upright.tables import in_degrees, joined
@@ -184,7 +183,7 @@ def _summary(bench: Bench) -> Table:
         row = [name, size, settled, 100 * max(spreads) if spreads else None, max(efforts, default=None)]
         rows.append([*row, *([None if time is None else 1e3 * time] if _brick(bench) else [])])
     band = max((limit for _, limit in rests if math.isfinite(limit)), default=math.nan)
-    settling = "settling" if math.isnan(band) else f"time until pitch stays within ±{degrees(band)}"
+    settling = "settling" if math.isnan(band) else f"time until pitch stays within ±{cell_text(math.degrees(band), 3)}°"
     caption = f"The worse of front and back; let go from a lean: {settling}, falls of {DRAWN} similar robots, effort"
     caption += f"; computing time for a period on {_brick(bench)}" if _brick(bench) else ""
     header = ["controller", "knock [N s]", "settles [s]", "falls [%]", f"effort [{_effort_unit(bench)}]"]
@@ -266,7 +265,8 @@ def tables(bench: Bench) -> list[Table]:
         ]  # fmt: skip
         caption = f"Pushed from the {in_degrees(push)} of lean, held until 3 s; falls are those of {DRAWN} drawn robots"
         if not math.isnan(limit):
-            caption += f"; settled: from so long after the release on pitch stays within ±{degrees(limit)}"
+            near = cell_text(math.degrees(limit), 3)
+            caption += f"; settled: from so long after the release on pitch stays within ±{near}°"
         known = [
             k for k, name in enumerate(header) if name != "knock [N s]" or any(row[k] is not None for row in cells)
         ]

@@ -1,0 +1,119 @@
+"""What the pages of one run and of several have in common: who ran, the metrics, the commands, and what is meant."""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from upright.comparison.drawing import draw_states, dwarfing
+from upright.comparison.runs import METRICS, Compared
+from upright.experiment.described import name_in, pushes_in_words
+from upright.pages import Block, Cell, Column, Fold, Items, Next, Picture, Quantity, Say
+from upright.signals import Log
+
+BESIDE = 1.0  # [s] shown before a push and after the last run has settled
+SHORT = 0.6  # [1] of a run: a shorter part is shown alone
+FRACTIONS = {"1": "fraction"}
+"""Unit of a metric → that in which people read it."""
+
+
+def who(log: Log, kind: str, pushes: Say) -> Say:
+    """Robot, controller and pushes of a run in a body of this kind."""
+    robot = name_in(log.origin, "robot")
+    law = (log.origin.get("controller") or {}).get("kind") or Say("a controller of one's own")
+    if not robot:
+        return Say("Its log does not name the robot; {pushes}.", pushes=pushes)
+    if kind.startswith("twin"):
+        return Say("Simulated by the twin: {robot} under {law}; {pushes}.", robot=robot, law=law, pushes=pushes)
+    if "nonlinear model" in kind:
+        return Say("Simulated by the model: {robot} under {law}; {pushes}.", robot=robot, law=law, pushes=pushes)
+    if "linear model" in kind:
+        return Say("Simulated by the linear model: {robot} under {law}; {pushes}.", robot=robot, law=law, pushes=pushes)
+    return Say("The robot is {robot} under {law}; {pushes}.", robot=robot, law=law, pushes=pushes)
+
+
+def pushes_of(log: Log) -> Say:
+    """What pushed the robot, by the scenario or, in a log from elsewhere, by its channel."""
+    scenario: Mapping[str, Any] = log.origin.get("scenario") or {}
+    if "push/force" in log and log["push/force"].any() and not scenario.get("push"):
+        return Say("a push")
+    return pushes_in_words(scenario.get("push") or ())
+
+
+def measured(comparison: Compared) -> list[tuple[Column, dict[str, Cell]]]:
+    """Each metric that some run has, with its value for each run, the most important first."""
+    rows: list[tuple[Column, dict[str, Cell]]] = []
+    for name, (_, text) in METRICS.items():
+        unit = comparison.unit(name)
+        values: dict[str, Cell] = {label: getattr(m, name) for label, m in comparison.metrics.items()}
+        rows.append((Column(text, FRACTIONS.get(unit, unit)), values))
+    if comparison.pushed:
+        settled: dict[str, Cell] = {label: comparison.at_rest(label)[0] for label in comparison.logs}
+        rows.insert(2, (Column(Say("settling"), "s"), settled))
+    return [(column, values) for column, values in rows if any(map(_known, values.values()))]
+
+
+def _known(value: Cell) -> bool:
+    return value is not None and not (isinstance(value, float) and math.isnan(value))
+
+
+def states_picture(comparison: Compared, claim: Say, *names: str) -> Picture:
+    """Some states, near the pushes where that is a short part of the runs; which runs are cut stands below."""
+    window = _window(comparison)
+    cut = sorted({label for name in names for label in dwarfing(comparison, name)})
+    note = None
+    if cut:
+        note = Say("Cut at the frame: {runs}.", runs=cut)
+    elif window:
+        low, high = (Quantity(end, "s", digits=2) for end in window)
+        note = Say("Shown from {low} to {high}; the whole is below.", low=low, high=high)
+    return Picture(claim, functools.partial(draw_states, comparison, names, window), note)
+
+
+def _window(comparison: Compared) -> tuple[float, float] | None:
+    """The time [s] from before the pushes until pitch of each run is calm, where that is a short part of the runs."""
+    if not comparison.pushed:
+        return None
+    ends = [comparison.releases[label] + comparison.at_rest(label)[0] for label in comparison.logs]
+    log = comparison.logs[comparison.reference]
+    low = max(float(log.t[0]), comparison.pushed[0][0] - BESIDE)
+    high = min(float(log.t[-1]), max(ends) + BESIDE)
+    return (low, high) if math.isfinite(sum(ends)) and high - low < SHORT * (log.t[-1] - log.t[0]) else None
+
+
+def states_fold(comparison: Compared, heading: Say, *names: str) -> list[Block]:
+    """These states over the whole of the runs."""
+    if not names:
+        return []
+    picture = Picture(heading, functools.partial(draw_states, comparison, names))
+    return [Fold(heading, [picture])]
+
+
+def meanings(comparison: Compared) -> Fold:
+    """What the numbers of the tables mean."""
+    items = [
+        Say("Effort: the integral of both commands squared."),
+        Say("Motors at limit: the part of the time in which they cannot give what is asked."),
+        Say("Overshoot: the largest swing back, as a part of the lean at the release."),
+        Say("Settling 2 % or 5 %: until pitch stays within that part of its largest value after the release."),
+    ]
+    if comparison.pushed:
+        band = Quantity(max(comparison.at_rest(label)[1] for label in comparison.logs), "rad")
+        items.insert(0, Say("Settling: from the end of the push until pitch stays within ±{band}.", band=band))
+        items.append(Say("Held back for long, a robot leans forward, into the push."))
+    if comparison.fits:
+        items.append(Say("Fit: 100 % is the same curve, 0 % is no better than a constant."))
+        items.append(Say("Noise is another one in each run, and lowers the fit of rates most."))
+    return Fold(Say("How the numbers are meant"), [Items(items)])
+
+
+def certify_next(log: Log) -> Next:
+    """To certify the controller of a log."""
+    from upright.control.methods import OURS
+
+    kind = str((log.origin.get("controller") or {}).get("kind", ""))
+    law = kind if kind in {method.name for method in OURS} else "CONTROLLER"
+    why = Say("It pushes many similar robots, and counts falls.")
+    return Next("certify", law, robot=name_in(log.origin, "robot") or None, why=why)
