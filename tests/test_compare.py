@@ -7,9 +7,6 @@ import math
 
 import numpy as np
 import pytest
-from upright.reports.beside import answered_fits
-from upright.reports.comparing import page_of
-from upright.reports.metrics import around, fit_tables, left_out, listed_metrics, metrics_table
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.body import FALLEN
@@ -25,10 +22,12 @@ from upright.comparison import (
     settling_time,
 )
 from upright.comparison.metrics import doubling, held_fraction
+from upright.comparison.runs import FAIR
 from upright.comparison.swaying import LEVEL, answer
 from upright.control import StateFeedback, lqg, lqr_state
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import Hold, Impulse, motionless, outcome_of, run, undisturbed
+from upright.pages import Page, Say, Table, Verdict, html, terminal
 from upright.robots import Robot, find_kit, find_robot
 from upright.signals import STATE_NAMES, Log
 
@@ -165,20 +164,28 @@ def test_a_limit_of_the_program_itself_is_saturation_though_the_battery_has_more
     assert share == pytest.approx(float(np.mean(np.abs(5 * np.sin(3 * t)) >= 3)))
 
 
+def numbers_of(page: Page) -> dict[str, str]:
+    """What the first screen's numbers are → the numbers."""
+    return {str(number.meaning): str(number.value).replace("\u00a0", " ") for number in page.numbers}
+
+
 def test_a_run_that_stood_says_that_its_swing_grows_and_how_far_it_rolled():
     """60 rad of a wheel of 5 cm are 3 m; log 2 / 0.35 is 2.0 s."""
     t = np.arange(0, 10, 0.01)
     states = dict.fromkeys(STATE_NAMES, 0 * t) | {"wheel": 6 * t}
-    states["pitch"] = 0.005 * np.exp(0.35 * t) * np.sin(5 * t)
     origin = {"outcome": {"fell": False, "seconds": 10.0}, "robot": {"wheel_radius": 0.05}}
-    result = compare(Log(t, {f"truth/{name}": x for name, x in states.items()}, {}, origin))
-    assert result.ended("1") == "stood for 10 s, but its swing doubled every 2 s, and rolled 3 m"
-    assert result.ended("1") in page_of(result).title
-    table = {str(row[0]): row[2] for row in listed_metrics(result).rows}
-    assert table["swing doubles in"] == pytest.approx(math.log(2) / 0.35, rel=0.05)
-    still = compare(Log(t, {f"truth/{name}": 0 * t for name in states}, {}, origin))
-    assert still.ended("1") == "stood for 10 s"
-    assert "swing doubles in" not in {str(row[0]) for row in listed_metrics(still).rows}
+    rolled = Log(t, {f"truth/{name}": x for name, x in states.items()}, {}, origin)
+    growing = Log(t, {**rolled.channels, "truth/pitch": 0.005 * np.exp(0.35 * t) * np.sin(5 * t)}, {}, origin)
+    still = Log(t, {f"truth/{name}": 0 * t for name in states}, {}, origin)
+    pages = [compare(log).page() for log in (rolled, growing, still)]
+    assert [page.verdict.level for page in pages if page.verdict] == ["warn", "warn", "good"]
+    assert numbers_of(pages[0])["distance rolled"] == "3 m"
+    assert "every 2 s" in str(pages[1].title).replace("\u00a0", " ")
+    assert compare(growing).metrics["1"].doubling == pytest.approx(math.log(2) / 0.35, rel=0.05)
+    driven = Log(t, rolled.channels, {}, {**origin, "scenario": {"reference": [{"speed": 0.3}]}})
+    page = compare(driven).page()
+    assert page.verdict
+    assert page.verdict.level == "good"  # it was asked to roll
 
 
 def test_the_fit_of_a_constant_shift_is_the_shift_in_standard_deviations():
@@ -227,10 +234,8 @@ def test_page_text_and_json_tell_one_settling_time_within_one_band():
         [0.5 * math.log(5), 0.25 * math.log(5)], abs=0.01
     )
     assert {log["settled_within"] for log in told.values()} == {0.02}
-    line = next(line for line in str(result).splitlines() if line.startswith("settling ±1.15°"))
-    seconds = " and ".join(f"{told[label]['settled']:.4g}" for label in ("slow", "fast"))
-    assert line.split()[-2:] == seconds.split(" and ")
-    assert (f"{seconds} s", "slow and fast settle after the release, to ±1.15° (0.02 rad)") in page_of(result).numbers
+    seconds = " and ".join(f"{told[label]['settled']:.3g} s" for label in ("slow", "fast"))
+    assert numbers_of(result.page())["settling after the push: slow, fast"] == seconds
 
 
 def test_logs_on_other_time_bases_are_interpolated_on_the_common_interval():
@@ -249,17 +254,14 @@ def test_a_time_that_the_end_of_the_record_decides_is_none():
     assert math.isnan(numbers.settling_5)
 
 
-def test_a_figure_is_cut_only_where_all_states_are_near_rest():
-    """A push of 1 s at 2 s in 20 s: the decay of 0.5 s is over at 8 s; a wheel that still rolls at 19 s is not."""
-    log = pushed(seconds=20.0)
-    whole = compare({"a": log})
-    assert around(whole) is not None
-    rolling = np.where(log.t > 15, 0.05 * (log.t - 15), 0.0)
-    moving = Log(log.t, {**log.channels, "truth/wheel": log["truth/wheel"] + rolling}, origin=log.origin)
-    assert around(compare({"a": moving})) is None
-    low, high = around(whole) or (0.0, 0.0)
-    assert "before and after" not in left_out(whole, low, high)  # the push acts from the first sample on
-    assert "after the robot is near rest" in left_out(whole, low, high)
+def test_a_short_answer_to_a_push_is_shown_alone():
+    """Pushed until 2 s of 20 s, and calm 0.5 ln 5 later: less than 4 s and a second beside it."""
+    picture = compare({"a": pushed(seconds=20.0)}).page().picture
+    assert picture
+    low, high = picture.draw().axes[0].get_xlim()
+    assert low == 0.0
+    assert high == pytest.approx(2 + 0.5 * math.log(5) + 1, abs=0.02)
+    assert picture.note
 
 
 def test_the_reference_may_be_named_and_an_unknown_one_is_refused():
@@ -311,16 +313,15 @@ def test_a_fall_is_the_run_s_own_outcome_in_table_page_and_json():
     unknown = Log(falling.t, falling.channels)
     assert np.abs(falling["truth/pitch"]).max() < FALLEN  # the log ends before the row that lies
     result = compare({"falling": falling, "standing": standing, "unknown": unknown})
-    row = next(line for line in str(result).splitlines() if line.startswith("fell "))
-    assert row.split() == ["fell", "yes", "no", "–"]
-    assert metrics_table(result).rows[-1][2:] == [True, False, None]
+    table = next(t for t in result.page().blocks if isinstance(t, Table) and t.columns[1].name == Say("fell"))
+    assert [row[1] for row in table.rows] == [True, False, None]
     assert [run["metrics"]["fell"] for run in result.to_json()["logs"].values()] == [True, False, None]
     ends = [str(outcome_of(log)) for log in result.logs.values()]
     assert outcome_of(falling).seconds == pytest.approx(0.372, abs=0.01)
-    assert ends == [
-        f"fell at {outcome_of(falling).seconds:.4g} s",
-        "stood for 1 s",
-        f"recorded for {falling.t[-1]:.4g} s",
+    assert [end.replace("\u00a0", " ") for end in ends] == [
+        f"It fell at {outcome_of(falling).seconds:.4g} s",
+        "It stood for 1 s",
+        f"A log of {falling.t[-1]:.4g} s",
     ]
 
 
@@ -337,11 +338,12 @@ def test_json_holds_plain_numbers_and_none_for_what_is_not_known():
     assert json.loads(text)["logs"]["b"]["metrics"]["effort"] is None
 
 
-def test_the_table_shows_units_and_keeps_its_columns_aligned():
-    lines = str(compare({"slow": pushed(0.5), "fast": pushed(0.25)})).splitlines()
-    assert len({len(line) for line in lines}) == 1  # every last cell is right-aligned
-    assert any("settling 2 %" in line and " s " in line for line in lines)
-    assert any("effort" in line and "V² s" in line for line in lines)
+def test_a_terminal_of_eighty_columns_shows_what_decides_first():
+    text = str(compare({"slow": pushed(0.5), "fast": pushed(0.25)}))
+    assert max(map(len, text.splitlines())) <= 80
+    assert text.splitlines()[0] == "pitch: good fit"
+    assert "largest pitch [°]" in text
+    assert "V² s" in terminal.text(compare(pushed()).page())
 
 
 def test_effort_is_not_compared_between_volts_and_newton_metres():
@@ -381,8 +383,8 @@ def test_a_page_shows_runs_that_are_pushed_to_their_end() -> None:
         name: run(NonlinearBody(robot), lqr_state(robot, 0.01), Hold(pitch=0.1, until=5.0), seconds=seconds)
         for name, seconds in (("short", 0.5), ("long", 0.7))
     }
-    assert "differs by at most " in page_of(compare(logs)).html().replace("\u00a0", " ")
-    assert "does not come to rest" in page_of(compare({"short": logs["short"]})).html().replace("\u00a0", " ")
+    assert not [meaning for meaning in numbers_of(compare(logs).page()) if meaning.startswith("settling")]
+    assert "never" in numbers_of(compare({"short": logs["short"]}).page()).values()
 
 
 def test_one_of_many_runs_that_was_pushed_and_fell_is_named_and_no_page_says_that_none_was_pushed() -> None:
@@ -395,13 +397,12 @@ def test_one_of_many_runs_that_was_pushed_and_fell_is_named_and_no_page_says_tha
     origin = {"outcome": {"fell": True, "seconds": 1.0}}
     fallen = Log(t, {**still.channels, "truth/pitch": lean, "push/force": push}, origin=origin)
     names = [*"abcdefghj", "a-robot-with-a-name-of-forty-letters-xyz"]
-    page = page_of(compare({**dict.fromkeys(names, still), "i": fallen}))
-    assert page.title == "1 of 11 runs fell: i"
-    assert "other runs are pushed in another way" in page.lead
-    assert page.picture is not None
-    assert "i differs most" in page.picture.title
-    alone = page_of(compare({"calm": still}))
-    assert not any("release" in words for _, words in alone.numbers)
+    page = compare({**dict.fromkeys(names, still), "i": fallen}).page()
+    assert str(page.title) == "1 of 11 runs fell: i"
+    assert Say("The runs are not pushed alike.") in page.lead
+    assert numbers_of(page)["until i fell"] == "1 s"
+    alone = compare({"calm": still}).page()
+    assert not any("push" in meaning for meaning in numbers_of(alone))
 
 
 @pytest.mark.parametrize(("name", "moves"), [("nxtway-gs", False), ("ev3way", True)])
@@ -417,10 +418,9 @@ def test_a_run_that_nothing_disturbs_is_no_test_and_says_why_it_stands_still(nam
     assert bool(motionless(log)) is not moves
     if not moves:
         assert 0 < np.abs(log["command/left"]).max() < kit.motor.dead_zone
-    page = page_of(compare({"model": log}))
-    assert page.verdict is not None
-    assert (page.verdict.text, page.verdict.level) == ("nothing disturbed it", "info")
-    assert "--push" in page.head.next
+    page = compare({"model": log}).page()
+    assert page.verdict == Verdict(Say("nothing disturbed it"))
+    assert "--push" in page.next[0].command
 
 
 def test_a_push_a_start_or_a_log_from_elsewhere_is_not_undisturbed() -> None:
@@ -430,21 +430,6 @@ def test_a_push_a_start_or_a_log_from_elsewhere_is_not_undisturbed() -> None:
     assert not undisturbed(run(body, law, [Hold(pitch=0.1, until=0.1)], seconds=0.2))
     assert not undisturbed(run(body, law, seconds=0.2, start=[0.01, *[0.0] * 5]))
     assert not undisturbed(pushed())
-
-
-def test_settling_times_that_noise_decides_are_one_number() -> None:
-    """Two runs decay from 0.1 rad within 0.02 rad after 0.8 s; a last swing of one, at 1.5 s, passes that by 0.004 rad,
-    less than both sway at rest. A swing by 0.03 rad is no noise."""
-    one = pushed()
-    sway = 0.01 * np.sin(9.0 * one.t)
-
-    def swung(size: float) -> Log:
-        swing = np.exp(-(((one.t - 3.5) / 0.05) ** 2)) * size
-        return Log(one.t, {**one.channels, "truth/pitch": one["truth/pitch"] + sway + swing}, one.units, one.origin)
-
-    texts = [page_of(compare({"a": swung(0.0), "b": swung(size)})).numbers[-1] for size in (0.018, 0.06)]
-    assert texts[0][0].startswith("about ")
-    assert not texts[1][0].startswith("about ")
 
 
 def swaying(rng: np.random.Generator, answered: float, sway: float = 1.0) -> np.ndarray:
@@ -496,8 +481,7 @@ def test_a_knock_has_no_overshoot_and_a_hold_has_one() -> None:
     assert held.metrics["run"].overshoot == pytest.approx(-after.min() / after.max())
     assert 0 < held.metrics["run"].overshoot < 1
     assert math.isnan(struck.metrics["run"].overshoot)
-    rows = [{str(row[0]).split(",")[0] for row in listed_metrics(each).rows} for each in (held, struck)]
-    assert ["overshoot" in names for names in rows] == [True, False]
+    assert ["\novershoot " in str(each) for each in (held, struck)] == [True, False]
 
 
 def test_a_long_run_that_noise_makes_another_one_is_no_poor_fit() -> None:
@@ -506,12 +490,44 @@ def test_a_long_run_that_noise_makes_another_one_is_no_poor_fit() -> None:
     body, law = Electronics(NonlinearBody(NXT), kit), lqg(NXT, kit)
     push = Impulse(impulse=0.05, start=2.0)
     compared = compare({f"run {seed}": run(body, law, push, seconds=15.0, seed=seed) for seed in (31, 32)})
-    page = page_of(compared)
-    assert compared.fits["run 32"]["pitch"] < 50
-    assert page.title == "Run 32: no further from run 31 than by their sway at rest"
-    ((fit, _), *_), (table,) = page.numbers, fit_tables(compared, answered_fits(compared))
-    assert float(fit.split()[0]) > 50  # no poor one, as the title says; and the table has the same number
-    assert f"{table.rows[0][1]:.3g} %" == fit
-    assert "until both are calm" in table.caption
-    assert page.verdict is not None
-    assert page.verdict.level == "good"
+    page = compared.page()
+    assert compared.fits["run 32"]["pitch"] < FAIR
+    assert page.verdict == Verdict(Say("same answer to the push"), "good")
+    fit = compared.to_json()["logs"]["run 32"]["fit_answered"]["pitch"]
+    assert fit > FAIR  # no poor one, as the verdict says; table and number have the same
+    assert numbers_of(page)["fit of pitch, run 32, until both are calm"] == f"{fit:.3g} %"
+    table = page.blocks[0]
+    assert isinstance(table, Table)
+    assert table.rows[0][1] == fit
+
+
+def test_what_does_not_move_is_not_drawn() -> None:
+    """A yaw of 1e-17 rad is rounding."""
+    base = pushed()
+    quiet = Log(base.t, {**base.channels, "truth/yaw": 1e-17 * np.sin(base.t)}, origin=base.origin)
+    labels = [ax.get_ylabel() for ax in compare({"a": quiet, "b": quiet}).plot().axes]
+    assert "yaw [°]" not in labels
+    assert "yaw rate [°/s]" in labels
+
+
+def test_a_run_that_dwarfs_the_reference_is_cut_and_named() -> None:
+    """Pitch of the reference spans 0.1 rad: two more above and below it are shown."""
+    base = pushed()
+    wild = Log(base.t, {**base.channels, "truth/pitch": np.exp(base.t)}, origin=base.origin)
+    picture = compare({"a": base, "wild": wild}).page().picture
+    assert picture
+    assert picture.note == Say("Cut at the frame: {runs}.", runs=["wild"])
+    assert max(map(abs, picture.draw().axes[0].get_ylim())) == pytest.approx(math.degrees(0.2), rel=0.01)
+
+
+def test_the_pages_of_runs_say_twin_and_are_whole_in_every_rendering() -> None:
+    compared = compare({"robot": pushed(kind="twin"), "linear": pushed(0.3), "nonlinear": pushed(0.45)})
+    page = compared.page()
+    assert Say("The twin is a simulation, no real robot.") in page.lead
+    document = html.document(page)
+    assert ">robot<" not in document
+    # pitch, the other states and the commands, for a screen and for a phone
+    assert document.count("<svg") == 2 * 3
+    for value in numbers_of(page).values():
+        assert value in document.replace("\u00a0", " ")
+        assert value in str(compared)

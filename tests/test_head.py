@@ -17,12 +17,11 @@ from upright.reports.head import MOST, WIDTH, Head
 
 KNOCK = "--push impulse:0.1"
 QUICK = [
-    "linearise", "linearise --period 0.01", f"simulate {KNOCK} -s 2", "doctor a.csv",
+    "linearise", "linearise --period 0.01", "doctor a.csv",
 ]  # fmt: skip
 """One of each kind of head: with a verdict, of either level, and without one; with and without what to run next."""
 
 LONGER = [
-    "simulate -s 1", "compare a.csv b.csv",
     "grade hand-ins", "bench-controllers -c lqr", "tune lqr --budget 2 --samples 100",
     "identify excited.csv --method instrumental --repeats 1", "post-mortem fall.csv",
 ]  # fmt: skip

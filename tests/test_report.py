@@ -15,7 +15,6 @@ import numpy as np
 import pytest
 
 from upright.certification.design import Designed
-from upright.comparison import compare
 from upright.comparison.bench import Bench, BenchRow
 from upright.control import design_of, make_controller
 from upright.decimate import decimate
@@ -125,14 +124,9 @@ def coordinates(root):
 
 
 @pytest.fixture(scope="module")
-def comparison():
-    return compare({"robot": run("twin"), "linear": run(tau=0.3), "nonlinear": run(tau=0.45)})
-
-
-@pytest.fixture(scope="module")
-def htmls(comparison):
-    """A page of every kind of part, and that of the comparison."""
-    return page().html(), page_of(comparison).html()
+def htmls():
+    """A page of every kind of part."""
+    return [page().html()]
 
 
 def test_pages_are_well_formed_and_their_links_lead_to_ids_that_exist_once(htmls):
@@ -196,16 +190,6 @@ def test_every_drawing_is_xml_with_a_title_a_description_and_units_on_both_axes(
             assert set(labels) <= set(re.split(r", |: ", root.findtext(f"{SVG}desc")))
 
 
-def test_the_comparison_page_draws_each_state_and_the_commands_and_says_twin(htmls):
-    html = htmls[1].replace("\u00a0", " ")
-    assert sum(root.get("role") == "img" for root in drawings(html)) == 2 * (
-        len(STATE_NAMES) + 1
-    )  # for a screen and for a phone
-    assert "Pitch beside that of twin, largest difference: " in html
-    assert ">robot<" not in html
-    assert "not results of a real robot" in html  # the note on twins
-
-
 @pytest.mark.parametrize(
     ("text", "whole"),
     [
@@ -231,11 +215,10 @@ def test_the_same_page_is_the_same_bytes(tmp_path):
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.html", "b.html"]  # no temporary file stays
 
 
-def test_a_title_replaces_the_pages_own_and_a_result_without_a_page_says_so(htmls, tmp_path):
-    assert "<title>2 runs beside twin; the worst, linear, fits " in htmls[1]
+def test_a_title_replaces_the_pages_own_and_a_result_without_a_page_says_so(tmp_path):
     cases = Cases((CaseSummary({"robot": "a"}, 100, 0, clopper_pearson(0, 100), {}),))
     assert "<title>Two &amp; one</title>" in report(cases, tmp_path / "a.html", title="Two & one").read_text()
-    with pytest.raises(UprightError, match="float has no page; expected a result: Comparison, Calibration") as error:
+    with pytest.raises(UprightError, match="float has no page; expected a result: Calibration") as error:
         report(1.0, tmp_path / "b.html")
     assert "\n" not in str(error.value)
 
@@ -406,15 +389,6 @@ def test_the_unit_circle_is_round_and_poles_stand_where_they_are():
     assert [(line.get_xdata()[0], line.get_ydata()[0]) for line in ax.lines] == [(1, 0), (0, 1)]
 
 
-def test_a_state_without_motion_is_a_sentence_and_no_figure_of_rounding():
-    still = run()
-    quiet = Log(still.t, {**still.channels, "truth/yaw": 1e-17 * np.sin(still.t)}, origin=still.origin)
-    others = next(s for s in page_of(compare({"a": quiet, "b": quiet})).sections if s.heading == "Other states").items
-    assert "No motion of yaw." in others
-    assert not [item for item in others if isinstance(item, Figure) and item.title.startswith("Yaw,")]
-    assert [item for item in others if isinstance(item, Figure) and item.title.startswith("Yaw rate,")]
-
-
 def test_numbers_are_rounded_as_readers_round():
     """Python takes a half to the even neighbour."""
     assert [number(x, 2) for x in (58.5, 57.5, -58.5, 0.125)] == ["59", "58", "−59", "0.13"]
@@ -435,16 +409,6 @@ def test_a_bench_takes_of_tied_controllers_the_one_with_the_least_effort():
     assert (
         page.numbers[2][1] == "effort of a; of all 1 (c) to 9 (b)"
     )  # of 2 falls in 200, 95 % one-sided (Clopper and Pearson): 3.1 %
-
-
-def test_a_run_that_dwarfs_the_reference_is_cut_and_named():
-    base = run()
-    wild = Log(base.t, {**base.channels, "truth/yaw": np.exp(base.t)}, origin=base.origin)
-    items = [item for section in page_of(compare({"a": base, "wild": wild})).sections for item in section.items]
-    (cut,) = [item for item in items if isinstance(item, Figure) and item.note == "Cut at the frame: wild."]
-    html = cut.svg()
-    clips = set(re.findall(r'<clipPath id="([\w-]+)"', html))
-    assert clips >= set(re.findall(r'clip-path="url\(#([\w-]+)\)"', html)) != set()
 
 
 def test_cells_show_a_true_minus_and_a_dash_for_what_is_not_known():

@@ -193,6 +193,7 @@ def _command_unit(log: Log) -> str:
 def _measure(log: Log, source: str, release: float, unit: str) -> Metrics:
     pitch = _channel(log, f"{source}/pitch")
     wheel = _channel(log, f"{source}/wheel")
+    radius = log.origin.get("robot", {}).get("wheel_radius")
     turn = abs(metrics.peak(log.t, wheel, float(wheel[0])).value)
     after = pitch[log.t >= release]
     fell = outcome_of(log).fell
@@ -204,7 +205,7 @@ def _measure(log: Log, source: str, release: float, unit: str) -> Metrics:
         pitch_rms=metrics.rms(pitch),
         doubling=math.nan if fell else metrics.doubling(log.t, pitch, start=release),
         wheel_travel=turn,
-        rolled=turn * log.origin.get("robot", {}).get("wheel_radius", math.nan),
+        rolled=turn * radius if radius else math.nan,
         effort=_effort(log, unit),
         saturated=_saturated(log),
         fell=fell,

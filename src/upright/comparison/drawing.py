@@ -1,4 +1,4 @@
-"""Compared over time: their states in degrees, and their commands."""
+"""Runs over time: their states in degrees, and their commands."""
 
 from __future__ import annotations
 
