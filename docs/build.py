@@ -47,7 +47,7 @@ OUTSIDE = {
 """Pages of the site that stand elsewhere in the checkout."""
 
 REFERENCE = {
-    "From a robot to a run": "Robot Kit run Log Signal compare report example",
+    "From a robot to a run": "Robot Kit simulate run Log Signal compare report example",
     "Bodies": "Body Sample NonlinearBody LinearBody Twin Electronics",
     "Pushes and references": "Hold Impulse Push Slope Drive Turn",
     "Models": "linearise LinearModel",

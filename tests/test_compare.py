@@ -8,6 +8,7 @@ import math
 import numpy as np
 import pytest
 
+import upright
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.body import FALLEN
 from upright.comparison import (
@@ -531,3 +532,21 @@ def test_the_pages_of_runs_say_twin_and_are_whole_in_every_rendering() -> None:
     for value in numbers_of(page).values():
         assert value in document.replace("\u00a0", " ")
         assert value in str(compared)
+
+
+def test_a_simulation_from_names_is_the_run_of_its_parts() -> None:
+    """Body, kit and controller put together by hand give the same log to the last bit."""
+    kit = find_kit("nxt")
+    push = Impulse(impulse=0.05, start=0.2)
+    by_hand = run(Electronics(NonlinearBody(NXT), kit), lqg(NXT, kit), push, seconds=2.0, seed=4)
+    result = upright.simulate("nxtway-gs", push=push, seconds=2.0, seed=4)
+    assert all(np.array_equal(result.log[name], by_hand[name]) for name in by_hand.channels)
+    assert result.page().head() == compare({"nonlinear": by_hand}).page().head()
+    told = result.to_json()
+    assert told["outcome"] == {"fell": False, "seconds": pytest.approx(2.0)}
+    assert told["logs"]["nonlinear"]["metrics"]["pitch_peak"] == pytest.approx(by_hand["truth/pitch"].min())
+    assert [ax.get_ylabel() for ax in result.plot("pitch").axes] == ["pitch [°]"]
+    ideal = upright.simulate("nxtway-gs", kit="ideal", body="linear", start=[0.05, *[0.0] * 5], seconds=1.0)
+    assert ideal.log.origin["controller"]["kind"] == "lqr"
+    with pytest.raises(UnknownName, match="nxtway-gs"):
+        upright.simulate("nxtway")

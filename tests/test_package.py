@@ -17,7 +17,7 @@ from conftest import PATIENCE
 from upright.tables import Listing
 
 VERBS = ("doctor", "calibrate", "identify", "excite", "certify", "post_mortem", "design", "fleet", "push_map", "parity",
-         "reproduce", "report")  # fmt: skip
+         "reproduce", "report", "simulate")  # fmt: skip
 
 
 def executed(code: str) -> str:

@@ -15,6 +15,7 @@ from .checkup.doctor import Diagnosis as Diagnosis
 from .checkup.doctor import doctor as doctor
 from .comparison import compare as compare
 from .comparison.comparison import Comparison as Comparison
+from .comparison.simulate import simulate as simulate
 from .control import AnglePid as AnglePid
 from .control import Complementary as Complementary
 from .control import Controller as Controller

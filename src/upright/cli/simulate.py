@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from contextlib import closing
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -11,12 +10,10 @@ import typer
 from upright.cli import options
 from upright.cli.output import check_targets, finish, progress, warn_of
 from upright.errors import InvalidController
-from upright.interrupts import MOTORS
 
 if TYPE_CHECKING:
     from upright.control import Controller
     from upright.robots import Kit, Robot
-    from upright.signals import Log
 
 
 def simulate(
@@ -56,8 +53,7 @@ def simulate(
 
     Prints whether it fell, its largest pitch, its travel, and the effort of the motors.
     """
-    from upright.bodies import equipped
-    from upright.experiment import run
+    from upright.comparison.simulate import simulate as simulated
     from upright.robots import find_kit, find_robot
     from upright.signals import STATE_NAMES
 
@@ -67,38 +63,28 @@ def simulate(
     chosen = find_robot(robot)
     warn_of(chosen)
     parts = find_kit(kit or chosen.kit)
-    plant = equipped(body, chosen, parts)
     design = _controller(controller, gains, chosen, parts, period)
     design, planned = _excited(design, excite) if excite else (design, 10.0)
     length = planned if seconds is None else seconds
     if lying is not None:
         design = _standing_up(design, chosen, parts, lying, start)
         first = [lying, *[0.0] * 5]
-    with MOTORS, closing(plant), progress("simulating") as show:  # hardware is stopped however this ends
-        log = run(plant, design, pushes, reference=references, seconds=length, seed=seed, start=first, progress=show)
-    _show(log, body, output, report, as_json=as_json)
-
-
-def _show(log: Log, body: str, output: Path | None, report: Path | None, *, as_json: bool) -> None:
-    """Writes a run and its page, and prints the outcome and the metrics."""
-    from upright.comparison import compare
-
-    numbers = compare({body: log})
-    written = log.save(output) if output else None
-    finish(
-        numbers, as_json, page=report, written=[written], text="", outcome=log.origin["outcome"],
-        origin=log.origin, log=str(written) if written else None,
-    )  # fmt: skip
+    with progress("simulating") as show:
+        result = simulated(
+            chosen, design, parts, body=body, push=pushes, reference=references, seconds=length, seed=seed, start=first,
+            progress=show,
+        )  # fmt: skip
+    written = result.log.save(output) if output else None
+    finish(result, as_json, page=report, written=[written], text="", log=str(written) if written else None)
 
 
 def _controller(name: str | None, gains: str | None, robot: Robot, kit: Kit, period: float | None) -> Controller:
-    """The controller of the options, by default one that reads what the kit offers."""
-    from upright.control import find_controller
+    """The controller of the options."""
+    from upright.comparison.simulate import controller_for
 
     if gains is not None and name is not None:
         raise InvalidController("both --controller and --gains", expected="one of them")
-    usual = "lqr-state" if kit.name == "ideal" else "lqg"
-    return find_controller(name or usual, robot, kit, kit.period if period is None else period, gains)
+    return controller_for(name, robot, kit, period, gains)
 
 
 def _excited(controller: Controller, path: Path) -> tuple[Controller, float]:

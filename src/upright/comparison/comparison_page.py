@@ -16,11 +16,10 @@ from upright.comparison.parts import (
     pushes_of,
     states_fold,
     states_picture,
-    who,
 )
 from upright.comparison.runs import CLOSE, DIVERGED, FAIR, Compared
 from upright.experiment import outcome_of
-from upright.experiment.described import facts_of
+from upright.experiment.described import facts_of, law_in, name_in
 from upright.logs.recording import commanded
 from upright.pages import Cell, Column, Fold, KeyNumber, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.blocks import MOST_NUMBERS
@@ -34,7 +33,7 @@ def comparison_page(comparison: Compared) -> Page:
     reference = comparison.logs[comparison.reference]
     first = "pitch" if "pitch" in comparison.signals else comparison.signals[0]
     fits = _fits(comparison, first)
-    lead = [who(reference, comparison.kinds[comparison.reference], pushes_of(reference))]
+    lead = [_who(comparison, pushes_of(reference))]
     if _pushed_differently(comparison):
         lead.append(Say("The runs are not pushed alike."))
     elif any(kind.startswith("twin") for kind in comparison.kinds.values()):
@@ -50,6 +49,17 @@ def comparison_page(comparison: Compared) -> Page:
         blocks=[_fit_table(comparison), _metrics_table(comparison), *folds, meanings(comparison), _origins(comparison)],
         origin=facts_of(reference.origin),
     )  # fmt: skip
+
+
+def _who(comparison: Compared, pushes: Say) -> Say:
+    """What the runs have in common."""
+    robots = list(dict.fromkeys(name_in(log.origin, "robot") for log in comparison.logs.values()))
+    laws = list(dict.fromkeys(law_in(log.origin) for log in comparison.logs.values()))
+    if not all(robots):
+        return Say("Not every log names its robot; {pushes}.", pushes=pushes)
+    if all(laws):
+        return Say("Runs of {robots} under {laws}; {pushes}.", robots=robots, laws=laws, pushes=pushes)
+    return Say("Runs of {robots}; {pushes}.", robots=robots, pushes=pushes)
 
 
 def _fits(comparison: Compared, name: str) -> dict[str, float]:

@@ -90,7 +90,7 @@ def draw_asked(comparison: Compared) -> Figure:
 
     log = comparison.logs[comparison.reference]
     figure, axes = panels([f"{Say('left command')} [{comparison.command_unit}]"])
-    line(axes[0], str(Say("asked")), log.t, log["command/left"], step=True, below=True)
+    line(axes[0], str(Say("asked")), log.t, log["command/left"], step=True)
     line(axes[0], str(Say("applied")), log.t, log["applied/left"], step=True, solid=True)
     _shade(comparison, axes)
     return legend(figure)

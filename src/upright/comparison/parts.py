@@ -9,7 +9,7 @@ from typing import Any
 
 from upright.comparison.drawing import draw_states, dwarfing
 from upright.comparison.runs import METRICS, Compared
-from upright.experiment.described import name_in, pushes_in_words
+from upright.experiment.described import law_in, name_in, pushes_in_words
 from upright.pages import Block, Cell, Column, Fold, Items, Next, Picture, Quantity, Say
 from upright.signals import Log
 
@@ -22,7 +22,7 @@ FRACTIONS = {"1": "fraction"}
 def who(log: Log, kind: str, pushes: Say) -> Say:
     """Robot, controller and pushes of a run in a body of this kind."""
     robot = name_in(log.origin, "robot")
-    law = (log.origin.get("controller") or {}).get("kind") or Say("a controller of one's own")
+    law = law_in(log.origin) or Say("a controller of one's own")
     if not robot:
         return Say("Its log does not name the robot; {pushes}.", pushes=pushes)
     if kind.startswith("twin"):
@@ -113,7 +113,7 @@ def certify_next(log: Log) -> Next:
     """To certify the controller of a log."""
     from upright.control.methods import OURS
 
-    kind = str((log.origin.get("controller") or {}).get("kind", ""))
+    kind = law_in(log.origin)
     law = kind if kind in {method.name for method in OURS} else "CONTROLLER"
     why = Say("It pushes many similar robots, and counts falls.")
     return Next("certify", law, robot=name_in(log.origin, "robot") or None, why=why)

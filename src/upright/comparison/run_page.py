@@ -33,9 +33,10 @@ def run_page(comparison: Compared) -> Page:
     lead = [who(log, comparison.kinds[label], pushes_of(log)), *([still] if still else [])]
     columns = [Column(Say("number")), Column(Say("value"))]
     rows = [
-        [column.name, Quantity(cell, column.unit) if isinstance(cell, float) else cell]
+        [column.name, Quantity(value, column.unit)]
         for column, values in measured(comparison)
-        for cell in values.values()
+        for value in values.values()
+        if isinstance(value, float)  # that it fell is said above
     ]
     folds = states_fold(comparison, Say("All states"), *comparison.moving)
     if commanded(log):
@@ -97,9 +98,9 @@ def _rolls_away(log: Log, numbers: Metrics) -> bool:
 def _numbers(comparison: Compared, label: str) -> list[KeyNumber]:
     m = comparison.metrics[label]
     numbers = [KeyNumber(Quantity(abs(m.pitch_peak), "rad"), Say("largest pitch"))]
-    if m.fell and math.isfinite(m.saturated):
+    if m.saturated > 0 and m.fell:
         limit = Say("of the time the motors could not give what was asked")
-        numbers = [KeyNumber(Quantity(m.saturated, "fraction", digits=2), limit)]
+        numbers.append(KeyNumber(Quantity(m.saturated, "fraction", digits=2), limit))
     elif comparison.pushed and not m.fell:
         seconds, within = comparison.at_rest(label)
         settled = Say("never") if math.isnan(seconds) else Quantity(seconds, "s")

@@ -45,3 +45,8 @@ def facts_of(origin: Mapping[str, Any]) -> dict[str, str]:
 def name_in(origin: Mapping[str, Any], part: str) -> str:
     """The name of the robot or the kit, empty where the origin has none."""
     return str((origin.get(part) or {}).get("name", ""))
+
+
+def law_in(origin: Mapping[str, Any]) -> str:
+    """The kind of controller, empty where the origin has none."""
+    return str((origin.get("controller") or {}).get("kind", ""))

@@ -30,11 +30,12 @@ class RunOutcome:
         time = Quantity(self.seconds, "s", digits=4)
         if self.fell is None:
             return Say("A log of {time}", time=time)
-        if self.fell:
-            return Say("It fell at {time}", time=time)
         if math.isfinite(self.slipped):
-            return Say("It stood for {time}; its motors slipped at {when}", time=time, when=Quantity(self.slipped, "s"))
-        return Say("It stood for {time}", time=time)
+            when = Quantity(self.slipped, "s")
+            if self.fell:
+                return Say("Its motors slipped at {when}, and it fell at {time}", when=when, time=time)
+            return Say("Its motors slipped at {when}; it stood for {time}", when=when, time=time)
+        return Say("It fell at {time}", time=time) if self.fell else Say("It stood for {time}", time=time)
 
     def __str__(self) -> str:
         return str(self.in_words)
