@@ -345,8 +345,6 @@ def test_simulate_tells_a_fall(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(call.split()) == 0
     text = capsys.readouterr().out
     assert text.startswith("it fell\nIt fell at ")
-    row = [line for line in text.splitlines() if line.startswith("fell ")][-1]
-    assert row.split() == ["fell", "yes"]  # the table says what the line above it says
     assert main([*call.split(), "--json"]) == 0
     told = json.loads(capsys.readouterr().out)
     assert told["outcome"]["fell"] is told["logs"]["nonlinear"]["metrics"]["fell"] is True
