@@ -141,14 +141,17 @@ def test_xarray_keeps_units_and_origin() -> None:
     assert json.loads(data.attrs["origin"]) == {"seed": 7}
 
 
-def test_a_plot_has_a_panel_for_each_unit() -> None:
+def test_a_plot_has_a_panel_for_each_quantity() -> None:
+    """A pitch of a degree beside a wheel that turns once would be a line."""
     log = run_of_two_units()
     panels = log.plot("truth/pitch", "sensor/gyro", "truth/wheel").axes
-    assert [panel.get_ylabel() for panel in panels] == ["[rad]", "gyro [rad/s]"]  # the only one of its unit
+    assert [panel.get_ylabel() for panel in panels] == ["pitch (truth) [rad]", "gyro [rad/s]", "wheel (truth) [rad]"]
     drawn = {line.get_label(): line for panel in panels for line in panel.lines}
     assert drawn.keys() == {"pitch (truth)", "wheel (truth)", "gyro"}
     assert drawn["gyro"].get_ydata().tolist() == [1.0, 2.0, 3.0]
-    assert len(log.plot().axes) == 1  # pitch and wheel, both in rad
+    assert len(log.plot().axes) == 2  # pitch and wheel
+    both = Log(log.t, {f"applied/{side}": log["sensor/gyro"] for side in ("left", "right")}, {})
+    assert [len(panel.lines) for panel in both.plot().axes] == [2]
     with pytest.raises(InvalidLog, match="no channel 'pitch'"):
         log.plot("pitch")
 

@@ -137,19 +137,25 @@ class Log:
         return Dataset(variables, {"t": ("t", self.t, {"units": "s"})}, {"origin": json.dumps(dict(self.origin))})
 
     def plot(self, *channels: str) -> Figure:
-        """Channels over time, those of one unit in one panel (default: pitch, wheel and commands), by matplotlib.
+        """Channels over time, those of one quantity in one panel (default: pitch, wheel and commands), by matplotlib.
 
         Raises `InvalidLog` for a channel that the log does not have.
         """
         from upright.plotting import legend, line, panels
 
         names = channels or tuple(name for name in self.channels if re.search(PLOTTED, name)) or tuple(self.channels)
-        units = list(dict.fromkeys(self.unit(name) for name in names))
-        groups = [[name for name in names if self.unit(name) == unit] for unit in units]
-        alone = [f"{called(group[0])} " if len(group) == 1 else "" for group in groups]
-        figure, axes = panels([f"{name}[{unit}]" for name, unit in zip(alone, units, strict=True)])
+        groups: dict[tuple[str, str], list[str]] = {}
         for name in names:
-            line(axes[units.index(self.unit(name))], called(name), self.t, self[name])
+            quantity = re.sub(r"^.*/|_?(left|right)$", "", name).replace("_", " ") or "commands"
+            groups.setdefault((quantity, self.unit(name)), []).append(name)
+        labels = [
+            f"{called(group[0]) if len(group) == 1 else quantity} [{unit}]"
+            for (quantity, unit), group in groups.items()
+        ]
+        figure, axes = panels(labels)
+        for ax, group in zip(axes, groups.values(), strict=True):
+            for name in group:
+                line(ax, called(name), self.t, self[name])
         return legend(figure)
 
     def save(self, path: str | Path) -> Path:
