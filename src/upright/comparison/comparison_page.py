@@ -2,25 +2,22 @@
 
 from __future__ import annotations
 
-import functools
 import math
 from collections.abc import Mapping
 
 import numpy as np
 
-from upright.comparison.drawing import draw_commands, state_words
+from upright.comparison.drawing import state_words
 from upright.comparison.parts import (
     certify_next,
-    meanings,
+    folds,
     measured,
     pushes_of,
-    states_fold,
     states_picture,
 )
 from upright.comparison.runs import CLOSE, DIVERGED, FAIR, Compared
 from upright.experiment import outcome_of
 from upright.experiment.described import facts_of, law_in, name_in
-from upright.logs.recording import commanded
 from upright.pages import Cell, Column, Fold, KeyNumber, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.blocks import MOST_NUMBERS
 
@@ -38,15 +35,11 @@ def comparison_page(comparison: Compared) -> Page:
         lead.append(Say("The runs are not pushed alike."))
     elif any(kind.startswith("twin") for kind in comparison.kinds.values()):
         lead.append(Say("The twin is a simulation, no real robot."))
-    folds = states_fold(comparison, Say("Other states"), *(name for name in comparison.moving if name != first))
-    if any(map(commanded, comparison.logs.values())):
-        picture = Picture(Say("Commands of the motors"), functools.partial(draw_commands, comparison))
-        folds.append(Fold(Say("Commands"), [picture]))
     return Page(
         _title(comparison, first, fits), verdict=_verdict(comparison, first, fits), lead=lead,
         numbers=_numbers(comparison, first, fits), picture=_picture(comparison, first),
         next=[certify_next(reference)],
-        blocks=[_fit_table(comparison), _metrics_table(comparison), *folds, meanings(comparison), _origins(comparison)],
+        blocks=[_fit_table(comparison), _metrics_table(comparison), *folds(comparison), _origins(comparison)],
         origin=facts_of(reference.origin),
     )  # fmt: skip
 

@@ -7,10 +7,11 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from upright.comparison.drawing import draw_states, dwarfing
+from upright.comparison.drawing import draw_commands, draw_states, dwarfing
 from upright.comparison.runs import METRICS, Compared
 from upright.experiment.described import law_in, name_in, pushes_in_words
-from upright.pages import Block, Cell, Column, Fold, Items, Next, Picture, Quantity, Say
+from upright.logs.recording import commanded
+from upright.pages import Cell, Column, Fold, Items, Next, Picture, Quantity, Say
 from upright.signals import Log
 
 BESIDE = 1.0  # [s] shown before a push and after the last run has settled
@@ -83,15 +84,17 @@ def _window(comparison: Compared) -> tuple[float, float] | None:
     return (low, high) if math.isfinite(sum(ends)) and high - low < SHORT * (log.t[-1] - log.t[0]) else None
 
 
-def states_fold(comparison: Compared, heading: Say, *names: str) -> list[Block]:
-    """These states over the whole of the runs."""
-    if not names:
-        return []
-    picture = Picture(heading, functools.partial(draw_states, comparison, names))
-    return [Fold(heading, [picture])]
+def folds(comparison: Compared) -> list[Fold]:
+    """The states that move over the whole of the runs, the commands, and what the numbers mean."""
+    states = Picture(Say("Every state that moves"), functools.partial(draw_states, comparison, comparison.moving))
+    pages = [Fold(Say("All states"), [states])]
+    if any(map(commanded, comparison.logs.values())):
+        commands = Picture(Say("Commands of the motors"), functools.partial(draw_commands, comparison))
+        pages.append(Fold(Say("Commands"), [commands]))
+    return [*pages, Fold(Say("How the numbers are meant"), [Items(_meanings(comparison))])]
 
 
-def meanings(comparison: Compared) -> Fold:
+def _meanings(comparison: Compared) -> list[Say]:
     """What the numbers of the tables mean."""
     items = [
         Say("Effort: the integral of both commands squared."),
@@ -106,7 +109,7 @@ def meanings(comparison: Compared) -> Fold:
     if comparison.fits:
         items.append(Say("Fit: 100 % is the same curve, 0 % is no better than a constant."))
         items.append(Say("Noise is another one in each run, and lowers the fit of rates most."))
-    return Fold(Say("How the numbers are meant"), [Items(items)])
+    return items
 
 
 def certify_next(log: Log) -> Next:

@@ -6,21 +6,19 @@ import functools
 import math
 
 from upright.certification.verdict import MOST_TRAVEL
-from upright.comparison.drawing import draw_asked, draw_commands
+from upright.comparison.drawing import draw_asked
 from upright.comparison.parts import (
     certify_next,
-    meanings,
+    folds,
     measured,
     pushes_of,
-    states_fold,
     states_picture,
     who,
 )
 from upright.comparison.runs import Compared, Metrics
 from upright.experiment import motionless, outcome_of, undisturbed
 from upright.experiment.described import facts_of, name_in
-from upright.logs.recording import commanded
-from upright.pages import Column, Fold, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
+from upright.pages import Column, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.signals import Log
 
 
@@ -38,14 +36,10 @@ def run_page(comparison: Compared) -> Page:
         for value in values.values()
         if isinstance(value, float)  # that it fell is said above
     ]
-    folds = states_fold(comparison, Say("All states"), *comparison.moving)
-    if commanded(log):
-        picture = Picture(Say("Commands of the motors"), functools.partial(draw_commands, comparison))
-        folds.append(Fold(Say("Commands"), [picture]))
     return Page(
         _title(log, numbers, calm, bool(still)), verdict=_verdict(log, numbers, calm), lead=lead,
         numbers=_numbers(comparison, label), picture=_picture(comparison, label, still), next=[_next(log, calm)],
-        blocks=[Table(columns, rows), *folds, meanings(comparison)], origin=facts_of(log.origin),
+        blocks=[Table(columns, rows), *folds(comparison)], origin=facts_of(log.origin),
     )  # fmt: skip
 
 
