@@ -116,8 +116,9 @@ def _for_typed(step: Next, typed: Mapping[str, Any]) -> Next:
     known = parameters_of(step.verb)
     kept = {name: value for name, value in typed.items() if name in known}
     given = step.given
-    if "controller" in kept and known["controller"]:  # of a name or a file that is typed first
-        given = [str(kept.pop("controller")), *given[1:]]
+    for name in ("robot", "controller"):
+        if name in kept and known[name]:  # of a name or a file that is typed first
+            given = [str(kept.pop(name)), *given[1:]]
     return Next(step.verb, *given, why=step.why, **{**step.options, **kept})
 
 

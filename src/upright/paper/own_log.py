@@ -178,7 +178,7 @@ def compare_own(
     progress(1.0)
     force = pushes[0].at(_start(pushes[0]), nominal).force if pushes else 0.0
     return OwnRobot(
-        robot=nominal, comparison=comparison, law=law.name, push=_words(pushes, nominal), adjusted=adjusted,
+        robot=nominal, comparison=comparison, law=str(law.name), push=_words(pushes, nominal), adjusted=adjusted,
         side="back" if force > 0 else "front", band=trial.band,
         notes=(*([left] if left else []), *_falls(comparison), *how, *notes),
         settling={n: settling for n, (settling, _) in judged.items()}, fits={n: fit for n, (_, fit) in judged.items()},

@@ -59,7 +59,7 @@ class _LawController:
         self.law.applied(command)
 
     def to_json(self) -> dict[str, str]:
-        return {"kind": self.spec.kind, "law": self.law.name}
+        return {"kind": self.spec.kind, "law": str(self.law.name)}
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

@@ -24,7 +24,7 @@ PAGES = {
     "Calibration": "calibration", "MethodComparison": "identification",
     "ExcitationPlan": "excitation", "Analysis": "analysis", "Designed": "analysis", "Certificate": "certificate",
     "PostMortem": "postmortem", "Bench": "bench",
-    "Tuned": "tuning", "Validation": "validation", "Diagnosis": "diagnosed", "Parity": "checked",
+    "Tuned": "tuning", "Diagnosis": "diagnosed", "Parity": "checked",
     "LinearModel": "checked",
 }  # fmt: skip
 """Class of a result → the file of this room that has its page."""

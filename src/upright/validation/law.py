@@ -18,6 +18,7 @@ from upright.arrays import Array, Mask
 from upright.control import Controller
 from upright.control.files import FORMS
 from upright.errors import UprightError
+from upright.pages import Quantity, Say
 from upright.signals import Log
 from upright.signals.signal import STATE_NAMES
 
@@ -39,7 +40,7 @@ class CommandLaw(Protocol):
     row's number, the readings by channel and the true state (6,)."""
 
     @property
-    def name(self) -> str: ...
+    def name(self) -> Say: ...
 
     def reset(self) -> None: ...
 
@@ -51,17 +52,20 @@ class CommandLaw(Protocol):
 @dataclass(frozen=True, eq=False)
 class ControllerLaw:
     """A controller, with the logged references (rows, 6), the excitation (rows, 2), and logged channels that no model
-    gives, such as the battery (rows,)."""
+    gives, such as the battery (rows,). `by_log`: the log itself names it."""
 
     controller: Controller
     references: Array
     excitation: Array
     logged: Mapping[str, Array]
-    source: str = "the controller's file"
+    by_log: bool = False
 
     @property
-    def name(self) -> str:
-        return f"{self.source} ({self.controller.spec.kind})"
+    def name(self) -> Say:
+        kind = self.controller.spec.kind
+        if self.by_log:
+            return Say("the controller that the log names ({kind})", kind=kind)
+        return Say("the given controller ({kind})", kind=kind)
 
     def reset(self) -> None:
         self.controller.reset()
@@ -93,8 +97,9 @@ class LinearLaw:
     _sums: dict[str, float] = field(default_factory=dict[str, float], repr=False)
 
     @property
-    def name(self) -> str:
-        return f"read from the log: {', '.join(self.terms)} explain {self.explained:.1%} of the commands"
+    def name(self) -> Say:
+        part = Quantity(self.explained, "fraction", digits=4)
+        return Say("read from the log: {terms} explain {part} of the commands", terms=self.terms, part=part)
 
     @property
     def estimates(self) -> tuple[str, ...]:
@@ -264,7 +269,7 @@ def recorded(log: Log) -> ControllerLaw | None:
         except (KeyError, TypeError, ValueError, AttributeError, UprightError):
             continue  # of another form
         if all(name in log for name in controller.spec.reads):
-            law = replace(law_by(controller, log), source="the controller that the log names")
+            law = replace(law_by(controller, log), by_log=True)
             if _replayed(law, log) >= EXPLAINED:
                 return law
     return None

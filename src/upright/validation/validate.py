@@ -10,6 +10,7 @@ number would have to move.
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Sequence
 from dataclasses import replace
@@ -39,17 +40,11 @@ from upright.logs.recording import SENSOR
 from upright.progress import Progress
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
-from upright.tables import sentence, short
+from upright.tables import sentence
+from upright.validation.fits import LogJudged, Shift, channels_of, least, loop_channels
 from upright.validation.law import CommandLaw, LinearLaw, law_by, law_of, recorded
 from upright.validation.loop import FreeLoop, closed_loop
-from upright.validation.validation import (
-    LogJudged,
-    Shift,
-    Validation,
-    channels_of,
-    least,
-    loop_channels,
-)
+from upright.validation.validation import Validation
 
 CHANCE = 2.0  # [deviations] of the gradient below which chance makes it
 TRIED = 3  # steps that are tried, each whole and halved
@@ -95,12 +90,12 @@ def _judged(log: Log, robot: Robot, kit: Kit, controller: Controller | None) -> 
     problem, limits = prepared([log], robot, kit, (), 0.0)
     recording = problem.recordings[0]
     z = np.zeros(len(problem.parameters))
-    parts, pushed = unpushed(segments(problem, recording, z), log)
-    law, words = _law(log, recording.rows, controller)
+    whole = segments(problem, recording, z)
+    parts, pushed = unpushed(whole, log)
+    law, explained = _law(log, recording.rows, controller)
     loop: FreeLoop | None = closed_loop(problem, recording, z, log, kit, law) if law else None
-    notes = [*filter(None, (left, meant)), *map(sentence, contradictions(log, robot)), *([pushed] if pushed else [])]
+    notes = [*filter(None, (left, meant)), *map(sentence, contradictions(log, robot))]
     dead = tuple(n for n in log.channels if n in SENSOR and n not in recording.rows and _never_changes(log[n]))
-    notes += [f"The {short(name)} never changes, and is not judged: look at its plug and its port." for name in dead]
     half_seconds = channels_of(parts)
     own = of_this_run(problem, limits) if 0 <= least(half_seconds).r2 < GOOD else None
     if own and least(channels_of(own[0])).r2 < least(half_seconds).r2:
@@ -113,7 +108,10 @@ def _judged(log: Log, robot: Robot, kit: Kit, controller: Controller | None) -> 
         half_seconds=half_seconds,
         own_run=channels_of(own[0]) if own else (),
         effects=own[1] if own else (),
-        law=words,
+        halves=len(np.unique(whole.segment)),
+        pushed=pushed,
+        law=law.name if law else None,
+        explained=explained,
         estimates=law.estimates if isinstance(law, LinearLaw) else (),
         dead=dead,
         loop=loop_channels(loop) if loop else (),
@@ -124,12 +122,12 @@ def _judged(log: Log, robot: Robot, kit: Kit, controller: Controller | None) -> 
     )
 
 
-def unpushed(parts: Segments, log: Log) -> tuple[Segments, str]:
-    """The half seconds in which the log records no push, and in words how many it leaves out; all of them where every
-    one was pushed. A push acts on in the half second in which it ends; the next one starts from a fitted state."""
+def unpushed(parts: Segments, log: Log) -> tuple[Segments, int]:
+    """The half seconds in which the log records no push, and how many were pushed; all of them where every one was. A
+    push acts on in the half second in which it ends; the next one starts from a fitted state."""
     channels = [log[name] for name in ("push/force", "push/slope") if name in log and log[name].any()]
     if not channels:
-        return parts, ""
+        return parts, 0
     times = log.t[np.any(channels, axis=0)]
     starts, stops = (np.full(int(parts.segment.max(initial=0)) + 1, sign * np.inf) for sign in (1, -1))
     np.minimum.at(starts, parts.segment, parts.when)
@@ -137,15 +135,12 @@ def unpushed(parts: Segments, log: Log) -> tuple[Segments, str]:
     there = np.isfinite(starts)
     inside = (times >= starts[:, None] - log.period) & (times <= stops[:, None])
     struck = inside.any(axis=1) & there
-    count, every = int(struck.sum()), int(there.sum())
-    if count == every:
-        return parts, "The log was pushed in every half second, which no prediction here knows."
+    count = int(struck.sum())
+    if count == there.sum():
+        return parts, count
     keep = ~struck[parts.segment]
     changed = {name: getattr(parts, name)[keep] for name in ("row", "when", "measured", "predicted", "segment")}
-    return replace(parts, **changed), (
-        f"{count} of {every} half seconds are left out of the figure and of R²: the log records a push in them, which "
-        "no prediction here knows."
-    )
+    return replace(parts, **changed), count
 
 
 def _never_changes(reading: Array) -> bool:
@@ -153,16 +148,13 @@ def _never_changes(reading: Array) -> bool:
     return not len(there) or not np.ptp(there)
 
 
-def _law(log: Log, rows: Sequence[str], controller: Controller | None) -> tuple[CommandLaw | None, str]:
-    """What drove the log, and how that is known, in words."""
+def _law(log: Log, rows: Sequence[str], controller: Controller | None) -> tuple[CommandLaw | None, float]:
+    """What drove the log; and how much of its commands a linear law of the readings explains, where that was asked."""
     if controller is None:
         if known := recorded(log):
-            return known, f"law: {known.name}"
+            return known, math.nan
         law = law_of(log, rows)
-        if isinstance(law, LinearLaw):
-            return law, f"law {law.name}"
-        return None, (f"is not simulated: the law is unknown, the best linear feedback of the readings explains "
-                      f"{max(law, 0.0):.0%} of the commands; --controller names it")  # fmt: skip
+        return (law, law.explained) if isinstance(law, LinearLaw) else (None, law)
     if abs(controller.spec.period / log.period - 1) > SAME_PERIOD:
         came = f"a controller of {controller.spec.period * 1e3:.4g} ms and a log of {log.period * 1e3:.4g} ms"
         raise SpecMismatch(came, expected="one row of the log for each step of its controller")
@@ -170,8 +162,7 @@ def _law(log: Log, rows: Sequence[str], controller: Controller | None) -> tuple[
     missing = [n for n in controller.spec.reads if not n.startswith("truth/") and n not in given]
     if missing:
         raise SpecMismatch(f"the {controller.spec.kind} reads {', '.join(missing)}", expected="channels of the log")
-    law = law_by(controller, log)
-    return law, f"law: {law.name}"
+    return law_by(controller, log), math.nan
 
 
 def _shifts(problem: Problem, limits: dict[str, float], log: Log) -> tuple[Shift, ...]:
