@@ -23,15 +23,16 @@ from upright.errors import DesignFailed, InvalidScenario, SpecMismatch, UnknownN
 from upright.excitation import excite
 from upright.excitation.information import HELD_OUT, best_division, fisher, problem_of, shrunk
 from upright.excitation.loop import ExcitedLoop, perfect
-from upright.excitation.plan import ExcitationPlan, Limits, read_plan
+from upright.excitation.plan import ExcitationPlan, read_plan
+from upright.excitation.planned import Limits
 from upright.excitation.signals import band, signals, unit
 from upright.experiment import run
 from upright.fleets.binomial import clopper_pearson
 from upright.kernel.batch import FleetBatch, parameters_of
 from upright.kernel.simulate import simulate
+from upright.pages import html
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.physics.linear import linearise
-from upright.reports.excitation import page_of
 from upright.robots import Kit, Robot
 from upright.signals import TRUE_STATE, Log
 
@@ -292,10 +293,9 @@ def test_what_cannot_be_designed_gets_one_line() -> None:
 
 
 def test_the_page_shows_the_excitation_and_what_it_tells() -> None:
-    page = page_of(plan())
-    html = page.html()
-    assert "The excitation over time" in html
-    assert "centre of mass height" in html
+    page = plan().page()
+    assert "is added to a command" in html.document(page)
+    assert "centre of mass height" in str(plan())
     assert page.verdict
     assert page.verdict.level == "good"
 
@@ -306,7 +306,7 @@ def test_the_command_plans_runs_and_says_so(tmp_path: Path, monkeypatch, capsys)
     assert main(["excite", "-o", "plan.json", "--report", "plan.html"]) == 0
     said = capsys.readouterr().out
     assert "wrote plan.json" in said
-    assert "com_height" in said
+    assert "centre of mass height" in said
     assert main(["simulate", "--excite", "plan.json", "-o", "run.csv"]) == 0
     assert Log.load("run.csv").t[-1] == pytest.approx(SECONDS, abs=KIT.period)  # as long as the plan
     assert main(["simulate", "--excite", "plan.html", "-s", "2"]) == 2

@@ -50,7 +50,7 @@ def excite(
     log.
     """
     from upright.excitation import excite as design
-    from upright.excitation.plan import Limits
+    from upright.excitation.planned import Limits
 
     check_targets(output, report)
     names = [name.strip() for name in focus.split(",")] if focus else []
@@ -59,4 +59,4 @@ def excite(
             controller, robot, kit, seconds=seconds, focus=names, limits=Limits(falls, saturated, travel),
             enough=enough, known=known or (), posterior=posterior, samples=samples, seed=seed, progress=show,
         )  # fmt: skip
-    finish(plan, as_json, output=output, page=report)
+    finish(plan, as_json, output=output, page=report, text="")

@@ -16,7 +16,8 @@ from os import PathLike
 from upright.control import Controller, find_controller
 from upright.errors import InvalidScenario, check_within
 from upright.excitation.loop import ExcitedLoop
-from upright.excitation.plan import ExcitationPlan, Limits
+from upright.excitation.plan import ExcitationPlan
+from upright.excitation.planned import Limits
 from upright.excitation.search import Search
 from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot

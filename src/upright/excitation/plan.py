@@ -1,246 +1,34 @@
-"""The next experiment to run: an excitation, what it is expected to tell, and what it was checked to keep."""
+"""The next experiment to run, and how it is shown."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Mapping
-from dataclasses import asdict, dataclass, fields
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
-import numpy as np
+from upright.errors import InvalidScenario
+from upright.excitation.plan_page import plan_page, uncertainty_left
+from upright.excitation.planned import PlannedRun
+from upright.pages import Result
+from upright.reading import read_json
 
-from upright.arrays import Array
-from upright.control import Controller
-from upright.control.excited import Excited
-from upright.control.identity import Identity, identity
-from upright.errors import InvalidScenario, SpecMismatch
-from upright.fleets.binomial import upper_bound
-from upright.reading import check_types, read_json, understood
-from upright.tables import Shown
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
-CONFIDENCE = 0.95
-KIND, VERSION = "upright excitation", 2
+    from upright.pages import Page
 
 
-@dataclass(frozen=True)
-class Limits:
-    """What a run may risk: the probability of a fall (`falls`), bounded from above; the fraction of periods in which a
-    motor is `saturated`, and `travel` [m] from the start, both for 95 of 100 robots."""
+class ExcitationPlan(PlannedRun, Result):
+    """An excitation, what it is expected to tell, and what it was checked to keep."""
 
-    falls: float = 0.01
-    saturated: float = 0.05
-    travel: float = 0.5
+    def page(self) -> Page:
+        """The plan for people."""
+        return plan_page(self)
 
-    def __post_init__(self) -> None:
-        for name, most in (("falls", 1.0), ("saturated", 1.0), ("travel", math.inf)):
-            value = getattr(self, name)
-            if not 0 < value <= most:
-                raise InvalidScenario(f"a limit of {value:g} on {name}", expected=f"above 0, at most {most:g}")
-
-
-@dataclass(frozen=True)
-class Checked:
-    """`samples` robots of which `fell` fell, and the 95th percentiles of the standing ones: fraction of periods
-    `saturated`, `travel` [m] and `peak` pitch [rad].
-
-    `dropped` more were drawn, but do not stand without an excitation either: a robot to be excited does.
-    """
-
-    samples: int
-    fell: int
-    dropped: int
-    saturated: float
-    travel: float
-    peak: float
-
-    @property
-    def bound(self) -> float:
-        """Upper bound of the probability of a fall, with 95 % confidence (Clopper and Pearson 1934)."""
-        return upper_bound(self.fell, self.samples, CONFIDENCE)
-
-    def broken(self, limits: Limits) -> list[str]:
-        """The limits that are exceeded, in words."""
-        texts = {
-            "falls": (
-                self.bound,
-                f"{self.fell} of {self.samples} robots fall: a probability up to {self.bound:.2%}",
-            ),
-            "saturated": (self.saturated, f"a motor is saturated for {self.saturated:.1%} of the time"),
-            "travel": (self.travel, f"it travels {self.travel:.2f} m"),
-        }
-        return [text for name, (value, text) in texts.items() if value > getattr(limits, name)]
-
-
-@dataclass(frozen=True, kw_only=True)
-class Predicted:
-    """A parameter's `value`, and the widths of its 95 % interval in its `unit`: `before`, `after` the plan, after a
-    random binary dither of the plan's energy, drawn anew in every period (`dither`) or `held` for 40 ms, and the
-    `least`, after a hundred such runs: what the spreads of other numbers leave, which are to be measured then."""
-
-    name: str
-    unit: str
-    value: float
-    before: float
-    after: float
-    dither: float
-    held: float
-    least: float
-
-
-@dataclass(frozen=True)
-class Tried:
-    """A way of exciting: the `energy` at which it keeps the limits, and the geometric mean by which it `shrinks` the
-    intervals in question."""
-
-    name: str
-    energy: float
-    shrinks: float
-
-
-@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class ExcitationPlan(Shown):
-    """`excitation` (rows, 2), to be added to the commands [unit] of one controller (by `hash`, or `asked` and
-    `response`: see `control/identity.py`), each row for `hold` periods of `period` [s]; read-only.
-
-    `division` gives the fraction of its energy by part. `energy` is ∫ u_l² + u_r² dt at the nominal robot's motors,
-    the loop's response included; `added` that of the excitation alone. `checked` was measured with the
-    excitation `margin` times as large.
-    """
-
-    robot: str
-    kit: str
-    controller: str
-    hash: str
-    period: float
-    unit: str
-    hold: int
-    way: str
-    division: Mapping[str, float]
-    excitation: Array
-    energy: float
-    added: float
-    focus: tuple[str, ...]
-    limits: Limits
-    margin: float
-    checked: Checked
-    predicted: tuple[Predicted, ...]
-    tried: tuple[Tried, ...]
-    seed: int
-    notes: tuple[str, ...] = ()
-    asked: str = ""
-    response: tuple[float, ...] = ()
-
-    def __post_init__(self) -> None:
-        rows = np.array(self.excitation, dtype=np.float64)
-        if rows.ndim != 2 or rows.shape[1] != 2 or not np.isfinite(rows).all():
-            raise InvalidScenario(f"an excitation of shape {rows.shape}", expected="finite numbers (rows, 2)")
-        rows.setflags(write=False)
-        object.__setattr__(self, "excitation", rows)
-
-    def __getitem__(self, name: str) -> Predicted:
-        return next(p for p in self.predicted if p.name == name)
-
-    @property
-    def seconds(self) -> float:
-        """How long it lasts [s]."""
-        return len(self.excitation) * self.hold * self.period
-
-    @property
-    def sequence(self) -> Array:
-        """(periods, 2): what is added in each period."""
-        return np.repeat(self.excitation, self.hold, axis=0)
-
-    def excited(self, controller: Controller) -> Excited:
-        """`controller` with this excitation; raises `SpecMismatch` for one of another period or unit."""
-        spec = controller.spec
-        if not math.isclose(spec.period, self.period, rel_tol=1e-9) or spec.command_unit != self.unit:
-            raise SpecMismatch(
-                f"a controller of {spec.command_unit} every {spec.period:g} s with a plan of {self.unit} every "
-                f"{self.period:g} s", expected="the controller that the plan was made with", hint="make the plan anew",
-            )  # fmt: skip
-        return Excited(controller, self.sequence)
-
-    def differs(self, controller: Controller) -> str:
-        """Why this plan was checked with another controller, as part of a sentence; empty where it was not."""
-        return identity(controller).differs(Identity(self.hash, self.asked, self.response))
-
-    def check(self) -> tuple[str, ...]:
-        """What of this plan does not follow from its own numbers, or breaks its limits; nothing where it may be run."""
-        added = float((self.excitation**2).sum() * self.hold * self.period)
-        wrong = (
-            []
-            if math.isclose(added, self.added, rel_tol=1e-6)
-            else [f"what is added has {added:g}, not {self.added:g}"]
-        )
-        wrong += self.checked.broken(self.limits)
-        wrong += [
-            f"{p.name}: {p.after:g} is wider than before" for p in self.predicted if p.after > p.before * (1 + 1e-6)
-        ]
-        total = sum(self.division.values())
-        return (*wrong, *(() if abs(total - 1) < 1e-6 else (f"the fractions of the energy sum to {total:g}",)))
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain numbers; `upright calibrate` needs none of them, `upright simulate --excite` all."""
-        parts = {f.name: getattr(self, f.name) for f in fields(self) if f.name != "division"}
-        parts |= {name: asdict(parts[name]) for name in ("limits", "checked")}
-        parts |= {name: [asdict(p) for p in parts[name]] for name in ("predicted", "tried")}
-        parts |= {name: list(parts[name]) for name in ("focus", "notes", "response")}
-        parts["excitation"] = self.excitation.tolist()
-        return {"file": KIND, "version": VERSION} | parts | {"shares": dict(self.division), "bound": self.checked.bound}
-
-    @classmethod
-    def from_json(cls, data: Mapping[str, Any]) -> ExcitationPlan:
-        """The inverse of `to_json`; raises `InvalidScenario` for what is no plan, or contradicts itself."""
-        with understood("this is no plan: it", InvalidScenario, "JSON by upright excite"):
-            plan = _read(cls, data)
-            check_types(plan)
-            wrong = plan.check()
-        if wrong:
-            raise InvalidScenario(f"the plan contradicts itself: {wrong[0]}", hint="make it anew with upright excite")
-        return plan
-
-    def __str__(self) -> str:
-        c = self.checked
-        head = f"{self.way} for {self.robot} with kit {self.kit} under {self.controller}: {self.seconds:g} s"
-        lines = [head, *(f"  {100 * part:3.0f} % of its energy: {name}" for name, part in self.division.items()), ""]
-        lines += [
-            f"{c.fell} of {c.samples} robots fell under {self.margin:g} times it: probability of a fall below "
-            f"{c.bound:.2%}; saturated {c.saturated:.1%}, travel up to {c.travel:.2g} m, pitch up to "
-            f"{math.degrees(c.peak):.2g}°", "",
-            f"{'95 % interval of':<20}{'before':>12}{'after':>12}{'dither':>12}{'held 40 ms':>12}{'100 runs':>12}",
-        ]  # fmt: skip
-        lines += [_row(p) for p in self.predicted if p.after < VISIBLE * p.before]
-        return "\n".join([*lines, *self.notes])
-
-
-VISIBLE = 0.5  # of the interval before: narrower ones are called visible, as in `identify.summary`
+    def plot(self) -> Figure:
+        """How much of each parameter's uncertainty the run should leave."""
+        return uncertainty_left(self)
 
 
 def read_plan(path: str | Path) -> ExcitationPlan:
     """The plan in a JSON file; raises `InvalidScenario` for one that cannot be read or is none."""
     return ExcitationPlan.from_json(read_json(path, InvalidScenario, "a plan by upright excite"))
-
-
-def _row(p: Predicted) -> str:
-    half = (f"{'±' + format(width / 2, '.3g'):>12}" for width in (p.before, p.after, p.dither, p.held, p.least))
-    return f"{p.name:<20}" + "".join(half) + f"  {p.unit}"
-
-
-def _read(cls: type[ExcitationPlan], data: Mapping[str, Any]) -> ExcitationPlan:
-    given = dict(data)
-    if (given.pop("file"), given.pop("version")) != (KIND, VERSION):
-        raise ValueError(f"it is no '{KIND}' of version {VERSION}")
-    given["division"] = given.pop("shares")
-    given.pop("bound")
-    parts: dict[str, Any] = {
-        "limits": Limits(**given["limits"]),
-        "checked": Checked(**given["checked"]),
-        "predicted": tuple(Predicted(**row) for row in given["predicted"]),
-        "tried": tuple(Tried(**row) for row in given["tried"]),
-        "focus": tuple(given["focus"]),
-        "notes": tuple(given["notes"]),
-        "response": tuple(map(float, given.get("response", ()))),
-        "excitation": np.array(given["excitation"], dtype=np.float64),
-    }
-    return cls(**{**given, **parts})

@@ -14,7 +14,8 @@ from upright.control.excited import random_binary
 from upright.errors import DesignFailed, InvalidScenario, UnknownName
 from upright.excitation.information import added, best_division, fisher, problem_of, quiet, score, shrunk
 from upright.excitation.loop import ExcitedLoop, stacked
-from upright.excitation.plan import Checked, ExcitationPlan, Limits, Predicted, Tried
+from upright.excitation.plan import ExcitationPlan
+from upright.excitation.planned import Checked, Limits, Predicted, Tried
 from upright.excitation.signals import mixture, signals
 from upright.kernel.batch import NAMES, FleetResult, parameters_of
 from upright.progress import Progress
@@ -85,10 +86,13 @@ class Search:
                 expected=f"a controller that holds {LEAST_STANDING:.0%} of them", likely="a controller that does not "
                 f"hold this robot under kit {self.loop.kit.name}", hint="give another --controller",
             )  # fmt: skip
-        broken = [text for text in self._measured(result, table).broken(self.limits) if "fall" not in text]
+        broken = self._measured(result, table).broken(self.limits)
+        broken.pop("falls", None)
         if broken:
             raise DesignFailed(
-                f"without any excitation {broken[0]}", expected="the limits kept at rest", hint="raise that limit"
+                f"without any excitation {next(iter(broken.values()))}",
+                expected="the limits kept at rest",
+                hint="raise that limit",
             )
 
     def begin(self) -> None:
@@ -149,7 +153,7 @@ class Search:
     def settled(self, way: Way) -> tuple[Array, Checked]:
         """The excitation as large as all robots allow, and what was measured of them."""
         excitation = way.excitation
-        broken = list[str]()
+        broken = dict[str, str]()
         for _ in range(TRIES):
             checked = self._measured(self.loop.run(MARGIN * excitation, self.stand), self.stand)
             broken = checked.broken(self.limits)
@@ -157,7 +161,7 @@ class Search:
                 return excitation, checked
             excitation = SMALLER * excitation
         raise DesignFailed(
-            f"no {way.name} keeps the limits: {broken[0]}", expected="limits that can be kept",
+            f"no {way.name} keeps the limits: {next(iter(broken.values()))}", expected="limits that can be kept",
             hint="raise that limit, draw more samples, or give a better --controller",
         )  # fmt: skip
 
@@ -180,7 +184,7 @@ class Search:
             added=float((excitation**2).sum() * loop.hold * loop.gains.period),
             predicted=self._predicted(after, dither, held, least),
             tried=tuple(Tried(w.name, w.energy, float(np.exp(w.score))) for w in tried),
-            seed=loop.seed, notes=self._notes(log, after),
+            seed=loop.seed, notes=tuple(filter(None, [quiet(log, loop.robot, loop.kit, self.known)])),
         )  # fmt: skip
 
     def largest(self, shape: Array) -> Array:
@@ -277,18 +281,6 @@ class Search:
             numbers = dict(zip(names, widths, strict=True))
             predicted.append(Predicted(name=p.name, unit=p.unit, value=p.prior, **numbers))
         return tuple(predicted)
-
-    def _notes(self, log: Log, after: Array) -> tuple[str, ...]:
-        names = [p.name for p in self.problem.asked]
-        notes = [quiet(log, self.loop.robot, self.loop.kit, self.known)]
-        blind = [n for n in self.focus if after[names.index(n)] > 0.9]
-        notes += [f"No run of this kind gives much information on {', '.join(blind)}."] if blind else []
-        if self.dropped:
-            total = len(self.stand) + self.dropped
-            notes.append(
-                f"{self.dropped} of {total} robots drawn fall without an excitation; the plan is for one that stands."
-            )
-        return tuple(filter(None, notes))
 
 
 def _most(loop: ExcitedLoop) -> float:

@@ -17,7 +17,7 @@ from upright.arrays import Array
 
 COMMON = np.array([1.0, 1.0])
 TURNING = np.array([-1.0, 1.0])
-MODES = {"common": COMMON, "turning": TURNING}
+MODES = {"driving": COMMON, "turning": TURNING}
 
 BANDS = (0.05, 0.2, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
 """Edges [Hz]: an octave each where the robot's own motion lies, less fine below."""

@@ -1,0 +1,220 @@
+"""The page of an excitation plan: which parameters it should measure, at what risk, and what to add to the commands."""
+
+from __future__ import annotations
+
+import functools
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from upright.calibration.estimate import BOUNDED, CLOSE, MEASURED, NOT_VISIBLE
+from upright.excitation.planned import VISIBLE, PlannedRun, Predicted
+from upright.pages import Block, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
+from upright.pages.terms import term
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+KINDS = {
+    MEASURED: Verdict(Say("measured"), "good"),
+    BOUNDED: Verdict(Say("bounded"), "info"),
+    NOT_VISIBLE: Verdict(Say("not visible"), "unknown"),
+}
+WAYS = {
+    "combination": Say("sines, random steps, drives and turns"),
+    "multisine": Say("sines"),
+    "random binary dither": Say("random steps"),
+    "drive and turn": Say("drives and turns"),
+}
+NAMED = 4  # parameters that the first screen names
+
+
+def plan_page(plan: PlannedRun) -> Page:
+    """The page of a planned run."""
+    own = _best_first(plan)
+    measured = [p for p in own if p.kind == MEASURED]
+    title = Say(
+        "A run of {time} should measure {n} of {all} parameters of {robot}",
+        time=Quantity(plan.seconds, "s"), n=len(measured), all=len(own), robot=plan.robot,
+    )  # fmt: skip
+    law = plan.controller
+    lead = [Say("While {controller} balances the robot, this plan is added to its commands.", controller=law)]
+    if len(measured) > NAMED:
+        more = Say("{n} more", n=len(measured) - NAMED)
+        lead.append(Say("To be measured: {names}.", names=[*(_name(p) for p in measured[:NAMED]), more]))
+    elif measured:
+        lead.append(Say("To be measured: {names}.", names=[_name(p) for p in measured]))
+    halved = sum(p.kind != NOT_VISIBLE for p in own)
+    claim = Say("The run should halve the uncertainty of {n} of {all} parameters, or better", n=halved, all=len(own))
+    folds = [
+        Fold(Say("Limits"), [_limits(plan), *_notes(plan)]),
+        Fold(Say("The excitation"), [_over_time(plan), _energies(plan)]),
+        Fold(Say("Beside random steps"), [_dithers(plan)]),
+        Fold(Say("Other ways of exciting"), [_tried(plan)]),
+    ]
+    return Page(
+        title, verdict=_verdict(plan), lead=lead, numbers=_numbers(plan),
+        picture=Picture(claim, functools.partial(uncertainty_left, plan)), next=_next(plan),
+        blocks=[_parameters(own), *folds],
+        origin={
+            "robot": plan.robot, "kit": plan.kit, "controller": f"{plan.controller} {plan.hash[:12]}".strip(),
+            "seed": str(plan.seed),
+        },
+    )  # fmt: skip
+
+
+def _best_first(plan: PlannedRun) -> list[Predicted]:
+    return sorted(plan.own, key=lambda p: (list(KINDS).index(p.kind), p.after / p.before))
+
+
+def _verdict(plan: PlannedRun) -> Verdict:
+    if plan.check():
+        return Verdict(Say("breaks its limits"), "bad")
+    meant = [p for p in plan.predicted if p.name in plan.focus] or plan.own
+    if all(p.kind == NOT_VISIBLE for p in meant):
+        return Verdict(Say("tells almost nothing"), "warn")
+    return Verdict(Say("within all limits"), "good")
+
+
+def _numbers(plan: PlannedRun) -> list[KeyNumber]:
+    c, limits = plan.checked, plan.limits
+    falls = Say(
+        "fall (95 % confidence): {fell} of {n} did; allowed {limit}",
+        fell=c.fell, n=c.samples, limit=Quantity(limits.falls, "fraction", digits=2),
+    )  # fmt: skip
+    travel = Say("95 % of the robots roll no further; allowed {limit}", limit=Quantity(limits.travel, "m", digits=2))
+    return [
+        KeyNumber(Quantity(None, "fraction", high=c.bound, digits=2), falls),
+        KeyNumber(Quantity(c.travel, "m", digits=2), travel),
+        KeyNumber(Quantity(c.peak, "rad", digits=2), Say("95 % of the robots lean no more")),
+    ]
+
+
+def _next(plan: PlannedRun) -> list[Next]:
+    why = Say("Save the plan by `-o plan.json`; on your robot, add its rows to the commands.")
+    return [
+        Next("simulate", robot=plan.robot, controller=plan.controller, excite="plan.json", output="run.csv", why=why),
+        Next("calibrate", "run.csv", robot=plan.robot, output="robot.toml"),
+    ]
+
+
+def _parameters(own: list[Predicted]) -> Table:
+    """The parameters of the robot, with half of each interval in per cent of the value."""
+    rows = [
+        [_name(p), KINDS[p.kind], _uncertain(p, p.after), _uncertain(p, p.before), Quantity(p.value, p.unit)]
+        for p in own
+    ]
+    columns = [
+        Column(Say("parameter")), Column(Say("this run")), Column(Say("known after")), Column(Say("known before")),
+        Column(Say("value")),
+    ]  # fmt: skip
+    caption = Say("Measured: to {close} or better; bounded: at least halved", close=Quantity(CLOSE, "fraction"))
+    return Table(columns, rows, caption)
+
+
+def _uncertain(p: Predicted, width: float) -> Say:
+    """Half of an interval in per cent of the value, or where that is more than the value, the interval's end."""
+    if width / 2 > abs(p.value):
+        return Say("≤ {end}", end=Quantity(p.value + width / 2, p.unit, digits=2))
+    return Say("± {size}", size=Quantity(width / 2 / abs(p.value), "fraction", digits=2))
+
+
+def _name(p: Predicted) -> Say:
+    return term(p.name.replace("fraction", "inertia"))
+
+
+def uncertainty_left(plan: PlannedRun) -> Figure:
+    """Widths of the intervals over those before, a bar for each parameter of the robot."""
+    from upright.plotting import AXIS, COLOURS, INK, legend, rows_of
+
+    own = _best_first(plan)
+    figure, ax = rows_of([str(_name(p)) for p in own], str(Say("uncertainty left after the run [%]")), "")
+    rows = np.arange(len(own))
+    left = np.array([100 * p.after / p.before for p in own])
+    for kind, colour in zip(KINDS, (COLOURS[2], COLOURS[0], INK), strict=True):
+        kept = np.array([p.kind == kind for p in own])
+        if kept.any():
+            ax.barh(rows[kept], left[kept], height=0.6, color=colour, label=str(KINDS[kind].text))
+    ax.axvline(100 * VISIBLE, linestyle="--", linewidth=1, color=AXIS)
+    ax.set(xlim=(0, 103), xticks=range(0, 101, 25))
+    return legend(figure)
+
+
+def _limits(plan: PlannedRun) -> Table:
+    c, limits = plan.checked, plan.limits
+    rows = [
+        [Say("probability of a fall"), Quantity(c.bound, "fraction", digits=2), Quantity(limits.falls, "fraction")],
+        [Say("time with a saturated motor"), Quantity(c.saturated, "fraction", digits=2),
+         Quantity(limits.saturated, "fraction")],
+        [Say("distance rolled"), Quantity(c.travel, "m", digits=2), Quantity(limits.travel, "m")],
+        [Say("largest pitch"), Quantity(c.peak, "rad", digits=2), None],
+    ]  # fmt: skip
+    caption = Say(
+        "{n} robots drawn, with the plan {times} times as large", n=c.samples, times=Quantity(plan.margin, "1")
+    )
+    return Table([Column(Say("95 % of the robots")), Column(Say("at most")), Column(Say("limit"))], rows, caption)
+
+
+def _notes(plan: PlannedRun) -> list[Block]:
+    notes = [Say("{note}", note=note) for note in plan.notes]
+    if plan.checked.dropped:
+        notes.append(Say("{n} more were drawn that fall without an excitation.", n=plan.checked.dropped))
+    return [Items(notes)] if notes else []
+
+
+def _over_time(plan: PlannedRun) -> Picture:
+    note = Say("The mean of both motors drives the robot, half of their difference turns it.")
+    most = Quantity(float(np.abs(plan.excitation).max()), plan.unit, digits=2)
+    return Picture(
+        Say("At most {most} is added to a command", most=most), functools.partial(_draw_over_time, plan), note
+    )
+
+
+def _draw_over_time(plan: PlannedRun) -> Figure:
+    from upright.plotting import line, panels
+
+    t = np.arange(len(plan.excitation)) * plan.hold * plan.period
+    left, right = plan.excitation.T
+    labels = [Say("driving [{unit}]", unit=plan.unit), Say("turning [{unit}]", unit=plan.unit)]
+    figure, axes = panels([*map(str, labels)], str(Say("time [s]")))
+    for style, (ax, wave) in enumerate(zip(axes, ((left + right) / 2, (right - left) / 2), strict=True)):
+        line(ax, "_wave", t, wave, step=True, solid=True, style=style)
+    return figure
+
+
+def _energy(plan: PlannedRun, energy: float) -> Quantity:
+    return Quantity(energy, f"({plan.unit})² s" if " " in plan.unit else f"{plan.unit}² s")
+
+
+def _energies(plan: PlannedRun) -> Table:
+    rows = [[name, Quantity(part, "fraction", digits=2)] for name, part in plan.division.items()]
+    caption = Say(
+        "{energy} reach the motors; {added} are added before the controller answers",
+        energy=_energy(plan, plan.energy), added=_energy(plan, plan.added),
+    )  # fmt: skip
+    return Table([Column(Say("part")), Column(Say("of the energy"))], rows, caption)
+
+
+def _dithers(plan: PlannedRun) -> Table:
+    """Half widths, those first of which the plan tells most beside a dither."""
+    rows = [
+        [_name(p), *(Quantity(width / 2, p.unit, digits=2) for width in (p.after, p.dither, p.held, p.least))]
+        for p in sorted(plan.predicted, key=lambda p: p.after / p.dither)
+    ]
+    columns = [
+        Column(Say("parameter")), Column(Say("this run")), Column(Say("steps each period")),
+        Column(Say("steps of {time}", time=Quantity(0.04, "s"))), Column(Say("100 such runs")),
+    ]  # fmt: skip
+    return Table(columns, rows, Say("Half of each 95 % interval; random steps of the same energy"))
+
+
+def _tried(plan: PlannedRun) -> Table:
+    known = [(WAYS[t.name], t.energy, t.shrinks) for t in plan.tried]
+    ways = [*known, (Say("this plan"), plan.energy, plan.shrinks)]
+    rows = [
+        [way, _energy(plan, energy), Quantity(left, "fraction")]
+        for way, energy, left in sorted(ways, key=lambda way: math.inf if math.isnan(way[2]) else way[2])
+    ]
+    columns = [Column(Say("excitation")), Column(Say("energy at the motors")), Column(Say("uncertainty left"))]
+    return Table(columns, rows, Say("Each as large as the limits allow; the plan takes hardly less, with less energy"))
