@@ -58,8 +58,8 @@ from .fleets.fleet import Fleet as Fleet
 from .fleets.fleet import fleet as fleet
 from .fleets.push_map import push_map as push_map
 from .identification.identified import Identified as Identified
-from .identification.identify import MethodComparison as MethodComparison
 from .identification.identify import identify as identify
+from .identification.method_comparison import MethodComparison as MethodComparison
 from .lab.framed import LabPage as LabPage
 from .lab.framed import lab_page as lab_page
 from .languages import language as language

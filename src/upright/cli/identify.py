@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
@@ -23,7 +22,7 @@ from upright.cli.options import (
     completed,
     part_of_log,
 )
-from upright.cli.output import check_targets, finish, progress, write_page
+from upright.cli.output import check_targets, finish, progress
 from upright.errors import UprightError
 
 
@@ -72,6 +71,7 @@ def identify(
     a regulator designed on each model.
     """
     from upright.control import write_controller
+    from upright.identification.identified import Identified
     from upright.identification.identify import ALL, identify_all, identify_one, study_of
     from upright.identification.judge import regulator
     from upright.robots import find_kit, find_robot
@@ -83,21 +83,13 @@ def identify(
         source="states" if states else "sensors", delay=delay, order=order, held_out=held_out, runs=repeats, seed=seed,
     )  # fmt: skip
     with progress("identifying") as show:
-        comparison = identify_all(study, progress=show) if method == ALL or report else None
-        model = identify_one(study, method) if method != ALL else None
-    if model and controller:  # designed before any file is written, so that its failure leaves none
-        write_controller(regulator(study.samples, model.halves), controller)
-    if model and output:
-        model.save(output)
-    write_page(comparison, report)
-    if model and comparison:
-        from upright.reports.identification import taken  # it loads matplotlib
-
-        if (best := taken(comparison)) not in ("", method):
-            words = f"Of the methods compared on the page, {best} is the one to take: --method {best}."
-            model = replace(model, notes=(*model.notes, words))
-    if result := model or comparison:
-        finish(result, as_json, written=(output, controller, report), paged=comparison)
+        result = identify_all(study, progress=show) if method == ALL else identify_one(study, method)
+    if isinstance(result, Identified):
+        if controller:  # designed before any file is written, so that its failure leaves none
+            write_controller(regulator(study.samples, result.halves), controller)
+        if output:
+            result.save(output)
+    finish(result, as_json, page=report, written=(output, controller), text="")
 
 
 def _check_method(method: str, target: Path | None) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,27 +15,22 @@ from upright.atomic import finite
 from upright.identification.coordinates import COMMANDS
 from upright.identification.order import OrderChoice
 from upright.identification.study import Pole
+from upright.pages import Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Result, Say, Table, Verdict
 from upright.physics.linear import INPUTS, LinearModel
 from upright.signals import STATE_NAMES
-from upright.tables import Shown
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-STABLE = "a stable model, which is wrong, since a two-wheeled robot falls"
-WITH_FRICTION = "friction counted as damping"
-"""Which pole a linear model has: it has no dry friction, only a damping that brakes alike at the rates of its log."""
-
-
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Identified(Shown):
+class Identified(Result):
     """`model` x⁺ = A x + B u of one log by one `method`, with one standard deviation of each entry in `a_deviation` and
     `b_deviation` (NaN where there is none).
 
     Its states are the robot's, in the order of conventions, then what else the method estimates. They stand in the
     robot's own time: an output reads them `delays` periods after the command. `halves` are the models of pitch and yaw,
-    `fits` [%] those of `prediction_fits`.
+    `fits` [%] those of `prediction_fits`, `log` is the file.
     """
 
     method: str
@@ -49,6 +45,7 @@ class Identified(Shown):
     halves: Mapping[str, LinearModel]
     fits: Mapping[str, Mapping[str, float]]
     notes: tuple[str, ...] = ()
+    log: str = "LOG"
 
     def check(self) -> float:
         """Largest difference of an eigenvalue of the whole from those of its halves, zero but for rounding."""
@@ -77,28 +74,66 @@ class Identified(Shown):
         """The skill of predictions of each output on the held-out part, over their horizon on a logarithmic axis."""
         from upright.plotting import legend, line, panels
 
-        figure, (ax,) = panels(["skill [%]"], "prediction horizon [samples]", "log")
+        figure, (ax,) = panels([str(Say("skill [%]"))], str(Say("prediction horizon [samples]")), "log")
         ahead = [float(h) for h in self.fits]
         for name in next(iter(self.fits.values()), {}):
-            line(ax, name, ahead, [fit.get(name, np.nan) for fit in self.fits.values()])
+            line(ax, str(OUTPUTS[name]), ahead, [fit.get(name, np.nan) for fit in self.fits.values()])
         return legend(figure)
 
-    def __str__(self) -> str:
-        p = self.pole
-        head = f"{self.method} from {self.samples} samples of {self.source}: "
-        if p.value <= 0:  # this comes first, and what the numbers of such a model are worth follows from it
-            notes = [note.removeprefix(f"This is {STABLE}. ") for note in self.notes]
-            return "\n".join([f"{head}{STABLE}", f"its slowest pole is {p.value:.3g} 1/s {interval(p)}", *notes])
-        lines = [f"{head}unstable pole {p.value:.3g} 1/s {interval(p)}, {WITH_FRICTION}"]
-        lines += [free for free in (p.in_words(),) if free]
-        if np.isfinite(p.bias):
-            lines.append(f"bias on repeated logs {p.bias:+.2g} ± {2 * p.bias_error:.1g} 1/s")
-        return "\n".join([*lines, *self.notes])
+    def page(self) -> Page:
+        """The model for people."""
+        verdict = Verdict(Say("not yet tried in a loop"))
+        title = Say("By {method}, a lean doubles in {time}", method=self.method, time=doubling(self.pole))
+        if self.pole.value <= 0:
+            verdict = Verdict(Say("wrong: a stable model"), "bad")
+            title = Say("By {method} the robot does not fall", method=self.method)
+        lead = [Say("A linear model has no dry friction, which is counted as damping.")]
+        if self.pole.without_friction:
+            value, low, high = self.pole.without_friction
+            free = Quantity(value, "1/s", low=low, high=high)
+            lead.append(Say("Without dry friction, the unstable pole is {pole}.", pole=free))
+        numbers = [KeyNumber(known_pole(self.pole), Say("unstable pole, with its 95 % interval"))]
+        if np.isfinite(self.pole.bias):
+            numbers.append(KeyNumber(known_bias(self.pole), Say("bias of the method on repeated logs")))
+        delays = Table(
+            [Column(Say("output")), Column(Say("periods late"))],
+            [[OUTPUTS[name], count] for name, count in self.delays.items()],
+        )
+        folds = [Fold(Say("Delays"), [delays])]
+        if self.notes:
+            folds.append(Fold(Say("Notes"), [Items([Say("{note}", note=note) for note in self.notes])]))
+        why = Say("It compares the methods, and tries a regulator of each model.")
+        return Page(
+            title, verdict=verdict, lead=lead, numbers=numbers,
+            picture=Picture(Say("Skill of predictions on the held-out part of the log"), self.plot),
+            next=[Next("identify", self.log, method="all", why=why)], blocks=folds,
+            origin={"log": self.log, "method": self.method},
+        )  # fmt: skip
 
 
-def interval(pole: Pole) -> str:
-    """The 95 % interval in words."""
-    return f"({pole.low:.3g} to {pole.high:.3g})" if np.isfinite(pole.low) else "(no interval)"
+OUTPUTS = {"gyro": Say("gyro"), "wheel": Say("wheels"), "turn": Say("turn"), "pitch": Say("pitch"),
+           "pitch_rate": Say("pitch rate"), "wheel_rate": Say("wheel rate"), "yaw": Say("yaw"),
+           "yaw_rate": Say("yaw rate")}  # fmt: skip
+"""What a model predicts, in words."""
+
+
+def known_pole(pole: Pole, unit: str = "1/s") -> Quantity:
+    """The pole with its interval, where there is one."""
+    if not np.isfinite(pole.low):
+        return Quantity(pole.value, unit)
+    return Quantity(pole.value, unit, low=pole.low, high=pole.high)
+
+
+def known_bias(pole: Pole) -> Quantity:
+    """The bias with its interval of two standard errors."""
+    return Quantity(
+        pole.bias, "1/s", low=pole.bias - 2 * pole.bias_error, high=pole.bias + 2 * pole.bias_error, digits=2
+    )
+
+
+def doubling(pole: Pole) -> Quantity:
+    """The time in which a lean doubles."""
+    return Quantity(math.log(2) / pole.value if pole.value > 0 else math.inf, "s", digits=2)
 
 
 def assembled(

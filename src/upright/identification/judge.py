@@ -25,6 +25,7 @@ from upright.identification.grey_box import calibrated_kit
 from upright.identification.identified import assembled, reading
 from upright.identification.prediction import ADDED, BIAS_WALK, MOTOR
 from upright.identification.samples import Samples
+from upright.pages import Quantity, Say, Verdict
 from upright.physics.linear import LinearModel, delay_line
 from upright.robots import PARAMETERS, Kit, Robot
 from upright.robots.drives import SPEED_DRIVE
@@ -43,7 +44,7 @@ class Judge:
     robot: Robot
     kit: Kit
     body: str
-    who: str
+    who: Say
     made_the_log: bool = False
 
 
@@ -62,10 +63,14 @@ class LoopTrial:
         """Plain numbers."""
         return dict(vars(self))
 
-    def __str__(self) -> str:
+    @property
+    def verdict(self) -> Verdict:
+        """What the regulator did."""
         if self.why:
-            return self.why
-        return "holds" if self.holds else f"falls after {self.fell:.1f} s"
+            return Verdict(Say("no regulator"), "bad")
+        if self.holds:
+            return Verdict(Say("holds"), "good")
+        return Verdict(Say("falls after {time}", time=Quantity(self.fell, "s", digits=2)), "bad")
 
 
 def judge_of(samples: Samples, calibration: Calibration | None = None) -> Judge:
@@ -75,11 +80,11 @@ def judge_of(samples: Samples, calibration: Calibration | None = None) -> Judge:
     if set(PARAMETERS) - set(SPEED_DRIVE) <= set(origin) and body:
         robot = Robot(name=origin["name"], drive=origin["drive"], **recorded(origin))
         kind = "twin" if body.startswith("twin") else "nonlinear"
-        return Judge(robot, samples.kit, kind, f"the {body.split(' with ', maxsplit=1)[0]} that made the log", True)
+        return Judge(robot, samples.kit, kind, Say("the simulated robot that made the log"), True)
     if calibration is not None:
         kit = calibrated_kit(calibration, samples.kit)
-        return Judge(calibration.robot, kit, "nonlinear", "the robot calibrated from this log (not a built robot)")
-    who = f"{samples.robot.name} with the numbers of its file (not a built robot)"
+        return Judge(calibration.robot, kit, "nonlinear", Say("the robot calibrated from this log, simulated"))
+    who = Say("{robot} with the numbers of its file, simulated", robot=samples.robot.name)
     return Judge(samples.robot, samples.kit, "nonlinear", who)
 
 
@@ -185,7 +190,7 @@ def loop_trial(samples: Samples, halves: Mapping[str, LinearModel], judge: Judge
     try:
         controller = regulator(samples, halves)
     except (UprightError, np.linalg.LinAlgError) as error:
-        return LoopTrial(False, why=f"no regulator: {str(error).split(';')[0]}")
+        return LoopTrial(False, why=str(error))
     body = Electronics(_body(judge, samples.dt), judge.kit)
     log = run(body, controller, Hold(pitch=HELD, until=UNTIL), seconds=SECONDS, seed=seed)
     body.close()

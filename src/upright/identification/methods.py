@@ -12,6 +12,7 @@ from upright.identification.rebuilt import least_squares_part, total_least_squar
 from upright.identification.samples import Part
 from upright.identification.study import MethodFit, PartFit, Study, by_part
 from upright.identification.subspace import subspace
+from upright.pages import Say
 from upright.physics.linear import LinearModel
 
 Identifier = Callable[[Study], MethodFit]
@@ -47,11 +48,11 @@ IDENTIFIERS: dict[str, Identifier] = {
 }
 
 TITLES = {
-    "least-squares": "of Herrera et al. (2015), from rebuilt states",
-    "total-least-squares": "errors in all rebuilt states",
-    "instrumental": "refined instrumental variables in closed loop",
-    "subspace": "predictor-based subspace method",
-    "calibrate": "maximum likelihood of the physical parameters",
+    "least-squares": Say("regression on rebuilt states (Herrera et al. 2015)"),
+    "total-least-squares": Say("regression with errors in all rebuilt states"),
+    "instrumental": Say("regression that noise in the loop does not bias"),
+    "subspace": Say("a state-space model from the log alone"),
+    "calibrate": Say("the robot's file, corrected by the log"),
 }
 
 

@@ -51,13 +51,6 @@ class Pole:
         """The value less its bias."""
         return self.value - self.bias
 
-    def in_words(self) -> str:
-        """The pole without dry friction, '' where it is not known."""
-        if self.without_friction is None:
-            return ""
-        value, low, high = self.without_friction
-        return f"without dry friction {value:.3g} 1/s ({low:.3g} to {high:.3g}), as `upright calibrate` gives it"
-
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; unknown ones are null."""
         numbers = {name: getattr(self, name) for name in ("value", "low", "high", "bias", "bias_error", "corrected")}

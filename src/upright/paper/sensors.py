@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 
 from upright.errors import UprightError
-from upright.identification.identify import MethodComparison, identify_all, study_of
+from upright.identification.identify import identify_all, study_of
+from upright.identification.method_comparison import MethodComparison
+from upright.identification.methods import TITLES
 from upright.paper.claim import BEYOND, Claim
 from upright.physics.linear import unstable_pole
 from upright.progress import Progress, unwatched
-from upright.reports.identification import methods_table, pole_table, trial_table
-from upright.reports.page import Item, Table, cell_text
+from upright.reports.page import Cell, Item, Table, Verdict, cell_text
 from upright.robots import Kit, Robot
 from upright.signals import Log
 from upright.tables import joined
@@ -66,13 +67,33 @@ def _items(compared: MethodComparison) -> list[Item]:
         "the subspace method and calibration by predictors with white innovations."
     )
     return [
-        pole_table(compared),
-        trial_table(compared),
-        methods_table(compared),
+        _poles(compared),
+        _trials(compared),
+        Table(["method", "how"], [[name, str(TITLES[name])] for name in compared.trials]),
         one_step,
         why,
         *(f"{n}: {w}" for n, w in compared.failed.items()),
     ]
+
+
+def _poles(compared: MethodComparison) -> Table:
+    rows: list[list[Cell]] = []
+    for name, model in compared.models.items():
+        p = model.pole
+        known = f"{cell_text(p.low, 3)} to {cell_text(p.high, 3)}" if math.isfinite(p.low) else "none"
+        rows.append([name, p.value, known, p.bias, p.corrected])
+    rows.append(["the robot itself", compared.true_pole, "", None, None])
+    header = ["method", "pole [1/s]", "95 % interval", "bias [1/s]", "pole − bias"]
+    return Table(header, rows, "Unstable pole; intervals and bias from repeated logs", digits=3)
+
+
+def _trials(compared: MethodComparison) -> Table:
+    rows: list[list[Cell]] = []
+    for name, trial in compared.trials.items():
+        leans = [None if x is None else math.degrees(x) for x in (trial.largest, trial.restless)]
+        rows.append([name, Verdict(str(trial.verdict.text), "good" if trial.holds else "bad"), *leans])
+    header = ["method", "in the loop", "largest lean [°]", "rms at rest [°]"]
+    return Table(header, rows, "Largest lean after the release, and its rms in the last two seconds", digits=3)
 
 
 def _numbers(compared: MethodComparison, true: float) -> dict[str, object]:

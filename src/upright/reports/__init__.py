@@ -21,7 +21,7 @@ from upright.reports.page import Section as Section
 from upright.reports.page import Table as Table
 
 PAGES = {
-    "Calibration": "calibration", "MethodComparison": "identification",
+    "Calibration": "calibration",
     "Analysis": "analysis", "Designed": "analysis", "Certificate": "certificate",
     "PostMortem": "postmortem", "Bench": "bench",
     "Tuned": "tuning", "Diagnosis": "diagnosed", "Parity": "checked",
