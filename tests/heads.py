@@ -3,8 +3,13 @@
 from __future__ import annotations
 
 import html
+import json
 import re
 from typing import Any
+
+from upright.languages import speaking
+from upright.pages import Result
+from upright.pages.html import document
 
 
 def plain(text: str) -> str:
@@ -35,3 +40,19 @@ def begins_as(printed: str, head: dict[str, Any], page: str) -> None:
     assert [n for n in numbers if f" {n[0]} {n[1]}" not in top] == []
     after = after.replace(" --json", "")  # of a page that was written beside JSON
     assert top.endswith(f"Next: {after}" if after else " ".join(numbers[-1]))
+
+
+def shown_alike(result: Result) -> None:
+    """Fail where terminal, page and notebook lack a number of the head, where the terminal is wider than 80 columns, or
+    where Spanish has other numbers."""
+    json.dumps(result.to_json(), allow_nan=False)
+    values = [value for value, _ in result.page().head()["numbers"]]
+    assert values
+    for rendered in (str(result), document(result.page()), result._repr_html_()):
+        assert all(value.replace("\u00a0", " ") in rendered.replace("\u00a0", " ") for value in values)
+    assert max(map(len, str(result).splitlines())) <= 80
+    english = str(result).partition("\n\n")[0]
+    with speaking("es"):
+        spanish = str(result).partition("\n\n")[0]
+    assert spanish != english
+    assert re.findall(r"\d+", spanish) == re.findall(r"\d+", english)

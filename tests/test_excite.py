@@ -12,6 +12,7 @@ import control
 import numpy as np
 import pytest
 
+from heads import shown_alike
 from upright.bodies import Electronics, NonlinearBody
 from upright.calibration.calibrate import calibrate
 from upright.cli.main import main
@@ -296,6 +297,7 @@ def test_the_page_shows_the_excitation_and_what_it_tells() -> None:
     page = plan().page()
     assert "is added to a command" in html.document(page)
     assert "centre of mass height" in str(plan())
+    shown_alike(plan())
     assert page.verdict
     assert page.verdict.level == "good"
 

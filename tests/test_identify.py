@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from heads import shown_alike
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
 from upright.calibration.estimate import Estimate
@@ -313,6 +314,8 @@ def test_the_page_shows_every_method_and_no_bad_number() -> None:
     assert compared().check() == ()
     assert "holds" in str(compared())
     assert compared().best in IDENTIFIERS
+    for result in (compared(), *compared().models.values()):
+        shown_alike(result)
     figure = compared().plot()
     assert figure.axes[0].get_xlabel() == "unstable pole [1/s]"
     assert [tick.get_text() for tick in figure.axes[0].get_yticklabels()] == list(compared().models)

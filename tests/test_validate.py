@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import upright as up
+from heads import shown_alike
 from upright.cli.main import main
 from upright.control import lqg, lqr_state
 from upright.control.excited import Excited, random_binary
@@ -58,6 +59,7 @@ def test_the_robot_that_made_the_log_predicts_it_and_needs_no_change() -> None:
     # half seconds leave what quantised readings and an uncertain first state leave: 2 % of the motion
     assert all(c.r2 > 0.97 and c.breaks is None for c in log.half_seconds if "compass" not in c.name)
     assert log.shifts == ()
+    shown_alike(Validation(robot="mine", kit="", logs=(log,)))
 
 
 def test_a_sensor_that_never_changes_is_named_in_the_verdict() -> None:

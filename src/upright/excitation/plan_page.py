@@ -48,8 +48,7 @@ def plan_page(plan: PlannedRun) -> Page:
     halved = sum(p.kind != NOT_VISIBLE for p in own)
     claim = Say("The run should halve the uncertainty of {n} of {all} parameters, or better", n=halved, all=len(own))
     folds = [
-        Fold(Say("Limits"), [_limits(plan), *_notes(plan)]),
-        Fold(Say("The excitation"), [_over_time(plan), _energies(plan)]),
+        Fold(Say("The excitation"), [_over_time(plan), *_notes(plan)]),
         Fold(Say("Beside random steps"), [_dithers(plan)]),
         Fold(Say("Other ways of exciting"), [_tried(plan)]),
     ]
@@ -141,21 +140,6 @@ def uncertainty_left(plan: PlannedRun) -> Figure:
     return legend(figure)
 
 
-def _limits(plan: PlannedRun) -> Table:
-    c, limits = plan.checked, plan.limits
-    rows = [
-        [Say("probability of a fall"), Quantity(c.bound, "fraction", digits=2), Quantity(limits.falls, "fraction")],
-        [Say("time with a saturated motor"), Quantity(c.saturated, "fraction", digits=2),
-         Quantity(limits.saturated, "fraction")],
-        [Say("distance rolled"), Quantity(c.travel, "m", digits=2), Quantity(limits.travel, "m")],
-        [Say("largest pitch"), Quantity(c.peak, "rad", digits=2), None],
-    ]  # fmt: skip
-    caption = Say(
-        "{n} robots drawn, with the plan {times} times as large", n=c.samples, times=Quantity(plan.margin, "1")
-    )
-    return Table([Column(Say("95 % of the robots")), Column(Say("at most")), Column(Say("limit"))], rows, caption)
-
-
 def _notes(plan: PlannedRun) -> list[Block]:
     notes = [Say("{note}", note=note) for note in plan.notes]
     if plan.checked.dropped:
@@ -185,15 +169,6 @@ def _draw_over_time(plan: PlannedRun) -> Figure:
 
 def _energy(plan: PlannedRun, energy: float) -> Quantity:
     return Quantity(energy, f"({plan.unit})² s" if " " in plan.unit else f"{plan.unit}² s")
-
-
-def _energies(plan: PlannedRun) -> Table:
-    rows = [[name, Quantity(part, "fraction", digits=2)] for name, part in plan.division.items()]
-    caption = Say(
-        "{energy} reach the motors; {added} are added before the controller answers",
-        energy=_energy(plan, plan.energy), added=_energy(plan, plan.added),
-    )  # fmt: skip
-    return Table([Column(Say("part")), Column(Say("of the energy"))], rows, caption)
 
 
 def _dithers(plan: PlannedRun) -> Table:

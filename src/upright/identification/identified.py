@@ -15,7 +15,7 @@ from upright.atomic import finite
 from upright.identification.coordinates import COMMANDS
 from upright.identification.order import OrderChoice
 from upright.identification.study import Pole
-from upright.pages import Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Result, Say, Table, Verdict
+from upright.pages import Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Result, Say, Verdict
 from upright.physics.linear import INPUTS, LinearModel
 from upright.signals import STATE_NAMES
 
@@ -95,11 +95,7 @@ class Identified(Result):
         numbers = [KeyNumber(known_pole(self.pole), Say("unstable pole, with its 95 % interval"))]
         if np.isfinite(self.pole.bias):
             numbers.append(KeyNumber(known_bias(self.pole), Say("bias of the method on repeated logs")))
-        delays = Table(
-            [Column(Say("output")), Column(Say("periods late"))],
-            [[OUTPUTS[name], count] for name, count in self.delays.items()],
-        )
-        folds = [Fold(Say("Delays"), [delays])]
+        folds: list[Fold] = []
         if self.notes:
             folds.append(Fold(Say("Notes"), [Items([Say("{note}", note=note) for note in self.notes])]))
         why = Say("It compares the methods, and tries a regulator of each model.")

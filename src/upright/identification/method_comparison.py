@@ -55,6 +55,11 @@ class MethodComparison(Result):
     notes: tuple[str, ...] = ()
 
     @property
+    def delays(self) -> dict[str, int]:
+        """How many periods each output comes after a command, which is taken out before any fit."""
+        return {name: n for part in self.samples.parts for name, n in zip(part.outputs, part.delays, strict=True)}
+
+    @property
     def holding(self) -> list[str]:
         """Methods whose regulators hold the robot, the one first after whose release it leans least."""
         leans = {name: trial.largest or 0.0 for name, trial in self.trials.items() if trial.holds}
@@ -86,7 +91,7 @@ class MethodComparison(Result):
             "models": {name: model.to_json() for name, model in self.models.items()},
             "in_the_loop": {name: trial.to_json() for name, trial in self.trials.items()},
             "best": self.best, "alike": self.alike, "failed": dict(self.failed), "judge": str(self.judge.who),
-            "orders": {name: order.to_json() for name, order in self.orders.items()},
+            "orders": {name: order.to_json() for name, order in self.orders.items()}, "delays": self.delays,
             "notes": list(self.notes), "true_pole": finite(self.true_pole),
         }  # fmt: skip
 
@@ -177,8 +182,8 @@ def _folds(compared: MethodComparison) -> list[Fold]:
     methods = Table([Column(Say("method")), Column(Say("how"))], [[n, TITLES.get(n)] for n in compared.trials])
     folds = [
         Fold(Say("How far each pole is off"), _biases(compared)),
-        Fold(Say("Predictions"), [_predictions(compared), *_one_step(compared)]),
-        Fold(Say("Methods, orders and delays"), [methods, *_orders(compared), _delays(compared)]),
+        Fold(Say("Predictions"), [_predictions(compared)]),
+        Fold(Say("What the methods are"), [methods]),
     ]
     notes = [Say("{note}", note=note) for note in compared.notes]
     notes += [
@@ -233,38 +238,3 @@ def _predictions(compared: MethodComparison) -> Picture:
 
     note = Say("A stable model forgets an error of its start; far ahead it may predict better, and is wrong.")
     return Picture(Say("Skill of predictions on the held-out part of the log"), draw, note)
-
-
-def _one_step(compared: MethodComparison) -> list[Table]:
-    horizons = list(next(iter(compared.models.values())).fits) if compared.models else []
-    columns = [Column(Say("samples ahead")), *(Column(Say("{n}", n=h), "1") for h in horizons)]
-    return [
-        Table(
-            columns,
-            [[name, *(m.fits[h].get(output) for h in horizons)] for name, m in compared.models.items()],
-            Say("Skill for {output} [%]", output=OUTPUTS[output]),
-        )
-        for output in compared.samples.parts[0].outputs
-    ]
-
-
-def _orders(compared: MethodComparison) -> list[Table]:
-    tables: list[Table] = []
-    for name, order in compared.orders.items():
-        least = min(order.bic.values())
-        rows = [
-            [n, value - least if math.isfinite(value) else None, n == order.chosen] for n, value in order.bic.items()
-        ]
-        columns = [Column(Say("states")), Column(Say("BIC above the least"), "1"), Column(Say("chosen"))]
-        tables.append(Table(columns, rows, Say("Order of the model of {half}", half=OUTPUTS[name])))
-    return tables
-
-
-def _delays(compared: MethodComparison) -> Table:
-    rows = [
-        [OUTPUTS[output], count, count * part.dt]
-        for part in compared.samples.parts
-        for output, count in zip(part.outputs, part.delays, strict=True)
-    ]
-    columns = [Column(Say("output")), Column(Say("periods late")), Column(Say("delay"), "s")]
-    return Table(columns, rows, Say("Delays from a command to the response, taken out before any fit"))

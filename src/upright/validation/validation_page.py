@@ -37,7 +37,7 @@ def validation_page(result: RobotJudged) -> Page:
         Fold(Say("The whole run in closed loop"), [block for log in result.logs for block in _whole_run(log)]),
         Fold(Say("Parameters to doubt"), [_shifts(result)]),
     ]
-    if own := [block for log in result.logs if log.own_run for block in _own_run(log)]:
+    if own := [_own_run(log) for log in result.logs if log.own_run]:
         folds.append(Fold(Say("Fitted to this run"), own))
     if notes := [note for log in result.logs for note in _notes(log)]:
         folds.append(Fold(Say("Notes"), [Items(notes)]))
@@ -178,13 +178,9 @@ def _shifts(result: RobotJudged) -> Block:
     return Table(columns, rows, Say("Each parameter changed alone, all others as they are"))
 
 
-def _own_run(log: LogJudged) -> list[Block]:
-    fits = [[reading(c.name), _judged(c), _r2(c.r2)] for c in log.own_run]
+def _own_run(log: LogJudged) -> Table:
     effects = [[term(e.name), Quantity(e.known, e.unit), Quantity(e.here, e.unit)] for e in log.effects]
-    return [
-        Table([Column(Say("sensor")), Column(Say("half seconds")), Column(Say("R²"))], fits),
-        Table([Column(Say("parameter")), Column(Say("known")), Column(Say("in this run"))], effects),
-    ]
+    return Table([Column(Say("parameter")), Column(Say("known")), Column(Say("in this run"))], effects)
 
 
 def _notes(log: LogJudged) -> list[Say]:
