@@ -92,7 +92,10 @@ class Identified(Result):
             value, low, high = self.pole.without_friction
             free = Quantity(value, "1/s", low=low, high=high)
             lead.append(Say("Without dry friction, the unstable pole is {pole}.", pole=free))
-        numbers = [KeyNumber(known_pole(self.pole), Say("unstable pole, with its 95 % interval"))]
+        meaning = Say("unstable pole, with its 95 % interval")
+        if not np.isfinite(self.pole.low):
+            meaning = Say("unstable pole; its interval needs more repeated logs")
+        numbers = [KeyNumber(known_pole(self.pole), meaning)]
         if np.isfinite(self.pole.bias):
             numbers.append(KeyNumber(known_bias(self.pole), Say("bias of the method on repeated logs")))
         folds: list[Fold] = []
