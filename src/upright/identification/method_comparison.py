@@ -120,8 +120,9 @@ class MethodComparison(Result):
         following: list[Next] = []
         if self.best:
             verdict = Verdict(Say("take {method}", method=self.best), "good")
-            files = {"output": "model.json", "controller": "regulator.json"}
-            following = [Next("identify", named(data.log), method=self.best, **files)]
+            following = [
+                Next("identify", named(data.log), method=self.best, output="model.json", controller="regulator.json")
+            ]
             other = self._surest([name for name in holding if name != PRIOR])
             if self.best == PRIOR and other:
                 why = Say("It needs no file of the robot, which may be wrong.")
