@@ -144,7 +144,7 @@ def test_of_a_law_that_is_not_linear_a_certificate_holds_no_margins() -> None:
 def test_where_nothing_linear_is_known_it_says_so() -> None:
     light, reasons = judge(Examined(1000, 0, None, [TRIAL], 0.01))
     assert light == GREEN
-    assert "no linear margins" in reasons[1]
+    assert str(reasons[1]) == "No linear margins are known."
 
 
 class Broken:
@@ -188,9 +188,8 @@ def test_a_log_that_surprises_more_than_the_drawn_robots_tells_on_the_light(nois
     found = certify(designed("pid"), ROBOT, KIT, samples=100, posterior=CALIBRATED, sweeps=False, log=recording(noise))
     assert found.light == light
     assert [a.sensor for a in found.agreement] == ["encoder_left", "encoder_right", "gyro"]
-    assert light == GREEN or "encoder_left innovations" in found.reasons[0]
+    assert light == GREEN or "innovations of the left encoder" in str(found.reasons[0])
     assert Certificate.from_json(json.loads(json.dumps(found.to_json()))) == found
-    assert "the log:" in str(found)
 
 
 def test_the_thresholds_of_surprise_stand_between_the_lights() -> None:

@@ -321,9 +321,9 @@ def red_certificate() -> Certificate:
     """Of the frozen design: a hundred robots, all of them fallen."""
     trials = (PushTrial("front", "full", 100, 100, saturated=0.0, travel=0.0, peak=0.0, cycle=0.0),)
     linear = LinearMargins(0.9, 0.5, 2.0, 0.01)
-    light, reasons = judge(Examined(100, 100, linear, trials, 0.01))
+    light, _ = judge(Examined(100, 100, linear, trials, 0.01))
     return Certificate(
-        light=light, reasons=reasons, bound=upper_bound(100, 100), robot=ROBOT.name, kit=NXT.name, controller="lqg",
+        light=light, bound=upper_bound(100, 100), robot=ROBOT.name, kit=NXT.name, controller="lqg",
         hash=controller_hash(frozen()), period=0.01, seed=0, samples=100, fell=100, linear=linear, trials=trials,
         beyond=0, standing=Standing(None, 0.1, 100, 0), subject={"robot": robot_facts(ROBOT), "kit": kit_facts(NXT)},
     )  # fmt: skip

@@ -29,7 +29,7 @@ from upright.control import (
 from upright.control.identity import identity
 from upright.firmware.program_file import read_program
 from upright.likelihood.assumptions import BATTERIES
-from upright.reports.certificate import page_of
+from upright.pages import html
 from upright.robots import Kit
 
 
@@ -170,26 +170,24 @@ def test_what_was_asked_for_is_forgotten_by_a_change() -> None:
 
 def test_what_nobody_survived_has_a_dash_and_no_number() -> None:
     """Quantiles of the robots that stand, of which there are none."""
-    trial = PushTrial("hold", "low", 100, 100, saturated=0.0, travel=0.0, peak=0.0, cycle=0.0)
-    shown = str(replace(certificate(), trials=(trial,))).splitlines()[-1]
-    assert shown.split() == ["hold", "low", "–", "100/100", "–", "–", "–", "–"]
-    page = page_of(replace(certificate(), trials=(trial,))).html()
-    *_, row = page.partition("<h2>Pushes</h2>")[2].partition("</table>")[0].split("<tr>")
+    trial = PushTrial("hold", "low", 100, 100, saturated=0.0, travel=0.0, peak=0.0, cycle=0.0, size=0.1)
+    page = html.document(replace(certificate(), trials=(trial,)).page())
+    *_, row = page.partition("Every push")[2].partition("</table>")[0].split("<tr>")
     cells = re.findall(r"<td[^>]*>([^<]*)</td>", row)
     low = f"low, {BATTERIES['low'] * NXT.battery.voltage:.1f}\u00a0V"
-    assert cells == ["hold", low, "100", "0", "–", "–", "–", "–", "–"]
+    assert cells == ["knock of 0.1\u00a0N s", low, "100", "0", "–", "–", "–", "–", "–"]
 
 
 def test_a_certificate_has_a_figure() -> None:
     """The bound on all pushes, then a bar for each push at each battery, the worst first, as on its page."""
-    trials = [PushTrial(f"hold {fell}", "low", 100, fell, saturated=0.0, travel=0.0, peak=0.0, cycle=0.0)
+    trials = [PushTrial("knock", "low", 100, fell, saturated=0.0, travel=0.0, peak=0.0, cycle=0.0, size=0.1 * fell)
               for fell in (1, 30, 7)]  # fmt: skip
     result = replace(certificate(), trials=tuple(trials))
     (ax,) = result.plot().axes
     assert [bar.get_width() for bar in ax.patches] == [100 * result.bound, 30, 7, 1]
     names = [label.get_text() for label in ax.get_yticklabels()]
-    assert names[1] == "hold 30, low battery"
-    picture = page_of(result).html().partition("</figure>")[0]
+    assert names[1] == "knock of 3\u00a0N s, low"
+    picture = html.document(result.page()).partition("</figure>")[0]
     assert all(name in picture for name in names)
 
 

@@ -183,7 +183,7 @@ def test_a_swing_of_the_frame_is_not_the_gyro_s_noise() -> None:
     swung = Log(log.t, {**log.channels, GYRO: log[GYRO] + 0.3 * swing / np.std(swing)}, log.units, log.origin)
     met, left, taken = as_logged(swung, trial_setup())
     assert "gyro's noise" not in [s.name for s in taken]
-    assert any(str(s).startswith("the log leaves the gyro's noise open, 0 to ") for s in left if s.outside)
+    assert any(s.left_open and s.low == 0 for s in left if s.name == "gyro's noise")
     assert met.logged is not None
     drawn = met.logged.changes["sensors.gyro.noise"]  # no robot that is pushed has the swing for noise
     assert drawn == pytest.approx(KIT.sensors[GYRO].noise)
@@ -290,7 +290,8 @@ def test_a_certificate_on_a_weak_battery_tries_it_with_the_pushes_that_were_expe
     low = [t for t in given.trials if t.battery == "low"]
     assert [t.size for t in weak] == [t.size for t in low]  # no push is made softer for it
     assert given.light == RED  # 0.85 of 8 V barely: of the pushes sized for 6.8 V a motor at 4.2 V cannot take all
-    assert "tried as the log shows it: battery 4.2 V, assumed 6.8 to 8.96 V" in given.reasons
+    said = [str(reason).replace("\u00a0", " ") for reason in given.reasons]
+    assert "Tried as the log shows it: the battery is 4.2 V, assumed 6.8 to 8.96 V." in said
     assert Certificate.from_json(json.loads(json.dumps(given.to_json()))) == given
 
 
@@ -299,7 +300,7 @@ def test_motors_that_differ_are_certified_as_the_log_shows_them() -> None:
     explained("asymmetry", given.taken, given.support, given.agreement)
     assert given.light == AMBER  # 0.4 for at most 0.1 is a fault to mend, though every robot with it holds
     assert given.fell == 0
-    assert given.reasons[0].startswith("tried as the log shows it: difference of the motors")
+    assert given.reasons[0].said.facts["number"].facts["name"] == given.taken[0].named
     assert given.check() == ()
 
 
@@ -369,7 +370,8 @@ def test_a_number_that_the_file_states_and_the_log_contradicts_makes_the_light_a
     trial = PushTrial("hold", "low", 1000, 0, saturated=0.0, travel=0.2, peak=0.1, cycle=0.01)
     light, reasons = judge(Examined(1000, 0, LinearMargins(0.99, 0.5, 2.0, 0.02), [trial], 0.01, support=[found]))
     assert light == AMBER
-    assert reasons[0] == "outside what the log supports: wheel radius 23 mm, file 21 ± 0.5 mm"
+    said = str(reasons[0]).replace("\u00a0", " ")
+    assert said == "The log contradicts what was assumed: wheel radius is 2.3 cm, in the file 2.1 cm ± 0.05 cm."
 
 
 def test_a_stated_number_is_contradicted_from_three_deviations_on() -> None:
@@ -530,7 +532,7 @@ def test_a_weighed_robot_is_pushed_like_that_of_its_file_whatever_a_calibration_
     sizes = {p.size for volts in batteries(ROBOT, KIT) or () for p in standard_pushes(ROBOT, KIT, volts).values()}
     assert {t.size for t in given.trials} == sizes
     assert Certificate.from_json(json.loads(json.dumps(given.to_json()))).weighed == weight
-    assert "on the scale" in str(given)
+    assert given.page().origin["weighed"]
 
 
 def test_a_robot_stands_on_the_slope_that_its_motors_bore() -> None:

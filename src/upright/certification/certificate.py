@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING, Any, get_args, get_origin, get_type_hints
 
 from upright.atomic import finite, write_json
 from upright.certification.checks import (
-    PushTrial,
     RunCounter,
     TrialSetup,
     enough_robots,
@@ -25,7 +24,7 @@ from upright.certification.checks import (
     trials,
 )
 from upright.certification.mass import as_weighed
-from upright.certification.narrowing import MOST_NAMES, guessed, narrowing, red, ways
+from upright.certification.narrowing import BY_HAND, MOST_NAMES, guessed, narrowing, red
 from upright.certification.standing import (
     Endured,
     Strength,
@@ -43,6 +42,7 @@ from upright.certification.verdict import (
     RED,
     UNKNOWN,
     Examined,
+    Reason,
     judge,
     linear_margins,
 )
@@ -52,12 +52,13 @@ from upright.control.controller import Controller
 from upright.control.identity import Identity, identity
 from upright.errors import InvalidController, InvalidScenario
 from upright.fleets.binomial import upper_bound
+from upright.languages import ENGLISH, speaking
 from upright.likelihood.agreement import agreement
 from upright.likelihood.assumptions import Assumptions, as_sent
 from upright.likelihood.calibrated import Met, met
-from upright.likelihood.support import MASS, contradictions
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
+from upright.pages import Result
 from upright.progress import Progress
 from upright.reading import check_types, read_json, understood
 from upright.robots import Kit, Robot, find_kit, find_robot
@@ -65,29 +66,23 @@ from upright.robots.facts import Facts, differences, kit_facts, robot_facts
 from upright.robots.motor import refuse_energy
 from upright.robots.uncertainty import Uncertainty, at_medians, draw
 from upright.signals import Log
-from upright.tables import Shown, in_degrees, sentence
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-UNLIKE = "mend what the log shows, or measure it and write it into the file of the robot or its kit; then certify again"
-UNWEIGHED = "a scale tells the mass: put the robot on one, and certify it again with --weighed KG"
-
-PLAY = (
-    "Of {:.2g}° of play only the encoders know, here as in the twin. A motor that runs free in it lets a robot sway "
-    "several times as much at rest, and may fell it: believe neither there, but look at the robot."
-)
+    from upright.pages import Page
 
 KIND = "upright certificate"
-VERSION = 6
-"""6: it answers whether the robot stands, how hard it may be pushed, and which guess decides;
+VERSION = 7
+"""7: its pushes have a kind and a slope, and its reasons say their limit;
+6: it answers whether the robot stands, how hard it may be pushed, and which guess decides;
 5: a log that shows what was not assumed, or leaves it open, is amber at most;
 4: an unstable loop is the first reason, a free position none for red;
 3: pushes are scaled to what any controller could survive; 2: robot and kit are named by their numbers."""
 
 
 @dataclass(frozen=True, repr=False, kw_only=True)
-class Certificate(Shown, Examined):
+class Certificate(Result, Examined):
     """The measurements of the controller with this `hash`, every `period` [s], and the `light` that follows from them.
 
     It belongs to that controller, by its `hash`, or by the request of its design, `asked`, and its `response` (see
@@ -99,7 +94,6 @@ class Certificate(Shown, Examined):
     """
 
     light: str
-    reasons: tuple[str, ...]
     bound: float
     robot: str
     kit: str
@@ -116,15 +110,20 @@ class Certificate(Shown, Examined):
     weighed: float | None = None
     given: str = ""
 
+    @property
+    def reasons(self) -> tuple[Reason, ...]:
+        """Why the light is what it is: one or two, the gravest first."""
+        _, reasons = judge(self)
+        return reasons
+
     def check(self) -> tuple[str, ...]:
         """Contradictions among this certificate's own numbers, as sentences; none where it is consistent."""
         bound = upper_bound(self.fell, self.samples, CONFIDENCE)
-        light, reasons = judge(self)
+        light, _ = judge(self)
         wrong = (
             [f"the bound is {self.bound:g}; its numbers give {bound:g}"] if not math.isclose(bound, self.bound) else []
         )
         wrong += [f"the light is {self.light}; its numbers give {light}"] if light != self.light else []
-        wrong += ["the reasons do not follow from its numbers"] if reasons != self.reasons else []
         most = max(t.fell for t in self.trials)
         fallen, hopeless = (sum(getattr(t, n) for t in self.trials) for n in ("fell", "beyond"))
         fits = most <= self.fell <= fallen and self.beyond <= min(self.fell, hopeless)
@@ -139,7 +138,7 @@ class Certificate(Shown, Examined):
         if wrong := self.check():
             return f"the certificate contradicts itself: {wrong[0]}"
         if self.light in (RED, UNKNOWN):
-            return f"{self.light}: {in_degrees(self.reasons[0])}"
+            return f"{self.light}: {self.reasons[0]}".rstrip(".")
         others = [self._period_and_controller(controller)] if controller else []
         others += [self._other("robot", self.robot, robot.name, robot_facts(robot))] if robot else []
         others += [self._other("kit", self.kit, kit.name, kit_facts(kit))] if kit else []
@@ -156,55 +155,35 @@ class Certificate(Shown, Examined):
             return ""
         return f"another {what}: {f'{what} {name} instead of {certified}, ' if name != certified else ''}{others}"
 
-    def answers(self) -> list[str]:
-        """The answers to three questions: does it stand, how hard may it be pushed, and which numbers are guesses."""
-        pushed = [f"How hard may I push it? {'; '.join(map(str, self.endured))}."] if self.endured else []
-        weak = f"Motors too weak in {self.beyond} of the {self.fell} that fell: {self.strength}."
-        names = ", ".join(self.guessed.names) if self.guessed else "none"
-        guesses = f"Which numbers are guesses? {names}."
-        answers = [f"Does it stand? {self.standing}.", *pushed, *([weak] if self.strength else []), guesses]
-        play = self.subject["kit"].get("motor/backlash")
-        return [*answers, PLAY.format(math.degrees(float(play)))] if play else answers
-
-    def to_learn(self) -> list[str]:
-        """What would have to be known better where robots fall, beside the reasons, and how it is measured."""
-        if not self.narrowing:
+    def to_measure(self) -> list[str]:
+        """The parameters that would have to be known better where robots fall, the one that decides most first."""
+        if not self.narrowing or self.reasons[0].kind not in ("spread", "measure"):
             return []
-        first = [] if self.light == UNKNOWN else [sentence(str(self.narrowing))]
         needed = [spread.name for spread in self.narrowing.spreads]
-        if self.light == UNKNOWN and self.guessed and not needed:
-            needed = list(self.guessed.names[:MOST_NAMES])
-        return [*first, *ways(needed, self.robot, str(self.subject["robot"]["drive"]))]
+        guesses = self.guessed.names[:MOST_NAMES] if self.light == UNKNOWN and self.guessed else ()
+        return needed or [*guesses]
 
-    def worst_first(self) -> list[PushTrial]:
-        """The trials in the order of the figure: most falls first, or the longest travel where nothing fell."""
-        fell = any(t.fell for t in self.trials)
-        return sorted(self.trials, key=lambda t: -t.fell / t.runs if fell else -t.travel)
+    def page(self) -> Page:
+        """The certificate for people."""
+        from upright.certification.certificate_page import certificate_page
+
+        return certificate_page(self)
 
     def plot(self) -> Figure:
         """How many robots fell [%], or the travel [m] of 95 % of them where none did: a bar for every push at every
         battery, the worst first. Above falls stands the bound on all pushes together, which the limit is for."""
-        from upright.plotting import COLOURS, bars, number
+        from upright.certification.certificate_page import bars_of
 
-        fell = any(t.fell for t in self.trials)
-        each = {
-            f"{in_degrees(t.push)}, {t.battery} battery": 100 * t.fell / t.runs if fell else t.travel
-            for t in self.worst_first()
-        }
-        label, limit = ("robots that fell [%]", 100 * MOST_FALLS) if fell else ("travel [m]", math.nan)
-        together = {"all pushes together, at most (95 %)": 100 * self.bound} if fell else {}
-        each = together | each
-        figure = bars([*each], [*each.values()], label, "push", limit=limit)
-        if together:  # a bound is no count
-            figure.axes[0].patches[0].set(facecolor="none", edgecolor=COLOURS[0], hatch="///")
-            figure.axes[0].texts[0].set_text(number(100 * self.bound, 2))
-        return figure
+        return bars_of(self)
 
     def to_json(self) -> dict[str, Any]:
-        """Plain numbers; None for what is unlimited."""
+        """Plain numbers, None for what is unlimited; the reasons, and how to measure what decides, in English."""
         linear = {k: finite(v) for k, v in asdict(self.linear).items()} if self.linear else None
-        numbers = asdict(self) | {"linear": linear}
-        return {"file": KIND, "version": VERSION} | numbers
+        with speaking(ENGLISH):
+            reasons = [str(reason) for reason in self.reasons]
+            by_hand = {name: str(BY_HAND[name]) for name in self.to_measure() if name in BY_HAND}
+        said = {"reasons": reasons, "by_hand": by_hand}
+        return {"file": KIND, "version": VERSION} | asdict(self) | {"linear": linear} | said
 
     def save(self, path: str | Path) -> Path:
         """Write it as JSON, as `upright firmware` and `upright fly` ask for it. Returns the path."""
@@ -217,42 +196,6 @@ class Certificate(Shown, Examined):
             certificate = _read(cls, data)
             check_types(certificate)
         return certificate
-
-    @property
-    def designed(self) -> str:
-        """Of a name beside a log, what was certified: a name does not tell what flew. Empty for a file or no log."""
-        if not (self.agreement and self.given) or self.given.endswith(".json"):
-            return ""
-        return (
-            f"{self.given} as `upright design {self.given}` makes it for {self.robot} as its file states it: "
-            "if another controller flew, certify its file"
-        )
-
-    @property
-    def asks(self) -> str:
-        """What to do about what the log shows or leaves open; empty where it is what was assumed."""
-        strange = {s.name for s in self.support if s.left_open} | {s.name for s in self.taken if s.excess > 0}
-        return UNWEIGHED if MASS in strange else UNLIKE if strange else ""
-
-    def __str__(self) -> str:
-        head = f"{self.light.upper()}: {self.controller} on {self.robot} with kit {self.kit}"
-        wide = max(18, *(len(in_degrees(t.push)) for t in self.trials))
-        columns = f"{'push':<{wide}}{'battery':>8}{'of any':>8}{'fell':>11}"
-        columns += f"{'saturated':>10}{'travel':>9}{'peak':>11}{'sway':>11}"
-        sweeps = [_sweep("dead time +", self.delayed), _sweep("period ", self.slower)]
-        first = [f"  {in_degrees(line)}" for line in (self.designed, *self.reasons) if line]
-        lines = [head, *first, "", *self.answers(), "", columns, *(_row(t, wide) for t in self.trials)]
-        if worst := max((t.residual for t in self.trials), default=0.0):
-            sweeps.append(f"the last iteration moved a command by {worst:.2%} of its limit at most")
-        sweeps += self.to_learn()
-        sweeps += [f"the log: {'; '.join(map(str, self.agreement))}"] if self.agreement else []
-        taken = {s.name for s in self.taken}
-        inside = "; ".join(str(s) for s in self.support if not (s.outside or s.name in taken))
-        sweeps += [f"the log supports: {inside}"] if inside else []
-        sweeps += [f"tried as the log shows it: {'; '.join(map(str, self.taken))}"] if self.taken else []
-        sweeps += [*contradictions([s for s in self.support if s.left_open]), self.asks]
-        sweeps += [f"on the scale: {self.weighed:.3g} kg"] if self.weighed else []
-        return "\n".join([*lines, *(line for line in sweeps if line)])
 
 
 def certify(
@@ -303,10 +246,10 @@ def certify(
     setup = replace(setup, progress=progress and RunCounter(runs_of(setup, sweeps=sweeps), progress))
     drawn = (now.unknown or Uncertainty.of(nominal)) if robots is None else None
     judged = _examined(setup, design, recording, now._replace(unknown=drawn), sweeps=sweeps)
-    light, reasons = judge(judged)
+    light, _ = judge(judged)
     who = identity(design)
     return Certificate(
-        **vars(judged), light=light, reasons=reasons, bound=upper_bound(judged.fell, judged.samples, CONFIDENCE),
+        **vars(judged), light=light, bound=upper_bound(judged.fell, judged.samples, CONFIDENCE),
         robot=setup.robot.name, kit=setup.kit.name, controller=design.spec.kind, hash=who.hash, seed=seed,
         subject={"robot": robot_facts(given), "kit": kit_facts(stated[1])}, asked=who.asked, response=who.response,
         endured=endured(setup) if sweeps else (),
@@ -357,10 +300,13 @@ def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
                                 hint="certify it again")  # fmt: skip
     if kind != KIND:
         raise ValueError(f"it is no '{KIND}'")
+    said = {name: given.pop(name) for name in ("reasons", "by_hand")}
     given["subject"] = {what: dict(given["subject"][what]) for what in ("robot", "kit")}
     certificate = _made(cls, given)
     if wrong := certificate.check():
         raise ValueError(wrong[0])
+    if said["reasons"] != certificate.to_json()["reasons"]:
+        raise ValueError("the reasons do not follow from its numbers")
     return certificate
 
 
@@ -375,15 +321,3 @@ def _made(kind: Any, data: Any) -> Any:
     if kind is float:
         return math.inf if data is None else data
     return data if data is None or NoneType not in inner else _made(inner[0], data)
-
-
-def _row(t: PushTrial, wide: int) -> str:
-    numbers = f"{t.saturated:>10.0%}{t.travel:>7.2f} m{math.degrees(t.peak):>10.1f}°{math.degrees(t.cycle):>10.2f}°"
-    numbers = numbers if t.fell < t.runs else f"{'–':>10}{'–':>9}{'–':>11}{'–':>11}"
-    largest = f"{t.size / t.bound:.0%}" if t.bound else "–"
-    return f"{in_degrees(t.push):<{wide}}{t.battery:>8}{largest:>8}{f'{t.fell}/{t.runs}':>11}{numbers}"
-
-
-def _sweep(label: str, swept: Sequence[Swept]) -> str:
-    falls = [f"{label}{s.value * 1e3:.3g} ms: {s.fell / s.runs:.1%} fell" for s in swept]
-    return f"left alone, {', '.join(falls)}" if falls else ""

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from upright.arrays import Array, Mask
-from upright.certification.pushes import StandardPush, standard_pushes
+from upright.certification.pushes import KINDS, StandardPush, standard_pushes
 from upright.certification.recovery import means, recoverable
 from upright.control.controller import Controller
 from upright.control.delay import RAW
@@ -29,6 +29,7 @@ from upright.kernel.pack import RESIDUAL
 from upright.kernel.simulate import CALLED, simulate
 from upright.likelihood.agreement import DrawnRuns
 from upright.likelihood.assumptions import BATTERIES, NOISED, Assumptions, Logged, batteries
+from upright.pages import Quantity, Say
 from upright.robots import Kit, Robot
 
 SECONDS = 8.0  # [s] a push, what follows it, and `TAIL` to see what the robot does at rest
@@ -58,7 +59,7 @@ class PushTrial:
     seconds [rad]. They are zero where every robot fell. `residual` is the largest one of a predictive controller that
     stands: by how much the last iteration of a period still moved a command, over its limit. `size` is that of the push
     [rad or N s], `bound` the largest that any controller could survive on the stated robot (None: unlimited), and
-    `beyond` counts the fallen robots that no controller could save.
+    `beyond` counts the fallen robots that no controller could save. Its `kind` is one of `KINDS`, on a `slope` [rad].
     """
 
     push: str
@@ -74,6 +75,33 @@ class PushTrial:
     size: float = 0.0
     bound: float | None = None
     beyond: int = 0
+    kind: str = "knock"
+    slope: float = 0.0
+
+    @property
+    def said(self) -> Say:
+        """The push."""
+        lean = Quantity(-self.size if self.kind == "back" else self.size, "rad", digits=2)
+        knock, angle = Quantity(self.size, "N s"), Quantity(self.slope, "rad", digits=2)
+        if self.slope:
+            if self.kind == "knock":
+                return Say("knock of {size} on a slope of {slope}", size=knock, slope=angle)
+            return Say("hold at {angle} on a slope of {slope}", angle=lean, slope=angle)
+        return Say("knock of {size}", size=knock) if self.kind == "knock" else Say("hold at {angle}", angle=lean)
+
+    @property
+    def supply(self) -> Say:
+        """The battery."""
+        if self.battery == "low":
+            return Say("low battery")
+        return Say("full battery") if self.battery == "full" else Say("battery at {volts}", volts=self.battery)
+
+    @property
+    def charge(self) -> Say:
+        """The same without its noun, for a column of batteries."""
+        if self.battery == "low":
+            return Say("low")
+        return Say("full") if self.battery == "full" else Say("{volts}", volts=self.battery)
 
 
 class KernelController(NamedTuple):
@@ -110,7 +138,7 @@ def enough_robots(family: Sequence[Robot], robot: Robot) -> Sequence[Robot]:
     return family
 
 
-PUSHES = 3  # number of standard pushes
+PUSHES = len(KINDS)
 
 
 def red(fell: int, runs: int) -> bool:
@@ -249,24 +277,25 @@ def tried(setup: TrialSetup) -> Iterator[TriedPush]:
     for first in range(0, len(plan), at_once):
         some = plan[first : first + at_once]
         runs = simulated(setup, [one for one, *_ in some], channels)
-        for (planned, standard, called, battery), run in zip(some, runs, strict=True):
+        for (planned, standard, known), run in zip(some, runs, strict=True):
             trial = replace(
-                _trial(called, battery, run, setup.parameters, law.period), size=standard.size,
+                _trial(known, run, setup.parameters, law.period), size=standard.size,
                 bound=standard.bound if math.isfinite(standard.bound) else None,
             )  # fmt: skip
             yield TriedPush(setup, planned, trial, run)
 
 
-def _plan(setup: TrialSetup) -> list[tuple[PlannedPush, StandardPush, str, str]]:
-    """All that are tried, each with its standard push, and the names of the push and of the battery."""
-    logged, plan = setup.logged, list[tuple[PlannedPush, StandardPush, str, str]]()
-    for kind in range(PUSHES):
+def _plan(setup: TrialSetup) -> list[tuple[PlannedPush, StandardPush, dict[str, Any]]]:
+    """All that are tried, each with its standard push, and what its trial has of it: push, battery, kind and slope."""
+    logged, plan = setup.logged, list[tuple[PlannedPush, StandardPush, dict[str, Any]]]()
+    for number, kind in enumerate(KINDS):
         for slope, battery, voltage, expected_slope, expected_voltage in conditions(setup.robot, setup.kit, logged):
-            name, standard = list(setup.pushes(expected_voltage, expected_slope).items())[kind]
+            name, standard = list(setup.pushes(expected_voltage, expected_slope).items())[number]
             same = np.full(len(setup.robots), slope)
             angles = logged.angles(slope, setup.parameters, setup.actual_robot) if logged else same
             called = f"{name}, slope {math.degrees(slope):+.1f}°" if slope else name
-            plan.append((PlannedPush(len(plan), standard.push, angles, voltage), standard, called, battery))
+            known = {"push": called, "battery": battery, "kind": kind, "slope": slope}
+            plan.append((PlannedPush(len(plan), standard.push, angles, voltage), standard, known))
     return plan
 
 
@@ -332,7 +361,7 @@ def _batch(setup: TrialSetup, pushes: Sequence[PlannedPush]) -> FleetBatch:
     )  # fmt: skip
 
 
-def _trial(push: str, battery: str, run: FleetResult, parameters: Array, period: float) -> PushTrial:
+def _trial(known: dict[str, Any], run: FleetResult, parameters: Array, period: float) -> PushTrial:
     stood = ~run.fell
     radius = parameters[:, NAMES.index("wheel_radius")]
     ending = run.trace[stood, -max(1, round(TAIL / period)) :, 0]
@@ -340,7 +369,7 @@ def _trial(push: str, battery: str, run: FleetResult, parameters: Array, period:
     numbers = (run.saturated[stood], (run.peak[:, 1] * radius)[stood], run.peak[stood, 0], swings)
     most = dict(zip(("saturated", "travel", "peak", "cycle"), map(_most, numbers), strict=True))
     residual = float(run.trace[stood, :, 1:].max(initial=0.0))
-    return PushTrial(push, battery, len(stood), int(run.fell.sum()), **most, residual=residual)
+    return PushTrial(runs=len(stood), fell=int(run.fell.sum()), **known, **most, residual=residual)
 
 
 def _most(values: Array) -> float:

@@ -17,10 +17,11 @@ from upright.certification.checks import TrialSetup, red
 from upright.certification.checks import tried as pushed
 from upright.certification.standing import left_alone
 from upright.kernel.batch import NAMES, parameters_of
+from upright.pages import Quantity, Say
+from upright.pages.terms import term
 from upright.robots.drives import SPEED_DRIVE
 from upright.robots.robot import PARAMETERS
 from upright.robots.uncertainty import GUESS, Spread, Uncertainty, draw
-from upright.tables import joined
 
 TRIED = 300  # robots: without a fall they bound it to 1 %
 FEW = 100  # where the controller is called for each, which takes a hundred times as long
@@ -29,22 +30,24 @@ FACTORS = (0.1, 0.2, 0.35, 0.5, 0.7)
 WELL = 0.2  # of the spread as it is: where robots fall that are near the nominal one, half as wide helps little
 MOST_NAMES = 3
 BY_HAND = {
-    "wheel_mass": "put a wheel on a scale",
-    "body_mass": "put the robot on a scale and take off both wheels",
-    "wheel_radius": "roll the robot by ten turns and divide the way by 20 π",
-    "track": "measure between the middles of the tyres",
-    "com_height": "lay the robot on a table's edge across its axle: where it tips is its centre of mass",
-    "pitch_inertia": "hang the robot by its axle, let it swing and time ten swings",
-    "yaw_inertia": "hang the robot upright by two parallel threads, turn it a little and time ten swings",
-    "roll_inertia": "hang the robot face down by two parallel threads, turn it a little and time ten swings",
-    "wheel_inertia": "hang the wheel by its rim on an edge, let it swing and time ten swings",
-    "motor_resistance": "hold a wheel and divide a small voltage by its current",
-    "back_emf": "turn a wheel at a known speed and read the open motor's voltage",
-    "torque_constant": "it is the back-EMF constant, or less: turn a wheel at a known speed and read the voltage",
-    "coulomb_friction": "raise the voltage until a wheel in the air begins to turn",
-    "speed_lag": "film a wheel in the air at 240 frames a second while the commanded speed jumps",
-    "acceleration_limit": "it is the ramp of the program that drives the wheels",
-    "slip_torque": "hang weights on a thread round a wheel that is held by its motor: the last weight times the radius",
+    "wheel_mass": Say("put a wheel on a scale"),
+    "body_mass": Say("put the robot on a scale and take off both wheels"),
+    "wheel_radius": Say("roll the robot by ten turns and divide the way by 20 π"),
+    "track": Say("measure between the middles of the tyres"),
+    "com_height": Say("lay the robot on a table's edge across its axle: where it tips is its centre of mass"),
+    "pitch_inertia": Say("hang the robot by its axle, let it swing and time ten swings"),
+    "yaw_inertia": Say("hang the robot upright by two parallel threads, turn it a little and time ten swings"),
+    "roll_inertia": Say("hang the robot face down by two parallel threads, turn it a little and time ten swings"),
+    "wheel_inertia": Say("hang the wheel by its rim on an edge, let it swing and time ten swings"),
+    "motor_resistance": Say("hold a wheel and divide a small voltage by its current"),
+    "back_emf": Say("turn a wheel at a known speed and read the open motor's voltage"),
+    "torque_constant": Say("it is the back-EMF constant, or less: turn a wheel at a known speed and read the voltage"),
+    "coulomb_friction": Say("raise the voltage until a wheel in the air begins to turn"),
+    "speed_lag": Say("film a wheel in the air at 240 frames a second while the commanded speed jumps"),
+    "acceleration_limit": Say("it is the ramp of the program that drives the wheels"),
+    "slip_torque": Say(
+        "hang weights on a thread round a wheel that is held by its motor: the last weight times the radius"
+    ),
 }
 """How to measure a parameter in some minutes. A time T of a swing about the axle is 2π √((J + M L²)/(M g L)), on two
 threads of length l at a distance d 4π √(J l/(m g d²))."""
@@ -61,8 +64,10 @@ class NeededSpread:
     spread: float
     needed: float
 
-    def __str__(self) -> str:
-        return f"{self.name} to ±{self.needed:.2g} {self.unit} (now ±{self.spread:.2g})"
+    @property
+    def said(self) -> Say:
+        """How well it would have to be known."""
+        return Say("{name} to ±{size}", name=term(self.name), size=Quantity(self.needed, self.unit, digits=2))
 
 
 @dataclass(frozen=True)
@@ -75,25 +80,22 @@ class Narrowing:
     fell: int
     everything: bool = False
 
-    def __str__(self) -> str:
+    @property
+    def said(self) -> Say:
+        """What would have to be known better."""
         if self.everything:
-            return (f"known ten times as well in every parameter, {self.fell} of {self.runs} robots would still fall: "
-                    "it is not the spreads")  # fmt: skip
+            return Say("Known ten times as well, {fell} of {runs} robots would still fall: it is not the spreads.",
+                       fell=self.fell, runs=self.runs)  # fmt: skip
         if not self.spreads:
-            return f"no {MOST_NAMES} parameters decide: the robot has to be known better in more of them"
-        names = joined([*map(str, self.spreads)])
-        return f"measure {names}: then {self.fell} of {self.runs} robots fall"
+            return Say("No {n} numbers decide: more of them have to be known better.", n=MOST_NAMES)
+        names = [spread.said for spread in self.spreads]
+        return Say("Measure {names}: then {fell} of {runs} robots fall.", names=names, fell=self.fell, runs=self.runs)
 
 
-def ways(names: Sequence[str], robot: str, drive: str) -> list[str]:
-    """What tells these parameters of a robot with this drive, a sentence each. No run does of a drive by speed, whose
-    wheels turn as commanded whatever the robot is."""
-    result = [f"{name}: {BY_HAND[name]}." for name in names if name in BY_HAND]
-    logged = [name for name in names if name not in UNSEEN and drive != "speed"]
-    if logged:
-        plan = f"upright excite --robot {robot} --focus {','.join(logged)} -o plan.json"
-        result.append(f"A run tells {joined(logged)}: {plan}, then upright calibrate on its log.")
-    return result
+def by_run(names: Sequence[str], drive: str) -> list[str]:
+    """Which of these parameters a log tells. None of a drive by speed, whose wheels turn as commanded whatever the
+    robot is."""
+    return [name for name in names if name not in UNSEEN and drive != "speed"]
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,8 @@ from upright.certification.recovery import KNOCK_DURATION, largest_hold, largest
 from upright.experiment.pushes import Hold, Impulse
 from upright.robots import Kit, Robot
 
+KINDS = ("front", "back", "knock")
+"""A hold to the front, one to the back, and a knock."""
 RELEASE = 3.0  # [s] a hold of this length lets every preset come to rest against it
 HELD, KNOCKED = 0.4, 0.6
 """Sizes of the standard pushes over the largest that any controller could survive on the nominal robot with that

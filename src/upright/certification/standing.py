@@ -31,6 +31,7 @@ from upright.certification.recovery import (
 from upright.experiment.pushes import Hold, Impulse
 from upright.kernel.batch import NAMES, FleetResult
 from upright.likelihood.assumptions import Logged, batteries, delaying
+from upright.pages import Quantity, Say
 
 LEAN = math.radians(1.0)
 """[rad] At which a robot is left alone: a hand sets it up no better, and no set point is known better."""
@@ -72,14 +73,21 @@ class Standing:
     lost: int
     longest: float | None = None
 
-    def __str__(self) -> str:
+    @property
+    def said(self) -> Say:
+        """Whether it stands."""
         if self.fell is not None:
-            return f"No: left alone, the robot of the file falls after {self.fell:.2g} s"
-        first = f"Yes: left alone for {ALONE:g} s the robot of the file stands and rolls {self.rolled:.2g} m"
-        rest = f"{self.lost} of {self.runs} within its uncertainty fall"
-        return f"{first}; {rest}" + (
-            f"; it stands at periods up to {self.longest * 1e3:.3g} ms" if self.longest else ""
-        )
+            return Say("no: left alone it falls after {time}", time=Quantity(self.fell, "s", digits=2))
+        if not self.runs:
+            return Say("not tried")
+        alone = Quantity(ALONE, "s")
+        if self.longest is None:
+            return Say(
+                "yes, for {time}; of {runs} drawn robots {lost} fall", time=alone, runs=self.runs, lost=self.lost
+            )
+        longest = Quantity(self.longest, "s")
+        return Say("yes, for {time}, at periods up to {longest}; of {runs} drawn robots {lost} fall", time=alone,
+                   longest=longest, runs=self.runs, lost=self.lost)  # fmt: skip
 
 
 UNTRIED = Standing(None, 0.0, 0, 0)
@@ -94,13 +102,22 @@ class Endured:
     size: float
     best: float | None
 
-    def __str__(self) -> str:
-        sizes = [self.size] if self.best is None else [self.size, self.best]
-        if self.kind == "slope":
-            words = [f"{math.degrees(size):.2g}°" for size in sizes]
-        else:
-            words = [f"{size:.2g} {'N s' if self.kind == 'knock' else 'N'}" for size in sizes]
-        return f"{self.kind} {words[0]}" + (f" (any controller: {words[1]})" if self.best is not None else "")
+    @property
+    def sizes(self) -> list[Quantity]:
+        """What it endures, and what any controller could, where that has a limit."""
+        unit = {"knock": "N s", "hold": "N", "slope": "rad"}[self.kind]
+        return [Quantity(size, unit, digits=2) for size in (self.size, self.best) if size is not None]
+
+    @property
+    def said(self) -> Say:
+        """The push, its largest size, and that which any controller could."""
+        size, *best = self.sizes
+        if not best:
+            return Say("{push} {size}", push=ENDURED[self.kind], size=size)
+        return Say("{push} {size} (any controller {best})", push=ENDURED[self.kind], size=size, best=best[0])
+
+
+ENDURED = {"knock": Say("knock"), "hold": Say("hold"), "slope": Say("slope")}
 
 
 @dataclass(frozen=True)
@@ -112,15 +129,19 @@ class Strength:
     gear: float | None
     full: float | None = None
 
-    def __str__(self) -> str:
+    @property
+    def said(self) -> Say:
+        """What would do."""
         if self.gear:
-            return f"a gear ratio of {self.gear:.3g} would do"
+            return Say("a gear ratio of {ratio} would do", ratio=Quantity(self.gear, "1"))
         if self.full is None:
-            return "not even three times the gear would do"
+            return Say("not even three times the gear would do")
         if self.battery is None:
-            return "neither three times the voltage nor three times the gear would do"
-        text = f"a battery of {self.battery:.3g} V would do"
-        return text if self.battery <= self.full else f"{text}, if motors that now get {self.full:.3g} V bear it"
+            return Say("neither three times the voltage nor three times the gear would do")
+        battery, full = (Quantity(volts, "V") for volts in (self.battery, self.full))
+        if self.battery <= self.full:
+            return Say("a battery of {battery} would do", battery=battery)
+        return Say("a battery of {battery} would do, if motors that now get {full} bear it", battery=battery, full=full)
 
 
 def standing(setup: TrialSetup, *, sweeps: bool = True) -> Standing:

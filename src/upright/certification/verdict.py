@@ -8,17 +8,19 @@ from dataclasses import KW_ONLY, dataclass
 
 from upright.certification.checks import CONFIDENCE, MOST_CYCLE, MOST_FALLS, PushTrial, red
 from upright.certification.narrowing import MOST_NAMES, Guessed, Narrowing
+from upright.certification.places import place_of
 from upright.certification.standing import UNTRIED, Standing
 from upright.control.controller import Controller
 from upright.errors import InvalidController
 from upright.fleets.binomial import upper_bound
 from upright.likelihood.agreement import Agreement
 from upright.likelihood.support import Support, contradictions
-from upright.loops.analysis import INPUTS, ROUNDED, instability, loop_margins, unseen_in_words
+from upright.loops.analysis import INPUTS, ROUNDED, loop_margins
 from upright.loops.loop import robot_loop
 from upright.loops.margins import Margins, margins
+from upright.pages import Quantity, Say
+from upright.pages.terms import term
 from upright.robots import Kit, Robot
-from upright.tables import joined
 
 GREEN, AMBER, RED, UNKNOWN = "green", "amber", "red", "unknown"
 
@@ -43,7 +45,7 @@ class LinearMargins:
     It stays stable for gain factors from `gain_low` to `gain_high` [1], and for up to `delay` [s] of further delay, at
     any one motor or reading, or at both motors. Three names say where each of these is the smallest; older
     certificates, which looked at both motors only, leave them empty. So many of the usual targets are `met` (None: not
-    computed). What no reading shows of a stable loop is `unseen`, in words.
+    computed). What no reading shows of a stable loop is `unseen`: its state "wheel" or "yaw".
     """
 
     radius: float
@@ -98,7 +100,7 @@ def linear_margins(controller: Controller, robot: Robot, kit: Kit, *, usual: boo
     if usual:
         both = margins(loop.at_input, INPUTS["both motors"])
         met = sum(part >= 1 for part in reached(both, first.delay, controller.spec.period).values())
-    unseen = unseen_in_words(loop.hidden)
+    unseen = next((name for name in ("wheel", "yaw") if name in loop.hidden), "")
     return LinearMargins(radius, low.gain_low, high.gain_high, first.delay, *at, met=met, unseen=unseen)
 
 
@@ -128,7 +130,21 @@ class Examined:
     narrowing: Narrowing | None = None
 
 
-def judge(e: Examined) -> tuple[str, tuple[str, ...]]:
+@dataclass(frozen=True)
+class Reason:
+    """Why a light is what it is: a sentence, `said`, and what `decides` in a few words. Its `kind` tells what would
+    mend it: the "loop", the robot left "alone", robots of the "spread", the "log", "weak" motors, a "free" place, a
+    "gain", a "delay", "saturated" motors, "travel", "sway", what to "measure", or nothing ("good")."""
+
+    kind: str
+    said: Say
+    decides: Say
+
+    def __str__(self) -> str:
+        return str(self.said)
+
+
+def judge(e: Examined) -> tuple[str, tuple[Reason, ...]]:
     """The light and its one or two reasons, the gravest first.
 
     Numbers that were taken from the log, outside what was assumed, are a reason besides: they are a fault to mend, or
@@ -136,115 +152,212 @@ def judge(e: Examined) -> tuple[str, tuple[str, ...]]:
     them, not surely too many fall; else what is said first is that these do.
     """
     linear = e.linear
-    logged = [f"tried as the log shows it: {s}" for s in sorted(e.taken, key=lambda s: -s.excess) if s.excess > 0]
-    free = list[str]()
-    unstable = list[str]()
-    if linear and linear.free:
-        free = [linear.unseen or instability(linear.radius, e.period)]
-    elif linear and not linear.stable:
-        unstable = [instability(linear.radius, e.period)]
+    logged = [_tried(s) for s in sorted(e.taken, key=lambda s: -s.excess) if s.excess > 0]
+    free = [_free(linear)] if linear and linear.free else []
+    unstable = [_unstable(linear.radius, e.period)] if linear and not (linear.free or linear.stable) else []
     drawn = _drawn(e)
     open_guesses = False
     if drawn and e.guessed and e.guessed.runs:
         fell, runs = e.guessed.fell, e.guessed.runs
         open_guesses = 1 - upper_bound(runs - fell, runs, CONFIDENCE) <= MOST_FALLS  # not surely too many
-        known = f"with the guesses as the file has them {fell} of {runs} robots fall"
-        drawn = [f"{drawn[0]}; {known}"] if open_guesses else [known, drawn[-1]]
+        drawn = [_open(drawn[0], e.guessed)] if open_guesses else [_known(e.guessed), drawn[-1]]
     certain = unstable + _file(e.standing) + disagreements(e.agreement, RED)
     grave = certain + ([] if open_guesses else drawn + _weak(e)[: len(drawn)])
     if grave:
         return RED, tuple((grave[:1] + logged[:1] + grave[1:] + free)[:2])
     if drawn and e.guessed:
-        narrowed = str(e.narrowing) if e.narrowing and e.narrowing.spreads else ""
-        return UNKNOWN, (drawn[0], narrowed or f"measure {joined(e.guessed.names[:MOST_NAMES])}")
+        return UNKNOWN, (drawn[0], _measure(e.guessed, e.narrowing))
     thin = free or (_thin(linear, e.period) if linear else [])
-    amber = disagreements(e.agreement, AMBER) + contradictions(e.support) + thin + _weak(e) + _laborious(e.trials)
+    contradicted = [_contradicted(s) for s in contradictions(e.support)]
+    amber = disagreements(e.agreement, AMBER) + contradicted + thin + _weak(e) + _laborious(e.trials)
     if amber or logged:
         return AMBER, tuple((amber[:1] + logged[:1] + amber[1:])[:2])
-    chance = _per_cent(upper_bound(e.fell, e.samples, CONFIDENCE))
-    message = f"{e.fell} of {e.samples} robots fell: the probability of a fall is below {chance}"
+    return GREEN, (_few(e), _stable(linear))
+
+
+def _few(e: Examined) -> Reason:
+    bound = Quantity(None, "fraction", high=upper_bound(e.fell, e.samples, CONFIDENCE), digits=2)
+    said = Say("Of {n} robots that were held, let go and knocked {fell} fell.", n=e.samples, fell=e.fell)
+    return Reason("good", said, Say("{bound} fall", bound=bound))
+
+
+def _stable(linear: LinearMargins | None) -> Reason:
     if linear is None:
-        return GREEN, (message, "no linear margins are known")
-    delay = "with any delay" if math.isinf(linear.delay) else f"up to {linear.delay * 1e3:.1f} ms more delay"
-    met = "" if linear.met is None else f"; {linear.met} of 5 margins reach the usual targets"
-    return GREEN, (message, f"stable {delay}{placed(linear.delay_at)}{met}")
+        said = Say("No linear margins are known.")
+    elif math.isinf(linear.delay):
+        said = Say("The loop is stable with any delay.")
+    else:
+        said = Say("The loop is stable up to {delay} more delay at {place}.", delay=_delay(linear),
+                   place=place_of(linear.delay_at))  # fmt: skip
+    return Reason("good", said, Say("stable"))
 
 
-def disagreements(agreements: Sequence[Agreement], light: str) -> list[str]:
-    """The sensors of a log whose innovations ask for this light, the largest first, as sentences."""
+def _delay(linear: LinearMargins) -> Quantity:
+    return Quantity(linear.delay, "s")
+
+
+def _unstable(radius: float, period: float) -> Reason:
+    doubled = Quantity(period * math.log(2) / math.log(radius), "s", digits=2)
+    said = Say("The nominal loop is unstable: a deviation doubles every {time} (|z| = {radius}).", time=doubled,
+               radius=Quantity(radius, "1", digits=5))  # fmt: skip
+    return Reason("loop", said, Say("the loop is unstable"))
+
+
+def _free(linear: LinearMargins) -> Reason:
+    if linear.unseen == "wheel":
+        said = Say("Nothing holds the wheels where they are: the robot stands, and may roll away.")
+    elif linear.unseen:
+        said = Say("Nothing holds its heading: the robot may turn away.")
+    else:
+        said = Say("Nothing holds its position or its heading: it may roll or turn away.")
+    return Reason("free", said, Say("it may roll or turn away"))
+
+
+def _tried(s: Support) -> Reason:
+    """A number that was taken from the log."""
+    return Reason("log", Say("Tried as the log shows it: {number}.", number=s.said), _strange(s))
+
+
+def _contradicted(s: Support) -> Reason:
+    """A number that the log shows outside of what was assumed, or leaves open."""
+    if not s.left_open:
+        return Reason("log", Say("The log contradicts what was assumed: {number}.", number=s.said), _strange(s))
+    interval = Quantity(None, s.unit, low=s.low, high=s.high, digits=2)
+    said = Say("The log leaves {name} open, {interval}.", name=s.named, interval=interval)
+    if not s.low <= (s.least + s.most) / 2 <= s.high:
+        # an interval without the number that was assumed is no better known
+        said = Say("The log leaves {name} open.", name=s.named)
+    return Reason("log", said, Say("{name} is open", name=s.named))
+
+
+def _strange(s: Support) -> Say:
+    return Say("{name} is {value}", name=s.named, value=Quantity(s.value, s.unit))
+
+
+def disagreements(agreements: Sequence[Agreement], light: str) -> list[Reason]:
+    """The sensors of a log whose innovations ask for this light, the largest first."""
     low, high = (FAR_LARGER, math.inf) if light == RED else (LARGER, FAR_LARGER)
     beyond = sorted((a for a in agreements if low < a.ratio <= high), key=lambda a: -a.ratio)
-    return [
-        f"the log's {a.sensor} innovations are {a.ratio:.1f} times the largest of any drawn robot; the limit is {low:g}"
-        for a in beyond
-    ]
+    return [_disagrees(a, low) for a in beyond]
 
 
-def _file(standing: Standing) -> list[str]:
+def _disagrees(a: Agreement, limit: float) -> Reason:
+    ratio, sensor = Quantity(a.ratio, "1", digits=2), place_of(a.sensor)
+    said = Say(
+        "The log's innovations of {sensor} are {ratio} times the largest of any drawn robot; the limit is {limit}.",
+        sensor=sensor,
+        ratio=ratio,
+        limit=Quantity(limit, "1"),
+    )
+    return Reason("log", said, Say("the log disagrees {ratio} times", ratio=ratio))
+
+
+def _file(standing: Standing) -> list[Reason]:
     """That the file's robot falls by itself."""
     if standing.fell is None:
         return []
-    return [f"left alone, the robot of the file falls after {standing.fell:.2g} s"]
+    time = Quantity(standing.fell, "s", digits=2)
+    said = Say("Left alone, the robot of the file falls after {time}.", time=time)
+    return [Reason("alone", said, Say("it falls after {time}", time=time))]
 
 
-def _drawn(e: Examined) -> list[str]:
+def _drawn(e: Examined) -> list[Reason]:
     """The falls of drawn robots that the controller could have avoided."""
-    lost = []
-    if e.standing.runs and e.standing.fell is None and red(e.standing.lost, e.standing.runs):
-        lost = [f"left alone, {e.standing.lost} of {e.standing.runs} robots fall within the uncertainty of the file"]
+    alone = e.standing
+    lost: list[Reason] = []
+    if alone.runs and alone.fell is None and red(alone.lost, alone.runs):
+        said = Say("Left alone, {lost} of {runs} robots within the uncertainty of the file fall.", lost=alone.lost,
+                   runs=alone.runs)  # fmt: skip
+        lost = [Reason("spread", said, Say("{lost} of {runs} fall alone", lost=alone.lost, runs=alone.runs))]
     if not red(e.fell - e.beyond, e.samples):
         return lost
-    bound = upper_bound(e.fell, e.samples, CONFIDENCE)
-    worst = max(e.trials, key=lambda t: t.fell)
-    where = f", {worst.fell} of them after a {worst.push} at {worst.battery} battery" if e.fell else ""
-    message = f"the probability of a fall may be {_per_cent(bound)}, more than {100 * MOST_FALLS:g} %"
-    return [*lost, f"{e.fell} of {e.samples} robots fell{where}: {message}"]
+    bound = Quantity(upper_bound(e.fell, e.samples, CONFIDENCE), "fraction", digits=2)
+    said = Say("{fell} of {n} robots fell: up to {bound} may fall, the limit is {limit}.", fell=e.fell, n=e.samples,
+               bound=bound, limit=Quantity(MOST_FALLS, "fraction"))  # fmt: skip
+    return [*lost, Reason("spread", said, Say("up to {bound} fall", bound=bound))]
 
 
-def _weak(e: Examined) -> list[str]:
+def _known(guessed: Guessed) -> Reason:
+    """That too many fall with the guesses as they are."""
+    said = Say("With the guesses as the file has them, {fell} of {runs} robots fall.", fell=guessed.fell,
+               runs=guessed.runs)  # fmt: skip
+    return Reason("spread", said, Say("{fell} of {runs} fall", fell=guessed.fell, runs=guessed.runs))
+
+
+def _open(falls: Reason, guessed: Guessed) -> Reason:
+    """Falls that hang on guesses."""
+    said = Say("{falls} With the guesses as the file has them, it is {fell} of {runs}.", falls=falls.said,
+               fell=guessed.fell, runs=guessed.runs)  # fmt: skip
+    return Reason("measure", said, falls.decides)
+
+
+def _measure(guessed: Guessed, narrowing: Narrowing | None) -> Reason:
+    """What would have to be known better."""
+    names = [term(name) for name in guessed.names[:MOST_NAMES]]
+    said = narrowing.said if narrowing and narrowing.spreads else Say("Measure first: {names}.", names=names)
+    return Reason("measure", said, Say("it hangs on guesses"))
+
+
+def _weak(e: Examined) -> list[Reason]:
     """That motors are too weak for what the standard pushes ask: a property of the robot, not of its controller."""
     if not red(e.fell, e.samples) or e.beyond <= MOST_FALLS * e.samples:
         return []
     hardest = max(e.trials, key=lambda t: t.beyond)
-    where = f"{hardest.beyond} of them for a {hardest.push} at {hardest.battery} battery"
-    return [f"no controller could: {e.beyond} of {e.samples} robots have motors too weak, {where}"]
+    said = Say(
+        "No controller could: {beyond} of {n} robots have motors too weak, most for this push: {push}, {battery}.",
+        beyond=e.beyond,
+        n=e.samples,
+        push=hardest.said,
+        battery=hardest.supply,
+    )
+    return [Reason("weak", said, Say("{beyond} of {n} have weak motors", beyond=e.beyond, n=e.samples))]
 
 
-def _thin(linear: LinearMargins, period: float) -> list[str]:
+def _thin(linear: LinearMargins, period: float) -> list[Reason]:
     up = linear.gain_high - 1
     down = 1 - linear.gain_low
-    slack, way, at = (up, "stronger", linear.high_at) if up < down else (down, "weaker", linear.low_at)
-    changed = (
-        f"a signal {100 * slack:.1f} % {way}{placed(at)} makes" if at else f"motors {100 * slack:.1f} % {way} make"
-    )
-    thin = [f"{changed} the loop unstable"] if slack < LEAST_GAIN else []
+    thin: list[Reason] = []
+    if min(up, down) < LEAST_GAIN:
+        slack = Quantity(min(up, down), "fraction", digits=2)
+        limit = Quantity(LEAST_GAIN, "fraction")
+        if up < down:
+            said = Say("A signal {slack} stronger at {place} makes the loop unstable; the limit is {limit}.",
+                       slack=slack, place=place_of(linear.high_at), limit=limit)  # fmt: skip
+        else:
+            said = Say("A signal {slack} weaker at {place} makes the loop unstable; the limit is {limit}.",
+                       slack=slack, place=place_of(linear.low_at), limit=limit)  # fmt: skip
+        thin = [Reason("gain", said, Say("gain margin {slack}", slack=slack))]
     if linear.delay >= LEAST_DELAY * period:
         return thin
-    more = f"{linear.delay * 1e3:.1f} ms more delay{placed(linear.delay_at)}"
-    return [*thin, f"{more} ({linear.delay / period:.2f} of a period) make the loop unstable"]
+    said = Say("{delay} more delay at {place} makes the loop unstable; the limit is {limit}.", delay=_delay(linear),
+               place=place_of(linear.delay_at), limit=Quantity(LEAST_DELAY * period, "s"))  # fmt: skip
+    return [*thin, Reason("delay", said, Say("delay margin {delay}", delay=_delay(linear)))]
 
 
-def placed(channel: str) -> str:
-    return f" at {'' if channel in ('both motors', 'steering') else 'the '}{channel}" if channel else ""
-
-
-def _laborious(runs: Sequence[PushTrial]) -> list[str]:
-    limits = {"saturated": MOST_SATURATED, "travel": MOST_TRAVEL, "cycle": MOST_CYCLE}
-    words = {
-        "saturated": "a motor is at its limit for {:.0%} of the time",
-        "travel": "the robot rolls {:.2f} m away",
-        "cycle": "at rest the robot sways by ±{:.2f} rad",
-    }
-    reasons: list[str] = []
-    for name, limit in limits.items():
+def _laborious(runs: Sequence[PushTrial]) -> list[Reason]:
+    """What is beyond its limit under the worst push."""
+    reasons: list[Reason] = []
+    for kind, name, limit, unit in LIMITS:
         worst = max(runs, key=lambda t: getattr(t, name))
-        if getattr(worst, name) > limit:
-            reasons.append(
-                f"{words[name].format(getattr(worst, name))} after a {worst.push} at {worst.battery} battery"
-            )
+        size = Quantity(getattr(worst, name), unit, digits=3)
+        most = Quantity(limit, unit)
+        after = {"push": worst.said, "battery": worst.supply, "limit": most, "size": size}
+        if getattr(worst, name) <= limit:
+            continue
+        if kind == "saturated":
+            said = Say("A motor is at its limit {size} of the time ({push}, {battery}); {limit} are allowed.", **after)
+            reasons.append(Reason(kind, said, Say("motors at their limit {size}", size=size)))
+        elif kind == "travel":
+            said = Say("It rolls {size} away ({push}, {battery}); {limit} are allowed.", **after)
+            reasons.append(Reason(kind, said, Say("it rolls {size} away", size=size)))
+        else:
+            said = Say("At rest it sways by ±{size} ({push}, {battery}); {limit} are allowed.", **after)
+            reasons.append(Reason(kind, said, Say("it sways by ±{size}", size=size)))
     return reasons
 
 
-def _per_cent(probability: float) -> str:
-    """Two significant digits."""
-    return f"{100 * probability:.2g} %" if probability < 0.1 else f"{100 * probability:.0f} %"
+LIMITS = (
+    ("saturated", "saturated", MOST_SATURATED, "fraction"), ("travel", "travel", MOST_TRAVEL, "m"),
+    ("sway", "cycle", MOST_CYCLE, "rad"),
+)  # fmt: skip
+"""What is laborious: its kind, its number of a trial, the most that is no reason, and its unit."""

@@ -117,7 +117,7 @@ def light(report: Report, setup: Setup) -> Light:
 
 def _lit(certificate: Certificate) -> Light:
     light = "amber" if certificate.light == "unknown" else certificate.light  # the page's lamp has three colours
-    return Light(light, certificate.reasons, **smallest(certificate.linear))  # type: ignore[arg-type]
+    return Light(light, tuple(map(str, certificate.reasons)), **smallest(certificate.linear))  # type: ignore[arg-type]
 
 
 def smallest(linear: LinearMargins | None) -> dict[str, Any]:
@@ -145,7 +145,12 @@ def certify(report: Report, setup: Setup) -> tuple[Light, JobResult]:
     header = ("push", "battery", "fell", "saturated", "travel [m]", "peak [rad]")
     title = f"{certificate.controller} on {certificate.robot}: {certificate.light}"
     return _lit(certificate), JobResult(
-        "certify", title, "\n".join(certificate.reasons), header, rows, certificate.light not in ("red", "unknown")
+        "certify",
+        title,
+        "\n".join(map(str, certificate.reasons)),
+        header,
+        rows,
+        certificate.light not in ("red", "unknown"),
     )
 
 

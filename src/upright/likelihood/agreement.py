@@ -46,9 +46,6 @@ class Agreement:
         """The log's innovations over the largest of the drawn robots."""
         return self.measured / self.expected
 
-    def __str__(self) -> str:
-        return f"{self.sensor} innovations {self.ratio:.2f} times those expected"
-
 
 def agreement(log: Log, assumed: Assumptions, drawn: Sequence[DrawnRuns], period: float) -> tuple[Agreement, ...]:
     """Each sensor of `log` against what robots that were `drawn` show of it every `period` [s].

@@ -22,12 +22,22 @@ from upright.control.delay import MOST_PERIODS, sampled
 from upright.likelihood.assumptions import Assumptions, batteries, steepness
 from upright.likelihood.followed import FollowedLog, body_load, filtered_log, gyro_scale, taken
 from upright.logs.recording import commanded
+from upright.pages import Quantity, Say
+from upright.pages.terms import term
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
-SHOWN = {"s": (1e3, "ms"), "m": (1e3, "mm"), "rad": (math.degrees(1), "°")}
 MASS = "body's mass"
-OUTSIDE = "outside what the log supports: "
+NAMED = {
+    MASS: Say("the body's mass"), "battery": Say("the battery"), "battery's sag": Say("the battery's sag"),
+    "jitter": Say("the jitter of the clock"), "motors' strength": Say("the motors' strength"),
+    "difference of the motors": Say("the difference of the motors"), "gyro's scale": Say("the gyro's scale"),
+    "gyro's further delay": Say("the gyro's further delay"), "gyro's noise": Say("the gyro's noise"),
+    "further delay": Say("the further delay"), "dead zone": Say("the motors' dead zone"),
+    "drop": Say("the driver's voltage drop"), "slope": Say("the floor's slope"),
+    "share of readings that count": Say("the share of readings that count"),
+}  # fmt: skip
+"""What a log shows besides the parameters of a robot."""
 NORMAL = 1.96  # standard deviations either side that hold 95 % of a normal distribution
 DRAWN = 24  # robots whose differences stand for the spreads
 CORRELATED = 0.5  # [s] over which the correlation of innovations is summed
@@ -92,27 +102,33 @@ class Support:
         stated = (e.prior, e.prior_spread)
         return cls(name, e.unit, e.value, e.low, e.high, least, most, stated=stated)
 
-    def __str__(self) -> str:
-        if self.left_open:
-            text = f"the log leaves the {self.name} open"
-            assumed = (self.least + self.most) / 2
-            if not self.low <= assumed <= self.high:
-                return text  # an interval without the number that was assumed is no better known
-            return f"{text}, {self.low:.2g} to {self.high:.2g} {self.unit}"
-        scale, unit = SHOWN.get(self.unit, (1.0, self.unit))
-        value, least, most = (f"{round(scale * v, 6):.3g}" for v in (self.value, self.least, self.most))
-        unit = f" {unit}" if unit not in ("1", "°") else "" if unit == "1" else unit
+    @property
+    def named(self) -> Say:
+        """What the number is."""
+        return NAMED.get(self.name) or term(self.name.replace(" ", "_"))
+
+    @property
+    def assumed(self) -> Quantity:
+        """What the certificate covers."""
+        return Quantity(None, self.unit, low=self.least, high=self.most)
+
+    @property
+    def said(self) -> Say:
+        """The number beside what was assumed, or what the file states."""
+        value = Quantity(self.value, self.unit)
         if self.stated is None:
-            return f"{self.name} {value}{unit}, assumed {least} to {most}{unit}"
-        value, stated, deviation = (f"{scale * v:.3g}" for v in (self.value, *self.stated))
-        return f"{self.name} {value}{unit}, file {stated} ± {deviation}{unit}"
+            return Say("{name} is {value}, assumed {range}", name=self.named, value=value, range=self.assumed)
+        stated, deviation = (Quantity(number, self.unit) for number in self.stated)
+        return Say("{name} is {value}, in the file {stated} ± {deviation}", name=self.named, value=value,
+                   stated=stated, deviation=deviation)  # fmt: skip
 
 
-def contradictions(support: Sequence[Support]) -> list[str]:
-    """The numbers that lie outside, the farthest first, as sentences."""
+def contradictions(support: Sequence[Support]) -> list[Support]:
+    """The numbers that lie outside, the farthest first."""
     beyond = [s for s in support if s.outside]
-    beyond.sort(key=lambda s: -max(s.least - s.high, s.low - s.most) / max(s.most - s.least, s.high - s.low, 1e-12))
-    return [f"{'' if s.left_open else OUTSIDE}{s}" for s in beyond]
+    return sorted(
+        beyond, key=lambda s: -max(s.least - s.high, s.low - s.most) / max(s.most - s.least, s.high - s.low, 1e-12)
+    )
 
 
 def supported(log: Log, setup: Assumptions) -> tuple[Support, ...]:

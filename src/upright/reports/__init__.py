@@ -22,7 +22,7 @@ from upright.reports.page import Table as Table
 
 PAGES = {
     "Calibration": "calibration",
-    "Analysis": "analysis", "Designed": "analysis", "Certificate": "certificate",
+    "Analysis": "analysis", "Designed": "analysis",
     "PostMortem": "postmortem", "Bench": "bench",
     "Tuned": "tuning", "Diagnosis": "diagnosed", "Parity": "checked",
     "LinearModel": "checked",

@@ -7,7 +7,7 @@ import math
 from upright.control.tunable import UNITS
 from upright.reports.figure import Figure
 from upright.reports.page import Cell, Page, Section, Table, Verdict, cell_text
-from upright.tables import in_degrees, sentence
+from upright.tables import sentence
 from upright.tuning.figures import Figures
 from upright.tuning.tune import RULE, Tuned, compared, gains
 
@@ -44,7 +44,7 @@ def _per_cent(f: Figures) -> str:
 
 
 def _reasons(now: Figures) -> list[str]:
-    return [sentence(in_degrees(f"{now.light}: {'; '.join(now.reasons)}"))]
+    return [f"{sentence(now.light)} {' '.join(now.reasons)}"]
 
 
 def _picture(tuned: Tuned) -> Figure:

@@ -210,5 +210,5 @@ def figures(
     return Figures(
         samples=samples, fell=runs.fell, knock=knock(setup), settling=runs.settling, effort=runs.effort,
         saturated=max(t.saturated for t in runs.trials), travel=max(t.travel for t in runs.trials),
-        sway=max(t.cycle for t in runs.trials), linear=linear, light=light, reasons=reasons,
+        sway=max(t.cycle for t in runs.trials), linear=linear, light=light, reasons=tuple(map(str, reasons)),
     )  # fmt: skip
