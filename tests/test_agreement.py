@@ -247,7 +247,7 @@ class Hardware:
 
 def test_hardware_is_not_driven_on_a_red_certificate_unless_demanded() -> None:
     wrong, brick = scaled(designed("pid"), -1.0), Hardware()
-    with pytest.raises(NotPermitted, match="red: the nominal loop is unstable"):
+    with pytest.raises(NotPermitted, match="red: The nominal loop is unstable"):
         run(brick, wrong, seconds=0.1, certificate=red())
     assert brick.steps == 0  # it is refused before the motors turn
     log = run(brick, wrong, seconds=0.1, certificate=red(), anyway=True)

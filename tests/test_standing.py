@@ -105,7 +105,7 @@ def test_every_advised_run_is_one_that_excite_plans(drive: str) -> None:
     ],
 )
 def test_no_battery_is_advised_that_motors_may_not_bear_where_a_gear_would_do(strength: Strength, words: str) -> None:
-    assert str(strength.said).replace("\u00a0", " ") == words
+    assert str(strength.message).replace("\u00a0", " ") == words
 
 
 def test_unknown_stops_a_script(tmp_path: Path) -> None:
@@ -169,7 +169,7 @@ def test_what_is_endured_stays_below_what_any_controller_could() -> None:
     ],
 )
 def test_a_push_says_its_unit(push: Endured, words: str) -> None:
-    assert str(push.said).replace("\u00a0", " ") == words
+    assert str(push.message).replace("\u00a0", " ") == words
 
 
 def test_a_name_is_designed_for_the_period_that_is_asked() -> None:

@@ -300,7 +300,7 @@ def test_motors_that_differ_are_certified_as_the_log_shows_them() -> None:
     explained("asymmetry", given.taken, given.support, given.agreement)
     assert given.light == AMBER  # 0.4 for at most 0.1 is a fault to mend, though every robot with it holds
     assert given.fell == 0
-    assert given.reasons[0].said.facts["number"].facts["name"] == given.taken[0].named
+    assert given.reasons[0].message.facts["number"].facts["name"] == given.taken[0].named
     assert given.check() == ()
 
 

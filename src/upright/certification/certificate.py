@@ -24,11 +24,9 @@ from upright.certification.checks import (
     trials,
 )
 from upright.certification.mass import as_weighed
-from upright.certification.narrowing import BY_HAND, MOST_NAMES, guessed, narrowing, red
+from upright.certification.measured import Measurements
+from upright.certification.narrowing import BY_HAND, guessed, narrowing, red
 from upright.certification.standing import (
-    Endured,
-    Strength,
-    Swept,
     delay_sweep,
     endured,
     period_sweep,
@@ -42,7 +40,6 @@ from upright.certification.verdict import (
     RED,
     UNKNOWN,
     Examined,
-    Reason,
     judge,
     linear_margins,
 )
@@ -82,39 +79,8 @@ VERSION = 7
 
 
 @dataclass(frozen=True, repr=False, kw_only=True)
-class Certificate(Result, Examined):
-    """The measurements of the controller with this `hash`, every `period` [s], and the `light` that follows from them.
-
-    It belongs to that controller, by its `hash`, or by the request of its design, `asked`, and its `response` (see
-    `control.identity`). Its `subject` is every number of robot and kit, by name; `robot` and `kit` are their names.
-    `bound` is the upper bound of the probability of a fall, with 95 % confidence; what motors that are too weak would
-    need is `strength`. What the file's robot endures is `endured`. `delayed` and `slower` count robots that fall, left
-    alone, with additional dead time and with other periods. The robot `weighed` so much [kg] on a scale (None: not
-    weighed). `given` is the file or the name by which the controller was asked for ("": an object).
-    """
-
-    light: str
-    bound: float
-    robot: str
-    kit: str
-    controller: str
-    hash: str
-    seed: int
-    endured: tuple[Endured, ...] = ()
-    strength: Strength | None = None
-    delayed: tuple[Swept, ...] = ()
-    slower: tuple[Swept, ...] = ()
-    subject: Mapping[str, Facts]
-    asked: str = ""
-    response: tuple[float, ...] = ()
-    weighed: float | None = None
-    given: str = ""
-
-    @property
-    def reasons(self) -> tuple[Reason, ...]:
-        """Why the light is what it is: one or two, the gravest first."""
-        _, reasons = judge(self)
-        return reasons
+class Certificate(Result, Measurements):
+    """The measurements and the light that follows from them: who asks it may drive a robot or not."""
 
     def check(self) -> tuple[str, ...]:
         """Contradictions among this certificate's own numbers, as sentences; none where it is consistent."""
@@ -155,14 +121,6 @@ class Certificate(Result, Examined):
             return ""
         return f"another {what}: {f'{what} {name} instead of {certified}, ' if name != certified else ''}{others}"
 
-    def to_measure(self) -> list[str]:
-        """The parameters that would have to be known better where robots fall, the one that decides most first."""
-        if not self.narrowing or self.reasons[0].kind not in ("spread", "measure"):
-            return []
-        needed = [spread.name for spread in self.narrowing.spreads]
-        guesses = self.guessed.names[:MOST_NAMES] if self.light == UNKNOWN and self.guessed else ()
-        return needed or [*guesses]
-
     def page(self) -> Page:
         """The certificate for people."""
         from upright.certification.certificate_page import certificate_page
@@ -182,8 +140,8 @@ class Certificate(Result, Examined):
         with speaking(ENGLISH):
             reasons = [str(reason) for reason in self.reasons]
             by_hand = {name: str(BY_HAND[name]) for name in self.to_measure() if name in BY_HAND}
-        said = {"reasons": reasons, "by_hand": by_hand}
-        return {"file": KIND, "version": VERSION} | asdict(self) | {"linear": linear} | said
+        numbers = asdict(self) | {"linear": linear}
+        return {"file": KIND, "version": VERSION} | numbers | {"reasons": reasons, "by_hand": by_hand}
 
     def save(self, path: str | Path) -> Path:
         """Write it as JSON, as `upright firmware` and `upright fly` ask for it. Returns the path."""
@@ -300,12 +258,12 @@ def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
                                 hint="certify it again")  # fmt: skip
     if kind != KIND:
         raise ValueError(f"it is no '{KIND}'")
-    said = {name: given.pop(name) for name in ("reasons", "by_hand")}
+    sentences = {name: given.pop(name) for name in ("reasons", "by_hand")}
     given["subject"] = {what: dict(given["subject"][what]) for what in ("robot", "kit")}
     certificate = _made(cls, given)
     if wrong := certificate.check():
         raise ValueError(wrong[0])
-    if said["reasons"] != certificate.to_json()["reasons"]:
+    if sentences != {name: certificate.to_json()[name] for name in sentences}:
         raise ValueError("the reasons do not follow from its numbers")
     return certificate
 

@@ -7,6 +7,7 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from upright.certification.measured import Measurements
 from upright.certification.narrowing import BY_HAND, by_run
 from upright.certification.places import place_of
 from upright.certification.pushes import RELEASE
@@ -37,7 +38,6 @@ from upright.pages.words import number
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from upright.certification.certificate import Certificate
     from upright.certification.checks import PushTrial
 
 LEVELS: dict[str, Level] = {GREEN: "good", AMBER: "warn", RED: "bad", UNKNOWN: "unknown"}
@@ -49,7 +49,7 @@ PROGRAMS = {
 """Kit → the language of its brick, and a file for the program."""
 
 
-def certificate_page(c: Certificate) -> Page:
+def certificate_page(c: Measurements) -> Page:
     """The page of a certificate."""
     weighed = {"weighed": str(Quantity(c.weighed, "kg"))} if c.weighed else {}
     facts = {"robot": c.robot, "kit": c.kit, "controller": f"{c.controller} {c.hash[:12]}", "seed": str(c.seed)}
@@ -64,12 +64,12 @@ def certificate_page(c: Certificate) -> Page:
     )  # fmt: skip
 
 
-def _lead(c: Certificate) -> list[Say]:
+def _lead(c: Measurements) -> list[Say]:
     """The reasons; of what would have to be measured tells the table."""
-    return [reason.said for reason in c.reasons[: 1 if c.to_measure() and c.light == UNKNOWN else 2]]
+    return [reason.message for reason in c.reasons[: 1 if c.to_measure() and c.light == UNKNOWN else 2]]
 
 
-def _title(c: Certificate) -> Say:
+def _title(c: Measurements) -> Say:
     if c.light == GREEN:
         return Say("The controller {controller} may drive {robot}", controller=c.controller, robot=c.robot)
     if c.light == AMBER:
@@ -79,7 +79,7 @@ def _title(c: Certificate) -> Say:
     return Say("Too little is known of {robot} for the controller {controller}", controller=c.controller, robot=c.robot)
 
 
-def _verdict(c: Certificate) -> Verdict:
+def _verdict(c: Measurements) -> Verdict:
     decides = c.reasons[0].decides
     if c.light == GREEN:
         text = Say("Green: {decides}", decides=decides)
@@ -92,7 +92,7 @@ def _verdict(c: Certificate) -> Verdict:
     return Verdict(text, LEVELS[c.light])
 
 
-def _numbers(c: Certificate) -> list[KeyNumber]:
+def _numbers(c: Measurements) -> list[KeyNumber]:
     bound = Quantity(None, "fraction", high=c.bound, digits=2)
     numbers = [KeyNumber(bound, Say("of such robots fall (95 % confidence); the limit is {limit}", limit=LIMIT))]
     for endured in c.endured:
@@ -103,27 +103,28 @@ def _numbers(c: Certificate) -> list[KeyNumber]:
         unstable = Say("more delay at {place} makes the loop unstable", place=place_of(c.linear.delay_at))
         return [*numbers, KeyNumber(Quantity(c.linear.delay, "s", digits=2), unstable)]
     stood = [t.travel for t in c.trials if t.fell < t.runs]
-    farthest = Say("95 % of those that stood roll less far, in the worst push")
-    return [*numbers, *([KeyNumber(Quantity(max(stood), "m"), farthest)] if stood else [])]
+    travel = Say("95 % of those that stood roll less far, in the worst push")
+    return [*numbers, *([KeyNumber(Quantity(max(stood), "m"), travel)] if stood else [])]
 
 
-def _picture(c: Certificate) -> Picture:
+def _picture(c: Measurements) -> Picture:
     worst = max(c.trials, key=lambda t: t.fell / t.runs)
+    draw = functools.partial(bars_of, c)
     if not worst.fell:
         claim = Say("No robot fell in {n} trials: how far 95 % of them rolled", n=sum(t.runs for t in c.trials))
-        return Picture(claim, c.plot)
+        return Picture(claim, draw)
     claim = Say("The worst push fells {part}: {push}, {battery}", part=Quantity(worst.fell / worst.runs, "fraction"),
-                push=worst.said, battery=worst.supply)  # fmt: skip
-    return Picture(claim, c.plot)
+                push=worst.message, battery=worst.supply)  # fmt: skip
+    return Picture(claim, draw)
 
 
-def bars_of(c: Certificate) -> Figure:
+def bars_of(c: Measurements) -> Figure:
     """A bar for every push at every battery: falls [%], under the bound of all, or travel [m] where nothing fell."""
     from upright.plotting import COLOURS, bars
 
     fell = any(t.fell for t in c.trials)
     each = {
-        str(Say("{push}, {battery}", push=t.said, battery=t.charge)): 100 * t.fell / t.runs if fell else t.travel
+        str(Say("{push}, {battery}", push=t.message, battery=t.charge)): 100 * t.fell / t.runs if fell else t.travel
         for t in worst_first(c)
     }
     push = str(Say("push, battery"))
@@ -137,13 +138,13 @@ def bars_of(c: Certificate) -> Figure:
     return figure
 
 
-def worst_first(c: Certificate) -> list[PushTrial]:
+def worst_first(c: Measurements) -> list[PushTrial]:
     """The trials, those with most falls first, or with the longest travel where nothing fell."""
     fell = any(t.fell for t in c.trials)
     return sorted(c.trials, key=lambda t: -t.fell / t.runs if fell else -t.travel)
 
 
-def _next(c: Certificate) -> Next:
+def _next(c: Measurements) -> Next:
     """What to run: the program, what would mend the first reason, or what to measure."""
     asked = c.given or c.controller
     if c.light == GREEN:
@@ -159,7 +160,7 @@ def _next(c: Certificate) -> Next:
     return _mending(c, asked)
 
 
-def _mending(c: Certificate, asked: str) -> Next:
+def _mending(c: Measurements, asked: str) -> Next:
     """What would mend the first reason of a light that is not green."""
     kind = c.reasons[0].kind
     if kind == "log":
@@ -188,20 +189,20 @@ WEIGHTS = {
 """Kind of a reason → what to change in a design."""
 
 
-def _questions(c: Certificate) -> Table:
-    rows: list[list[Say]] = [[Say("Does it stand?"), c.standing.said]]
+def _questions(c: Measurements) -> Table:
+    rows: list[list[Say]] = [[Say("Does it stand?"), c.standing.message]]
     if c.endured:
-        pushes = [endured.said for endured in c.endured]
+        pushes = [endured.message for endured in c.endured]
         rows.append([Say("How hard may I push it?"), Say("{pushes}", pushes=pushes)])
     if c.strength:
         weak = Say("too weak for {beyond} of the {fell} that fell; {what}", beyond=c.beyond, fell=c.fell,
-                   what=c.strength.said)  # fmt: skip
+                   what=c.strength.message)  # fmt: skip
         rows.append([Say("Are its motors strong enough?"), weak])
     rows.append([Say("Which of your numbers are guesses?"), _guesses(c)])
     return Table([Column(Say("question")), Column(Say("answer"))], rows)
 
 
-def _guesses(c: Certificate) -> Say:
+def _guesses(c: Measurements) -> Say:
     if not c.guessed:
         return Say("none")
     first, *others = [term(name) for name in c.guessed.names]
@@ -212,10 +213,9 @@ def _guesses(c: Certificate) -> Say:
     return Say("{first}, which decides", first=first)
 
 
-def _to_measure(c: Certificate) -> Table:
+def _to_measure(c: Measurements) -> Table:
     """What would have to be known better, how well, and how it is measured."""
-    assert c.narrowing
-    needed = {spread.name: spread for spread in c.narrowing.spreads}
+    needed = {spread.name: spread for spread in c.narrowing.spreads} if c.narrowing else {}
     logged = by_run(c.to_measure(), str(c.subject["robot"]["drive"]))
     rows = [
         [
@@ -226,14 +226,14 @@ def _to_measure(c: Certificate) -> Table:
         ]
         for name in c.to_measure()
     ]
-    if not needed:
+    if not (c.narrowing and needed):
         rows = [[name, how] for name, *_, how in rows]
         return Table([Column(Say("measure")), Column(Say("how"))], rows)
     columns = [Column(Say("measure")), Column(Say("known to ±")), Column(Say("needed ±")), Column(Say("how"))]
-    return Table(columns, rows, c.narrowing.said)
+    return Table(columns, rows, c.narrowing.message)
 
 
-def _reservations(c: Certificate) -> list[Say]:
+def _reservations(c: Measurements) -> list[Say]:
     """What the light does not count."""
     items: list[Say] = []
     if c.agreement and c.given and not c.given.endswith(".json"):
@@ -241,7 +241,7 @@ def _reservations(c: Certificate) -> list[Say]:
             Say("Certified is `upright design {name}`: if another controller flew, certify its file.", name=c.given)
         )
     if c.narrowing and not c.narrowing.spreads:
-        items.append(c.narrowing.said)
+        items.append(c.narrowing.message)
     play = c.subject["kit"].get("motor/backlash")
     if play:
         angle = Quantity(float(play), "rad", digits=2)
@@ -251,7 +251,7 @@ def _reservations(c: Certificate) -> list[Say]:
     return items
 
 
-def _folds(c: Certificate) -> list[Fold]:
+def _folds(c: Measurements) -> list[Fold]:
     folds = [Fold(Say("Every push"), [_trials(c), Items(_tried(c))])]
     if c.linear and c.linear.stable:
         folds.append(Fold(Say("Margins"), _margins(c.linear)))
@@ -262,12 +262,12 @@ def _folds(c: Certificate) -> list[Fold]:
     return folds
 
 
-def _trials(c: Certificate) -> Table:
+def _trials(c: Measurements) -> Table:
     rows = []
     for t in worst_first(c):
         best = Quantity(t.bound, "N s" if t.kind == "knock" else "rad", digits=2)
         stood = [t.saturated, t.travel, t.peak, t.cycle] if t.fell < t.runs else [None] * 4
-        rows.append([t.said, _supplied(c, t), t.fell, t.beyond, best, *stood])
+        rows.append([t.message, _supplied(c, t), t.fell, t.beyond, best, *stood])
     columns = [
         Column(Say("push")), Column(Say("battery")), Column(Say("fell")), Column(Say("beyond any controller")),
         Column(Say("largest that any controller survives")), Column(Say("saturated"), "fraction", digits=2),
@@ -277,7 +277,7 @@ def _trials(c: Certificate) -> Table:
     return Table(columns, rows, caption)
 
 
-def _supplied(c: Certificate, t: PushTrial) -> Say | str:
+def _supplied(c: Measurements, t: PushTrial) -> Say | str:
     """A battery with its voltage, where that is known."""
     nominal = c.subject["kit"].get("battery/voltage")
     if t.battery not in BATTERIES:
@@ -294,7 +294,7 @@ def _supplied(c: Certificate, t: PushTrial) -> Say | str:
     )
 
 
-def _tried(c: Certificate) -> list[Say]:
+def _tried(c: Measurements) -> list[Say]:
     """How the pushes were tried."""
     items = [
         Say("A hold leans the robot for {time}, then lets go. A knock lasts {short}. Both act at the centre of mass.",
@@ -324,22 +324,22 @@ def _margins(margins: LinearMargins) -> list[Block]:
     return blocks
 
 
-def _sweeps(c: Certificate) -> list[Block]:
+def _sweeps(c: Measurements) -> list[Block]:
     own = [s for s in c.slower if math.isclose(s.value, c.period)]
-    delayed = [*(Swept(0.0, s.runs, s.fell) for s in own), *c.delayed]
+    further = [*(Swept(0.0, s.runs, s.fell) for s in own), *c.delayed]
     lean = Quantity(LEAN, "rad")
     pictures: list[Block] = []
-    for swept, late in ((delayed, True), (c.slower, False)):
+    for swept, delayed in ((further, True), (c.slower, False)):
         if len(swept) < 2:
             continue
-        at = 0.0 if late else c.period
-        draw = functools.partial(_draw_swept, swept, at, late=late)
+        at = 0.0 if delayed else c.period
+        draw = functools.partial(_draw_swept, swept, at, delayed=delayed)
         note = Say("Of each {n} robots were left alone at {lean}.", n=swept[0].runs, lean=lean)
-        pictures.append(Picture(_swept_claim(swept, at, late=late), draw, note))
+        pictures.append(Picture(_swept_claim(swept, at, delayed=delayed), draw, note))
     return pictures
 
 
-def _swept_claim(swept: Sequence[Swept], at: float, *, late: bool) -> Say:
+def _swept_claim(swept: Sequence[Swept], at: float, *, delayed: bool) -> Say:
     """The delays or periods round the design, `at`, at which few robots fall."""
     rows = sorted(swept, key=lambda s: s.value)
     designed = min(range(len(rows)), key=lambda k: abs(rows[k].value - at))
@@ -351,7 +351,7 @@ def _swept_claim(swept: Sequence[Swept], at: float, *, late: bool) -> Say:
     if not _few(rows[designed]):
         return Say("As designed too many fall when left alone")
     low, high = rows[first].value, rows[last].value
-    if late:
+    if delayed:
         return Say("Commands may come {time} later: few robots fall", time=Quantity(high, "s"))
     return Say("With the same gains few fall at periods of {range}", range=Quantity(None, "s", low=low, high=high))
 
@@ -360,11 +360,11 @@ def _few(s: Swept) -> bool:
     return s.fell <= MOST_FALLS * s.runs
 
 
-def _draw_swept(swept: Sequence[Swept], at: float, *, late: bool) -> Figure:
+def _draw_swept(swept: Sequence[Swept], at: float, *, delayed: bool) -> Figure:
     from upright.plotting import AXIS, line, panels
 
     parts = [100 * s.fell / s.runs for s in swept]
-    name = Say("further delay of the commands [ms]") if late else Say("period [ms]")
+    name = Say("further delay of the commands [ms]") if delayed else Say("period [ms]")
     figure, (ax,) = panels([str(Say("robots that fell [%]"))], str(name))
     line(ax, str(Say("fell")), [1e3 * s.value for s in swept], parts, solid=True)
     ax.lines[-1].set_marker("o")
@@ -375,7 +375,7 @@ def _draw_swept(swept: Sequence[Swept], at: float, *, late: bool) -> Figure:
     return figure
 
 
-def _logged(c: Certificate) -> list[Block]:
+def _logged(c: Measurements) -> list[Block]:
     taken = {s.name for s in c.taken}
     judged = [(s, Say("tried as logged")) for s in c.taken]
     for s in c.support:

@@ -79,7 +79,7 @@ class PushTrial:
     slope: float = 0.0
 
     @property
-    def said(self) -> Say:
+    def message(self) -> Say:
         """The push."""
         lean = Quantity(-self.size if self.kind == "back" else self.size, "rad", digits=2)
         knock, angle = Quantity(self.size, "N s"), Quantity(self.slope, "rad", digits=2)

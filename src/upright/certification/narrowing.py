@@ -65,7 +65,7 @@ class NeededSpread:
     needed: float
 
     @property
-    def said(self) -> Say:
+    def message(self) -> Say:
         """How well it would have to be known."""
         return Say("{name} to ±{size}", name=term(self.name), size=Quantity(self.needed, self.unit, digits=2))
 
@@ -81,14 +81,14 @@ class Narrowing:
     everything: bool = False
 
     @property
-    def said(self) -> Say:
+    def message(self) -> Say:
         """What would have to be known better."""
         if self.everything:
             return Say("Known ten times as well, {fell} of {runs} robots would still fall: it is not the spreads.",
                        fell=self.fell, runs=self.runs)  # fmt: skip
         if not self.spreads:
             return Say("No {n} numbers decide: more of them have to be known better.", n=MOST_NAMES)
-        names = [spread.said for spread in self.spreads]
+        names = [spread.message for spread in self.spreads]
         return Say("Measure {names}: then {fell} of {runs} robots fall.", names=names, fell=self.fell, runs=self.runs)
 
 

@@ -74,7 +74,7 @@ class Standing:
     longest: float | None = None
 
     @property
-    def said(self) -> Say:
+    def message(self) -> Say:
         """Whether it stands."""
         if self.fell is not None:
             return Say("no: left alone it falls after {time}", time=Quantity(self.fell, "s", digits=2))
@@ -109,7 +109,7 @@ class Endured:
         return [Quantity(size, unit, digits=2) for size in (self.size, self.best) if size is not None]
 
     @property
-    def said(self) -> Say:
+    def message(self) -> Say:
         """The push, its largest size, and that which any controller could."""
         size, *best = self.sizes
         if not best:
@@ -130,7 +130,7 @@ class Strength:
     full: float | None = None
 
     @property
-    def said(self) -> Say:
+    def message(self) -> Say:
         """What would do."""
         if self.gear:
             return Say("a gear ratio of {ratio} would do", ratio=Quantity(self.gear, "1"))

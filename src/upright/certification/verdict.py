@@ -132,16 +132,16 @@ class Examined:
 
 @dataclass(frozen=True)
 class Reason:
-    """Why a light is what it is: a sentence, `said`, and what `decides` in a few words. Its `kind` tells what would
-    mend it: the "loop", the robot left "alone", robots of the "spread", the "log", "weak" motors, a "free" place, a
-    "gain", a "delay", "saturated" motors, "travel", "sway", what to "measure", or nothing ("good")."""
+    """Why a light is what it is: a sentence, its `message`, and in a few words what `decides`. Its `kind` tells what
+    would mend it: the "loop", the robot left "alone", robots of the "spread", the "log", "weak" motors, a "free" place,
+    a "gain", a "delay", "saturated" motors, "travel", "sway", what to "measure", or nothing ("good")."""
 
     kind: str
-    said: Say
+    message: Say
     decides: Say
 
     def __str__(self) -> str:
-        return str(self.said)
+        return str(self.message)
 
 
 def judge(e: Examined) -> tuple[str, tuple[Reason, ...]]:
@@ -177,19 +177,19 @@ def judge(e: Examined) -> tuple[str, tuple[Reason, ...]]:
 
 def _few(e: Examined) -> Reason:
     bound = Quantity(None, "fraction", high=upper_bound(e.fell, e.samples, CONFIDENCE), digits=2)
-    said = Say("Of {n} robots that were held, let go and knocked {fell} fell.", n=e.samples, fell=e.fell)
-    return Reason("good", said, Say("{bound} fall", bound=bound))
+    message = Say("Of {n} robots that were held, let go and knocked {fell} fell.", n=e.samples, fell=e.fell)
+    return Reason("good", message, Say("{bound} fall", bound=bound))
 
 
 def _stable(linear: LinearMargins | None) -> Reason:
     if linear is None:
-        said = Say("No linear margins are known.")
+        message = Say("No linear margins are known.")
     elif math.isinf(linear.delay):
-        said = Say("The loop is stable with any delay.")
+        message = Say("The loop is stable with any delay.")
     else:
-        said = Say("The loop is stable up to {delay} more delay at {place}.", delay=_delay(linear),
+        message = Say("The loop is stable up to {delay} more delay at {place}.", delay=_delay(linear),
                    place=place_of(linear.delay_at))  # fmt: skip
-    return Reason("good", said, Say("stable"))
+    return Reason("good", message, Say("stable"))
 
 
 def _delay(linear: LinearMargins) -> Quantity:
@@ -198,36 +198,36 @@ def _delay(linear: LinearMargins) -> Quantity:
 
 def _unstable(radius: float, period: float) -> Reason:
     doubled = Quantity(period * math.log(2) / math.log(radius), "s", digits=2)
-    said = Say("The nominal loop is unstable: a deviation doubles every {time} (|z| = {radius}).", time=doubled,
+    message = Say("The nominal loop is unstable: a deviation doubles every {time} (|z| = {radius}).", time=doubled,
                radius=Quantity(radius, "1", digits=5))  # fmt: skip
-    return Reason("loop", said, Say("the loop is unstable"))
+    return Reason("loop", message, Say("the loop is unstable"))
 
 
 def _free(linear: LinearMargins) -> Reason:
     if linear.unseen == "wheel":
-        said = Say("Nothing holds the wheels where they are: the robot stands, and may roll away.")
+        message = Say("Nothing holds the wheels where they are: the robot stands, and may roll away.")
     elif linear.unseen:
-        said = Say("Nothing holds its heading: the robot may turn away.")
+        message = Say("Nothing holds its heading: the robot may turn away.")
     else:
-        said = Say("Nothing holds its position or its heading: it may roll or turn away.")
-    return Reason("free", said, Say("it may roll or turn away"))
+        message = Say("Nothing holds its position or its heading: it may roll or turn away.")
+    return Reason("free", message, Say("it may roll or turn away"))
 
 
 def _tried(s: Support) -> Reason:
     """A number that was taken from the log."""
-    return Reason("log", Say("Tried as the log shows it: {number}.", number=s.said), _strange(s))
+    return Reason("log", Say("Tried as the log shows it: {number}.", number=s.message), _strange(s))
 
 
 def _contradicted(s: Support) -> Reason:
     """A number that the log shows outside of what was assumed, or leaves open."""
     if not s.left_open:
-        return Reason("log", Say("The log contradicts what was assumed: {number}.", number=s.said), _strange(s))
+        return Reason("log", Say("The log contradicts what was assumed: {number}.", number=s.message), _strange(s))
     interval = Quantity(None, s.unit, low=s.low, high=s.high, digits=2)
-    said = Say("The log leaves {name} open, {interval}.", name=s.named, interval=interval)
+    message = Say("The log leaves {name} open, {interval}.", name=s.named, interval=interval)
     if not s.low <= (s.least + s.most) / 2 <= s.high:
         # an interval without the number that was assumed is no better known
-        said = Say("The log leaves {name} open.", name=s.named)
-    return Reason("log", said, Say("{name} is open", name=s.named))
+        message = Say("The log leaves {name} open.", name=s.named)
+    return Reason("log", message, Say("{name} is open", name=s.named))
 
 
 def _strange(s: Support) -> Say:
@@ -243,13 +243,13 @@ def disagreements(agreements: Sequence[Agreement], light: str) -> list[Reason]:
 
 def _disagrees(a: Agreement, limit: float) -> Reason:
     ratio, sensor = Quantity(a.ratio, "1", digits=2), place_of(a.sensor)
-    said = Say(
+    message = Say(
         "The log's innovations of {sensor} are {ratio} times the largest of any drawn robot; the limit is {limit}.",
         sensor=sensor,
         ratio=ratio,
         limit=Quantity(limit, "1"),
     )
-    return Reason("log", said, Say("the log disagrees {ratio} times", ratio=ratio))
+    return Reason("log", message, Say("the log disagrees {ratio} times", ratio=ratio))
 
 
 def _file(standing: Standing) -> list[Reason]:
@@ -257,8 +257,8 @@ def _file(standing: Standing) -> list[Reason]:
     if standing.fell is None:
         return []
     time = Quantity(standing.fell, "s", digits=2)
-    said = Say("Left alone, the robot of the file falls after {time}.", time=time)
-    return [Reason("alone", said, Say("it falls after {time}", time=time))]
+    message = Say("Left alone, the robot of the file falls after {time}.", time=time)
+    return [Reason("alone", message, Say("it falls after {time}", time=time))]
 
 
 def _drawn(e: Examined) -> list[Reason]:
@@ -266,36 +266,36 @@ def _drawn(e: Examined) -> list[Reason]:
     alone = e.standing
     lost: list[Reason] = []
     if alone.runs and alone.fell is None and red(alone.lost, alone.runs):
-        said = Say("Left alone, {lost} of {runs} robots within the uncertainty of the file fall.", lost=alone.lost,
+        message = Say("Left alone, {lost} of {runs} robots within the uncertainty of the file fall.", lost=alone.lost,
                    runs=alone.runs)  # fmt: skip
-        lost = [Reason("spread", said, Say("{lost} of {runs} fall alone", lost=alone.lost, runs=alone.runs))]
+        lost = [Reason("spread", message, Say("{lost} of {runs} fall alone", lost=alone.lost, runs=alone.runs))]
     if not red(e.fell - e.beyond, e.samples):
         return lost
     bound = Quantity(upper_bound(e.fell, e.samples, CONFIDENCE), "fraction", digits=2)
-    said = Say("{fell} of {n} robots fell: up to {bound} may fall, the limit is {limit}.", fell=e.fell, n=e.samples,
+    message = Say("{fell} of {n} robots fell: up to {bound} may fall, the limit is {limit}.", fell=e.fell, n=e.samples,
                bound=bound, limit=Quantity(MOST_FALLS, "fraction"))  # fmt: skip
-    return [*lost, Reason("spread", said, Say("up to {bound} fall", bound=bound))]
+    return [*lost, Reason("spread", message, Say("up to {bound} fall", bound=bound))]
 
 
 def _known(guessed: Guessed) -> Reason:
     """That too many fall with the guesses as they are."""
-    said = Say("With the guesses as the file has them, {fell} of {runs} robots fall.", fell=guessed.fell,
+    message = Say("With the guesses as the file has them, {fell} of {runs} robots fall.", fell=guessed.fell,
                runs=guessed.runs)  # fmt: skip
-    return Reason("spread", said, Say("{fell} of {runs} fall", fell=guessed.fell, runs=guessed.runs))
+    return Reason("spread", message, Say("{fell} of {runs} fall", fell=guessed.fell, runs=guessed.runs))
 
 
 def _open(falls: Reason, guessed: Guessed) -> Reason:
     """Falls that hang on guesses."""
-    said = Say("{falls} With the guesses as the file has them, it is {fell} of {runs}.", falls=falls.said,
+    message = Say("{falls} With the guesses as the file has them, it is {fell} of {runs}.", falls=falls.message,
                fell=guessed.fell, runs=guessed.runs)  # fmt: skip
-    return Reason("measure", said, falls.decides)
+    return Reason("measure", message, falls.decides)
 
 
 def _measure(guessed: Guessed, narrowing: Narrowing | None) -> Reason:
     """What would have to be known better."""
     names = [term(name) for name in guessed.names[:MOST_NAMES]]
-    said = narrowing.said if narrowing and narrowing.spreads else Say("Measure first: {names}.", names=names)
-    return Reason("measure", said, Say("it hangs on guesses"))
+    message = narrowing.message if narrowing and narrowing.spreads else Say("Measure first: {names}.", names=names)
+    return Reason("measure", message, Say("it hangs on guesses"))
 
 
 def _weak(e: Examined) -> list[Reason]:
@@ -303,14 +303,14 @@ def _weak(e: Examined) -> list[Reason]:
     if not red(e.fell, e.samples) or e.beyond <= MOST_FALLS * e.samples:
         return []
     hardest = max(e.trials, key=lambda t: t.beyond)
-    said = Say(
+    message = Say(
         "No controller could: {beyond} of {n} robots have motors too weak, most for this push: {push}, {battery}.",
         beyond=e.beyond,
         n=e.samples,
-        push=hardest.said,
+        push=hardest.message,
         battery=hardest.supply,
     )
-    return [Reason("weak", said, Say("{beyond} of {n} have weak motors", beyond=e.beyond, n=e.samples))]
+    return [Reason("weak", message, Say("{beyond} of {n} have weak motors", beyond=e.beyond, n=e.samples))]
 
 
 def _thin(linear: LinearMargins, period: float) -> list[Reason]:
@@ -321,17 +321,17 @@ def _thin(linear: LinearMargins, period: float) -> list[Reason]:
         slack = Quantity(min(up, down), "fraction", digits=2)
         limit = Quantity(LEAST_GAIN, "fraction")
         if up < down:
-            said = Say("A signal {slack} stronger at {place} makes the loop unstable; the limit is {limit}.",
+            message = Say("A signal {slack} stronger at {place} makes the loop unstable; the limit is {limit}.",
                        slack=slack, place=place_of(linear.high_at), limit=limit)  # fmt: skip
         else:
-            said = Say("A signal {slack} weaker at {place} makes the loop unstable; the limit is {limit}.",
+            message = Say("A signal {slack} weaker at {place} makes the loop unstable; the limit is {limit}.",
                        slack=slack, place=place_of(linear.low_at), limit=limit)  # fmt: skip
-        thin = [Reason("gain", said, Say("gain margin {slack}", slack=slack))]
+        thin = [Reason("gain", message, Say("gain margin {slack}", slack=slack))]
     if linear.delay >= LEAST_DELAY * period:
         return thin
-    said = Say("{delay} more delay at {place} makes the loop unstable; the limit is {limit}.", delay=_delay(linear),
+    message = Say("{delay} more delay at {place} makes the loop unstable; the limit is {limit}.", delay=_delay(linear),
                place=place_of(linear.delay_at), limit=Quantity(LEAST_DELAY * period, "s"))  # fmt: skip
-    return [*thin, Reason("delay", said, Say("delay margin {delay}", delay=_delay(linear)))]
+    return [*thin, Reason("delay", message, Say("delay margin {delay}", delay=_delay(linear)))]
 
 
 def _laborious(runs: Sequence[PushTrial]) -> list[Reason]:
@@ -341,18 +341,20 @@ def _laborious(runs: Sequence[PushTrial]) -> list[Reason]:
         worst = max(runs, key=lambda t: getattr(t, name))
         size = Quantity(getattr(worst, name), unit, digits=3)
         most = Quantity(limit, unit)
-        after = {"push": worst.said, "battery": worst.supply, "limit": most, "size": size}
+        after = {"push": worst.message, "battery": worst.supply, "limit": most, "size": size}
         if getattr(worst, name) <= limit:
             continue
         if kind == "saturated":
-            said = Say("A motor is at its limit {size} of the time ({push}, {battery}); {limit} are allowed.", **after)
-            reasons.append(Reason(kind, said, Say("motors at their limit {size}", size=size)))
+            message = Say(
+                "A motor is saturated {size} of the time ({push}, {battery}); {limit} are allowed.", **after
+            )
+            reasons.append(Reason(kind, message, Say("motors saturated {size}", size=size)))
         elif kind == "travel":
-            said = Say("It rolls {size} away ({push}, {battery}); {limit} are allowed.", **after)
-            reasons.append(Reason(kind, said, Say("it rolls {size} away", size=size)))
+            message = Say("It rolls {size} away ({push}, {battery}); {limit} are allowed.", **after)
+            reasons.append(Reason(kind, message, Say("it rolls {size} away", size=size)))
         else:
-            said = Say("At rest it sways by ±{size} ({push}, {battery}); {limit} are allowed.", **after)
-            reasons.append(Reason(kind, said, Say("it sways by ±{size}", size=size)))
+            message = Say("At rest it sways by ±{size} ({push}, {battery}); {limit} are allowed.", **after)
+            reasons.append(Reason(kind, message, Say("it sways by ±{size}", size=size)))
     return reasons
 
 

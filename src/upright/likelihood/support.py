@@ -113,7 +113,7 @@ class Support:
         return Quantity(None, self.unit, low=self.least, high=self.most)
 
     @property
-    def said(self) -> Say:
+    def message(self) -> Say:
         """The number beside what was assumed, or what the file states."""
         value = Quantity(self.value, self.unit)
         if self.stated is None:
