@@ -117,7 +117,7 @@ def plant(name: str, number: int, samples: int = 1000, most: int = DRAWN) -> Cas
     )
     falls, draws = fraction(controller, robot, met, unknown, SEED + number, most)
     return Case(
-        name, controller.kind, f"{fault.__name__}, {part:g}", certificate.light, certificate.reasons[0],
+        name, controller.kind, f"{fault.__name__}, {part:g}", certificate.light, str(certificate.reasons[0]),
         certificate.fell / certificate.samples, falls, draws,
     )  # fmt: skip
 

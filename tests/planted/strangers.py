@@ -138,7 +138,7 @@ def stranger(
         )  # fmt: skip
     except UprightError as error:
         return Stranger(number, name, design, way, size, REFUSED, str(error), fell, True, passes)
-    return Stranger(number, name, design, way, size, given.light, "; ".join(given.reasons), fell, True, passes)
+    return Stranger(number, name, design, way, size, given.light, " ".join(map(str, given.reasons)), fell, True, passes)
 
 
 def _weight(robot: Robot, number: int) -> float:

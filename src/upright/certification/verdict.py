@@ -345,9 +345,7 @@ def _laborious(runs: Sequence[PushTrial]) -> list[Reason]:
         if getattr(worst, name) <= limit:
             continue
         if kind == "saturated":
-            message = Say(
-                "A motor is saturated {size} of the time ({push}, {battery}); {limit} are allowed.", **after
-            )
+            message = Say("A motor is saturated {size} of the time ({push}, {battery}); {limit} are allowed.", **after)
             reasons.append(Reason(kind, message, Say("motors saturated {size}", size=size)))
         elif kind == "travel":
             message = Say("It rolls {size} away ({push}, {battery}); {limit} are allowed.", **after)
