@@ -224,7 +224,8 @@ def test_the_light_follows_and_a_spoilt_gain_is_red(tmp_path, monkeypatch):
     session, desk = a_session(tmp_path)
     lit = only(Light, attended(session, desk))[-1]
     assert lit.light == "green"
-    assert any(f"{1e3 * (lit.delay or 0):.3g}\u00a0ms more delay at the {lit.delay_at}" in reason for reason in lit.reasons)
+    more = f"{1e3 * (lit.delay or 0):.3g}\u00a0ms more delay at the {lit.delay_at}"
+    assert any(more in reason for reason in lit.reasons)
     session.handle(Change(replace(MODEL, controller="gains", gains=(-3.0, 0.0, 0.0, 0.0, 0.0, 0.0))))
     events = attended(session, desk)
     assert [lit.light for lit in only(Light, events)] == ["none", "red"]  # gravity alone asks for more than 3 V/rad

@@ -65,8 +65,9 @@ def certificate_page(c: Measurements) -> Page:
 
 
 def _lead(c: Measurements) -> list[Say]:
-    """The reasons; of what would have to be measured tells the table."""
-    return [reason.message for reason in c.reasons[: 1 if c.to_measure() and c.light == UNKNOWN else 2]]
+    """The reasons, but for what the table of measurements says, or the number of the delay."""
+    again = c.light == UNKNOWN or (c.light == GREEN and c.linear and math.isfinite(c.linear.delay))
+    return [reason.message for reason in c.reasons[: 1 if again else 2]]
 
 
 def _title(c: Measurements) -> Say:
@@ -101,7 +102,7 @@ def _numbers(c: Measurements) -> list[KeyNumber]:
             numbers.append(KeyNumber(size, Say("knock at the centre of mass that it endures")))
     if c.linear and c.linear.stable and math.isfinite(c.linear.delay):
         unstable = Say("more delay at {place} makes the loop unstable", place=place_of(c.linear.delay_at))
-        return [*numbers, KeyNumber(Quantity(c.linear.delay, "s", digits=2), unstable)]
+        return [*numbers, KeyNumber(Quantity(c.linear.delay, "s"), unstable)]
     stood = [t.travel for t in c.trials if t.fell < t.runs]
     travel = Say("95 % of those that stood roll less far, in the worst push")
     return [*numbers, *([KeyNumber(Quantity(max(stood), "m"), travel)] if stood else [])]

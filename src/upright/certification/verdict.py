@@ -271,10 +271,10 @@ def _drawn(e: Examined) -> list[Reason]:
         lost = [Reason("spread", message, Say("{lost} of {runs} fall alone", lost=alone.lost, runs=alone.runs))]
     if not red(e.fell - e.beyond, e.samples):
         return lost
-    bound = Quantity(upper_bound(e.fell, e.samples, CONFIDENCE), "fraction", digits=2)
-    message = Say("{fell} of {n} robots fell: up to {bound} may fall, the limit is {limit}.", fell=e.fell, n=e.samples,
+    bound = Quantity(None, "fraction", high=upper_bound(e.fell, e.samples, CONFIDENCE), digits=2)
+    message = Say("{fell} of {n} robots fell: {bound} may fall, the limit is {limit}.", fell=e.fell, n=e.samples,
                bound=bound, limit=Quantity(MOST_FALLS, "fraction"))  # fmt: skip
-    return [*lost, Reason("spread", message, Say("up to {bound} fall", bound=bound))]
+    return [*lost, Reason("spread", message, Say("{bound} fall", bound=bound))]
 
 
 def _known(guessed: Guessed) -> Reason:
