@@ -175,7 +175,7 @@ def test_what_nobody_survived_has_a_dash_and_no_number() -> None:
     *_, row = page.partition("Every push")[2].partition("</table>")[0].split("<tr>")
     cells = re.findall(r"<td[^>]*>([^<]*)</td>", row)
     low = f"low, {BATTERIES['low'] * NXT.battery.voltage:.1f}\u00a0V"
-    assert cells == ["knock of 0.1\u00a0N s", low, "100", "0", "–", "–", "–", "–", "–"]
+    assert cells == ["knock of 0.1\u00a0N\u00a0s", low, "100", "0", "–", "–", "–", "–", "–"]
 
 
 def test_a_certificate_has_a_figure() -> None:
@@ -186,7 +186,7 @@ def test_a_certificate_has_a_figure() -> None:
     (ax,) = result.plot().axes
     assert [bar.get_width() for bar in ax.patches] == [100 * result.bound, 30, 7, 1]
     names = [label.get_text() for label in ax.get_yticklabels()]
-    assert names[1] == "knock of 3\u00a0N s, low"
+    assert names[1] == "knock of 3\u00a0N\u00a0s, low"
     picture = html.document(result.page()).partition("</figure>")[0]
     assert all(name in picture for name in names)
 
