@@ -39,7 +39,6 @@ from upright.plotting import (
     span,
 )
 from upright.reports import PAGES, Details, Figure, Formula, Page, Section, Table, Verdict, page_of, report
-from upright.reports.designed import controller_section
 from upright.reports.following import completed
 from upright.reports.page import cell_text
 from upright.robots import Kit, Robot
@@ -483,19 +482,14 @@ def test_words_that_only_folded_parts_use_are_folded_too():
     assert words == [["Ms", "twin"], ["BIC", "Mt", "NIS"]]
 
 
-def test_a_designs_page_has_its_weights_and_gains():
-    """Bryson's rule: 1/0.15² of pitch, 1/4² of a volt (`LARGEST_STATE`, `LARGEST_COMMAND`)."""
+def test_a_design_tells_its_weights_and_gains():
+    """Bryson's rule: a pitch of 0.15 rad costs 1 (`LARGEST_STATE`)."""
     result = designed("lqg")
-    section = controller_section(result)
-    assert section.folded
-    words, cost, weights, _, filtered = section.items
-    assert words.startswith("It reads encoder left, encoder right and gyro every 10 ms, and commands each motor in V.")
-    assert "R is 0.0625 1/V² for each motor: 4 V cost 1." in cost
-    assert weights.rows[0][:3] == ["pitch [rad]", pytest.approx(1 / 0.15**2), pytest.approx(0.15)]
     K = design_of(result.controller).gain
-    assert [row[3:] for row in weights.rows] == [list(column) for column in K.T]
-    assert weights.rows[6][0] == "left command 1 period ago [V]"  # the dead time of nxt is within one period
-    assert filtered.header[1:] == ["encoder left [unit/rad]", "encoder right [unit/rad]", "gyro [unit/(rad/s)]"]
+    first = result.weights[0]
+    assert (first.name, first.unit, first.size) == ("pitch", "rad", pytest.approx(0.15))
+    assert [list(weight.gain) for weight in result.weights] == [list(column) for column in K.T]
+    assert result.weights[6].name == "sent_1/left"  # the dead time of nxt is within one period
 
 
 def designed(method, period=None):
@@ -515,9 +509,8 @@ def test_a_design_of_any_period_is_let_go(period):
 
 @pytest.mark.parametrize("method", ["lqr", "lqi", "pid", "hinf", "sliding", "mpc"])
 def test_every_method_shows_what_it_was_found_by(method):
-    section = controller_section(designed(method))
-    tables = [item for item in section.items if isinstance(item, Table)]
-    assert tables
-    numbers = [cell for table in tables for row in table.rows for cell in row[1:]]
-    assert all(cell is None or math.isfinite(cell) for cell in numbers)
-    assert all("_" not in row[0] and "[" in row[0] for table in tables for row in table.rows)  # a name with its unit
+    weights = designed(method).to_json()["weights"]
+    assert weights
+    numbers = [number for weight in weights for number in (weight["size"], *weight["gain"])]
+    assert all(number is None or math.isfinite(number) for number in numbers)
+    assert all(weight["unit"] for weight in weights)

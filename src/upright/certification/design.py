@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
+from functools import cached_property
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from upright.atomic import finite
 from upright.bodies import Electronics, NonlinearBody
+from upright.certification.weights import Weight, weights_of
 from upright.control import (
     Controller,
+    Design,
     controller_hash,
     design_of,
     make_controller,
@@ -25,13 +29,15 @@ from upright.errors import InvalidController, SpecMismatch
 from upright.experiment import outcome_of, run
 from upright.experiment.outcome import last_part
 from upright.loops.analysis import Analysis, analyse
+from upright.pages import Quantity, Result, Say
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import Uncertainty, at_medians
 from upright.signals import Log
-from upright.tables import Shown
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+    from upright.pages import Page
 
 
 LEAN = math.radians(5.0)
@@ -43,11 +49,12 @@ SECONDS = 8.0
 
 @dataclass(frozen=True, eq=False)
 class Release:
-    """The `log` of a run that starts at rest at a `lean` [rad], on wheels of this `radius` [m]."""
+    """The `log` of a run that starts at rest at a `lean` [rad], on wheels of this `radius` [m]; within a `band` [rad] it is upright."""
 
     log: Log
     lean: float
     radius: float
+    band: float = UPRIGHT
 
     @property
     def fell(self) -> float | None:
@@ -57,9 +64,9 @@ class Release:
 
     @property
     def upright(self) -> float:
-        """From when on [s] pitch stays within `UPRIGHT`; infinite where that is not so in the last quarter."""
+        """From when on [s] pitch stays within the `band`; infinite where that is not so in the last quarter."""
         t = self.log.t
-        outside = np.flatnonzero(np.abs(self.log["truth/pitch"]) > UPRIGHT)
+        outside = np.flatnonzero(np.abs(self.log["truth/pitch"]) > self.band)
         first = int(outside[-1]) + 1 if len(outside) else 0
         return math.inf if self.fell is not None or first > last_part(len(t)) else float(t[first])
 
@@ -73,17 +80,26 @@ class Release:
         """The largest distance of the wheels from where they stood [m]."""
         return float(np.abs(self.log["truth/wheel"]).max()) * self.radius
 
+    def to_json(self) -> dict[str, Any]:
+        """Plain numbers in SI; None for what did not happen."""
+        return {
+            "lean": self.lean, "fell": self.fell, "upright": finite(self.upright), "largest": self.largest,
+            "travel": self.travel,
+        }  # fmt: skip
+
     def plot(self) -> Figure:
         """Pitch and travel over time."""
         from upright.plotting import AXIS, legend, line, panels
 
-        figure, (pitch, travel) = panels(["pitch [°]", "travel of the wheels [cm]"])
-        line(pitch, "pitch", self.log.t, np.degrees(self.log["truth/pitch"]), style=0, solid=True)
-        line(
-            travel, "travel of the wheels", self.log.t, 100 * self.radius * self.log["truth/wheel"], style=1, solid=True
+        figure, (pitch, travel) = panels(
+            [str(Say("pitch [°]")), str(Say("travel of the wheels [cm]"))], str(Say("time [s]"))
         )
-        band = math.degrees(UPRIGHT)
-        for level, name in ((-band, "_"), (band, f"±{band:g}°: upright")):
+        line(pitch, str(Say("pitch")), self.log.t, np.degrees(self.log["truth/pitch"]), style=0, solid=True)
+        rolled = 100 * self.radius * self.log["truth/wheel"]
+        line(travel, str(Say("travel of the wheels")), self.log.t, rolled, style=1, solid=True)
+        band = math.degrees(self.band)
+        within = Say("±{band}: upright", band=Quantity(self.band, "rad"))
+        for level, name in ((-band, "_"), (band, str(within))):
             pitch.axhline(level, linestyle="--", color=AXIS, linewidth=1.0, label=name)
         return legend(figure)
 
@@ -96,7 +112,7 @@ def let_go(controller: Controller, robot: Robot, kit: Kit, lean: float = LEAN, s
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Designed(Shown):
+class Designed(Result):
     """The `controller` that `method` gives for `robot` with `kit`, and the `analysis` of its linear loop.
 
     `analysis` is None where the controller is not linear near rest, for the reason in `remark`.
@@ -113,6 +129,41 @@ class Designed(Shown):
         """A run in which the robot is let go from a lean at rest."""
         return let_go(self.controller, self.robot, self.kit)
 
+    @cached_property
+    def release(self) -> Release | None:
+        """The same, run once; None where the kit lacks what the controller reads."""
+        try:
+            return self.let_go()
+        except SpecMismatch:
+            return None
+
+    @cached_property
+    def weights(self) -> tuple[Weight, ...]:
+        """What the controller was found by."""
+        return weights_of(self.controller)
+
+    @property
+    def record(self) -> Design | None:
+        """How the controller was found, where that is known."""
+        return design_of(self.controller)
+
+    @property
+    def words(self) -> list[Say]:
+        """What its method says of it."""
+        return [word for word in self.record.words() if isinstance(word, Say)] if self.record else []
+
+    def plot(self) -> Figure:
+        """Pitch and travel of the robot that is let go; raises `InvalidController` where it cannot run."""
+        if not self.release:
+            raise InvalidController(self.remark, expected="a kit with the sensors that it reads")
+        return self.release.plot()
+
+    def page(self) -> Page:
+        """The design for people."""
+        from upright.certification.design_page import design_page
+
+        return design_page(self)
+
     def save(self, path: str | Path) -> Path:
         """Write the controller as JSON; raises `InvalidController` for a kind that no file can hold."""
         return write_controller(self.controller, path)
@@ -126,20 +177,14 @@ class Designed(Shown):
         }  # fmt: skip
 
     def to_json(self) -> dict[str, Any]:
-        """The facts, what the method says of its design, and the analysis or the reason for none."""
-        record = design_of(self.controller)
-        own = record.to_json() if record else None
-        return self.facts() | {"design": own, "analysis": self.analysis.to_json() if self.analysis else self.remark}
-
-    def __str__(self) -> str:
-        lines = [f"{name:<10}{_shown(value)}" for name, value in self.facts().items() if value is not None]
-        words: list[str] = getattr(self.controller, "words", list)()
-        return "\n".join([*lines, *([""] if words else []), *words, "", str(self.analysis or self.remark)])
-
-
-def _shown(value: Any) -> str:
-    """A fact as text: numbers to three digits, as far as they mean something."""
-    return ", ".join(value) if isinstance(value, list) else f"{value:.3g}" if isinstance(value, float) else str(value)
+        """The facts, what the method says of its design, its weights, the run in which the robot is let go, and the
+        analysis or the reason for none."""
+        return self.facts() | {
+            "design": self.record.to_json() if self.record else None,
+            "weights": [asdict(weight) for weight in self.weights],
+            "let_go": self.release.to_json() if self.release else None,
+            "analysis": self.analysis.to_json() if self.analysis else self.remark,
+        }
 
 
 def design(

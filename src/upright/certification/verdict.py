@@ -17,7 +17,8 @@ from upright.likelihood.agreement import Agreement
 from upright.likelihood.support import Support, contradictions
 from upright.loops.analysis import INPUTS, ROUNDED, loop_margins
 from upright.loops.loop import robot_loop
-from upright.loops.margins import Margins, margins
+from upright.loops.margins import margins
+from upright.loops.targets import LEAST_DELAY, LEAST_GAIN, reached
 from upright.pages import Quantity, Say
 from upright.pages.terms import term
 from upright.robots import Kit, Robot
@@ -27,15 +28,8 @@ GREEN, AMBER, RED, UNKNOWN = "green", "amber", "red", "unknown"
 LARGER = 2.0  # times the largest of the drawn robots: amber, since noise or model err by more than what was drawn
 FAR_LARGER = 5.0  # red: what was certified is another robot
 
-LEAST_GAIN = 0.04  # amber below: copper that warms by 10 K takes 4 % of the motor's gain
-LEAST_DELAY = 0.25  # [periods] amber below: a loop that runs in time still jitters by a tenth or two of its period
 MOST_SATURATED = 0.25  # amber above: a motor at its end this often is no longer the one the design assumed
 MOST_TRAVEL = 1.0  # [m] amber above: it leaves the table
-
-CLOSE = 0.5
-"""Distance of the Nyquist curve from −1 below which margins are small: the usual rule, Ms at most 2."""
-PHASE, WEAK, STRONG = 30.0, 0.5, 2.0
-"""Usual targets: phase margin [°], and the gain of the motors as a factor: 6 dB either side."""
 
 
 @dataclass(frozen=True)
@@ -68,18 +62,6 @@ class LinearMargins:
     def free(self) -> bool:
         """Whether a place is: a pole at 1, but for rounding, and none beyond, or one that no reading shows."""
         return bool(self.unseen) or abs(self.radius - 1) <= ROUNDED
-
-
-def reached(both: Margins, delay: float, period: float) -> dict[str, float]:
-    """The part of its usual target that each margin reaches, of both motors and of the least delay of all places: the
-    one judgement of margins, in a design, a certificate and the lab."""
-    return {
-        "distance from −1": 1 / both.Ms / CLOSE,
-        "phase margin": math.degrees(both.phase) / PHASE,
-        "motors stronger": (both.gain_high - 1) / (STRONG - 1),
-        "motors weaker": (1 - both.gain_low) / (1 - WEAK),
-        "delay margin": delay / period,
-    }
 
 
 def linear_margins(controller: Controller, robot: Robot, kit: Kit, *, usual: bool = False) -> LinearMargins | None:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any, Protocol, runtime_checkable
 
 from upright.arrays import Array
+from upright.pages import Say
 
 
 @dataclass(frozen=True)
@@ -72,13 +73,13 @@ class Lawful:
         """The `LinearController` that it is while nothing about it is at a limit."""
         return self.law().linearised()
 
-    def words(self) -> list[str]:
+    def words(self) -> Sequence[Say | str]:
         """Sentences on how it was found: those of its record of design, where it has one."""
         record = getattr(self, "design", None)
         return record.words() if record else []
 
     def __str__(self) -> str:
-        return "\n".join([repr(self), *self.words()])
+        return "\n".join([repr(self), *map(str, self.words())])
 
     def __repr__(self) -> str:
         spec: ControllerSpec = self.spec

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 
 from upright.arrays import Array
 from upright.control.controller import Controller
+from upright.pages import Say
 
 
 class Design:
@@ -23,8 +24,8 @@ class Design:
         """K (2, 6 or more) of u = −K x on the robot's six states first; None where there is no such matrix."""
         return None
 
-    def words(self) -> list[str]:
-        """Sentences on the result; none by default."""
+    def words(self) -> Sequence[Say | str]:
+        """Sentences on the result, and lines of a matrix; none by default."""
         return []
 
     def to_json(self) -> dict[str, Any]:

@@ -75,7 +75,7 @@ class Estimated(Lawful):
         """That of the controller."""
         return gain_of(self.controller)
 
-    def words(self) -> list[str]:
+    def words(self) -> Sequence[Any]:
         """Those of the controller."""
         return getattr(self.controller, "words", list)()
 

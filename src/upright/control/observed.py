@@ -20,6 +20,7 @@ from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
 from upright.control.observer import output_feedback
 from upright.errors import InvalidController, SpecMismatch
+from upright.pages import Say
 from upright.reading import read_json, understood
 from upright.robots import Kit, Robot
 from upright.signals import STATE_NAMES
@@ -41,7 +42,7 @@ class Observed(Design):
         """That of the feedback."""
         return self.feedback.gain
 
-    def words(self) -> list[str]:
+    def words(self) -> Sequence[Say | str]:
         """Those of the feedback."""
         return self.feedback.words()
 

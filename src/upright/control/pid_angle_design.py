@@ -23,6 +23,7 @@ from upright.control.linear_controller import LinearController
 from upright.control.pid_angle import FULL, PER_RADIAN, AnglePid
 from upright.control.state_space import controller_of, plant_of
 from upright.errors import DesignFailed, InvalidController, SpecMismatch, UnknownName
+from upright.pages import Quantity, Say
 from upright.physics.interconnect import feedback
 from upright.physics.linear import linearise_rolling
 from upright.physics.sensing import GYRO, PITCH, sensor_matrix
@@ -77,7 +78,7 @@ class AngleDesign(Design):
         """Nothing is solved: the gains are given, or tried."""
         return 0.0
 
-    def words(self) -> list[str]:
+    def words(self) -> list[Say]:
         """The numbers, what they do, and what they cannot."""
         pid = self.controller
         each = f"{pid.output}/{pid.unit}"
@@ -85,97 +86,111 @@ class AngleDesign(Design):
         units = (each, f"{pid.output}/({pid.unit} s)", rate)
         if pid.per == "step":
             units = (each, f"{each} a step", rate if pid.rate == "gyro" else each)
-        head = ", ".join(f"{name} {getattr(pid, name):.4g} {unit}" for name, unit in zip(_GAINS, units, strict=True))
-        head = f"{head}: kp is {abs(pid.per_radian) * pid.kp:.3g} {pid.command_unit} for a radian."
+        gains = {name: Quantity(getattr(pid, name), unit) for name, unit in zip(_GAINS, units, strict=True)}
+        radian = Quantity(abs(pid.per_radian) * pid.kp, pid.command_unit)
+        head = Say("kp = {kp}, ki = {ki}, kd = {kd}: a radian of lean gives {radian}.", **gains, radian=radian)
         return [head, *self._limits(), *(self._falls() or self._stands())]
 
-    def _limits(self) -> list[str]:
+    def _limits(self) -> list[Say]:
         """From which lean on there is no more output, and a limit that is none."""
         pid = self.controller
         shape = pid.shape
-        lines = list[str]()
+        highest = Quantity(pid.highest, pid.output)
+        lines = list[Say]()
         if pid.kp and math.isfinite(shape.limit):
-            lean = math.degrees((shape.limit - shape.dead_band) / abs(pid.per_radian * pid.kp))
-            lines.append(f"At {lean:.3g}° of lean its output is at its limit of {pid.highest:g} {pid.output}.")
+            lean = Quantity((shape.limit - shape.dead_band) / abs(pid.per_radian * pid.kp), "rad")
+            lines.append(Say("At {lean} of lean its output is at its limit of {highest}.", lean=lean, highest=highest))
         if math.isfinite(pid.limit) and pid.limit > pid.highest:
-            lines.append(f"A limit of {pid.limit:g} is more than there is: {pid.highest:g} {pid.output} count.")
+            limit = Quantity(pid.limit, "1")
+            lines.append(Say("A limit of {limit} is more than there is: {highest}.", limit=limit, highest=highest))
         return lines
 
-    def _stands(self) -> list[str]:
+    def _stands(self) -> list[Say]:
         """What nothing holds, and what a wrong set point does: its own, where it is not upright, and one degree."""
         pid = self.controller
         lines = [] if pid.cascade else [_NOTHING_HOLDS]
         lean = pid.sign * pid.set_point / PER_RADIAN[pid.unit] - self.kit.sensors[PITCH].offset
-        off = round(abs(math.degrees(lean)), 1)  # no angle is mounted or set more exactly
-        if off:
-            lines.append(f"Its set point is {off:g}° off upright: {self._off(lean)}")
-        return [*lines, f"One degree of error in the set point: {self._off(math.radians(1.0))}"]
+        wrong = [lean] if round(math.degrees(lean), 1) else []  # no angle is mounted or set more exactly
+        return [*lines, *map(self._off, [*wrong, math.radians(1.0)])]
 
-    def _falls(self) -> list[str]:
+    def _falls(self) -> list[Say]:
         """That the linear loop grows and, where that is it, why; nothing where it does not."""
         growth = self.growth
         if not growth:
             return []
         pole = _worst_pole(self._model, self.controller.linearised())
         turns = abs(np.angle(pole)) / (2 * math.pi * self.controller.period)
-        swing = f", swinging {turns:.2g} times a second" if turns else ""
-        least = self.least_ki
-        lines = [
-            f"It falls: the linear loop grows by {growth:.2g} 1/s, twofold in {math.log(2) / growth:.2g} s{swing}."
-        ]
+        doubled = Quantity(math.log(2) / growth, "s", digits=2)
+        lines = [Say("It falls: a deviation doubles every {time}.", time=doubled)]
+        if turns:
+            often = Quantity(turns, "1", digits=2)
+            lines = [Say("It falls: a swing doubles every {time}, at {often} swings a second.", time=doubled,
+                         often=often)]  # fmt: skip
         lines += self._wrong_gains()
         own = self.controller
+        least = self.least_ki
         if least and own.kp * own.sign >= 0 and own.ki < least:
-            lines.append(
-                f"P and D on the angle alone always leave a growing mode: a voltage ends as a speed, not as a force. "
-                f"ki must be above {least:.3g}; it is {own.ki:.3g}."
-            )
+            lines.append(Say("P and D on the angle alone always leave a growing mode."))
+            lines.append(Say("ki must be above {least}; it is {ki}.", least=Quantity(least, "1"),
+                             ki=Quantity(own.ki, "1")))  # fmt: skip
         sensor = self.kit.sensors[PITCH]
         lines += self._times()
         true = replace(self.kit, sensors=self.kit.sensors | {PITCH: replace(sensor, time_constant=0.0)})
         if sensor.time_constant and not replace(self, kit=true).growth:
             lines.append(
-                f"On the true angle it would stand: one fused in {sensor.time_constant:g} s follows the accelerometer, "
-                f"which sees no lean while the robot accelerates with it."
-            )
+                Say("On the true angle it would stand; one fused in {time} errs while the robot accelerates.",
+                    time=Quantity(sensor.time_constant, "s"))
+            )  # fmt: skip
         return lines
 
-    def _wrong_gains(self) -> list[str]:
+    def _wrong_gains(self) -> list[Say]:
         """A kp or kd of the wrong sign, and a kp that does not even balance the body's weight."""
         pid = self.controller
         kp, kd = pid.kp * pid.sign, pid.kd * pid.sign
         hold = _gravity(self.robot) / abs(pid.per_radian)
-        lines = list[str]()
+        if kp < 0 and pid.sign < 0:
+            return [Say("kp drives it the way it does not fall: sign = 1.")]
         if kp < 0:
-            other = "1" if pid.sign < 0 else "-1 where your angle is positive backwards"
-            return [f"kp drives it the way it does not fall: sign = {other}."]
+            return [Say("kp drives it the way it does not fall: sign = -1 where your angle is positive backwards.")]
+        lines = list[Say]()
         if kp < hold:
-            lines.append(f"kp is too small: gravity alone asks for {hold:.3g}, and a loop that stands for a multiple.")
+            lines.append(
+                Say("kp is too small: gravity alone asks for {hold}, and a loop that stands for a multiple.",
+                    hold=Quantity(hold, "1"))
+            )  # fmt: skip
         if kd * kp < 0:
-            lines.append("kd has the other sign than kp: it helps the fall.")
+            lines.append(Say("kd has the other sign than kp: it helps the fall."))
         return lines
 
-    def _times(self) -> list[str]:
+    def _times(self) -> list[Say]:
         """The factor of all gains next to one with which it would stand."""
         own = self.controller
         for factor in FACTORS:
             scaled = replace(own, **{name: factor * getattr(own, name) for name in _GAINS})
             if not _growth(self._model, scaled.linearised()):
-                return [f"With kp, ki and kd {factor:.2g} times as large the linear loop would stand."]
+                times = Quantity(factor, "1", digits=2)
+                return [Say("With kp, ki and kd {times} times as large the linear loop would stand.", times=times)]
         return []
 
-    def _off(self, error: float) -> str:
+    def _off(self, error: float) -> Say:
         """What an error [rad] of the set point does."""
         time, speed, travel, fell = drift(self.robot, self.controller, error)
-        says = "its motors can do no more: it falls" if fell else "it still stands"
-        return f"after {time:.2g} s it rolls at {abs(speed):.2g} m/s, {abs(travel):.2g} m away, and {says}."
+        facts = {
+            "off": Quantity(abs(error), "rad", digits=2), "speed": Quantity(abs(speed), "m/s", digits=2),
+            "time": Quantity(time, "s", digits=2), "travel": Quantity(abs(travel), "m", digits=2),
+        }  # fmt: skip
+        if fell:
+            return Say("With the set point {off} off upright it rolls at {speed} after {time}, {travel} away, and "
+                       "falls.", **facts)  # fmt: skip
+        return Say("With the set point {off} off upright it rolls at {speed} after {time}, {travel} away, and still "
+                   "stands.", **facts)  # fmt: skip
 
     def to_json(self) -> dict[str, Any]:
         """The gain of the state, the growth [1/s] and the least ki."""
         return super().to_json() | {"growth": self.growth, "least_ki": self.least_ki, "searched": self.searched}
 
 
-_NOTHING_HOLDS = "Nothing holds its position: without encoders it stands and rolls away."
+_NOTHING_HOLDS = Say("Nothing holds its position: without encoders it stands and rolls away.")
 
 
 def pid_angle(robot: Robot | str, kit: Kit | str, dt: float | None = None, **own: Any) -> AnglePid:

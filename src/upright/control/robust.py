@@ -31,6 +31,7 @@ from upright.control.lqr import lqr_state
 from upright.control.observer import output_feedback
 from upright.control.riccati import LARGEST_COMMAND, LARGEST_STATE, bryson
 from upright.errors import DesignFailed, require
+from upright.pages import Quantity, Say
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import Uncertainty, draw
 from upright.signals import STATE_NAMES
@@ -89,34 +90,38 @@ class Robust(Design):
         direct = family([plane(model)], self.filter).direct(self.k, self.W, self.price)
         return max(self.filter.check(), self.proof.check() if self.proof else 0.0, abs(self.own.nominal / direct - 1))
 
-    def verdict(self) -> str:
+    def verdict(self) -> Say:
         """Whether it was worth it, in one sentence."""
         own, plain = self.own, self.plain
-        if own.fell != plain.fell:
-            word = "Better" if own.fell < plain.fell else "No better"
-            return f"{word}: {own.fell} of {own.tried} drawn robots are unstable, under plain LQR {plain.fell}."
+        facts = {"fell": own.fell, "n": own.tried, "other": plain.fell}
+        if own.fell < plain.fell:
+            return Say("Better: {fell} of {n} drawn robots are unstable, under plain LQR {other}.", **facts)
+        if own.fell > plain.fell:
+            return Say("No better: {fell} of {n} drawn robots are unstable, under plain LQR {other}.", **facts)
         gain = 1 - own.worst / plain.worst if math.isfinite(plain.worst) else 0.0
-        loss = own.nominal / plain.nominal - 1
+        loss = Quantity(own.nominal / plain.nominal - 1, "fraction")
         if not gain >= WORTH:
-            return f"No better than plain LQR: the worst cost changes by {-gain:+.1%}, the nominal by {loss:+.1%}."
-        return f"Better: the worst cost is {gain:.1%} lower than under plain LQR, the nominal changes by {loss:+.1%}."
+            return Say("No better than plain LQR: the worst cost changes by {worst}, the nominal by {nominal}.",
+                       worst=Quantity(-gain, "fraction"), nominal=loss)  # fmt: skip
+        return Say("Better: the worst cost is {worst} lower than under plain LQR, the nominal changes by {nominal}.",
+                   worst=Quantity(gain, "fraction"), nominal=loss)  # fmt: skip
 
-    def words(self) -> list[str]:
-        """The verdict, both costs, and what became of the inequalities."""
-        own, plain = self.own, self.plain
-        sentences = [self.verdict(), f"Found by {self.method}. Cost of the nominal robot {own.nominal:.4g}, plain LQR "]
-        sentences[1] += f"{plain.nominal:.4g}; of the worst {own.worst:.4g}, plain LQR {plain.worst:.4g}."
-        if self.inequalities is None:
-            return [*sentences, f"Linear matrix inequalities: {self.why}."]
+    def words(self) -> list[Say]:
+        """The verdict, and what became of the inequalities."""
         other = self.inequalities
-        proof = f"{other.fell} of {other.tried} unstable on sensors, worst cost {other.worst:.4g}"
-        return [*sentences, f"Linear matrix inequalities prove a gain for the measured state: {proof}."]
+        if other is None:
+            return [self.verdict(), Say("Linear matrix inequalities prove nothing: {why}.", why=self.why)]
+        return [
+            self.verdict(),
+            Say("Linear matrix inequalities prove a gain of the true state; on sensors {fell} of {n} are unstable.",
+                fell=other.fell, n=other.tried),
+        ]  # fmt: skip
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is infinite."""
         costs = {"own": self.own, "plain": self.plain, "inequalities": self.inequalities}
         numbers = {name: {k: finite(v) for k, v in asdict(c).items()} if c else None for name, c in costs.items()}
-        return {"method": self.method, "k": self.k.tolist(), **numbers, "words": self.words()}
+        return {"method": self.method, "k": self.k.tolist(), **numbers}
 
 
 def robust(

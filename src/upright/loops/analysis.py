@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,31 +14,25 @@ from upright.control.controller import Controller, controller_hash
 from upright.control.riccati import LARGEST_COMMAND
 from upright.loops.gap import nu_gap, stability_margin
 from upright.loops.loop import LATEST, Loop, RobotLoop, robot_loop
-from upright.loops.margins import (
-    Margins,
-    ScalarResponse,
-    broken_at,
-    disk_gain,
-    disk_margin,
-    disk_phase,
-    frequencies,
-    margins,
-)
+from upright.loops.margins import Margins, ScalarResponse, broken_at, disk_margin, frequencies, margins
 from upright.loops.mu import Mu, parameter_mu
+from upright.loops.targets import ROUNDED, Thinnest, reached, thinnest
+from upright.pages import Result, Say
 from upright.physics.dynamics import motor_gain
 from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import draw
-from upright.tables import Shown, sentence, short
+from upright.tables import short
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+    from upright.pages import Page
 
 
 INPUTS = {"left motor": (1.0, 0.0), "right motor": (0.0, 1.0), "both motors": (1.0, 1.0), "steering": (-1.0, 1.0)}
 """Where the loop is broken at the robot's input: one motor, both alike, both opposed."""
 
-ROUNDED = 1e-6  # an integrator's pole, which is at 1 but for rounding, is not unstable
 NEAR_ZERO = 1e-5  # beyond 1: nearer to frequency zero than any motion of a robot, farther than rounding of a pole at 1
 SHOWN_GAIN = 0.01  # a smaller loop gain sets no margin, and is not drawn
 DRAWN = 200
@@ -48,7 +42,7 @@ _ANGLE = 1.0  # [rad] of an encoder
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Analysis(Shown):
+class Analysis(Result):
     """A controller on a robot: closed-loop `poles`, margins at `inputs` and `outputs`, `disk` α for both motors at
     once.
 
@@ -79,6 +73,11 @@ class Analysis(Shown):
         return self.radius < 1 - ROUNDED
 
     @property
+    def free(self) -> bool:
+        """Whether it is not, only because nothing holds a place: a pole at 1, and none beyond."""
+        return not self.stable and self.radius <= 1 + ROUNDED
+
+    @property
     def radius(self) -> float:
         """The largest |pole|."""
         return float(np.abs(self.poles).max())
@@ -94,10 +93,14 @@ class Analysis(Shown):
         return int((self.radii > 1 + ROUNDED).sum())
 
     @property
-    def lost(self) -> str:
-        """The same in words."""
-        count = self.fell
-        return f"{count or 'none'} {'is' if count <= 1 else 'are'} unstable"
+    def thinnest(self) -> Thinnest:
+        """The margin that comes nearest to what a certificate asks for, of all places of the stable loop."""
+        return thinnest((*self.inputs, *self.outputs), self.period)
+
+    @property
+    def reached(self) -> dict[str, float]:
+        """The part of its usual target that each margin reaches."""
+        return reached(self.both(), self.weakest.delay, self.period)
 
     @property
     def weakest(self) -> Margins:
@@ -112,20 +115,11 @@ class Analysis(Shown):
         """The margins of both motors together, which describe the pitch loop best."""
         return self._of("both motors")
 
-    def words(self) -> list[str]:
-        """The result, in sentences."""
-        if not self.stable:
-            return [sentence(instability(self.radius, self.period))]
-        low, high = disk_gain(self.disk)
-        first = self.weakest
-        sentences = [
-            self.both().words(),
-            f"With {1e3 * first.delay:.3g} ms more delay at {_alone(first.channel)} it becomes unstable.",
-            f"Both motors, varied independently: gains between {low * 100:.0f} and {high * 100:.0f} %, "
-            f"or phases up to {math.degrees(disk_phase(self.disk)):.0f}°.",
-            f"Of {len(self.radii)} simulated robots, as different as the robot's file allows, {self.lost}.",
-        ]
-        return sentences + ([sentence(unseen_in_words(self.loop.hidden))] if self.loop.hidden else [])
+    def page(self) -> Page:
+        """The analysis for people."""
+        from upright.loops.analysis_page import analysis_page
+
+        return analysis_page(self)
 
     def plot(self, channel: str = "both motors") -> Figure:
         """Bode diagram of the loop broken at `channel`, one of the margins, with its gain and phase margins."""
@@ -133,13 +127,16 @@ class Analysis(Shown):
         from upright.plotting import AXIS, legend, line, numbered, panels
 
         omega, response = response_of(self._broken(channel))
-        figure, (size, phase) = panels(["magnitude [1]", "phase [°]"], "frequency [rad/s]", "log")
+        figure, (size, phase) = panels(
+            [str(Say("magnitude [1]")), str(Say("phase [°]"))], str(Say("frequency [rad/s]")), "log"
+        )
         size.set_yscale("log")
         numbered(size.yaxis)
         angle: Array = np.degrees(np.unwrap(np.angle(response)))
-        line(size, "loop gain", omega, np.abs(response))
-        line(phase, "loop gain", omega, angle)
-        size.axhline(1.0, linestyle="--", color=AXIS, linewidth=1.0, label="gain 1 and phase ±180°: the point −1")
+        line(size, str(Say("loop gain")), omega, np.abs(response))
+        line(phase, str(Say("loop gain")), omega, angle)
+        point = str(Say("gain 1 and phase ±180°: the point −1"))
+        size.axhline(1.0, linestyle="--", color=AXIS, linewidth=1.0, label=point)
         ends = np.log10([max(float(np.abs(response).min()), SHOWN_GAIN), 1.05 * float(np.abs(response).max())])
         size.set_ylim(10.0 ** math.floor(ends[0]), 10.0 ** math.ceil(ends[1]))
         mark_margins(size, phase, self._of(channel), (omega, angle))
@@ -201,10 +198,10 @@ class Analysis(Shown):
         """
         from upright.plotting import legend, plane, points
 
-        figure, ax = plane("real part [1]", "imaginary part [1]", circle=True)
+        figure, ax = plane(str(Say("real part [1]")), str(Say("imaginary part [1]")), circle=True)
         if self.drawn.size:
-            points(ax, "robots drawn from the spreads", self.drawn.ravel().tolist(), style=1, size=2.5)
-        points(ax, "nominal robot", self.poles.tolist(), style=0)
+            points(ax, str(Say("drawn robots")), self.drawn.ravel().tolist(), style=1, size=2.5)
+        points(ax, str(Say("nominal robot")), self.poles.tolist(), style=0)
         if slow:
             reach = 1.3 * float(np.sort(np.abs(self.poles - 1))[:slow].max())
             ax.set(xlim=(1 - 1.4 * reach, 1 + 0.6 * reach), ylim=(-reach, reach))
@@ -222,22 +219,25 @@ class Analysis(Shown):
         numbers = {
             key: getattr(self, key) for key in ("robot", "controller", "hash", "period", "disk", "coprime", "gap")
         }
-        return numbers | {
-            "stable": self.stable,
-            "delay": self.delay if math.isfinite(self.delay) else None,
-            "poles": [[float(p.real), float(p.imag)] for p in self.poles],
-            "inputs": [m.to_json() for m in self.inputs],
-            "outputs": [m.to_json() for m in self.outputs],
-            "radii": self.radii.tolist(),
-            "words": self.words(),
-        }
+        return (
+            numbers
+            | {
+                "stable": self.stable,
+                "delay": self.delay if math.isfinite(self.delay) else None,
+                "poles": [[float(p.real), float(p.imag)] for p in self.poles],
+                "inputs": [m.to_json() for m in self.inputs],
+                "outputs": [m.to_json() for m in self.outputs],
+                "radii": self.radii.tolist(),
+                "fell": self.fell,
+                "hidden": [*self.loop.hidden],
+            }
+            | (self._judged() if self.stable else {})
+        )
 
-    def __str__(self) -> str:
-        head = f"{self.controller} on {self.robot}, every {self.period * 1e3:g} ms"
-        if not self.stable:
-            return "\n".join([f"{head}: no margins", *self.words()])
-        columns = f"{'broken at':<22}{'gain':>15}{'phase':>8}{'delay':>9}{'disk':>7}{'Ms':>7}{'Mt':>7}"
-        return "\n".join([head, columns, *(_row(m) for m in (*self.inputs, *self.outputs)), *self.words()])
+    def _judged(self) -> dict[str, Any]:
+        """What is said of the margins of a stable loop."""
+        nearest = {"distance": 1 / self.both().Ms, "frequency": self.nearest_at()}
+        return {"thinnest": asdict(self.thinnest), "reached": self.reached, "turns": self.turns(), "nearest": nearest}
 
 
 def instability(radius: float, period: float) -> str:
@@ -272,12 +272,6 @@ def _radius(loop: Loop, gains: Array) -> float:
     """The largest |pole| with these gains (2, 2) between the commands and the robot."""
     K = loop.controller
     return float(abs(Loop(loop.plant, LinearModel(K.A, K.B, gains @ K.C, gains @ K.D, K.dt)).poles()[0]))
-
-
-def _row(m: Margins) -> str:
-    gain = f"{m.gain_low:.2f} … {m.gain_high:.2f}"
-    phase = f"{math.degrees(m.phase):.0f}°"
-    return f"{m.channel:<22}{gain:>15}{phase:>8}{m.delay * 1e3:>6.1f} ms{m.disk:>7.2f}{m.Ms:>7.2f}{m.Mt:>7.2f}"
 
 
 def analyse(
@@ -322,10 +316,6 @@ def _at_input(loop: Loop, channel: str, delay: float, *, peaks: bool) -> Margins
     of a period changes what the robot answers near the Nyquist frequency, which e^{−jωτ} does not know."""
     result = margins(loop.at_input, INPUTS[channel], channel, peaks=peaks)
     return replace(result, delay=min(result.delay, delay)) if channel == "both motors" else result
-
-
-def _alone(channel: str) -> str:
-    return channel if channel == "both motors" else f"the {channel} alone"
 
 
 def loop_margins(loop: RobotLoop, *, peaks: bool = True, dead_time: float | None = None) -> tuple[Margins, ...]:

@@ -22,7 +22,6 @@ from upright.reports.page import Table as Table
 
 PAGES = {
     "Calibration": "calibration",
-    "Analysis": "analysis", "Designed": "analysis",
     "PostMortem": "postmortem", "Bench": "bench",
     "Tuned": "tuning", "Diagnosis": "diagnosed", "Parity": "checked",
     "LinearModel": "checked",
@@ -34,7 +33,7 @@ def report(result: Any, path: str | Path, *, title: str = "", command: str = "")
     """Write the page of a `result` as one self-contained HTML file, and return its path.
 
     `result` is what a verb returns: a comparison, a calibration, a validation, all identified models, an excitation
-    plan, a design or its analysis, a tuning, a certificate, a post-mortem, a fleet, a push map, a basin, a campaign, a
+    plan, a design, a tuning, a certificate, a post-mortem, a fleet, a push map, a basin, a campaign, a
     diagnosis, a parity or a linear model. `title` replaces the page's own; `command`, which made the result, stands at
     its foot. Raises `UprightError` for a result without a
     page, or where the file cannot be written.

@@ -1,0 +1,127 @@
+"""The page of a design: the robot let go, its margins, and the numbers that the controller was found by."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+from upright.certification.weights import Weight
+from upright.control.pid_angle_design import AngleDesign
+from upright.loops.analysis_page import analysis_page, place_of
+from upright.pages import Block, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
+from upright.tables import short
+
+Designed = Any  # these are those of `design.py`, which imports this file
+Release = Any
+
+NAMES = {
+    "pitch": Say("pitch"), "pitch_rate": Say("pitch rate"), "wheel": Say("wheel angle"),
+    "wheel_rate": Say("wheel rate"), "yaw": Say("yaw"), "yaw_rate": Say("yaw rate"), "gyro_bias": Say("gyro bias"),
+    "push": Say("push"), "integral": Say("integral of the wheel angle"),
+    "p": Say("p, on pitch"), "i": Say("i, on its integral"), "d": Say("d, on pitch rate"),
+    "filter_time": Say("filter time of d"), "motor": Say("against friction and back-EMF"),
+    "p_wheel": Say("p, on the wheel angle"), "d_wheel": Say("d, on the wheel rate"), "p_yaw": Say("p, on yaw"),
+    "d_yaw": Say("d, on yaw rate"), "command": Say("command of a motor"),
+    "disturbance": Say("disturbance at the command"), "encoder": Say("error of an encoder"),
+    "gyro": Say("error of the gyro"),
+}  # fmt: skip
+"""Name of a weight → what it is called; one of a plug-in keeps its name."""
+
+
+def design_page(designed: Designed) -> Page:
+    """The page of a designed controller."""
+    run: Release | None = designed.release
+    picture = _let_go(run) if run else None
+    controller = Fold(Say("The controller"), _controller(designed))
+    if not designed.analysis:
+        return Page(
+            Say("No linear margins are known: the certificate tries it by simulation"), picture=picture,
+            verdict=Verdict(Say("no margins known"), "unknown"), lead=[Say("Why: {reason}", reason=designed.remark)],
+            numbers=[_number(run)] if run else [], blocks=[controller],
+            next=[Next("certify", designed.method, robot=designed.robot.name)],
+        )  # fmt: skip
+    page = analysis_page(designed.analysis, picture)
+    stands = designed.analysis.stable or designed.analysis.free
+    if isinstance(designed.record, AngleDesign) and not designed.record.searched and stands:
+        file = f"{designed.method}.json"
+        why = Say("First save it: add `-o {file}` to this command.", file=file)
+        page = replace(page, next=[Next("certify", file, robot=designed.robot.name, why=why)])
+    words = [Items(designed.words)] if designed.words else []
+    page = replace(page, blocks=[*words, *page.blocks, controller], origin={**page.origin, "kit": designed.kit.name})
+    if run and stands:
+        page = replace(page, numbers=[*page.numbers[:2], _number(run)])
+    if run and run.fell is not None and stands:
+        assert picture
+        return replace(page, title=picture.claim, verdict=Verdict(Say("falls when let go"), "bad"))
+    return page
+
+
+def _lean(run: Release) -> Quantity:
+    return Quantity(run.lean, "rad")
+
+
+def _let_go(run: Release) -> Picture:
+    """Pitch and travel of the run."""
+    claim = Say("Let go at {lean}, it is upright again after {time} and rolls {travel}", lean=_lean(run),
+                time=Quantity(run.upright, "s", digits=2), travel=Quantity(run.travel, "m", digits=2))  # fmt: skip
+    if run.fell is not None:
+        claim = Say("Let go at {lean}, it falls after {time}", lean=_lean(run), time=Quantity(run.fell, "s", digits=2))
+    elif not math.isfinite(run.upright):
+        band = Quantity(run.band, "rad")
+        claim = Say("Let go at {lean}, it stands, but keeps swinging beyond ±{band}", lean=_lean(run), band=band)
+    return Picture(claim, run.plot, Say("Nonlinear model with the kit's noise, delay, dead zone and limits."))
+
+
+def _number(run: Release) -> KeyNumber:
+    if run.fell is not None:
+        return KeyNumber(Quantity(run.fell, "s", digits=2), Say("until it falls, let go at {lean}", lean=_lean(run)))
+    if not math.isfinite(run.upright):
+        return KeyNumber(Say("swings"), Say("let go at {lean}, beyond ±{band}", lean=_lean(run),
+                                            band=Quantity(run.band, "rad")))  # fmt: skip
+    return KeyNumber(
+        Quantity(run.upright, "s", digits=2), Say("until upright again, let go at {lean}", lean=_lean(run))
+    )
+
+
+def _controller(designed: Designed) -> list[Block]:
+    """What it reads and commands, and the numbers that it was found by."""
+    spec = designed.controller.spec
+    reads = [place_of(short(name)) for name in spec.reads]
+    blocks: list[Block] = [
+        Say("Every {period} it reads: {reads}.", period=Quantity(spec.period, "s"), reads=reads),
+    ]
+    if designed.weights:
+        blocks.append(_weights(designed.weights, spec.command_unit))
+    residual = designed.facts()["residual"]
+    if residual is not None:
+        blocks.append(Say("Residual of the equations that were solved: {size}", size=Quantity(residual, "1", digits=2)))
+    return blocks
+
+
+def _weights(weights: tuple[Weight, ...], unit: str) -> Table:
+    sizes = [None if w.size is None else Quantity(w.size, w.unit) for w in weights]
+    names = [_name(w.name) for w in weights]
+    if not any(w.gain for w in weights):
+        rows = [[name, size] for name, size in zip(names, sizes, strict=True)]
+        return Table([Column(Say("weight")), Column(Say("size"))], rows)
+    rows = [
+        [name, size, *(Quantity(gain, f"{unit}/{_whole(w.unit)}") for gain in w.gain)]
+        for name, size, w in zip(names, sizes, weights, strict=True)
+    ]
+    columns = [Column(Say("state")), Column(Say("costs 1 at")), Column(Say("left gain")), Column(Say("right gain"))]
+    return Table(columns, rows)
+
+
+def _name(name: str) -> Say | str:
+    """A state of the robot or the filter, or a command on its way, such as sent_2/left."""
+    if not name.startswith("sent_"):
+        return NAMES.get(name, name)
+    ago, side = name.removeprefix("sent_").split("/")
+    if side == "left":
+        return Say("left command {n} periods ago", n=int(ago))
+    return Say("right command {n} periods ago", n=int(ago))
+
+
+def _whole(unit: str) -> str:
+    return f"({unit})" if "/" in unit or " " in unit else unit
