@@ -17,7 +17,7 @@ from upright.reports.head import MOST, WIDTH, Head
 
 KNOCK = "--push impulse:0.1"
 QUICK = [
-    "linearise", "linearise --period 0.01", "doctor a.csv",
+    "doctor a.csv",
 ]  # fmt: skip
 """One of each kind of head: with a verdict, of either level, and without one; with and without what to run next."""
 

@@ -108,18 +108,15 @@ def test_a_table_keeps_the_names_of_its_rows() -> None:
     assert "<td>track</td><td>0,14</td>" in html
 
 
-def test_a_model_and_the_margins_of_a_loop_are_shown_in_spanish() -> None:
+def test_the_margins_of_a_loop_are_shown_in_spanish() -> None:
     """Every word but names: what both languages write alike stands in `same`."""
     loop = up.design("lqg", NXT, KIT).analysis
     assert loop
     both = loop.both()
     edges = [replace(both, **{name: v}) for name, v in (("gain_low", 0.0), ("gain_high", 1e4), ("delay", np.inf))]
     sentences = [*(m.words() for m in edges), replace(both, delay=0.0).words()]
-    model = up.linearise(NXT)
-    pairs = [(str(model), model._repr_html_())]
-    pairs += [(str(model.c2d(0.01)), model.c2d(0.01)._repr_html_())]
-    pairs += [(words, text_translated(words)) for words in sentences]
-    same = {"lqg", "nxtway", "motor", "robots", *re.findall("[a-z]+", " ".join([*model.states, *model.inputs]))}
+    pairs = [(words, text_translated(words)) for words in sentences]
+    same = {"lqg", "nxtway", "motor", "robots"}
     for english, spanish in pairs:
         kept = set(re.findall(r"[a-z]{3,}", english)) & set(re.findall(r"[a-z]{3,}", spanish)) - same
         assert not kept, spanish

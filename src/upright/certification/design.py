@@ -49,7 +49,8 @@ SECONDS = 8.0
 
 @dataclass(frozen=True, eq=False)
 class Release:
-    """The `log` of a run that starts at rest at a `lean` [rad], on wheels of this `radius` [m]; within a `band` [rad] it is upright."""
+    """The `log` of a run that starts at rest at a `lean` [rad], on wheels of this `radius` [m]; upright within a `band`
+    [rad]."""
 
     log: Log
     lean: float

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from upright.cli.options import JsonOption, ModelOutputOption, ReportOption, RobotOption, complete_model, vector
-from upright.cli.output import check_targets, finish, warn_of, write_page
+from upright.cli.output import check_targets, finish, warn_of
 from upright.errors import UnknownName
 
 DRIFT = 1e-9
@@ -52,11 +52,7 @@ def linearise(
     rates = zip(linear.states, linear.f0.tolist(), strict=True)
     drift = {name: rate for name, rate in rates if abs(rate) > DRIFT and name not in STEADY}
     linear = linear if period is None else linear.c2d(period)
-    from upright.reports.checked import linear_page
-
-    page = linear_page(linear, chosen)
-    write_page(page, report)
-    finish(linear, as_json, output=output, written=[report], paged=page)
+    finish(linear, as_json, output=output, page=report, text="")
     if drift and not as_json:
         rates = ", ".join(f"{name} {rate:+.4g}" for name, rate in drift.items())
         typer.echo(f"\nnot an equilibrium: the state drifts, per second: {rates}")

@@ -7,18 +7,23 @@ from collections.abc import Sequence
 from dataclasses import KW_ONLY, dataclass, field, replace
 from functools import lru_cache
 from importlib import import_module
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from upright.arrays import Array, Complex, read_only
 from upright.errors import InvalidModel, InvalidRobot, UprightError, require
+from upright.pages import Result
 from upright.physics.dynamics import CALM, MODELS, Disturbance, derivative
 from upright.robots import Robot, find_robot
 from upright.robots.robot import unusual
 from upright.signals import STATE_NAMES
-from upright.tables import Listing, Shown
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from upright.pages import Page
 
 FADING = 1 - 1e-5  # |pole| beyond which a memory counts as one that never fades: it would take 1000 s
 CONVERGED = 1e-10  # of the sum: a response that has faded so far adds less than `SPARE` from then on
@@ -52,13 +57,6 @@ def _identity(n: int) -> Array:
 def _numbered(letter: str, count: int) -> tuple[str, ...]:
     """x[0], x[1], … as python-control names them."""
     return tuple(f"{letter}[{i}]" for i in range(count))
-
-
-def _matrix(name: str, rows: Sequence[str], columns: Sequence[str], values: Array) -> Listing:
-    """A matrix under its labels; what arithmetic leaves of a zero is shown as zero."""
-    rounded = np.where(np.abs(values) < 1e-14 * np.abs(values).max(initial=0.0), 0.0, values)
-    body = [(row, *(f"{value:.6g}" for value in line)) for row, line in zip(rows, rounded.tolist(), strict=True)]
-    return Listing((name, *columns), body, columns)
 
 
 def poles_of(A: Array, *, continuous: bool) -> Complex:
@@ -97,7 +95,7 @@ def _growth(poles: Complex, *, continuous: bool) -> Array:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class LinearModel(Shown):
+class LinearModel(Result):
     """Deviations from (x0, u0): ẋ = f0 + A (x − x0) + B (u − u0) + E w, or x⁺ − x0 = … where `dt` is a period [s].
 
     A (n, n), B (n, m), E (n, k) for the named `disturbances`; y = C x + D u with C (p, n) and D (p, m), by default
@@ -154,19 +152,21 @@ class LinearModel(Shown):
         for name, labels in {"states": states, "inputs": inputs, "outputs": outputs}.items():
             object.__setattr__(self, name, tuple(labels))
 
-    def __str__(self) -> str:
-        law = "ẋ = A x + B u" if self.continuous else f"x⁺ = A x + B u, every {self.dt:g} s"
-        tables = (_matrix("A", self.states, self.states, self.A), _matrix("B", self.states, self.inputs, self.B))
-        poles = (f"  {p.real:12.6g}" + (f" {p.imag:+.6g}j" if p.imag else "") for p in self.poles())
-        return "\n\n".join([law, *map(str, tables), "\n".join(["poles", *poles])])
-
     def __repr__(self) -> str:
         kind = "continuous" if self.continuous else f"every {self.dt:g} s"
         return f"LinearModel({len(self.A)} states, {len(self.inputs)} inputs, {len(self.outputs)} outputs, {kind})"
 
-    def labels(self) -> tuple[str, ...]:
-        """Names of states and inputs."""
-        return *self.states, *self.inputs
+    def page(self) -> Page:
+        """The model for people."""
+        from upright.physics.linear_page import linear_page
+
+        return linear_page(self)
+
+    def plot(self) -> Figure:
+        """The poles in the plane."""
+        from upright.physics.linear_page import poles_picture
+
+        return poles_picture(self).draw()
 
     @classmethod
     def gain(cls, D: ArrayLike, dt: float = 0.0) -> LinearModel:
@@ -269,10 +269,11 @@ class LinearModel(Shown):
         return cls(*matrices, float(system.dt), states=names[0], inputs=names[1], outputs=names[2])
 
     def to_json(self) -> dict[str, Any]:
-        """Plain numbers, for JSON."""
+        """Plain numbers, for JSON, the poles with real and imaginary part."""
         return {name: getattr(self, name).tolist() for name in _ARRAYS} | {
             **{name: list(getattr(self, name)) for name in _NAMES},
             "dt": self.dt,
+            "poles": [[float(p.real), float(p.imag)] for p in self.poles()],
         }
 
     @classmethod

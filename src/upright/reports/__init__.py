@@ -23,8 +23,9 @@ from upright.reports.page import Table as Table
 PAGES = {
     "Calibration": "calibration",
     "PostMortem": "postmortem", "Bench": "bench",
-    "Tuned": "tuning", "Diagnosis": "diagnosed", "Parity": "checked",
-    "LinearModel": "checked",
+    "Tuned": "tuning",
+    "Diagnosis": "diagnosed",
+    "Parity": "checked",
 }  # fmt: skip
 """Class of a result → the file of this room that has its page."""
 
@@ -34,7 +35,7 @@ def report(result: Any, path: str | Path, *, title: str = "", command: str = "")
 
     `result` is what a verb returns: a comparison, a calibration, a validation, all identified models, an excitation
     plan, a design, a tuning, a certificate, a post-mortem, a fleet, a push map, a basin, a campaign, a
-    diagnosis, a parity or a linear model. `title` replaces the page's own; `command`, which made the result, stands at
+    diagnosis or a parity. `title` replaces the page's own; `command`, which made the result, stands at
     its foot. Raises `UprightError` for a result without a
     page, or where the file cannot be written.
     """

@@ -1,0 +1,176 @@
+"""The page of a `LinearModel`: whether it falls without a controller, how fast, and its matrices."""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections import Counter
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from upright.arrays import Array, Complex
+from upright.pages import Column, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
+from upright.pages.blocks import Cell
+from upright.signals.signal import STATE
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+LinearModel = Any  # that of `linear.py`, which imports this file
+
+SYMBOLS = {signal.name: signal.symbol for signal in STATE}
+TURNING = ("yaw", "yaw_rate")
+STILL = 1e-9  # [1/s, or 1 from z = 1] a pole nearer is at rest but for rounding
+
+
+def linear_page(model: LinearModel) -> Page:
+    """The page of a linear model."""
+    rates = growth(model)
+    rate = float(np.max(rates, initial=0.0))
+    unstable = int((rates > STILL).sum())
+    upright = set(model.states) <= set(SYMBOLS)
+    facts = [_pole(model)] if unstable else []
+    if unstable:
+        facts.append(KeyNumber(_doubled(rate), Say("in which a small deviation doubles")))
+    if still := int((np.abs(rates) <= STILL).sum()):
+        facts.append(KeyNumber(still, Say("poles that neither grow nor fade: what has rolled or turned stays there")))
+    law = Say("Linear near its operating point: ẋ = A x + B u.")
+    if not model.continuous:
+        law = Say("Linear near its operating point, every {period}: x⁺ = A x + B u.", period=Quantity(model.dt, "s"))
+    return Page(
+        _title(rate, unstable, upright),
+        verdict=Verdict(Say("unstable without control") if unstable else Say("no pole is unstable")),
+        lead=[law], numbers=facts, picture=poles_picture(model),
+        next=[Next("design", "lqg", why=Say("This method holds the robot."))] if upright and unstable else [],
+        blocks=[_poles(model), _matrices(model)],
+    )  # fmt: skip
+
+
+def growth(model: LinearModel) -> Array:
+    """The rate [1/s] at which the motion of each pole grows."""
+    poles: Complex = model.poles()
+    if model.continuous:
+        return poles.real
+    return np.log(np.maximum(np.abs(poles), np.finfo(float).tiny)) / model.dt
+
+
+def motions(model: LinearModel) -> list[Say | None]:
+    """What moves with each pole, where the model keeps turning and balancing apart."""
+    poles = model.poles().tolist()
+    turning = np.array([state in TURNING for state in model.states])
+    coupled = model.A[np.ix_(turning, ~turning)].any() or model.A[np.ix_(~turning, turning)].any()
+    if not turning.any() or turning.all() or coupled:
+        return [None] * len(poles)
+    left = list(np.linalg.eigvals(model.A[np.ix_(turning, turning)]))
+    names: list[Say | None] = []
+    for pole in poles:
+        near = min(left, key=lambda other, p=pole: abs(other - p), default=math.inf)
+        if abs(near - pole) < 1e-6 * (1 + abs(pole)):
+            left.remove(near)
+            names.append(Say("yaw"))
+        else:
+            rest = 0.0 if model.continuous else 1.0
+            names.append(Say("rolling") if abs(pole - rest) < STILL else Say("pitch and wheels"))
+    return names
+
+
+def _title(rate: float, unstable: int, upright: bool) -> Say:
+    if not unstable:
+        return Say("No pole is unstable: without a controller nothing grows")
+    if upright:
+        return Say("Without a controller the robot falls: a lean doubles every {time}", time=_doubled(rate))
+    return Say("Unstable: a small deviation doubles every {time}", time=_doubled(rate))
+
+
+def _doubled(rate: float) -> Quantity:
+    return Quantity(math.log(2) / rate, "s", digits=2)
+
+
+def _pole(model: LinearModel) -> KeyNumber:
+    pole = float(model.poles()[0].real)
+    if model.continuous:
+        return KeyNumber(Quantity(pole, "1/s"), Say("unstable pole: the rate at which a lean grows"))
+    return KeyNumber(Quantity(pole, "1", digits=4), Say("unstable pole: what a lean grows by each period"))
+
+
+def _matrices(model: LinearModel) -> Table:
+    """A and B side by side: a row for each rate of change, or next state."""
+    states = [SYMBOLS.get(name, name) for name in model.states]
+    heads = [Column(Say("x")), *(Column(Say("A: {name}", name=name), digits=4) for name in states)]
+    heads += [Column(Say("B: {name}", name=name), digits=4) for name in model.inputs]
+    values = np.hstack([model.A, model.B])
+    rounded = np.where(np.abs(values) < 1e-14 * np.abs(values).max(initial=0.0), 0.0, values)
+    caption = Say("ψ: pitch, θ: wheel angle, φ: yaw [rad]; with a dot: their rates [rad/s]")
+    rows = [[row, *line] for row, line in zip(states, rounded.tolist(), strict=True)]
+    return Table(heads, rows, caption if set(model.states) <= set(SYMBOLS) else None)
+
+
+def _poles(model: LinearModel) -> Table:
+    poles = model.poles()
+    unit = "1/s" if model.continuous else "1"
+    columns = [Column(Say("pole, real part"), unit, 6), Column(Say("motion"))]
+    rows: list[list[Cell]] = [[p.real, name] for p, name in zip(poles.tolist(), motions(model), strict=True)]
+    if poles.imag.any():
+        columns.insert(1, Column(Say("imaginary part"), unit, 6))
+        rows = [[real, p.imag, name] for p, (real, name) in zip(poles.tolist(), rows, strict=True)]
+    return Table(columns, rows)
+
+
+def poles_picture(model: LinearModel) -> Picture:
+    """The poles in the plane, and how many of them are unstable."""
+    unstable = int((growth(model) > STILL).sum())
+    of = len(model.A)
+    if model.continuous:
+        claim = Say("Right of the line, unstable: {n} of {of} poles", n=unstable, of=of)
+        return Picture(claim, functools.partial(_draw_continuous, model))
+    return Picture(Say("Outside of the circle, unstable: {n} of {of} poles", n=unstable, of=of),
+                   functools.partial(_draw_discrete, model))  # fmt: skip
+
+
+def _draw_discrete(model: LinearModel) -> Figure:
+    from upright.plotting import plane, points
+
+    figure, ax = plane(str(Say("real part [1]")), str(Say("imaginary part [1]")), circle=True)
+    points(ax, str(Say("poles")), model.poles().tolist())
+    return figure
+
+
+def _draw_continuous(model: LinearModel) -> Figure:
+    """Over a real axis that is logarithmic away from zero, so that fast poles do not hide the slow ones."""
+    from upright.plotting import AXIS, COLOURS, PANEL, numbered, panels
+
+    poles: Complex = model.poles()
+    real = not poles.imag.any()
+    figure, (ax,) = panels(
+        [str(Say("imaginary part [1/s]"))], str(Say("real part [1/s], in powers of ten on both sides of zero")),
+        height=0.9 if real else PANEL,
+    )  # fmt: skip
+    high = 1.5 * (float(np.abs(poles.imag).max(initial=0.0)) or 1.0)
+    reach = max(10.0, 3 * float(np.abs(poles.real).max(initial=0.0)))
+    ax.set(xscale="symlog", xlim=(-1.5 * reach, reach), ylim=(-high, high))
+    numbered(ax.xaxis)
+    ax.axvline(0, color=AXIS, linewidth=1)
+    if real:
+        ax.set_yticks([0], ["0"])
+    colours = [COLOURS[4] if abs(p.real) <= STILL else COLOURS[1 if p.real > 0 else 0] for p in poles.tolist()]
+    ax.scatter(poles.real, poles.imag, 80, colours, "x", linewidths=2.2, zorder=3)
+    for place, (text, pole) in enumerate(_labels(model)):
+        beside = 6 if pole.real == 0 else 0  # not over the line
+        offset = (beside, -22 if place % 2 else 9)  # neighbours do not overlap
+        ha = "left" if beside else "center"
+        ax.annotate(text, (pole.real, pole.imag), offset, textcoords="offset points", ha=ha)
+    return figure
+
+
+def _labels(model: LinearModel) -> list[tuple[str, complex]]:
+    """The real part of each pole, once where several are equal, from left to right."""
+    from upright.plotting import number
+
+    several = Counter(complex(round(p.real, 6), round(p.imag, 6)) for p in model.poles().tolist())
+    texts: list[tuple[str, complex]] = []
+    for pole in sorted(several, key=lambda p: p.real):
+        count = several[pole]
+        times = Say("{pole} ({n} poles)", pole=number(pole.real, 3), n=count)
+        texts.append((str(times) if count > 1 else number(pole.real, 3), pole))
+    return texts
