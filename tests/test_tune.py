@@ -28,11 +28,11 @@ from upright.reports import report
 from upright.robots import Robot, Sensor, find_kit
 from upright.robots.uncertainty import draw
 from upright.tuning import tune as room
-from upright.tuning.figures import WATCHED, Figures, knock, losses, slack
+from upright.tuning.figures import MEASURES, WATCHED, Figures, knock, slack
 from upright.tuning.parallel import working
 from upright.tuning.score import NONE, CandidateScore, Scorer, modulus_and_delay, row_of, score_from
 from upright.tuning.search import SearchRecord, search
-from upright.tuning.tune import CHOSEN, JUDGED, SEARCHED, tune
+from upright.tuning.tune import CHOSEN, JUDGED, SEARCHED, Point, Tuned, tune
 
 pytestmark = pytest.mark.needs("module:cma")
 
@@ -208,14 +208,14 @@ def test_worse_names_what_is(changes: dict[str, Any], worse: list[str]) -> None:
     ("before", "after", "lost"),
     [
         ({}, {"settling": 1.01}, []),  # within 2 %
-        ({}, {"settling": 1.5}, ["settling [s] 1 → 1.5"]),
-        ({}, {"effort": 12.0, "sway": 0.02}, ["effort 9 → 12", "sway [rad] 0.01 → 0.02"]),
-        ({}, {"travel": 0.6, "saturated": 0.2}, ["saturated [%] 10 → 20", "travel [m] 0.5 → 0.6"]),
+        ({}, {"settling": 1.5}, ["settling"]),
+        ({}, {"effort": 12.0, "sway": 0.02}, ["effort", "sway"]),
+        ({}, {"travel": 0.6, "saturated": 0.2}, ["saturated", "travel"]),
         # the rule goes by the least margin, which is that of motors that are stronger
         ({"linear": LinearMargins(0.99, 0.6, 1.2, 0.01)}, {"linear": LinearMargins(0.99, 0.75, 1.25, 0.01)},
-         ["motors may weaken by [%] 40 → 25"]),
+         ["weaker"]),
         ({"linear": LinearMargins(0.99, 0.9, 1.9, 0.01)}, {"linear": LinearMargins(0.99, 0.8, 1.3, 0.01)},
-         ["motors may strengthen by [%] 90 → 30"]),
+         ["stronger"]),
         ({"linear": LinearMargins(0.99, 0.9, 1.2, 0.01)}, {"linear": LinearMargins(0.99, 0.8, 1.3, 0.01)}, []),
     ],
 )  # fmt: skip
@@ -223,7 +223,26 @@ def test_what_is_worse_although_the_rule_does_not_compare_it_is_named(
     before: dict[str, Any], after: dict[str, Any], lost: list[str]
 ) -> None:
     assert not some(**after).worse(some(**before))
-    assert losses(some(**before), some(**after)) == lost
+    assert [m.name for m in MEASURES if m.change(some(**before), some(**after)) == "paid"] == lost
+
+
+def test_what_is_refused_is_told_in_numbers() -> None:
+    """25 of 1000 fell where 18 did under the default: the page had said "worse in falls", without either."""
+    default, refused = some(fell=18), some(fell=25, effort=6.0)
+    tuned = Tuned(
+        method="lqg", robot="nxtway-gs", kit="nxt", seed=0, budget=2, evaluated=2, controller=lqg(NXT, KIT),
+        defaults={"pitch": 0.15}, weights={"pitch": 0.15}, default=default, chosen=default,
+        front=(Point({"pitch": 0.15}, default), Point({"pitch": 0.1}, refused)), picked=0, refused=refused,
+    )  # fmt: skip
+    page = tuned.page()
+    assert [str(fact) for fact in page.title.facts["worse"]] == ["falls"]
+    assert [str(page.numbers[0].value), *map(str, page.numbers[0].meaning.facts.values())][::2] == [
+        "25 of 1000", "18 of 1000"
+    ]  # fmt: skip
+    told = tuned.to_json()
+    assert (told["changes"]["falls"], told["changes"]["effort"], told["changes"]["knock"]) == ("paid", "won", "")
+    assert told["refused"]["fell"] == 25
+    assert len(tuned.plot().axes[0].patches) == len(MEASURES)
 
 
 def test_modulus_and_delay_are_those_of_the_analysis() -> None:
@@ -306,7 +325,8 @@ def test_an_interrupted_tuning_goes_on_to_the_same_bytes(tmp_path: Path) -> None
     path = whole.save(tmp_path / "tuned.json")
     assert controller_hash(read_controller(path)) == controller_hash(whole.controller) == whole.to_json()["hash"]
     page = report(whole, tmp_path / "tune.html").read_text("utf-8")
-    assert "Beside the default" in page
+    assert "Weights" in page
+    assert whole.to_json()["changes"].keys() == {m.name for m in MEASURES}
 
 
 @pytest.mark.parametrize(

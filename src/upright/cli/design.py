@@ -89,4 +89,4 @@ def bench_controllers(
     check_targets(output, report)
     with progress("simulating") as show:
         result = bench(robot, kit, body, seed=seed, methods=controller or (), progress=show)
-    finish(result, as_json, output=output, page=report, text=result.left_out and f"left out: {result.left_out}")
+    finish(result, as_json, output=output, page=report, text="")

@@ -106,7 +106,7 @@ CARRIED = ("robot", "kit", "controller", "mapping", "posterior")
 
 def _continued(page: NewPage) -> NewPage:
     """The page whose next commands are for the robot, the kit and the files that were typed."""
-    typed = {name: value for name, value in GIVEN.get().items() if name in CARRIED}
+    typed = {name: value for name, value in GIVEN.get().items() if name in CARRIED and not isinstance(value, list)}
     return replace(page, next=[_for_typed(step, typed) for step in page.next])
 
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
 from upright.arrays import Array, Mask
+from upright.atomic import finite
 from upright.bodies import Body, equipped
 from upright.certification.checks import TrialSetup, kernel_controller, watched
 from upright.comparison.comparison import compare
@@ -17,15 +18,20 @@ from upright.control import CONTROLLERS, Controller, make_controller
 from upright.errors import DesignFailed, UprightError
 from upright.experiment import Hold, Impulse, outcome_of, run
 from upright.firmware.balance import trace
+from upright.firmware.targets import computing_time
 from upright.fleets.push_map import CEILING, FLOOR, largest
+from upright.pages import Result, Say
 from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot
+from upright.robots.drives import EFFORT_UNITS
 from upright.robots.uncertainty import draw
 from upright.signals import Log
-from upright.tables import Listing, Shown, in_degrees
+from upright.tables import in_degrees
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+    from upright.pages import Page
 
 
 PUSHES = {"front": 0.1, "back": -0.12}
@@ -50,7 +56,7 @@ class BenchRow:
     stands `WATCHED` later, to `TOLERANCE`.
     `spread` is the fraction of `DRAWN` robots over the spreads of this one's sources that fall under the same push, in
     the nonlinear model; only of linear controllers. `products` counts multiplications and divisions of its program in
-    a period; None where there is no program of it.
+    a period; None where there is no program of it. It `fell` at that time [s].
     """
 
     controller: str
@@ -64,24 +70,24 @@ class BenchRow:
     impulse: float | None = None
     spread: float | None = None
     products: int | None = None
+    fell: float | None = None
 
     @property
     def holds(self) -> bool:
         return self.outcome == "yes"
 
 
-COLUMNS = {
-    "controller": "controller", "push": "push", "peak [rad]": "peak", "settles [s]": "settling",
-    "travel [rad]": "travel", "effort": "effort", "saturated": "saturated", "impulse [N s]": "impulse",
-    "falls of 200": "spread", "outcome": "outcome",
-}  # fmt: skip
-"""Column of the table → field of a row."""
+BRICKS = {"nxt": ("nxc", "NXT"), "spike": ("pybricks", "SPIKE hub")}
+"""Kit → the target of its firmware whose time for a product is known, and the name of its brick."""
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Bench(Shown):
+class Bench(Result):
     """All controllers of one robot under the same pushes; `logs` are the runs by controller and push, and `period` [s]
     is the kit's. `left_out` says which methods need an extra that is not installed."""
+
+    tolerance: ClassVar[float] = TOLERANCE
+    drawn: ClassVar[int] = DRAWN
 
     robot: str
     kit: str
@@ -92,19 +98,13 @@ class Bench(Shown):
     period: float = math.nan
     left_out: str = ""
 
-    def listing(self) -> Listing:
-        """One row for each controller and push."""
-        rows = [[_cell(name, getattr(row, name)) for name in COLUMNS.values()] for row in self.rows]
-        return Listing(list(COLUMNS), rows, list(COLUMNS)[2:9])
-
-    def __str__(self) -> str:
-        return str(self.listing())
-
     def to_json(self) -> dict[str, Any]:
         """Plain numbers, without the logs."""
         where = {"robot": self.robot, "kit": self.kit, "body": self.body, "seed": self.seed}
         where |= {"left_out": self.left_out} if self.left_out else {}
-        return where | {"rows": [asdict(row) for row in self.rows]}
+        rows = [asdict(row) | {"rest": finite(self.rest(row.push).get(row.controller, math.nan))} for row in self.rows]
+        times = {name: self.computing_time(name) for name in self.ranked()}
+        return where | {"rows": rows, "take": self.take, "places": self.places(), "computing_time": times}
 
     def ranked(self) -> dict[str, float]:
         """Controllers by the largest impulse [N s] that they survive from the worse side; NaN where there is none."""
@@ -126,17 +126,68 @@ class Bench(Shown):
             places[name] = place
         return places
 
-    def plot(self) -> Figure:
-        """The largest impulse that each controller survives, the best first, in the order of their `places`; the first
-        place is green."""
-        from upright.plotting import COLOURS, bars
+    @property
+    def held(self) -> list[str]:
+        """The controllers that hold the robot through both pushes, the best first."""
+        return [name for name in self.ranked() if all(row.holds for row in self.rows if row.controller == name)]
 
-        ranked, places = self.ranked(), self.places()
-        names = [f"{place}. {name}" for name, place in places.items()]
-        x_label = "largest impulse survived [N s]"
-        figure = bars(names, list(ranked.values()), x_label, "controller", digits=3)
-        for bar, place in zip(figure.axes[0].patches, places.values(), strict=True):
-            bar.set_color(COLOURS[0] if place > 1 else COLOURS[2])
+    @property
+    def quick(self) -> list[str]:
+        """Those whose program is not known to take longer than a period."""
+        return [name for name in self.ranked() if not (self.computing_time(name) or 0.0) > self.period]
+
+    @property
+    def tied(self) -> list[str]:
+        """Of those that hold the robot and are quick the ones whose knocks are within `TOLERANCE` of the largest."""
+        sizes = {name: size for name, size in self.ranked().items() if name in self.held and name in self.quick}
+        return [name for name, size in sizes.items() if size >= (1 - TOLERANCE) * max(sizes.values())]
+
+    @property
+    def take(self) -> str:
+        """Of the `tied` ones that which needs the least effort; "" where there is none."""
+        return min(self.tied, key=lambda name: self.worse(name, "effort") or 0.0, default="")
+
+    def worse(self, controller: str, figure: str) -> float | None:
+        """A number of a row of this controller, under the push where it is larger; None where it is not known."""
+        values = (getattr(row, figure) for row in self.rows if row.controller == controller)
+        return max((value for value in values if value is not None), default=None)
+
+    def computing_time(self, controller: str) -> float | None:
+        """What a period of its program takes on the kit's brick [s], by its products; None where that is not known."""
+        products = self.worse(controller, "products")
+        return computing_time(int(products), BRICKS[self.kit][0]) if products and self.kit in BRICKS else None
+
+    def rest(self, push: str) -> dict[str, float]:
+        """How long after the release each controller's pitch comes to rest [s], as a comparison judges it; NaN where it
+        never does."""
+        logs = {name: log for (name, under), log in self.logs.items() if under == push}
+        if not logs:
+            return {}
+        comparison = compare(logs)
+        return {name: comparison.at_rest(label)[0] for name, label in zip(logs, comparison.logs, strict=True)}
+
+    @property
+    def effort_unit(self) -> str:
+        """As the motors are commanded: in volts, or by torque."""
+        units = {log.unit("command/left") for log in self.logs.values() if "command/left" in log}
+        return EFFORT_UNITS[units.pop()] if len(units) == 1 else EFFORT_UNITS["V"]
+
+    def page(self) -> Page:
+        """The bench for people."""
+        from upright.comparison.bench_page import bench_page
+
+        return bench_page(self)
+
+    def plot(self) -> Figure:
+        """The largest impulse that each controller survives, the best first, in the order of their `places`; green is
+        that to `take`, grey what is too slow for the brick."""
+        from upright.plotting import AXIS, COLOURS, bars
+
+        names = [f"{place}. {name}" for name, place in self.places().items()]
+        label = str(Say("largest impulse survived [N s]"))
+        figure = bars(names, list(self.ranked().values()), label, str(Say("controller")), digits=3)
+        for bar, name in zip(figure.axes[0].patches, self.ranked(), strict=True):
+            bar.set_color(COLOURS[2] if name == self.take else COLOURS[0] if name in self.quick else AXIS)
         return figure
 
     def plot_responses(self, *controllers: str) -> Figure:
@@ -145,7 +196,8 @@ class Bench(Shown):
         from upright.plotting import legend, line, panels, span
 
         pushes = list(dict.fromkeys(push for _, push in self.logs))
-        figure, axes = panels([f"pitch, {in_degrees(push)} of lean [°]" for push in pushes])
+        labels = [str(Say("pitch, {push} of lean [°]", push=in_degrees(push))) for push in pushes]
+        figure, axes = panels(labels, str(Say("time [s]")))
         order = controllers or tuple(dict.fromkeys(name for name, _ in self.logs))
         most = 0.0
         for controller, push in ((c, p) for c in order for p in pushes if (c, p) in self.logs):
@@ -155,7 +207,7 @@ class Bench(Shown):
         limit = math.degrees(min(RANGE, 1.15 * most or RANGE))
         for ax in axes:
             ax.set_ylim(-limit, limit)
-        span(axes, 0.0, UNTIL, "push acts")
+        span(axes, 0.0, UNTIL, str(Say("push acts")))
         return legend(figure)
 
 
@@ -234,7 +286,7 @@ def bench_one(
     numbers = {n: measured[names.get(n, n)] for n in ("peak", "settling", "travel", "effort", "saturated")}
     row = BenchRow(
         controller=method, push=push, outcome=outcome, **numbers, impulse=impulse, spread=spread,
-        products=_products(controller, robot, kit),
+        products=_products(controller, robot, kit), fell=end.seconds if end.fell else None,
     )  # fmt: skip
     return row, log
 
@@ -292,9 +344,3 @@ def _spread(setup: TrialSetup, side: str) -> float | None:
     if setup.controller.called:
         return None
     return float(watched(setup, Hold(pitch=PUSHES[side], until=UNTIL), 0, ()).fell.mean())
-
-
-def _cell(name: str, value: Any) -> str:
-    if isinstance(value, float):
-        return f"{value:.1%}" if name == "spread" else f"{value:.3g}"
-    return "–" if value is None else str(value)

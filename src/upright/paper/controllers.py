@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from upright import pages
 from upright.comparison.bench import bench_controllers
+from upright.comparison.bench_page import push_table, responses
+from upright.pages.cells import columns_of
 from upright.paper.claim import BEYOND, Claim
 from upright.progress import Progress, unwatched
-from upright.reports.bench import responses, tables
+from upright.reports import Figure, Table
 from upright.robots import Kit, Robot
 
 METHODS = ("lqr", "lqi", "lqg", "pid", "hinf", "mpc", "sliding")
@@ -24,5 +27,14 @@ def chapter(robot: Robot, kit: Kit, progress: Progress = unwatched) -> Claim:
         f"{f'{least} travels least, {travels[least]:.2g} rad of wheel at most.' if least else ''}"
     )
     numbers = {"rows": bench.to_json()["rows"]}
-    items = [responses(bench), *tables(bench)]
+    drawn = responses(bench)
+    tables = [push_table(bench, push) for push in dict.fromkeys(row.push for row in rows)]
+    items = [Figure(str(drawn.claim), drawn.draw()), *map(_table, tables)]
     return Claim("6", "Every controller under the same pushes", BEYOND, summary, numbers, items)
+
+
+def _table(table: pages.Table) -> Table:
+    """The table for this chapter's page: its cells as texts."""
+    names, cells = zip(*columns_of(table), strict=True)
+    rows = [[text.text for text in row] for row in zip(*cells, strict=True)]
+    return Table(names, rows, str(table.caption))

@@ -22,8 +22,7 @@ from upright.reports.page import Table as Table
 
 PAGES = {
     "Calibration": "calibration",
-    "PostMortem": "postmortem", "Bench": "bench",
-    "Tuned": "tuning",
+    "PostMortem": "postmortem",
     "Diagnosis": "diagnosed",
     "Parity": "checked",
 }  # fmt: skip
@@ -34,7 +33,7 @@ def report(result: Any, path: str | Path, *, title: str = "", command: str = "")
     """Write the page of a `result` as one self-contained HTML file, and return its path.
 
     `result` is what a verb returns: a comparison, a calibration, a validation, all identified models, an excitation
-    plan, a design, a tuning, a certificate, a post-mortem, a fleet, a push map, a basin, a campaign, a
+    plan, a certificate, a post-mortem, a fleet, a push map, a basin, a campaign, a
     diagnosis or a parity. `title` replaces the page's own; `command`, which made the result, stands at
     its foot. Raises `UprightError` for a result without a
     page, or where the file cannot be written.

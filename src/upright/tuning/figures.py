@@ -174,25 +174,37 @@ class Figures:
         return asdict(self) | {"linear": linear, "reasons": list(self.reasons)}
 
 
-def losses(default: Figures, chosen: Figures) -> list[str]:
-    """What is worse by over `ALIKE` of that which the rule does not compare, from the default's to the chosen one's."""
-    inf = math.inf
-    sizes: dict[str, tuple[Callable[[Figures], float], int]] = {
-        "motors may weaken by [%]": (lambda f: 100 - 100 * f.linear.gain_low if f.linear else inf, -1),
-        "motors may strengthen by [%]": (lambda f: 100 * f.linear.gain_high - 100 if f.linear else inf, -1),
-        "settling [s]": (lambda f: f.settling, 1),
-        "effort": (lambda f: f.effort, 1),
-        "saturated [%]": (lambda f: 100 * f.saturated, 1),
-        "travel [m]": (lambda f: f.travel, 1),
-        "sway [rad]": (lambda f: f.sway, 1),
-    }
-    paid: list[str] = []
-    for name, (size, way) in sizes.items():
-        before = size(default)
-        after = size(chosen)
-        if way * (after - before) > ALIKE * abs(before):
-            paid.append(f"{name} {before:.3g} → {after:.3g}")
-    return paid
+@dataclass(frozen=True)
+class Measure:
+    """A figure by `name` with its SI `unit`; `way` is 1 where less of it is better, −1 where more is."""
+
+    name: str
+    unit: str
+    way: int
+    of: Callable[[Figures], float]
+
+    def change(self, before: Figures, after: Figures) -> str:
+        """Whether it is "won" or "paid" by more than `ALIKE`, counted falls by any; else ""."""
+        old = self.of(before)
+        new = self.of(after)
+        if old == new or abs(new - old) <= (0.0 if self.name == "falls" else ALIKE * abs(old)):
+            return ""
+        return "paid" if self.way * (new - old) > 0 else "won"
+
+
+MEASURES = (
+    Measure("falls", "fraction", 1, lambda f: f.falls),
+    Measure("knock", "N s", -1, lambda f: f.knock),
+    Measure("delay", "s", -1, lambda f: f.delay),
+    Measure("stronger", "fraction", -1, lambda f: f.linear.gain_high - 1 if f.linear else math.inf),
+    Measure("weaker", "fraction", -1, lambda f: 1 - f.linear.gain_low if f.linear else math.inf),
+    Measure("settling", "s", 1, lambda f: f.settling),
+    Measure("effort", "1", 1, lambda f: f.effort),
+    Measure("saturated", "fraction", 1, lambda f: f.saturated),
+    Measure("travel", "m", 1, lambda f: f.travel),
+    Measure("sway", "rad", 1, lambda f: f.sway),
+)
+"""What is told of a controller beside another one; the first four, with the smaller gain margin, are the rule's."""
 
 
 def figures(

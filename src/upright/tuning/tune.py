@@ -23,17 +23,19 @@ from upright.control.identity import request_hash
 from upright.control.methods import Method
 from upright.control.tunable import UNITS
 from upright.errors import InvalidController, InvalidScenario, check_within, require
+from upright.pages import Result
 from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import draw
-from upright.tables import Listing, Shown
-from upright.tuning.figures import ALIKE, Figures, figures, hardest, losses
+from upright.tuning.figures import ALIKE, MEASURES, Figures, figures, hardest
 from upright.tuning.parallel import working
 from upright.tuning.score import CandidateScore, Scorer
 from upright.tuning.search import Candidate, SearchRecord, search
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+    from upright.pages import Page
 
 SEARCHED, CHOSEN, JUDGED = (k * 2**61 for k in (1, 2, 3))
 """Added to the seed: the robots and the noise of the search, of the rule, and of the figures that are shown."""
@@ -45,11 +47,6 @@ BUDGET = 400
 MOST_BUDGET, MOST_SAMPLES = 100_000, 100_000
 FINALISTS = 10  # whose margins and falls are measured as a certificate does, which takes a second or two each
 
-RULE = (
-    "A candidate may have no more falls than the default, no knock smaller by over 2 %, and no smaller margin. "
-    "Of these the best light counts, then the fewest falls, then the largest knock, then the least effort."
-)
-COVERED = "It has no more falls, no smaller knock (but for 2 %), and no smaller least margin of gain and of delay."
 LIGHTS = (GREEN, AMBER, RED)
 
 
@@ -62,12 +59,13 @@ class Point:
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Tuned(Shown):
+class Tuned(Result):
     """The `controller` of `method` that the rule picks for `robot` with `kit`, and its `weights`.
 
     `default` and `chosen` are figures on `JUDGED` robots. The `front` are the candidates that no other one beats in
-    falls, knock, effort and margins, on the robots of the rule, the default first. `kept` says why the default stays,
-    and is empty where it does not. `evaluated` candidates of at most `budget` were tried.
+    falls, knock, effort and margins, on the robots of the rule, the default first. Where the default stays although the
+    rule picked another one, `refused` are that one's figures on `JUDGED` robots, where it was worse. `evaluated`
+    candidates of at most `budget` were tried.
     """
 
     method: str
@@ -83,7 +81,12 @@ class Tuned(Shown):
     chosen: Figures
     front: tuple[Point, ...]
     picked: int
-    kept: str = ""
+    refused: Figures | None = None
+
+    @property
+    def kept(self) -> bool:
+        """Whether the default stays."""
+        return self.picked == 0
 
     def save(self, path: str | Path) -> Path:
         """Write the controller as JSON, as every command takes it. Returns the path."""
@@ -98,90 +101,43 @@ class Tuned(Shown):
             *(["the default is kept, but its weights are not"] if self.kept and changed else []),
         )
 
-    def plot(self) -> Figure:
-        """The front: falls and gain margin [%] over the largest knock [N s], the default and the chosen one marked."""
-        from upright.plotting import legend, panels, points
+    def called(self, number: int) -> str:
+        """The name of a candidate of the front, but for the default: a letter."""
+        return chr(ord("A") + number - 1)
 
-        figure, axes = panels(["robots that fall [%]", "gain margin [%]"], "largest knock survived [N s]")
-        marked = {"default": 0} | ({} if self.kept else {"chosen": self.picked})
-        every = [point.figures for point in self.front]
-        for ax, heights in zip(axes, ([f.falls for f in every], [f.gain for f in every]), strict=True):
-            places = [complex(f.knock, 100 * height) for f, height in zip(every, heights, strict=True)]
-            points(ax, "others of the front", [z for i, z in enumerate(places) if i not in marked.values()], 4, 4.0)
-            for style, (name, i) in enumerate(marked.items()):
-                points(ax, name, [places[i]], 1 + style, 9.0)
-            ax.set(xlim=(0, 1.1 * max(f.knock for f in every) or 1.0), ylim=(0, 115 * max(heights) or 1.0))
-        return legend(figure)
+    @property
+    def tried(self) -> Figures:
+        """The figures that stand beside the default's: of the refused candidate, or of the chosen one."""
+        return self.refused or self.chosen
+
+    def plot(self) -> Figure:
+        """By how much each figure of the chosen or refused weights differs from the default's [%]."""
+        from upright.tuning.tune_page import draw_changes
+
+        return draw_changes(self.default, self.tried)
+
+    def page(self) -> Page:
+        """The tuning for people."""
+        from upright.tuning.tune_page import tune_page
+
+        return tune_page(self)
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is unlimited."""
-        front = [{"weights": dict(p.weights), "figures": p.figures.to_json()} for p in self.front]
+        default = self.front[0].figures
+        front = [
+            {"weights": dict(p.weights), "figures": p.figures.to_json(), "worse": p.figures.worse(default)}
+            for p in self.front
+        ]
         return {
             "method": self.method, "robot": self.robot, "kit": self.kit, "seed": self.seed, "budget": self.budget,
-            "evaluated": self.evaluated, "rule": RULE, "kept": self.kept, "defaults": dict(self.defaults),
+            "evaluated": self.evaluated, "kept": self.kept, "defaults": dict(self.defaults),
             "weights": dict(self.weights), "units": {name: UNITS.get(name, "1") for name in self.weights},
             "default": self.default.to_json(), "chosen": self.chosen.to_json(), "front": front,
+            "refused": self.refused.to_json() if self.refused else None,
+            "changes": {m.name: m.change(self.default, self.tried) for m in MEASURES},
             "picked": self.picked, "hash": controller_hash(self.controller),
         }  # fmt: skip
-
-    def words(self) -> str:
-        """The result in one sentence."""
-        if self.kept:
-            return f"The default weights of {self.method} stay: {self.kept}."
-        gained = " and ".join(gains(self.default, self.chosen))
-        paid = ", ".join(losses(self.default, self.chosen))
-        rest = f" Not compared, and worse: {paid}." if paid else ""
-        return f"{self.method} tuned for {self.robot}: {gained}. {COVERED}{rest}"
-
-    def listing(self) -> Listing:
-        """Default and chosen one side by side."""
-        rows = [(name, *cells) for name, *cells in compared(self.default, self.chosen)]
-        weights = [
-            (f"{name} [{UNITS.get(name, '1')}]", f"{self.defaults[name]:.4g}", f"{self.weights[name]:.4g}")
-            for name in self.weights
-        ]
-        return Listing(("", "default", "chosen"), [*rows, *weights], ("default", "chosen"))
-
-    def __str__(self) -> str:
-        head = (
-            f"{self.evaluated} candidates, seed {self.seed}; figures on {self.chosen.samples} robots that no search saw"
-        )
-        return "\n".join([self.words(), head, "", str(self.listing()), "", f"rule: {RULE}"])
-
-
-def gains(default: Figures, chosen: Figures) -> list[str]:
-    """What is better by the rule, each as part of a sentence: falls and the largest knock, or else the effort."""
-    gained: list[str] = []
-    if chosen.fell < default.fell:
-        gained.append(f"{_per_cent(chosen)} of the robots fall instead of {_per_cent(default)}")
-    if chosen.knock > (1 + ALIKE) * default.knock:
-        gained.append(f"a knock of {chosen.knock:.3g} N s is survived instead of {default.knock:.3g}")
-    return gained or [f"the effort is {chosen.effort:.3g} instead of {default.effort:.3g}"]
-
-
-def compared(default: Figures, chosen: Figures) -> list[tuple[str, str, str]]:
-    """Each figure by its name and unit, of both."""
-    forms: list[tuple[str, Callable[[Figures], str]]] = [
-        ("light", lambda f: f.light),
-        ("fell", lambda f: f"{f.fell}/{f.samples}"),
-        ("largest knock [N s]", lambda f: f"{f.knock:.3g}"),
-        ("gain margin [1]", _gain),
-        ("delay margin [ms]", lambda f: f"{1e3 * f.delay:.3g}" if math.isfinite(f.delay) else "–"),
-        ("settling [s]", lambda f: f"{f.settling:.3g}"),
-        ("effort", lambda f: f"{f.effort:.3g}"),
-        ("saturated [%]", lambda f: f"{100 * f.saturated:.3g}"),
-        ("travel [m]", lambda f: f"{f.travel:.3g}"),
-        ("sway [rad]", lambda f: f"{f.sway:.2g}"),
-    ]  # fmt: skip
-    return [(name, form(default), form(chosen)) for name, form in forms]
-
-
-def _gain(f: Figures) -> str:
-    return "–" if f.linear is None else f"{f.linear.gain_low:.3g} to {f.linear.gain_high:.3g}"
-
-
-def _per_cent(f: Figures) -> str:
-    return f"{100 * f.falls:.3g} %"
 
 
 def tune(
@@ -198,7 +154,10 @@ def tune(
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> Tuned:
-    """The weights of `method` for `robot` with `kit` (None: its own) that `RULE` picks of `budget` candidates.
+    """The weights of `method` for `robot` with `kit` (None: its own) that the rule picks of `budget` candidates.
+
+    By the rule a candidate may have no more falls than the default, no knock smaller by over `ALIKE`, and no smaller
+    margin; of these the best light counts, then the fewest falls, the largest knock, the least effort.
 
     The search is by CMA-ES, on falls, knock, settling, effort and margins of a fleet drawn from the robot's spreads; it
     ends early after `seconds` (None: never), and is otherwise the same for the same `seed`. Default and chosen
@@ -370,15 +329,14 @@ def _result(task: _Task, points: Sequence[Point], evaluated: int, budget: int, s
     judged = task.points(both, samples, JUDGED)
     base = judged[0].figures
     best = judged[-1].figures
-    kept = "" if picked is not default else "no candidate was better and nowhere worse"
-    if worse := best.worse(base):
-        kept = f"on robots that the search never saw, the weights that it found are worse in {' and '.join(worse)}"
-        best = base
+    refused = best if best.worse(base) else None
+    kept = picked is default or refused is not None
     weights = default.weights if kept else picked.weights
     return Tuned(
         method=task.method.name, robot=task.robot.name, kit=task.kit.name, seed=task.seed, budget=budget,
         evaluated=evaluated, controller=task.controller(weights), defaults=task.defaults, weights=weights,
-        default=base, chosen=best, front=tuple(front), picked=0 if kept else front.index(picked), kept=kept,
+        default=base, chosen=base if kept else best, front=tuple(front), picked=0 if kept else front.index(picked),
+        refused=refused,
     )  # fmt: skip
 
 

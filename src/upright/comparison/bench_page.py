@@ -1,0 +1,132 @@
+"""The page of a `Bench`: which controller to take, by the knock that it survives, its falls and its time on a brick."""
+
+from __future__ import annotations
+
+import functools
+import math
+from typing import Any
+
+from upright.fleets.binomial import upper_bound
+from upright.pages import Block, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
+from upright.pages.blocks import Cell
+from upright.tables import in_degrees
+
+Bench = Any  # these are those of `bench.py`, which imports this file
+BenchRow = Any
+
+FEW = 4  # curves that can be told apart in one panel
+
+
+def bench_page(bench: Bench) -> Page:
+    """The page of a bench."""
+    ranked: dict[str, float] = bench.ranked()
+    knocked = any(not math.isnan(size) for size in ranked.values())
+    take = bench.take if knocked else ""
+    held = Say("{n} of {m} hold the robot", n=len(bench.held), m=len(ranked))
+    lead = [
+        Say("Tried: {n} controllers on {robot}, body {body}, held and let go.", n=len(ranked), robot=bench.robot,
+            body=bench.body),
+        *([Say("Limits are found to {tolerance}: smaller differences are ties.",
+               tolerance=Quantity(bench.tolerance, "fraction"))] if knocked else []),
+    ]  # fmt: skip
+    ranking = Picture(
+        Say("Largest knock that each survives: green to be taken, grey too slow for the brick"), bench.plot,
+        Say("Knocks from front and back, at the centre of mass: drawn is the smaller limit."),
+    )  # fmt: skip
+    left_out = [Items([Say("Left out: {why}", why=bench.left_out)])] if bench.left_out else []
+    pushes = [push_table(bench, push) for push in dict.fromkeys(row.push for row in bench.rows)]
+    folds: list[Block] = [Fold(Say("Numbers under each push"), pushes)]
+    if knocked:
+        folds.insert(0, Fold(Say("Responses"), [responses(bench)]))
+    verdict = Verdict(held, "good" if bench.held else "bad")
+    if take:
+        verdict = Verdict(Say("take {name}", name=take), "good")
+    best = take or next(iter(ranked), "")
+    return Page(
+        _title(bench, take) if knocked else held,
+        verdict=verdict,
+        lead=lead, numbers=_numbers(bench, take) if take else [], picture=ranking if knocked else responses(bench),
+        next=[Next("certify", best, robot=bench.robot, why=Say("It pushes robots that differ, and counts falls."))],
+        blocks=[_summary(bench), *left_out, *folds],
+        origin={"robot": bench.robot, "kit": bench.kit, "body": bench.body, "seed": str(bench.seed)},
+    )  # fmt: skip
+
+
+def _title(bench: Bench, take: str) -> Say:
+    firsts = [name for name, place in bench.places().items() if place == 1]
+    size = Quantity(next(iter(bench.ranked().values())), "N s", digits=2)
+    if take and take not in firsts:
+        return Say("Survives most of those that are quick enough: {take}", take=take)
+    if take and len(bench.tied) > 1:
+        return Say("Equally strong: {names}; the least effort has {take}", names=bench.tied, take=take)
+    return Say("Survives the largest knock, {size}: {names}", size=size, names=firsts)
+
+
+def _numbers(bench: Bench, take: str) -> list[KeyNumber]:
+    """The knock that the controller to take survives, its falls, and its time on the brick or its effort."""
+    numbers = [KeyNumber(Quantity(bench.ranked()[take], "N s", digits=2), Say("largest knock survived"))]
+    falls = bench.worse(take, "spread")
+    time = bench.computing_time(take)
+    effort = bench.worse(take, "effort")
+    if falls is not None:
+        most = Quantity(None, "fraction", high=upper_bound(round(falls * bench.drawn), bench.drawn), digits=2)
+        numbers.append(KeyNumber(most, Say("of similar robots fall (95 % confidence)")))
+    if time is not None:
+        period = Quantity(bench.period, "s")
+        numbers.append(KeyNumber(Quantity(time, "s", digits=2), Say("computing time, of {period}", period=period)))
+    elif effort is not None:
+        numbers.append(KeyNumber(Quantity(effort, bench.effort_unit, digits=2), Say("effort")))
+    return numbers
+
+
+def _summary(bench: Bench) -> Table:
+    """What counts of each controller, under the worse push, the best first."""
+    rests = [bench.rest(push) for push in dict.fromkeys(row.push for row in bench.rows)]
+    rows: list[list[Cell]] = []
+    for name, size in bench.ranked().items():
+        settled = max((rest.get(name, math.nan) for rest in rests), default=math.nan)
+        slow = bool(rests) and any(math.isnan(rest.get(name, math.nan)) for rest in rests)
+        falls, effort = (bench.worse(name, figure) for figure in ("spread", "effort"))
+        rows.append([name, size, falls, None if slow else settled, effort, bench.computing_time(name)])
+    columns = [
+        Column(Say("controller")), Column(Say("knock"), "N s"), Column(Say("falls"), "fraction"),
+        Column(Say("settling"), "s"), Column(Say("effort"), bench.effort_unit), Column(Say("computing"), "s"),
+    ]  # fmt: skip
+    return Table(columns, rows, Say("Under the worse push"))
+
+
+def push_table(bench: Bench, push: str) -> Table:
+    """What each controller does under one push."""
+    rest = bench.rest(push)
+    place = {name: k for k, name in enumerate(bench.ranked())}
+    rows: list[list[Cell]] = [
+        [row.controller, _holds(row), row.peak, rest.get(row.controller), row.travel, row.effort, row.saturated,
+         row.impulse, row.spread]
+        for row in sorted(bench.rows, key=lambda row: place.get(row.controller, len(place)))
+        if row.push == push
+    ]  # fmt: skip
+    columns = [
+        Column(Say("controller")), Column(Say("holds")), Column(Say("largest pitch"), "rad"),
+        Column(Say("settling"), "s"), Column(Say("wheels turn"), "rad"), Column(Say("effort"), bench.effort_unit),
+        Column(Say("at the motors' limit"), "fraction"), Column(Say("knock"), "N s"),
+        Column(Say("falls"), "fraction"),
+    ]  # fmt: skip
+    return Table(columns, rows, Say("Pushed from the {push} of lean", push=in_degrees(push)))
+
+
+def _holds(row: BenchRow) -> Verdict | Say:
+    if row.holds:
+        return Verdict(Say("yes"), "good")
+    if row.fell is not None:
+        return Verdict(Say("fell after {time}", time=Quantity(row.fell, "s", digits=2)), "bad")
+    return Say("{why}", why=row.outcome)
+
+
+def responses(bench: Bench) -> Picture:
+    """Pitch under every controller and push; of many only the one to take, the best, and the last."""
+    ranked = [*bench.ranked()]
+    first = [bench.take] if bench.take else []
+    order = [*first, *(name for name in ranked if name not in first)]
+    few = order if len(order) <= FEW else [*order[: FEW - 1], order[-1]]
+    claim = Say("Pitch while pushed and let go: {names}", names=few)
+    return Picture(claim, functools.partial(bench.plot_responses, *few))

@@ -1,0 +1,167 @@
+"""The page of a `Tuned`: what was won and what it costs beside the default, and the candidates by name."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+from upright.pages import Column, Fold, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
+from upright.pages.blocks import Cell
+from upright.tuning.figures import MEASURES, Figures, Measure
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Tuned = Any  # that of `tune.py`, which imports this file
+
+LIGHTS = {
+    "green": Verdict(Say("green"), "good"), "amber": Verdict(Say("amber"), "warn"), "red": Verdict(Say("red"), "bad"),
+    "unknown": Verdict(Say("unknown"), "unknown"),
+}  # fmt: skip
+NAMES = {
+    "falls": Say("robots that fall"), "knock": Say("largest knock survived"), "delay": Say("more delay survived"),
+    "stronger": Say("stronger signals survived"), "weaker": Say("weaker signals survived"),
+    "settling": Say("settling time"), "effort": Say("effort"), "saturated": Say("time at the motors' limit"),
+    "travel": Say("distance rolled"), "sway": Say("sway at rest"),
+}  # fmt: skip
+WORSE = {
+    "falls": Say("falls"), "knock": Say("knock"), "stability": Say("stability"), "gain margin": Say("gain margin"),
+    "delay margin": Say("delay margin"),
+}  # fmt: skip
+CHANGES = {"won": Verdict(Say("won"), "good"), "paid": Verdict(Say("paid"), "warn"), "": Say("alike")}
+
+
+def tune_page(tuned: Tuned) -> Page:
+    """The page of a tuning."""
+    lead = [
+        Say("Tuned: {method} for {robot}, {n} candidates.", method=tuned.method, robot=tuned.robot, n=tuned.evaluated),
+        Say("Judged on {n} robots that the search never saw.", n=tuned.default.samples),
+    ]
+    others = len(tuned.front) - 1
+    compared = bool(tuned.refused) or not tuned.kept
+    changes = Say("What is won, in green, and paid, in orange, beside the default weights")
+    folds = [Fold(Say("Candidates"), [_candidates(tuned)])] if others else []
+    return Page(
+        _title(tuned), verdict=_verdict(tuned), lead=lead, numbers=_numbers(tuned),
+        picture=Picture(changes, tuned.plot) if compared else None, next=[_next(tuned)],
+        blocks=[_beside(tuned), Fold(Say("Weights"), [_weights(tuned)]), *folds],
+        origin={"kit": tuned.kit, "seed": str(tuned.seed)},
+    )  # fmt: skip
+
+
+def _verdict(tuned: Tuned) -> Verdict:
+    if tuned.kept:
+        return Verdict(Say("keep the default weights"))
+    light = LIGHTS[tuned.chosen.light]
+    return Verdict(Say("better weights: {light}", light=light.text), light.level)
+
+
+def _title(tuned: Tuned) -> Say:
+    was, now = tuned.default, tuned.chosen
+    if tuned.refused:
+        worse = [WORSE[name] for name in tuned.refused.worse(was)]
+        return Say("The best candidate is worse on new robots: {worse}", worse=worse)
+    if tuned.kept:
+        return Say("No candidate is better without being worse somewhere")
+    if now.fell < was.fell:
+        return Say("Falls: {now} of {n} robots, by default {was}", now=now.fell, n=now.samples, was=was.fell)
+    knock = next(m for m in MEASURES if m.name == "knock")
+    if knock.change(was, now) == "won":
+        return Say("Largest knock: {now}, by default {was}", now=_value(knock, now), was=_value(knock, was))
+    effort = next(m for m in MEASURES if m.name == "effort")
+    return Say("Effort: {now}, by default {was}", now=_value(effort, now), was=_value(effort, was))
+
+
+def _value(measure: Measure, figures: Figures) -> Quantity | Say:
+    if measure.name == "falls":
+        return Say("{fell} of {n}", fell=figures.fell, n=figures.samples)
+    return Quantity(measure.of(figures), measure.unit)
+
+
+def _numbers(tuned: Tuned) -> list[KeyNumber]:
+    """The first three figures."""
+    was, now = tuned.default, tuned.tried
+    numbers: list[KeyNumber] = []
+    for measure in MEASURES[:3]:
+        value = _value(measure, now)
+        if tuned.kept and not tuned.refused:
+            numbers.append(KeyNumber(value, NAMES[measure.name]))
+        else:
+            meaning = Say("{what}, by default {was}", what=NAMES[measure.name], was=_value(measure, was))
+            numbers.append(KeyNumber(value, meaning))
+    return numbers
+
+
+def _next(tuned: Tuned) -> Next:
+    if tuned.kept:
+        return Next("certify", tuned.method, robot=tuned.robot)
+    file = f"{tuned.method}-tuned.json"
+    why = Say("First save it: add `-o {file}` to this command.", file=file)
+    return Next("certify", file, robot=tuned.robot, why=why)
+
+
+def _beside(tuned: Tuned) -> Table:
+    """Every figure of the default, and beside it that of the chosen or the refused one, with what is won and paid."""
+    was = tuned.default
+    columns = [Column(Say("figure")), Column(Say("default"))]
+    rows: list[list[Cell]] = [
+        [Say("light"), LIGHTS[was.light]],
+        *([NAMES[m.name], _value(m, was)] for m in MEASURES),
+    ]  # fmt: skip
+    if tuned.kept and not tuned.refused:
+        return Table(columns, rows)
+    now = tuned.tried
+    columns += [Column(Say("refused") if tuned.refused else Say("chosen")), Column(Say("change"))]
+    beside: list[list[Cell]] = [
+        [LIGHTS[now.light], None],
+        *([_value(m, now), CHANGES[m.change(was, now)]] for m in MEASURES),
+    ]  # fmt: skip
+    return Table(columns, [[*row, *other] for row, other in zip(rows, beside, strict=True)])
+
+
+def _weights(tuned: Tuned) -> Table:
+    units = tuned.to_json()["units"]
+    columns = [Column(Say("weight")), Column(Say("default"))]
+    rows: list[list[Cell]] = [[name, Quantity(value, units[name])] for name, value in tuned.defaults.items()]
+    if not tuned.kept:
+        columns += [Column(Say("chosen")), Column(Say("ratio"), "1")]
+        for row, (name, value) in zip(rows, tuned.weights.items(), strict=True):
+            row += [Quantity(value, units[name]), value / tuned.defaults[name]]
+    return Table(columns, rows)
+
+
+def draw_changes(was: Figures, now: Figures) -> Figure:
+    """Each figure's difference from the default's [%], in the colour of what it means."""
+    from upright.plotting import AXIS, COLOURS, rows_of
+
+    measures = [m for m in MEASURES if 0 < m.of(was) < math.inf]
+    names = [str(NAMES[m.name]) for m in measures]
+    changes = [100 * (m.of(now) / m.of(was) - 1) for m in measures]
+    colours = {"won": COLOURS[2], "paid": COLOURS[1], "": AXIS}
+    figure, ax = rows_of(names, str(Say("difference from the default [%]")), "")
+    ax.barh(range(len(names)), changes, height=0.6, color=[colours[m.change(was, now)] for m in measures])
+    ax.axvline(0, color=AXIS, linewidth=1)
+    return figure
+
+
+def _candidates(tuned: Tuned) -> Table:
+    """The front, each by its name, with what the rule refuses it for."""
+    first = tuned.front[0].figures
+    rows: list[list[Cell]] = []
+    for i, point in enumerate(tuned.front):
+        f = point.figures
+        worse = [WORSE[name] for name in f.worse(first)]
+        name = Say("default") if i == 0 else tuned.called(i)
+        state = Say("chosen") if i and i == tuned.picked else Say("allowed")
+        if worse:
+            state = Say("worse: {worse}", worse=worse)
+        margins: list[Cell] = [f.gain, f.delay] if f.linear else [None, None]
+        rows.append([name, state, _value(MEASURES[0], f), f.knock, *margins, LIGHTS[f.light], f.effort, f.settling])
+    columns = [
+        Column(Say("candidate")), Column(Say("rule")), Column(Say("fell")), Column(Say("knock"), "N s"),
+        Column(Say("gain margin"), "fraction"), Column(Say("delay margin"), "s"), Column(Say("light")),
+        Column(Say("effort"), "1"), Column(Say("settling"), "s"),
+    ]  # fmt: skip
+    caption = Say("On {n} other robots; the rule allows no more falls, no smaller knock, and no smaller margin",
+                  n=first.samples)  # fmt: skip
+    return Table(columns, rows, caption)
