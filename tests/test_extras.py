@@ -9,6 +9,7 @@ import tomllib
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import upright as up
@@ -16,6 +17,8 @@ from upright.cli.main import main
 from upright.control import CONTROLLERS
 from upright.errors import EXTRAS, MissingTool
 from upright.physics.linear import LinearModel
+from upright.signals import Log
+from upright.signals.signal import SIDES, TRUE_STATE
 
 CHECKOUT = Path(__file__).parents[1]
 
@@ -102,23 +105,27 @@ def test_the_environment_without_gymnasium_says_what_to_install(
 def test_the_bench_and_the_lab_leave_out_what_needs_an_extra(
     hidden: Callable[[str], None], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    from upright.cli import design as cli
     from upright.comparison import bench
     from upright.lab.plant import families
 
     hidden("cvxpy")
     assert "robust" not in [family.name for family in families()]
 
+    t = np.arange(0.0, 5.0, 0.01)
+    channels = [*TRUE_STATE, *(f"{kind}/{side}" for kind in ("command", "applied") for side in SIDES)]
+    log = Log(t, dict.fromkeys(channels, 0.1 * np.exp(-t)))
+
     def not_tried(method: str, side: str, *_: object, **__: object) -> tuple[object, object]:
-        return bench.BenchRow(controller=method, push=side, outcome="yes"), object()
+        return bench.BenchRow(controller=method, push=side, outcome="yes"), log
 
     monkeypatch.setattr(bench, "bench_one", not_tried)
     made = bench.bench_controllers("nxtway-gs")
     assert {row.controller for row in made.rows} == {n for n, m in CONTROLLERS.items() if m.benched} - {"robust"}
     assert made.to_json()["left_out"] == COMMANDS["cvxpy"][1]
-    monkeypatch.setattr(cli, "finish", lambda *_, text, **__: print(text))
+    capsys.readouterr()
     assert main(["bench-controllers"]) == 0
-    assert capsys.readouterr().out == f"left out: {COMMANDS['cvxpy'][1]}\n"
+    words = " ".join(capsys.readouterr().out.split())
+    assert f"Left out: {COMMANDS['cvxpy'][1]}" in words
     assert {row.controller for row in bench.bench_controllers("nxtway-gs", methods=["robust"]).rows} == {"robust"}
 
 

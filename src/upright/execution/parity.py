@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -21,10 +21,15 @@ from upright.firmware.generate import Firmware
 from upright.firmware.program_file import read_program
 from upright.firmware.setup import STATUS
 from upright.firmware.targets import ENCODERS
+from upright.pages import Result
 from upright.progress import Progress
 from upright.robots import Kit, Robot
 from upright.signals import Log
-from upright.tables import Shown
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from upright.pages import Page
 
 PUSHES = {"front": (0.1, 0.0), "back": (-0.12, 10.0)}
 """Pitch [rad] at which each push holds the robot (Herrera et al. 2015, section 3.2), and its start [s]."""
@@ -45,7 +50,7 @@ class PushOutcome:
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
-class Parity(Shown):
+class Parity(Result):
     """The program run on `where` in `numbers` for `periods`: in the first `steps` of them, which can be compared, its
     commands differed by at most `worst` from the design's in `unit`, where `tolerance` is allowed; `duties` counts the
     periods with a duty that does not follow from its command; `as_generated` is False for an edited file."""
@@ -72,20 +77,17 @@ class Parity(Shown):
     def to_json(self) -> dict[str, Any]:
         return {**asdict(self), "passed": self.passed}
 
-    def __str__(self) -> str:
-        rest = self.periods - self.steps
-        lines = [
-            f"{'EQUAL' if self.passed else 'NOT EQUAL'}: {self.target} program for {self.robot} on {self.where}",
-            f"  {self.steps} steps in {self.numbers}: largest difference from the design {self.worst:.3g} {self.unit}, "
-            f"tolerance {self.tolerance:.3g} {self.unit}",
-            f"  {rest} later steps not compared: this controller's memory amplifies rounding" if rest else "",
-            f"  {self.duties} duties do not follow from their commands" if self.duties else "",
-            *(f"  {p.push} push: {p.outcome}, largest pitch {p.peak:.3f} rad" for p in self.pushes),
-            ""
-            if self.as_generated
-            else "  the file differs from what upright generates here: edited, or made elsewhere",
-        ]
-        return "\n".join(filter(None, lines))
+    def page(self) -> Page:
+        """The parity for people."""
+        from upright.execution.parity_page import parity_page
+
+        return parity_page(self)
+
+    def plot(self) -> Figure:
+        """The largest difference of a command, beside what is allowed."""
+        from upright.execution.parity_page import draw_difference
+
+        return draw_difference(self.worst, self.tolerance, self.unit)
 
 
 def parity(

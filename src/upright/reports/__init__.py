@@ -24,7 +24,6 @@ PAGES = {
     "Calibration": "calibration",
     "PostMortem": "postmortem",
     "Diagnosis": "diagnosed",
-    "Parity": "checked",
 }  # fmt: skip
 """Class of a result → the file of this room that has its page."""
 
