@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from upright.loops.margins import disk_gain, disk_phase
 from upright.loops.targets import CLOSE, LEAST_DELAY, LEAST_GAIN, PHASE, STRONG, WEAK
 from upright.pages import Block, Column, Fold, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 
@@ -209,7 +210,7 @@ def _alone(analysis: Analysis) -> list[Block]:
 
 def _places(analysis: Analysis) -> Table:
     columns = [
-        Column(Say("broken at")), Column(Say("delay"), "s"), Column(Say("weakest"), "fraction"),
+        Column(Say("broken at")), Column(Say("delay"), "s", 4), Column(Say("weakest"), "fraction"),
         Column(Say("strongest"), "fraction"), Column(Say("phase"), "rad"), Column(Say("disk α"), "1"),
         Column(Say("Ms"), "1"), Column(Say("Mt"), "1"),
     ]  # fmt: skip
@@ -224,12 +225,14 @@ def _row(m: Margins) -> list[Say | str | float]:
 def _whole(analysis: Analysis) -> Table:
     rows = [
         [Say("disk α of both motors at once"), analysis.disk],
+        [Say("gains of both motors at once"), _gains(*disk_gain(analysis.disk))],
+        [Say("phases of both motors at once"), Quantity(None, "rad", high=disk_phase(analysis.disk), digits=2)],
         [Say("b(P, C), stability margin of the normalised coprime factors"), analysis.coprime],
         [Say("largest ν-gap of the drawn robots; those below b(P, C) are stable"), analysis.gap],
         [Say("largest |pole|"), analysis.radius],
         [Say("largest |pole| of the drawn robots"), float(np.max(analysis.radii, initial=0.0))],
     ]
-    return Table([Column(Say("the whole loop")), Column(Say("value"), "1")], rows)
+    return Table([Column(Say("the whole loop")), Column(Say("value"), "1", 4)], rows)
 
 
 def _poles(analysis: Analysis) -> Picture:
