@@ -33,7 +33,6 @@ if TYPE_CHECKING:
 INPUTS = {"left motor": (1.0, 0.0), "right motor": (0.0, 1.0), "both motors": (1.0, 1.0), "steering": (-1.0, 1.0)}
 """Where the loop is broken at the robot's input: one motor, both alike, both opposed."""
 
-NEAR_ZERO = 1e-5  # beyond 1: nearer to frequency zero than any motion of a robot, farther than rounding of a pole at 1
 SHOWN_GAIN = 0.01  # a smaller loop gain sets no margin, and is not drawn
 DRAWN = 200
 COMPARABLE = {"sensor/gyro": 1.5, "sensor/compass": 0.5, "sensor/pitch": 0.15, "sensor/accel_forward": 1.5}
@@ -145,31 +144,12 @@ class Analysis(Result):
     def turns(self, channel: str = "both motors") -> int:
         """The unstable poles of the loop broken at `channel`: so often a stable loop's Nyquist curve goes round −1,
         anticlockwise."""
-        return sum(len(rates) for rates in self.unstable(channel))
-
-    def unstable(self, channel: str = "both motors") -> tuple[Array, Array, Array]:
-        """The unstable poles of the loop broken at `channel`, as rates of growth log|z| / T [1/s]: the robot's own,
-        those of the controller by itself, and those that only the loops left closed make."""
-        poles = [_unstable(model) for model in (self.loop.plant, self.loop.controller)]
-        left = []
-        shared: tuple[list[complex], list[complex]] = ([], [])
-        for pole in _unstable(self._broken(channel)):
-            of = next((k for k, own in enumerate(poles) if np.isclose(own, pole, rtol=0, atol=ROUNDED).any()), None)
-            (left if of is None else shared[of]).append(pole)
-        robot, controller, both = (np.log(np.abs(np.array(some))) / self.period for some in (*shared, left))
-        return robot, controller, both
+        return int((np.abs(self._broken(channel).poles()) > 1 + ROUNDED).sum())
 
     def nearest_at(self, channel: str = "both motors") -> float:
         """The frequency [rad/s] at which the loop broken at `channel` comes nearest to −1."""
         omega, response = _for_nyquist(self._broken(channel))
         return float(omega[np.argmin(np.abs(response + 1))])
-
-    def far(self, channel: str = "both motors") -> float:
-        """The loop gain towards frequency zero: where both halves of the Nyquist curve meet, passing the integrators'
-        poles on the outside."""
-        gain = self._broken(channel)
-        n = len(gain.A)
-        return float((gain.C @ np.linalg.solve((1 + NEAR_ZERO) * np.eye(n) - gain.A, gain.B) + gain.D)[0, 0])
 
     def _of(self, channel: str) -> Margins:
         return next(m for m in (*self.inputs, *self.outputs) if m.channel == channel)
@@ -255,11 +235,6 @@ def unseen_in_words(hidden: Sequence[str]) -> str:
             "nothing holds the wheels where they are: the robot stands, and may roll away (a pole at z = 1, left out)"
         )
     return "nothing holds its heading: the robot may turn away (a pole at z = 1, left out)" if hidden else ""
-
-
-def _unstable(model: LinearModel) -> Complex:
-    poles = model.poles()
-    return poles[np.abs(poles) > 1 + ROUNDED]
 
 
 def _for_nyquist(gain: LinearModel) -> tuple[Array, Complex]:
