@@ -15,6 +15,9 @@ import pytest
 
 import budget
 import upright
+from upright.comparison.bench import Bench, BenchRow
+from upright.control import make_controller
+from upright.execution.parity import Parity, PushOutcome
 from upright.fleets.basin import Axis, basin
 from upright.fleets.binomial import clopper_pearson
 from upright.fleets.cases import Cases
@@ -22,10 +25,13 @@ from upright.fleets.fleet import ensemble_of
 from upright.fleets.push_map import PushGrid
 from upright.fleets.tally import CaseSummary
 from upright.languages import LANGUAGES, speaking
+from upright.loops.analysis import analyse
 from upright.pages import Column, Fold, KeyNumber, Next, Page, Quantity, Result, Say, Table, Verdict, html, terminal
 from upright.pages.terms import term
 from upright.pages.words import _FORMS, catalogue
-from upright.robots import PARAMETERS
+from upright.robots import PARAMETERS, Kit, Robot
+from upright.signals import Log
+from upright.signals.signal import SIDES, TRUE_STATE
 
 SOURCE = Path(upright.__file__).parent
 OTHERS = [language for language in LANGUAGES if language != "en"]
@@ -170,8 +176,38 @@ def a_campaign() -> Result:
     return Cases(CaseSummary({"controller": k}, 100, n, clopper_pearson(n, 100), {}) for k, n in counts.items())
 
 
-@pytest.mark.parametrize("make", [a_fleet, a_push_map, a_basin, a_campaign])
-def test_every_rendering_has_the_same_numbers(make: Callable[[], Result]) -> None:
+def an_analysis() -> Result:
+    kit = Kit.preset("nxt")
+    return analyse(make_controller("lqr", Robot.preset("nxtway-gs"), kit, kit.period), Robot.preset("nxtway-gs"), kit)
+
+
+def a_bench() -> Result:
+    t = np.arange(0.0, 5.0, 0.01)
+    sides = [f"{kind}/{side}" for kind in ("command", "applied") for side in SIDES]
+    log = Log(t, dict.fromkeys([*TRUE_STATE, *sides], 0.1 * np.exp(-t)))
+    row = BenchRow(controller="lqg", push="front, +0.10 rad", outcome="yes", impulse=0.2, spread=0.0, effort=2.0)
+    return Bench(robot="r", kit="nxt", body="twin", seed=1, rows=(row,), logs={("lqg", row.push): log}, period=0.01)
+
+
+def a_parity() -> Result:
+    pushes = (PushOutcome("front", True, 0.1, "stood"),)
+    return Parity(
+        target="c", where="here", numbers="float", robot="r", hash="0", unit="V", steps=9, periods=9, worst=1e-5,
+        tolerance=1e-4, duties=0, pushes=pushes,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("make", "word"),
+    [
+        *((make, "Simulación") for make in (a_fleet, a_push_map, a_basin, a_campaign)),
+        (lambda: upright.linearise("nxtway-gs"), "Sin controlador"),
+        (an_analysis, "estable"),
+        (a_bench, "Probados"),
+        (a_parity, "Ejecutado"),
+    ],
+)
+def test_every_rendering_has_the_same_numbers(make: Callable[[], Result], word: str) -> None:
     """A head as JSON, terminal, page and notebook; in Spanish with its comma."""
     result = make()
     page = result.page()
@@ -187,4 +223,4 @@ def test_every_rendering_has_the_same_numbers(make: Callable[[], Result]) -> Non
     assert re.findall(r"\d+", spanish.partition("upright")[0]) == re.findall(
         r"\d+", str(result).partition("upright")[0]
     )
-    assert "Simulación" in spanish
+    assert word in spanish

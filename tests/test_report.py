@@ -38,7 +38,7 @@ from upright.plotting import (
     rows_of,
     span,
 )
-from upright.reports import PAGES, Details, Figure, Formula, Page, Section, Table, Verdict, page_of, report
+from upright.reports import PAGES, Details, Figure, Formula, Page, Section, Table, Verdict, report
 from upright.reports.following import completed
 from upright.reports.page import cell_text
 from upright.robots import Kit, Robot

@@ -119,6 +119,9 @@ def _for_typed(step: Next, typed: Mapping[str, Any]) -> Next:
     method, file = (GIVEN.get().get(name) for name in ("method", "output"))
     if step.verb == "certify" and method and file:  # the controller that was made goes on, not another like it
         return Next(step.verb, str(file), why=None, **{**step.options, **kept})
+    method, file = (GIVEN.get().get(name) for name in ("method", "output"))
+    if step.verb == "certify" and method and file:  # the controller that was made goes on, not another like it
+        return Next(step.verb, str(file), why=None, **{**step.options, **kept})
     for name in ("robot", "controller"):
         if name in kept and known[name]:  # of a name or a file that is typed first
             given = [str(kept.pop(name)), *given[1:]]

@@ -154,7 +154,7 @@ def _draw_continuous(model: LinearModel) -> Figure:
     if real:
         ax.set_yticks([0], ["0"])
     colours = [COLOURS[4] if abs(p.real) <= STILL else COLOURS[1 if p.real > 0 else 0] for p in poles.tolist()]
-    ax.scatter(poles.real, poles.imag, 80, colours, "x", linewidths=2.2, zorder=3)
+    ax.scatter(poles.real, poles.imag, 80, colours, marker="x", linewidths=2.2, zorder=3)
     for place, (text, pole) in enumerate(_labels(model)):
         beside = 6 if pole.real == 0 else 0  # not over the line
         offset = (beside, -22 if place % 2 else 9)  # neighbours do not overlap
