@@ -62,12 +62,12 @@ def motions(model: LinearModel) -> list[Say | None]:
     coupled = model.A[np.ix_(turning, ~turning)].any() or model.A[np.ix_(~turning, turning)].any()
     if not turning.any() or turning.all() or coupled:
         return [None] * len(poles)
-    left = list(np.linalg.eigvals(model.A[np.ix_(turning, turning)]))
+    left: list[complex] = np.linalg.eigvals(model.A[np.ix_(turning, turning)]).tolist()
     names: list[Say | None] = []
     for pole in poles:
-        near = min(left, key=lambda other, p=pole: abs(other - p), default=math.inf)
-        if abs(near - pole) < 1e-6 * (1 + abs(pole)):
-            left.remove(near)
+        same = [other for other in left if abs(other - pole) < 1e-6 * (1 + abs(pole))]
+        if same:
+            left.remove(same[0])
             names.append(Say("yaw"))
         else:
             rest = 0.0 if model.continuous else 1.0
