@@ -22,7 +22,7 @@ QUICK = [
 """One of each kind of head: with a verdict, of either level, and without one; with and without what to run next."""
 
 LONGER = [
-    "grade hand-ins", 
+    "grade hand-ins",
     "post-mortem fall.csv",
 ]  # fmt: skip
 """What `test_first_robot.py` does not walk past, which asks the same of its commands."""

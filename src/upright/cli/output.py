@@ -117,10 +117,8 @@ def _for_typed(step: Next, typed: Mapping[str, Any]) -> Next:
     kept = {name: value for name, value in typed.items() if name in known}
     given = step.given
     method, file = (GIVEN.get().get(name) for name in ("method", "output"))
-    if step.verb == "certify" and method and file:  # the controller that was made goes on, not another like it
-        return Next(step.verb, str(file), why=None, **{**step.options, **kept})
-    method, file = (GIVEN.get().get(name) for name in ("method", "output"))
-    if step.verb == "certify" and method and file:  # the controller that was made goes on, not another like it
+    if step.verb == "certify" and method and file and step.given[0].startswith(str(method)):
+        # the controller that was made goes on, not another like it
         return Next(step.verb, str(file), why=None, **{**step.options, **kept})
     for name in ("robot", "controller"):
         if name in kept and known[name]:  # of a name or a file that is typed first
