@@ -220,23 +220,6 @@ class Analysis(Result):
         return {"thinnest": asdict(self.thinnest), "reached": self.reached, "turns": self.turns(), "nearest": nearest}
 
 
-def instability(radius: float, period: float) -> str:
-    """What a largest |pole| of `radius` means, which does not lie inside the circle, in words."""
-    if radius <= 1 + ROUNDED:
-        return "nothing holds its position or its heading (a pole at z = 1): it may stand, but rolls or turns away"
-    doubled = period * math.log(2) / math.log(radius)
-    return f"the nominal loop is unstable: a deviation doubles every {doubled:.2g} s (|z| = {radius:.4f})"
-
-
-def unseen_in_words(hidden: Sequence[str]) -> str:
-    """What it means for a stable loop that these states are hidden from it; empty where there are none."""
-    if "wheel" in hidden:
-        return (
-            "nothing holds the wheels where they are: the robot stands, and may roll away (a pole at z = 1, left out)"
-        )
-    return "nothing holds its heading: the robot may turn away (a pole at z = 1, left out)" if hidden else ""
-
-
 def _for_nyquist(gain: LinearModel) -> tuple[Array, Complex]:
     """Frequencies [rad/s] from far out on the curve, fine enough for its point nearest to −1, and the loop gain."""
     grid = frequencies(gain.dt)
