@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 from upright.certification.measured import Measurements
 from upright.certification.narrowing import BY_HAND, by_run
-from upright.certification.places import place_of
 from upright.certification.pushes import RELEASE
 from upright.certification.recovery import KNOCK_DURATION
 from upright.certification.standing import LEAN, Swept
@@ -17,6 +16,7 @@ from upright.certification.verdict import AMBER, GREEN, MOST_FALLS, RED, UNKNOWN
 from upright.control.tunable import TUNABLE
 from upright.likelihood.assumptions import BATTERIES
 from upright.likelihood.support import MASS
+from upright.loops.places import place_of
 from upright.pages import (
     Block,
     Column,

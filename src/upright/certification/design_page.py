@@ -8,7 +8,8 @@ from typing import Any
 
 from upright.certification.weights import Weight
 from upright.control.pid_angle_design import AngleDesign
-from upright.loops.analysis_page import analysis_page, place_of
+from upright.loops.analysis_page import analysis_page
+from upright.loops.places import place_of
 from upright.pages import Block, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.tables import short
 

@@ -8,7 +8,6 @@ from dataclasses import KW_ONLY, dataclass
 
 from upright.certification.checks import CONFIDENCE, MOST_CYCLE, MOST_FALLS, PushTrial, red
 from upright.certification.narrowing import MOST_NAMES, Guessed, Narrowing
-from upright.certification.places import place_of
 from upright.certification.standing import UNTRIED, Standing
 from upright.control.controller import Controller
 from upright.errors import InvalidController
@@ -18,6 +17,7 @@ from upright.likelihood.support import Support, contradictions
 from upright.loops.analysis import INPUTS, ROUNDED, loop_margins
 from upright.loops.loop import robot_loop
 from upright.loops.margins import margins
+from upright.loops.places import place_of
 from upright.loops.targets import LEAST_DELAY, LEAST_GAIN, reached
 from upright.pages import Quantity, Say
 from upright.pages.terms import term

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from upright.loops.margins import disk_gain, disk_phase
+from upright.loops.places import place_of
 from upright.loops.targets import CLOSE, LEAST_DELAY, LEAST_GAIN, PHASE, STRONG, WEAK
 from upright.pages import Block, Column, Fold, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 
@@ -23,23 +24,6 @@ twipr."""
 BY_HAND = "pid-angle"  # searches its gains where none are given
 MOST_GAIN = 11.0  # from here on it is not said how large a gain may be: no motor is so much stronger
 SLOW = 6  # poles near 1 that are drawn enlarged: as many as the robot has states
-
-PLACES = {
-    "both motors": Say("both motors"),
-    "left motor": Say("the left motor"),
-    "right motor": Say("the right motor"),
-    "steering": Say("the steering"),
-    "encoder left": Say("the left encoder"),
-    "encoder right": Say("the right encoder"),
-    "encoder rate left": Say("the left wheel's rate"),
-    "encoder rate right": Say("the right wheel's rate"),
-    "gyro": Say("the gyro"),
-    "compass": Say("the compass"),
-    "accel forward": Say("the forward accelerometer"),
-    "accel up": Say("the upward accelerometer"),
-    "pitch": Say("the angle sensor"),
-}
-"""Channel at which the loop is broken → what it is called; one of a plug-in keeps its name."""
 
 
 def analysis_page(analysis: Analysis, first: Picture | None = None) -> Page:
@@ -71,11 +55,6 @@ def analysis_page(analysis: Analysis, first: Picture | None = None) -> Page:
         ],
         origin=facts,
     )  # fmt: skip
-
-
-def place_of(channel: str) -> Say | str:
-    """A place where the loop can be broken, in words."""
-    return PLACES.get(channel, channel)
 
 
 def _title(analysis: Analysis) -> Say:
