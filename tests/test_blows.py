@@ -1,7 +1,8 @@
-"""Blows far beyond what a controller survives, and the commands that a post-mortem prints."""
+"""Blows far beyond what a controller survives, and the command that a post-mortem prints."""
 
 from __future__ import annotations
 
+import shlex
 from pathlib import Path
 
 import pytest
@@ -10,7 +11,6 @@ from test_postmortem import KIT, NXT, logged, standing, weakened
 from upright.bodies import Electronics, make_body
 from upright.control import make_controller
 from upright.diagnose import post_mortem
-from upright.diagnose.causes import as_typed
 from upright.diagnose.thrown import thrown
 from upright.experiment import Impulse, run
 from upright.robots import Kit, Robot
@@ -71,16 +71,12 @@ def test_a_gyro_that_jumps_is_no_blow() -> None:
     assert thrown(spiked, NXT, KIT, float(spiked.t[-1])) is None
 
 
-def test_commands_in_a_repair_name_the_robot_and_the_log(tmp_path: Path) -> None:
-    """What is printed can be typed as it is: by the name or the file that was given, else by the preset's name."""
+def test_what_to_run_next_names_the_log(tmp_path: Path) -> None:
+    """What is printed can be typed as it is: the library knows the file, the command line adds the robot's."""
     path, toml = tmp_path / "my fall.csv", tmp_path / "robot.toml"
     weakened().save(path)
     NXT.save(toml)
-    causes = post_mortem(str(path), str(toml), KIT, seconds=0.0).causes
-    assert any(f"`upright design lqg --robot {toml}`" in cause.repair for cause in causes)
-    assert not any("ROBOT" in cause.repair for cause in causes)
-    for words, typed in (
-        ("`upright doctor LOG` tests it", "`upright doctor 'my fall.csv'` tests it"),
-        ("`upright design lqg --robot ROBOT`", "`upright design lqg --robot ev3way`"),
-    ):
-        assert as_typed(words, "ev3way", "'my fall.csv'") == typed
+    (step,) = post_mortem(str(path), str(toml), KIT, seconds=0.0).page().next
+    words = shlex.split(step.command)
+    assert words[0] == "upright"
+    assert str(path) in words or step.verb == "design"

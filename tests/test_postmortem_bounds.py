@@ -94,7 +94,7 @@ def test_a_range_or_a_decoding_that_is_set_wrongly_is_natural() -> None:
 
 
 def said(*odds: tuple[str, float]) -> tuple[Cause, ...]:
-    return tuple(Cause(name, likelihood, 1.0, "", "") for name, likelihood in odds)
+    return tuple(Cause(name, likelihood, 1.0, "") for name, likelihood in odds)
 
 
 def test_no_verdict_is_said_above_what_its_kind_bears_out() -> None:

@@ -12,7 +12,7 @@ import pytest
 from planted.foreign import Bot, Course, known, logged, metric
 from upright.diagnose import blows, hidden
 from upright.diagnose import evidence as gathering
-from upright.diagnose.causes import BATTERY, OFF, WALL, Cause
+from upright.diagnose.causes import WALL
 from upright.diagnose.chances import holds
 from upright.diagnose.clock import thinned
 from upright.diagnose.facts import IDLE
@@ -24,11 +24,9 @@ from upright.diagnose.joint import _as_another
 from upright.diagnose.pairs import _explained
 from upright.diagnose.remedy import remedied
 from upright.diagnose.resting import RESTS, held_wheel, of_held_wheel, weighed
-from upright.diagnose.series import Series
 from upright.diagnose.sizes import possible
 from upright.diagnose.usual import window_of
 from upright.logs.mapping import apply, propose
-from upright.reports import postmortem as report
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -153,17 +151,6 @@ def test_no_scale_of_a_gyro_is_searched_where_pushes_leave_nothing_to_explain(mo
         with pytest.raises(Examined):
             gathering.gather(log, replace(known(bot), kit="ideal"), Kit.preset("ideal"), None, lambda _: None)
         assert len(searches) == searched
-
-
-@pytest.mark.parametrize(("verdict", "since"), [(OFF, "the motors went off"), (BATTERY, "differ from the model")])
-def test_the_card_says_since_when_by_what_shows_the_cause(verdict: str, since: str) -> None:
-    """Motors that were switched off are no reading that differs from a model."""
-    cause = Cause(verdict, 0.9, 2.0, "", "")
-    result: Any = SimpleNamespace(
-        verdict=verdict, causes=(cause,), fell=True, onset=2.0, fell_at=2.5, series=Series.none()
-    )
-    (seconds, text), *_ = report._numbers(result)
-    assert (seconds, since in text) == ("0.5 s", True)
 
 
 def resting(turns: float) -> tuple[Any, dict[str, FaultFit]]:

@@ -10,13 +10,12 @@ from __future__ import annotations
 
 import math
 import re
-import shlex
 import time
-from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field, replace
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field
 from os import PathLike, fspath
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -24,7 +23,7 @@ from upright.atomic import finite
 from upright.checkup.doctor import contradictions
 from upright.checkup.finding import FEWEST as FEWEST_POSES
 from upright.control import Controller, controller_hash, read_controller
-from upright.diagnose.causes import CANNOT_TELL, NO_FALL, NONE, Blow, Cause, as_typed
+from upright.diagnose.causes import CANNOT_TELL, NO_FALL, NONE, Blow, Cause
 from upright.diagnose.evidence import FOREIGN, Evidence, gather
 from upright.diagnose.fall import against, last_fall
 from upright.diagnose.remedy import UNTIL, timed_out
@@ -36,11 +35,14 @@ from upright.errors import InvalidLog, InvalidRobot
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import RATES, LogSource, raw_log
 from upright.logs.recording import FEWEST, check_drive, commanded
+from upright.pages import Page, Result
 from upright.progress import Progress, unwatched
 from upright.robots import PARAMETERS, Kit, Robot, find_kit, find_robot, kit_names, preset_names
 from upright.robots.facts import recorded
 from upright.signals import SIDES, Log
-from upright.tables import Shown
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 KIND, VERSION = "upright post-mortem", 1
 UNFINISHED = "the search ended after {:g} s: this is what was known till then. Try --seconds {:g}"
@@ -48,11 +50,12 @@ SIDEWAYS = "a fall to the side, or after the last row, does not show: nothing in
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class PostMortem(Shown):
+class PostMortem(Result):
     """Why a robot fell: the `verdict` is the likeliest of `causes`, "it did not fall" or "cannot tell".
 
     `fell_at` is when its lean passed 0.7 rad for good, `onset` when the trouble began [s] (NaN where there is none);
-    `missing` names what the log would have to hold for more. `series` are the last seconds, for drawing.
+    `missing` names what the log would have to hold for more. `misfit` is the size of the innovations before the fall
+    over that which the given robot's model expects (NaN: unknown). `series` are the last seconds, for drawing.
     """
 
     verdict: str
@@ -67,6 +70,8 @@ class PostMortem(Shown):
     missing: tuple[str, ...]
     notes: tuple[str, ...]
     series: Series = field(repr=False)
+    misfit: float = math.nan
+    source: str = ""
 
     @property
     def fell(self) -> bool:
@@ -87,7 +92,7 @@ class PostMortem(Shown):
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is not known."""
         numbers = {k: finite(v) for k, v in asdict(self).items() if k not in ("causes", "series")}
-        causes = [_plain(asdict(cause)) for cause in self.causes]
+        causes = [_plain(asdict(c)) | {"repair": [words.template for words in c.repairs]} for c in self.causes]
         return {"file": KIND, "version": VERSION} | numbers | {"causes": causes, "series": self.series.to_json()}
 
     @classmethod
@@ -99,7 +104,7 @@ class PostMortem(Shown):
                 raise ValueError(f"it is no '{KIND}' of version {VERSION}")
             listed: list[dict[str, Any]] = given.pop("causes")
             causes = tuple(_cause(one) for one in listed)
-            times: dict[str, Any] = {name: _number(given.pop(name)) for name in ("fell_at", "onset")}
+            times: dict[str, Any] = {name: _number(given.pop(name)) for name in ("fell_at", "onset", "misfit")}
             lists: dict[str, Any] = {name: tuple(given.pop(name)) for name in ("missing", "notes")}
             result = cls(causes=causes, series=Series.from_json(given.pop("series")), **times, **lists, **given)
             if wrong := result.check():
@@ -110,15 +115,16 @@ class PostMortem(Shown):
             ) from None
         return result
 
-    def __str__(self) -> str:
-        by = f" under {self.controller}" if self.controller else ""
-        when = f" fell at t = {self.fell_at:.2f} s" if self.fell else ""
-        lines = [f"{self.verdict.upper()}: {self.robot} with kit {self.kit}{by}{when}"]
-        for cause in (c for c in self.causes if c.likelihood >= 0.02):
-            lines += ["", f"{cause.likelihood:>5.0%}  {cause.name}", f"       {cause.evidence}"]
-            lines += [f"       → {cause.repair}"] if cause.repair else []
-        lines += [f"missing: {', '.join(self.missing)}"] if self.missing else []
-        return "\n".join([*lines, *(f"- {note}" for note in self.notes)])
+    def page(self) -> Page:
+        """The post-mortem for people."""
+        from upright.diagnose.post_mortem_page import post_mortem_page
+
+        return post_mortem_page(self)
+
+    def plot(self) -> Figure | None:
+        """Pitch, and how far it is beyond recovery, in the last seconds; None where the log does not tell."""
+        picture = self.page().picture
+        return picture and picture.draw()
 
 
 def post_mortem(
@@ -144,6 +150,7 @@ def post_mortem(
     head: dict[str, Any] = {"robot": nominal.name, "kit": parts.name, "rows": len(log)}
     head |= {"controller": controller.spec.kind if controller else ""}
     head |= {"hash": controller_hash(controller) if controller else ""}
+    head |= {"source": fspath(source) if isinstance(source, str | PathLike) else ""}
     if missing := missing_channels(log):
         notes = ("without these the robot's motion is unknown",)
         return PostMortem(
@@ -171,31 +178,14 @@ def post_mortem(
             series=series_of(run, float(run.t[-1])), **head,
         )  # fmt: skip
     causes = with_saved(stated(ranked(evidence), unfinished=unfinished), log, nominal, run.kit, controller)
-    names = _typed(robot, nominal.name), _typed(source, "LOG")
-    causes, verdict = _with_names(causes, *names), causes[0].name
+    verdict = causes[0].name
     missing = _helpful(evidence) if verdict == CANNOT_TELL else ()
     notes = (*evidence.notes, *of_supply(parts, run.kit), *_wiring(log, verdict))
     notes = (UNFINISHED.format(seconds, 5 * seconds), *notes) if unfinished else notes
-    missing, notes = (tuple(as_typed(text, *names) for text in texts) for texts in (missing, notes))
     return PostMortem(
         verdict=verdict, causes=causes, fell_at=evidence.fell_at, onset=causes[0].onset, missing=missing, notes=notes,
-        series=series_of(run, evidence.fell_at), **head,
+        series=series_of(run, evidence.fell_at), misfit=math.sqrt(evidence.ordinary), **head,
     )  # fmt: skip
-
-
-def _typed(given: object, otherwise: str) -> str:
-    """A name or a file as a word of a command; without one the preset of that name, or a word that stands for it."""
-    if isinstance(given, str | PathLike):
-        return shlex.quote(fspath(given))
-    return otherwise if otherwise in (*preset_names(), "LOG") else "ROBOT"
-
-
-def _with_names(causes: Sequence[Cause], robot: str, log: str) -> tuple[Cause, ...]:
-    """The causes, with repairs whose commands name the robot and the log."""
-    named = (replace(one, push=one.push and replace(one.push, robot=robot)) for one in causes)
-    return tuple(
-        replace(one, repair=one.push.repair if one.push else as_typed(one.repair, robot, log)) for one in named
-    )
 
 
 def _short(log: Log, head: dict[str, Any]) -> PostMortem:
@@ -233,7 +223,7 @@ def _wiring(log: Log, verdict: str) -> tuple[str, ...]:
     """What the doctor finds wrong in signs, units and sensors of a log that no cause explains."""
     if verdict not in (NONE, CANNOT_TELL):
         return ()
-    return tuple(f"`upright doctor LOG`: {text}" for text in contradictions(log))
+    return tuple(contradictions(log))
 
 
 def missing_channels(log: Log) -> tuple[str, ...]:
@@ -259,7 +249,7 @@ def missing_channels(log: Log) -> tuple[str, ...]:
 def _helpful(evidence: Evidence) -> tuple[str, ...]:
     """What would help where no cause is likely."""
     if evidence.ordinary > FOREIGN:
-        return ("the robot's own numbers: `upright calibrate LOG --robot ROBOT -o robot.toml`",)
+        return ("the robot's own numbers",)
     seconds = evidence.fell_at - float(evidence.run.log.t[0])
     if seconds < evidence.excursion:
         return (f"the seconds before: the fall began {seconds:.2g} s after the first row",)
@@ -299,8 +289,8 @@ def _plain(data: dict[str, Any]) -> dict[str, Any]:
 def _cause(data: dict[str, Any]) -> Cause:
     push: dict[str, Any] | None = data.get("push")
     blow = Blow(**{name: value for name, value in push.items() if value is not None}) if push else None
-    given: dict[str, Any] = data | {"onset": _number(data["onset"]), "push": blow}
-    return Cause(**given)
+    names = ("name", "likelihood", "evidence")
+    return Cause(**{name: data[name] for name in names}, onset=_number(data["onset"]), push=blow)
 
 
 def _number(value: float | None) -> float:

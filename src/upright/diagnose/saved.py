@@ -43,7 +43,7 @@ def with_saved(
     except UprightError:  # a controller that no law describes
         return tuple(causes)
     known = replace(push, by=law.spec.kind, saves=float(survived.data["impulse"].values.squeeze()))
-    return (replace(first, push=known, repair=known.repair), *others)
+    return (replace(first, push=known), *others)
 
 
 SHORTEST = 1e-3

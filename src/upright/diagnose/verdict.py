@@ -15,6 +15,7 @@ from dataclasses import replace
 
 from upright.diagnose.blows import HELPED, LIKELY, driven_into, pushed, pushed_already, thrown_over
 from upright.diagnose.causes import (
+    AND,
     BATTERY,
     CANNOT_TELL,
     HIGH,
@@ -22,7 +23,6 @@ from upright.diagnose.causes import (
     NAMES,
     NONE,
     PUSH,
-    REPAIRS,
     REVERSED,
     SATURATION,
     Cause,
@@ -144,7 +144,6 @@ def ranked(evidence: Evidence) -> tuple[Cause, ...]:
             odds[name] / total,
             max(min(answer.onset, evidence.fell_at), evidence.run.log.t[0]),  # it may have been falling by then
             answer.evidence,
-            answer.push.repair if answer.push else _repair(name),
             answer.push,
         )
         for name, answer in ((name, best[name]) for name in order)
@@ -155,7 +154,7 @@ def stated(causes: tuple[Cause, ...], *, unfinished: bool) -> tuple[Cause, ...]:
     """The causes, the first by no more than verdicts of its kind bear out, the others by what that leaves: of an
     `unfinished` search all but plain facts."""
     first, *rest = causes
-    most = PAIR if " and " in first.name else BORNE_OUT.get(first.name, 1.0)
+    most = PAIR if len(first.parts) > 1 else BORNE_OUT.get(first.name, 1.0)
     most = min(most, UNFINISHED) if unfinished and first.likelihood < PLAIN else most
     if first.likelihood <= most or not rest:
         return causes
@@ -163,20 +162,13 @@ def stated(causes: tuple[Cause, ...], *, unfinished: bool) -> tuple[Cause, ...]:
     return replace(first, likelihood=most), *(replace(one, likelihood=part * one.likelihood) for one in rest)
 
 
-def _repair(name: str) -> str:
-    """The repair of a cause, or of both of two."""
-    return (
-        "; ".join(dict.fromkeys(REPAIRS[one] for one in name.split(" and "))) if name not in REPAIRS else REPAIRS[name]
-    )
-
-
 def reversed_causes(notes: Sequence[str], onset: float) -> tuple[Cause, ...]:
     """The causes of a fall in which something worked against its purpose, by what `fall.against` says of it."""
     if not notes:
         return ()
     rest = 1 - LIKELY
-    first = Cause(REVERSED, LIKELY, onset, "; ".join(notes), REPAIRS[REVERSED])
-    return first, Cause(CANNOT_TELL, rest, onset, "too few rows to tell it from a push", REPAIRS[CANNOT_TELL])
+    first = Cause(REVERSED, LIKELY, onset, "; ".join(notes))
+    return first, Cause(CANNOT_TELL, rest, onset, "too few rows to tell it from a push")
 
 
 def _changed_robot(evidence: Evidence) -> list[Answer]:
@@ -237,7 +229,7 @@ def _two_faults(evidence: Evidence, pair: Pair, pushed: Sequence[Answer]) -> Ans
     chance *= step(FITS_TWO - pair.second.nis / evidence.calm, FITS_WIDTH)
     text = f"{of_fault(evidence, pair.first)}; with it, {of_fault(evidence, pair.second)}"
     began_at = min(pair.first.onset, pair.second.onset)
-    return Answer((1 - HELPED) * FACT * chance, " and ".join(names), began_at, text)
+    return Answer((1 - HELPED) * FACT * chance, AND.join(names), began_at, text)
 
 
 def _topples(evidence: Evidence, pushes: Sequence[PushEstimate], fit: FaultFit) -> bool:
@@ -264,7 +256,7 @@ def _fault_and_push(evidence: Evidence) -> list[Answer]:
     chance *= step(PUSH_LEAVES - (best.nis - evidence.calm) / evidence.nis, PUSH_LEAVES / 6)
     chance *= 1 - unexplained(evidence, best.nis, best.fault)
     text = f"{of_fault(evidence, best)}; and {of_push(evidence, push, blow(evidence, push, lean))}"
-    name = f"{name_of(best)} and {PUSH}"
+    name = AND.join((name_of(best), PUSH))
     return [Answer((1 - HELPED) * FACT * chance, name, min(best.onset, push.start), text)]
 
 

@@ -135,13 +135,14 @@ def blow(evidence: Evidence, push: PushEstimate, lean: float) -> Blow:
 
 
 def of_push(evidence: Evidence, push: PushEstimate, numbers: Blow) -> str:
+    way = "forward" if numbers.impulse > 0 else "backward"
     several = numbers.counts > 1.01 * abs(evidence.toppling.lean(push))
-    speed = "With smaller pushes the same way, the speed that it gives" if several else "The speed that it gives"
+    speed = "With smaller pushes the same way, its speed" if several else "Its speed"
+    lean, largest = (math.degrees(abs(angle)) for angle in (numbers.counts, numbers.largest))
     return (
-        f"{numbers}, {numbers.lasted}, if it hit {numbers.height:.2g} m above the axle, explains "
-        f"{most(numbers.explained)} of the innovations. "
-        f"{speed} is as hard to stop as a lean at rest of {numbers.lean}°; the motors bring back "
-        f"{math.degrees(numbers.largest):.3g}° at most{numbers.powered}, a push of {numbers.most:.2g} N s there"
+        f"a push {way} of {abs(numbers.impulse):.2g} N s at t = {numbers.start:.2f} s explains "
+        f"{most(numbers.explained)} of the innovations. {speed} is as hard to stop as a lean at rest of {lean:.2g}°; "
+        f"the motors bring back {largest:.3g}° at most"
     )
 
 

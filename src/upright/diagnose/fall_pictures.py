@@ -1,0 +1,110 @@
+"""The last seconds before a fall, drawn."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from upright.arrays import Array
+from upright.diagnose.causes import KNOWN, Blow
+from upright.diagnose.fall import LEANING
+from upright.pages import Quantity, Say
+from upright.plotting import INK, line, numbered, panels, span
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from upright.diagnose.post_mortem import PostMortem
+
+LARGEST = 120.0  # [°] up to which ticks are 40° apart, so that the fall has one
+CUT = 1.2  # of the largest command: a law may ask for much more
+FAR = 1.5  # of the largest lean to recover from
+BEFORE, AFTER = 0.3, 0.2  # [s] shown before the onset, at least, and after the fall
+
+
+def last_seconds(result: PostMortem, push: Blow | None = None, lost: float | None = None) -> Figure:
+    """Pitch, and lean and speed over the most that the motors recover from; with a `push`, or the time [s] from which
+    on the robot was `lost`."""
+    s = result.series
+    labels = [Say("pitch [°]"), Say("lean and speed together / the most that can be saved")]
+    figure, axes = panels([str(label) for label in labels], weights=(1.0, 1.2))
+    pitch, reach = axes
+    degrees = np.degrees(s.pitch)
+    line(pitch, str(Say("pitch")), s.t, degrees, style=0, solid=True)
+    low, high = float(np.nanmin(degrees)), float(np.nanmax(degrees))
+    fallen = math.degrees(LEANING)
+    for level in (-fallen, fallen):
+        if low < level < high:
+            _level(pitch, s.t, level, Say("{lean}: fallen", lean=Quantity(math.radians(level), "rad", digits=2)))
+    largest = max(abs(low), abs(high))
+    if largest < LARGEST:
+        apart = 20 if largest < LARGEST / 1.5 else 40
+        pitch.set_yticks([tick for tick in range(-80, 81, apart) if low - 5 <= tick <= high + 5])
+    line(reach, str(Say("lean and speed")), s.t, s.reserve, style=2, solid=True)
+    if push is None:
+        _level(reach, s.t, 1.0, Say("no return"))
+    else:
+        _limits(reach, s.t, push)
+    reach.set_ylim(0, FAR)
+    if lost is not None:
+        reach.plot(lost, 1.0, "o", color=INK, markersize=6)
+    _framed(axes, result)
+    return figure
+
+
+def readings(result: PostMortem) -> Figure:
+    """What the controller requested, and how the readings differ from what the model expects."""
+    s = result.series
+    labels = [Say("requested command / the most that the motors give"), Say("surprise of the sensors")]
+    figure, axes = panels([str(label) for label in labels])
+    command, surprise = axes
+    line(command, str(Say("requested command")), s.t, np.clip(s.command, -CUT, CUT), step=True, style=1, solid=True)
+    _level(command, s.t, 1.0, Say("motors' limit"))
+    _level(command, s.t, -1.0)
+    command.set_ylim(-1.8, 1.8)
+    surprise.set_yscale("log")
+    numbered(surprise.yaxis)
+    line(surprise, str(Say("surprise")), s.t, np.maximum(s.nis, 1e-3), style=4, solid=True)
+    low, high = surprise.get_ylim()
+    powers = [10.0**k for k in range(-3, 7)]
+    surprise.set_yticks([power for power in powers if low <= power <= high])
+    if math.isfinite(s.high) and s.high > 0:
+        _level(surprise, s.t, s.high, Say("usual, up to {most}", most=Quantity(s.high, "1", digits=2)))
+    _framed(axes, result)
+    return figure
+
+
+def _framed(axes: list[Axes], result: PostMortem) -> None:
+    """The time from the onset to the fall shaded, and little before and after it shown."""
+    if not (result.fell and math.isfinite(result.onset)):
+        return
+    t = result.series.t
+    span(axes, max(result.onset, float(t[0])), result.fell_at, "_trouble")
+    start = max(float(t[0]), result.onset - max(BEFORE, result.fell_at - result.onset))
+    axes[0].set_xlim(start, min(float(t[-1]), result.fell_at + AFTER))
+
+
+def _limits(ax: Axes, t: Array, push: Blow) -> None:
+    """What the best possible controller saves, and the robot's own; and the push over that, with its error."""
+    _level(ax, t, 1.0, Say("best possible"))
+    if push.saves is not None:
+        own = push.saves / push.most
+        _level(ax, t, own, Say("its own: {part}", part=Quantity(own, "1", digits=2)), above=False)
+    part = push.counts / push.largest
+    ends = np.minimum([(1 - KNOWN) * part, (1 + KNOWN) * part], FAR)
+    ax.plot(push.start, min(part, FAR), "o", color=INK, markersize=4, clip_on=False)
+    ax.plot([push.start] * 2, ends, "_-", color=INK, markersize=7, linewidth=1, clip_on=False)
+    size = Say("push: {part}", part=Quantity(part, "1", digits=2))
+    ax.annotate(str(size), (push.start, (min(part, FAR) + FAR) / 2), (-8, 0), textcoords="offset points", ha="right")
+
+
+def _level(ax: Axes, t: Array, level: float, name: Say | None = None, *, above: bool = True) -> None:
+    """A dashed line across, with its name `above` or below its left end."""
+    line(ax, "_level", t[[0, -1]], [level] * 2, style=4)
+    ax.lines[-1].set(linewidth=0.9)
+    if name:
+        place = (0, 4 if above else -11)
+        ax.annotate(str(name), (0.005, level), place, xycoords=("axes fraction", "data"), textcoords="offset points")

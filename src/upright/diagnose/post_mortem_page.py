@@ -1,0 +1,208 @@
+"""The page of a post-mortem: the likeliest cause, what speaks for it, and the last seconds."""
+
+from __future__ import annotations
+
+import functools
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from upright.diagnose.causes import (
+    BIAS,
+    CANNOT_TELL,
+    DELAY,
+    HIGH,
+    KNOWN,
+    LOAD,
+    LOW,
+    NO_FALL,
+    OFF,
+    PUSH,
+    RAMP,
+    SATURATION,
+    Blow,
+    Cause,
+)
+from upright.diagnose.fall import LEANING
+from upright.diagnose.fall_pictures import last_seconds, readings
+from upright.diagnose.usual import FOREIGN
+from upright.pages import Block, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
+
+if TYPE_CHECKING:
+    from upright.diagnose.post_mortem import PostMortem
+
+SHOWN = 0.02
+"""Less likely causes are only in the JSON."""
+SURE = 0.5  # probability from which a cause is named
+WORTH = 0.05  # from which one beside the first is among the three numbers
+
+DESIGNED_FOR = {LOW: "lqg", HIGH: "lqg", BIAS: "lqg", DELAY: "lqg", SATURATION: "lqg", RAMP: "lqi"}
+"""Cause → the method of a controller that allows for it."""
+
+
+def post_mortem_page(result: PostMortem) -> Page:
+    """The page of a post-mortem."""
+    push = result.causes[0].push if result.causes else None
+    title = Say("{robot} did not fall in this log", robot=result.robot)
+    if result.fell:
+        title = Say("{robot} fell at {time} of the log", robot=result.robot, time=_time(result.fell_at))
+    elif result.verdict == CANNOT_TELL:
+        title = Say("The log of {robot} does not tell whether it fell", robot=result.robot)
+    said = [
+        *(Say("The log lacks {what}.", what=what) for what in result.missing),
+        *(Say("Note: {what}.", what=note) for note in result.notes),
+    ]
+    blocks: list[Block] = [_causes(result)] if result.causes else []
+    if said:
+        blocks.append(Items(said))
+    if len(result.causes) > 1:
+        blocks.append(Fold(Say("What helps"), [_repairs(result)]))
+    if len(result.series.t) > 1:
+        blocks.append(Fold(Say("Commands and surprise"), [_readings(result)]))
+    by = {"controller": f"{result.controller}, {result.hash[:12]}"} if result.controller else {}
+    return Page(
+        title, verdict=_verdict(result), lead=_lead(result, push), numbers=_numbers(result, push),
+        picture=_picture(result, push), next=[_next(result, push)], blocks=blocks,
+        origin={"robot": result.robot, "kit": result.kit, "rows": str(result.rows)} | by,
+    )  # fmt: skip
+
+
+def _time(t: float) -> Quantity:
+    return Quantity(t, "s", digits=max(3, len(f"{abs(t):.0f}") + 2))
+
+
+def _verdict(result: PostMortem) -> Verdict:
+    if result.verdict == NO_FALL:
+        return Verdict(Say("no fall"), "good")
+    if not result.causes or result.verdict == CANNOT_TELL:
+        return Verdict(Say("the cause is not clear"), "unknown")
+    first = result.causes[0]
+    likely = Quantity(first.likelihood, "fraction", digits=2)
+    if first.likelihood < SURE:
+        return Verdict(Say("perhaps {cause}: {likely}", cause=first.title, likely=likely), "unknown")
+    return Verdict(Say("{cause}: {likely} likely", cause=first.title, likely=likely), "bad")
+
+
+def _lead(result: PostMortem, push: Blow | None) -> list[Say]:
+    if not result.fell:
+        return [Say("A fall is a lean beyond {lean} that lasts.", lean=Quantity(LEANING, "rad", digits=2))]
+    if push:
+        at = _time(push.start)
+        threw = Say("A push forward at {at} most likely threw it over.", at=at)
+        if push.impulse < 0:
+            threw = Say("A push backward at {at} most likely threw it over.", at=at)
+        return [threw, _saved(push)]
+    if not result.causes:
+        return [Say("The log shows the fall, and not its cause.")]
+    repairs = result.causes[0].repairs
+    if len(repairs) > 1 or not math.isfinite(result.onset):
+        return repairs
+    return [Say("The trouble began at {at}.", at=_time(result.onset)), *repairs]
+
+
+def _saved(push: Blow) -> Say:
+    """Whether any controller could have saved it: an impulse is known to `KNOWN`."""
+    most = Quantity(push.most, "N s", digits=2)
+    if abs(push.impulse) > (1 + KNOWN) * push.most:
+        return Say("No controller could have saved it: the best possible one survives {most}.", most=most)
+    if abs(push.impulse) > (1 - KNOWN) * push.most:
+        return Say("The best possible controller survives {most}, within the error of this push.", most=most)
+    return Say("A better controller may save it: the best possible one survives {most}.", most=most)
+
+
+def _numbers(result: PostMortem, push: Blow | None) -> list[KeyNumber]:
+    numbers = list[KeyNumber]()
+    if push:
+        size = abs(push.impulse)
+        error = Quantity(KNOWN * size, "N s", digits=1)
+        impulse = Say("{size} ± {error}", size=Quantity(size, "1", digits=2), error=error)
+        height = Quantity(push.height, "m", digits=2)
+        numbers.append(KeyNumber(impulse, Say("the push, if it hit {height} above the axle", height=height)))
+        survived, by = push.most, Say("the best possible controller survives")
+        if push.saves is not None:
+            survived, by = push.saves, Say("its controller ({by}) survives", by=push.by)
+        numbers.append(KeyNumber(Quantity(survived, "N s", digits=2), by))
+    elif result.causes and math.isfinite(result.onset):
+        lasted = Quantity(result.fell_at - result.onset, "s", digits=2)
+        numbers.append(KeyNumber(lasted, Say("from the first sign to the fall")))
+        lost = lost_at(result)
+        if lost is not None and OFF not in result.causes[0].parts:  # motors that are off save nothing
+            left = Quantity(lost - result.onset, "s", digits=2)
+            numbers.append(KeyNumber(left, Say("from the first sign until no motor could save it")))
+    second = result.causes[1] if len(result.causes) > 1 else None
+    if second and second.likelihood >= WORTH:
+        likely = Quantity(second.likelihood, "fraction", digits=2)
+        numbers.append(KeyNumber(likely, Say("next likely: {cause}", cause=second.title)))
+    return numbers
+
+
+def lost_at(result: PostMortem) -> float | None:
+    """From when on the drawn lean stays beyond the largest one to recover from, up to the fall [s]."""
+    s = result.series
+    examined = np.flatnonzero((s.t >= result.onset) & (s.t <= result.fell_at) & np.isfinite(s.reserve))
+    inside = np.flatnonzero(s.reserve[examined] < 1)
+    after = examined[inside[-1] + 1 :] if len(inside) else examined
+    if not len(after):
+        return None
+    row = int(after[0])
+    low, high = s.reserve[max(row - 1, 0) : row + 1][[0, -1]].tolist()
+    if not low < 1 <= high:  # it was beyond before, or is not known there
+        return float(s.t[row])
+    crossing = float(s.t[row - 1] + (1 - low) / (high - low) * (s.t[row] - s.t[row - 1]))
+    return max(crossing, result.onset)
+
+
+def _likely(result: PostMortem) -> list[Cause]:
+    return [cause for cause in result.causes if cause.likelihood >= SHOWN]
+
+
+def _causes(result: PostMortem) -> Table:
+    columns = [
+        Column(Say("cause")),
+        Column(Say("probability"), "fraction", digits=2),
+        Column(Say("what speaks for it")),
+    ]
+    return Table(columns, [[cause.title, cause.likelihood, cause.evidence] for cause in _likely(result)])
+
+
+def _repairs(result: PostMortem) -> Table:
+    rows = [[cause.title, repair] for cause in _likely(result) for repair in cause.repairs]
+    return Table([Column(Say("cause")), Column(Say("what helps"))], rows)
+
+
+def _picture(result: PostMortem, push: Blow | None) -> Picture | None:
+    if len(result.series.t) < 2:
+        return None
+    if not (result.fell and math.isfinite(result.onset)):
+        return Picture(Say("The last seconds"), functools.partial(last_seconds, result))
+    lasted = Quantity(result.fell_at - result.onset, "s", digits=2)
+    draw = functools.partial(last_seconds, result, push, None if push else lost_at(result))
+    if push:
+        note = Say("Shaded: from the push to the fall. The dot is the push, estimated from the whole log.")
+        return Picture(Say("It fell {lasted} after the push", lasted=lasted), draw, note)
+    note = Say("Shaded: from the first sign to the fall. Above 1 the motors cannot bring it back.")
+    return Picture(Say("It fell {lasted} after the first sign of trouble", lasted=lasted), draw, note)
+
+
+def _readings(result: PostMortem) -> Picture:
+    note = Say("Surprise is the squared error of the model's predictions over what it expects.")
+    return Picture(Say("What was commanded, and how the sensors differ from the model"),
+                   functools.partial(readings, result), note)  # fmt: skip
+
+
+def _next(result: PostMortem, push: Blow | None) -> Next:
+    """What to run next, by what was found."""
+    log, robot = result.source or "LOG", result.robot
+    parts = result.causes[0].parts if result.causes else []
+    if result.misfit**2 > FOREIGN or LOAD in parts:
+        why = Say("The robot that was given is not the one of this log.")
+        return Next("calibrate", log, robot=robot, output="robot.toml", why=why)
+    if push and abs(push.impulse) < (1 + KNOWN) * push.most:
+        return Next("bench_controllers", robot=robot, why=Say("It compares controllers under pushes."))
+    if PUSH in parts:
+        return Next("push_map", robot=robot, why=Say("It finds the largest push that the robot survives."))
+    for part in parts:
+        if part in DESIGNED_FOR:
+            return Next("design", DESIGNED_FOR[part], robot=robot)
+    return Next("doctor", log, robot=robot, why=Say("It tests the log for signs, units and plugs."))
