@@ -6,10 +6,9 @@ not on degrees.
 
 from __future__ import annotations
 
-import textwrap
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
-from functools import partial
+from dataclasses import asdict, dataclass, field, replace
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -34,35 +33,28 @@ from upright.checkup import (
 from upright.checkup.copies import copies
 from upright.checkup.counts import distances
 from upright.checkup.finding import (
-    BALANCING,
     FEWEST,
-    GYRO,
-    LEFT,
-    ON_WHEELS,
     PITCH,
-    RIGHT,
     SEVERITIES,
     SPEED,
-    STANDING,
     Finding,
     Record,
     Segment,
-    moment,
     note,
     warning,
 )
 from upright.checkup.fixes import repaired
-from upright.checkup.lines import columns_line, poses_line
+from upright.checkup.measured import Measured, measured
 from upright.checkup.scale import against_robot
 from upright.checkup.wheels import record_of
 from upright.checkup.wrapped import wrapped
 from upright.errors import InvalidLog
 from upright.logs.mapping import GUESS, Mapping, Source, channels_of, find_mapping, propose
 from upright.logs.readers import RawTable, read_table, table_of
+from upright.pages import Page, Result
 from upright.progress import Progress, unwatched
 from upright.robots import Robot, find_robot
 from upright.signals import Log
-from upright.tables import Shown
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -71,11 +63,11 @@ Check = Callable[[Record], list[Finding]]
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class Diagnosis(Shown):
+class Diagnosis(Result):
     """All findings on one log, worst first; `mapping` says which column was read as which channel, `ignored` names the
     others; `segments` are the poses in the order of time.
 
-    `str()` is a short table, `to_json()` plain data, `repaired()` the log with every repair applied.
+    `robot` is the one that the log names, if any; `repaired()` is the log with every repair applied.
     """
 
     source: str
@@ -129,38 +121,29 @@ class Diagnosis(Shown):
         repairs = [f"{finding.code} {finding.channel}: {finding.repair}" for finding in self.findings if finding.fixes]
         return Log(record.t, record.channels, record.units, {**self._origin, "repaired": repairs})
 
+    @property
+    def robot(self) -> str:
+        """The name of the robot that the log's origin has; empty where it has none."""
+        named = self._origin.get("robot")
+        return str(named.get("name", "")) if isinstance(named, dict) else ""
+
+    @cached_property
+    def measured(self) -> dict[str, Measured]:
+        """What the checks measured, by check, as far as it is a number."""
+        wrong = any(code.startswith(("units/", "motion/int", "motion/diff", "time/")) for code in self.codes())
+        return measured(self._raw, None if wrong else replace(self._raw, segments=self.segments), self.period)
+
     def plot(self) -> Figure | None:
         """Gyro, encoders and commands as they were read, with poses and a repair's cuts; None without any."""
-        from upright.plotting import COLOURS, INK, legend, line, panels, span
+        from upright.checkup.doctor_page import drawn
 
-        record = self._raw
-        groups = {"encoders": (LEFT, RIGHT), "commands": record.commands or (), "gyro": (GYRO,)}
-        several = {title: [n for n in names if n in record] for title, names in groups.items()}
-        several = {title: names for title, names in several.items() if names}
-        if not several:
-            return None
-        figure, axes = panels([f"{title} [{record.units.get(names[0], '1')}]" for title, names in several.items()])
-        for ax, (title, names) in zip(axes, several.items(), strict=True):
-            for style, name in enumerate(names):
-                side = name.rpartition("_")[2] if "_" in name else name.rpartition("/")[2]
-                colour = style if side in ("left", "right") else 4
-                line(ax, side, record.t, record[name], step=title == "commands", style=colour, solid=True)
-            if any(finding.code.startswith("saturation") and finding.channel in names for finding in self.findings):
-                at = sensors.limited(record, names)
-                for name, rows in zip(names, at, strict=True):
-                    ax.plot(
-                        record.t[rows], record[name][rows], "o", color=COLOURS[3], markersize=2.5, label="at the limit"
-                    )
-        off = ", ".join(dict.fromkeys(s.kind for s in self.segments if s.kind not in ON_WHEELS))
-        for segment in self.segments:
-            if segment.kind == STANDING:
-                span(axes, segment.start, segment.stop, STANDING, COLOURS[0])
-            elif segment.kind != BALANCING:
-                span(axes, segment.start, segment.stop, off)
-        for at in self.kept or ():
-            for ax in axes if record.t[0] < at < record.t[-1] else ():
-                ax.axvline(at, linestyle="--", linewidth=1.2, color=INK, label="cut")
-        return legend(figure)
+        return drawn(self)
+
+    def page(self) -> Page:
+        """The diagnosis for people."""
+        from upright.checkup.doctor_page import doctor_page
+
+        return doctor_page(self)
 
     def to_json(self) -> dict[str, Any]:
         """As plain data for programs."""
@@ -173,24 +156,8 @@ class Diagnosis(Shown):
             "mapping": {"name": self.mapping.name, "columns": columns, "ignored": list(self.ignored)},
             "segments": [segment.to_json() for segment in self.segments],
             "findings": [finding.to_json() for finding in self.findings],
+            "measured": {name: asdict(number) for name, number in self.measured.items()},
         }
-
-    def __str__(self) -> str:
-        head = f"{self.source or 'log'}: {self.rows} rows, {self.seconds:.4g} s, every {self.period * 1e3:.4g} ms"
-        head += "" if self.mapping.name == "ours" else f", read as '{self.mapping.name}'"
-        if self.mapping.name != "ours":
-            head += "\n" + textwrap.fill(columns_line(self.mapping, self.ignored), 80, subsequent_indent="       ")
-        lines = [head, *textwrap.wrap(poses_line(self.segments), 80, subsequent_indent="       ")]
-        if not self.findings:
-            return "\n".join([*lines, "no faults"])
-        for finding in self.findings:
-            text = f"{finding.evidence}" + (f" → {finding.repair}" if finding.repair else "")
-            lines += [f"{finding.severity:8} {finding.code:22} {finding.channel}".rstrip()]
-            lines += textwrap.wrap(text, 80, initial_indent="    ", subsequent_indent="    ", break_on_hyphens=False)
-        if self.kept and len(self.cut_away()) == len(self.faults) > 1:
-            start, stop = map(moment, self.kept)
-            lines.append(f"one cut removes all {len(self.faults)} faults: {start} ≤ t < {stop} s (--fix REPAIRED.csv)")
-        return "\n".join(lines)
 
 
 def doctor(

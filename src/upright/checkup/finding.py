@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.arrays import Array, Mask
+from upright.pages import Quantity
 
 SEVERITIES = ("error", "warning", "note")
 """error: the log is wrong; warning: a fit must account for it; note: information."""
@@ -37,6 +38,11 @@ def moment(t: float, digits: int = 3) -> str:
     return f"{t:.{digits}g}" if abs(t) < 10**digits else f"{t:.2f}"
 
 
+def instant(t: float) -> Quantity:
+    """A time [s] of a log: three digits, or hundredths where a clock counts from long ago."""
+    return Quantity(t, "s", digits=max(3, len(f"{abs(t):.0f}") + 2))
+
+
 def during(start: float, stop: float) -> str:
     """From when to when [s] in words; of what begins and ends at the same time in words, that time."""
     one, other = moment(start), moment(stop)
@@ -51,10 +57,6 @@ class Segment:
     start: float
     stop: float
     lean: float
-
-    def __str__(self) -> str:
-        leaning = f" at {self.lean:+.2f} rad" if self.kind in LEANING else ""
-        return f"{self.start:.2f} to {self.stop:.2f} s {self.kind}{leaning}"
 
     def to_json(self) -> dict[str, Any]:
         """As plain data."""

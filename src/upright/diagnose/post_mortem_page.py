@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from upright.checkup.finding import instant
 from upright.diagnose.causes import (
     BIAS,
     CANNOT_TELL,
@@ -46,7 +47,7 @@ def post_mortem_page(result: PostMortem) -> Page:
     push = result.causes[0].push if result.causes else None
     title = Say("{robot} did not fall in this log", robot=result.robot)
     if result.fell:
-        title = Say("{robot} fell at {time} of the log", robot=result.robot, time=_time(result.fell_at))
+        title = Say("{robot} fell at {time} of the log", robot=result.robot, time=instant(result.fell_at))
     elif result.verdict == CANNOT_TELL:
         title = Say("The log of {robot} does not tell whether it fell", robot=result.robot)
     said = [
@@ -68,10 +69,6 @@ def post_mortem_page(result: PostMortem) -> Page:
     )  # fmt: skip
 
 
-def _time(t: float) -> Quantity:
-    return Quantity(t, "s", digits=max(3, len(f"{abs(t):.0f}") + 2))
-
-
 def _verdict(result: PostMortem) -> Verdict:
     if result.verdict == NO_FALL:
         return Verdict(Say("no fall"), "good")
@@ -88,7 +85,7 @@ def _lead(result: PostMortem, push: Blow | None) -> list[Say]:
     if not result.fell:
         return [Say("A fall is a lean beyond {lean} that lasts.", lean=Quantity(LEANING, "rad", digits=2))]
     if push:
-        at = _time(push.start)
+        at = instant(push.start)
         threw = Say("A push forward at {at} most likely threw it over.", at=at)
         if push.impulse < 0:
             threw = Say("A push backward at {at} most likely threw it over.", at=at)
@@ -98,7 +95,7 @@ def _lead(result: PostMortem, push: Blow | None) -> list[Say]:
     repairs = result.causes[0].repairs
     if len(repairs) > 1 or not math.isfinite(result.onset):
         return repairs
-    return [Say("The trouble began at {at}.", at=_time(result.onset)), *repairs]
+    return [Say("The trouble began at {at}.", at=instant(result.onset)), *repairs]
 
 
 def _saved(push: Blow) -> Say:

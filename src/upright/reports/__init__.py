@@ -22,7 +22,6 @@ from upright.reports.page import Table as Table
 
 PAGES = {
     "Calibration": "calibration",
-    "Diagnosis": "diagnosed",
 }  # fmt: skip
 """Class of a result → the file of this room that has its page."""
 

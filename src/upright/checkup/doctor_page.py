@@ -1,0 +1,234 @@
+"""The page of a diagnosis: whether the log is usable, what is wrong where, and what repairs it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from upright.checkup import sensors
+from upright.checkup.finding import BALANCING, GYRO, LEFT, ON_WHEELS, RIGHT, STANDING, Finding, instant
+from upright.checkup.titles import CHANNELS, CHECKS, POSES, check_of, place_of, title_of
+from upright.logs.mapping import Source
+from upright.pages import Block, Column, Fold, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from upright.checkup.doctor import Diagnosis
+
+PUSHED, QUIET, FALL = "delay/untold", "motion/quiet", "segment/fall"
+KINDS = {
+    "error": Verdict(Say("error"), "bad"), "warning": Verdict(Say("warning"), "warn"),
+    "note": Verdict(Say("note"), "info"),
+}  # fmt: skip
+
+
+def doctor_page(result: Diagnosis) -> Page:
+    """The page of a diagnosis."""
+    faults = result.faults
+    name = result.source or Say("in memory")
+    title = Say("Log {name}: no fault found", name=name)
+    if len(faults) == 1:
+        title = Say("Log {name} has one fault: {what}", name=name, what=title_of(faults[0]))
+    elif faults:
+        title = Say("Log {name} has {n} faults", name=name, n=len(faults))
+    blocks: list[Block] = [_findings(result)] if result.findings else []
+    blocks += [
+        Fold(heading, tables)
+        for heading, tables in (
+            (Say("Evidence"), [_evidence(result)] if result.findings else []),
+            (Say("Checks"), [_checks(result)]),
+            (Say("Poses"), [_poses(result)] if result.segments else []),
+            (Say("Columns of the log"), [_columns(result)] if result.mapping.name != "ours" else []),
+        )
+        if tables
+    ]
+    drawing = result.plot()
+    claim = Say("The readings of the log, and where the robot balances")
+    return Page(
+        title, verdict=_verdict(result), lead=_lead(result), numbers=_numbers(result),
+        picture=Picture(claim, lambda: drawn(result)) if drawing else None, next=_next(result), blocks=blocks,
+        origin={"columns read as": result.mapping.name, "rows": str(result.rows)},
+    )  # fmt: skip
+
+
+def _has(result: Diagnosis, code: str) -> bool:
+    return code in result.codes()
+
+
+def _repairable(result: Diagnosis) -> list[Finding]:
+    """The faults that the fixes remove: their own, or the cut that leaves their time out."""
+    away = result.cut_away()
+    return [f for f in result.faults if f.fixes or f in away]
+
+
+def _wrong(result: Diagnosis) -> list[Finding]:
+    """The faults to which a fit bends its numbers, and which no fix removes."""
+    from upright.checkup.doctor import CONTRADICTORY
+
+    left = [f for f in result.faults if f not in _repairable(result)]
+    codes = (*CONTRADICTORY, "segment/none")
+    return [f for f in left if f.severity == "error" or f.code.startswith(codes)]
+
+
+def _verdict(result: Diagnosis) -> Verdict:
+    if _wrong(result):
+        return Verdict(Say("not usable for a model"), "bad")
+    if _repairable(result):
+        grave = any(f.severity == "error" for f in result.faults)
+        return Verdict(Say("repair it first"), "bad" if grave else "warn")
+    if result.faults or _has(result, PUSHED):
+        return Verdict(Say("usable with care"), "warn")
+    if _has(result, QUIET):
+        return Verdict(Say("sound, but too quiet for a model"), "warn")
+    return Verdict(Say("usable as it is"), "good")
+
+
+def _lead(result: Diagnosis) -> list[Say]:
+    lead: list[Say] = []
+    balanced = Quantity(_balanced(result), "s")
+    fall = next((f for f in result.faults if f.code == FALL and f.span), None)
+    if fall and fall.span and balanced.value:
+        lead.append(Say("The robot balances for {balanced} and falls at {at}.", balanced=balanced,
+                        at=instant(fall.span[0])))  # fmt: skip
+    elif result.segments and balanced.value:
+        seconds = Quantity(result.seconds, "s")
+        lead.append(Say("The robot balances for {balanced} of {seconds}.", balanced=balanced, seconds=seconds))
+    elif result.segments:
+        lead.append(Say("The robot balances nowhere in this log."))
+    n, m = len(_repairable(result)), len(result.faults)
+    if result.kept and n == m and len(result.cut_away()) == m > 0:
+        start, stop = map(instant, result.kept)
+        lead.append(Say("A cut to {start} … {stop} removes every fault.", start=start, stop=stop))
+    elif n:
+        lead.append(Say("A repair removes {n} of {m} faults.", n=n, m=m))
+    elif _has(result, PUSHED):
+        lead.append(Say("Pushes that the log does not name bend a model of it."))
+    return lead
+
+
+def _balanced(result: Diagnosis) -> float:
+    """How long it balances [s], in the time that a repair keeps."""
+    start, stop = result.kept or (-float("inf"), float("inf"))
+    spans = ((max(s.start, start), min(s.stop, stop)) for s in result.segments if s.kind == BALANCING)
+    return sum(max(0.0, b - a) for a, b in spans)
+
+
+def _numbers(result: Diagnosis) -> list[KeyNumber]:
+    failed = {check_of(finding) for finding in result.faults}
+    passed = Say("{n} of {m}", n=len(CHECKS) - len(failed), m=len(CHECKS))
+    numbers = [KeyNumber(passed, Say("checks passed"))]
+    if result.kept:
+        kept = Quantity(result.kept[1] - result.kept[0], "s")
+        numbers.append(KeyNumber(kept, Say("of {seconds} a repair keeps", seconds=Quantity(result.seconds, "s"))))
+    period = Quantity(result.period, "s", digits=4)
+    return [*numbers, KeyNumber(period, Say("from row to row, {n} rows", n=result.rows))]
+
+
+def _listed(result: Diagnosis) -> list[Finding]:
+    return [f for f in result.findings if f.code != "segment/cut"]  # what a repair keeps is a number above
+
+
+def _findings(result: Diagnosis) -> Table:
+    rows = [[KINDS[f.severity], title_of(f), place_of(f), f.repair or None] for f in _listed(result)]
+    names = (Say("severity"), Say("what"), Say("where"), Say("what to do"))
+    caption = Say("An error makes the log wrong; a model must allow for a warning")
+    return Table([Column(name) for name in names], rows, caption)
+
+
+def _evidence(result: Diagnosis) -> Table:
+    names = (Say("what"), Say("where"), Say("evidence"))
+    rows = [[title_of(f), place_of(f), f.evidence] for f in result.findings]
+    return Table([Column(name) for name in names], rows)
+
+
+def _checks(result: Diagnosis) -> Table:
+    worst = {check_of(f): f.severity for f in reversed(result.findings)}  # the worst come first
+    numbers = result.measured
+    rows = [
+        [
+            title,
+            KINDS[worst[name]] if name in worst else Verdict(Say("passed"), "good"),
+            *((Quantity(n.value, n.unit), Quantity(n.limit, n.unit)) if (n := numbers.get(name)) else (None, None)),
+        ]
+        for name, (title, _) in CHECKS.items()
+    ]
+    names = (Say("check"), Say("result"), Say("measured"), Say("limit"))
+    return Table([Column(name) for name in names], rows)
+
+
+def _poses(result: Diagnosis) -> Table:
+    rows = [[POSES.get(s.kind, s.kind), s.start, s.stop, s.lean] for s in result.segments]
+    columns = [
+        Column(Say("pose")), Column(Say("from"), "s", digits=4), Column(Say("to"), "s", digits=4),
+        Column(Say("lean"), "rad", digits=2),
+    ]  # fmt: skip
+    return Table(columns, rows)
+
+
+def _columns(result: Diagnosis) -> Table:
+    """Which column was taken for which channel, and which for none."""
+    mapping = result.mapping
+    rows = [[CHANNELS["t"], *_source(mapping.time)]] if mapping.time.column else []
+    rows += [[CHANNELS.get(name, name), *_source(source)] for name, source in mapping.channels.items()]
+    rows += [[Say("not used"), column, None, None] for column in result.ignored]
+    return Table([Column(name) for name in (Say("channel"), Say("column"), Say("unit"), Say("sign"))], rows)
+
+
+def _source(source: Source) -> list[str | None]:
+    return [source.column, source.unit or None, source.direction or ("−" if source.sign < 0 else None)]
+
+
+def _next(result: Diagnosis) -> list[Next]:
+    """The repair; why it fell; then a calibration, or what to log for one."""
+    log, robot = result.source or "LOG", result.robot or "ROBOT"
+    fell = _has(result, FALL)
+    if _wrong(result) and not (fell and _has(result, "segment/none")):
+        why = Say("State there what the table asks for, then repeat with `--mapping`.")
+        return [Next("doctor", log, write_mapping="mine.toml", why=why)]
+    steps: list[Next] = []
+    if any(f.fixes for f in result.findings):
+        steps.append(Next("doctor", log, fix="repaired.csv"))
+    if fell:
+        steps.append(Next("post_mortem", log, robot=robot, why=Say("It finds why the robot fell.")))
+    if _has(result, QUIET) or _has(result, PUSHED):
+        steps.append(Next("excite", robot=robot, output="plan.json", why=Say("It designs the signal to log next.")))
+    return steps or [Next("calibrate", log, robot=robot, output="robot.toml")]
+
+
+def drawn(result: Diagnosis) -> Figure | None:
+    """Gyro, encoders and commands as they were read, with poses and a repair's cuts; None without any."""
+    from upright.plotting import COLOURS, INK, legend, line, panels, span
+
+    record = result.read
+    groups = (
+        (CHANNELS[GYRO], (GYRO,)),
+        (Say("encoders"), (LEFT, RIGHT)),
+        (Say("commands"), record.commands or ()),
+    )
+    several = [(title, [n for n in names if n in record]) for title, names in groups]
+    several = [(title, names) for title, names in several if names]
+    if not several:
+        return None
+    sides = {"left": (0, str(Say("left"))), "right": (1, str(Say("right")))}
+    limited = {f.channel for f in result.findings if f.code == "saturation"}
+    figure, axes = panels([f"{title} [{record.units.get(names[0], '1')}]" for title, names in several])
+    for ax, (title, names) in zip(axes, several, strict=True):
+        for name in names:
+            colour, side = sides.get(name.replace("_", "/").rpartition("/")[2], (4, str(title)))
+            step = name in (record.commands or ())
+            line(ax, side, record.t, record[name], step=step, style=colour, solid=True)
+        if limited & {*names}:
+            at = sensors.limited(record, names)
+            for name, rows in zip(names, at, strict=True):
+                ax.plot(record.t[rows], record[name][rows], "o", color=COLOURS[3], markersize=2.5,
+                        label=str(Say("at the limit")))  # fmt: skip
+    off = dict.fromkeys(str(POSES.get(s.kind, s.kind)) for s in result.segments if s.kind not in ON_WHEELS)
+    for segment in result.segments:
+        if segment.kind == STANDING:
+            span(axes, segment.start, segment.stop, str(POSES[STANDING]), COLOURS[0])
+        elif segment.kind != BALANCING:
+            span(axes, segment.start, segment.stop, ", ".join(off))
+    for at in result.kept or ():
+        for ax in axes if record.t[0] < at < record.t[-1] else ():
+            ax.axvline(at, linestyle="--", linewidth=1.2, color=INK, label=str(Say("cut")))
+    return legend(figure)
