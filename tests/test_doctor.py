@@ -26,7 +26,6 @@ from upright.experiment.examples import example
 from upright.logs.mapping import Mapping, Source
 from upright.logs.outliers import single
 from upright.logs.readers import RawTable, read_table
-from upright.reports.diagnosed import page_of
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
 
@@ -470,7 +469,7 @@ def test_regbot_commands_are_not_those_between_the_rows(shared: Path) -> None:
 def test_the_diagnosis_says_itself(tmp_path: Path) -> None:
     case = next(case for case in bench.CASES if case.name == "gyro turned")
     diagnosis = doctor(case.plant(made("nxt"), np.random.Generator(np.random.Philox(0))))
-    assert "motion/flipped" in str(diagnosis)
+    assert "wrong sign" in str(diagnosis)
     assert diagnosis.to_json()["findings"][0]["channel"] == bench.GYRO
     assert not diagnosis.healthy
 
@@ -537,7 +536,7 @@ def test_one_cut_removes_what_comes_with_a_fall() -> None:
     assert {f.code for f in fallen.faults} == {"saturation", "segment/fall"}
     assert fallen.cut_away() == fallen.faults
     assert doctor(fallen.repaired()).healthy
-    assert f"one cut removes all {len(fallen.faults)} faults: 0 ≤ t < " in str(fallen)
+    assert "removes every fault" in str(fallen)
 
 
 def test_a_limit_that_is_reached_while_it_balances_too_stays() -> None:
@@ -548,7 +547,7 @@ def test_a_limit_that_is_reached_while_it_balances_too_stays() -> None:
     result = doctor(Log(log.t, {**log.channels, **columns}, log.units, log.origin))
     kept = [f.code for f in result.faults if f not in result.cut_away()]
     assert "saturation" in kept
-    assert "one cut" not in str(result)
+    assert "removes every fault" not in str(result)
 
 
 class TooWeak:
@@ -574,7 +573,6 @@ def test_a_log_that_only_falls_is_sent_to_the_post_mortem_not_to_a_calibration(n
     body = Electronics(NonlinearBody(robot), kit)
     log = run(body, TooWeak(lqg(robot, kit)), start=(0.03, 0, 0, 0, 0, 0), seconds=5.0)
     measured = {key: values for key, values in log.channels.items() if not key.startswith("truth/")}
-    lead = page_of(doctor(Log(log.t, measured, {key: log.units[key] for key in measured}), robot)).lead
-    _, following = lead.split("Next: ")
-    assert "upright post-mortem" in following
-    assert "calibrate" not in following
+    steps = doctor(Log(log.t, measured, {key: log.units[key] for key in measured}), robot).page().next
+    assert "post_mortem" in [step.verb for step in steps]
+    assert "calibrate" not in [step.verb for step in steps]

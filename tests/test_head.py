@@ -17,18 +17,16 @@ from upright.reports.head import MOST, WIDTH, Head
 
 KNOCK = "--push impulse:0.1"
 QUICK = [
-    "doctor a.csv",
 ]  # fmt: skip
 """One of each kind of head: with a verdict, of either level, and without one; with and without what to run next."""
 
 LONGER = [
     "grade hand-ins",
-    "post-mortem fall.csv",
 ]  # fmt: skip
 """What `test_first_robot.py` does not walk past, which asks the same of its commands."""
 
 COMMANDS = [*QUICK, *(pytest.param(command, marks=pytest.mark.evidence) for command in LONGER)]
-EXAMPLES = {"fall.csv": "fall", "hand-ins": "handed-in"}
+EXAMPLES = {"hand-ins": "handed-in"}
 
 
 @pytest.fixture(scope="module")

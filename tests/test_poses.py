@@ -164,7 +164,7 @@ def test_the_post_mortem_sees_a_slow_fall(shared: Path) -> None:
     found = post_mortem(shared / "data" / "ev3way" / "nn_v17_005.csv", "ev3way")
     assert found.fell
     assert 6.0 < found.fell_at < 6.9
-    assert "fell at t = 6." in str(found)
+    assert "fell at 6." in str(found)
 
 
 def short(*, motors: int, gyro: int, rows: int = 29) -> Log:
@@ -337,7 +337,7 @@ def test_a_robot_on_a_stand_whose_wheels_spin_up_does_not_balance(per_radian: fl
     on = np.where(t > 0.3, 7.0, 0.0)
     found = doctor(Log(t, channels | {"applied/left": on, "applied/right": on}, {"applied/left": "V"}))
     assert [pose.kind for pose in found.segments] == ["held"]
-    assert "its wheels are off the floor" in " ".join(str(found).split())
+    assert any("its wheels are off the floor" in finding.evidence for finding in found.findings)
     assert "segment/none" in found.codes()
 
 

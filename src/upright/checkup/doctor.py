@@ -135,9 +135,8 @@ class Diagnosis(Result):
 
     def plot(self) -> Figure | None:
         """Gyro, encoders and commands as they were read, with poses and a repair's cuts; None without any."""
-        from upright.checkup.doctor_page import drawn
-
-        return drawn(self)
+        picture = self.page().picture
+        return picture and picture.draw()
 
     def page(self) -> Page:
         """The diagnosis for people."""

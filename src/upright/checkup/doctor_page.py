@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from typing import TYPE_CHECKING
 
 from upright.checkup import sensors
@@ -11,6 +12,9 @@ from upright.logs.mapping import Source
 from upright.pages import Block, Column, Fold, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
     from upright.checkup.doctor import Diagnosis
@@ -42,12 +46,10 @@ def doctor_page(result: Diagnosis) -> Page:
         )
         if tables
     ]
-    drawing = result.plot()
-    claim = Say("The readings of the log, and where the robot balances")
     return Page(
         title, verdict=_verdict(result), lead=_lead(result), numbers=_numbers(result),
-        picture=Picture(claim, lambda: drawn(result)) if drawing else None, next=_next(result), blocks=blocks,
-        origin={"columns read as": result.mapping.name, "rows": str(result.rows)},
+        picture=_picture(result), next=_next(result), blocks=blocks,
+        origin={} if result.mapping.name == "ours" else {"columns read as": result.mapping.name},
     )  # fmt: skip
 
 
@@ -190,15 +192,12 @@ def _next(result: Diagnosis) -> list[Next]:
         steps.append(Next("doctor", log, fix="repaired.csv"))
     if fell:
         steps.append(Next("post_mortem", log, robot=robot, why=Say("It finds why the robot fell.")))
-    if _has(result, QUIET) or _has(result, PUSHED):
+    elif _has(result, QUIET) or _has(result, PUSHED):
         steps.append(Next("excite", robot=robot, output="plan.json", why=Say("It designs the signal to log next.")))
     return steps or [Next("calibrate", log, robot=robot, output="robot.toml")]
 
 
-def drawn(result: Diagnosis) -> Figure | None:
-    """Gyro, encoders and commands as they were read, with poses and a repair's cuts; None without any."""
-    from upright.plotting import COLOURS, INK, legend, line, panels, span
-
+def _picture(result: Diagnosis) -> Picture | None:
     record = result.read
     groups = (
         (CHANNELS[GYRO], (GYRO,)),
@@ -209,6 +208,16 @@ def drawn(result: Diagnosis) -> Figure | None:
     several = [(title, names) for title, names in several if names]
     if not several:
         return None
+    claim = Say("The readings of the log, and where the robot balances")
+    note = Say("Dots: values at the limit.") if _has(result, "saturation") else None
+    return Picture(claim, functools.partial(_draw, result, several), note)
+
+
+def _draw(result: Diagnosis, several: Sequence[tuple[Say, Sequence[str]]]) -> Figure:
+    """Channels as they were read, with poses and a repair's cuts."""
+    from upright.plotting import COLOURS, INK, line, panels, span
+
+    record = result.read
     sides = {"left": (0, str(Say("left"))), "right": (1, str(Say("right")))}
     limited = {f.channel for f in result.findings if f.code == "saturation"}
     figure, axes = panels([f"{title} [{record.units.get(names[0], '1')}]" for title, names in several])
@@ -220,8 +229,7 @@ def drawn(result: Diagnosis) -> Figure | None:
         if limited & {*names}:
             at = sensors.limited(record, names)
             for name, rows in zip(names, at, strict=True):
-                ax.plot(record.t[rows], record[name][rows], "o", color=COLOURS[3], markersize=2.5,
-                        label=str(Say("at the limit")))  # fmt: skip
+                ax.plot(record.t[rows], record[name][rows], "o", color=COLOURS[3], markersize=2.5, label="_limit")
     off = dict.fromkeys(str(POSES.get(s.kind, s.kind)) for s in result.segments if s.kind not in ON_WHEELS)
     for segment in result.segments:
         if segment.kind == STANDING:
@@ -231,4 +239,19 @@ def drawn(result: Diagnosis) -> Figure | None:
     for at in result.kept or ():
         for ax in axes if record.t[0] < at < record.t[-1] else ():
             ax.axvline(at, linestyle="--", linewidth=1.2, color=INK, label=str(Say("cut")))
-    return legend(figure)
+    _named(axes)
+    return figure
+
+
+def _named(axes: Sequence[Axes]) -> None:
+    """Each name once, over the panel: poses over the first, sides over the first that has both."""
+    known: set[str] = set()
+    for ax in axes:
+        handles, labels = ax.get_legend_handles_labels()
+        named = {label: handle for handle, label in zip(handles, labels, strict=True) if label not in known}
+        alone = {label for label in named if ax.get_ylabel().startswith(f"{label} ")}
+        shown = {label: handle for label, handle in named.items() if label not in alone}
+        if shown:
+            ax.legend([*shown.values()], [*shown], loc="lower right", bbox_to_anchor=(1, 1), ncols=3, frameon=False,
+                      fontsize=8.0, columnspacing=1.0, handlelength=1.4, borderpad=0.0)  # fmt: skip
+        known |= named.keys()

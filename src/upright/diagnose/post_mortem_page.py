@@ -90,6 +90,8 @@ def _lead(result: PostMortem, push: Blow | None) -> list[Say]:
         if push.impulse < 0:
             threw = Say("A push backward at {at} most likely threw it over.", at=at)
         return [threw, _saved(push)]
+    if result.misfit**2 > FOREIGN:
+        return [Say("The given robot does not fit this log, even before the fall.")]
     if not result.causes:
         return [Say("The log shows the fall, and not its cause.")]
     repairs = result.causes[0].repairs
@@ -193,7 +195,7 @@ def _next(result: PostMortem, push: Blow | None) -> Next:
     log, robot = result.source or "LOG", result.robot
     parts = result.causes[0].parts if result.causes else []
     if result.misfit**2 > FOREIGN or LOAD in parts:
-        why = Say("The robot that was given is not the one of this log.")
+        why = Say("It learns the robot of this log.")
         return Next("calibrate", log, robot=robot, output="robot.toml", why=why)
     if push and abs(push.impulse) < (1 + KNOWN) * push.most:
         return Next("bench_controllers", robot=robot, why=Say("It compares controllers under pushes."))
