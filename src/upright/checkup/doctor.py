@@ -7,10 +7,10 @@ not on degrees.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass, field, replace
-from functools import cached_property, partial
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -32,19 +32,19 @@ from upright.checkup import (
 )
 from upright.checkup.copies import copies
 from upright.checkup.counts import distances
+from upright.checkup.examined import LogExamined
 from upright.checkup.finding import (
+    CONTRADICTORY,
     FEWEST,
     PITCH,
     SEVERITIES,
     SPEED,
     Finding,
     Record,
-    Segment,
     note,
     warning,
 )
 from upright.checkup.fixes import repaired
-from upright.checkup.measured import Measured, measured
 from upright.checkup.scale import against_robot
 from upright.checkup.wheels import record_of
 from upright.checkup.wrapped import wrapped
@@ -62,56 +62,8 @@ if TYPE_CHECKING:
 Check = Callable[[Record], list[Finding]]
 
 
-@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class Diagnosis(Result):
-    """All findings on one log, worst first; `mapping` says which column was read as which channel, `ignored` names the
-    others; `segments` are the poses in the order of time.
-
-    `robot` is the one that the log names, if any; `repaired()` is the log with every repair applied.
-    """
-
-    source: str
-    mapping: Mapping
-    findings: tuple[Finding, ...]
-    rows: int
-    seconds: float
-    period: float
-    segments: tuple[Segment, ...]
-    ignored: tuple[str, ...]
-    _raw: Record = field(repr=False)
-    _origin: dict[str, Any] = field(repr=False, default_factory=dict[str, Any])
-
-    @property
-    def healthy(self) -> bool:
-        """Whether there is no error and no warning."""
-        return all(finding.severity == "note" for finding in self.findings)
-
-    @property
-    def read(self) -> Record:
-        """The log as it was read, before any repair."""
-        return self._raw
-
-    def codes(self) -> list[str]:
-        """The codes of all findings, in order."""
-        return [finding.code for finding in self.findings]
-
-    @property
-    def faults(self) -> list[Finding]:
-        """What is not a mere note."""
-        return [finding for finding in self.findings if finding.severity != "note"]
-
-    @property
-    def kept(self) -> tuple[float, float] | None:
-        """The longest time on the wheels [s], to which a repair cuts the log; None where it keeps all rows."""
-        cuts = (fix.numbers for finding in self.findings for fix in finding.fixes if fix.kind == "cut")
-        return next(((start, stop) for start, stop in cuts), None)
-
-    def cut_away(self) -> list[Finding]:
-        """The faults that lie outside the time that is kept, so that the cut removes them."""
-        if self.kept is None:
-            return []
-        start, stop = self.kept
-        return [f for f in self.faults if f.span and (f.span[0] >= stop or f.span[1] < start)]
+class Diagnosis(LogExamined, Result):
+    """What was found on a log, for people, as data and as a picture, and the log with every repair applied."""
 
     def repaired(self) -> Log:
         """The log with every repair applied, in the order of the stages; raises `InvalidLog` if the result is no "
@@ -120,18 +72,6 @@ class Diagnosis(Result):
         record = _repaired(self._raw, in_order)
         repairs = [f"{finding.code} {finding.channel}: {finding.repair}" for finding in self.findings if finding.fixes]
         return Log(record.t, record.channels, record.units, {**self._origin, "repaired": repairs})
-
-    @property
-    def robot(self) -> str:
-        """The name of the robot that the log's origin has; empty where it has none."""
-        named = self._origin.get("robot")
-        return str(named.get("name", "")) if isinstance(named, dict) else ""
-
-    @cached_property
-    def measured(self) -> dict[str, Measured]:
-        """What the checks measured, by check, as far as it is a number."""
-        wrong = any(code.startswith(("units/", "motion/int", "motion/diff", "time/")) for code in self.codes())
-        return measured(self._raw, None if wrong else replace(self._raw, segments=self.segments), self.period)
 
     def plot(self) -> Figure | None:
         """Gyro, encoders and commands as they were read, with poses and a repair's cuts; None without any."""
@@ -143,20 +83,6 @@ class Diagnosis(Result):
         from upright.checkup.doctor_page import doctor_page
 
         return doctor_page(self)
-
-    def to_json(self) -> dict[str, Any]:
-        """As plain data for programs."""
-        columns = {name: source.column for name, source in self.mapping.channels.items()}
-        return {
-            "source": self.source,
-            "rows": self.rows,
-            "seconds": self.seconds,
-            "period": self.period,
-            "mapping": {"name": self.mapping.name, "columns": columns, "ignored": list(self.ignored)},
-            "segments": [segment.to_json() for segment in self.segments],
-            "findings": [finding.to_json() for finding in self.findings],
-            "measured": {name: asdict(number) for name, number in self.measured.items()},
-        }
 
 
 def doctor(
@@ -303,10 +229,6 @@ _STAGE_OF = {
     "time/dropped": 20, "time/jitter": 20, "segment/cut": 21,
 }  # fmt: skip
 """Order of the repairs. Those that change the rows come last, so that the times in the others stay valid."""
-
-
-CONTRADICTORY = ("motion/", "units/", "channel/stuck", "command/unsigned", "columns/copied")
-"""How the codes begin of findings that a fit bends its numbers to: signs, sides, kinds, units, sensors that stopped."""
 
 
 def contradictions(log: Log, robot: Robot | None = None, codes: tuple[str, ...] = CONTRADICTORY) -> list[str]:

@@ -6,7 +6,7 @@ import functools
 from typing import TYPE_CHECKING
 
 from upright.checkup import sensors
-from upright.checkup.finding import BALANCING, GYRO, LEFT, ON_WHEELS, RIGHT, STANDING, Finding, instant
+from upright.checkup.finding import BALANCING, CONTRADICTORY, GYRO, LEFT, ON_WHEELS, RIGHT, STANDING, Finding, instant
 from upright.checkup.titles import CHANNELS, CHECKS, POSES, check_of, place_of, title_of
 from upright.logs.mapping import Source
 from upright.pages import Block, Column, Fold, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from upright.checkup.doctor import Diagnosis
+    from upright.checkup.examined import LogExamined
 
 PUSHED, QUIET, FALL = "delay/untold", "motion/quiet", "segment/fall"
 KINDS = {
@@ -26,7 +26,7 @@ KINDS = {
 }  # fmt: skip
 
 
-def doctor_page(result: Diagnosis) -> Page:
+def doctor_page(result: LogExamined) -> Page:
     """The page of a diagnosis."""
     faults = result.faults
     name = result.source or Say("in memory")
@@ -53,26 +53,24 @@ def doctor_page(result: Diagnosis) -> Page:
     )  # fmt: skip
 
 
-def _has(result: Diagnosis, code: str) -> bool:
+def _has(result: LogExamined, code: str) -> bool:
     return code in result.codes()
 
 
-def _repairable(result: Diagnosis) -> list[Finding]:
+def _repairable(result: LogExamined) -> list[Finding]:
     """The faults that the fixes remove: their own, or the cut that leaves their time out."""
     away = result.cut_away()
     return [f for f in result.faults if f.fixes or f in away]
 
 
-def _wrong(result: Diagnosis) -> list[Finding]:
+def _wrong(result: LogExamined) -> list[Finding]:
     """The faults to which a fit bends its numbers, and which no fix removes."""
-    from upright.checkup.doctor import CONTRADICTORY
-
     left = [f for f in result.faults if f not in _repairable(result)]
     codes = (*CONTRADICTORY, "segment/none")
     return [f for f in left if f.severity == "error" or f.code.startswith(codes)]
 
 
-def _verdict(result: Diagnosis) -> Verdict:
+def _verdict(result: LogExamined) -> Verdict:
     if _wrong(result):
         return Verdict(Say("not usable for a model"), "bad")
     if _repairable(result):
@@ -85,7 +83,7 @@ def _verdict(result: Diagnosis) -> Verdict:
     return Verdict(Say("usable as it is"), "good")
 
 
-def _lead(result: Diagnosis) -> list[Say]:
+def _lead(result: LogExamined) -> list[Say]:
     lead: list[Say] = []
     balanced = Quantity(_balanced(result), "s")
     fall = next((f for f in result.faults if f.code == FALL and f.span), None)
@@ -108,14 +106,14 @@ def _lead(result: Diagnosis) -> list[Say]:
     return lead
 
 
-def _balanced(result: Diagnosis) -> float:
+def _balanced(result: LogExamined) -> float:
     """How long it balances [s], in the time that a repair keeps."""
     start, stop = result.kept or (-float("inf"), float("inf"))
     spans = ((max(s.start, start), min(s.stop, stop)) for s in result.segments if s.kind == BALANCING)
     return sum(max(0.0, b - a) for a, b in spans)
 
 
-def _numbers(result: Diagnosis) -> list[KeyNumber]:
+def _numbers(result: LogExamined) -> list[KeyNumber]:
     failed = {check_of(finding) for finding in result.faults}
     passed = Say("{n} of {m}", n=len(CHECKS) - len(failed), m=len(CHECKS))
     numbers = [KeyNumber(passed, Say("checks passed"))]
@@ -126,24 +124,24 @@ def _numbers(result: Diagnosis) -> list[KeyNumber]:
     return [*numbers, KeyNumber(period, Say("from row to row, {n} rows", n=result.rows))]
 
 
-def _listed(result: Diagnosis) -> list[Finding]:
+def _listed(result: LogExamined) -> list[Finding]:
     return [f for f in result.findings if f.code != "segment/cut"]  # what a repair keeps is a number above
 
 
-def _findings(result: Diagnosis) -> Table:
+def _findings(result: LogExamined) -> Table:
     rows = [[KINDS[f.severity], title_of(f), place_of(f), f.repair or None] for f in _listed(result)]
     names = (Say("severity"), Say("what"), Say("where"), Say("what to do"))
     caption = Say("An error makes the log wrong; a model must allow for a warning")
     return Table([Column(name) for name in names], rows, caption)
 
 
-def _evidence(result: Diagnosis) -> Table:
+def _evidence(result: LogExamined) -> Table:
     names = (Say("what"), Say("where"), Say("evidence"))
     rows = [[title_of(f), place_of(f), f.evidence] for f in result.findings]
     return Table([Column(name) for name in names], rows)
 
 
-def _checks(result: Diagnosis) -> Table:
+def _checks(result: LogExamined) -> Table:
     worst = {check_of(f): f.severity for f in reversed(result.findings)}  # the worst come first
     numbers = result.measured
     rows = [
@@ -158,7 +156,7 @@ def _checks(result: Diagnosis) -> Table:
     return Table([Column(name) for name in names], rows)
 
 
-def _poses(result: Diagnosis) -> Table:
+def _poses(result: LogExamined) -> Table:
     rows = [[POSES.get(s.kind, s.kind), s.start, s.stop, s.lean] for s in result.segments]
     columns = [
         Column(Say("pose")), Column(Say("from"), "s", digits=4), Column(Say("to"), "s", digits=4),
@@ -167,7 +165,7 @@ def _poses(result: Diagnosis) -> Table:
     return Table(columns, rows)
 
 
-def _columns(result: Diagnosis) -> Table:
+def _columns(result: LogExamined) -> Table:
     """Which column was taken for which channel, and which for none."""
     mapping = result.mapping
     rows = [[CHANNELS["t"], *_source(mapping.time)]] if mapping.time.column else []
@@ -180,7 +178,7 @@ def _source(source: Source) -> list[str | None]:
     return [source.column, source.unit or None, source.direction or ("−" if source.sign < 0 else None)]
 
 
-def _next(result: Diagnosis) -> list[Next]:
+def _next(result: LogExamined) -> list[Next]:
     """The repair; why it fell; then a calibration, or what to log for one."""
     log, robot = result.source or "LOG", result.robot or "ROBOT"
     fell = _has(result, FALL)
@@ -197,7 +195,7 @@ def _next(result: Diagnosis) -> list[Next]:
     return steps or [Next("calibrate", log, robot=robot, output="robot.toml")]
 
 
-def _picture(result: Diagnosis) -> Picture | None:
+def _picture(result: LogExamined) -> Picture | None:
     record = result.read
     groups = (
         (CHANNELS[GYRO], (GYRO,)),
@@ -213,7 +211,7 @@ def _picture(result: Diagnosis) -> Picture | None:
     return Picture(claim, functools.partial(_draw, result, several), note)
 
 
-def _draw(result: Diagnosis, several: Sequence[tuple[Say, Sequence[str]]]) -> Figure:
+def _draw(result: LogExamined, several: Sequence[tuple[Say, Sequence[str]]]) -> Figure:
     """Channels as they were read, with poses and a repair's cuts."""
     from upright.plotting import COLOURS, INK, line, panels, span
 

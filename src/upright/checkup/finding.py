@@ -15,6 +15,9 @@ from upright.pages import Quantity
 SEVERITIES = ("error", "warning", "note")
 """error: the log is wrong; warning: a fit must account for it; note: information."""
 
+CONTRADICTORY = ("motion/", "units/", "channel/stuck", "command/unsigned", "columns/copied")
+"""How the codes begin of findings that a fit bends its numbers to: signs, sides, kinds, units, sensors that stopped."""
+
 GAP = 5.0
 """[periods] A longer step is a pause of the recording; shorter ones are dropped rows or jitter."""
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from upright.diagnose.post_mortem import PostMortem
+    from upright.diagnose.examined import FallExamined
 
 LARGEST = 120.0  # [°] up to which ticks are 40° apart, so that the fall has one
 CUT = 1.2  # of the largest command: a law may ask for much more
@@ -25,7 +25,7 @@ FAR = 1.5  # of the largest lean to recover from
 BEFORE, AFTER = 0.3, 0.2  # [s] shown before the onset, at least, and after the fall
 
 
-def last_seconds(result: PostMortem, push: Blow | None = None, lost: float | None = None) -> Figure:
+def last_seconds(result: FallExamined, push: Blow | None = None, lost: float | None = None) -> Figure:
     """Pitch, and lean and speed over the most that the motors recover from; with a `push`, or the time [s] from which
     on the robot was `lost`."""
     s = result.series
@@ -55,7 +55,7 @@ def last_seconds(result: PostMortem, push: Blow | None = None, lost: float | Non
     return figure
 
 
-def readings(result: PostMortem) -> Figure:
+def readings(result: FallExamined) -> Figure:
     """What the controller requested, and how the readings differ from what the model expects."""
     s = result.series
     labels = [Say("requested command / the most that the motors give"), Say("surprise of the sensors")]
@@ -77,7 +77,7 @@ def readings(result: PostMortem) -> Figure:
     return figure
 
 
-def _framed(axes: list[Axes], result: PostMortem) -> None:
+def _framed(axes: list[Axes], result: FallExamined) -> None:
     """The time from the onset to the fall shaded, and little before and after it shown."""
     if not (result.fell and math.isfinite(result.onset)):
         return

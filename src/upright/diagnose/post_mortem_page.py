@@ -31,7 +31,7 @@ from upright.diagnose.usual import FOREIGN
 from upright.pages import Block, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 
 if TYPE_CHECKING:
-    from upright.diagnose.post_mortem import PostMortem
+    from upright.diagnose.examined import FallExamined
 
 SHOWN = 0.02
 """Less likely causes are only in the JSON."""
@@ -42,7 +42,7 @@ DESIGNED_FOR = {LOW: "lqg", HIGH: "lqg", BIAS: "lqg", DELAY: "lqg", SATURATION: 
 """Cause → the method of a controller that allows for it."""
 
 
-def post_mortem_page(result: PostMortem) -> Page:
+def post_mortem_page(result: FallExamined) -> Page:
     """The page of a post-mortem."""
     push = result.causes[0].push if result.causes else None
     title = Say("{robot} did not fall in this log", robot=result.robot)
@@ -50,13 +50,13 @@ def post_mortem_page(result: PostMortem) -> Page:
         title = Say("{robot} fell at {time} of the log", robot=result.robot, time=instant(result.fell_at))
     elif result.verdict == CANNOT_TELL:
         title = Say("The log of {robot} does not tell whether it fell", robot=result.robot)
-    said = [
+    reservations = [
         *(Say("The log lacks {what}.", what=what) for what in result.missing),
         *(Say("Note: {what}.", what=note) for note in result.notes),
     ]
     blocks: list[Block] = [_causes(result)] if result.causes else []
-    if said:
-        blocks.append(Items(said))
+    if reservations:
+        blocks.append(Items(reservations))
     if len(result.causes) > 1:
         blocks.append(Fold(Say("What helps"), [_repairs(result)]))
     if len(result.series.t) > 1:
@@ -69,7 +69,7 @@ def post_mortem_page(result: PostMortem) -> Page:
     )  # fmt: skip
 
 
-def _verdict(result: PostMortem) -> Verdict:
+def _verdict(result: FallExamined) -> Verdict:
     if result.verdict == NO_FALL:
         return Verdict(Say("no fall"), "good")
     if not result.causes or result.verdict == CANNOT_TELL:
@@ -81,7 +81,7 @@ def _verdict(result: PostMortem) -> Verdict:
     return Verdict(Say("{cause}: {likely} likely", cause=first.title, likely=likely), "bad")
 
 
-def _lead(result: PostMortem, push: Blow | None) -> list[Say]:
+def _lead(result: FallExamined, push: Blow | None) -> list[Say]:
     if not result.fell:
         return [Say("A fall is a lean beyond {lean} that lasts.", lean=Quantity(LEANING, "rad", digits=2))]
     if push:
@@ -110,7 +110,7 @@ def _saved(push: Blow) -> Say:
     return Say("A better controller may save it: the best possible one survives {most}.", most=most)
 
 
-def _numbers(result: PostMortem, push: Blow | None) -> list[KeyNumber]:
+def _numbers(result: FallExamined, push: Blow | None) -> list[KeyNumber]:
     numbers = list[KeyNumber]()
     if push:
         size = abs(push.impulse)
@@ -136,7 +136,7 @@ def _numbers(result: PostMortem, push: Blow | None) -> list[KeyNumber]:
     return numbers
 
 
-def lost_at(result: PostMortem) -> float | None:
+def lost_at(result: FallExamined) -> float | None:
     """From when on the drawn lean stays beyond the largest one to recover from, up to the fall [s]."""
     s = result.series
     examined = np.flatnonzero((s.t >= result.onset) & (s.t <= result.fell_at) & np.isfinite(s.reserve))
@@ -152,11 +152,11 @@ def lost_at(result: PostMortem) -> float | None:
     return max(crossing, result.onset)
 
 
-def _likely(result: PostMortem) -> list[Cause]:
+def _likely(result: FallExamined) -> list[Cause]:
     return [cause for cause in result.causes if cause.likelihood >= SHOWN]
 
 
-def _causes(result: PostMortem) -> Table:
+def _causes(result: FallExamined) -> Table:
     columns = [
         Column(Say("cause")),
         Column(Say("probability"), "fraction", digits=2),
@@ -165,12 +165,12 @@ def _causes(result: PostMortem) -> Table:
     return Table(columns, [[cause.title, cause.likelihood, cause.evidence] for cause in _likely(result)])
 
 
-def _repairs(result: PostMortem) -> Table:
+def _repairs(result: FallExamined) -> Table:
     rows = [[cause.title, repair] for cause in _likely(result) for repair in cause.repairs]
     return Table([Column(Say("cause")), Column(Say("what helps"))], rows)
 
 
-def _picture(result: PostMortem, push: Blow | None) -> Picture | None:
+def _picture(result: FallExamined, push: Blow | None) -> Picture | None:
     if len(result.series.t) < 2:
         return None
     if not (result.fell and math.isfinite(result.onset)):
@@ -184,13 +184,13 @@ def _picture(result: PostMortem, push: Blow | None) -> Picture | None:
     return Picture(Say("It fell {lasted} after the first sign of trouble", lasted=lasted), draw, note)
 
 
-def _readings(result: PostMortem) -> Picture:
+def _readings(result: FallExamined) -> Picture:
     note = Say("Surprise is the squared error of the model's predictions over what it expects.")
     return Picture(Say("What was commanded, and how the sensors differ from the model"),
                    functools.partial(readings, result), note)  # fmt: skip
 
 
-def _next(result: PostMortem, push: Blow | None) -> Next:
+def _next(result: FallExamined, push: Blow | None) -> Next:
     """What to run next, by what was found."""
     log, robot = result.source or "LOG", result.robot
     parts = result.causes[0].parts if result.causes else []
