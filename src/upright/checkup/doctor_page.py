@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from upright.checkup.examined import LogExamined
 
 PUSHED, QUIET, FALL = "delay/untold", "motion/quiet", "segment/fall"
+MAPPED = ("units/", "columns/", "command/", "time/unit")
+"""How the codes begin of what a mapping states."""
 KINDS = {
     "error": Verdict(Say("error"), "bad"), "warning": Verdict(Say("warning"), "warn"),
     "note": Verdict(Say("note"), "info"),
@@ -32,7 +34,8 @@ def doctor_page(result: LogExamined) -> Page:
     name = result.source or Say("in memory")
     title = Say("Log {name}: no fault found", name=name)
     if len(faults) == 1:
-        title = Say("Log {name} has one fault: {what}", name=name, what=title_of(faults[0]))
+        title = Say("Log {name} has one fault: {what}, {where}", name=name, what=title_of(faults[0]),
+                    where=place_of(faults[0]))  # fmt: skip
     elif faults:
         title = Say("Log {name} has {n} faults", name=name, n=len(faults))
     blocks: list[Block] = [_findings(result)] if result.findings else []
@@ -71,7 +74,10 @@ def _wrong(result: LogExamined) -> list[Finding]:
 
 
 def _verdict(result: LogExamined) -> Verdict:
-    if _wrong(result):
+    wrong = _wrong(result)
+    if wrong and all(finding.code.startswith(MAPPED) for finding in wrong):
+        return Verdict(Say("complete its mapping first"), "bad")
+    if wrong:
         return Verdict(Say("not usable for a model"), "bad")
     if _repairable(result):
         grave = any(f.severity == "error" for f in result.faults)
@@ -99,6 +105,8 @@ def _lead(result: LogExamined) -> list[Say]:
     if result.kept and n == m and len(result.cut_away()) == m > 0:
         start, stop = map(instant, result.kept)
         lead.append(Say("A cut to {start} … {stop} removes every fault.", start=start, stop=stop))
+    elif n == m > 0:
+        lead.append(Say("A repair removes every fault."))
     elif n:
         lead.append(Say("A repair removes {n} of {m} faults.", n=n, m=m))
     elif _has(result, PUSHED):
@@ -132,7 +140,7 @@ def _findings(result: LogExamined) -> Table:
     rows = [[KINDS[f.severity], title_of(f), place_of(f), f.repair or None] for f in _listed(result)]
     names = (Say("severity"), Say("what"), Say("where"), Say("what to do"))
     caption = Say("An error makes the log wrong; a model must allow for a warning")
-    return Table([Column(name) for name in names], rows, caption)
+    return Table([Column(name) for name in names], rows, caption if result.faults else None)
 
 
 def _evidence(result: LogExamined) -> Table:
@@ -182,9 +190,12 @@ def _next(result: LogExamined) -> list[Next]:
     """The repair; why it fell; then a calibration, or what to log for one."""
     log, robot = result.source or "LOG", result.robot or "ROBOT"
     fell = _has(result, FALL)
-    if _wrong(result) and not (fell and _has(result, "segment/none")):
+    wrong = _wrong(result)
+    if any(finding.code.startswith(MAPPED) for finding in wrong):
         why = Say("State there what the table asks for, then repeat with `--mapping`.")
         return [Next("doctor", log, write_mapping="mine.toml", why=why)]
+    if wrong and not fell:
+        return [Next("doctor", log, why=Say("Do what the table says, log again, and ask again."))]
     steps: list[Next] = []
     if any(f.fixes for f in result.findings):
         steps.append(Next("doctor", log, fix="repaired.csv"))
