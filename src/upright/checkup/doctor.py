@@ -113,8 +113,9 @@ def doctor(
     ranked = tuple(sorted(findings, key=lambda finding: order[finding.severity]))
     origin = dict(table.origin) | ({"file": table.source, "mapping": chosen.name} if table.source else {})
     seconds = float(last.t[-1] - last.t[0])
+    given = str(source) if isinstance(source, str | Path) else table.source
     return Diagnosis(
-        source=table.source, mapping=chosen, findings=ranked, rows=len(raw.t), seconds=seconds, period=last.period,
+        source=given, mapping=chosen, findings=ranked, rows=len(raw.t), seconds=seconds, period=last.period,
         segments=last.segments, ignored=tuple(chosen.ignored(table)), _raw=raw, _origin=origin,
     )  # fmt: skip
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from upright.checkup import sensors
@@ -31,7 +32,7 @@ KINDS = {
 def doctor_page(result: LogExamined) -> Page:
     """The page of a diagnosis."""
     faults = result.faults
-    name = result.source or Say("in memory")
+    name = Path(result.source).name or Say("in memory")
     title = Say("Log {name}: no fault found", name=name)
     if len(faults) == 1:
         title = Say("Log {name} has one fault: {what}, {where}", name=name, what=title_of(faults[0]),

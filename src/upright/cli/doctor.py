@@ -41,6 +41,8 @@ def doctor(
 
     Prints each finding with its evidence and repair. Exit code 0, whatever the findings.
     """
+    from dataclasses import replace
+
     from upright.atomic import write_text
     from upright.checkup.columns import drafted
     from upright.checkup.doctor import doctor as examine
@@ -61,6 +63,7 @@ def doctor(
         else:
             typer.echo(f"{error}\na draft is in {write_mapping}")
         return
+    diagnosis = replace(diagnosis, source=str(log))  # as it was typed, for what to run next
     repaired = diagnosis.repaired().save(fix) if fix else None
     if write_mapping:
         write_text(write_mapping, diagnosis.mapping.to_toml())

@@ -26,12 +26,12 @@ NAMES = {
 }  # fmt: skip
 
 TITLES = {
-    SATURATION: Say("motors at their limit"), BIAS: Say("gyro bias"), DROPPED: Say("lost periods or readings"),
-    SLIP: Say("wheel slip"), BATTERY: Say("weak battery"), PUSH: Say("push too large"), DELAY: Say("more delay"),
+    SATURATION: Say("saturation"), BIAS: Say("gyro bias"), DROPPED: Say("dropped samples"),
+    SLIP: Say("wheel slip"), BATTERY: Say("weak battery"), PUSH: Say("push too large"), DELAY: Say("delay grown"),
     LOW: Say("gain too low"), HIGH: Say("gain too high"), STUCK: Say("sensor stuck"),
     REVERSED: Say("motor or sensor reversed"), SCALED: Say("sensor mis-scaled"), DEAD: Say("motor dead"),
-    JAMMED: Say("wheel jammed"), WALL: Say("wheels held by a wall"), RAMP: Say("ramp"), LOAD: Say("load changed"),
-    TYRE: Say("tyre lost"), OFF: Say("motors off"), NONE: Say("no known cause"), CANNOT_TELL: Say("cannot tell"),
+    JAMMED: Say("wheel jammed"), WALL: Say("wall"), RAMP: Say("ramp"), LOAD: Say("load changed"),
+    TYRE: Say("tyre lost"), OFF: Say("motors off"), NONE: Say("none of these"), CANNOT_TELL: Say("cannot tell"),
 }  # fmt: skip
 """Cause → what people read."""
 
