@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import math
 import re
 from collections.abc import Callable
@@ -13,13 +14,16 @@ import numpy as np
 import pytest
 
 from planted import faults as bench
-from upright import calibrate, identify, post_mortem
+from upright import calibrate, checkup, identify, post_mortem
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
 from upright.checkup.doctor import Diagnosis, contradictions, doctor
 from upright.checkup.finding import during
 from upright.checkup.physics import _r_squared, _solved, trimmed
+from upright.checkup.titles import TITLES
 from upright.control import lqg, make_controller
+from upright.diagnose import causes
+from upright.diagnose.causes import CANNOT_TELL, CAUSES, NONE
 from upright.errors import InvalidLog
 from upright.experiment import Drive, Hold, Impulse, run
 from upright.experiment.examples import example
@@ -576,3 +580,18 @@ def test_a_log_that_only_falls_is_sent_to_the_post_mortem_not_to_a_calibration(n
     steps = doctor(Log(log.t, measured, {key: log.units[key] for key in measured}), robot).page().next
     assert "post_mortem" in [step.verb for step in steps]
     assert "calibrate" not in [step.verb for step in steps]
+
+
+def test_every_finding_and_every_cause_has_words_for_a_page() -> None:
+    """The codes as they stand in the checks, and the names of causes: none reaches a reader as it is."""
+    codes = {
+        node.args[0].value
+        for path in Path(checkup.__path__[0]).glob("*.py")
+        for node in ast.walk(ast.parse(path.read_text("utf-8")))
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
+        and node.func.id in ("error", "warning", "note", "Finding")
+        and isinstance(node.args[0], ast.Constant)
+    }  # fmt: skip
+    assert len(codes) > 40
+    assert codes - set(TITLES) == set()
+    assert {*CAUSES, NONE, CANNOT_TELL} == set(causes.TITLES) == set(causes.REPAIRS)
