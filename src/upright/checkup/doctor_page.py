@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from upright.checkup import sensors
 from upright.checkup.finding import BALANCING, CONTRADICTORY, GYRO, LEFT, ON_WHEELS, RIGHT, STANDING, Finding, instant
 from upright.checkup.titles import CHANNELS, CHECKS, POSES, check_of, place_of, title_of
-from upright.logs.mapping import Source
+from upright.logs.mapping import GUESS, Source
 from upright.pages import Block, Column, Fold, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 
 if TYPE_CHECKING:
@@ -40,16 +40,15 @@ def doctor_page(result: LogExamined) -> Page:
     elif faults:
         title = Say("Log {name} has {n} faults", name=name, n=len(faults))
     blocks: list[Block] = [_findings(result)] if result.findings else []
-    blocks += [
-        Fold(heading, tables)
-        for heading, tables in (
-            (Say("Evidence"), [_evidence(result)] if result.findings else []),
-            (Say("Checks"), [_checks(result)]),
-            (Say("Poses"), [_poses(result)] if result.segments else []),
-            (Say("Columns of the log"), [_columns(result)] if result.mapping.name != "ours" else []),
-        )
-        if tables
-    ]
+    guessed = result.mapping.name == GUESS or any(code.startswith("columns/") for code in result.codes())
+    if guessed:
+        blocks.append(_columns(result))
+    blocks.append(Fold(Say("Evidence"), [_evidence(result)]))
+    blocks.append(Fold(Say("Checks"), [_checks(result)]))
+    if result.segments:
+        blocks.append(Fold(Say("Poses"), [_poses(result)]))
+    if not guessed and result.mapping.name != "ours":
+        blocks.append(Fold(Say("Columns of the log"), [_columns(result)]))
     return Page(
         title, verdict=_verdict(result), lead=_lead(result), numbers=_numbers(result),
         picture=_picture(result), next=_next(result), blocks=blocks,

@@ -11,7 +11,7 @@ from upright.arrays import Array
 from upright.diagnose.causes import KNOWN, Blow
 from upright.diagnose.fall import LEANING
 from upright.pages import Quantity, Say
-from upright.plotting import INK, line, numbered, panels, span
+from upright.plotting import INK, line, panels, span
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from upright.diagnose.examined import FallExamined
 
 LARGEST = 120.0  # [°] up to which ticks are 40° apart, so that the fall has one
-CUT = 1.2  # of the largest command: a law may ask for much more
 FAR = 1.5  # of the largest lean to recover from
 BEFORE, AFTER = 0.3, 0.2  # [s] shown before the onset, at least, and after the fall
 
@@ -51,28 +50,6 @@ def last_seconds(result: FallExamined, push: Blow | None = None, lost: float | N
     reach.set_ylim(0, FAR)
     if lost is not None:
         reach.plot(lost, 1.0, "o", color=INK, markersize=6)
-    _framed(axes, result)
-    return figure
-
-
-def readings(result: FallExamined) -> Figure:
-    """What the controller requested, and how the readings differ from what the model expects."""
-    s = result.series
-    labels = [Say("requested command / the most that the motors give"), Say("surprise of the sensors")]
-    figure, axes = panels([str(label) for label in labels])
-    command, surprise = axes
-    line(command, str(Say("requested command")), s.t, np.clip(s.command, -CUT, CUT), step=True, style=1, solid=True)
-    _level(command, s.t, 1.0, Say("motors' limit"))
-    _level(command, s.t, -1.0)
-    command.set_ylim(-1.8, 1.8)
-    surprise.set_yscale("log")
-    numbered(surprise.yaxis)
-    line(surprise, str(Say("surprise")), s.t, np.maximum(s.nis, 1e-3), style=4, solid=True)
-    low, high = surprise.get_ylim()
-    powers = [10.0**k for k in range(-3, 7)]
-    surprise.set_yticks([power for power in powers if low <= power <= high])
-    if math.isfinite(s.high) and s.high > 0:
-        _level(surprise, s.t, s.high, Say("usual, up to {most}", most=Quantity(s.high, "1", digits=2)))
     _framed(axes, result)
     return figure
 

@@ -26,7 +26,7 @@ from upright.diagnose.causes import (
     Cause,
 )
 from upright.diagnose.fall import LEANING
-from upright.diagnose.fall_pictures import last_seconds, readings
+from upright.diagnose.fall_pictures import last_seconds
 from upright.diagnose.usual import FOREIGN
 from upright.pages import Block, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 
@@ -59,8 +59,6 @@ def post_mortem_page(result: FallExamined) -> Page:
         blocks.append(Items(reservations))
     if len(result.causes) > 1:
         blocks.append(Fold(Say("What helps"), [_repairs(result)]))
-    if len(result.series.t) > 1:
-        blocks.append(Fold(Say("Commands and surprise"), [_readings(result)]))
     by = {"controller": f"{result.controller}, {result.hash[:12]}"} if result.controller else {}
     return Page(
         title, verdict=_verdict(result), lead=_lead(result, push), numbers=_numbers(result, push),
@@ -182,12 +180,6 @@ def _picture(result: FallExamined, push: Blow | None) -> Picture | None:
         return Picture(Say("It fell {lasted} after the push", lasted=lasted), draw, note)
     note = Say("Shaded: from the first sign to the fall. Above 1 the motors cannot bring it back.")
     return Picture(Say("It fell {lasted} after the first sign of trouble", lasted=lasted), draw, note)
-
-
-def _readings(result: FallExamined) -> Picture:
-    note = Say("Surprise is the squared error of the model's predictions over what it expects.")
-    return Picture(Say("What was commanded, and how the sensors differ from the model"),
-                   functools.partial(readings, result), note)  # fmt: skip
 
 
 def _next(result: FallExamined, push: Blow | None) -> Next:
