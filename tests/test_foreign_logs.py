@@ -178,8 +178,8 @@ def test_the_doctor_prints_its_columns(tmp_path: Path, capsys: pytest.CaptureFix
     path = _written(tmp_path / "x.csv", arduino().replace("enc_right", "temperature"))
     assert main(["doctor", str(path)]) == 0
     shown = " ".join(capsys.readouterr().out.split())
-    assert "sensor/gyro = gyro_y (deg/s)" in shown
-    assert "ignored: temperature" in shown
+    assert "gyro gyro_y deg/s" in shown
+    assert "not used temperature" in shown
 
 
 def test_one_encoder_stands_for_both_wheels_only_where_no_side_is_named() -> None:
