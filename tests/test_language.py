@@ -137,7 +137,7 @@ def test_no_figure_of_the_course_keeps_an_english_word() -> None:
     figures = {
         "comparison": compared.plot(), "commands": compared.plot_commands(), "bode": analysis.plot(),
         "nyquist": analysis.plot_nyquist(), "poles": analysis.plot_poles(), "calibration": calibration.plot(),
-        "prediction": calibration.plot_prediction(), "doctor": up.doctor(up.example("fall"), NXT).plot(),
+        "prediction": calibration.plot_prediction(),
         "validation": up.validate(up.example("pushed"), NXT).plot(), "log": log.plot("sensor/gyro", "command/left"),
         "identification": up.identify(log, NXT, method="all", runs=4).plot(),
         "certificate": up.certify(law, NXT, samples=100, sweeps=False).plot(),

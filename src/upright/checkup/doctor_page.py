@@ -69,7 +69,7 @@ def _repairable(result: LogExamined) -> list[Finding]:
 def _wrong(result: LogExamined) -> list[Finding]:
     """The faults to which a fit bends its numbers, and which no fix removes."""
     left = [f for f in result.faults if f not in _repairable(result)]
-    codes = (*CONTRADICTORY, "segment/none")
+    codes = (*CONTRADICTORY, "columns/", "segment/none")
     return [f for f in left if f.severity == "error" or f.code.startswith(codes)]
 
 
