@@ -58,7 +58,7 @@ class Told:
     pole: float = 0.0
     visible: int = 0
     supported: int = 0
-    apart: str = ""
+    apart: int = 0
     seconds: float = 0.0
     trouble: str = ""
 
@@ -105,7 +105,7 @@ def judged(key: tuple[str, str, int]) -> Told:
     numbers = (*found.parameters, *found.delays, *besides)
     visible = {e.name for e in (*numbers, *found.combinations) if e.verdict == VISIBLE} - {GAP}
     pole = abs(rolling_pole(found.robot) / right["unstable_pole"] - 1)
-    apart = found.apart[0] if found.apart else ""
+    apart = int(found.apart[0].facts.get("n", -1)) if found.apart else 0  # no run alone: −1
     return Told(name, kind, seed, off(numbers, right), pole, len(visible), found.supported, apart, clock.wall)
 
 
@@ -120,7 +120,7 @@ def report(told: Sequence[Told]) -> None:
         print(f"\n{name}, {kind}: {len(runs)} robots ({fell} fell, {len(every) - len(runs) - fell} refused)")
         if not runs:
             continue
-        right = sum(t.apart.startswith(f"Log {t.seed % RUNS + 1},") for t in runs)
+        right = sum(t.apart == t.seed % RUNS + 1 for t in runs)
         if kind == HEAVY:
             print(f"  the heavier run is said to differ in {harness.share(right, len(runs))}")
             continue

@@ -59,7 +59,7 @@ def test_a_tilt_that_no_file_states_is_found_with_the_robot() -> None:
     assert found[MISALIGNED].verdict == VISIBLE
     assert found["com_height"].low <= ROBOT.com_height <= found["com_height"].high
     assert found["a22"].low <= COMBINATIONS["a22"][1](ROBOT) <= found["a22"].high
-    assert [note for note in found.notes if "of the yaw rate" in note and "tilted by 1" in note]
+    assert [note for note in map(str, found.notes) if "of the yaw rate" in note and "tilted by 1" in note]
     kit = found.known_robot().kit
     assert isinstance(kit, Kit)
     assert kit.sensors["sensor/gyro"].misalignment == found[MISALIGNED].value
@@ -93,7 +93,7 @@ def test_a_tilt_that_is_open_or_stated_is_no_news() -> None:
                      verdict=PRIOR, shift=1.3, shrink=1.0)  # fmt: skip
     assert in_words([open_], 24.0) == []
     assert in_words([replace(open_, verdict=VISIBLE)]) == []
-    assert "reads 0.2 (-0.1 to 0.5) of the yaw rate" in in_words([replace(open_, verdict=VISIBLE)], 24.0)[0]
+    assert "reads 0.2 (−0.1 to 0.5) of the yaw rate" in str(in_words([replace(open_, verdict=VISIBLE)], 24.0)[0])
 
 
 def test_a_kit_with_a_tilted_gyro_is_written_and_read(tmp_path: Path) -> None:

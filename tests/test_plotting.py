@@ -101,7 +101,6 @@ def test_panels_share_one_x() -> None:
 
 def test_a_notebook_shows_tables() -> None:
     assert "<td>&lt;b&gt;</td>" in compare({"a": run(0.1), "<b>": run(0.2)})._repr_html_()
-    assert "<td>body_mass</td><td>3</td><td>2 to 4.5</td><td>kg</td><td>2</td>" in calibration()._repr_html_()
 
 
 def test_nyquist_stays_out_of_the_circle_that_it_touches(analysis: Analysis) -> None:

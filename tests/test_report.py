@@ -217,7 +217,7 @@ def test_the_same_page_is_the_same_bytes(tmp_path):
 def test_a_title_replaces_the_pages_own_and_a_result_without_a_page_says_so(tmp_path):
     cases = Cases((CaseSummary({"robot": "a"}, 100, 0, clopper_pearson(0, 100), {}),))
     assert "<title>Two &amp; one</title>" in report(cases, tmp_path / "a.html", title="Two & one").read_text()
-    with pytest.raises(UprightError, match="float has no page; expected a result: Calibration") as error:
+    with pytest.raises(UprightError, match="float has no page; expected a result: Analysis") as error:
         report(1.0, tmp_path / "b.html")
     assert "\n" not in str(error.value)
 

@@ -216,10 +216,10 @@ def test_a_gyro_that_swings_or_is_filtered_is_found_with_the_robot(name: str, fr
     assert found[FREQUENCY].verdict == found[DAMPING].verdict == "visible"
     assert found["com_height"].low <= true.com_height <= found["com_height"].high
     assert found["a11"].low <= COMBINATIONS["a11"][1](true) <= found["a11"].high
-    said = next(note for note in found.notes if "Hz" in note)
+    said = next(note for note in map(str, found.notes) if "Hz" in note)
     assert ("swings" in said) == (damping < 0.5)
-    assert ("filtered" in said) == (damping >= 0.5)
-    assert "nats likelier" in said
+    assert ("filter" in said) == (damping >= 0.5)
+    assert found.to_json()["likelier"][FREQUENCY] > 0
     assert found.to_json()["electronics"][-1]["name"] == DAMPING
     kit = found.known_robot().kit
     assert isinstance(kit, Kit)
@@ -243,8 +243,8 @@ def test_nothing_is_said_of_a_resonance_that_the_log_leaves_open() -> None:
                  verdict=PRIOR, shift=0.0, shrink=0.7)
         for name, value in ((FREQUENCY, 34.5), (DAMPING, 10.6))
     ]  # fmt: skip
-    assert in_words(two, 24.0) == []
-    assert in_words([replace(two[0], verdict=VISIBLE), two[1]], 24.0)
+    assert in_words(two) == []
+    assert in_words([replace(two[0], verdict=VISIBLE), two[1]])
 
 
 def test_the_resonance_of_a_kit_judges_a_log() -> None:

@@ -47,7 +47,7 @@ def stating(log: Log, gain: float, *, before: bool) -> Log:
 
 
 def said(log: Log) -> str:
-    return next(note for note in calibrate(log, PRIOR).notes if "states gain" in note)
+    return next(str(note) for note in calibrate(log, PRIOR).notes if "states gain" in str(note))
 
 
 @pytest.mark.evidence
@@ -92,9 +92,8 @@ def test_a_run_whose_commands_have_a_factor_is_named_by_it() -> None:
     sides = ("command/left", "command/right")
     weaker = Log(logs[1].t, {**logs[1].channels, **{n: logs[1][n] / 1.6 for n in sides}}, logs[1].units, logs[1].origin)
     (words,) = calibrate([logs[0], weaker, logs[2]], PRIOR).apart
-    assert words.startswith("The commands of log 2, 4.csv, act 1.")
-    low, high = (float(word) for word in words.split("(")[1].split(")")[0].split(" to "))
-    assert low < 1.6 < high
+    assert words.facts["n"] == 2
+    assert words.facts["times"].low < 1.6 < words.facts["times"].high
 
 
 @pytest.mark.evidence
@@ -113,8 +112,8 @@ def test_a_winding_that_no_temperature_makes_is_named() -> None:
     sides = ("applied/left", "applied/right")
     weaker = Log(logs[1].t, {**logs[1].channels, **{n: logs[1][n] / 1.6 for n in sides}}, logs[1].units, logs[1].origin)
     (words,) = calibrate([logs[0], weaker, logs[2]], PRIOR).apart
-    assert words.startswith("Log 2, ")
-    assert "motor resistance" in words
+    assert words.facts["n"] == 2
+    assert "motor resistance" in str(words)
 
 
 def test_commands_times_a_gain_end_at_full_duty_and_at_no_less_than_what_was_logged() -> None:
@@ -155,4 +154,5 @@ def test_a_real_run_does_not_show_its_gain_against_a_drivers_curve() -> None:
     commands before that gain would do it, and a driver whose small duties act more than in proportion."""
     note = validate(raw_log(EV3 / "nn_v7_000.csv"), Robot.preset("ev3way-large-wheels")).logs[0].notes[0]
     assert "taken as logged" in note
-    assert "Ask the program's source" in note
+    assert "curved driver" in note
+    assert "file nn_v7_000.csv" in note

@@ -7,7 +7,7 @@ import pytest
 
 from upright.bodies import NonlinearBody
 from upright.calibration.calibrate import prepared
-from upright.calibration.calibration import Segments
+from upright.calibration.calibrated_robot import Segments
 from upright.calibration.validate import segments
 from upright.control import lqr_state
 from upright.experiment import run

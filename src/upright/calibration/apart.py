@@ -9,6 +9,7 @@ fits apart would, that is named in place of the numbers that it bends.
 from __future__ import annotations
 
 import math
+import pathlib
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import combinations
@@ -25,14 +26,14 @@ from upright.calibration.fitting import Normal, Path, Problem
 from upright.calibration.gauss_newton import Minimum, gauss_newton
 from upright.calibration.informativity import MARGIN, posterior
 from upright.calibration.summary import HALVED, combined_numbers
+from upright.pages import Quantity, Say
+from upright.pages.terms import term
 from upright.robots.uncertainty import GUESS
-from upright.tables import joined
 
 COEFFICIENTS = ("a11", "a12", "a22", "weight_moment", "a22/a11", "weight_moment/a22")
 """Those of the combinations that friction, winding and supply are not in."""
 CHANCE = 0.05  # probability that runs of one robot are said to differ, over all numbers and runs
 ITERATIONS = 10  # of Gauss–Newton, from the optimum of all runs
-MOST_NAMED = 2  # numbers in a sentence
 MOST_OF_IT = 0.5  # [1] of what fits apart gain: the least that such a factor must gain
 WINDING, OTHER_WINDING = "motor_resistance", 4.0  # [1] standard deviations between runs: a copper wire 25 K warmer
 FACTORS = (-0.5, 0.0, 0.5)  # logarithms at which the search for it starts
@@ -50,8 +51,10 @@ class _Number(NamedTuple):
     high: float
     visible: bool
 
-    def __str__(self) -> str:
-        return f"{self.value:.3g} ({self.low:.3g} to {self.high:.3g})"
+    @property
+    def quantity(self) -> Quantity:
+        """The number with its interval, for people."""
+        return Quantity(self.value, self.unit, low=self.low, high=self.high)
 
 
 class _Gap(NamedTuple):
@@ -63,17 +66,14 @@ class _Gap(NamedTuple):
     own: _Number
     others: _Number
 
-    def __str__(self) -> str:
-        unit = "" if self.own.unit == "1" else f" {self.own.unit}"
-        return f"{self.own.name} {self.own} and {self.others}{unit}, {self.deviations:.1f} deviations"
 
-
-def apart(problem: Problem, z: Array, sources: Sequence[str]) -> tuple[str, ...]:
-    """Which run differs from the others and in what, in words; nothing where none does. `z` (parameters,) is the fit of
-    all runs, `sources` are their names.
+def apart(problem: Problem, z: Array, sources: Sequence[str]) -> tuple[Say, ...]:
+    """Which run differs from the others and in what; nothing where none does. `z` (parameters,) is the fit of all runs,
+    `sources` are their files.
 
     Each two runs are compared. The one that differs is that without which the others agree best.
     """
+    sources = [pathlib.Path(source).name for source in sources]
     runs = range(len(problem.recordings))
     fits = [_fitted(problem, z, [run]) for run in runs] if len(runs) > 1 else []
     known = [posterior(*fit[:4]) for fit in fits]
@@ -93,13 +93,29 @@ def apart(problem: Problem, z: Array, sources: Sequence[str]) -> tuple[str, ...]
     if acts := _likeliest(problem, z, [odd] if limited else runs, least, sources):
         return acts
     if not limited:
-        one, other = (f"log {run + 1}, {sources[run]}," for run in (furthest.run, furthest.other))
-        words = _words([g for g in gaps if (g.run, g.other) == (furthest.run, furthest.other)], limit)
-        return (f"Runs differ, most of all {one} and {other} in {words}. Nothing tells which of them has changed.",)
+        gap = _clearest([g for g in gaps if (g.run, g.other) == (furthest.run, furthest.other)], limit)
+        return (
+            Say(
+                "The runs {one} and {other} differ in {name}: {first} and {second}.",
+                one=sources[gap.run],
+                other=sources[gap.other],
+                name=term(gap.own.name),
+                first=gap.own.quantity,
+                second=gap.others.quantity,
+            ),
+        )
     rest = _fitted(problem, z, [run for run in runs if run != odd])
-    which = f"Log {odd + 1}, {sources[odd]},"
-    words = _words(_gaps(odd, odd, alone[odd], _numbers(*rest[:2], posterior(*rest))), limit)
-    return (f"{which} differs from the other runs: {words}. Look for what changed, or leave it out.",)
+    gap = _clearest(_gaps(odd, odd, alone[odd], _numbers(*rest[:2], posterior(*rest))), limit)
+    return (
+        Say(
+            "Log {n} ({log}) differs from the others in {name}: {own}, not {rest}. Leave it out.",
+            n=odd + 1,
+            log=sources[odd],
+            name=term(gap.own.name),
+            own=gap.own.quantity,
+            rest=gap.others.quantity,
+        ),
+    )
 
 
 def _limit(tests: int) -> float:
@@ -118,18 +134,22 @@ def _other_windings(problem: Problem, z: Array) -> list[int]:
     ]
 
 
-def _windings(problem: Problem, z: Array, sources: Sequence[str]) -> tuple[str, ...]:
-    """The winding that each run needs, and which run is furthest from the others: in words."""
+def _windings(problem: Problem, z: Array, sources: Sequence[str]) -> tuple[Say, ...]:
+    """The run whose winding is furthest from the others', and what they need."""
     i = [p.name for p in problem.asked].index(WINDING)
     p = problem.asked[i]
     runs = range(len(sources))
     needs = [float(p.value(problem.of_run(z[:, None], run)[i, 0])) for run in runs]
     odd = max(runs, key=lambda run: abs(math.log(needs[run] / np.median(needs))))
-    others = joined([f"{value:.3g}" for run, value in enumerate(needs) if run != odd])
+    others = [Quantity(value, p.unit) for run, value in enumerate(needs) if run != odd]
     return (
-        f"Log {odd + 1}, {sources[odd]}, needs a motor resistance of {needs[odd]:.3g} {p.unit}, and the "
-        f"{'other' if len(needs) == 2 else 'others'} {others} {p.unit}: a warm motor does not explain that. Look for a "
-        "gain, a supply or a duty that differed.",
+        Say(
+            "Log {n} ({log}) needs a motor resistance of {own}, not {others}: look for another gain or supply.",
+            n=odd + 1,
+            log=sources[odd],
+            own=Quantity(needs[odd], p.unit),
+            others=others,
+        ),
     )
 
 
@@ -145,8 +165,8 @@ class _Factor(NamedTuple):
 
 def _likeliest(
     problem: Problem, z: Array, runs: Sequence[int], least: Sequence[float], sources: Sequence[str]
-) -> tuple[str, ...]:
-    """The likeliest factor on the commands of one of `runs`, in words; nothing where none says enough. `least` are the
+) -> tuple[Say, ...]:
+    """The likeliest factor on the commands of one of `runs`; nothing where none says enough. `least` are the
     objectives of all runs, each fitted by itself, less what that gains by chance."""
     if not runs:
         return ()
@@ -191,12 +211,12 @@ def _acts(problem: Problem, z: Array, run: int, none: Minimum, own: float) -> _F
     return _Factor(gained, run, value, low, high)
 
 
-def _named(acts: _Factor, sources: Sequence[str]) -> str:
-    which = f"log {acts.run + 1}, {sources[acts.run]},"
-    others = "other" if len(sources) == 2 else "others"
-    return (
-        f"The commands of {which} act {acts.value:.3g} times ({acts.low:.3g} to {acts.high:.3g}) as strongly as those "
-        f"of the {others} ({acts.gained:.0f} nats): look for a gain, a supply or a duty that differed."
+def _named(acts: _Factor, sources: Sequence[str]) -> Say:
+    return Say(
+        "Commands of log {n} ({log}) act {times} times as strongly as others': look for another gain or supply.",
+        n=acts.run + 1,
+        log=sources[acts.run],
+        times=Quantity(acts.value, "1", low=acts.low, high=acts.high),
     )
 
 
@@ -209,11 +229,10 @@ def _gaps(run: int, other: int, own: Sequence[_Number], others: Sequence[_Number
     ]
 
 
-def _words(gaps: Sequence[_Gap], limit: float) -> str:
-    """Those beyond the limit, or the largest: coefficients first."""
-    beyond = [gap for gap in gaps if gap.deviations > limit] or [max(gaps)]
-    named = sorted(beyond, key=lambda gap: (gap.own.name not in COEFFICIENTS, -gap.deviations))
-    return "; ".join(map(str, named[:MOST_NAMED]))
+def _clearest(gaps: Sequence[_Gap], limit: float) -> _Gap:
+    """The largest of those beyond the limit, or of all: a coefficient first."""
+    beyond = [gap for gap in gaps if gap.deviations > limit] or gaps
+    return max(beyond, key=lambda gap: (gap.own.name in COEFFICIENTS, gap.deviations))
 
 
 def _fitted(problem: Problem, z: Array, runs: Sequence[int]) -> tuple[Problem, Array, Normal, Sequence[Path]]:

@@ -18,15 +18,17 @@ from functools import partial
 import numpy as np
 
 from upright.calibration.annealing import ANNEALING_NOISE, annealed, lost
-from upright.calibration.calibration import EXCITE, GOOD, Calibration
+from upright.calibration.calibrated_robot import GOOD
+from upright.calibration.calibration import Calibration
 from upright.calibration.coefficients import EQUATIONS
 from upright.calibration.contradicted import Explained, doubted, explained, guessed
+from upright.calibration.decision import EXCITE
 from upright.calibration.effects import effects_of
 from upright.calibration.electronics import DROP, electronics_of
 from upright.calibration.filter_log import one_step_noise
 from upright.calibration.fitting import Fitted, Problem
 from upright.calibration.informativity import INERTIAL, STRAIGHT, TURNING, drives_straight, too_quiet
-from upright.calibration.knocks import without_knocks
+from upright.calibration.knocks import Knocks, without_knocks
 from upright.calibration.learnt_kit import learnt_kit
 from upright.calibration.parameters import parameters_of, smooth
 from upright.calibration.process_noise import arrival, process
@@ -39,8 +41,10 @@ from upright.checkup.wheels import on_its_wheels
 from upright.errors import InvalidLog
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.pace import pace_of
-from upright.logs.raw import LogSource, raw_log
+from upright.logs.raw import LogSource, named, raw_log
 from upright.logs.recording import SENSOR, check_complete, commanded, first_noise, foreign, record
+from upright.pages import Next, Quantity, Say
+from upright.pages.terms import term
 from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
@@ -81,7 +85,7 @@ def calibrate(
     stated, _ = prepared(several, nominal, parts, known, held_out)
     reason, straight = too_quiet(stated), drives_straight(stated)
     held = (*(INERTIAL if reason else ()), *(TURNING if straight else ()))
-    wrong = [text for log in several for text in contradictions(log, nominal)]
+    wrong = [Say("The doctor finds: {fault}.", fault=text) for log in several for text in contradictions(log, nominal)]
 
     def searched(
         logs: Sequence[Log], start: float = 0.7, stop: float = 0.77, guesses: Sequence[str] = (), doubt: float = 1.0,
@@ -99,8 +103,8 @@ def calibrate(
     show(0.77)
     result = summarised(best, several, reason, began, stated=stated, wrong=wrong)
     hidden = parts.delay + parts.jitter / 2 - _dead_time(parts, several)
-    paces = [f"{pace}." for pace in map(pace_of, several) if pace and not pace.kept]
-    notes = [*meant, *filter(None, left), *knocked, *([STRAIGHT] if straight else []), *paces]
+    remarks = [*filter(None, left), *(f"{pace}." for pace in map(pace_of, several) if pace and not pace.kept)]
+    notes = [*meant, *(one.remark for one in knocked), *([STRAIGHT] if straight else []), *map(_as_written, remarks)]
     result = untold(result, _unknown(result, several, knocked, cut=between_knocks, wrong=bool(wrong)))
     result = replace(result, kit=learnt_kit(result, parts, problem.delays, hidden), notes=(*result.notes, *notes))
     if problem.temper < 1 and not result.decision.withheld:  # else the noise of the kit is that of the filter
@@ -110,34 +114,43 @@ def calibrate(
     return result if reason or result.untold else replace(result, apart=apart(problem, z, result.sources))
 
 
+def _as_written(remark: str) -> Say:
+    """What another room says of a log."""
+    return Say("{remark}", remark=remark)
+
+
 def _unknown(
-    result: Calibration, logs: Sequence[Log], knocked: Sequence[str], *, cut: bool, wrong: bool = False
-) -> tuple[str, str] | None:
+    result: Calibration, logs: Sequence[Log], knocked: Sequence[Knocks], *, cut: bool, wrong: bool = False
+) -> tuple[Say, Next] | None:
     """Why these logs cannot tell the robot, and what to try; None where they can. With pushes that were `cut` out, a
     fit that is refused is bent by softer ones, and of no other robot. What is `wrong` in the logs is mended first."""
     if wrong and result.refused:
         return None
-    if knocked and (not cut or result.refused or any("bends" in text for text in knocked)):
-        when = knocked[0].partition(" s ")[0]
-        return f"{when} s is in no channel of the log: inertias and pole are not told", f"dither, do not push: {EXCITE}"
+    if knocked and (not cut or result.refused or any(one.used is None for one in knocked)):
+        when = Quantity(knocked[0].times[0], "s")
+        return Say("Somebody seems to push the robot at {time}, which no channel of the log shows.", time=when), EXCITE
     dropped = any(e.name == DROP for e in result.electronics)  # by a driver, which absorbs small commands too
     for finding in (f for log in logs for f in faster_controller(record_of(log)) if not dropped):
-        return f"the log lacks commands: {finding.evidence}", "log every row of the controller; " + EXCITE
+        return Say("The log lacks commands: {evidence}.", evidence=finding.evidence), EXCITE
     for e in () if result.refused else result.delays:
         if "−" not in e.name and e.value + CERTAIN * e.spread < 0:
-            early = f"the {e.name.removeprefix('delay/')} would show a command {-1e3 * e.value:.2g} ms before it acts"
-            return f"{early}: the model lacks something that moves this robot", "upright doctor LOG; or --force"
+            early = Say(
+                "The {name} is {time} below zero: the model lacks something that moves this robot.",
+                name=term(e.name),
+                time=Quantity(-e.value, "s", digits=2),
+            )
+            return early, Next("doctor", *map(named, logs[:1]))
     return None
 
 
 def _described(
     searched: Callable[..., Fitted], logs: Sequence[Log], kit: Kit, *, quiet: bool, wrong: bool
-) -> tuple[Explained, Sequence[Log], list[str]]:
-    """The fit that `searched` finds, with its doubtful numbers; the logs as they are meant; and what their files state,
-    in words. Where something is `wrong` in the logs, and half seconds are not predicted all the same, no cause is
+) -> tuple[Explained, Sequence[Log], list[Say]]:
+    """The fit that `searched` finds, with its doubtful numbers; the logs as they are meant; and what their files state.
+    Where something is `wrong` in the logs, and half seconds are not predicted all the same, no cause is
     looked for: they are of no robot."""
     fit = searched(logs, 0.01, 0.1 if wrong else 0.7, brief=wrong)
-    meant = list[str]()
+    meant = list[Say]()
     if wrong and simulated(fit) < GOOD:
         return Explained(fit, [], 0.0), logs, meant
     if wrong:

@@ -20,15 +20,16 @@ import numpy as np
 from upright.arrays import Array
 from upright.calibration.coefficients import Bowls
 from upright.calibration.electronics import BATTERY
-from upright.calibration.estimate import AGREE, FOREIGN, SURPRISE
+from upright.calibration.estimate import FOREIGN, SURPRISE
 from upright.calibration.fitting import Fitted, Problem, objective
 from upright.calibration.gauss_newton import gauss_newton
 from upright.calibration.parameters import LOSSES, Parameter, as_guess
 from upright.calibration.refined import CLEARER, MISSED, leaves_less, only_noise, simulated
 from upright.calibration.sought import laplace
 from upright.errors import DesignFailed
+from upright.pages import Quantity, Say
+from upright.pages.terms import term
 from upright.robots import PARAMETERS, Robot
-from upright.tables import sentence
 
 ITERATIONS = 15  # of Gauss–Newton with what is freed
 TURNS = 10  # of the way down in the bowls, each of which moves a parameter by three deviations at most
@@ -59,8 +60,11 @@ class Freed(NamedTuple):
     problem: Problem
     z: Array
 
-    def __str__(self) -> str:
-        return f"{self.name} were {self.value:.3g} {self.unit} (the file: {self.stated:.3g})"
+    @property
+    def as_number(self) -> Say:
+        """The number, and what it would be, for people."""
+        value, stated = (Quantity(x, self.unit) for x in (self.value, self.stated))
+        return Say("{name} {value} (file: {stated})", name=term(self.name), value=value, stated=stated)
 
 
 class Explained(NamedTuple):
@@ -200,17 +204,12 @@ def _single(fit: Fitted, search: Searching) -> list[Freed]:
     return [first._replace(value=float(value))]
 
 
-def in_words(numbers: Sequence[Freed]) -> str:
-    """With which of these numbers, each alone, the log and the file would agree."""
-    return f"{AGREE} {', or if '.join(map(str, numbers))}"
-
-
-def which(freed: Sequence[Freed]) -> list[str]:
-    """The numbers of which one is wrong, in words; nothing without any."""
-    if not freed:
-        return []
-    again = "Measure these again: the intervals allow for each." if len(freed) > 1 else "Measure it again."
-    return [f"{sentence(in_words(freed))} {again}"]
+def which(freed: Sequence[Freed]) -> list[Say]:
+    """The numbers of which one is wrong; nothing without any."""
+    numbers = [one.as_number for one in freed]
+    if len(freed) > 1:
+        return [Say("Log and file would agree with one of these: {numbers}. Measure them again.", numbers=numbers)]
+    return [Say("Log and file would agree with {number}. Measure it again.", number=one) for one in numbers]
 
 
 def _credible(fit: Fitted, stated: Mapping[str, Parameter]) -> list[Freed]:

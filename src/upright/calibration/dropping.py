@@ -15,6 +15,7 @@ from upright.calibration.estimate import SURPRISE, VISIBLE, Estimate
 from upright.calibration.fitting import Fitted, Problem
 from upright.calibration.parameters import Parameter
 from upright.calibration.sought import likelier, with_parameters
+from upright.pages import Say
 
 LEAST, MOST = 0.3, 4.0
 """[V] 95 % of the prior lie between: what two saturated transistors of a bridge keep, 0.3 V of small ones at little
@@ -49,12 +50,10 @@ def dropped(fit: Fitted, settled: Callable[[Problem, Array], Fitted]) -> Fitted 
     return other._replace(problem=replace(other.problem, drop=nats))
 
 
-def in_words(estimates: Sequence[Estimate], nats: float = 0.0) -> list[str]:
-    """What the driver keeps, and by how many `nats` the log is likelier with that, in a sentence; none where nothing
-    had to be found, or the log leaves it open."""
-    visible = [e for e in estimates if e.name == DROP and e.verdict == VISIBLE]
+def in_words(estimates: Sequence[Estimate], nats: float = 0.0) -> list[Say]:
+    """What the driver keeps; nothing where it had not to be found, by `nats`, or the log leaves it open."""
     return [
-        f"The driver takes {e.value:.3g} V ({e.low:.3g} to {e.high:.3g}) off each command. "
-        f"With it the log is {nats:.0f} nats likelier, its prior counted."
-        for e in visible if nats
-    ]  # fmt: skip
+        Say("The driver takes {drop} off each command.", drop=e.quantity)
+        for e in estimates
+        if nats and e.name == DROP and e.verdict == VISIBLE
+    ]

@@ -1,4 +1,4 @@
-"""One number of a calibration: its interval, its prior, and the words for what a log says of it."""
+"""One number of a calibration: its interval, its prior, and what a log says of it."""
 
 from __future__ import annotations
 
@@ -6,22 +6,26 @@ from dataclasses import dataclass
 from typing import Literal
 
 from upright.calibration.parameters import Parameter
+from upright.pages import Quantity, Say
+from upright.robots import PARAMETERS
 
 VISIBLE, PRIOR, BOUND, HELD, REFUSED = "visible", "prior dominates", "at its bound", "not fitted", "refused"
 QUIET = "too quiet"
-VERDICTS = {
-    VISIBLE: "the log halves the prior's uncertainty, or better",
-    PRIOR: "the log adds little to the prior; the value is meaningful only together with the others",
-    BOUND: "the log takes a value that was above zero down to its bound of zero; the interval is one-sided",
-    HELD: "the log holds too little information: the value is the prior's",
-    QUIET: "the robot moves too little: the value is partly an image of the sensors' steps",
-    REFUSED: "the calibration does not describe the robot, so that no number of it is determined",
+"""Verdicts. Of a visible number the log halves the prior's uncertainty, or better. One at its bound it takes down to
+zero, one that is not fitted keeps its prior's value. Of a log too quiet a value is partly an image of the sensors'
+steps."""
+MEASURED, BOUNDED, NOT_VISIBLE, MOVED = "measured", "bounded", "not visible", "moved"
+"""Two kinds of visible; and where the log adds little to the prior, one that the fit moves all the same."""
+CALLED = {
+    MEASURED: Say("measured"),
+    BOUNDED: Say("bounded"),
+    NOT_VISIBLE: Say("not visible"),
+    MOVED: Say("not visible, yet moved"),
+    BOUND: Say("at its bound of zero"),
+    HELD: Say("not fitted"),
+    QUIET: Say("log too quiet"),
+    REFUSED: Say("refused"),
 }
-MEASURED = "measured"
-BOUNDED = "bounded"
-NOT_VISIBLE = f"not {VISIBLE}"
-MOVED = f"{NOT_VISIBLE}, yet moved: doubtful"
-"""What pages and terminal call a verdict: two kinds of visible, and of the rest one that the fit moves all the same."""
 
 CLOSE = 0.25  # of a value: the half width of an interval up to which it counts as measured
 ONE_SIDED = 0.1  # of the upper end of an interval: a lower end below it says no more than zero would
@@ -30,8 +34,6 @@ SURPRISE = 3.0
 """Prior deviations beyond which the log contradicts a stated value."""
 WIDER = 1.05
 """Of a prior's deviation: from here up, by more than rounding, a fit leaves a number less certain than its file."""
-AGREE = "the log and the robot's file would agree if"
-"""How the sentence begins that names the numbers of which one is wrong."""
 FOREIGN = 6.0
 """Prior deviations of a stated value beyond which the log is of another robot."""
 
@@ -104,10 +106,27 @@ class Estimate:
         return self.verdict == VISIBLE and not self.one_sided and self.width <= CLOSE
 
     @property
-    def called(self) -> str:
-        """The verdict in words: measured, bounded or not visible, the last with its reason where it has one."""
+    def kind(self) -> str:
+        """The verdict, by name: measured or bounded where it is visible; not visible, or moved, where the prior
+        dominates."""
         if self.verdict == VISIBLE:
             return MEASURED if self.measured else BOUNDED
         if self.verdict == PRIOR:
             return MOVED if self.off else NOT_VISIBLE
-        return f"{NOT_VISIBLE} ({self.verdict})"
+        return self.verdict
+
+    @property
+    def called(self) -> Say:
+        """The verdict in words."""
+        return CALLED[self.kind]
+
+    @property
+    def quantity(self) -> Quantity:
+        """The number with its interval, for people."""
+        return Quantity(self.value, self.unit, low=self.low, high=self.high)
+
+    @property
+    def before(self) -> Quantity:
+        """What was known before: the value, with 95 % of the prior; no number of a robot is below zero."""
+        low, high = (float(self.asked.value(side * NORMAL)) for side in (-1, 1))
+        return Quantity(self.prior, self.unit, low=None if low <= 0 and self.name in PARAMETERS else low, high=high)

@@ -17,14 +17,13 @@ from upright.calibration.fitting import Normal, Path, Problem, fitted_readings
 from upright.calibration.parameters import ROLL_FRACTION, rows_of
 from upright.logs.outliers import grain_of
 from upright.logs.recording import SENSOR, Recording
+from upright.pages import Quantity, Say
+from upright.pages.terms import term
 
 INERTIAL = ("com_height", "pitch_inertia", "yaw_inertia", "rotor_inertia", "wheel_inertia", ROLL_FRACTION)
 TURNING = (ASYMMETRY, "yaw_inertia", "track", ROLL_FRACTION)
 """What moves nothing but the turning of the robot."""
-STRAIGHT = (
-    "One encoder, or two that agree to a step or two, tell nothing of turning: asymmetry, track, yaw and roll inertia "
-    "stay."
-)
+STRAIGHT = Say("The robot drives straight: track, yaw and roll inertia stay as they were.")
 AGREE = 2
 """[1] Steps of an encoder: two that show one motion differ by one, or two where they are read a moment apart."""
 QUIET = 4.0
@@ -39,15 +38,16 @@ thousand to one: a log has many causes of innovations that are not white, and ea
 WINDOW = 1.0  # [s] beyond which innovations are taken to be independent: many times the time in which a robot falls
 
 
-def too_quiet(problem: Problem) -> str:
-    """Why these logs can give no inertia, in words; '' where they can."""
+def too_quiet(problem: Problem) -> Say | None:
+    """Why these logs can give no inertia; None where they can."""
     motions = [_motion(r, np.exp(0.5 * problem.noise["gyro"])) for r in problem.recordings]
     loudest = max(motions)
     if loudest >= QUIET:
-        return ""
-    return (
-        f"Too quiet for an inertia: the pitch rate moves by {loudest:.1f} steps of its gyro (rms), not {QUIET:g}. "
-        "Inertias and the height of the centre of mass stay at their prior; excite the robot, and log again."
+        return None
+    return Say(
+        "Too quiet for an inertia: the gyro moves by {steps} of its steps (rms); {least} are needed.",
+        steps=Quantity(loudest, "1", digits=2),
+        least=Quantity(QUIET, "1"),
     )
 
 
@@ -173,19 +173,22 @@ def student(problem: Problem) -> float:
     return float(stdtrit(1.5 * seconds / WINDOW, 0.975) / ndtri(0.975))
 
 
-def unseen_directions(problem: Problem, normal: Normal) -> list[str]:
-    """Sentences on the directions of the parameters that the log does not fix, though each alone might seem fixed."""
+def unseen_directions(problem: Problem, normal: Normal) -> list[Say]:
+    """The directions of the parameters that the log does not fix, though each alone might seem fixed."""
     names = [p.name for p in problem.asked]
     C = np.linalg.inv(np.eye(len(problem.parameters)) + information(problem, normal))[: len(names), : len(names)]
     values, directions = np.linalg.eigh(np.linalg.inv(C) - np.eye(len(names)))
-    sentences: list[str] = []
+    unfixed: list[Say] = []
     for value, v in zip(values, directions.T, strict=True):
         if value >= 1.0:
             break
         large = np.flatnonzero(np.abs(v) > 0.4)
         if len(large) > 1:
-            parts = [f"{names[i]} {'up' if v[i] * v[large[0]] > 0 else 'down'}" for i in large]
-            sentences.append(
-                "The readings hardly change with " + " and ".join(parts) + " together: the log does not separate them."
-            )
-    return sentences
+            together = [
+                Say("{name} up", name=term(names[i]))
+                if v[i] * v[large[0]] > 0
+                else Say("{name} down", name=term(names[i]))
+                for i in large
+            ]
+            unfixed.append(Say("The readings hardly change with these together: {numbers}.", numbers=together))
+    return unfixed

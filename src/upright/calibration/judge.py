@@ -13,18 +13,19 @@ from dataclasses import replace
 import numpy as np
 
 from upright.arrays import Array, Whole
-from upright.calibration.calibration import GOOD, PREDICTED, Segments
-from upright.calibration.contradicted import Freed, in_words
+from upright.calibration.calibrated_robot import GOOD, PREDICTED, Segments
+from upright.calibration.contradicted import Freed, which
 from upright.calibration.electronics import MEANING
 from upright.calibration.estimate import FOREIGN, Estimate
 from upright.calibration.fitting import Problem
 from upright.calibration.parameters import LOSSES, columns
 from upright.calibration.validate import score
 from upright.logs.recording import SENSOR, Recording, first_noise
+from upright.pages import Quantity, Say
+from upright.pages.terms import channel, term
 from upright.physics.dynamics import turn_ratio
 from upright.physics.linear import unstable_pole
 from upright.robots import Robot, preset_names
-from upright.tables import short
 
 WORSE = 0.02  # [1] R² of half seconds by which the prior's own numbers may predict better
 NEARER = 2 / 3  # [1] of what the file's numbers leave of half seconds: another preset that leaves less is proposed
@@ -37,14 +38,19 @@ TURNED = 1.5  # a factor between prediction and reading that no tolerance of a m
 
 
 def reasons(
-    problem: Problem, z: Array, free: Sequence[Segments], estimates: Sequence[Estimate], other: str = "",
-    wrong: Sequence[str] = (), freed: Sequence[Freed] = (),
-) -> tuple[str, ...]:  # fmt: skip
-    """Why the fit at z (parameters,) is refused as a description of the robot, in words; nothing where it stands.
+    problem: Problem,
+    z: Array,
+    free: Sequence[Segments],
+    estimates: Sequence[Estimate],
+    other: Sequence[str] = (),
+    wrong: Sequence[Say] = (),
+    freed: Sequence[Freed] = (),
+) -> tuple[Say, ...]:
+    """Why the fit at z (parameters,) is refused as a description of the robot; nothing where it stands.
 
-    `free` are the half seconds of each recording, simulated freely; `other` is what `proposed` proposes. `wrong` is
-    what the doctor finds wrong in signs, sides and units: it is then the cause, and no other is guessed. A fit that
-    predicts wheels and gyro well stands all the same.
+    `free` are the half seconds of each recording, simulated freely; `other` are the presets that are `proposed`.
+    `wrong` is what the doctor finds wrong in signs, sides and units: it is then the cause, and no other is guessed. A
+    fit that predicts wheels and gyro well stands all the same.
     Of the numbers that are `freed` each alone explains the log; then no other is accused.
     """
     faults = [reason for parts in free for reason in unpredicted(parts)]
@@ -53,38 +59,50 @@ def reasons(
         return tuple(wrong)
     own = score(problem, np.zeros_like(z))
     if own > score(problem, z) + WORSE:
-        faults.append(
-            "the numbers of the robot's file predict half seconds of this log better than the fitted ones do: "
-            "the log has too little in it, or something that no robot of this kind does"
-        )
+        faults.append(Say("The robot's file predicts half seconds of this log better than the fitted numbers."))
     foreign = sorted((e for e in estimates if not e.guess and abs(e.shift) > FOREIGN), key=lambda e: -abs(e.shift))
     losses = [e for e in estimates if e.name in LOSSES and e.guess and e.shift > FOREIGN]
     if freed and (foreign or losses):
-        faults.append(f"{in_words(freed)}: measure {'these' if len(freed) > 1 else 'it'} again")
+        faults += which(freed)
     elif foreign:
-        stated = "; ".join(
-            f"{e.name} {e.prior:.3g} ± {e.prior_spread:.2g} {e.unit}, the log {e.value:.3g}" for e in foreign
-        )
-        faults.append(
-            f"the log is of another robot than the file, which says {stated}: measure these, or choose another robot"
-            f"{other}"
-        )
+        faults.append(another(foreign))
+        faults += better(other)
     faults += [
-        f"{e.name} of {e.value:.3g} {e.unit}, {e.shift:.0f} deviations more than a robot like the file's may lose: its "
-        "back_emf, which counts at the wheel, behind the gear, its torque_constant or its gear_ratio is likely wrong"
+        Say(
+            "The log needs a {name} of {value}: back_emf, torque_constant or gear_ratio of the file is likely wrong.",
+            name=term(e.name),
+            value=Quantity(e.value, e.unit),
+        )
         for e in losses
         if not freed
     ]
     return tuple(wrong or faults) if faults else ()
 
 
-def proposed(stated: Problem, problem: Problem, estimates: Sequence[Estimate]) -> str:
+def another(foreign: Sequence[Estimate]) -> Say:
+    """That the log is of another robot, by the number that says so most clearly."""
+    most = foreign[0]
+    return Say(
+        "The log is of another robot than the file: {name} {value}, not {stated}.",
+        name=term(most.name),
+        value=Quantity(most.value, most.unit),
+        stated=Quantity(most.prior, most.unit),
+    )
+
+
+def better(names: Sequence[str]) -> list[Say]:
+    """That presets of these names, as far as there are any, predict better."""
+    ways = [f"--robot {name}" for name in names]
+    return [Say("Other presets predict this log better than the robot's file: {ways}.", ways=ways)] if ways else []
+
+
+def proposed(stated: Problem, problem: Problem, estimates: Sequence[Estimate]) -> list[str]:
     """The presets whose numbers predict half seconds of these logs far better than those of the robot's file, all as
-    they stand, in words; '' where there is none, or no cause to ask: a stated number contradicted, or innovations that
-    are not white in the fit of `problem`. That fit may predict better than all of them and be of another robot: it has
-    bent what its file leaves open."""
+    they stand; none where there is no cause to ask: a stated number contradicted, or innovations that are not white in
+    the fit of `problem`. That fit may predict better than all of them and be of another robot: it has bent what its
+    file leaves open."""
     if problem.temper == 1 and not any(e.surprising for e in estimates):
-        return ""
+        return []
     kept = tuple(p for p in stated.parameters if p.name.startswith("delay/") or p.name in MEANING)
 
     def predicts(robot: Robot) -> float:
@@ -96,29 +114,30 @@ def proposed(stated: Problem, problem: Problem, estimates: Sequence[Estimate]) -
     least = min(left.values(), default=1.0)
     own = min(1 - predicts(robot), 1.0)
     if least > NEARER * own:
-        return ""
-    level = sorted(
+        return []
+    return sorted(
         (n for n in left if left[n] <= LEVEL * least), key=lambda n: (named[n].kit_name != robot.kit_name, left[n])
     )
-    better = ", or ".join(f"--robot {name} (R² {1 - left[name]:.2f})" for name in level)
-    return f"; half seconds are better predicted as they stand by other presets (this file: R² {1 - own:.2f}): {better}"
 
 
-def unpredicted(parts: Segments) -> list[str]:
-    """Readings that half a second of free simulation predicts worse than their mean does: how badly, where, and why."""
+def unpredicted(parts: Segments) -> list[Say]:
+    """Readings that half a second of free simulation predicts worse than their mean does: where, and why."""
     return [
-        f"{name.removeprefix('sensor/').replace('_', ' ')}: half a second of free simulation predicts worse than the "
-        f"mean does (R² {parts.r_squared(name):.2g}), worst at t = {worst(parts, name):.3g} s; "
-        f"likely {_likely(parts, name)}"
+        Say(
+            "Half seconds of the {sensor} are not predicted, least at {time}. Likely: {cause}.",
+            sensor=channel(name),
+            time=Quantity(worst(parts, name), "s"),
+            cause=_likely(parts, name),
+        )
         for name in parts.rows
         if parts.r_squared(name) < 0
     ]
 
 
-def poorly(problem: Problem, recording: Recording, z: Array, parts: Segments, *, only_known: bool = False) -> list[str]:
+def poorly(problem: Problem, recording: Recording, z: Array, parts: Segments, *, only_known: bool = False) -> list[Say]:
     """Readings of which half a second of free simulation leaves more than the target and more than noise, and what
-    explains that, in words; those without a known cause are left out where `only_known`."""
-    texts: list[str] = []
+    explains that; those without a known cause are left out where `only_known`."""
+    texts: list[Say] = []
     noise = first_noise(recording)
     for name in parts.rows:
         r2 = parts.r_squared(name)
@@ -133,15 +152,18 @@ def poorly(problem: Problem, recording: Recording, z: Array, parts: Segments, *,
             turn = float(np.ravel(turn_ratio(columns(problem.robot, problem.values(z[:, None]))))[0])
             pole = unstable_pole(problem.robot.without_dry_friction())
             fraction = turning(parts, (parts.rows.index(name), *pair), delay, turn, pole)
-        if only_known and not fraction:
-            continue
-        why = (
-            f"it also measures the turn (yaw), {fraction:.2g} of it. Mount the sensor level, or take that part of the "
-            "wheels' turn off its column"
-            if fraction
-            else "the cause was not found"
-        )
-        texts.append(f"{short(name)}: half a second of free simulation explains {max(r2, 0):.0%} of it; {why}")
+        if fraction:
+            part = Quantity(fraction, "1", digits=2)
+            texts.append(Say("The gyro also measures the turn (yaw), {part} of it: mount it level.", part=part))
+        elif not only_known:
+            explained = Quantity(max(r2, 0.0), "fraction", digits=2)
+            texts.append(
+                Say(
+                    "Half seconds of the {sensor} are predicted to {part}; the cause was not found.",
+                    sensor=channel(name),
+                    part=explained,
+                )
+            )
     return texts
 
 
@@ -180,24 +202,25 @@ def worst(parts: Segments, name: str) -> float:
     return float(parts.when[at][parts.segment[at] == parts.segment[at][np.argmax(missed)]].min())
 
 
-def _likely(parts: Segments, name: str) -> str:
+def _likely(parts: Segments, name: str) -> Say:
     """What explains most of the misses: a sign, a unit, a delay, or none of these."""
     at = parts.row == parts.rows.index(name)
     y, predicted = _about_means(parts.measured[at], parts.predicted[at], parts.segment[at])
     if len(y) < 3 * MOST_LAGS or not predicted.any():
-        return "a robot that falls where this one did not: another robot, a flipped sign or a wrong unit"
+        return Say("another robot, a flipped sign or a wrong unit")
     slope = float(y @ predicted) / float(predicted @ predicted)
     lags = [_left(y[lag:], predicted[: len(y) - lag]) for lag in range(MOST_LAGS)]
     lags += [_left(y[: len(y) - lag], predicted[lag:]) for lag in range(1, MOST_LAGS)]
     best = int(np.argmin(lags))
     if best and lags[best] < HALF:
-        behind = best < MOST_LAGS
-        return f"a delay: {best if behind else best - MOST_LAGS + 1} readings {'later' if behind else 'earlier'}"
+        if best < MOST_LAGS:
+            return Say("it comes {n} readings late", n=best)
+        return Say("it comes {n} readings early", n=best - MOST_LAGS + 1)
     if _left(y, slope * predicted) < HALF and slope < 0:
-        return "a flipped sign"
+        return Say("a flipped sign")
     if _left(y, slope * predicted) < HALF and not 1 / TURNED < slope < TURNED:
-        return f"a wrong unit: the readings are {slope:.3g} times the prediction"
-    return "wheels that slip, another controller period, or a robot unlike the file"
+        return Say("a wrong unit: readings are {times} times the prediction", times=Quantity(slope, "1"))
+    return Say("wheels that slip, another controller period, or another robot")
 
 
 def _about_means(y: Array, predicted: Array, segment: Whole) -> tuple[Array, Array]:

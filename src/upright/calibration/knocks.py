@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from upright.errors import InvalidLog, UprightError
 from upright.logs.outliers import bridged, single
 from upright.logs.raw import RATES
 from upright.logs.recording import commanded
+from upright.pages import Quantity, Say
 from upright.physics.dynamics import turn_ratio
 from upright.physics.electronics import driven
 from upright.physics.linear import linearise
@@ -35,6 +36,31 @@ KNOCK = 10.0  # usual sizes of an innovation: on real logs without a push they r
 LEAST_CALM = 2.0  # [s] without a push, from which a calibration learns
 LEAST_MOVED = 0.05  # of how far the wheels turn in the part in which they turn most: a part that stands tells no motion
 MOST_NAMED = 4  # times of knocks in a sentence
+
+
+class Knocks(NamedTuple):
+    """`times` [s] of a log of `length` [s] at which somebody seems to have pushed; of which `used` [s] are left, where
+    these times were cut out: None where that was not `asked`, or too little would be left."""
+
+    times: tuple[float, ...]
+    length: float
+    used: float | None
+    asked: bool
+
+    @property
+    def remark(self) -> Say:
+        """What they do to the fit, for people."""
+        when = [Quantity(t, "s") for t in self.times[:MOST_NAMED]]
+        if self.used is None and self.asked:
+            return Say("What looks like a push at {times} bends the numbers; too little lies between.", times=when)
+        if self.used is None:
+            return Say("What looks like a push at {times} bends the numbers; try --between-knocks.", times=when)
+        return Say(
+            "What looks like a push at {times} is left out: {used} of {length} are used.",
+            times=when,
+            used=Quantity(self.used, "s"),
+            length=Quantity(self.length, "s"),
+        )
 
 
 def periods_of(log: Log) -> Whole:
@@ -182,9 +208,10 @@ def _calm(log: Log, there: Mask) -> list[Log]:
     return calm if sum(map(len, calm)) > len(log) / 2 else [log]
 
 
-def without_knocks(logs: Sequence[Log], robot: Robot, kit: Kit, *, cut: bool) -> tuple[list[Log], list[str]]:
-    """The logs, where asked (`cut`) in parts without knocks, and sentences on the knocks in them."""
-    parts, notes = list[Log](), list[str]()
+def without_knocks(logs: Sequence[Log], robot: Robot, kit: Kit, *, cut: bool) -> tuple[list[Log], list[Knocks]]:
+    """The logs, where asked (`cut`) in parts without knocks, and the knocks in them."""
+    parts = list[Log]()
+    knocks = list[Knocks]()
     for log in logs:
         try:
             trace = traces(log, robot, kit)
@@ -195,11 +222,7 @@ def without_knocks(logs: Sequence[Log], robot: Robot, kit: Kit, *, cut: bool) ->
         own = _calm(log, there) if len(starts) and cut else [log]
         parts += own
         if len(starts):
-            times = [log.t[a + np.argmax(np.abs(trace[a:b]))] for a, b in zip(starts, stops, strict=True)]
-            when = ", ".join(f"{t:.3g}" for t in times[:MOST_NAMED]) + (", …" if len(times) > MOST_NAMED else "")
-            advice = "too little lies between them to leave them out" if cut else "try --between-knocks"
-            effect = f"bends the numbers, since no push is known; {advice}"
-            if own != [log]:
-                effect = f"is left out: {sum(map(len, own)) * log.period:.3g} of {len(log) * log.period:.3g} s are used"
-            notes.append(f"What looks like a push at {when} s {effect}.")
-    return parts, notes
+            times = [float(log.t[a + np.argmax(np.abs(trace[a:b]))]) for a, b in zip(starts, stops, strict=True)]
+            used = sum(map(len, own)) * log.period if own != [log] else None
+            knocks.append(Knocks(tuple(times), len(log) * log.period, used, cut))
+    return parts, knocks

@@ -15,6 +15,7 @@ from upright.calibration.informativity import TURNING
 from upright.calibration.parameters import Parameter
 from upright.calibration.sought import likelier, with_parameters
 from upright.logs.recording import SENSOR
+from upright.pages import Quantity, Say
 
 
 def part_about() -> Parameter:
@@ -41,13 +42,12 @@ def _turns(problem: Problem) -> bool:
     return not problem.held & {*TURNING} and any("gyro" in k and k.count("encoder") == 2 for k in kinds)
 
 
-def in_words(estimates: Sequence[Estimate], nats: float = 0.0) -> list[str]:
-    """How far the gyro is tilted, and by how many `nats` the log is likelier with that, in a sentence; none where
-    nothing had to be found, or the log leaves it open."""
-    visible = [e for e in estimates if e.name == MISALIGNED and e.verdict == VISIBLE]
+def in_words(estimates: Sequence[Estimate], nats: float = 0.0) -> list[Say]:
+    """How far the gyro is tilted; nothing where that had not to be found, by `nats`, or the log leaves it open."""
     return [
-        f"The gyro reads {e.value:.2g} ({e.low:.2g} to {e.high:.2g}) of the yaw rate too: it is tilted by "
-        f"{abs(math.degrees(math.asin(max(-1.0, min(1.0, e.value))))):.2g}°. "
-        f"With it the log is {nats:.0f} nats likelier, its prior counted."
-        for e in visible if nats
+        Say("The gyro is tilted by {angle}: it also reads {part} of the yaw rate.",
+            angle=Quantity(abs(math.asin(max(-1.0, min(1.0, e.value)))), "rad", digits=2),
+            part=Quantity(e.value, "1", low=e.low, high=e.high, digits=2))
+        for e in estimates
+        if nats and e.name == MISALIGNED and e.verdict == VISIBLE
     ]  # fmt: skip

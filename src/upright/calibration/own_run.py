@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from upright.calibration.calibrate import prepared
-from upright.calibration.calibration import Segments
+from upright.calibration.calibrated_robot import Segments
 from upright.calibration.effects import FRACTIONS, run_spreads
 from upright.calibration.fitting import Fitted, Problem
 from upright.calibration.gauss_newton import gauss_newton
@@ -96,4 +96,4 @@ def as_driven(log: Log, robot: Robot, kit: Kit) -> tuple[Log, str]:
     if not np.isfinite(fit.normal.objective):
         return log, ""
     _, (driven,), words = as_meant(fit, [log], kit, fitted)
-    return driven, " ".join(words)
+    return driven, " ".join(map(str, words))

@@ -14,6 +14,7 @@ import numpy as np
 from upright.calibration.estimate import VISIBLE, Estimate
 from upright.calibration.parameters import Parameter
 from upright.logs.recording import SENSOR, Recording
+from upright.pages import Quantity, Say
 from upright.robots import Kit
 
 FREQUENCY, DAMPING = "gyro_resonance", "gyro_damping"
@@ -65,15 +66,13 @@ def swing_noise(recordings: Sequence[Recording], part: float) -> float:
     return rate * part**2 * float(np.mean([y.var() for y in gyros]))
 
 
-def in_words(estimates: Sequence[Estimate], nats: float = 0.0) -> list[str]:
-    """What the two numbers say of the robot, and by how many `nats` the log is likelier with them, in sentences; none
-    where the log leaves the frequency open."""
+def in_words(estimates: Sequence[Estimate]) -> list[Say]:
+    """What the two numbers say of the robot; nothing where the log leaves the frequency open."""
     known = {e.name: e for e in estimates}
     if FREQUENCY not in known or known[FREQUENCY].verdict != VISIBLE:
         return []
     f, damping = known[FREQUENCY], known[DAMPING]
-    where = f"{f.value:.3g} Hz ({f.low:.3g} to {f.high:.3g}), damping {damping.value:.2g}"
-    likelier = f" With it the log is {nats:.0f} nats likelier, its priors counted." if nats else ""
+    facts = {"frequency": f.quantity, "damping": Quantity(damping.value, "1", digits=2)}
     if damping.value >= FILTERS:
-        return [f"The gyro is filtered: low-pass at {where}.{likelier} Part of the gyro's delay is in that filter."]
-    return [f"Gyro resonance: {where}.{likelier} Something between frame and gyro swings: fix the sensor or the frame."]
+        return [Say("The gyro has a low-pass filter at {frequency}, damping {damping}.", **facts)]
+    return [Say("The gyro swings against the frame at {frequency}, damping {damping}: fix the sensor.", **facts)]

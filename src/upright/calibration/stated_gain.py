@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 
@@ -22,6 +23,7 @@ from upright.errors import DesignFailed
 from upright.logs.raw import named
 from upright.logs.readers import GAINS
 from upright.logs.recording import commanded
+from upright.pages import Say
 from upright.robots import Kit
 from upright.signals import SIDES, Log
 
@@ -91,45 +93,44 @@ def _least(problem: Problem, z: Array) -> float:
 
 def as_meant(
     fit: Fitted, logs: Sequence[Log], kit: Kit, search: Callable[[Sequence[Log]], Fitted]
-) -> tuple[Fitted, list[Log], list[str]]:
-    """The fit of the logs with the commands that drove the motors, these logs, and in words what was found of stated
-    gains. `fit` is that of the commands as logged, `search` fits other logs anew."""
+) -> tuple[Fitted, list[Log], list[Say]]:
+    """The fit of the logs with the commands that drove the motors, these logs, and what was found of stated gains.
+    `fit` is that of the commands as logged, `search` fits other logs anew."""
     chosen = list(logs)
-    notes = dict[int, str]()
+    notes = dict[int, Say]()
     while tries := _tries(fit, chosen, kit, set(notes)):
         likelier, run, words, log = max(tries, key=lambda one: one[0])
+        facts = {"log": Path(named(chosen[run])).name, "gain": words}
         if likelier < MARGIN:
-            notes |= {i: _as_logged(chosen[i], what, value) for value, i, what, _ in sorted(tries, key=lambda t: t[0])}
+            notes |= {i: _as_logged(chosen[i], what) for _, i, what, _ in sorted(tries, key=lambda t: t[0])}
             break
         uncut = log.origin["times"] * commands_of(chosen[run])
         if likelier <= nats(fit, run, uncut):  # a factor is also what another motor would be, or another dead zone
-            notes[run] = (
-                f"{_undecided(chosen[run], words)}. Times {log.origin['times']:g} they explain the log better, but a "
-                "stronger motor or a smaller dead zone would do the same: nothing shows that they are cut at full duty."
+            notes[run] = Say(
+                "The file {log} states {gain}; commands are taken as logged: a stronger motor explains as much.",
+                **facts,
             )
             continue
         curves = [nats(fit, run, _curved(chosen[run], kit, exponent)) for exponent in CURVES]
         if likelier < max(curves) + MARGIN:
-            notes[run] = (
-                f"{_undecided(chosen[run], words)}. A driver that gives small duties more than their share explains "
-                "the log about as well as that gain. Ask the program's source where it logs."
+            notes[run] = Say(
+                "The file {log} states {gain}; commands are taken as logged: a curved driver explains as much.", **facts
             )
             continue
         anew = [log if i == run else one for i, one in enumerate(chosen)]
         try:
             other = search(anew)
         except DesignFailed:
-            notes[run] = _as_logged(chosen[run], words, -math.inf)
+            notes[run] = _as_logged(chosen[run], words)
             continue
-        likelier = min(likelier, -nats(other, run, commands_of(chosen[run]), fit))
-        if likelier < MARGIN:
-            notes[run] = _as_logged(chosen[run], words, likelier)
+        if min(likelier, -nats(other, run, commands_of(chosen[run]), fit)) < MARGIN:
+            notes[run] = _as_logged(chosen[run], words)
             continue
-        notes[run] = (
-            f"{named(log)} states {words}, and its commands are those before that gain: times {log.origin['times']:g}, "
-            f"up to full duty, they explain the log better (log posterior {likelier:+.0f}, from {MARGIN:+g} it counts)."
+        notes[run] = Say(
+            "The file {log} states {gain}: its commands are those before that gain, and were multiplied.", **facts
         )
-        fit, chosen = other, anew
+        fit = other
+        chosen = anew
     return fit, chosen, [notes[run] for run in sorted(notes)]
 
 
@@ -144,16 +145,8 @@ def _tries(fit: Fitted, logs: Sequence[Log], kit: Kit, notes: set[int]) -> list[
     return [(nats(fit, run, commands_of(other)), run, words, other) for run, words, other in others]
 
 
-def _undecided(log: Log, words: str) -> str:
-    return (
-        f"{named(log)} states {words}, but not whether its commands were logged before or after that gain. They are "
-        "taken as logged"
+def _as_logged(log: Log, words: str) -> Say:
+    name = Path(named(log)).name
+    return Say(
+        "The file {log} states {gain}; commands are taken as logged, which explain it as well.", log=name, gain=words
     )
-
-
-def _as_logged(log: Log, words: str, likelier: float) -> str:
-    if likelier == -math.inf:
-        return f"{_undecided(log, words)}: times that gain, no robot follows the log."
-    better = "hardly better" if likelier > 0 else "no better" if likelier > -MARGIN else "worse"
-    decides = f"log posterior {likelier:+.0f}, from {MARGIN:+g} it counts"
-    return f"{_undecided(log, words)}: times that gain they explain the log {better} ({decides})."

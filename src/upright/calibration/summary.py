@@ -1,4 +1,4 @@
-"""From a finished fit to a `Calibration`: intervals, combinations, verdicts, checks and sentences."""
+"""From a finished fit to a `Calibration`: intervals, combinations, verdicts, checks and remarks."""
 
 from __future__ import annotations
 
@@ -12,28 +12,30 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.calibration import dropping, misaligned, resonance
-from upright.calibration.calibration import Calibration, Segments
+from upright.calibration.calibrated_robot import Segments
+from upright.calibration.calibration import Calibration
 from upright.calibration.coefficients import AT, SHARPER, around, slopes_of
 from upright.calibration.contradicted import Explained, which
 from upright.calibration.effects import FRACTIONS, of_robot
-from upright.calibration.electronics import DEAD_ZONE, MEANING
-from upright.calibration.estimate import BOUND, HELD, NORMAL, PRIOR, QUIET, REFUSED, SURPRISE, VISIBLE, Estimate
+from upright.calibration.electronics import DEAD_ZONE, DROP, MEANING, MISALIGNED
+from upright.calibration.estimate import BOUND, HELD, NORMAL, PRIOR, QUIET, REFUSED, VISIBLE, Estimate
 from upright.calibration.fitting import Problem
 from upright.calibration.informativity import between_optima, information, posterior, unseen_directions
-from upright.calibration.judge import poorly, proposed, reasons
+from upright.calibration.judge import better, poorly, proposed, reasons
 from upright.calibration.parameters import GEAR, ROLL_FRACTION, Parameter, columns, with_values
+from upright.calibration.resonance import FREQUENCY
 from upright.calibration.validate import segments, steps_ahead, whiteness
 from upright.logs.marks import marks_of
 from upright.logs.raw import named
 from upright.logs.recording import Recording
+from upright.pages import Next, Say
+from upright.pages.terms import term
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.physics.linear import unstable_pole
 from upright.robots import PARAMETERS, FittedLog, Provenance, Robot
 from upright.signals import Log
-from upright.tables import joined, sentence
 
 HALVED = 0.5  # of the prior's deviation: a number known twice as well, or better, is called visible
-CONTRADICTED = "since the log contradicts the file, and any of its numbers may be wrong"
 FINEST_TIME = 0.01  # of a period: no dead time is claimed to be known better, since the integration takes steps
 
 COMBINATIONS: dict[str, tuple[str, Callable[[Any], Any]]] = {
@@ -51,7 +53,7 @@ COMBINATIONS: dict[str, tuple[str, Callable[[Any], Any]]] = {
 
 
 def summarised(
-    best: Explained, logs: Sequence[Log], reason: str, began: float, *, stated: Problem, wrong: Sequence[str] = ()
+    best: Explained, logs: Sequence[Log], reason: Say | None, began: float, *, stated: Problem, wrong: Sequence[Say]
 ) -> Calibration:
     """The calibration that a fit, with its doubtful numbers, amounts to; `stated` is the problem
     as the files state it, and `wrong` what the doctor finds wrong in the logs."""
@@ -70,7 +72,7 @@ def summarised(
     widening = _widening(C, right, every, combinations)
     supported = sum(right[i, i] < HALVED**2 for i, p in enumerate(problem.asked) if p.name not in problem.held)
     supported += sum(_combined(c, right).verdict == VISIBLE for c in combinations[1:])
-    other = "" if wrong else proposed(stated, problem, every)
+    other = [] if wrong else proposed(stated, problem, every)
     doubted = [_doubted(e, best.doubt) for e in every]
     refused = () if reason else reasons(problem, fitted, free, doubted, other, wrong, best.freed)
     delays = _delays(problem, z, C, every)
@@ -98,16 +100,15 @@ def summarised(
         samples=int(sum((r.fitted & (r.kind < 0)).sum() for r in problem.recordings)),
         seconds=time.perf_counter() - began,
         sources=tuple(map(named, logs)),
-        notes=(
-            *(() if refused else [*map(sentence, wrong), *which(best.freed)]),
-            *_notes(problem, () if wrong and refused else every, scores, reason, other, widening, best),
-        ),
+        notes=_notes(problem, () if wrong and refused else every, other, best, None if refused else wrong),
         widening=widening,
         supported=int(supported),
         quiet=reason,
         unseen=tuple(unseen_directions(problem, normal)),
         refused=refused,
+        suspects=tuple(one.name for one in best.freed),
         missed=() if reason else _missed(problem, fitted, free, only_known=bool(refused)),
+        likelier={name: nats for name, nats in _likelier(problem).items() if nats},
     )
 
 
@@ -122,13 +123,18 @@ def _covariances(best: Explained) -> tuple[Array, Array]:
     return stated * errors + best.covariance + floor, stated * white + floor
 
 
-def _missed(problem: Problem, z: Array, free: Sequence[Segments], *, only_known: bool) -> tuple[str, ...]:
+def _likelier(problem: Problem) -> dict[str, float]:
+    """By how many nats what was found beside the robot makes the logs likelier."""
+    return {FREQUENCY: problem.resonance, MISALIGNED: problem.misalignment, DROP: problem.drop}
+
+
+def _missed(problem: Problem, z: Array, free: Sequence[Segments], *, only_known: bool) -> tuple[Say, ...]:
     """What half seconds explain too little of, by run where there are several; of a refused fit only where the cause
     is known."""
-    texts: list[str] = []
+    texts: list[Say] = []
     for number, (recording, parts) in enumerate(zip(problem.recordings, free, strict=True), 1):
-        which = f"Log {number}, " if len(free) > 1 else ""
-        texts += [which + text for text in poorly(problem, recording, z, parts, only_known=only_known)]
+        poor = poorly(problem, recording, z, parts, only_known=only_known)
+        texts += [Say("Log {n}: {remark}", n=number, remark=text) for text in poor] if len(free) > 1 else poor
     return tuple(texts)
 
 
@@ -139,7 +145,7 @@ def _fitted_part(log: Log, recording: Recording) -> FittedLog:
     return FittedLog(named(log), float(part.t[0]), float(part.t[-1]), marks_of(part))
 
 
-def untold(c: Calibration, reason: tuple[str, str] | None) -> Calibration:
+def untold(c: Calibration, reason: tuple[Say, Next] | None) -> Calibration:
     """The calibration; where its logs can tell no robot, for a `reason` with what to try, none is accused."""
     if reason is None:
         return c
@@ -327,54 +333,33 @@ def _mean(each: Sequence[Mapping[str, float]]) -> dict[str, float]:
 
 
 def _notes(
-    problem: Problem,
-    every: Sequence[Estimate],
-    free: Mapping[str, float],
-    reason: str,
-    other: str,
-    widening: float,
-    best: Explained,
-) -> list[str]:
-    freed = best.freed
-    notes = [*([reason] if reason else []), *dropping.in_words(every, problem.drop)]
-    notes += misaligned.in_words(every, problem.misalignment)
-    notes += resonance.in_words(every, problem.resonance)
-    if problem.temper < 1:
-        notes.append(
-            "The innovations are not white: the model leaves something out. "
-            f"The effective sample size is {problem.temper:.0%} of the readings, and the intervals are on average "
-            f"{widening:.2g} times as wide as those of a right model."
-        )
-    off = best.contradicted or {e.name: e.shift for e in every if e.surprising}
-    surprised = [f"{name} by {abs(by):.1f}" for name, by in off.items()]
-    if surprised and not freed:
-        notes.append(
-            f"The log contradicts the stated value of {', '.join(surprised)} deviations (more than {SURPRISE:g}): "
-            f"measure it again, or start from another robot{other}."
-        )
-        if problem.robot.drive == "torque" and GEAR not in (e.name for e in every):
+    problem: Problem, every: Sequence[Estimate], other: Sequence[str], best: Explained, wrong: Sequence[Say] | None
+) -> tuple[Say, ...]:
+    """Remarks on a fit, with what is `wrong` in its logs; None of one that is refused."""
+    notes = [] if wrong is None else [*wrong, *which(best.freed)]
+    notes += [*dropping.in_words(every, problem.drop), *misaligned.in_words(every, problem.misalignment)]
+    notes += resonance.in_words(every)
+    contradicted = [e for e in every if e.surprising or e.name in best.contradicted]
+    if not best.freed and wrong is not None:
+        notes += better(other)
+        if best.contradicted:
+            names = [term(name) for name in best.contradicted]
             notes.append(
-                "Or the motors give another torque than commanded: give gear_ratio a spread in the robot's file."
+                Say("The log contradicts the stated value of {names}: any of the file may be wrong.", names=names)
             )
-    elif other and not freed:
-        notes.append(f"The log may be of another robot than the file{other}.")
-    moved = [e for e in every if e.outside and not e.surprising and e.name in PARAMETERS]
-    if moved:
-        times = [f"{e.name}{f' ({e.value / e.prior:.2g} times the file)' if e.prior else ''}" for e in moved]
-        notes.append(f"Outside of what was known before: {', '.join(times)}. Check the file, and the log.")
-    runs = [e.name for e in every if e.wider and e.name in FRACTIONS and len(problem.recordings) > 1]
-    rest = [e.name for e in every if e.wider and e.name not in runs]
-    cause = "because of the model's error" if best.doubt == 1 else CONTRADICTED
-    for names, why in ((runs, "since the runs differ by more than that"), (rest, cause)):
-        if names:
-            notes.append(
-                f"After this log {joined(names)} {'are' if len(names) > 1 else 'is'} less certain than before, {why}. "
-                "Fix what you measured with --known."
-            )
+        if contradicted and problem.robot.drive == "torque" and GEAR not in (e.name for e in every):
+            notes.append(Say("Or the motors give another torque than commanded: give gear_ratio a spread in the file."))
+    runs = [e for e in every if e.wider and e.name in FRACTIONS and len(problem.recordings) > 1]
+    rest = [term(e.name) for e in every if e.wider and e not in runs]
+    if runs:
+        names = [term(e.name) for e in runs]
+        notes.append(
+            Say("The runs differ in these numbers, so that they are less certain than before: {names}.", names=names)
+        )
+    if rest and best.doubt == 1:
+        notes.append(Say("The model's error leaves these numbers less certain than before: {names}.", names=rest))
+    elif rest:
+        notes.append(Say("Log and file disagree, which leaves these numbers less certain: {names}.", names=rest))
     if best.fit.others:
-        notes.append("Other fits predict half seconds equally well: the intervals allow for each of them.")
-    if free["lost"] > 0.1:
-        notes.append(
-            f"In {free['lost']:.0%} of the half-second free simulations the model falls where the robot did not."
-        )
-    return notes
+        notes.append(Say("Other fits predict equally well: the intervals hold each of them."))
+    return tuple(notes)

@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 
 from upright.arrays import Array, Mask, Whole
-from upright.calibration.calibration import Segments, Whiteness
+from upright.calibration.calibrated_robot import Segments, Whiteness
 from upright.calibration.fitting import Normal, Path, Problem, fitted_readings
 from upright.calibration.stretch import Stretch, free
 from upright.calibration.threads import in_threads

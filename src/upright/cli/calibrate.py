@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
@@ -20,6 +21,7 @@ from upright.cli.options import (
     part_of_log,
 )
 from upright.cli.output import AGAINST, check_targets, finish, progress
+from upright.cli.typed import GIVEN
 
 
 def calibrate(
@@ -64,10 +66,13 @@ def calibrate(
     withheld = decision.withheld and not force
     if output and not withheld:
         result.known_robot().save(output)
+        result = replace(result, saved=str(output))
+        if not decision.next:  # what follows is for the robot that was written, which has its own kit
+            GIVEN.set({**GIVEN.get(), "robot": output, "kit": None})
     if save:
         write_json(save, result.to_json())
-    finish(result, as_json, page=report, written=(None if withheld else output, save))
+    finish(result, as_json, page=report, written=(None if withheld else output, save), text="")
     if output and withheld:
-        typer.echo(f"{output} is not written: {decision.why}; try: {decision.hint}", err=True)
+        typer.echo(f"{output} is not written. {decision.why} Try: {decision.hint}; or --force", err=True)
     if decision.against:
         raise typer.Exit(AGAINST)

@@ -50,7 +50,7 @@ def _process(problem: Problem, size: float) -> dict[str, float]:
 
 def quiet(log: Log, robot: Robot, kit: Kit, known: Sequence[str] = ()) -> str:
     """Why `calibrate` would give no inertia from that log, in words; '' where it would."""
-    return too_quiet(prepared([log], robot, kit, (*known, CONSTANT), HELD_OUT)[0])
+    return str(too_quiet(prepared([log], robot, kit, (*known, CONSTANT), HELD_OUT)[0]) or "")
 
 
 def fisher(problem: Problem) -> Array:

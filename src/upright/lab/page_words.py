@@ -13,7 +13,7 @@ _RULES: tuple[tuple[str, str], ...] = (
     (r"the log's commands are in (.+?); expected (.+?), as those of '(.+?)'; likely another robot; try: .*",
      "this log is of a robot whose commands are in {0}; {2} takes {1}. "
      "Choose the log's robot in the tab Robot, then press {job} again."),
-    (r"(.*) bends the numbers, since no push is known; try --between-knocks\.?",
+    (r"(.*) bends the numbers(?:, since no push is known)?; try --between-knocks\.?",
      "{0} bends the numbers, since no push is known. "
      "The terminal's “upright calibrate … --between-knocks” leaves the pushes out."),
     (r"(.*) Fix what you measured with --known\.",

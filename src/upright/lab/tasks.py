@@ -17,6 +17,7 @@ from upright.lab.messages import Analysed, JobResult, Light, Setup
 from upright.lab.page_words import for_page
 from upright.lab.plant import design as design_of
 from upright.lab.plant import design_part, plant_of
+from upright.languages import ENGLISH, speaking
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -177,7 +178,9 @@ def calibrate(report: Report, source: Path | Log, robot: Robot, kit: Kit) -> tup
     rows = tuple((e.name, f"{e.value:.4g}", f"{e.low:.4g} … {e.high:.4g}", f"{e.prior:.4g}", e.unit, e.verdict)
                  for e in estimates)  # fmt: skip
     header = ("parameter", "value", "95 %", "prior", "unit", "what the log tells")
-    text = "\n".join(map(for_page, (*calibration.refused, *calibration.notes, *calibration.unseen)))
+    with speaking(ENGLISH):  # the page translates
+        remarks = [str(one) for one in (*calibration.check(), *calibration.notes, *calibration.unseen)]
+    text = "\n".join(map(for_page, remarks))
     title = f"{robot.name} from {calibration.samples} samples"
     return calibration.robot, JobResult("calibrate", title, text, header, rows, not calibration.check())
 

@@ -248,7 +248,9 @@ def _calibrated(log: Log, robot: Robot, kit: Kit) -> tuple[_Learnt, tuple[str, .
         return _Learnt(robot, kit, ()), (f"No number is learnt from this log: {error}.",)
     reasons = [*result.refused, *([result.quiet] if result.quiet else [])]
     if reasons:
-        return _Learnt(robot, kit, ()), tuple(f"No number is learnt from this log: {r.rstrip('.')}." for r in reasons)
+        return _Learnt(robot, kit, ()), tuple(
+            f"No number is learnt from this log: {str(r).rstrip('.')}." for r in reasons
+        )
     numbers = [
         _Number(e.name, e.unit, e.prior, e.value, e.low, e.high, e.shift)
         for e in result.parameters if abs(e.shift) > MOVED

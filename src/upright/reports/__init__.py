@@ -21,7 +21,6 @@ from upright.reports.page import Section as Section
 from upright.reports.page import Table as Table
 
 PAGES = {
-    "Calibration": "calibration",
 }  # fmt: skip
 """Class of a result → the file of this room that has its page."""
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from upright.arrays import Array
-from upright.calibration.calibration import GOOD, PREDICTED
+from upright.calibration.calibrated_robot import GOOD, PREDICTED
 from upright.pages import Say
 from upright.tables import short
 from upright.validation.fits import COMPASS, LogJudged, loop_channels

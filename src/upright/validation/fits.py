@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from upright.atomic import finite
-from upright.calibration.calibration import GOOD, PREDICTED, Segments
+from upright.calibration.calibrated_robot import GOOD, PREDICTED, Segments
 from upright.calibration.own_run import RunEffect
 from upright.pages import Say
 from upright.validation.loop import FreeLoop

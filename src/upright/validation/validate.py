@@ -20,7 +20,7 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.calibration.calibrate import prepared
-from upright.calibration.calibration import GOOD, PREDICTED, Segments
+from upright.calibration.calibrated_robot import GOOD, PREDICTED, Segments
 from upright.calibration.coefficients import EQUATION
 from upright.calibration.fitting import Problem, normal_equations, objective
 from upright.calibration.informativity import effective_fraction

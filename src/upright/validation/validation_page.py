@@ -7,7 +7,7 @@ import math
 from collections.abc import Sequence
 from pathlib import Path
 
-from upright.calibration.calibration import GOOD, PREDICTED
+from upright.calibration.calibrated_robot import GOOD, PREDICTED
 from upright.pages import Block, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.terms import term
 from upright.validation.drawn import half_second_figure, loop_figure, reading

@@ -1,0 +1,221 @@
+"""The page of a calibration: whether a controller may be designed with this robot, and what the log measures."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from pathlib import Path
+
+from upright.calibration.calibrated_robot import GOOD, CalibratedRobot
+from upright.calibration.decision import DOUBTFUL, UNKNOWN
+from upright.calibration.estimate import REFUSED, VISIBLE, Estimate
+from upright.pages import Block, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
+from upright.pages.terms import channel, term
+
+GIVEN = 3  # parameters named in the lead
+STRONG = 0.9
+"""Correlations from this size up are listed: only the prior separates such pairs."""
+
+
+def calibration_page(c: CalibratedRobot) -> Page:
+    """The page of a calibration."""
+    lead = _lead(c)
+    remarks = [remark for remark in (*c.check(), *c.notes) if remark not in lead]
+    known = [e for e in c.parameters if e.verdict == VISIBLE or e in c.off]
+    rest = [e for e in c.parameters if e not in known]
+    blocks: list[Block] = []
+    if remarks:
+        blocks.append(Items(remarks))
+    if known:
+        measured = Say("What the log measures to ±25 % or better, or bounds")
+        blocks.append(_estimates(sorted(known, key=lambda e: (not e.measured, e.shrink)), measured))
+    if rest:
+        blocks.append(Fold(Say("Parameters that this log does not show"), [*_beside_file(c), _estimates(rest)]))
+    if c.channels:
+        blocks.append(Fold(Say("Predictions of each sensor"), [_predictions(c)]))
+    blocks.append(Fold(Say("Coefficients of the motion, delays and motors"), _coefficients(c)))
+    if c.unseen:
+        blocks.append(Fold(Say("What the log does not separate"), _not_separated(c)))
+    return Page(
+        _title(c),
+        verdict=_verdict(c),
+        lead=lead,
+        numbers=_numbers(c),
+        picture=_picture(c),
+        next=_next(c),
+        blocks=blocks,
+        origin=_origin(c),
+    )
+
+
+def _verdict(c: CalibratedRobot) -> Verdict:
+    verdict = c.decision.verdict
+    if verdict == REFUSED:
+        return Verdict(Say("refused: do not use it"), "bad")
+    if verdict == UNKNOWN:
+        return Verdict(Say("unknown: do not use it"), "unknown")
+    if verdict == DOUBTFUL:
+        return Verdict(Say("do not use it yet"), "warn")
+    if c.check() or not c.least_score >= GOOD:
+        return Verdict(Say("validate it first"), "warn")
+    return Verdict(Say("ready for a design"), "good")
+
+
+def _title(c: CalibratedRobot) -> Say:
+    if c.untold:
+        return Say("The log cannot tell the numbers of {robot}", robot=c.robot.name)
+    if c.refused:
+        return Say("The fit does not describe {robot}", robot=c.robot.name)
+    close = sum(e.measured for e in c.parameters)
+    return Say("The log measures {n} of {m} parameters of {robot}", n=close, m=len(c.parameters), robot=c.robot.name)
+
+
+def _lead(c: CalibratedRobot) -> list[Say]:
+    """Why it is not to be used, or to be validated; else what is measured best, and whether that is enough."""
+    if c.decision.why:
+        return [c.decision.why]
+    close = sorted((e for e in c.parameters if e.measured), key=lambda e: e.width)[:GIVEN]
+    best = [Say("{name} ±{part}", name=term(e.name), part=Quantity(e.width, "fraction", digits=2)) for e in close]
+    lead = [Say("Best: {numbers}.", numbers=best)] if best else []
+    pole = c["unstable_pole"]
+    if pole.measured:
+        width = Quantity(pole.width, "fraction", digits=2)
+        lead.append(Say("The unstable pole, on which balancing depends most, is known to ±{part}.", part=width))
+    return [*lead[-1:], *c.check()[:1]] if c.check() else lead
+
+
+def _numbers(c: CalibratedRobot) -> list[KeyNumber]:
+    """How well it predicts, how fast the robot falls, and how late its gyro is."""
+    if c.refused:
+        return []
+    numbers: list[KeyNumber] = []
+    if scores := c.scores:
+        worst = min(scores, key=lambda name: scores[name])
+        meaning = Say(
+            "R² of the {sensor}, predicted worst; good from {good}", sensor=channel(worst), good=Quantity(GOOD, "1")
+        )
+        numbers.append(KeyNumber(Quantity(None, "1", low=scores[worst]), meaning))
+    pole = c["unstable_pole"]
+    if pole.value > 0:
+        ends = [math.log(2) / end if end > 0 else None for end in (pole.high, pole.low)]
+        doubles = Quantity(math.log(2) / pole.value, "s", low=ends[0], high=ends[1], digits=2)
+        meaning = Say("until a lean has doubled (95 % interval)")
+        if pole.verdict != VISIBLE:
+            meaning = Say("until a lean has doubled, mostly by the robot's file")
+        numbers.append(KeyNumber(doubles, meaning))
+    if gyro := next((e for e in c.delays if e.name == "delay/gyro" and e.verdict == VISIBLE), None):
+        delay = Quantity(gyro.value, "s", low=gyro.low, high=gyro.high, digits=2)
+        numbers.append(KeyNumber(delay, Say("from a command until the gyro shows it")))
+    return numbers
+
+
+def _picture(c: CalibratedRobot) -> Picture | None:
+    if not c.free:
+        return None
+    missed = [channel(name) for name, r2 in c.scores.items() if r2 < GOOD]
+    if missed:
+        claim = Say("Predictions miss part of: {sensors}", sensors=missed)
+    elif c.held_out:
+        claim = Say("Predictions lie on the readings, also where nothing was fitted")
+    else:
+        claim = Say("Predictions lie on the readings")
+    return Picture(claim, c.plot_prediction, Say("Every half second the model starts anew, then knows commands alone."))
+
+
+def _next(c: CalibratedRobot) -> list[Next]:
+    """What to run next; the robot becomes a file first, where it is none yet."""
+    if c.decision.next:
+        return [c.decision.next]
+    if not c.saved:
+        return [Next("calibrate", *c.sources, output="mine.toml", why=Say("It writes this robot as a file."))]
+    if _verdict(c).level != "good":
+        return [Next("validate", c.saved, "LOG", why=Say("Take a log that was not fitted."))]
+    return [Next("design", "lqg", robot=c.saved, output="lqg.json")]
+
+
+def _estimates(estimates: Sequence[Estimate], caption: Say | None = None) -> Table:
+    """Values with their intervals, what the log says of them, and what was known before."""
+    rows = [
+        [_named(e), *_value_and_interval(e), e.called, Quantity(None, "1", low=e.before.low, high=e.before.high)]
+        for e in estimates
+    ]
+    columns = [
+        Column(Say("number")),
+        Column(Say("value")),
+        Column(Say("95 % interval")),
+        Column(Say("this log")),
+        Column(Say("95 % before")),
+    ]
+    return Table(columns, rows, caption)
+
+
+def _named(e: Estimate) -> Say:
+    if e.unit == "1":
+        return term(e.name)
+    return Say("{name} [{unit}]", name=term(e.name), unit=e.unit)
+
+
+def _value_and_interval(e: Estimate) -> tuple[Quantity, Quantity]:
+    low = None if e.low == 0 else e.low
+    return Quantity(e.value, "1"), Quantity(None, "1", low=low, high=e.high)
+
+
+def _beside_file(c: CalibratedRobot) -> list[Block]:
+    """The picture of all intervals, where any number has one before."""
+    if not any(0 < e.prior_spread < math.inf for e in c.parameters):
+        return []
+    return [Picture(Say("Each parameter beside the robot's file, with 95 % intervals"), c.plot)]
+
+
+def _predictions(c: CalibratedRobot) -> Table:
+    """R² of half seconds of each sensor, of all and of those not fitted; and fits some samples ahead."""
+    ahead = list(c.fits)
+    rest = c.unfitted
+    columns = [Column(Say("sensor")), Column(Say("R², half seconds"), "1")]
+    columns += [Column(Say("R², not fitted"), "1")] if rest else []
+    columns += [Column(Say("{n} ahead [%]", n=int(samples))) for samples in ahead]
+    rows = [
+        [
+            channel(name),
+            float(c.segments[name]),
+            *([rest.get(name, math.nan)] if rest else []),
+            *(_fit(c.fits[samples].get(name, math.nan)) for samples in ahead),
+        ]
+        for name in c.channels
+    ]
+    caption = Say("Ahead: fit on the part held out, some samples after what the filter knew. 100 % is perfect.")
+    return Table(columns, rows, caption if ahead else None)
+
+
+def _fit(per_cent: float) -> Quantity | Say:
+    return Say("worse than the mean") if per_cent < 0 else Quantity(per_cent, "1")
+
+
+def _coefficients(c: CalibratedRobot) -> list[Block]:
+    torque = Say("Torque on the wheels: a11 θ̈ + a12 ψ̈. On the body: a12 θ̈ + a22 ψ̈. θ: wheels, ψ: pitch.")
+    blocks: list[Block] = [_estimates(c.combinations, torque), *c.which_pole]
+    if others := (*c.delays, *c.electronics):
+        blocks.append(_estimates(others, Say("Delays count from the command. Asymmetry: right motor less left.")))
+    return blocks
+
+
+def _not_separated(c: CalibratedRobot) -> list[Block]:
+    R = c.correlation
+    pairs = [
+        [term(c.names[i]), term(c.names[j]), float(R[i, j])]
+        for i in range(len(R))
+        for j in range(i)
+        if abs(R[i, j]) >= STRONG
+    ]
+    advice = Say("A scale or a ruler separates them: write what you measured into the robot's file.")
+    blocks: list[Block] = [Items(c.unseen), advice]
+    if pairs:
+        columns = [Column(Say("number")), Column(Say("beside")), Column(Say("correlation"), "1")]
+        blocks.append(Table(columns, pairs))
+    return blocks
+
+
+def _origin(c: CalibratedRobot) -> dict[str, str]:
+    """What was fitted, for a page's foot."""
+    logs = ", ".join(Path(source).name for source in c.sources)
+    return {"prior": c.prior.name, "samples": str(c.samples), "logs": logs}
