@@ -15,13 +15,13 @@ import pytest
 
 import budget
 import upright
+from upright.checkup.doctor import doctor
 from upright.comparison.bench import Bench, BenchRow
 from upright.control import make_controller
-from upright.execution.parity import Parity, PushOutcome
-from upright.checkup.doctor import doctor
 from upright.diagnose.causes import LOW, PUSH, Blow, Cause
 from upright.diagnose.post_mortem import PostMortem
 from upright.diagnose.series import Series
+from upright.execution.parity import Parity, PushOutcome
 from upright.fleets.basin import Axis, basin
 from upright.fleets.binomial import clopper_pearson
 from upright.fleets.cases import Cases
