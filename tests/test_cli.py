@@ -506,7 +506,7 @@ def test_a_run_that_nothing_disturbs_says_so(capsys: pytest.CaptureFixture[str])
 
 
 @pytest.mark.parametrize("command", ["simulate", "compare good.csv", "linearise", "fleet", "certify lqg", "parity a b"])
-@pytest.mark.parametrize("name", ["fig.pdf", "fig", "fig.html.txt"])
+@pytest.mark.parametrize("name", ["fig.doc", "fig", "fig.html.txt"])
 def test_a_page_is_no_other_kind_of_file(
     command: str, name: str, capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -514,7 +514,8 @@ def test_a_page_is_no_other_kind_of_file(
     monkeypatch.chdir(tmp_path)
     assert main([*command.split(), "--report", name]) == USER_ERROR
     said = capsys.readouterr().err
-    assert said == f"upright: --report {name}; expected a page: .html; try: --report {Path(name).stem}.html\n"
+    expected = "a page, .html, or its picture, .svg .pdf .png"
+    assert said == f"upright: --report {name}; expected {expected}; try: --report {Path(name).stem}.html\n"
     assert not list(tmp_path.iterdir())
 
 

@@ -8,6 +8,7 @@ import math
 import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 from xml.etree import ElementTree
 
 import numpy as np
@@ -16,6 +17,8 @@ import pytest
 import budget
 import upright
 from upright.checkup.doctor import doctor
+from upright.cli.output import continued
+from upright.cli.typed import GIVEN
 from upright.comparison.bench import Bench, BenchRow
 from upright.control import make_controller
 from upright.diagnose.causes import LOW, PUSH, Blow, Cause
@@ -142,9 +145,9 @@ def example() -> Page:
 def test_a_terminal_has_eighty_columns_and_says_what_it_left_out() -> None:
     text = terminal.text(example())
     assert max(map(len, text.splitlines())) <= 80
-    assert "more columns" in text
+    assert "Columns left out" in text
     assert "`upright push-map --robot 'my robot.toml'`" in text
-    assert "more columns" not in terminal.text(example(), wide=True)
+    assert "Columns left out" not in terminal.text(example(), wide=True)
 
 
 def test_a_page_fetches_nothing_and_is_well_formed() -> None:
@@ -238,3 +241,33 @@ def test_every_rendering_has_the_same_numbers(make: Callable[[], Result]) -> Non
         r"\d+", str(result).partition("upright")[0]
     )
     assert spanish.splitlines()[0] != str(result).splitlines()[0]
+
+
+@pytest.mark.parametrize(
+    ("step", "typed", "command"),
+    [
+        (Next("certify", "lqg", robot="a"), {"robot": "b.toml", "method": "lqg", "output": "lqg.json"},
+         "certify lqg.json --robot b.toml"),
+        (Next("design", "hinf", robot="a"), {"kit": "ev3"}, "design hinf --robot a --kit ev3"),
+        (Next("push_map", robot="a", controller="lqg"), {"controller": "c.json"},
+         "push-map --robot a --controller c.json"),
+        (Next("certify", "mpc", robot="a"), {"controller": ["mpc", "lqr"]}, "certify mpc --robot a"),
+        (Next("certify", "lqg", robot="a"), {}, "certify lqg --robot a"),
+        (Next("certify", "lqg"), {"method": "lqg", "output": "my lqg.json"}, "certify 'my lqg.json'"),
+        (Next("doctor", "a.csv"), {"robot": "my robot.toml"}, "doctor a.csv --robot 'my robot.toml'"),
+    ],
+)  # fmt: skip
+def test_what_to_run_next_keeps_the_robot_kit_and_controller_that_were_typed(
+    step: Next, typed: dict[str, Any], command: str
+) -> None:
+    token = GIVEN.set(typed)
+    (following,) = continued(Page(Say("number"), next=[step])).next
+    GIVEN.reset(token)
+    assert following.command == f"upright {command}"
+
+
+@pytest.mark.parametrize(("suffix", "begins"), [(".svg", b"<?xml"), (".pdf", b"%PDF"), (".png", b"\x89PNG")])
+def test_a_report_may_be_the_picture_alone(suffix: str, begins: bytes, tmp_path: Path) -> None:
+    """A page under the name of a picture opened nowhere."""
+    path = upright.report(upright.linearise("nxtway-gs"), tmp_path / f"poles{suffix}")
+    assert path.read_bytes().startswith(begins)

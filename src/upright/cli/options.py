@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from upright.errors import InvalidScenario, UnknownName, UprightError
+from upright.pages.result import PICTURES
 
 if TYPE_CHECKING:
     from upright.signals import Log
@@ -143,13 +144,15 @@ OutputOption = Annotated[Path | None, typer.Option("--output", "-o", help="Write
 
 
 def _page(path: Path | None) -> Path | None:
-    if path and path.suffix != ".html":
-        raise UprightError(f"--report {path}", expected="a page: .html", hint=f"--report {path.stem}.html")
+    if path and path.suffix not in (".html", *PICTURES):
+        expected = f"a page, .html, or its picture, {' '.join(PICTURES)}"
+        raise UprightError(f"--report {path}", expected=expected, hint=f"--report {path.stem}.html")
     return path
 
 
 ReportOption = Annotated[
-    Path | None, typer.Option("--report", callback=_page, help="Write a page with figures: .html.")
+    Path | None,
+    typer.Option("--report", callback=_page, help="Write a page, .html, or its first picture, .svg .pdf .png."),
 ]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 

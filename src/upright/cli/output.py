@@ -88,7 +88,7 @@ def print_result(
 
 def _print_page(page: NewPage, data: str | dict[str, Any], written: Iterable[Path | None]) -> None:
     """Print a page for people, or its head as JSON beside the `data`; the files `written` end it."""
-    page = _continued(page)
+    page = continued(page)
     if not isinstance(data, str):
         with speaking(ENGLISH):  # what a program reads is in one language
             print_json({"head": page.head()} | data)
@@ -104,7 +104,7 @@ CARRIED = ("robot", "kit", "controller", "mapping", "posterior")
 """Options that the next command takes over from this one."""
 
 
-def _continued(page: NewPage) -> NewPage:
+def continued(page: NewPage) -> NewPage:
     """The page whose next commands are for the robot, the kit and the files that were typed."""
     typed = {name: value for name, value in GIVEN.get().items() if name in CARRIED and not isinstance(value, list)}
     return replace(page, next=[_for_typed(step, typed) for step in page.next])
@@ -163,7 +163,7 @@ def write_page(result: Any, path: Path | None, title: str = "") -> None:
     if path and isinstance(result, Shown):
         from upright.pages.result import write_page as write
 
-        write(_continued(result.page()), path, _command())
+        write(continued(result.page()), path, _command())
     elif path:
         from upright.reports import report
 

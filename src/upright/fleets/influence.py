@@ -35,7 +35,7 @@ class Influence:
 
 def influence(data: Dataset, outcome: str) -> Influence:
     """What an `outcome` follows: falls of all robots, any other outcome of those that stood."""
-    from scipy.stats import norm, spearmanr
+    from scipy.stats import norm, rankdata
 
     values = data[outcome].values.astype(np.float64)
     use = np.isfinite(values) & ((outcome == "fell") | (data["fell"].values == 0))
@@ -45,7 +45,7 @@ def influence(data: Dataset, outcome: str) -> Influence:
         for name in varied:
             drawn = data[name].values[use]
             if np.ptp(drawn) > 0:
-                sizes[name] = float(spearmanr(drawn, values[use])[0])
+                sizes[name] = float(np.corrcoef(rankdata(drawn), rankdata(values[use]))[0, 1])
     ranked = dict(sorted(sizes.items(), key=lambda pair: -abs(pair[1])))
     chance = float(norm.ppf(1 - 0.025 / max(len(ranked), 1))) / math.sqrt(max(int(use.sum()) - 1, 1))
     return Influence(outcome, ranked, chance)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from upright.atomic import write_text, writing
+from upright.errors import UprightError
 from upright.pages.blocks import Page
 
 
@@ -34,28 +36,26 @@ class Result:
         return fragment(self.page())
 
 
+PICTURES = (".svg", ".pdf", ".png")
+"""Formats of a page's first picture by itself."""
+
+
 def write_page(page: Page, path: str | Path, command: str = "") -> Path:
     """The page as `.html`, or its picture as `.svg`, `.pdf` or `.png`, by the suffix; returns the path.
 
     Raises `UprightError` for another suffix, a page without a picture, or where the file cannot be written.
     """
-    from upright.atomic import writing
-    from upright.errors import UprightError
     from upright.pages.html import document
 
     target = Path(path)
-    kind = target.suffix.lower().removeprefix(".")
-    if kind == "html":
-        from upright.atomic import write_text
-
+    if target.suffix == ".html":
         return write_text(target, document(page, command))
-    if kind not in ("svg", "pdf", "png"):
-        raise UprightError(
-            f"{target.name} has no known format", expected="a name that ends in .html, .svg, .pdf or .png"
-        )
+    if target.suffix not in PICTURES:
+        expected = f"a name that ends in .html {' '.join(PICTURES)}"
+        raise UprightError(f"{target.name} has no known format", expected=expected)
     if page.picture is None:
         raise UprightError(f"{target.name}: this result has no picture", expected="a name that ends in .html")
     figure = page.picture.draw()
     with writing(target) as stream:
-        figure.savefig(stream, format=kind)
+        figure.savefig(stream, format=target.suffix[1:])
     return target

@@ -70,7 +70,7 @@ def table_text(table: Table, width: int = WIDTH, *, wide: bool = False) -> str:
     for row in zip(*columns[:shown], strict=True):
         lines += _row(row, sizes[:shown])
     if hidden := len(columns) - shown:
-        lines.append(str(Say("({n} more columns: --wide)", n=hidden)))
+        lines.append(str(Say("Columns left out: {n}. The page (--report) has them.", n=hidden)))
     return "\n".join(lines)
 
 
