@@ -48,15 +48,18 @@ OUTSIDE = {
 
 REFERENCE = {
     "From a robot to a run": "Robot Kit simulate run Log Signal compare report example",
-    "Bodies": "Body Sample NonlinearBody LinearBody Twin Electronics",
+    "Bodies": "Body BodySpec Sample NonlinearBody LinearBody Twin Electronics",
     "Pushes and references": "Hold Impulse Push Slope Drive Turn",
     "Models": "linearise LinearModel",
     "Controllers": "design lqr lqi lqg pid pid_angle hinf mpc sliding robust kalman complementary tune",
-    "What controllers are": "Controller StateFeedback LinearController Estimated",
+    "What controllers are": "Controller ControllerSpec StateFeedback lqr_state Lqr LinearController Estimated",
+    "Estimators and laws": "Kalman Complementary AnglePid PredictiveController SlidingMode",
     "From a log": "doctor calibrate identify validate excite post_mortem",
     "Before it drives": "certify parity",
     "Many robots": "fleet push_map",
-    "For a notebook": "lab_page language",
+    "Results": "Simulation Comparison Designed Analysis Margins Tuned Diagnosis Calibration Validation Identified "
+    "MethodComparison ExcitationPlan PostMortem Certificate Parity Fleet PushMap Basin Reproduction",
+    "For a notebook": "lab_page LabPage language",
     "The paper, and errors": "reproduce UprightError",
 }
 """What `import upright` offers, by what it is for."""

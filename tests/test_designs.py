@@ -688,10 +688,10 @@ def test_design_lqr_prints_k_s_and_poles_and_writes_k(tmp_path, capsys):
     S = solve_discrete_are(A, B, plain.Q, plain.R)
     K = np.linalg.solve(plain.R + B.T @ S @ B, B.T @ S @ A)
     assert json.loads(path.read_text("utf-8"))["gain"] == [pytest.approx(row, rel=1e-6) for row in K.tolist()]
-    lines = capsys.readouterr().out.splitlines()
+    lines = capsys.readouterr().out.replace("−", "-").splitlines()
     for name, row in (("left", K[0]), ("right", K[1]), ("pitch", S[0])):
         (numbers,) = [line.split()[1:] for line in lines if re.match(rf"{name} +-?\d.* -?\S+ ", line)]
         assert [float(x) for x in numbers[:4]] == pytest.approx(row[:4], rel=1e-3)
-    (poles,) = [line for line in lines if line.startswith("Poles z of A − B K")]
+    (poles,) = [line for line in lines if line.startswith("Poles z of A - B K")]
     largest = max(np.abs(np.linalg.eigvals(A - B @ K)))
     assert abs(complex(poles.split(": ")[1].split(",")[0])) == pytest.approx(largest, rel=1e-3)

@@ -22,7 +22,7 @@ SAYS = {
     "own_robot": r"nxtway-gs: a fall grows e-fold in 134 ms",
     "push_limits": r"lqg: 0\.[123]\d N s",
     "python_control": r"7\.437",
-    "read_log": r"motion/flipped(.|\n)*degrees instead of radians in gyro and encoders",
+    "read_log": r"wrong sign +gyro(.|\n)*another unit +encoders",
     "simulate": r"largest lean 0\.0\d+ rad",
     "tune": r"(lqg tuned for nxtway-gs|weights of lqg stay)(.|\n)*\d+ mm of travel instead of \d+ mm",
     "sweep": r"of 10000 robots fell",

@@ -15,6 +15,7 @@ from .checkup.doctor import Diagnosis as Diagnosis
 from .checkup.doctor import doctor as doctor
 from .comparison import compare as compare
 from .comparison.comparison import Comparison as Comparison
+from .comparison.simulate import Simulation as Simulation
 from .comparison.simulate import simulate as simulate
 from .control import AnglePid as AnglePid
 from .control import Complementary as Complementary
@@ -56,6 +57,8 @@ from .experiment import run as run
 from .experiment.examples import example as example
 from .fleets.fleet import Fleet as Fleet
 from .fleets.fleet import fleet as fleet
+from .fleets.maps import Basin as Basin
+from .fleets.maps import PushMap as PushMap
 from .fleets.push_map import push_map as push_map
 from .identification.identified import Identified as Identified
 from .identification.identify import identify as identify

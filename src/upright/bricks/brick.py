@@ -163,6 +163,10 @@ class Flash:
         self.sizes.pop(name)
         return OK
 
+    def close_all(self) -> None:
+        """As the brick does when a program ends."""
+        self.handles.clear()
+
     def _handle(self, opened: OpenFile) -> int:
         handle = next(i for i in range(256) if i not in self.handles)
         self.handles[handle] = opened
@@ -191,7 +195,7 @@ class Hardware:
         """Motors off and files closed, as the firmware does whenever a program ends."""
         for motor in self.motors:
             motor.mode = motor.power = motor.state = motor.limit = motor.fading = 0
-        self.flash.handles.clear()
+        self.flash.close_all()
 
     def tick(self, milliseconds: int) -> None:
         """Advance the firmware's control of all motors."""
@@ -255,8 +259,17 @@ def _name(text: bytearray) -> str:
     return bytes(text).split(b"\0")[0].decode("ascii", "replace")
 
 
+def _open_read(brick: Hardware, a: list[Any]) -> None:
+    a[0], a[1], a[3] = brick.flash.open(_name(a[2]))
+
+
 def _open_write(brick: Hardware, a: list[Any]) -> None:
     a[0], a[1] = brick.flash.create(_name(a[2]), a[3])
+
+
+def _read(brick: Hardware, a: list[Any]) -> None:
+    a[0], data = brick.flash.read(a[1], a[3])
+    a[2], a[3] = bytearray(data), len(data)
 
 
 def _write(brick: Hardware, a: list[Any]) -> None:
@@ -299,9 +312,14 @@ def _read_module(brick: Hardware, a: list[Any]) -> None:
     a[0], a[4] = OK, bytearray(struct.pack("<H", brick.battery)[: a[3]])
 
 
+def _accepted(_: Hardware, a: list[Any]) -> None:
+    """A tone or a cleared screen, without effect on the robot."""
+    a[0] = OK
+
+
 CALLS: Mapping[int, Callable[[Hardware, list[Any]], None]] = {
-    1: _open_write, 4: _write, 5: _close, 8: _delete, 13: _text, 20: _button, 21: _ask_sensor, 22: _sensor_answer,
-    23: _sensor_ready, 78: _read_module,
+    0: _open_read, 1: _open_write, 3: _read, 4: _write, 5: _close, 8: _delete, 9: _accepted, 10: _accepted, 13: _text,
+    19: _accepted, 20: _button, 21: _ask_sensor, 22: _sensor_answer, 23: _sensor_ready, 31: _accepted, 78: _read_module,
 }  # fmt: skip
 """Number of a system call → its function."""
 

@@ -240,11 +240,20 @@ def _battery(brick: VirtualBrick, _: bytes) -> Answer:
     return OK, struct.pack("<H", brick.hardware.battery)
 
 
+def _keep_alive(_brick: VirtualBrick, _data: bytes) -> Answer:
+    return OK, struct.pack("<I", 600_000)  # [ms] until it would switch itself off
+
+
+def _accepted(_brick: VirtualBrick, _data: bytes) -> Answer:
+    return OK, b""
+
+
 COMMANDS: Mapping[tuple[int, int], Callable[[VirtualBrick, bytes], Answer]] = {
     (1, 0x80): _open_read, (1, 0x81): _open_write, (1, 0x82): _read, (1, 0x83): _write, (1, 0x84): _close,
-    (1, 0x85): _delete, (1, 0x86): _find_first, (1, 0x87): _find_next, (1, 0x88): _version, (1, 0x9B): _device_info,
-    (0, 0x00): _start, (0, 0x01): _stop, (0, 0x04): _set_output, (0, 0x05): _set_input, (0, 0x06): _get_output,
-    (0, 0x07): _get_input, (0, 0x0A): _reset_motor, (0, 0x0B): _battery,
+    (1, 0x85): _delete, (1, 0x86): _find_first, (1, 0x87): _find_next, (1, 0x88): _version, (1, 0x89): _open_write,
+    (1, 0x8B): _open_write, (1, 0x9B): _device_info, (0, 0x00): _start, (0, 0x01): _stop, (0, 0x03): _accepted,
+    (0, 0x04): _set_output, (0, 0x05): _set_input, (0, 0x06): _get_output, (0, 0x07): _get_input,
+    (0, 0x0A): _reset_motor, (0, 0x0B): _battery, (0, 0x0C): _accepted, (0, 0x0D): _keep_alive,
     (0, 0x0E): _sensor_ready, (0, 0x0F): _ask_sensor, (0, 0x10): _sensor_answer, (0, 0x11): _program_name,
 }  # fmt: skip
 """(1 for a system command, 0 for a direct one; number) → its function."""

@@ -131,6 +131,21 @@ def _index(m: Processor, code: Code) -> Step:
     return step
 
 
+def _replace(m: Processor, code: Code) -> Step:
+    target, source, place, value = code.args
+    cells = m.cells
+    where = m.number(place)
+    hold = holder(m.program.element(target))
+
+    def step() -> None:
+        if target != source:
+            cells[target] = copied(cells[source])
+        values: Any = cells[target]
+        values[_inside(values, where())] = hold(cells[value])
+
+    return step
+
+
 def _array(m: Processor, target: int, make: Callable[[], Sequence[Any]]) -> Step:
     cells = m.cells
     kind = m.program.element(target)
@@ -149,9 +164,21 @@ def _array_init(m: Processor, code: Code) -> Step:
     return _array(m, code.args[0], lambda: [cells[code.args[1]]] * int(count()))
 
 
+def _array_build(m: Processor, code: Code) -> Step:
+    cells = m.cells
+    return _array(m, code.args[0], lambda: [x for a in code.args[1:] for x in _several(cells[a])])
+
+
 def _string_join(m: Processor, code: Code) -> Step:
     cells = m.cells
     return lambda: cells.__setitem__(code.args[0], bytearray(b"".join(_text(cells[a]) for a in code.args[1:]) + b"\0"))
+
+
+def _subset(m: Processor, code: Code) -> Step:
+    cells = m.cells
+    first = m.number(code.args[2])
+    count = m.number(code.args[3], 0xFFFF)
+    return _array(m, code.args[0], lambda: cells[code.args[1]][first() : first() + count()])  # type: ignore[index]
 
 
 def _size(m: Processor, code: Code) -> Step:
@@ -255,6 +282,12 @@ def _divide(a: Any, b: Any) -> Any:
     return abs(a) // abs(b) * (1 if (a < 0) == (b < 0) else -1)
 
 
+def _remainder(a: Any, b: Any) -> Any:
+    if b == 0:
+        raise InvalidProgram(f"the program divides {a} by zero")
+    return math.fmod(a, b) if isinstance(a, float) or isinstance(b, float) else a - b * _divide(a, b)
+
+
 def _inside(values: Any, index: Any) -> int:
     if not 0 <= index < len(values):
         raise InvalidProgram(f"the program reaches for element {index} of {len(values)}")
@@ -283,12 +316,17 @@ def _all(steps: Sequence[Step]) -> Step:
 
 INSTRUCTIONS: dict[int, Maker] = {
     0x00: _binary(operator.add), 0x01: _binary(operator.sub), 0x02: _unary(operator.neg), 0x03: _binary(operator.mul),
-    0x04: _binary(_divide), 0x06: _binary(operator.and_), 0x09: _unary(operator.not_), 0x11: _compare, 0x12: _test,
-    0x15: _index, 0x17: _size, 0x1A: _array_init, 0x1B: _move, 0x1C: _set, 0x1D: _flatten, 0x1E: _unflatten,
-    0x21: _string_join, 0x23: _converted(_text), 0x24: _converted(lambda x: bytes(x) + b"\0"), 0x25: _jump,
-    0x26: _branch_compare, 0x27: _branch_test, 0x28: _system_call, 0x29: _end, 0x2A: _end, 0x2C: _nothing,
-    0x2D: _nothing, 0x2E: _subcall, 0x2F: _subreturn, 0x30: _set_input, 0x31: _set_output, 0x32: _get_input,
-    0x33: _get_output, 0x35: _tick, 0x64: _wait_short, 0x65: _wait, 0x7A: _unary(math.trunc),
+    0x04: _binary(_divide), 0x05: _binary(_remainder), 0x06: _binary(operator.and_), 0x07: _binary(operator.or_),
+    0x08: _binary(operator.xor), 0x09: _unary(operator.not_), 0x0A: _unary(operator.invert),
+    0x0B: _binary(operator.lshift), 0x0C: _binary(lambda a, b: (a & 0xFFFFFFFF) >> b), 0x0D: _binary(operator.lshift),
+    0x0E: _binary(operator.rshift), 0x11: _compare, 0x12: _test, 0x15: _index, 0x16: _replace, 0x17: _size,
+    0x18: _array_build, 0x19: _subset, 0x1A: _array_init, 0x1B: _move, 0x1C: _set, 0x1D: _flatten, 0x1E: _unflatten,
+    0x1F: _converted(lambda x: f"{x:g}".encode() + b"\0"), 0x21: _string_join, 0x23: _converted(_text),
+    0x24: _converted(lambda x: bytes(x) + b"\0"), 0x25: _jump, 0x26: _branch_compare,
+    0x27: _branch_test, 0x28: _system_call, 0x29: _end, 0x2A: _end, 0x2B: _end, 0x2C: _nothing, 0x2D: _nothing,
+    0x2E: _subcall, 0x2F: _subreturn, 0x30: _set_input, 0x31: _set_output, 0x32: _get_input, 0x33: _get_output,
+    0x34: _wait, 0x35: _tick, 0x36: _unary(math.sqrt), 0x37: _unary(abs), 0x64: _wait_short, 0x65: _wait,
+    0x66: _unary(lambda a: (a > 0) - (a < 0)), 0x6F: _unary(math.ceil), 0x71: _unary(math.floor),
+    0x7A: _unary(math.trunc), 0x7B: _unary(lambda a: math.modf(a)[0]),
 }  # fmt: skip
-"""Number → what makes the step, for what nbc makes of generated programs; those from 0x64 on are the enhanced
-firmware's own."""
+"""Number → what makes the step; the enhanced firmware's own begin at 0x36."""

@@ -6,11 +6,15 @@ import math
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
+
 from upright.certification.weights import Weight
+from upright.control.lqr import Lqr
 from upright.control.pid_angle_design import AngleDesign
 from upright.loops.analysis_page import analysis_page
 from upright.loops.places import place_of
 from upright.pages import Block, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
+from upright.signals import STATE_NAMES
 from upright.tables import short
 
 Designed = Any  # these are those of `design.py`, which imports this file
@@ -48,7 +52,10 @@ def design_page(designed: Designed) -> Page:
         file = f"{designed.method}.json"
         why = Say("First save it: add `-o {file}` to this command.", file=file)
         page = replace(page, next=[Next("certify", file, robot=designed.robot.name, why=why)])
-    words = [Items(designed.words)] if designed.words else []
+    words: list[Block] = [Items(designed.words)] if designed.words else []
+    feedback = getattr(designed.record, "feedback", designed.record)
+    if isinstance(feedback, Lqr):
+        words += _regulator(feedback)
     page = replace(page, blocks=[*words, *page.blocks, controller], origin={**page.origin, "kit": designed.kit.name})
     if run and stands:
         page = replace(page, numbers=[*page.numbers[:2], _number(run)])
@@ -83,6 +90,31 @@ def _number(run: Release) -> KeyNumber:
     return KeyNumber(
         Quantity(run.upright, "s", digits=2), Say("until upright again, let go at {lean}", lean=_lean(run))
     )
+
+
+def _regulator(record: Lqr) -> list[Block]:
+    """The gain K, the solution S of the Riccati equation, and the poles of A − B K."""
+    states = [NAMES[name] for name in STATE_NAMES]
+    columns = [Column(Say("motor")), *map(Column, states)]
+    gain = [
+        [side, *_four_digits(row)] for side, row in zip((Say("left"), Say("right")), record.gain.tolist(), strict=True)
+    ]
+    # what is zero but for rounding would need a power of ten
+    cost = np.where(np.abs(record.cost) < ROUNDED * np.abs(record.cost).max(), 0.0, record.cost)
+    rows = [[state, *_four_digits(row)] for state, row in zip(states, cost.tolist(), strict=True)]
+    poles = [f"{pole:.4g}" if pole.imag else f"{pole.real:.4g}" for pole in record.poles().tolist()]
+    return [
+        Table(columns, gain, Say("K of u = −K (x − r), in {unit} per rad and rad/s", unit=record.command_unit)),
+        Table([Column(Say("state")), *columns[1:]], rows, Say("S of the Riccati equation, J = xᵀ S x")),
+        Say("Poles z of A − B K: {poles}", poles=poles),
+    ]
+
+
+def _four_digits(row: list[float]) -> list[Quantity]:
+    return [Quantity(value, "1", digits=4) for value in row]
+
+
+ROUNDED = 1e-9  # of the largest element of S
 
 
 def _controller(designed: Designed) -> list[Block]:

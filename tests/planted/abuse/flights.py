@@ -23,7 +23,7 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
-from upright.bricks.brick import POWER, Hardware
+from upright.bricks.brick import POWER
 from upright.bricks.hub import CAPABILITIES, COMMANDS, HubClient, VirtualHub
 from upright.bricks.lcp import VirtualBrick
 from upright.bricks.line import Line
@@ -118,7 +118,7 @@ class Brick(VirtualBrick):
     """A virtual brick with a `planted` fault on its line."""
 
     def __init__(self, planted: Planted) -> None:
-        super().__init__(Hardware())
+        super().__init__()
         self.planted, self.moment, self.drove, self.request = planted, "connect", False, b""
         self.line: Line | None = None
         self.hardware.inputs[0].raw = 600
