@@ -54,7 +54,7 @@ def test_terminal_page_and_json_begin_alike(
     assert main([*typed, "--json"]) in (0, 3)
     head = json.loads(capsys.readouterr().out)["head"]
     page = Path("page.html").read_text("utf-8")
-    if command == QUICK[0]:
+    if command == LONGER[0]:
         assert main(typed) in (0, 3)
     else:
         before = output.TYPED.set(typed)
