@@ -29,7 +29,7 @@ class Listing:
     def text(self, width: int | None = None) -> str:
         """Aligned columns; in a terminal of `width` columns the last one is wrapped."""
         table = [self.header, *self.rows]
-        widths = [max(_length(row[i]) for row in table) for i in range(len(self.header) - 1)]
+        widths = [max(length(row[i]) for row in table) for i in range(len(self.header) - 1)]
         left = sum(widths) + 2 * len(widths)
         return "\n".join(line for row in table for line in self._lines(row, widths, left, width))
 
@@ -44,10 +44,10 @@ class Listing:
 
     def _lines(self, row: Sequence[str], widths: Sequence[int], left: int, width: int | None) -> list[str]:
         right = [name in self.numbers for name in self.header]
-        cells = [_padded(cell, size, side) for cell, size, side in zip(row, widths, right, strict=False)]
+        cells = [padded(cell, size, side) for cell, size, side in zip(row, widths, right, strict=False)]
         last = row[-1]
         if right[-1]:
-            last = _padded(last, max(_length(r[-1]) for r in (self.header, *self.rows)), True)
+            last = padded(last, max(length(r[-1]) for r in (self.header, *self.rows)), True)
         wrapped = textwrap.wrap(last, max(width - left, 20)) if width and not right[-1] else [last]
         first, *rest = wrapped or [""]
         return ["  ".join([*cells, first]).rstrip(), *(" " * left + line for line in rest)]
@@ -81,7 +81,7 @@ def wrapped(text: str, width: int) -> str:
 
 def _wrapped_line(line: str, width: int) -> str:
     plain = line.strip()
-    if _length(line) <= width or "  " in plain:
+    if length(line) <= width or "  " in plain:
         return line
     indent = " " * (len(line) - len(line.lstrip()))
     return textwrap.fill(plain, max(width, 40), initial_indent=indent, subsequent_indent=f"{indent}  ")
@@ -164,13 +164,14 @@ def power_of_ten(exponent: int) -> str:
     return f"10{superscript(exponent)}"
 
 
-def _length(text: str) -> int:
+def length(text: str) -> int:
     """Columns that the text takes: a combining accent, as in θ̇, takes none."""
     return sum(not unicodedata.combining(letter) for letter in text)
 
 
-def _padded(text: str, width: int, right: bool) -> str:
-    space = " " * (width - _length(text))
+def padded(text: str, width: int, right: bool = False) -> str:
+    """The text in `width` columns, on their left or on their right."""
+    space = " " * (width - length(text))
     return space + text if right else text + space
 
 

@@ -20,10 +20,11 @@ from upright.pages.blocks import Picture
 
 UNIT = 72  # a drawing has 72 units for an inch of matplotlib's
 SHARP = 216  # dots for an inch of a map, so that its borders are no stairs
+PAPER = "#fdfdfb"  # ground of letters that stand across lines
 
-_VARIABLES = {colour: f"var(--c{k})" for k, colour in enumerate(plotting.COLOURS)} | {
+VARIABLES = {colour: f"var(--c{k})" for k, colour in enumerate(plotting.COLOURS)} | {
     plotting.INK: "var(--soft)", plotting.AXIS: "var(--axis)", plotting.GRID: "var(--grid)",
-    plotting.SPAN: "var(--span)",
+    plotting.SPAN: "var(--span)", PAPER: "var(--paper)",
 }  # fmt: skip
 """Colours of a drawing → variables of the style sheet."""
 
@@ -35,14 +36,9 @@ def svg(picture: Picture, *, narrow: bool = False) -> str:
             drawing = picture.draw()
     else:
         drawing = picture.draw()
-    curves = _curves(drawing)
+    curves = curves_of(drawing)
     claim = str(picture.claim)
     mark = hashlib.sha256(f"{claim} {narrow}".encode()).hexdigest()[:8]
-    stream = io.StringIO()
-    with matplotlib.rc_context({"svg.fonttype": "none", "svg.hashsalt": mark}):
-        Figure.savefig(drawing, stream, format="svg", transparent=True, dpi=SHARP, metadata={"Date": None})
-    body = re.search(r"</metadata>(.*)</svg>", stream.getvalue(), re.DOTALL)
-    assert body
     width, height = (UNIT * inches for inches in drawing.get_size_inches())
     size = "narrow" if narrow else "wide"
     data = f' data-curves="{escape(json.dumps(curves))}"' if curves else ""
@@ -50,11 +46,21 @@ def svg(picture: Picture, *, narrow: bool = False) -> str:
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" role="img" viewBox="0 0 {width:g} {height:g}" '
         f'aria-labelledby="t{mark}" class="{size}{" lines" if curves else ""}"{most}{data}>'
-        f'<title id="t{mark}">{escape(claim)}</title>{_themed(body[1], mark)}</svg>'
+        f'<title id="t{mark}">{escape(claim)}</title>{strokes(drawing, mark)}</svg>'
     )
 
 
-def _curves(drawing: Figure) -> list[dict[str, Any]]:
+def strokes(drawing: Figure, mark: str) -> str:
+    """What stands inside the <svg> of a drawing; its ids end with `mark`, so that they differ on one page."""
+    stream = io.StringIO()
+    with matplotlib.rc_context({"svg.fonttype": "none", "svg.hashsalt": mark}):
+        Figure.savefig(drawing, stream, format="svg", transparent=True, dpi=SHARP, metadata={"Date": None})
+    body = re.search(r"</metadata>(.*)</svg>", stream.getvalue(), re.DOTALL)
+    assert body
+    return _themed(body[1], mark)
+
+
+def curves_of(drawing: Figure) -> list[dict[str, Any]]:
     """For each panel of lines where it stands, what its axes show, and the ids of its lines."""
     width, height = (UNIT * inches for inches in drawing.get_size_inches())
     panels: list[dict[str, Any]] = []
@@ -84,7 +90,7 @@ def _is_curve(line: Any) -> bool:
 def _themed(body: str, mark: str) -> str:
     """Colours as variables, coordinates to hundredths, ids that differ between the drawings of a page."""
     body = re.sub(r"<defs>\s*<style.*?</style>\s*</defs>", "", body, count=1, flags=re.DOTALL)
-    for colour, variable in _VARIABLES.items():
+    for colour, variable in VARIABLES.items():
         body = body.replace(colour, variable)
     body = re.sub(r"<[^>]*>", lambda tag: re.sub(r"(\d+\.\d{2})\d+", r"\1", tag[0]), body)  # but not its letters
     body = re.sub(r"font: ([\d.]+)px [^;\"]*", r"font-size: \1px", body)

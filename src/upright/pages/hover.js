@@ -28,4 +28,3 @@ for (const svg of document.querySelectorAll("svg.lines")) {
     out.textContent = [`${panels[0].unit} ${short(at(ends, logx, (x - left) / (right - left)))}`, ...values].join("   ");
   });
 }
-addEventListener("beforeprint", () => { for (const part of document.querySelectorAll("details")) part.open = true; });

@@ -14,6 +14,7 @@ from importlib import resources
 from typing import Any
 
 from upright.languages import ENGLISH, chosen
+from upright.tables import HALF_UP, power_of_ten
 
 
 @functools.cache
@@ -167,17 +168,13 @@ def number(value: float, digits: int = 3, toward: int = 0) -> str:
         return localised(f"{rounded:.{decimals}f}".rstrip("0").rstrip(".") if decimals else f"{rounded:.0f}")
     exponent = math.floor(math.log10(abs(rounded)))
     mantissa = f"{rounded / 10**exponent:.{digits - 1}f}".rstrip("0").rstrip(".")
-    raised = str(exponent).translate(_RAISED)
-    return localised(f"10{raised}" if mantissa == "1" else f"{mantissa}\u00a0·\u00a010{raised}")
-
-
-_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-_HALF_UP = 1 + 1e-12  # Python rounds a half to the even neighbour, readers round it up
+    power = power_of_ten(exponent)
+    return localised(power if mantissa == "1" else f"{mantissa}\u00a0·\u00a0{power}")
 
 
 def _rounded(value: float, digits: int, toward: int) -> float:
     if value == 0 or not toward:
-        return float(f"{value * _HALF_UP:.{digits}g}")
+        return float(f"{value * HALF_UP:.{digits}g}")
     step = 10.0 ** (math.floor(math.log10(abs(value))) - digits + 1)
     steps = value / step
     # a value that is whole up to its last bits stays

@@ -7,16 +7,13 @@ drawing.
 from __future__ import annotations
 
 import hashlib
-import io
 import json
-import re
-from collections.abc import Collection, Generator
+from collections.abc import Generator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from html import escape
 from typing import Any
 
-import matplotlib
 import numpy as np
 from matplotlib import figure as mpl
 from matplotlib.collections import LineCollection
@@ -25,21 +22,12 @@ from matplotlib.container import BarContainer
 from matplotlib.lines import Line2D
 
 from upright import plotting
+from upright.pages.drawing import PAPER, UNIT, VARIABLES, curves_of, strokes
 
-UNIT = 72  # a drawing has 72 units for an inch of matplotlib's
 NARROW = 4.0  # [inches] of a drawing for phones: its letters of 9 pt are 11 px high on a screen of 390 px
-SHARP = 216  # dots for an inch of a map, so that its borders are no stairs
 ABOVE = 0.14  # [inches] that a row is higher on a phone, for letters that stood right of it
 LONG, ROW = 2.0, 0.46  # [inches] of names left of rows: longer ones stand above their rows on a phone, so high each
 SCALE, SQUARE = 0.5, 3.0  # [inches]: a scale of colours is narrower, a plane or a map higher
-
-PAPER = "#fdfdfb"  # ground of letters that stand across lines
-
-_VARIABLES = {colour: f"var(--c{k})" for k, colour in enumerate(plotting.COLOURS)} | {
-    plotting.INK: "var(--soft)", plotting.AXIS: "var(--axis)", plotting.GRID: "var(--grid)",
-    plotting.SPAN: "var(--span)", PAPER: "var(--paper)",
-}  # fmt: skip
-"""Colours of a drawing → variables of the style sheet."""
 
 
 @dataclass(frozen=True)
@@ -77,13 +65,8 @@ class Figure:
             legend = ax.get_legend()
             if legend:
                 legend.remove()
-        curves = self._curves()
-        stream = io.StringIO()
+        curves = curves_of(self.drawing)
         mark = hashlib.sha256(f"{self.title} {size}".encode()).hexdigest()[:8]
-        with matplotlib.rc_context({"svg.fonttype": "none", "svg.hashsalt": mark}):
-            mpl.Figure.savefig(self.drawing, stream, format="svg", transparent=True, dpi=SHARP, metadata={"Date": None})
-        body = re.search(r"</metadata>(.*)</svg>", stream.getvalue(), re.DOTALL)
-        assert body
         width, height = (UNIT * inches for inches in self.drawing.get_size_inches())
         described = f"{', '.join(axis_labels(self.drawing))}: {', '.join(k.name for k in self.key())}. {self.note}"
         part = f'style="max-width: {min(100 * width / UNIT / plotting.WIDTH, 100):.0f}%"' if size != "narrow" else ""
@@ -92,7 +75,7 @@ class Figure:
             f'<svg xmlns="http://www.w3.org/2000/svg" role="img" '
             f'viewBox="0 0 {width:g} {height:g}" aria-labelledby="t{mark} d{mark}" {part} {kind}>'
             f'<title id="t{mark}">{escape(self.title)}</title><desc id="d{mark}">{escape(described.strip())}</desc>'
-            f"{_themed(body[1], mark)}</svg>"
+            f"{strokes(self.drawing, mark)}</svg>"
         )
 
     def key(self) -> list[Key]:
@@ -106,27 +89,6 @@ class Figure:
                 if name != named:
                     entries.setdefault(str(name), _sample(handle))
         return [Key(name, sample) for name, sample in entries.items()] if len(entries) > 1 else []
-
-    def _curves(self) -> list[dict[str, Any]]:
-        """For each panel of lines where it stands, what its axes show, and the ids of its lines."""
-        width, height = (UNIT * inches for inches in self.drawing.get_size_inches())
-        panels: list[dict[str, Any]] = []
-        for row, ax in enumerate(self.drawing.axes):
-            lines = [line for line in ax.lines if line.get_linestyle() not in ("None", "") and _named(line)]
-            if not lines or ax.get_aspect() != "auto":
-                continue
-            for k, line in enumerate(lines):
-                line.set_gid(f"line-{row}-{k}")
-            box = ax.get_position()
-            panels.append({
-                "row": row,
-                "left": round(width * box.x0, 2), "right": round(width * box.x1, 2),
-                "top": round(height * (1 - box.y1), 2), "bottom": round(height * (1 - box.y0), 2),
-                "x": [*ax.get_xlim()], "y": [*ax.get_ylim()], "logx": ax.get_xscale() == "log",
-                "logy": ax.get_yscale() == "log", "label": ax.get_ylabel(),
-                "unit": self.drawing.axes[-1].get_xlabel(), "lines": [str(line.get_label()) for line in lines],
-            })  # fmt: skip
-        return panels
 
 
 @contextmanager
@@ -226,37 +188,12 @@ def axis_labels(drawing: mpl.Figure) -> list[str]:
     return [text for ax in drawing.axes for text in (ax.get_ylabel(), ax.get_xlabel()) if text]
 
 
-def _named(line: Any) -> bool:
-    """Whether a line is a curve over x with a name, and no rule across the panel."""
-    curve = line.get_transform() == line.axes.transData and len(np.atleast_1d(line.get_xdata())) > 1
-    return curve and not str(line.get_label()).startswith("_")
-
-
-def _themed(body: str, mark: str) -> str:
-    """Colours as variables, coordinates to hundredths, ids that differ between the figures of a page."""
-    body = re.sub(r"<defs>\s*<style.*?</style>\s*</defs>", "", body, count=1, flags=re.DOTALL)
-    for colour, variable in _VARIABLES.items():
-        body = body.replace(colour, variable)
-    body = re.sub(r"<[^>]*>", lambda tag: re.sub(r"(\d+\.\d{2})\d+", r"\1", tag[0]), body)  # but not its letters
-    body = re.sub(r"font: ([\d.]+)px [^;\"]*", r"font-size: \1px", body)
-    body = body.replace("xlink:href", "href")
-    used = set(re.findall(r"[\"(]#([^\")]+)", body))
-    body = re.sub(r' id="([^"]*)"', lambda m: _id(m[1], mark, used), body)
-    body = re.sub(r'([("])#([^")]+)', rf"\1#\2-{mark}", body)
-    return re.sub(r"\s*\n\s*", " ", body)
-
-
-def _id(name: str, mark: str, used: Collection[str]) -> str:
-    """Only what a drawing refers to, and the lines that a pointer reads, keep an id."""
-    return f' id="{name}-{mark}"' if name in used or name.startswith("line-") else ""
-
-
 def _sample(handle: Any) -> str:
     """A sample of a line, a set of points or a shaded span."""
     if isinstance(handle, Line2D):
         dashes = getattr(handle, "_unscaled_dash_pattern", (0, None))[1]
         array = f' stroke-dasharray="{" ".join(f"{d:g}" for d in dashes)}"' if dashes else ""
-        colour = _VARIABLES.get(str(handle.get_color()), str(handle.get_color()))
+        colour = VARIABLES.get(str(handle.get_color()), str(handle.get_color()))
         wide = handle.get_linewidth() > THICK
         style = (
             f' style="stroke-width: {2 * handle.get_linewidth():g}; opacity: {handle.get_alpha() or 1:g}"'
@@ -270,15 +207,15 @@ def _sample(handle: Any) -> str:
         content = f'<g style="stroke: {colour}; color: {colour}">{inside}</g>'
     elif isinstance(handle, LineCollection):
         colour = to_hex(np.atleast_2d(handle.get_edgecolor())[0])
-        content = f'<path d="M0 7H34" style="stroke: {_VARIABLES.get(colour, colour)}; stroke-width: 3"/>'
+        content = f'<path d="M0 7H34" style="stroke: {VARIABLES.get(colour, colour)}; stroke-width: 3"/>'
     elif getattr(handle, "fill", True) is False:
         colour = to_hex(handle.get_edgecolor())
-        content = f'<path d="M0 7H34" stroke-dasharray="2 3" style="stroke: {_VARIABLES.get(colour, colour)}"/>'
+        content = f'<path d="M0 7H34" stroke-dasharray="2 3" style="stroke: {VARIABLES.get(colour, colour)}"/>'
     else:
         patch = handle.patches[0] if isinstance(handle, BarContainer) else handle
         colour = to_hex(np.atleast_2d(patch.get_facecolor())[0])
         alpha = patch.get_alpha() or 1
-        shade = _VARIABLES.get(colour, colour)
+        shade = VARIABLES.get(colour, colour)
         content = f'<path d="M4 1H30V13H4Z" style="fill: {shade}; fill-opacity: {alpha:g}; stroke: none"/>'
     return f'<svg viewBox="0 0 34 14" aria-hidden="true" class="sample">{content}</svg>'
 

@@ -196,6 +196,7 @@ class Page:
             page=self,
             anchors=_anchors([section.heading for section in self.sections]),
             style=_read("style.css"),
+            hover=resources.files("upright.pages").joinpath("hover.js").read_text(encoding="utf-8"),
             explained=explained,
         )
 
