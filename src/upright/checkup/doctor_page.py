@@ -96,6 +96,8 @@ def _lead(result: LogExamined) -> list[Say]:
     if fall and fall.span and balanced.value:
         lead.append(Say("The robot balances for {balanced} and falls at {at}.", balanced=balanced,
                         at=instant(fall.span[0])))  # fmt: skip
+    elif balanced.value and balanced.value >= result.seconds:  # a part counts the period of its last row too
+        lead.append(Say("The robot balances in the whole log, {seconds}.", seconds=Quantity(result.seconds, "s")))
     elif result.segments and balanced.value:
         seconds = Quantity(result.seconds, "s")
         lead.append(Say("The robot balances for {balanced} of {seconds}.", balanced=balanced, seconds=seconds))

@@ -39,7 +39,10 @@ def fleet_page(data: Dataset, summary: Summary) -> Page:
     ]  # fmt: skip
     if influence.strongest:
         what, name = OUTCOME_NAMES[influence.outcome], term(influence.strongest)
-        lead.append(Say("What the {outcome} depends on most: {name}.", outcome=what, name=name))
+        if influence.outcome == "fell":
+            lead.append(Say("Whether a robot falls depends most on: {name}.", name=name))
+        else:
+            lead.append(Say("What the {outcome} depends on most: {name}.", outcome=what, name=name))
     elif summary.fell < summary.n:
         lead.append(Say("No varied number decides by more than chance."))
     drawn = [name for name, row in summary.quantiles.items() if row[2] > row[0]]
@@ -76,6 +79,8 @@ def _verdict(summary: Summary, pushed: bool, varied: int) -> Verdict:
         return Verdict(Say("too many fall: {most}", most=most), "bad")
     if not pushed:
         return Verdict(Say("nobody pushed them"))
+    if not varied:
+        return Verdict(Say("only noise varied: no certificate"))
     if varied <= FEW:
         return Verdict(Say("only {n} numbers varied: no certificate", n=varied))
     if summary.chance.high <= MOST_FALLS:
