@@ -71,7 +71,7 @@ def calibrate(
             GIVEN.set({**GIVEN.get(), "robot": output, "kit": None})
     if save:
         write_json(save, result.to_json())
-    finish(result, as_json, page=report, written=(None if withheld else output, save), text="")
+    finish(result, as_json, page=report, written=(None if withheld else output, save))
     if output and withheld:
         typer.echo(f"{output} is not written. {decision.why} Try: {decision.hint}; or --force", err=True)
     if decision.against:

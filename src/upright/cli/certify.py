@@ -56,6 +56,6 @@ def certify(
             controller, robot, kit, log=log, mapping=mapping, posterior=posterior, weighed=weighed, period=period,
             samples=samples, seed=seed, progress=show,
         )  # fmt: skip
-    finish(certificate, as_json, output=output, page=report, text="")
+    finish(certificate, as_json, output=output, page=report)
     if certificate.light in ("red", "unknown"):
         raise typer.Exit(AGAINST)

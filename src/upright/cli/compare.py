@@ -33,7 +33,7 @@ def compare(
         {label: Log.load(path) for label, path in labelled(logs).items()}, reference=reference, release=release
     )
     facts: dict[str, Any] = {"report": str(report)} if report else {}
-    finish(comparison, as_json, output=output, page=report, text="", **facts)
+    finish(comparison, as_json, output=output, page=report, **facts)
 
 
 def labelled(arguments: list[str]) -> dict[str, Path]:

@@ -61,7 +61,7 @@ def design(
     result = design_controller(method, robot, kit, period=period, own=own, posterior=posterior)
     write_page(result, report)  # before the controller's file, so that a design without a page leaves none
     written = result.save(output) if output else None
-    finish(result, as_json, written=(written, report), text="", file=str(written) if written else None)
+    finish(result, as_json, written=(written, report), file=str(written) if written else None)
 
 
 def bench_controllers(
@@ -89,4 +89,4 @@ def bench_controllers(
     check_targets(output, report)
     with progress("simulating") as show:
         result = bench(robot, kit, body, seed=seed, methods=controller or (), progress=show)
-    finish(result, as_json, output=output, page=report, text="")
+    finish(result, as_json, output=output, page=report)

@@ -68,4 +68,4 @@ def doctor(
     if write_mapping:
         write_text(write_mapping, diagnosis.mapping.to_toml())
     facts: dict[str, Any] = {"repaired": str(repaired)} if repaired else {}
-    finish(diagnosis, as_json, output=output, page=report, written=(repaired, write_mapping), text="", **facts)
+    finish(diagnosis, as_json, output=output, page=report, written=(repaired, write_mapping), **facts)

@@ -59,4 +59,4 @@ def excite(
             controller, robot, kit, seconds=seconds, focus=names, limits=Limits(falls, saturated, travel),
             enough=enough, known=known or (), posterior=posterior, samples=samples, seed=seed, progress=show,
         )  # fmt: skip
-    finish(plan, as_json, output=output, page=report, text="")
+    finish(plan, as_json, output=output, page=report)

@@ -193,7 +193,7 @@ def sweep(
         cases = run_campaign(
             campaign, place, workers=workers, cluster=cluster, progress=lambda done, total, _: show(done / total)
         )
-    finish(cases, as_json, page=report, written=(place,), text="", folder=str(place))
+    finish(cases, as_json, page=report, written=(place,), folder=str(place))
 
 
 def _say_how_long(asked: Asked, ensemble: Ensemble, work: Mapping[str, float]) -> None:
@@ -239,4 +239,4 @@ def _finish(result: Fleet | PushMap | Basin, asked: Asked) -> None:
 
     if asked.output:
         save(result.data, asked.output)
-    finish(result, asked.as_json, page=asked.report, written=[asked.output], text="")
+    finish(result, asked.as_json, page=asked.report, written=[asked.output])

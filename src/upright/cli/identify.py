@@ -89,7 +89,7 @@ def identify(
             write_controller(regulator(study.samples, result.halves), controller)
         if output:
             result.save(output)
-    finish(result, as_json, page=report, written=(output, controller), text="")
+    finish(result, as_json, page=report, written=(output, controller))
 
 
 def _check_method(method: str, target: Path | None) -> None:

@@ -52,7 +52,7 @@ def linearise(
     rates = zip(linear.states, linear.f0.tolist(), strict=True)
     drift = {name: rate for name, rate in rates if abs(rate) > DRIFT and name not in STEADY}
     linear = linear if period is None else linear.c2d(period)
-    finish(linear, as_json, output=output, page=report, text="")
+    finish(linear, as_json, output=output, page=report)
     if drift and not as_json:
         rates = ", ".join(f"{name} {rate:+.4g}" for name, rate in drift.items())
         typer.echo(f"\nnot an equilibrium: the state drifts, per second: {rates}")

@@ -54,42 +54,38 @@ AGAINST = 3
 
 def finish(
     result: Printable, as_json: bool, *,
-    output: Path | None = None, page: Path | None = None, written: Iterable[Path | None] = (), paged: Any = None,
-    text: str | None = None, **facts: Any,
+    output: Path | None = None, page: Path | None = None, written: Iterable[Path | None] = (), **facts: Any,
 ) -> None:  # fmt: skip
-    """Write the result to `output` and its page to `page`, print it as text or JSON with further `facts`, and name
-    these files and those already `written`. Its head comes first; `paged` is what has its page, if not the result
-    itself. `text` above the tables of its page replaces the words of the result."""
+    """Write the result to `output` and its page to `page`, print it as its page or as JSON with further `facts`, and
+    name these files and those already `written`."""
     data = result.to_json() | facts
     write_page(result, page)
     if output:
         write_json(output, data)
-    below = str(result) if text is None else text
-    print_result(paged or result, data if as_json else below, (output, *written, page), tables=text is not None)
+    files = (output, *written, page)
+    if isinstance(result, Shown):
+        _print_page(result.page(), data if as_json else None, files)
+    else:
+        print_result(result, data if as_json else str(result), files)
 
 
-def print_result(
-    paged: Any, below: str | dict[str, Any], written: Iterable[Path | None] = (), *, tables: bool = False
-) -> None:
-    """Print the head of what has a page first: as JSON beside the data `below`, or over the text `below`, with the
-    `tables` of the page where these are asked for. The files `written` end it."""
-    if isinstance(paged, Shown):
-        _print_page(paged.page(), below, written)
-        return
+def print_result(paged: Any, below: str | dict[str, Any], written: Iterable[Path | None] = ()) -> None:
+    """Print the head of what has a page of the paper's kind first: as JSON beside the data `below`, or over the text
+    `below`. The files `written` end it."""
     page = _page_of(paged)
     head = page and page.head
     if not isinstance(below, str):
         print_json(({"head": asdict(head)} if head else {}) | below)
         return
     shown = [head.text(shutil.get_terminal_size().columns) if head else "", below]
-    shown += [page.tables() if page and tables else "", "\n".join(f"wrote {path}" for path in written if path)]
+    shown += ["\n".join(f"wrote {path}" for path in written if path)]
     print_text("\n\n".join(filter(None, shown)), head.verdict.level if head and head.verdict else "")
 
 
-def _print_page(page: NewPage, data: str | dict[str, Any], written: Iterable[Path | None]) -> None:
+def _print_page(page: NewPage, data: dict[str, Any] | None, written: Iterable[Path | None]) -> None:
     """Print a page for people, or its head as JSON beside the `data`; the files `written` end it."""
     page = continued(page)
-    if not isinstance(data, str):
+    if data is not None:
         with speaking(ENGLISH):  # what a program reads is in one language
             print_json({"head": page.head()} | data)
         return
@@ -97,7 +93,7 @@ def _print_page(page: NewPage, data: str | dict[str, Any], written: Iterable[Pat
     width = shutil.get_terminal_size().columns if terminal else WIDTH
     colour = terminal and not os.environ.get("NO_COLOR")
     files = "\n".join(str(Say("wrote {file}", file=str(path))) for path in written if path)
-    typer.echo("\n\n".join(filter(None, [page_text(page, width, colour=colour), data, files])))
+    typer.echo("\n\n".join(filter(None, [page_text(page, width, colour=colour), files])))
 
 
 CARRIED = ("robot", "kit", "controller", "mapping", "posterior")

@@ -43,6 +43,6 @@ def parity(
     check_targets(output, report)
     with progress("running") as show:
         result = run_parity(program, controller, robot=robot, kit=kit, chip=chip, body=body, progress=show)
-    finish(result, as_json, output=output, page=report, text="")
+    finish(result, as_json, output=output, page=report)
     if not result.passed:
         raise typer.Exit(AGAINST)

@@ -49,4 +49,4 @@ def post_mortem(
     check_targets(output, report, logs=[log])
     with progress("examining the last seconds") as show:
         result = examine(log, robot, kit, controller, mapping=mapping, seconds=seconds, progress=show)
-    finish(result, as_json, output=output, page=report, text="")
+    finish(result, as_json, output=output, page=report)

@@ -75,7 +75,7 @@ def simulate(
             progress=show,
         )  # fmt: skip
     written = result.log.save(output) if output else None
-    finish(result, as_json, page=report, written=[written], text="", log=str(written) if written else None)
+    finish(result, as_json, page=report, written=[written], log=str(written) if written else None)
 
 
 def _controller(name: str | None, gains: str | None, robot: Robot, kit: Kit, period: float | None) -> Controller:

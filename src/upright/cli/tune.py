@@ -59,4 +59,4 @@ def tune(
         raise
     write_page(result, report)  # before the controller's file, so that a result without a page leaves none
     written = result.save(output) if output else None
-    finish(result, as_json, written=(written, report), text="", file=str(written) if written else None)
+    finish(result, as_json, written=(written, report), file=str(written) if written else None)

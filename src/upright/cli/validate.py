@@ -50,4 +50,4 @@ def validate(
         result = judge(
             [part_of_log(path, mapping, start, until) for path in logs], robot, kit, controller, progress=show
         )
-    finish(result, as_json, output=output, page=report, text="")
+    finish(result, as_json, output=output, page=report)

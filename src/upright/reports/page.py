@@ -17,9 +17,9 @@ from xml.etree import ElementTree
 from upright.atomic import write_text
 from upright.errors import UprightError
 from upright.reports.figure import Figure
-from upright.reports.head import MOST, WIDTH, Head, Verdict
+from upright.reports.head import MOST, Head, Verdict
 from upright.reports.terms import explained
-from upright.tables import HALF_UP, Listing, power_of_ten, wrapped
+from upright.tables import HALF_UP, power_of_ten
 
 if TYPE_CHECKING:
     from jinja2 import Template
@@ -63,11 +63,6 @@ class Table:
             [(_with_decimals(cell, self.digits, n), _class_of(cell)) for cell, n in zip(row, places, strict=True)]
             for row in self.rows
         ]
-
-    def text(self) -> str:
-        """The table for a terminal, below its caption."""
-        rows = [[text for text, _ in row] for row in self.cells()]
-        return "\n".join(filter(None, [wrapped(self.caption, WIDTH), str(Listing(self.header, rows, self.header[1:]))]))
 
     @property
     def stacked(self) -> bool:
@@ -172,11 +167,6 @@ class Page:
         """What the page, the terminal and JSON begin with."""
         numbers = [(n.text if isinstance(n, Verdict) else n, meaning) for n, meaning in self.numbers[:MOST]]
         return Head(self.title, self.verdict, numbers, self.lead.partition(NEXT)[2])
-
-    def tables(self) -> str:
-        """The tables that are not folded, as text for a terminal."""
-        items = [item for section in self.sections if not section.folded for item in section.items]
-        return "\n\n".join(item.text() for item in items if isinstance(item, Table))
 
     def made(self) -> list[tuple[str, str]]:
         """What the page came from, its command first and as code."""
