@@ -17,6 +17,8 @@ import pytest
 import budget
 import upright
 from upright.checkup.doctor import doctor
+from upright.classwork.graded import Grade, differs
+from upright.classwork.grading import Grades
 from upright.cli.output import continued
 from upright.cli.typed import GIVEN
 from upright.comparison.bench import Bench, BenchRow
@@ -31,6 +33,7 @@ from upright.fleets.cases import Cases
 from upright.fleets.fleet import ensemble_of
 from upright.fleets.push_map import PushGrid
 from upright.fleets.tally import CaseSummary
+from upright.lab.handin import RunResult
 from upright.languages import LANGUAGES, speaking
 from upright.loops.analysis import analyse
 from upright.pages import Column, Fold, KeyNumber, Next, Page, Quantity, Result, Say, Table, Verdict, html, terminal
@@ -217,10 +220,17 @@ def a_post_mortem() -> Result:
     )  # fmt: skip
 
 
+def grades() -> Result:
+    runs = [RunResult(fell=False, seconds=6.0, peak=0.2, travel=0.1, best=best) for best in (0.28, 0.4)]
+    wrong = Grade(student="Eva", file="b", task="push", claimed=runs[1], replayed=runs[0], verdict="differs",
+                  why=differs(runs[1], runs[0]))  # fmt: skip
+    return Grades("class", [Grade(student="Ana", file="a", task="push", replayed=runs[0], verdict="ok"), wrong])
+
+
 @pytest.mark.parametrize(
     "make",
     [
-        a_fleet, a_push_map, a_basin, a_campaign, a_diagnosis, a_post_mortem, an_analysis, a_bench, a_parity,
+        grades, a_fleet, a_push_map, a_basin, a_campaign, a_diagnosis, a_post_mortem, an_analysis, a_bench, a_parity,
         lambda: upright.linearise("nxtway-gs"),
     ],
 )  # fmt: skip

@@ -8,12 +8,16 @@ from dataclasses import KW_ONLY, dataclass, fields
 from upright.lab.handin import HandIn, RunResult
 from upright.lab.messages import Setup, Strike
 from upright.lab.plant import LOAD
+from upright.pages import Quantity, Say
 
 HELD = 3.0
 """[s] that a named hold lasts."""
 
-Goal = Callable[[HandIn, RunResult], str]
-"""'' where the run reaches the goal, else why not."""
+KNOCK = 0.2
+"""[N s] to come back from, as the text of the task says."""
+
+Goal = Callable[[HandIn, RunResult], Say | None]
+"""None where the run reaches the goal, else why not."""
 
 
 @dataclass(frozen=True)
@@ -28,10 +32,10 @@ class Task:
     _: KW_ONLY
     texts: dict[str, tuple[str, str, str]]
 
-    def differs(self, setup: Setup) -> str:
-        """Which given field the set-up changes, in words; '' for none."""
+    def differs(self, setup: Setup) -> Say | None:
+        """Which given field the set-up changes; None for none."""
         changed = [name for name in self.given if getattr(setup, name) != getattr(self.setup, name)]
-        return f"another {changed[0]} than the task's" if changed else ""
+        return Say("not as the task gives it: `{field}`", field=changed[0]) if changed else None
 
 
 def task_of(done: HandIn) -> Task | None:
@@ -39,20 +43,27 @@ def task_of(done: HandIn) -> Task | None:
     return next((task for task in TASKS if task.setup.seed == done.setup.seed), None)
 
 
-def _stood(result: RunResult, seconds: float) -> str:
+def _stood(result: RunResult, seconds: float) -> Say | None:
     if result.fell:
-        return f"it fell at {result.seconds:.2f} s"
-    return "" if result.seconds >= seconds - 0.1 else f"it lasts {result.seconds:.1f} s, not {seconds:g} s"
+        return Say("it fell at {time}", time=Quantity(result.seconds, "s"))
+    if result.seconds < seconds - 0.1:
+        return Say("it lasts {time}, not {goal}", time=Quantity(result.seconds, "s"), goal=Quantity(seconds, "s"))
+    return None
 
 
-def _held(done: HandIn, result: RunResult) -> str:
+def _held(done: HandIn, result: RunResult) -> Say | None:
     """Held in front at 0.1 rad or more, released, and still up five seconds after the release."""
     times = [t for t, a in done.actions if isinstance(a, Strike) and a.what == "front" and a.size >= 0.1]
-    return _stood(result, times[0] + HELD + 5.0) if times else "it has no hold in front"
+    return _stood(result, times[0] + HELD + 5.0) if times else Say("it was not held from the front")
 
 
-def _knocked(done: HandIn, result: RunResult) -> str:  # noqa: ARG001
-    return _stood(result, 0.0) or ("" if result.best >= 0.2 else f"it came back from {result.best:.3f} N s, not 0.2")
+def _knocked(done: HandIn, result: RunResult) -> Say | None:  # noqa: ARG001
+    if result.best >= KNOCK:
+        return _stood(result, 0.0)
+    best = Quantity(result.best, "N s")
+    return _stood(result, 0.0) or Say(
+        "it survived a knock of {best}, not {goal}", best=best, goal=Quantity(KNOCK, "N s")
+    )
 
 
 _ROBOT = tuple(f.name for f in fields(Setup) if f.name not in ("controller", "largest", "gains", "bodies"))

@@ -49,8 +49,7 @@ def grade(
     assert folder is not None
     with progress("grading") as show:
         grades = run_again(folder, workers=workers, progress=show)
-    written = (output and grades.save(output), report and grades.page().write(report))
-    finish(grades, as_json, written=written)
+    finish(grades, as_json, page=report, written=(output and grades.save(output),))
 
 
 def _write_worksheet(language: str, lab: str, output: Path | None) -> None:

@@ -52,10 +52,6 @@ class RunResult:
     travel: float
     best: float
 
-    def __str__(self) -> str:
-        how = f"fell at {self.seconds:.2f} s" if self.fell else f"stood for {self.seconds:.2f} s"
-        return f"{how}, peak {self.peak:.3f} rad, best {self.best:.3f} N s"
-
 
 def result_of(log: Log, robot: Robot, *, fell: bool, best: float) -> RunResult:
     """What a log of the true states shows."""
