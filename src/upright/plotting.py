@@ -59,6 +59,7 @@ WIDTH, LEFT, RIGHT = 7.2, 0.75, 0.15  # [inches], as what follows
 PHONE = 4.0  # its letters of 9 pt are 11 px high on a screen of 390 px
 PANEL, HEAD, FOOT = 1.85, 0.42, 0.55
 LETTER = 0.075  # [inch] of width
+KEY = 0.4  # [inch] of a line in a legend with its gaps
 SCREEN, LEAST = 4.7, 0.7  # [inches] of all panels that a screen shows below a title, and of one panel at least
 CIRCLE = "unit circle: inside it a motion fades"
 BELOW: dict[str, Any] = {"linewidth": 4.0, "alpha": 0.35}
@@ -324,17 +325,30 @@ def edges(values: Array) -> tuple[float, float]:
 
 @styled
 def legend(figure: Figure) -> Figure:
-    """The same figure with the names of its lines, in the first panel that has each; a label may name one."""
+    """The same figure with the names of its lines, by the first panel that has each: above it or at the figure's foot,
+    where they have room beside the name of y or of x, else inside. A label may name one."""
     known: set[str] = set()
-    above: dict[str, Any] = {"loc": "lower right", "bbox_to_anchor": (1, 1), "ncols": 3, "frameon": False}
     for ax in figure.axes:
         handles, labels = ax.get_legend_handles_labels()
         named = dict(zip(labels, handles, strict=True))
         alone = len(named) == 1 and ax.get_ylabel().startswith(f"{labels[0]} ")
         if named.keys() - known and len(named.keys() | known) > 1 and not alone:
-            ax.legend([*named.values()], [*named], **(above if ax.get_gid() == ROWS else {}))
+            ax.legend([*named.values()], [*named], **_place_of_legend(figure, ax, [*named], first=not known))
         known |= named.keys()
     return figure
+
+
+def _place_of_legend(figure: Figure, ax: Axes, names: Sequence[str], *, first: bool) -> dict[str, Any]:
+    above = {"loc": "lower right", "bbox_to_anchor": (1, 1)}
+    foot = {"loc": "lower left", "bbox_to_anchor": (0, 0), "bbox_transform": figure.transFigure}
+    row = {"ncols": len(names), "frameon": False, "borderaxespad": 0.2, "handlelength": 1.4}
+    across = figure.get_figwidth()
+    needed = LETTER * len("".join(names)) + KEY * len(names)
+    if needed + LETTER * len(ax.get_ylabel()) < across * ax.get_position().width:
+        return above | row
+    if first and needed + LETTER * len(figure.axes[-1].get_xlabel()) < across:
+        return foot | row
+    return above | row | {"ncols": 3} if ax.get_gid() == ROWS else {}
 
 
 @styled

@@ -189,7 +189,10 @@ class CalibratedRobot(Result):
         if uneven := dict.fromkeys(w.sensor for w in self.whiteness if not w.white):
             sensors = [channel(sensor) for sensor in uneven]
             wrong.append(
-                Say("The model leaves something out: its errors are not white noise ({sensors}).", sensors=sensors)
+                Say(
+                    "The model misses something small: {sensors}. Another log shows whether it matters.",
+                    sensors=sensors,
+                )
             )
         try:
             self.robot.replace()
@@ -328,7 +331,7 @@ class CalibratedRobot(Result):
     def plot_prediction(self) -> Figure:
         """Measured readings, and what the calibrated robot predicts from the commands alone for half a second at a
         time; one panel for the gyro, each encoder and the compass of the first log."""
-        from upright.plotting import COLOURS, line, panels, span
+        from upright.plotting import COLOURS, legend, line, panels, span
 
         free = self.free[0]
         names = [name for name in free.rows if name in DRAWN] or list(free.rows)
@@ -341,10 +344,7 @@ class CalibratedRobot(Result):
             line(ax, str(Say("predicted")), t, factor * predicted, style=1, solid=True)
         if self.held_out:
             span(axes, *self.held_out, str(Say("not fitted")), COLOURS[0])
-        foot: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0, 0), "bbox_transform": figure.transFigure}
-        close: dict[str, Any] = {"handlelength": 1.2, "handletextpad": 0.4, "columnspacing": 1.0, "borderaxespad": 0.0}
-        axes[0].legend(ncols=3, frameon=False, **foot, **close)
-        return figure
+        return legend(figure)
 
     @property
     def held_out(self) -> tuple[float, float] | None:

@@ -27,7 +27,7 @@ def calibration_page(c: CalibratedRobot) -> Page:
     if remarks:
         blocks.append(Items(remarks))
     if known:
-        measured = Say("What the log measures to ±25 % or better, or bounds")
+        measured = Say("Parameters that this log measures or bounds")
         blocks.append(_estimates(sorted(known, key=lambda e: (not e.measured, e.shrink)), measured))
     if rest:
         blocks.append(Fold(Say("Parameters that this log does not show"), [*_beside_file(c), _estimates(rest)]))
@@ -57,7 +57,7 @@ def _verdict(c: CalibratedRobot) -> Verdict:
     if verdict == DOUBTFUL:
         return Verdict(Say("do not use it yet"), "warn")
     if c.check() or not c.least_score >= GOOD:
-        return Verdict(Say("validate it first"), "warn")
+        return Verdict(Say("usable; validate it first"), "warn")
     return Verdict(Say("ready for a design"), "good")
 
 
@@ -92,9 +92,11 @@ def _numbers(c: CalibratedRobot) -> list[KeyNumber]:
     if scores := c.scores:
         worst = min(scores, key=lambda name: scores[name])
         meaning = Say(
-            "R² of the {sensor}, predicted worst; good from {good}", sensor=channel(worst), good=Quantity(GOOD, "1")
+            "R² of the worst prediction, {sensor}; {needed} is needed",
+            sensor=channel(worst),
+            needed=Quantity(GOOD, "1"),
         )
-        numbers.append(KeyNumber(Quantity(None, "1", low=scores[worst]), meaning))
+        numbers.append(KeyNumber(r2_of(scores[worst]), meaning))
     pole = c["unstable_pole"]
     if pole.value > 0:
         ends = [math.log(2) / end if end > 0 else None for end in (pole.high, pole.low)]
@@ -107,6 +109,11 @@ def _numbers(c: CalibratedRobot) -> list[KeyNumber]:
         delay = Quantity(gyro.value, "s", low=gyro.low, high=gyro.high, digits=2)
         numbers.append(KeyNumber(delay, Say("from a command until the gyro shows it")))
     return numbers
+
+
+def r2_of(r2: float) -> Quantity | Say:
+    """R² to three digits, never rounded up to what passes."""
+    return Say("below 0") if r2 < 0 else Quantity(math.floor(1000 * r2) / 1000, "1")
 
 
 def _picture(c: CalibratedRobot) -> Picture | None:
@@ -127,7 +134,14 @@ def _next(c: CalibratedRobot) -> list[Next]:
     if c.decision.next:
         return [c.decision.next]
     if not c.saved:
-        return [Next("calibrate", *c.sources, output="mine.toml", why=Say("It writes this robot as a file."))]
+        return [
+            Next(
+                "calibrate",
+                *c.sources,
+                output="mine.toml",
+                why=Say("It writes this robot as a file, to validate and to design with."),
+            )
+        ]
     if _verdict(c).level != "good":
         return [Next("validate", c.saved, "LOG", why=Say("Take a log that was not fitted."))]
     return [Next("design", "lqg", robot=c.saved, output="lqg.json")]

@@ -34,11 +34,12 @@ def texts_of(column: Column, cells: Sequence[Cell]) -> list[Text]:
 
 
 def columns_of(table: Table) -> list[tuple[str, list[Text]]]:
-    """Each column's heading and texts."""
+    """Heading and texts of each column in which any row has something."""
     by_column = [[row[k] for row in table.rows] for k in range(len(table.columns))]
     return [
         (heading_of(column, cells), texts_of(column, cells))
         for column, cells in zip(table.columns, by_column, strict=True)
+        if any(cell is not None for cell in cells)
     ]
 
 

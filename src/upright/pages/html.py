@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from upright.languages import chosen
 from upright.pages.blocks import Block, Page, Picture
 from upright.pages.cells import Text, columns_of
+from upright.pages.glossary import explained
 from upright.pages.words import translated
 
 if TYPE_CHECKING:
@@ -71,6 +72,6 @@ def _template(name: str) -> Template:
     )  # fmt: skip
     environment.filters["marked"] = marked
     names: dict[str, Any] = {"kind": kind, "columns_of": columns_of, "drawings": drawings, "say": translated,
-                             "right": right}  # fmt: skip
+                             "right": right, "explained": explained}  # fmt: skip
     environment.globals.update(names)
     return environment.get_template(name)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import functools
-import math
 from collections.abc import Sequence
 from pathlib import Path
 
 from upright.calibration.calibrated_robot import GOOD, PREDICTED
+from upright.calibration.calibration_page import r2_of
 from upright.pages import Block, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.terms import term
 from upright.validation.drawn import half_second_figure, loop_figure, reading
@@ -43,7 +43,7 @@ def validation_page(result: RobotJudged) -> Page:
         folds.append(Fold(Say("Notes"), [Items(notes)]))
     return Page(
         _title(result), verdict=verdict, lead=lead, numbers=_numbers(result), picture=_picture(worst),
-        next=[_next(result, used)], blocks=[_half_seconds(result.logs), *folds],
+        next=_next(result, used), blocks=[_half_seconds(result.logs), *folds],
         origin={"robot": result.robot, "kit": result.kit, "logs": logs},
     )  # fmt: skip
 
@@ -84,9 +84,9 @@ def _numbers(result: RobotJudged) -> list[KeyNumber]:
     worst = result.worst.worst
     meaning = Say("R² of the worst prediction, {sensor}; {needed} is needed", sensor=reading(worst.name),
                   needed=Quantity(GOOD, "1"))  # fmt: skip
-    numbers = [KeyNumber(_r2(worst.r2), meaning)]
+    numbers = [KeyNumber(r2_of(worst.r2), meaning)]
     if own := result.worst.own_run:
-        numbers.append(KeyNumber(_r2(least(own).r2), Say("with friction, battery and delays fitted to this run")))
+        numbers.append(KeyNumber(r2_of(least(own).r2), Say("with friction, battery and delays fitted to this run")))
     if shift := result.doubted:
         meaning = Say("of the squared error goes if only this changes: {name}", name=term(shift.name))
         numbers.append(KeyNumber(Quantity(shift.explains, "fraction", digits=2), meaning))
@@ -98,11 +98,6 @@ def _numbers(result: RobotJudged) -> list[KeyNumber]:
     return numbers[:3]
 
 
-def _r2(r2: float) -> Quantity | Say:
-    """R² to three digits, never rounded up to what passes."""
-    return Say("below 0") if r2 < 0 else Quantity(math.floor(1000 * r2) / 1000, "1")
-
-
 def _picture(log: LogJudged) -> Picture:
     claim = Say("Half a second at a time, the prediction lies on the readings")
     if log.worst.r2 < GOOD:
@@ -111,17 +106,21 @@ def _picture(log: LogJudged) -> Picture:
     return Picture(claim, functools.partial(half_second_figure, log), note)
 
 
-def _next(result: RobotJudged, used: bool) -> Next:
+def _next(result: RobotJudged, used: bool) -> list[Next]:
+    again = Next("validate", result.robot, "LOG", why=Say("A log of another run is a test."))
     if used:
-        return Next("validate", result.robot, "LOG", why=Say("A log of another run is a test."))
-    if result.worst.worst.r2 >= GOOD:
-        return Next("design", "lqg", robot=result.robot, output="lqg.json")
-    return Next("calibrate", result.worst.source, robot=result.robot, why=Say("It moves all parameters together."))
+        return [again]
+    if result.worst.worst.r2 < GOOD:
+        return [
+            Next("calibrate", result.worst.source, robot=result.robot, why=Say("It moves all parameters together."))
+        ]
+    design = Next("design", "lqg", robot=result.robot, output="lqg.json")
+    return [design, again] if any(log.fitted is None for log in result.logs) else [design]
 
 
 def _half_seconds(logs: Sequence[LogJudged]) -> Table:
     rows = [
-        [reading(c.name), _judged(c), _r2(c.r2), c.breaks, Path(log.source).name]
+        [reading(c.name), _judged(c), r2_of(c.r2), c.breaks, Path(log.source).name]
         for log in logs
         for c in log.half_seconds
     ]
@@ -160,7 +159,7 @@ def _whole_run(log: LogJudged) -> list[Block]:
     claim = Say("The closed loop, simulated from the first row of {log}", log=Path(log.source).name)
     return [
         Picture(claim, functools.partial(loop_figure, loop)),
-        Table(columns, [[reading(c.name), _r2(c.r2), c.breaks] for c in log.loop]),
+        Table(columns, [[reading(c.name), r2_of(c.r2), c.breaks] for c in log.loop]),
         Items(remarks),
     ]
 
