@@ -16,7 +16,7 @@ from upright.certification.verdict import AMBER, GREEN, MOST_FALLS, RED, UNKNOWN
 from upright.control.tunable import TUNABLE
 from upright.likelihood.assumptions import BATTERIES
 from upright.likelihood.support import MASS
-from upright.loops.places import place_of
+from upright.loops.places import delay_of, place_of
 from upright.pages import (
     Block,
     Column,
@@ -95,14 +95,14 @@ def _verdict(c: Measurements) -> Verdict:
 
 def _numbers(c: Measurements) -> list[KeyNumber]:
     bound = Quantity(None, "fraction", high=c.bound, digits=2)
-    numbers = [KeyNumber(bound, Say("of such robots fall (95 % confidence); the limit is {limit}", limit=LIMIT))]
+    numbers = [KeyNumber(bound, Say("of similar robots fall (95 % confidence); the limit is {limit}", limit=LIMIT))]
     for endured in c.endured:
         if endured.kind == "knock":
             size, *_ = endured.sizes
             numbers.append(KeyNumber(size, Say("knock at the centre of mass that it endures")))
     if c.linear and c.linear.stable and math.isfinite(c.linear.delay):
         unstable = Say("more delay at {place} makes the loop unstable", place=place_of(c.linear.delay_at))
-        return [*numbers, KeyNumber(Quantity(c.linear.delay, "s"), unstable)]
+        return [*numbers, KeyNumber(delay_of(c.linear.delay), unstable)]
     stood = [t.travel for t in c.trials if t.fell < t.runs]
     travel = Say("95 % of those that stood roll less far, in the worst push")
     return [*numbers, *([KeyNumber(Quantity(max(stood), "m"), travel)] if stood else [])]
@@ -112,7 +112,7 @@ def _picture(c: Measurements) -> Picture:
     worst = max(c.trials, key=lambda t: t.fell / t.runs)
     draw = functools.partial(bars_of, c)
     if not worst.fell:
-        claim = Say("No robot fell in {n} trials: how far 95 % of them rolled", n=sum(t.runs for t in c.trials))
+        claim = Say("No robot fell in {n} trials; 95 % rolled no further than this", n=sum(t.runs for t in c.trials))
         return Picture(claim, draw)
     claim = Say("The worst push fells {part}: {push}, {battery}", part=Quantity(worst.fell / worst.runs, "fraction"),
                 push=worst.message, battery=worst.supply)  # fmt: skip
@@ -191,7 +191,7 @@ WEIGHTS = {
 
 
 def _questions(c: Measurements) -> Table:
-    rows: list[list[Say]] = [[Say("Does it stand?"), c.standing.message]]
+    rows: list[list[Say]] = [[Say("Does it stand?"), c.standing.message(c.period)]]
     if c.endured:
         pushes = [endured.message for endured in c.endured]
         rows.append([Say("How hard may I push it?"), Say("{pushes}", pushes=pushes)])
@@ -199,7 +199,7 @@ def _questions(c: Measurements) -> Table:
         weak = Say("too weak for {beyond} of the {fell} that fell; {what}", beyond=c.beyond, fell=c.fell,
                    what=c.strength.message)  # fmt: skip
         rows.append([Say("Are its motors strong enough?"), weak])
-    rows.append([Say("Which of your numbers are guesses?"), _guesses(c)])
+    rows.append([Say("Which numbers of the file are guesses?"), _guesses(c)])
     return Table([Column(Say("question")), Column(Say("answer"))], rows)
 
 
@@ -208,7 +208,7 @@ def _guesses(c: Measurements) -> Say:
         return Say("none")
     first, *others = [term(name) for name in c.guessed.names]
     if c.light != UNKNOWN:
-        return Say("{names}; none decides", names=[first, *others])
+        return Say("{names}; none of them decides the light", names=[first, *others])
     if others:
         return Say("{first} decides most; then {others}", first=first, others=others)
     return Say("{first}, which decides", first=first)
@@ -311,7 +311,7 @@ def _tried(c: Measurements) -> list[Say]:
 
 def _margins(margins: LinearMargins) -> list[Block]:
     rows = [
-        [Say("delay"), Quantity(margins.delay, "s"), place_of(margins.delay_at)],
+        [Say("delay"), delay_of(margins.delay), place_of(margins.delay_at)],
         [Say("gain, down to"), Quantity(margins.gain_low, "fraction"), place_of(margins.low_at)],
         [Say("gain, up to"), Quantity(margins.gain_high, "fraction"), place_of(margins.high_at)],
         [Say("largest |pole|"), Quantity(margins.radius, "1", digits=4), None],

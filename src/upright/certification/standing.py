@@ -73,9 +73,8 @@ class Standing:
     lost: int
     longest: float | None = None
 
-    @property
-    def message(self) -> Say:
-        """Whether it stands."""
+    def message(self, period: float) -> Say:
+        """Whether it stands, under a controller of this `period` [s]."""
         if self.fell is not None:
             return Say("no: left alone it falls after {time}", time=Quantity(self.fell, "s", digits=2))
         if not self.runs:
@@ -83,11 +82,14 @@ class Standing:
         alone = Quantity(ALONE, "s")
         if self.longest is None:
             return Say(
-                "yes, for {time}; of {runs} drawn robots {lost} fall", time=alone, runs=self.runs, lost=self.lost
+                "yes, for {time}; left alone, {lost} of {runs} similar robots fall",
+                time=alone,
+                runs=self.runs,
+                lost=self.lost,
             )
-        longest = Quantity(self.longest, "s")
-        return Say("yes, for {time}, at periods up to {longest}; of {runs} drawn robots {lost} fall", time=alone,
-                   longest=longest, runs=self.runs, lost=self.lost)  # fmt: skip
+        periods = Quantity(None, "s", low=period, high=self.longest)
+        return Say("yes, for {time}, at periods of {periods}; left alone, {lost} of {runs} similar robots fall",
+                   time=alone, periods=periods, runs=self.runs, lost=self.lost)  # fmt: skip
 
 
 UNTRIED = Standing(None, 0.0, 0, 0)

@@ -17,7 +17,7 @@ from upright.likelihood.support import Support, contradictions
 from upright.loops.analysis import INPUTS, ROUNDED, loop_margins
 from upright.loops.loop import robot_loop
 from upright.loops.margins import margins
-from upright.loops.places import place_of
+from upright.loops.places import delay_of, place_of
 from upright.loops.targets import LEAST_DELAY, LEAST_GAIN, reached
 from upright.pages import Quantity, Say
 from upright.pages.terms import term
@@ -159,7 +159,7 @@ def judge(e: Examined) -> tuple[str, tuple[Reason, ...]]:
 
 def _few(e: Examined) -> Reason:
     bound = Quantity(None, "fraction", high=upper_bound(e.fell, e.samples, CONFIDENCE), digits=2)
-    message = Say("Of {n} robots that were held, let go and knocked {fell} fell.", n=e.samples, fell=e.fell)
+    message = Say("Of {n} simulated robots that were held, let go and knocked, {fell} fell.", n=e.samples, fell=e.fell)
     return Reason("good", message, Say("{bound} fall", bound=bound))
 
 
@@ -169,13 +169,9 @@ def _stable(linear: LinearMargins | None) -> Reason:
     elif math.isinf(linear.delay):
         message = Say("The loop is stable with any delay.")
     else:
-        message = Say("The loop is stable up to {delay} more delay at {place}.", delay=_delay(linear),
+        message = Say("The loop is stable up to {delay} more delay at {place}.", delay=delay_of(linear.delay),
                    place=place_of(linear.delay_at))  # fmt: skip
     return Reason("good", message, Say("stable"))
-
-
-def _delay(linear: LinearMargins) -> Quantity:
-    return Quantity(linear.delay, "s")
 
 
 def _unstable(radius: float, period: float) -> Reason:
@@ -311,9 +307,10 @@ def _thin(linear: LinearMargins, period: float) -> list[Reason]:
         thin = [Reason("gain", message, Say("gain margin {slack}", slack=slack))]
     if linear.delay >= LEAST_DELAY * period:
         return thin
-    message = Say("{delay} more delay at {place} makes the loop unstable; the limit is {limit}.", delay=_delay(linear),
+    delay = delay_of(linear.delay)
+    message = Say("{delay} more delay at {place} makes the loop unstable; the limit is {limit}.", delay=delay,
                place=place_of(linear.delay_at), limit=Quantity(LEAST_DELAY * period, "s"))  # fmt: skip
-    return [*thin, Reason("delay", message, Say("delay margin {delay}", delay=_delay(linear)))]
+    return [*thin, Reason("delay", message, Say("delay margin {delay}", delay=delay))]
 
 
 def _laborious(runs: Sequence[PushTrial]) -> list[Reason]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Annotated
 
 import typer
@@ -59,4 +60,4 @@ def excite(
             controller, robot, kit, seconds=seconds, focus=names, limits=Limits(falls, saturated, travel),
             enough=enough, known=known or (), posterior=posterior, samples=samples, seed=seed, progress=show,
         )  # fmt: skip
-    finish(plan, as_json, output=output, page=report)
+    finish(replace(plan, saved=str(output or "")), as_json, output=output, page=report)

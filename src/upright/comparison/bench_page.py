@@ -26,9 +26,10 @@ def bench_page(bench: Bench) -> Page:
     lead = [
         Say("Tried: {n} controllers on {robot}, body {body}, held and let go.", n=len(ranked), robot=bench.robot,
             body=bench.body),
-        *([Say("Limits are found to {tolerance}: smaller differences are ties.",
-               tolerance=Quantity(bench.tolerance, "fraction"))] if knocked else []),
     ]  # fmt: skip
+    if take and len(bench.tied) > 1:
+        lead.append(Say("{n} quick ones are equal within {tolerance}; of these {take} needs the least effort.",
+                        n=len(bench.tied), tolerance=Quantity(bench.tolerance, "fraction"), take=take))  # fmt: skip
     ranking = Picture(
         Say("Largest knock that each survives: green to be taken, grey too slow for the brick"), bench.plot,
         Say("Knocks from front and back, at the centre of mass: drawn is the smaller limit."),
@@ -56,9 +57,12 @@ def _title(bench: Bench, take: str) -> Say:
     firsts = [name for name, place in bench.places().items() if place == 1]
     size = Quantity(next(iter(bench.ranked().values())), "N s", digits=2)
     if take and take not in firsts:
-        return Say("Survives most of those that are quick enough: {take}", take=take)
+        names = [name for name in bench.ranked() if name not in bench.quick and name in firsts]
+        return Say("Take {take}: {names} survives more, but is too slow for the brick", take=take, names=names)
     if take and len(bench.tied) > 1:
-        return Say("Equally strong: {names}; the least effort has {take}", names=bench.tied, take=take)
+        return Say(
+            "Take {take}: of {n} equally strong controllers it needs the least effort", take=take, n=len(bench.tied)
+        )
     return Say("Survives the largest knock, {size}: {names}", size=size, names=firsts)
 
 
@@ -87,10 +91,10 @@ def _summary(bench: Bench) -> Table:
         settled = max((rest.get(name, math.nan) for rest in rests), default=math.nan)
         slow = bool(rests) and any(math.isnan(rest.get(name, math.nan)) for rest in rests)
         falls, effort = (bench.worse(name, figure) for figure in ("spread", "effort"))
-        rows.append([name, size, falls, None if slow else settled, effort, bench.computing_time(name)])
+        rows.append([name, size, falls, bench.computing_time(name), effort, None if slow else settled])
     columns = [
         Column(Say("controller")), Column(Say("knock"), "N s"), Column(Say("falls"), "fraction"),
-        Column(Say("settling"), "s"), Column(Say("effort"), bench.effort_unit), Column(Say("computing"), "s"),
+        Column(Say("computing"), "s"), Column(Say("effort"), bench.effort_unit), Column(Say("settling"), "s"),
     ]  # fmt: skip
     return Table(columns, rows, Say("Under the worse push"))
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 KINDS = {
     MEASURED: Verdict(Say("measured"), "good"),
     BOUNDED: Verdict(Say("bounded"), "info"),
-    NOT_VISIBLE: Verdict(Say("not visible"), "unknown"),
+    NOT_VISIBLE: Verdict(Say("not improved"), "unknown"),
 }
 WAYS = {
     "combination": Say("sines, random steps, drives and turns"),
@@ -91,10 +91,12 @@ def _numbers(plan: PlannedRun) -> list[KeyNumber]:
 
 
 def _next(plan: PlannedRun) -> list[Next]:
-    why = Say("Save the plan by `-o plan.json`; on your robot, add its rows to the commands.")
+    if not plan.saved:
+        why = Say("It saves the plan, to be added to the commands of the robot.")
+        return [Next("excite", robot=plan.robot, output="plan.json", why=why)]
+    why = Say("So it runs on a simulated robot; on yours, add its rows to the commands. Then calibrate from the log.")
     return [
-        Next("simulate", robot=plan.robot, controller=plan.controller, excite="plan.json", output="run.csv", why=why),
-        Next("calibrate", "run.csv", robot=plan.robot, output="robot.toml"),
+        Next("simulate", robot=plan.robot, controller=plan.controller, excite=plan.saved, output="run.csv", why=why)
     ]
 
 
@@ -120,7 +122,7 @@ def _uncertain(p: Predicted, width: float) -> Say:
 
 
 def _name(p: Predicted) -> Say:
-    return term(p.name.replace("fraction", "inertia"))
+    return term(p.name)
 
 
 def uncertainty_left(plan: PlannedRun) -> Figure:
@@ -135,7 +137,7 @@ def uncertainty_left(plan: PlannedRun) -> Figure:
         kept = np.array([p.kind == kind for p in own])
         if kept.any():
             ax.barh(rows[kept], left[kept], height=0.6, color=colour, label=str(KINDS[kind].text))
-    ax.axvline(100 * VISIBLE, linestyle="--", linewidth=1, color=AXIS)
+    ax.axvline(100 * VISIBLE, linestyle="--", linewidth=1, color=AXIS, label=str(Say("half")))
     ax.set(xlim=(0, 103), xticks=range(0, 101, 25))
     return legend(figure)
 

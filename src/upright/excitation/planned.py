@@ -112,7 +112,7 @@ class PlannedRun:
 
     `division` gives the fraction of its energy by part. `energy` is ∫ u_l² + u_r² dt at the nominal robot's motors,
     the loop's response included; `added` that of the excitation alone. `checked` was measured with the
-    excitation `margin` times as large.
+    excitation `margin` times as large. `saved` is its file, once it is written.
     """
 
     robot: str
@@ -137,6 +137,7 @@ class PlannedRun:
     notes: tuple[str, ...] = ()
     asked: str = ""
     response: tuple[float, ...] = ()
+    saved: str = ""
 
     def __post_init__(self) -> None:
         rows = np.array(self.excitation, dtype=np.float64)
@@ -200,7 +201,7 @@ class PlannedRun:
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; `upright calibrate` needs none of them, `upright simulate --excite` all."""
-        parts = {f.name: getattr(self, f.name) for f in fields(self) if f.name != "division"}
+        parts = {f.name: getattr(self, f.name) for f in fields(self) if f.name not in ("division", "saved")}
         parts |= {name: asdict(parts[name]) for name in ("limits", "checked")}
         parts["predicted"] = [asdict(p) | {"kind": p.kind} for p in self.predicted]
         parts["tried"] = [asdict(p) for p in self.tried]

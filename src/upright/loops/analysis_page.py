@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from upright.loops.margins import disk_gain, disk_phase
-from upright.loops.places import place_of
-from upright.loops.targets import CLOSE, LEAST_DELAY, LEAST_GAIN, PHASE, STRONG, WEAK
+from upright.loops.places import delay_of, place_of
+from upright.loops.targets import CLOSE, LEAST_DELAY, LEAST_GAIN, PHASE, STRONG, WEAK, reached
 from upright.pages import Block, Column, Fold, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 
 if TYPE_CHECKING:
@@ -29,26 +29,18 @@ SLOW = 6  # poles near 1 that are drawn enlarged: as many as the robot has state
 def analysis_page(analysis: Analysis, first: Picture | None = None) -> Page:
     """The page of a controller's loop; with another picture `first` the Bode diagram is folded."""
     facts = {"controller": analysis.controller, "robot": analysis.robot, "hash": analysis.hash[:12]}
-    lead = [
-        Say("Examined near rest: {controller} on {robot}, every {period}.", controller=analysis.controller,
-            robot=analysis.robot, period=Quantity(analysis.period, "s")),
-    ]  # fmt: skip
-    if len(analysis.radii):
-        lead.append(
-            Say("Unstable among {n} robots drawn from its uncertainty: {fell}.", n=len(analysis.radii),
-                fell=analysis.fell)
-        )  # fmt: skip
     if not analysis.stable:
         return Page(
-            _unheld(analysis), verdict=_verdict(analysis), lead=lead, picture=first or _poles(analysis),
+            _unheld(analysis), verdict=_verdict(analysis), lead=_drawn(analysis), picture=first or _poles(analysis),
             next=[_next(analysis)], blocks=[Fold(Say("All margins"), [_whole(analysis)])], origin=facts,
         )  # fmt: skip
     bode = _bode(analysis)
     frequency = Fold(Say("Frequency response"), [*([bode] if first else []), _nyquist(analysis), *_alone(analysis)])
     near = Picture(Say("The {n} slowest poles, near 1", n=SLOW), functools.partial(analysis.plot_poles, slow=SLOW))
     return Page(
-        _title(analysis), verdict=_verdict(analysis), lead=lead, numbers=_numbers(analysis), picture=first or bode,
-        next=[_next(analysis)],
+        Say("{controller} holds {robot} near rest", controller=analysis.controller, robot=analysis.robot),
+        verdict=_verdict(analysis), lead=[_margins(analysis), *_drawn(analysis)], numbers=_numbers(analysis),
+        picture=first or bode, next=[_next(analysis)],
         blocks=[
             _targets(analysis), frequency, Fold(Say("All margins"), [_places(analysis), _whole(analysis)]),
             Fold(Say("Closed-loop poles"), [_poles(analysis), near]),
@@ -57,17 +49,28 @@ def analysis_page(analysis: Analysis, first: Picture | None = None) -> Page:
     )  # fmt: skip
 
 
-def _title(analysis: Analysis) -> Say:
+def _drawn(analysis: Analysis) -> list[Say]:
+    """How many of the robots that the file allows are held too."""
+    n = len(analysis.radii)
+    if not n:
+        return []
+    if analysis.fell:
+        return [Say("Of {n} similar robots {fell} are not held.", n=n, fell=analysis.fell)]
+    return [Say("It holds all of {n} similar robots.", n=n)]
+
+
+def _margins(analysis: Analysis) -> Say:
+    """Which margin comes nearest to its limit; where that is the delay, which is shown anyway, how many are usual."""
     least = analysis.thinnest
     place = place_of(least.channel)
     if least.kind == "delay" and math.isinf(least.size):
-        return Say("Stable with any delay and any gain")
+        return Say("Any delay and any gain leave it stable.")
     if least.kind == "delay":
-        return Say("Stable, with up to {delay} more delay at {place}", delay=_delay(least.size), place=place)
+        return Say("{met} of 5 margins reach what textbooks ask; a certificate asks less.", met=_met(analysis))
     change = Quantity(least.size, "fraction", digits=2)
     if least.kind == "stronger":
-        return Say("Stable, until the signal at {place} is {change} stronger", change=change, place=place)
-    return Say("Stable, until the signal at {place} is {change} weaker", change=change, place=place)
+        return Say("The thinnest margin: a signal {change} stronger at {place}.", change=change, place=place)
+    return Say("The thinnest margin: a signal {change} weaker at {place}.", change=change, place=place)
 
 
 def _unheld(analysis: Analysis) -> Say:
@@ -107,11 +110,6 @@ def _next(analysis: Analysis) -> Next:
     return Next("certify", analysis.controller, robot=analysis.robot, why=why)
 
 
-def _delay(seconds: float) -> Quantity:
-    """To a tenth of a millisecond, never more than there is."""
-    return Quantity(math.floor(1e4 * seconds) / 1e4 if math.isfinite(seconds) else seconds, "s", digits=3)
-
-
 def _gains(low: float, high: float) -> Quantity:
     """Whole per cent, never more than there is."""
     most = math.floor(100 * high) / 100 if high < MOST_GAIN else None
@@ -122,7 +120,7 @@ def _numbers(analysis: Analysis) -> list[KeyNumber]:
     both = analysis.both()
     first = analysis.weakest
     return [
-        KeyNumber(_delay(first.delay), Say("more delay at {place} makes it unstable", place=place_of(first.channel))),
+        KeyNumber(delay_of(first.delay), Say("more delay at {place} makes it unstable", place=place_of(first.channel))),
         KeyNumber(_gains(both.gain_low, both.gain_high), Say("of the motors' strength keep it stable")),
         KeyNumber(Quantity(both.phase, "rad", digits=2), Say("phase margin at both motors")),
     ]
@@ -134,7 +132,7 @@ def _targets(analysis: Analysis) -> Table:
     first = analysis.weakest
     enough = Quantity(LEAST_GAIN, "fraction")
     rows = [
-        [Say("delay at {place}", place=place_of(first.channel)), _delay(first.delay),
+        [Say("delay at {place}", place=place_of(first.channel)), delay_of(first.delay),
          Quantity(LEAST_DELAY * analysis.period, "s"), Quantity(analysis.period, "s")],
         [Say("motors stronger"), _change(both.gain_high - 1), enough, Quantity(STRONG - 1, "fraction")],
         [Say("motors weaker"), _change(1 - both.gain_low), enough, Quantity(1 - WEAK, "fraction")],
@@ -151,9 +149,15 @@ def _targets(analysis: Analysis) -> Table:
     return Table(columns, rows)
 
 
+def _met(analysis: Analysis) -> int:
+    parts = reached(analysis.both(), analysis.weakest.delay, analysis.period)
+    return sum(part >= 1 for part in parts.values())
+
+
 def _change(size: float) -> Quantity:
+    """Whole per cent, never more than there is."""
     if size < MOST_GAIN - 1:
-        return Quantity(size, "fraction", digits=2)
+        return Quantity(math.floor(100 * size) / 100, "fraction")
     return Quantity(None, "fraction", low=MOST_GAIN - 1, digits=2)
 
 
@@ -181,7 +185,7 @@ def _alone(analysis: Analysis) -> list[Block]:
         return []
     claim = Say(
         "{delay} more delay at {place} alone makes the loop unstable",
-        delay=_delay(first.delay),
+        delay=delay_of(first.delay),
         place=place_of(first.channel),
     )
     return [Picture(claim, functools.partial(analysis.plot, first.channel))]

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from upright.pages import Say
+import math
+
+from upright.pages import Quantity, Say
 
 PLACES = {
     "both motors": Say("both motors"), "left motor": Say("the left motor"), "right motor": Say("the right motor"),
@@ -13,6 +15,11 @@ PLACES = {
     "accel forward": Say("the forward accelerometer"), "accel up": Say("the upward accelerometer"),
     "pitch": Say("the angle sensor"),
 }  # fmt: skip
+
+
+def delay_of(seconds: float) -> Quantity:
+    """A delay that a loop bears, to a tenth of a millisecond, never more than there is."""
+    return Quantity(math.floor(1e4 * seconds) / 1e4 if math.isfinite(seconds) else seconds, "s")
 
 
 def place_of(channel: str) -> Say:

@@ -34,12 +34,13 @@ CHANGES = {"won": Verdict(Say("won"), "good"), "paid": Verdict(Say("paid"), "war
 def tune_page(tuned: Tuned) -> Page:
     """The page of a tuning."""
     lead = [
-        Say("Tuned: {method} for {robot}, {n} candidates.", method=tuned.method, robot=tuned.robot, n=tuned.evaluated),
-        Say("Judged on {n} robots that the search never saw.", n=tuned.default.samples),
-    ]
+        Say("Of {n} candidates for {robot} the best was judged on {new} robots that the search never saw.",
+            robot=tuned.robot, n=tuned.evaluated, new=tuned.default.samples),
+        Say("The rule allows no more falls, no smaller knock and no smaller margin."),
+    ]  # fmt: skip
     others = len(tuned.front) - 1
     compared = bool(tuned.refused) or not tuned.kept
-    changes = Say("What is won, in green, and paid, in orange, beside the default weights")
+    changes = Say("The candidate beside the default weights: green is better, orange worse")
     folds = [Fold(Say("Candidates"), [_candidates(tuned)])] if others else []
     return Page(
         _title(tuned), verdict=_verdict(tuned), lead=lead, numbers=_numbers(tuned),
@@ -60,7 +61,11 @@ def _title(tuned: Tuned) -> Say:
     was, now = tuned.default, tuned.chosen
     if tuned.refused:
         worse = [WORSE[name] for name in tuned.refused.worse(was)]
-        return Say("The best candidate is worse on new robots: {worse}", worse=worse)
+        return Say(
+            "The default weights of {method} stay: the best candidate is worse in {worse}",
+            method=tuned.method,
+            worse=worse,
+        )
     if tuned.kept:
         return Say("No candidate is better without being worse somewhere")
     if now.fell < was.fell:
@@ -87,14 +92,15 @@ def _numbers(tuned: Tuned) -> list[KeyNumber]:
         if tuned.kept and not tuned.refused:
             numbers.append(KeyNumber(value, NAMES[measure.name]))
         else:
-            meaning = Say("{what}, by default {was}", what=NAMES[measure.name], was=_value(measure, was))
-            numbers.append(KeyNumber(value, meaning))
+            both = Say("{was} → {now}", was=_value(measure, was), now=value)
+            meaning = Say("{what}: default → candidate", what=NAMES[measure.name])
+            numbers.append(KeyNumber(both, meaning))
     return numbers
 
 
 def _next(tuned: Tuned) -> Next:
     if tuned.kept:
-        return Next("certify", tuned.method, robot=tuned.robot)
+        return Next("certify", tuned.method, robot=tuned.robot, why=Say("It pushes similar robots, and counts falls."))
     file = f"{tuned.method}-tuned.json"
     why = Say("First save it: add `-o {file}` to this command.", file=file)
     return Next("certify", file, robot=tuned.robot, why=why)
@@ -103,7 +109,7 @@ def _next(tuned: Tuned) -> Next:
 def _beside(tuned: Tuned) -> Table:
     """Every figure of the default, and beside it that of the chosen or the refused one, with what is won and paid."""
     was = tuned.default
-    columns = [Column(Say("figure")), Column(Say("default"))]
+    columns = [Column(Say("number")), Column(Say("default"))]
     rows: list[list[Cell]] = [
         [Say("light"), LIGHTS[was.light]],
         *([NAMES[m.name], _value(m, was)] for m in MEASURES),
@@ -162,6 +168,6 @@ def _candidates(tuned: Tuned) -> Table:
         Column(Say("gain margin"), "fraction"), Column(Say("delay margin"), "s"), Column(Say("light")),
         Column(Say("effort"), "1"), Column(Say("settling"), "s"),
     ]  # fmt: skip
-    caption = Say("On {n} other robots; the rule allows no more falls, no smaller knock, and no smaller margin",
+    caption = Say("On {n} other robots",
                   n=first.samples)  # fmt: skip
     return Table(columns, rows, caption)
