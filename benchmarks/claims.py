@@ -76,8 +76,8 @@ def _said(parts: tuple[str, ...]) -> dict[str, str]:
         chapter = sensors.chapter(heavy, kit, claims[-1].logs["identification-sensors"])
         says["3c holding"] = " ".join(sorted(name for name, holds in chapter.numbers["holds"].items() if holds))
     robots = [
-        RegulatedRobot(light, own, linear_model.identify(light, own)[1].model, ""),
-        RegulatedRobot(heavy, gains, linear_model.identify(heavy, gains)[1].model, ""),
+        RegulatedRobot(light, own, linear_model.identify(light, own)[1].model),
+        RegulatedRobot(heavy, gains, linear_model.identify(heavy, gains)[1].model),
     ]
     pushed = pushes.chapter(robots, kit) if "pushes" in parts or "built" in parts else []
     claims += pushed
@@ -89,7 +89,7 @@ def _said(parts: tuple[str, ...]) -> dict[str, str]:
         rows = controllers.chapter(light, kit).numbers["rows"]
         falling = sorted({row["controller"] for row in rows if row["outcome"] != "yes"})
         says["6 not through both"] = " ".join(falling) or "none"
-    return {c.part: getattr(c, "says", c.verdict) for c in claims} | says
+    return {c.part: c.verdict for c in claims} | says
 
 
 def main() -> None:

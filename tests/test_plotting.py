@@ -16,7 +16,7 @@ from upright.comparison import compare
 from upright.control import lqr_state
 from upright.loops.analysis import Analysis, analyse
 from upright.plotting import bars, intervals, panels
-from upright.reports.robot import filmstrip, labelled
+from upright.reports.robot import filmstrip
 from upright.robots import Kit, Robot
 from upright.signals import STATE_NAMES, Log
 
@@ -97,6 +97,38 @@ def test_panels_share_one_x() -> None:
     figure, axes = panels(["a [m]", "b [V]"], "frequency [Hz]", "log")
     assert named(figure)
     assert [ax.get_xscale() for ax in axes] == ["log", "log"]
+
+
+def test_a_notebook_shows_tables() -> None:
+    assert "<td>&lt;b&gt;</td>" in compare({"a": run(0.1), "<b>": run(0.2)})._repr_html_()
+
+
+def test_nyquist_stays_out_of_the_circle_that_it_touches(analysis: Analysis) -> None:
+    (ax,) = analysis.plot_nyquist().axes
+    curve = np.asarray(ax.lines[0].get_xdata()) + 1j * np.asarray(ax.lines[0].get_ydata())
+    (circle,) = ax.patches[:1]
+    # Ms is found on a finer grid than the curve's 400 points over four decades
+    assert np.nanmin(np.abs(curve + 1)) == pytest.approx(circle.get_width() / 2, rel=0.02)
+
+
+def test_bars_are_as_long_as_their_numbers_and_what_is_not_known_has_none() -> None:
+    figure = bars(["a", "b"], [2.0, np.nan], "falls [%]", "push")
+    (ax,) = figure.axes
+    assert [patch.get_width() for patch in ax.patches] == [2.0, 0.0]
+    assert [text.get_text() for text in ax.texts] == ["2", "–"]
+
+
+def test_a_filmstrip_puts_the_axle_where_the_wheels_have_rolled_and_the_body_at_its_pitch() -> None:
+    t = np.array([0.0, 1.0])
+    log = Log(t, {"truth/pitch": np.array([0.0, 0.3]), "truth/wheel": np.array([0.0, 2.0])})
+    _, ax = filmstrip(NXT, log, [0.0, 1.0]).axes
+    body, wheel = ax.patches[:2]
+    rolled = 2.0 * NXT.wheel_radius
+    assert wheel.get_center() == pytest.approx((rolled, NXT.wheel_radius))
+    (left, right, *_), upper = body.get_xy()[:2], body.get_xy()[2:4].mean(axis=0)
+    axle = (left + right) / 2
+    assert axle == pytest.approx((rolled, NXT.wheel_radius))
+    assert np.arctan2(*(upper - axle)) == pytest.approx(0.3)  # from the vertical, forwards
 
 
 def test_a_notebook_shows_tables() -> None:

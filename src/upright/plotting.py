@@ -8,6 +8,7 @@ user's matplotlibrc, so that a page is the same bytes everywhere.
 from __future__ import annotations
 
 import functools
+import math
 import textwrap
 from collections.abc import Callable, Generator, Sequence
 from contextlib import contextmanager
@@ -58,6 +59,7 @@ STYLE: dict[str, Any] = {
 WIDTH, LEFT, RIGHT = 7.2, 0.75, 0.15  # [inches], as what follows
 PHONE = 4.0  # its letters of 9 pt are 11 px high on a screen of 390 px
 PANEL, HEAD, FOOT = 1.85, 0.42, 0.55
+TITLES = 0.4  # above a drawing without axes: two lines
 LETTER = 0.075  # [inch] of width
 KEY = 0.4  # [inch] of a line in a legend with its gaps
 SCREEN, LEAST = 4.7, 0.7  # [inches] of all panels that a screen shows below a title, and of one panel at least
@@ -298,14 +300,20 @@ def colour_map(
 
 
 @styled
-def empty(columns: int, height: float) -> tuple[Figure, list[Axes]]:
-    """A figure of drawings beside each other, without axes, to one scale across and up."""
-    total = height + 0.3
-    figure = _Picture(figsize=(_across.get(), total))
-    axes = [_axes(figure, (k / columns, 0.02, 1 / columns, height / total)) for k in range(columns)]
-    for ax in axes:
-        ax.set_aspect("equal", adjustable="box")
-        ax.set_axis_off()
+def empty(count: int, height: float) -> tuple[Figure, list[Axes]]:
+    """A figure of drawings beside each other, on a phone two in a row, without axes, to one scale across and up."""
+    across = _across.get()
+    columns = count if across == WIDTH else min(count, 2)
+    rows = math.ceil(count / columns)
+    each = height + TITLES
+    figure = _Picture(figsize=(across, rows * each))
+    axes: list[Axes] = []
+    for k in range(count):
+        row, column = divmod(k, columns)
+        box = (column / columns, (rows - 1 - row + 0.02) / rows, 1 / columns, height / each / rows)
+        axes.append(_axes(figure, box))
+        axes[-1].set_aspect("equal", adjustable="box")
+        axes[-1].set_axis_off()
     return figure, axes
 
 

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from upright.atomic import make_folder
 from upright.cli import options
 from upright.cli.output import finish, progress
 from upright.errors import InvalidScenario
@@ -48,16 +49,20 @@ def reproduce(
         from upright.paper.reproduce import reproduce as reproduce_paper
 
         with progress("reproducing") as show:
-            finish(reproduce_paper(output, show), as_json)
+            done = reproduce_paper(output, show)
+        finish(done, as_json, written=[output / "report.html", output / "results.json", output / "logs"])
         return
     if robot is None:
         raise InvalidScenario("--log without a robot", expected="--robot NAME or FILE", hint="upright robots")
-    from upright.paper.own_page import reproduce_log
+    from upright.paper.own_log import compare_own
 
     pushes = [options.push(text) for text in push or ()]
+    logs = make_folder(output / "logs")
     with progress("reproducing") as show:
-        result = reproduce_log(
-            output, options.part_of_log(log, mapping, start, until), robot, kit,
+        result = compare_own(
+            options.part_of_log(log, mapping, start, until), robot, kit,
             controller=controller, push=pushes, learnt=calibrated, progress=show,
         )  # fmt: skip
-    finish(result, as_json)
+    for label, one in result.comparison.logs.items():
+        one.save(logs / f"{label.replace(' ', '-')}.parquet")
+    finish(result, as_json, output=output / "results.json", page=output / "report.html", written=[logs])

@@ -102,8 +102,11 @@ def _verdict(comparison: Compared, first: str, fits: Mapping[str, float]) -> Ver
         return Verdict(Say("no motion to compare"), "unknown")
     if comparison.answered:
         return Verdict(Say("same answer to the push"), "good")
-    state = state_words(first)
-    worst = min(fits.values())
+    return fit_verdict(state_words(first), min(fits.values()))
+
+
+def fit_verdict(state: Say, worst: float) -> Verdict:
+    """How well runs agree in a state, by the worst fit [%]."""
     if worst >= CLOSE:
         return Verdict(Say("{state}: good fit", state=state), "good")
     if worst >= FAIR:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -16,13 +17,11 @@ from upright.comparison import compare
 from upright.control import Estimated, StateFeedback, kalman
 from upright.control.excited import Excited, random_binary
 from upright.experiment import Hold, run
+from upright.pages import Column, Picture, Quantity, Say, Table
 from upright.paper import printed
 from upright.paper.claim import Claim, judged
-from upright.paper.pushes import PUSHES, RELEASE, SECONDS, RegulatedRobot
+from upright.paper.pushes import MODELS, PUSHES, RELEASE, SECONDS, RegulatedRobot
 from upright.progress import Progress, unwatched
-from upright.reports import Figure, Table
-from upright.reports.page import Cell, cell_text
-from upright.reports.states import state_figure
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -36,7 +35,6 @@ BANDS = {"5 %": 0.05, "2 %": 0.02}
 """Both usual bands of settling, relative to the largest pitch after the release."""
 AT_REST = 2.0  # [s] at the end of a run
 AS_BUILT = "twin with friction"
-MODELS = ("nonlinear", "linear")
 OTHERS = ("twin", *MODELS)
 
 
@@ -108,45 +106,32 @@ def chapter(trial: RegulatedRobot, kit: Kit, logs: Mapping[str, Log], progress: 
     """
     name = trial.robot.name
     calibration = calibrated(trial.robot, kit, trial.feedback)
-    friction = calibration["coulomb_friction"]
     cases: dict[str, Settled] = {}
     kept: dict[str, Log] = {}
     for side in PUSHES:
         progress((1 + len(cases)) / (1 + len(PUSHES)))
         runs = [pushed(trial, calibration.robot, side, kit, seed) for seed in SEEDS]
         kept[f"{name}-{side}-as-built"] = runs[0]
-        cases[f"{side} push"] = settled({AS_BUILT: runs, **{r: [logs[f"{name}-{side}-{r}"]] for r in OTHERS}})
-    figures: list[Figure] = []
-    for side in PUSHES:
-        drawn = state_figure(compare(_shown(kept, logs, name, side)), "pitch")
-        figures.append(replace(drawn, title=f"Force on the {side}. {drawn.title}"))
+        others = {other: logs[f"{name}-{side}-{other}"] for other in OTHERS}
+        cases[f"{side} push"] = settled({AS_BUILT: runs, **{other: [log] for other, log in others.items()}})
     slower = sum(c.slower for c in cases.values())
-    swings = [1000 * x for c in cases.values() for x in c.rest[AS_BUILT] if math.isfinite(x)]
-    tried = len(SEEDS) * len(cases)
-    sways = f"At rest its pitch keeps swinging by {_range(swings, 1)} mrad. " if swings else ""
-    falls = f"It falls in {tried - len(swings)} of {tried} runs. " if len(swings) < tried else ""
-    summary = (
-        f"With dry friction of {cell_text(1000 * FRICTION)} mN m and {cell_text(math.degrees(PLAY), 2)}° of backlash "
-        "(guessed here, as the paper gives none), "
-        f"{name} settles later than both models, or never, under {slower} of {len(cases)} pushes, as the paper's robot "
-        f"does. {sways}{falls}"
-        "The filter knows the robot from a calibration, "
-        f"which finds a dry friction of {cell_text(1000 * friction.value, 2)} mN m "
-        f"({cell_text(1000 * friction.low, 2)} to {cell_text(1000 * friction.high, 2)}). A push counts where each of "
-        f"{len(SEEDS)} seeds settles to 5 % later than both models, by more than a sample "
-        f"({cell_text(printed.PERIOD)} s), or never."
-    )
-    verdict = judged(c.slower for c in cases.values())
+    found = Say("With friction and backlash, {robot} settles later than both models under {n} of {all} pushes.",
+                robot=name, n=slower, all=len(cases))  # fmt: skip
+    friction = calibration["coulomb_friction"]
+    known = Quantity(friction.value, "N m", low=friction.low, high=friction.high, digits=2)
+    guess = Say("Friction of {friction} and backlash of {play} are guesses; a calibration finds {known}.",
+                friction=Quantity(FRICTION, "N m"), play=Quantity(PLAY, "rad", digits=2), known=known)  # fmt: skip
     numbers = {
         "friction": FRICTION, "backlash": PLAY, "seeds": list(SEEDS),
         "cases": {name: {**_plain(c), "slower": c.slower} for name, c in cases.items()},
     }  # fmt: skip
-    title = "A robot with dry friction and backlash is slower than its models"
-    return Claim("5f", title, verdict, summary, numbers, [*figures, *_tables(cases)], kept)
-
-
-def _shown(kept: Mapping[str, Log], logs: Mapping[str, Log], name: str, side: str) -> dict[str, Log]:
-    return {AS_BUILT: kept[f"{name}-{side}-as-built"], **{run: logs[f"{name}-{side}-{run}"] for run in MODELS}}
+    front = {AS_BUILT: kept[f"{name}-front-as-built"], **{model: logs[f"{name}-front-{model}"] for model in MODELS}}
+    picture = Picture(
+        Say("Friction keeps the robot swinging, front push"), functools.partial(compare(front).plot, "pitch")
+    )
+    title = Say("Settling of real robots")
+    verdict = judged(c.slower for c in cases.values())
+    return Claim("5f", title, verdict, found, numbers, [picture, guess, _table(cases)], kept)
 
 
 def _plain(c: Settled) -> dict[str, object]:
@@ -157,19 +142,19 @@ def _finite(runs: Mapping[str, Sequence[float]]) -> dict[str, list[float | None]
     return {run: [None if math.isinf(x) else x for x in values] for run, values in runs.items()}
 
 
-def _tables(cases: Mapping[str, Settled]) -> list[Table]:
-    runs = (AS_BUILT, *OTHERS)
-    tables: list[Table] = []
-    for band in BANDS:
-        rows: list[list[Cell]] = [[n, *(_range(c.settling[band][r], 3) for r in runs)] for n, c in cases.items()]
-        tables.append(Table(["push", *(f"{r} [s]" for r in runs)], rows, f"Pitch settles to {band}"))
-    rows = [[n, *(_range([1000 * x for x in c.rest[r]], 3, "fell") for r in runs)] for n, c in cases.items()]
-    caption = f"Largest pitch in the last {AT_REST:g} s"
-    return [*tables, Table(["push", *(f"{r} [mrad]" for r in runs)], rows, caption)]
+def _table(cases: Mapping[str, Settled]) -> Table:
+    """How long pitch takes to settle: smallest and largest value over the seeds."""
+    runs = [AS_BUILT, *OTHERS]
+    columns = [Column(Say("push")), *(Column(Say("{run}", run=run)) for run in runs)]
+    rows = [[name, *(_range(case.settling["5 %"][run]) for run in runs)] for name, case in cases.items()]
+    return Table(columns, rows, Say("Pitch settles to 5 % after the release in"))
 
 
-def _range(values: Sequence[float], digits: int, endless: str = "never") -> str:
-    """Smallest and largest value over the seeds; `endless` where there is none, as of a run that does not settle."""
+def _range(values: Sequence[float]) -> Quantity | Say:
+    """Times [s] over the seeds, of which some may have no end."""
     low, high = min(values), max(values)
-    texts = [endless if math.isinf(x) else cell_text(round(x, digits), digits) for x in (low, high)]
-    return texts[0] if texts[0] == texts[1] else f"{texts[0]} to {texts[1]}"
+    if math.isinf(low):
+        return Say("never")
+    if math.isinf(high):
+        return Say("{time} or never", time=Quantity(low, "s"))
+    return Quantity(low, "s") if low == high else Quantity(None, "s", low=low, high=high)

@@ -24,8 +24,6 @@ from upright.tables import superscript
 
 Model = Literal["published", "complete"]
 
-INVISIBLE_TIMES = "\u2062"  # SymPy writes its entity, which only HTML knows
-
 RATES = ("wheel_rate", "pitch_rate", "yaw_rate")
 """ν = (θ̇, ψ̇, φ̇): the order of the paper's three equations, and of the rows of the mass matrix."""
 
@@ -102,20 +100,6 @@ class Derivation:
             f"[{plain(a[2, 2])}] φ̈ = {plain(f[2])}",
         )
 
-    @property
-    def mathml(self) -> tuple[str, str, str]:
-        """The same three equations as MathML, each in lines of a few terms."""
-        import sympy as sp
-
-        a, f, (wheel, pitch, yaw) = self.mass, self.force, (sp.Symbol(name) for name in ("θ̈", "ψ̈", "φ̈"))
-        with sp.evaluate(False):
-            sides = (
-                ((a[0, 0] * wheel, a[0, 1] * pitch), f[0]), ((a[1, 0] * wheel, a[1, 1] * pitch), f[1]),
-                ((a[2, 2] * yaw,), f[2]),
-            )  # fmt: skip
-        one, two, three = (_broken(left, right) for left, right in sides)
-        return one, two, three
-
     def evaluator(self, namespace: str = "numpy") -> Callable[..., tuple[Any, Any, Any]]:
         """`accelerations(x, u, p, w)` compiled for "numpy", "math" or "mpmath" numbers."""
         import sympy as sp
@@ -129,26 +113,6 @@ class Derivation:
             return tuple(compiled(*x, *u, *w, *(getattr(p, n) for n in PARAMETERS)))  # type: ignore[return-value]
 
         return evaluate
-
-
-def _broken(left: Sequence[Any], right: Any) -> str:
-    """An equation as MathML, a line for each term of the left side and for every three of the right one."""
-    import sympy as sp
-
-    terms = right.as_ordered_terms()
-    parts = [("+" if k else "", term) for k, term in enumerate(left)]
-    for k in range(0, len(terms), 3):
-        sign = "=" if not k else "" if terms[k].could_extract_minus_sign() else "+"
-        with sp.evaluate(False):
-            parts.append((sign, sp.Add(*terms[k : k + 3])))
-    rows = [
-        f'<mtr><mtd style="text-align: left">{f"<mo>{sign}</mo>" if sign else ""}'
-        f"{sp.mathml(part, printer='presentation', order='none')}</mtd></mtr>"
-        for sign, part in parts
-    ]
-    text = "".join(rows).replace("&InvisibleTimes;", INVISIBLE_TIMES).replace("<mo>-</mo>", "<mo>−</mo>")
-    head = '<math xmlns="http://www.w3.org/1998/Math/MathML" display="block">'
-    return f'{head}<mtable displaystyle="true">{text}</mtable></math>'
 
 
 @lru_cache(maxsize=2)

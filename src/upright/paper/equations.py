@@ -8,15 +8,13 @@ from dataclasses import asdict, replace
 
 import numpy as np
 
+from upright.pages import Cell, Column, Items, Quantity, Say, Table
 from upright.paper.claim import NOT_AS_PRINTED, Claim, judged
-from upright.paper.derivation import Derivation, Model, derive
+from upright.paper.derivation import Model, derive
 from upright.paper.errata import WITNESS, Erratum, Proof, errata, prove
 from upright.physics.dynamics import accelerations
 from upright.progress import Progress, unwatched
-from upright.reports import Formula, Table
-from upright.reports.page import Cell, Item
 from upright.robots import Robot
-from upright.tables import power_of_ten
 
 STATES = 200
 LARGEST = np.array([0.6, 4.0, 6.0, 15.0, 3.0, 6.0])  # [rad, rad/s, …] leaning, rolling and turning hard, all at once
@@ -49,82 +47,51 @@ def disagreement(model: Model, robot: Robot, seed: int = 0) -> float:
     return largest
 
 
-def without_loads(derivation: Derivation) -> Derivation:
-    """The same without push, slope and dry friction, which the paper does not model."""
-    return replace(derivation, force=derivation.force.subs(derivation.loads))
-
-
 def _model() -> Claim:
     robot = Robot.preset("nxtway-gs")
     models: tuple[Model, Model] = ("published", "complete")
     off = {model: disagreement(model, robot) for model in models}
-    summary = (
-        "With their misprints corrected, (11) to (24) agree with what computer algebra (SymPy) derives from the "
-        f"energies, to {_power(max(off.values()))} of the largest acceleration. Compared are {STATES} random states "
-        "and voltages. "
-        "The complete model (chapter 2) agrees as well."
-    )
-    items: list[Item] = [
-        "As in the paper and in its source, reference [4], the rolling constraint is put into the energies before they "
-        "are differentiated. Torques in N m:",
-        *(Formula(text) for text in without_loads(derive("published")).mathml),
-        "with α = n K_t/R_m and β = n K_t K_b/R_m + f_m.",
+    found = Say("They equal those derived from the energies, to within {off}.",
+                off=Quantity(max(off.values()), "1", digits=1))  # fmt: skip
+    derived = derive("published")
+    plain = replace(derived, force=derived.force.subs(derived.loads))  # the paper has no push, slope or dry friction
+    lines = [*plain.equations, "α = n K_t / R_m", "β = n K_t K_b / R_m + f_m"]
+    blocks = [
+        Say("As in the paper, rolling is put into the energies before these are differentiated."),
+        Items([Say("{equation}", equation=line) for line in lines]),
     ]
-    verdict = judged(value < ROUNDING for value in off.values())
     numbers = {"states": STATES, "largest_relative_difference": off}
-    return Claim("1a", "The nonlinear model, eqs. (11)–(24), corrected", verdict, summary, numbers, items)
+    verdict = judged(value < ROUNDING for value in off.values())
+    return Claim("1a", Say("Corrected equations"), verdict, found, numbers, blocks)
 
 
 def _misprints(proofs: Mapping[Erratum, Proof | None]) -> Claim:
-    proved = {erratum: proof for erratum, proof in proofs.items() if proof is not None}
-    holding = sum(proof.holds for proof in proved.values())
-    worst = max(proof.printed_residual for proof in proved.values())
-    least = min(proof.printed_residual for proof in proved.values())
-    summary = (
-        f"{len(proofs)} misprints, {len(proved)} of them in equations of motion. Against the derivation {holding} of "
-        f"{len(proved)} are proved: the corrected form equals it identically, the printed one does not. Each alone "
-        f"is off by {100 * least:.1f} % to {100 * worst:.0f} % of the derived value. For this, NXTway-GS leans "
-        f"{WITNESS['pitch']:g} rad, rolls at {WITNESS['wheel_rate']:g} rad/s and turns at {WITNESS['yaw_rate']:g} "
-        f"rad/s. The other {len(proofs) - len(proved)} are slips of notation."
-    )
+    proved = [proof for proof in proofs.values() if proof]
+    holding = sum(proof.holds for proof in proved)
+    found = Say(
+        "{n} misprints: {proved} in equations of motion are proved, {other} are of notation.",
+        n=len(proofs), proved=holding, other=len(proofs) - len(proved),
+    )  # fmt: skip
     numbers = {
         "errata": [_as_json(erratum, proof) for erratum, proof in proofs.items()],
         "proved": holding, "provable": len(proved), "witness": WITNESS,
     }  # fmt: skip
-    items: list[Item] = [_table(proofs), "The derived form of each equation with a misprint:"]
-    items.extend(Formula(line) for line in _derived(proved))
-    return Claim("1b", "The equations as printed: the errata", NOT_AS_PRINTED, summary, numbers, items)
+    return Claim("1b", Say("Printed equations"), NOT_AS_PRINTED, found, numbers, [_table(proofs)])
 
 
 def _as_json(erratum: Erratum, proof: Proof | None) -> dict[str, object]:
-    record = {name: getattr(erratum, name) for name in ("equations", "printed", "corrected", "why")}
+    record = {name: str(getattr(erratum, name)) for name in ("equations", "printed", "corrected", "why")}
     return {**record, "proof": asdict(proof) if proof else None}
 
 
 def _table(proofs: Mapping[Erratum, Proof | None]) -> Table:
+    columns = [
+        Column(Say("equation")), Column(Say("printed")), Column(Say("should be")), Column(Say("why")),
+        Column(Say("off by"), "fraction"), Column(Say("proved")),
+    ]  # fmt: skip
     rows: list[list[Cell]] = [
-        [
-            e.equations,
-            e.printed,
-            e.corrected,
-            e.why,
-            *((100 * p.printed_residual, p.holds) if p else (None, "notation")),
-        ]
+        [e.equations, e.printed, e.corrected, e.why, p and p.printed_residual, p and p.holds]
         for e, p in proofs.items()
-    ]
-    header = ["equation", "printed", "should be", "why", "off by [%]", "proved"]
-    return Table(header, rows, "Misprints, each alone, against the derived equations", digits=4)
-
-
-def _derived(proofs: Mapping[Erratum, Proof]) -> list[str]:
-    """One line for each derived form, under the numbers of all equations that should have it."""
-    forms: dict[str, list[str]] = {}
-    for erratum, proof in proofs.items():
-        known = forms.setdefault(proof.derived, [])
-        known += [name for name in erratum.equations.split(", ")[:1] if name not in known]
-    return [f"{', '.join(names)}\n{form}" for form, names in forms.items()]
-
-
-def _power(fraction: float) -> str:
-    """The power of ten above a fraction, such as 10⁻¹³; zero as 'the last digit'."""
-    return power_of_ten(math.ceil(math.log10(fraction))) if fraction else "the last digit"
+    ]  # fmt: skip
+    caption = Say("Each misprint alone: how far it changes an acceleration of a robot that leans, rolls and turns")
+    return Table(columns, rows, caption)

@@ -13,6 +13,7 @@ from functools import lru_cache
 from types import SimpleNamespace
 from typing import Any, NamedTuple
 
+from upright.pages import Say
 from upright.paper.derivation import Derivation, derive, plain, tidy
 from upright.robots import PARAMETERS, Robot
 from upright.signals import STATE_NAMES
@@ -41,7 +42,7 @@ class Erratum:
     equations: str
     printed: str
     corrected: str
-    why: str
+    why: Say
     check: Check | None = field(default=None, repr=False)
 
 
@@ -247,88 +248,88 @@ _ERRATA = (
         "(1)",
         "[…] θ̈ + (M L R cos ψ − 2 n² J_m) θ̈ − M L R ψ̇² sin ψ",
         "[…] θ̈ + (M L R cos ψ − 2 n² J_m) ψ̈ − M L R ψ̇² sin ψ",
-        "∂²T/∂θ̇∂ψ̇ multiplies ψ̈; the mass matrix is symmetric with (2), and (11) prints it right.",
+        Say("∂²T/∂θ̇∂ψ̇ multiplies ψ̈; the mass matrix is symmetric with (2), and (11) prints it right."),
         _second_term,
     ),
     Erratum(
         "(2), (12), Δ, (14), (15), (19), (22)",
         "M L² + J_w + 2 n² J_m",
         "M L² + J_ψ + 2 n² J_m",
-        "The body pitches with its own inertia J_ψ; the wheels' angles do not pitch with it.",
+        Say("The body pitches with its own inertia J_ψ; the wheels' angles do not pitch with it."),
         _body_inertia,
     ),
     Erratum(
         "(3), (13)",
         "[m W²/2 + J_φ + W²/(2 R²) (J_w + n² J_m) + M L² sin² ψ] θ̈",
         "[m W²/2 + J_φ + W²/(2 R²) (J_w + n² J_m) + M L² sin² ψ] φ̈",
-        "It is the equation of yaw: its inertia multiplies the yaw acceleration.",
+        Say("It is the equation of yaw: its inertia multiplies the yaw acceleration."),
         _yaw_variable,
     ),
     Erratum(
         "(10)",
         "F_φ = W/(2 R) (v_l − v_r) − W²/(2 R²) (β + f_w) φ̇",
         "F_φ = W/(2 R) α (v_r − v_l) − W²/(2 R²) (β + f_w) φ̇",
-        "By (4) F_φ = W/(2 R) (F_r − F_l), and a volt is a torque only through α.",
+        Say("By (4) F_φ = W/(2 R) (F_r − F_l), and a volt is a torque only through α."),
         _yaw_force,
     ),
     Erratum(
         "(13)",
         "W²/(2 R) (β + f_w) φ̇",
         "W²/(2 R²) (β + f_w) φ̇",
-        "The wheels' rates differ by W φ̇/R and their torques act by W/(2 R); the printed term is no torque.",
+        Say("The wheels' rates differ by W φ̇/R and their torques act by W/(2 R); the printed term is no torque."),
         _yaw_drag,
     ),
     Erratum(
         "(16), (24)",
         "φ̈ = (… + 2 M L² ψ̇ φ̇ sin ψ cos ψ) / …",
         "φ̈ = (… − 2 M L² ψ̇ φ̇ sin ψ cos ψ) / …",
-        "The term stands on the left of (13) with a plus, so it comes to the right with a minus.",
+        Say("The term stands on the left of (13) with a plus, so it comes to the right with a minus."),
         _coriolis_sign,
     ),
     Erratum(
         "(16)",
         "W/(2 R) (v_r − v_l)",
         "W/(2 R) α (v_r − v_l)",
-        "A volt is a torque only through α, as (13) and (24) have it.",
+        Say("A volt is a torque only through α, as (13) and (24) have it."),
         _missing_alpha,
     ),
     Erratum(
         "(19)",
         "Δ̇_e = …",
         "Δ_e = …",
-        "Δ_e is an abbreviation for the Δ of section 2.1.2, not the derivative of a state.",
+        Say("Δ_e is an abbreviation for the Δ of section 2.1.2, not the derivative of a state."),
     ),
     Erratum(
         "(19)",
         "(2 m + M) R² + J_w + 2 n² J_m",
         "(2 m + M) R² + 2 J_w + 2 n² J_m",
-        "Two wheels spin, as in (1), (11) and Δ.",
+        Say("Two wheels spin, as in (1), (11) and Δ."),
         _two_wheels,
     ),
     Erratum(
         "(24)",
         "W²/(2 R²) (J_m + n² J_m)",
         "W²/(2 R²) (J_w + n² J_m)",
-        "The wheel's inertia J_w, as in (3), (13) and (16).",
+        Say("The wheel's inertia J_w, as in (3), (13) and (16)."),
         _hub,
     ),
     Erratum(
         "(24)",
         "M L_2 sin² x₁",
         "M L² sin² x₁",
-        "The exponent has slipped into an index; there is no L_2 (read here as L).",
+        Say("The exponent has slipped into an index; there is no L_2 (read here as L)."),
         _lost_square,
     ),
     Erratum(
         "(30), (31)",
         "J = ‖e‖², equal to J = ½ eᵀ e",
         "J = ½ ‖e‖² = ½ eᵀ e",
-        "A factor of ½ scales the cost and leaves its least-squares solution (33) where it is: harmless.",
+        Say("A factor of ½ scales the cost and leaves its least-squares solution (33) where it is: harmless."),
     ),
     Erratum(
         "section 3.1",
         "minimizing the performance index as is in Eq. (25)",
         "minimizing the performance index as is in Eq. (37)",
-        "(25) is the output equation; the performance index of the regulator is (37).",
+        Say("(25) is the output equation; the performance index of the regulator is (37)."),
     ),
 )

@@ -12,14 +12,13 @@ from upright.bodies.twin import Twin
 from upright.control import Controller, Estimated, StateFeedback, kalman
 from upright.control.excited import Excited, random_binary
 from upright.experiment import run
+from upright.pages import Column, Quantity, Say, Table
 from upright.paper import printed
 from upright.paper.claim import BEYOND, Claim, judged
 from upright.paper.regression import LeastSquares, least_squares, rebuild_states, unstable_pole
 from upright.physics.linear import LinearModel, linearise
-from upright.reports import Table
-from upright.reports.page import Cell, cell_text
 from upright.robots import Kit, Robot
-from upright.signals import STATE, STATE_NAMES, Log
+from upright.signals import Log
 
 SMALL = 0.3  # [V] excitation; pitch stays within 3 mrad, where sin ψ = ψ to 2e-6
 LAST_DIGIT = 1e-4  # (34) and (35) are printed to four decimals, trailing zeros left out
@@ -33,7 +32,7 @@ NOISE = (5, 4)  # the printed −0.0007 from heading to yaw rate: heading exerts
 class Misfit:
     """Largest difference between a fitted block and the printed one, in units of the last printed digit."""
 
-    block: str
+    block: Say
     units: float
     entries: int
 
@@ -64,9 +63,9 @@ def misfits(model: LinearModel) -> tuple[Misfit, ...]:
     turned as the errata settle it."""
     turned = printed.B * np.array([[1], [1], [1], [1], [-1], [-1]])
     return (
-        _misfit("pitch block of A and B", model, turned, PITCH),
-        _misfit("yaw block of A and B, sign of the inputs turned", model, turned, YAW),
-        _misfit("yaw block with the inputs as printed", model, printed.B, YAW),
+        _misfit(Say("pitch block of A and B"), model, turned, PITCH),
+        _misfit(Say("yaw block of A and B, sign of the inputs turned"), model, turned, YAW),
+        _misfit(Say("yaw block with the inputs as printed"), model, printed.B, YAW),
     )
 
 
@@ -80,86 +79,53 @@ def chapter(robot: Robot, feedback: StateFeedback, kit: Kit) -> list[Claim]:
 
 def _fitted(log: Log, fit: LeastSquares) -> Claim:
     blocks = misfits(fit.model)
-    offset = float(np.abs(fit.offset).max())
-    good = blocks[0].agrees and blocks[1].agrees and fit.full_rank
-    summary = (
-        f"Least squares on {fit.samples} samples gives the printed numbers of pitch and wheels, to within "
-        f"{blocks[0].units:.1f} units of the last printed digit. With the sign of the yaw inputs turned, the yaw block "
-        f"is within {blocks[1].units:.1f}. X_g has rank {fit.rank} of 9 and condition number {fit.condition:.1f}; the "
-        f"independent term is at most {cell_text(offset, 2)}."
-    )
     numbers = {
-        "misfit": {b.block: {"last_digits": b.units, "entries": b.entries} for b in blocks},
-        "rank": fit.rank, "condition": fit.condition, "largest_offset": offset, "samples": fit.samples,
-        "A": fit.model.A.tolist(), "B": fit.model.B.tolist(),
+        "misfit": {b.block.template: {"last_digits": b.units, "entries": b.entries} for b in blocks},
+        "rank": fit.rank, "condition": fit.condition, "largest_offset": float(np.abs(fit.offset).max()),
+        "samples": fit.samples, "A": fit.model.A.tolist(), "B": fit.model.B.tolist(),
     }  # fmt: skip
-    table = Table(
-        ["block", "entries", "largest difference [last printed digit]", "within ±2"],
-        [[b.block, float(b.entries), b.units, b.agrees] for b in blocks],
-        "Fitted matrices against (34) and (35)",
-    )
-    both = [
-        _matrices("A and B, fitted", fit.model.A, fit.model.B),
-        _matrices("A and B, printed in (34) and (35)", printed.A, printed.B),
-    ]
-    verdict = judged([good])
-    return Claim(
-        "3a",
-        "Linear model by least squares, eqs. (33)–(35)",
-        verdict,
-        summary,
-        numbers,
-        [table, *both],
-        {"identification": log},
-        aside="in the printed matrix the motors turn the robot the other way",
-    )
+    found = Say("Pitch and wheels have the printed numbers; the inputs of yaw have the other sign.")
+    if not blocks[0].agrees:
+        found = Say("The fit differs from the printed numbers.")
+    columns = [
+        Column(Say("part of A and B")), Column(Say("entries")), Column(Say("largest difference"), "last digits"),
+        Column(Say("agrees")),
+    ]  # fmt: skip
+    rows = [[b.block, b.entries, b.units, b.agrees] for b in blocks]
+    table = Table(columns, rows, Say("The fit to {n} samples beside (34) and (35)", n=fit.samples))
+    # the inputs of yaw as printed are the last block
+    verdict = judged([b.agrees and fit.full_rank for b in blocks])
+    title = Say("Linear model, fitted")
+    return Claim("3a", title, verdict, found, numbers, [table], {"identification": log})
 
 
 def _biased(robot: Robot, log: Log, fit: LeastSquares, longer: LeastSquares) -> Claim:
-    true = unstable_pole(linearise(robot).c2d(printed.PERIOD))
-    estimated, with_more = unstable_pole(fit.model), unstable_pole(longer.model)
-    gives = "finds an unstable pole of" if estimated > 0 else "finds no unstable pole: its largest is"
-    gives += f" {cell_text(estimated, 3)} 1/s"
-    summary = (
-        f"On the twin's sensors (encoders of 1°, gyro with noise and bias) the same regression {gives}; the true "
-        f"unstable pole is {cell_text(true, 3)} 1/s. Noise in the regressors "
-        f"biases least squares, and {MORE} times the data does not remove the bias ({cell_text(with_more, 3)} 1/s)."
-    )
     reference = linearise(robot).c2d(printed.PERIOD)
+    true = unstable_pole(reference)
+    estimated = unstable_pole(fit.model)
+    found = Say(
+        "On real sensors the unstable pole comes out as {pole}, and is {true}: noise biases least squares.",
+        pole=Quantity(estimated, "1/s"), true=Quantity(true, "1/s"),
+    )  # fmt: skip
     relative = float(np.linalg.norm(fit.model.A[:4, :4] - reference.A[:4, :4]) / np.linalg.norm(reference.A[:4, :4]))
     numbers = {
         "unstable_pole": estimated,
-        "unstable_pole_with_more_data": with_more,
+        "unstable_pole_with_more_data": unstable_pole(longer.model),
         "true_unstable_pole": true,
         "relative_error_of_A": relative,
         "A": fit.model.A.tolist(),
     }
-    tables = [
-        _matrices("A and B, from the sensors", fit.model.A, fit.model.B),
-        _matrices("A and B, of the robot linearised", reference.A, reference.B),
+    rows = [
+        [Say("{n} samples", n=fit.samples), estimated],
+        [Say("{n} samples", n=longer.samples), numbers["unstable_pole_with_more_data"]],
+        [Say("the robot itself"), true],
     ]
-    return Claim(
-        "3b",
-        "The same regression on realistic sensors is biased",
-        BEYOND,
-        summary,
-        numbers,
-        tables,
-        {"identification-sensors": log},
-    )
+    table = Table([Column(Say("fit to")), Column(Say("unstable pole"), "1/s")], rows)
+    title = Say("The same fit on real sensors")
+    return Claim("3b", title, BEYOND, found, numbers, [table], {"identification-sensors": log})
 
 
-def _matrices(caption: str, A: Array, B: Array) -> Table:
-    """A and B side by side, to the four decimals that are printed."""
-    header = ["", *(signal.symbol for signal in STATE), "left", "right"]
-    entries = np.round(np.column_stack([A, B]), 4) + 0.0  # + 0.0 makes a positive zero of a negative one
-    rows: list[list[Cell]] = [
-        [name.replace("_", " "), *row] for name, row in zip(STATE_NAMES, entries.tolist(), strict=True)
-    ]
-    return Table(header, rows, caption, digits=6)
-
-
-def _misfit(block: str, model: LinearModel, B: Array, rows: tuple[int, ...]) -> Misfit:
+def _misfit(block: Say, model: LinearModel, B: Array, rows: tuple[int, ...]) -> Misfit:
     index = list(rows)
     fitted = np.column_stack([model.A[np.ix_(index, index)], model.B[index]])
     paper = np.column_stack([printed.A[np.ix_(index, index)], B[index]])

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -20,15 +20,19 @@ from upright.bodies import LinearBody
 from upright.calibration.calibrate import calibrate, prepared
 from upright.calibration.estimate import NORMAL
 from upright.calibration.filter_log import filter_log
+from upright.checkup.finding import instant
 from upright.checkup.wheels import on_its_wheels
 from upright.comparison import Comparison, compare
+from upright.comparison.drawing import state_words
 from upright.comparison.metrics import active_intervals
 from upright.control import Controller, read_controller
 from upright.errors import DesignFailed, InvalidLog, InvalidRobot
 from upright.experiment import Push
 from upright.experiment.pushes import PushProgramme
+from upright.languages import ENGLISH, speaking
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
+from upright.pages import Page, Quantity, Result, Say
 from upright.paper.own_trial import MEASURED, NONLINEAR, WIDEST, Trial, trial_of
 from upright.physics.linear import linearise_rolling
 from upright.progress import Progress, unwatched
@@ -40,82 +44,15 @@ from upright.validation.loop import first_state
 
 LINEAR, CALIBRATED = "linear", "calibrated"
 ELECTRONICS = "with electronics"
-REST, ROUND = (
-    1.0,
-    1.5,
-)  # [s] before the push and at the end, where the robot rests; after its end, where its answer is compared
 DISTURBED = 0.03  # [1] process noise of the filter that rebuilds states, as a fraction of the commands
 MOVED = 0.25  # [deviations] a number that the calibration moved less is not tried
 TRIED, MOST_STEPS = 6, 3  # numbers that are tried: those that moved most; numbers that are put right
 WORTH = 0.1  # [1] of the gap that is left: what a further number must close
 
 
-@dataclass(frozen=True, kw_only=True)
-class Adjustment:
-    """What is put right in the model, on top of those before it, in words: a number of the robot's file with its 95 %
-    interval, or the electronics. Pitch then settles in `settling` [s], and fits the log round the push by `fit` [%]."""
-
-    name: str
-    change: str
-    settling: float
-    fit: float
-
-
-@dataclass(frozen=True, eq=False, kw_only=True)
-class OwnRobot:
-    """A robot's log compared with its models: `law` and `push` in words; what is `adjusted`, in the order in which it
-    counts; `notes` say what could not be done. `settling` [s] of each run is the time until pitch stays within `band`
-    (fraction) of its largest deviation from where it comes to rest: 5 %, or what the resting robot swings, if more."""
-
-    robot: Robot
-    comparison: Comparison
-    law: str
-    push: str
-    side: str
-    band: float
-    settling: Mapping[str, float]
-    fits: Mapping[str, float]
-    adjusted: tuple[Adjustment, ...]
-    notes: tuple[str, ...]
-
-    @property
-    def settles(self) -> bool:
-        """Whether the robot comes to rest, so that settling times say something."""
-        return self.band <= WIDEST
-
-    @property
-    def answer(self) -> str:
-        """What must be adjusted, in a sentence."""
-        stated = self.settling[NONLINEAR]
-        measured = self.settling[self.comparison.reference]
-        if not self.adjusted:
-            return "Nothing that was tried brings the nonlinear model nearer to the robot."
-        last = self.adjusted[-1]
-        if not math.isnan(measured):
-            effect = f"settles in {_seconds(last.settling)} instead of {_seconds(stated)} (robot: {_seconds(measured)})"
-        else:
-            before = self.fits[NONLINEAR]
-            effect = f"fits the robot's pitch by {last.fit:.0f} %"
-            effect += f" instead of {before:.0f} %" if before > 0 else ""
-        return f"With {'; '.join(f'{a.name}: {a.change}' for a in self.adjusted)}, the nonlinear model {effect}."
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain numbers."""
-        adjusted = [{k: v if isinstance(v, str) else finite(v) for k, v in asdict(a).items()} for a in self.adjusted]
-        return {
-            "robot": self.robot.name, "law": self.law, "push": self.push, "side": self.side, "answer": self.answer,
-            "band": self.band, "settling": {name: finite(value) for name, value in self.settling.items()},
-            "comparison": self.comparison.to_json(), "adjusted": adjusted, "notes": list(self.notes),
-        }  # fmt: skip
-
-
-def _seconds(time: float) -> str:
-    return "no time (never)" if math.isnan(time) else f"{time:.2f} s"
-
-
-class _Number(NamedTuple):
-    """A number of the robot's file that was learnt: stated and learnt, its interval, and by how many deviations of the
-    file it moved."""
+class Number(NamedTuple):
+    """A number of the robot's file that was learnt: stated and learnt, its 95 % interval, and by how many deviations of
+    the file it moved."""
 
     name: str
     unit: str
@@ -125,8 +62,65 @@ class _Number(NamedTuple):
     high: float
     moved: float
 
-    def __str__(self) -> str:
-        return f"{self.stated:.3g} to {self.value:.3g} {self.unit} ({self.low:.3g} to {self.high:.3g})"
+
+@dataclass(frozen=True, kw_only=True)
+class Adjustment:
+    """What is put right in the model, on top of those before it: a `number` of the robot's file, or its electronics
+    where that is None. Pitch then settles in `settling` [s], and fits the log round the push by `fit` [%]."""
+
+    number: Number | None
+    settling: float
+    fit: float
+
+    @property
+    def name(self) -> str:
+        """What is put right."""
+        return self.number.name if self.number else "electronics"
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain numbers."""
+        number = self.number._asdict() if self.number else {}
+        return {"name": self.name} | number | {"settling": finite(self.settling), "fit": finite(self.fit)}
+
+
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
+class OwnRobot(Result):
+    """A robot's log compared with its models: `law` and `push` in words; what is `adjusted`, in the order in which it
+    counts; `notes` say what could not be done. `settling` [s] of each run is the time until pitch stays within `band`
+    (fraction) of its largest deviation from where it comes to rest: 5 %, or what the resting robot swings, if more."""
+
+    robot: Robot
+    comparison: Comparison
+    law: Say
+    push: Say
+    side: str
+    band: float
+    settling: Mapping[str, float]
+    fits: Mapping[str, float]
+    adjusted: tuple[Adjustment, ...]
+    notes: tuple[Say, ...]
+
+    @property
+    def settles(self) -> bool:
+        """Whether the robot comes to rest, so that settling times say something."""
+        return self.band <= WIDEST
+
+    def page(self) -> Page:
+        """The robot beside its models, for people."""
+        from upright.paper.own_page import own_page
+
+        return own_page(self)
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain numbers."""
+        with speaking(ENGLISH):
+            return {
+                "robot": self.robot.name, "law": str(self.law), "push": str(self.push), "side": self.side,
+                "band": self.band, "settling": {name: finite(value) for name, value in self.settling.items()},
+                "fits": {name: finite(value) for name, value in self.fits.items()},
+                "comparison": self.comparison.to_json(), "adjusted": [one.to_json() for one in self.adjusted],
+                "notes": [str(note) for note in self.notes],
+            }  # fmt: skip
 
 
 class _Learnt(NamedTuple):
@@ -134,7 +128,7 @@ class _Learnt(NamedTuple):
 
     robot: Robot
     kit: Kit
-    numbers: tuple[_Number, ...]
+    numbers: tuple[Number, ...]
 
 
 def compare_own(
@@ -161,7 +155,12 @@ def compare_own(
     parts = find_kit(kit or nominal.kit)
     law = _law(log, controller)
     pushes = tuple(push) or _logged(log)
-    known, notes = (_other(nominal, learnt), ()) if learnt else _calibrated(log, nominal, parts)
+    if learnt:
+        best = find_robot(learnt)
+        known = _other(nominal, best, find_kit(best.kit))
+        notes: tuple[Say, ...] = ()
+    else:
+        known, notes = _calibrated(log, nominal, parts)
     progress(0.4)
     measured, first, how = _with_states(log, known.robot, known.kit)
     trial = trial_of(measured, first, law, pushes, nominal, parts)
@@ -178,18 +177,11 @@ def compare_own(
     progress(1.0)
     force = pushes[0].at(_start(pushes[0]), nominal).force if pushes else 0.0
     return OwnRobot(
-        robot=nominal, comparison=comparison, law=str(law.name), push=_words(pushes, nominal), adjusted=adjusted,
+        robot=nominal, comparison=comparison, law=law.name, push=_words(pushes, nominal), adjusted=adjusted,
         side="back" if force > 0 else "front", band=trial.band,
-        notes=(*([left] if left else []), *_falls(comparison), *how, *notes),
+        notes=(*([Say("{note}", note=left)] if left else []), *how, *notes),
         settling={n: settling for n, (settling, _) in judged.items()}, fits={n: fit for n, (_, fit) in judged.items()},
     )  # fmt: skip
-
-
-def _falls(comparison: Comparison) -> list[str]:
-    """Which models fall, and when: nothing is compared afterwards."""
-    fell = {label: one.t[-1] for label, one in comparison.logs.items() if comparison.metrics[label].fell}
-    several = [f"{label} after {t:.2g} s" for label, t in fell.items() if label != comparison.reference]
-    return [f"These models fall, and nothing is compared afterwards: {', '.join(several)}."] if several else []
 
 
 def _from_zero(log: Log) -> Log:
@@ -211,18 +203,20 @@ def _law(log: Log, controller: Controller | str | Path | None) -> CommandLaw:
     )  # fmt: skip
 
 
+def _pushed(log: Log) -> tuple[tuple[float, float], ...]:
+    """From when to when [s] a log says that it was pushed."""
+    return active_intervals(log.t, log["push/force"]) if "push/force" in log else ()
+
+
 def _logged(log: Log) -> tuple[PushProgramme, ...]:
     """The pushes that a log says it had, each with its mean force and height."""
-    if "push/force" not in log:
-        return ()
     pushes: list[PushProgramme] = []
-    for start, stop in active_intervals(log.t, log["push/force"]):
+    for start, stop in _pushed(log):
         at = (log.t >= start) & (log.t < stop)
+        force = float(log["push/force"][at].mean())
         height = float(log["push/height"][at].mean()) if "push/height" in log else None
-        last = stop if math.isfinite(stop) else float(log.t[-1]) + log.period
-        pushes.append(
-            Push(force=float(log["push/force"][at].mean()), start=start, duration=last - start, height=height)
-        )
+        last = min(stop, float(log.t[-1]) + log.period)
+        pushes.append(Push(force=force, start=start, duration=last - start, height=height))
     return tuple(pushes)
 
 
@@ -230,50 +224,47 @@ def _start(push: PushProgramme) -> float:
     return float(getattr(push, "start", 0.0))
 
 
-def _words(pushes: Sequence[PushProgramme], robot: Robot) -> str:
-    parts = [f"{p.at(_start(p), robot).force:.3g} N from {_start(p):.3g} s" for p in pushes]
-    unknown = "no push is known: the models start from the first state; if there was one: --push impulse:0.06,start=3"
-    return f"pushed by {' and '.join(parts)}" if parts else unknown
+def _words(pushes: Sequence[PushProgramme], robot: Robot) -> Say:
+    if not pushes:
+        return Say("no push is known; --push impulse:0.06,start=3 says one")
+    forces = [
+        Say(
+            "{force} from {start}", force=Quantity(push.at(_start(push), robot).force, "N"), start=instant(_start(push))
+        )
+        for push in pushes
+    ]
+    return Say("pushed by {forces}", forces=forces)
 
 
-def _calibrated(log: Log, robot: Robot, kit: Kit) -> tuple[_Learnt, tuple[str, ...]]:
+def _calibrated(log: Log, robot: Robot, kit: Kit) -> tuple[_Learnt, tuple[Say, ...]]:
     """What the longest part without a push says of the robot, or its file and why there is no more."""
-    pushed = active_intervals(log.t, log["push/force"]) if "push/force" in log else ()
-    edges = [0.0, *(t for pair in pushed for t in pair), float(log.t[-1])]
+    edges = [0.0, *(t for pair in _pushed(log) for t in pair), float(log.t[-1])]
     parts = [(a, b) for a, b in zip(edges[::2], edges[1::2], strict=False) if math.isfinite(a)]
     start, stop = max(parts, key=lambda part: part[1] - part[0])
     try:
         result = calibrate(log.between(start, stop), robot, kit)
+        reasons = [*result.refused, *([result.quiet] if result.quiet else [])]
     except (DesignFailed, InvalidLog) as error:
-        return _Learnt(robot, kit, ()), (f"No number is learnt from this log: {error}.",)
-    reasons = [*result.refused, *([result.quiet] if result.quiet else [])]
+        reasons = [str(error)]
     if reasons:
-        return _Learnt(robot, kit, ()), tuple(
-            f"No number is learnt from this log: {str(r).rstrip('.')}." for r in reasons
-        )
-    numbers = [
-        _Number(e.name, e.unit, e.prior, e.value, e.low, e.high, e.shift)
-        for e in result.parameters if abs(e.shift) > MOVED
-    ]  # fmt: skip
-    most = sorted(numbers, key=lambda n: -abs(n.moved))[:TRIED]
-    return _Learnt(result.known_robot(), result.kit or kit, tuple(most)), ()
+        return _Learnt(robot, kit, ()), tuple(Say("Nothing is learnt from this log: {why}", why=why) for why in reasons)
+    return _other(robot, result.known_robot(), result.kit or kit), ()
 
 
-def _other(robot: Robot, learnt: Robot | str | Path) -> _Learnt:
-    """The robot as another log has it, beside its file."""
-    best = find_robot(learnt)
-    numbers: list[_Number] = []
+def _other(robot: Robot, best: Robot, kit: Kit) -> _Learnt:
+    """What is known better of a robot than its file says: the numbers that moved, most moved first."""
+    numbers: list[Number] = []
     for name, (unit, _) in PARAMETERS.items():
         before, after = getattr(robot, name), getattr(best, name)
         if after != before:
             half = NORMAL * (stated(best, name) or 0.0)
             spread = stated(robot, name) or GUESS * abs(before) or abs(after)
-            numbers.append(_Number(name, unit, before, after, after - half, after + half, (after - before) / spread))
+            numbers.append(Number(name, unit, before, after, after - half, after + half, (after - before) / spread))
     most = sorted((n for n in numbers if abs(n.moved) > MOVED), key=lambda n: -abs(n.moved))[:TRIED]
-    return _Learnt(best, find_kit(best.kit), tuple(most))
+    return _Learnt(best, kit, tuple(most))
 
 
-def _with_states(log: Log, robot: Robot, kit: Kit) -> tuple[Log, Array, tuple[str, ...]]:
+def _with_states(log: Log, robot: Robot, kit: Kit) -> tuple[Log, Array, tuple[Say, ...]]:
     """The log with six states: its true ones, its own estimates, or for what is missing those of a filter along its
     readings; the first state (6,); and a note on what was rebuilt."""
     for prefix in ("truth", "estimate"):
@@ -287,8 +278,8 @@ def _with_states(log: Log, robot: Robot, kit: Kit) -> tuple[Log, Array, tuple[st
     begin = int(filtered.sample[int((filtered.row >= 0).argmax())])
     states[: begin + 1] = first
     rebuilt = {f"estimate/{name}": states[:, i] for i, name in enumerate(STATE_NAMES)}
-    missing = [name.replace("_", " ") for name in STATE_NAMES if f"estimate/{name}" not in log]
-    note = f"Not in the log, but a Kalman filter's along its readings: {', '.join(missing)}."
+    missing = [state_words(name) for name in STATE_NAMES if f"estimate/{name}" not in log]
+    note = Say("Rebuilt by a Kalman filter, since the log lacks them: {states}.", states=missing)
     return Log(log.t, rebuilt | dict(log.channels), log.units, log.origin), first, (note,)
 
 
@@ -300,7 +291,7 @@ def _adjusted(
     measured = judged[reference][0]
     left = _gap(judged[reference][0], *judged[NONLINEAR])
     at: tuple[Robot, Kit | None] = (trial.robot, None)
-    candidates: list[_Number | None] = [*known.numbers, None]  # None: the electronics
+    candidates: list[Number | None] = [*known.numbers, None]  # None: the electronics
     steps: list[Adjustment] = []
     while candidates and len(steps) < MOST_STEPS:
         tries = [(n, changed) for n in candidates if (changed := _with(at, n, known.kit))]
@@ -309,8 +300,7 @@ def _adjusted(
         gap = _gap(measured, settling, fit)
         if not gap < (1 - WORTH) * left:
             break
-        name = number.name.replace("_", " ") if number else "electronics"
-        steps.append(Adjustment(name=name, change=str(number or _parts(known.kit)), settling=settling, fit=fit))
+        steps.append(Adjustment(number=number, settling=settling, fit=fit))
         at = changed
         left = gap
         candidates = [n for n in candidates if n is not number]
@@ -318,7 +308,7 @@ def _adjusted(
     return () if unlike else tuple(steps)
 
 
-def _with(at: tuple[Robot, Kit | None], number: _Number | None, kit: Kit) -> tuple[Robot, Kit | None] | None:
+def _with(at: tuple[Robot, Kit | None], number: Number | None, kit: Kit) -> tuple[Robot, Kit | None] | None:
     """The model with that number, or with the electronics of `kit`; None where no robot has that number alone."""
     if number is None:
         return at[0], kit
@@ -326,14 +316,6 @@ def _with(at: tuple[Robot, Kit | None], number: _Number | None, kit: Kit) -> tup
         return at[0].replace(**{number.name: number.value}), at[1]
     except InvalidRobot:  # such a pitch inertia needs the roll inertia that goes with it
         return None
-
-
-def _parts(kit: Kit) -> str:
-    delays = [f"{1e3 * kit.delay:.3g} ms to the motors"] if kit.delay else []
-    delays += [f"{1e3 * s.delay:.3g} ms of the {n.partition('/')[2]}" for n, s in kit.sensors.items() if s.delay]
-    zone = [f"dead zone {kit.motor.dead_zone:.3g}"] if kit.motor.dead_zone else []
-    zone += [f"drop {kit.motor.drop:.3g} V"] if kit.motor.drop else []
-    return ", ".join(["resolution and noise of its sensors", *zone, *delays])
 
 
 def _gap(measured: float, settling: float, fit: float) -> float:

@@ -1,143 +1,108 @@
-"""`upright reproduce --log`: a robot of one's own in the paper's figures, into a folder with one page to open."""
+"""The page of `upright reproduce --log`: a robot of one's own beside the paper's models, and what must be adjusted."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from pathlib import Path
-from typing import Any
 
-import numpy as np
-
-from upright.atomic import make_folder, write_json
-from upright.comparison.runs import DIVERGED, NEGLIGIBLE
-from upright.control import Controller
-from upright.experiment.pushes import PushProgramme
-from upright.logs.mapping import Mapping as Columns
-from upright.logs.raw import LogSource
-from upright.paper.own_log import OwnRobot, compare_own
-from upright.paper.pushes import FIGURES, NAMED
-from upright.progress import Progress, unwatched
-from upright.reports import Details, Figure, Page, Section, Table
-from upright.reports.page import Cell, Item, cell_text
-from upright.reports.states import fit_table, metrics_table, state_figure
-from upright.robots import Kit, Robot
-from upright.signals import STATE_NAMES
-from upright.tables import Shown, sentence
-
-_HOW = (
-    "The models start from the first state of the log and get its push and its law, and no reading. Nonlinear and "
-    "linear model have the numbers of the robot's file, ideal sensors and no dead time, like the paper's simulations. "
-    "The last run has the calibrated numbers, where there are any, and the robot's electronics."
-)
-UNSETTLED = "The robot swings at the end as much as after any push: no settling time is given."
-STILL = "The robot turns by less than 1°: yaw and its rate are not drawn."
-_ADJUSTED = (
-    "Each line is put right on top of those above it: what brings the nonlinear model nearest to the settling time of "
-    "the robot, or to its pitch round the push where the robot never settles. Settled is 5 % of the largest deviation "
-    "from where pitch comes to rest, or what the resting robot swings, if that is more."
-)
+from upright.comparison.comparison_page import fit_verdict
+from upright.comparison.drawing import state_words
+from upright.comparison.runs import DIVERGED
+from upright.experiment.described import facts_of
+from upright.logs.raw import named
+from upright.pages import Block, Cell, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table
+from upright.pages.blocks import MOST_NUMBERS
+from upright.pages.terms import term
+from upright.paper.claim import shown_of
+from upright.paper.own_log import LINEAR, Adjustment, OwnRobot
+from upright.paper.own_trial import NONLINEAR
+from upright.paper.pushes import FIGURES_AGAIN
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class OwnReproduction(Shown):
-    """What came of it, and the output folder."""
-
-    result: OwnRobot
-    folder: Path
-
-    def __str__(self) -> str:
-        r = self.result
-        settled = _settled(r) if r.settles else UNSETTLED
-        lines = [f"law: {r.law}", r.push, "", str(r.comparison), "", settled, r.answer, *r.notes]
-        return "\n".join([*lines, "", f"wrote {self.folder / 'report.html'}, results.json and the logs beside it"])
-
-    def page(self) -> Page:
-        """The page as written to report.html."""
-        return page_of(self.result)
-
-    def to_json(self) -> dict[str, Any]:
-        """All numbers, as written to results.json."""
-        return self.result.to_json()
-
-
-def reproduce_log(
-    folder: str | Path,
-    log: LogSource,
-    robot: Robot | str | Path,
-    kit: Kit | str | None = None,
-    *,
-    controller: Controller | str | Path | None = None,
-    push: Sequence[PushProgramme] = (),
-    learnt: Robot | str | Path | None = None,
-    mapping: Columns | str | None = None,
-    progress: Progress = unwatched,
-) -> OwnReproduction:
-    """`compare_own` with its page report.html, results.json and the logs, written into `folder`, which is created if
-    missing. Raises `UprightError` where that cannot be written."""
-    target = make_folder(Path(folder) / "logs").parent
-    result = compare_own(
-        log, robot, kit, controller=controller, push=push, learnt=learnt, mapping=mapping, progress=progress
-    )
-    for label, one in result.comparison.logs.items():
-        one.save(target / "logs" / f"{label.replace(' ', '-')}.parquet")
-    done = OwnReproduction(result, target)
-    done.page().write(target / "report.html")
-    write_json(target / "results.json", done.to_json())
-    return done
-
-
-def _settled(result: OwnRobot) -> str:
-    times = ", ".join(f"{n} {'never' if math.isnan(t) else f'{t:.2f} s'}" for n, t in result.settling.items())
-    return f"Pitch settles to {100 * result.band:.0f} % in: {times}"
-
-
-def _is_still(result: OwnRobot, state: str) -> bool:
-    """Whether the robot turns by no more than a compass shows."""
-    reference = result.comparison.reference
-    values = result.comparison.logs[reference][f"{result.comparison.sources[reference]}/{state}"]
-    return float(np.ptp(values)) <= NEGLIGIBLE.get(state, -1.0)
-
-
-def page_of(result: OwnRobot) -> Page:
-    """The page, not yet written."""
+def own_page(result: OwnRobot) -> Page:
+    """The page of a robot of one's own."""
     comparison = result.comparison
-    numbered = FIGURES[result.side]
-    moving = [name for name in STATE_NAMES if not _is_still(result, name)]
-    figures: list[Figure] = []
-    for state in moving:
-        drawn = state_figure(comparison, state)
-        drawn = replace(drawn, title=_settled(result)) if state == "pitch" and result.settles else drawn
-        title = f"Figure {numbered[state]} again. {drawn.title}" if state in numbered else drawn.title
-        figures.append(replace(drawn, title=title))
-    still: list[Item] = [] if len(moving) == len(STATE_NAMES) else [STILL]
-    within = f"{100 * result.band:.0f} %"
-    settling = [
-        ("diverges" if fit < DIVERGED else f"{cell_text(fit, 3)} %", f"{label}: fit of pitch to the robot's")
-        for label, fit in result.fits.items() if label != comparison.reference
-    ] if not result.settles else [
-        ("never" if math.isnan(time) else f"{cell_text(time, 3)} s", f"{label}: settles to {within}")
-        for label, time in result.settling.items()
-    ]  # fmt: skip
-    rows: list[list[Cell]] = [[a.name, a.change, a.settling, a.fit] for a in result.adjusted]
-    table: list[Item] = [Table(["", "change", "settles in [s]", "fit of pitch [%]"], rows, digits=3)] if rows else []
-    sections = [
-        Section(
-            "What must be adjusted",
-            [
-                result.answer,
-                *([] if result.settles else [UNSETTLED]),
-                *([_ADJUSTED] if rows else []),
-                *table,
-                *result.notes,
-            ],
-        ),
-        Section(f"{NAMED[result.side].capitalize()}, of this robot", [*figures[1:], *still]),
-        Section("Numbers", [metrics_table(comparison), fit_table(comparison)]),
-        Section("How this was done", [_HOW, Details("Law and push", [f"Law: {result.law}.", sentence(result.push)])]),
+    log = comparison.logs[comparison.reference]
+    picture, *tables = shown_of(comparison)
+    assert isinstance(picture, Picture)
+    blocks: list[Block] = [_adjusted(result)] if result.adjusted else []
+    if result.notes:
+        blocks.append(Items(result.notes))
+    states = Picture(Say("Every state that moves"), comparison.plot)
+    folds = [
+        Fold(FIGURES_AGAIN[result.side], [states]),
+        Fold(Say("Numbers of each run"), tables),
+        Fold(Say("How this was done"), [Items(_method(result))]),
     ]
-    title = f"{result.robot.name} in the experiment of Herrera et al. (2015)"
+    why = Say("It learns the robot of this log.")
     return Page(
-        title, sections, result.answer, {}, "twin" in comparison.reference, picture=figures[0], numbers=settling
+        Say("{robot} in the experiment of Herrera et al. (2015)", robot=result.robot.name),
+        verdict=fit_verdict(state_words("pitch"), min(result.fits[NONLINEAR], result.fits[LINEAR])),
+        lead=[Say("Law: {law}; {push}.", law=result.law, push=result.push), _answer(result)],
+        numbers=_numbers(result), picture=picture, blocks=[*blocks, *folds],
+        next=[Next("calibrate", named(log), robot=result.robot.name, output="robot.toml", why=why)],
+        origin=facts_of(log.origin),
+    )  # fmt: skip
+
+
+def _answer(result: OwnRobot) -> Say:
+    """What must be adjusted, in a sentence."""
+    if not result.adjusted:
+        return Say("Nothing that was tried brings the nonlinear model nearer to the robot.")
+    last = result.adjusted[-1]
+    names = [term(one.name) for one in result.adjusted]
+    if math.isnan(result.settling[result.comparison.reference]):
+        fit = Quantity(last.fit / 100, "fraction", digits=2)
+        return Say("With its {names} put right, the nonlinear model fits the robot to {fit}.", names=names, fit=fit)
+    return Say(
+        "With its {names} put right, the nonlinear model settles in {time}.", names=names, time=_time(last.settling)
     )
+
+
+def _time(seconds: float) -> Quantity | Say:
+    return Say("no time (never)") if math.isnan(seconds) else Quantity(seconds, "s")
+
+
+def _numbers(result: OwnRobot) -> list[KeyNumber]:
+    """The settling times of the robot and its models; of a robot that swings on, the fits of pitch."""
+    if result.settles:
+        within = Quantity(result.band, "fraction", digits=2)
+        numbers = [
+            KeyNumber(_time(time), Say("{run}: settles to {within}", run=run, within=within))
+            for run, time in result.settling.items()
+        ]
+    else:
+        numbers = [
+            KeyNumber(Quantity(fit / 100, "fraction", digits=2) if fit > DIVERGED else Say("diverges"),
+                      Say("{run}: fit of pitch to the robot", run=run))
+            for run, fit in result.fits.items() if run != result.comparison.reference
+        ]  # fmt: skip
+    return numbers[:MOST_NUMBERS]
+
+
+def _adjusted(result: OwnRobot) -> Table:
+    columns = [
+        Column(Say("put right")), Column(Say("in the file")), Column(Say("learnt")), Column(Say("settles in")),
+        Column(Say("fit of pitch"), "%"),
+    ]  # fmt: skip
+    caption = Say("Put right one on top of the other, what helps most first")
+    return Table(columns, [_row(one) for one in result.adjusted], caption)
+
+
+def _row(one: Adjustment) -> list[Cell]:
+    number = one.number
+    stated = number and Quantity(number.stated, number.unit)
+    learnt = number and Quantity(number.value, number.unit, low=number.low, high=number.high)
+    return [term(one.name), stated, learnt, _time(one.settling), one.fit]
+
+
+def _method(result: OwnRobot) -> list[Say]:
+    settled = Say("Settled: within {band} of the largest deviation from where pitch comes to rest.",
+                  band=Quantity(result.band, "fraction", digits=2))  # fmt: skip
+    if not result.settles:
+        settled = Say("The robot swings at the end as much as after a push: no settling time is given.")
+    return [
+        Say("The models start from the first state of the log, with its push and its law, and get no reading."),
+        Say("They have the numbers of the robot's file, ideal sensors and no dead time, like the paper's."),
+        Say("The last run has what was learnt, if anything, and the robot's electronics."),
+        settled,
+    ]

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -15,37 +17,35 @@ from upright.comparison import Comparison, compare
 from upright.comparison.runs import NEGLIGIBLE
 from upright.control import Controller, Estimated, StateFeedback, kalman
 from upright.experiment import Hold, run
+from upright.pages import Cell, Column, Picture, Quantity, Say, Table
 from upright.paper import printed
-from upright.paper.claim import Claim, judged
+from upright.paper.claim import Claim, judged, shown_of
 from upright.physics.linear import LinearModel
-from upright.plotting import legend, line, panels
+from upright.plotting import legend, line, panels, span
 from upright.progress import Progress, unwatched
-from upright.reports import Figure, Table
-from upright.reports.page import Cell, cell_text
 from upright.reports.robot import filmstrip
-from upright.reports.states import fit_table, metrics_table, state_figure
 from upright.robots import Kit, Motor, Robot
-from upright.tables import sentence
+from upright.signals import Log
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 RELEASE, SECONDS = 8.0, 16.0  # [s] long enough to come to rest before the release and after it
 
+MODELS = ("nonlinear", "linear")
 PUSHES = {"front": printed.FRONT_PUSH, "back": printed.BACK_PUSH}
-FIGURES = {
-    "front": {"pitch": 5, "pitch_rate": 6, "wheel": 7, "wheel_rate": 8, "yaw": 9, "yaw_rate": 10},
-    "back": {"pitch": 12, "wheel": 13},
-}
-"""Which figure of the paper shows which state under which push."""
 PHOTOGRAPHS = {"front": 4, "back": 11}
 """Which figure of the paper shows the robot itself under which push."""
 STRIP = (4.0, 8.2, 8.6, 12.0)  # [s] of the filmstrip: held, released at 8 s, swinging over, at rest
-NAMED = {"front": "figures 5 to 10", "back": "figures 12 and 13"}
+FIGURES_AGAIN = {"front": Say("Figures 5 to 10 again"), "back": Say("Figures 12 and 13 again")}
+"""The paper's figures of the states under each push."""
 
 YAW_NEGLIGIBLE = NEGLIGIBLE["yaw"]
 CONCLUSIONS = {
-    "shapes are alike": "ψ and θ of robot and models are similar in shape",
-    "settling times differ": "the settling times are not equal",
-    "the linear model settles fastest": "the linear model responds faster than the other two",
-    "yaw is negligible": "the differences in φ are negligible",
+    "shapes are alike": Say("ψ and θ of robot and models are similar in shape"),
+    "settling times differ": Say("the settling times are not equal"),
+    "the linear model settles fastest": Say("the linear model responds faster than the other two"),
+    "yaw is negligible": Say("the differences in φ are negligible"),
 }
 """What is tested → how the paper says it (figure 5 and section 3)."""
 ALIKE = 0.8  # correlation with the twin above which two curves count as alike
@@ -53,12 +53,11 @@ ALIKE = 0.8  # correlation with the twin above which two curves count as alike
 
 @dataclass(frozen=True, eq=False)
 class RegulatedRobot:
-    """A robot, its regulator, and its identified linear model; `why` explains the choice of regulator."""
+    """A robot, its regulator, and its identified linear model."""
 
     robot: Robot
     feedback: StateFeedback
     linear: LinearModel
-    why: str
 
 
 @dataclass(frozen=True)
@@ -85,11 +84,6 @@ class Measured:
     def linear_fastest(self) -> bool:
         others = min(value for name, value in self.settling.items() if name != "linear")
         return self.settling["linear"] < others - printed.PERIOD / 2  # closer than half a sample is a tie
-
-    @property
-    def linear_ties(self) -> bool:
-        """Whether linear and nonlinear model settle at once, to half a sample."""
-        return abs(self.settling["linear"] - self.settling["nonlinear"]) <= printed.PERIOD / 2
 
 
 def chapter(trials: Sequence[RegulatedRobot], kit: Kit, progress: Progress = unwatched) -> list[Claim]:
@@ -131,7 +125,7 @@ def measure(comparison: Comparison) -> Measured:
     correlations = [
         np.corrcoef(twin[name][:length], logs[other][name][:length])[0, 1]
         for name in ("truth/pitch", "truth/wheel")
-        for other in ("nonlinear", "linear")
+        for other in MODELS
     ]
     yaw = max(float(np.abs(log["truth/yaw"]).max()) for log in logs.values())
     times = {name: numbers.settling_5 for name, numbers in comparison.metrics.items()}
@@ -142,42 +136,28 @@ def measure(comparison: Comparison) -> Measured:
 def _shown(trial: RegulatedRobot, side: str, comparison: Comparison, measured: Measured, part: str) -> Claim:
     robot = trial.robot
     stood = not any(numbers.fell for numbers in comparison.metrics.values())
-    force = Hold(pitch=PUSHES[side], until=RELEASE).force(robot)
-    fits, rates = ({n: cell_text(f[state], 2) for n, f in comparison.fits.items()} for state in ("pitch", "pitch_rate"))
-    why = _why_long(comparison, measured)
-    both = f"Pitch of both models fits the twin to {fits['linear']} %"
-    if fits["nonlinear"] != fits["linear"]:
-        both = f"Pitch fits the twin to {fits['nonlinear']} % (nonlinear) and {fits['linear']} % (linear)"
-    summary = (
-        f"{both}, and settles to 5 % after the release: {_times(measured.settling)}. Held at "
-        f"{cell_text(PUSHES[side])} rad by {cell_text(force, 2)} N at the centre of mass, then released.{why} "
-        f"Pitch rate, where noise lowers the fit, fits to {rates['nonlinear']} and {rates['linear']} %. {trial.why}"
-    )
-    figures = _figures(comparison, measured, FIGURES[side])
-    strip = Figure(
-        f"Figure {PHOTOGRAPHS[side]} again, by the twin", filmstrip(robot, comparison.logs["twin"], STRIP),
-        "Under each time: pitch, and how far the axle has rolled.",
+    swing, band = _swing(comparison)
+    settles = math.isfinite(measured.settling["twin"]) or swing < band
+    fit = Quantity(min(fits["pitch"] for fits in comparison.fits.values()) / 100, "fraction", digits=2)
+    found = Say("Pitch of both models fits the twin to {fit}.", fit=fit)
+    if not settles:
+        found = Say("Pitch fits the twin to {fit}, but the twin keeps swinging by {swing}.",
+                    fit=fit, swing=Quantity(swing, "rad", digits=2))  # fmt: skip
+    twin = comparison.logs["twin"]
+    strip = Picture(
+        Say("Figure {n} again, by the twin", n=PHOTOGRAPHS[side]), functools.partial(filmstrip, robot, twin, STRIP),
+        Say("Under each time: pitch, and how far the axle has rolled."),
     )  # fmt: skip
-    title = f"{robot.name}: force on the {side}, {NAMED[side]}"
-    items = [*figures[:1], strip, metrics_table(comparison), _restless(comparison), _fits(comparison, measured)]
-    items += figures[1:]
+    _, *tables = shown_of(comparison)
+    under = Say("Under {law}; yaw is not drawn where the robot does not turn.", law=trial.feedback.spec.kind)
+    states = Picture(FIGURES_AGAIN[side], comparison.plot, under)
+    force = Hold(pitch=PUSHES[side], until=RELEASE).force(robot)
     numbers = {"force": force, "hold": PUSHES[side], **comparison.to_json()}
     logs = {f"{robot.name}-{side}-{name}": log for name, log in comparison.logs.items()}
-    verdict = judged([stood])
-    swing, band = (cell_text(math.degrees(value), 2) for value in _swing(comparison))
-    aside = f"the curves agree, but the twin keeps swinging by {swing}°, beyond the 5 % band of {band}°" if why else ""
-    return Claim(part, title, verdict, summary, numbers, items, logs, aside=aside)
-
-
-def _why_long(comparison: Comparison, measured: Measured) -> str:
-    """Why the twin has no settling time, where its swing at rest leaves the band."""
-    swing, band = _swing(comparison)
-    if math.isfinite(measured.settling["twin"]) or swing < band:
-        return ""
-    return (
-        f" The twin's swing at rest, up to {cell_text(1000 * swing, 2)} mrad, is wider than the band of "
-        f"{cell_text(1000 * band, 2)} mrad; the models have no such swing."
-    )
+    title = Say("{robot}, front push", robot=robot.name)
+    if side == "back":
+        title = Say("{robot}, back push", robot=robot.name)
+    return Claim(part, title, judged([stood, settles]), found, numbers, [states, strip, *tables], logs)
 
 
 def _swing(comparison: Comparison) -> tuple[float, float]:
@@ -187,47 +167,8 @@ def _swing(comparison: Comparison) -> tuple[float, float]:
     return swing, 0.05 * float(np.abs(twin.between(RELEASE, SECONDS)["truth/pitch"]).max())
 
 
-def _restless(comparison: Comparison) -> str:
-    """The twin's residual oscillation, which affects its settling time as much as its dynamics do."""
-    swing, band = _swing(comparison)
-    outside = "wider" if swing > band else "narrower"
-    return (
-        "The twin never settles completely. Encoder and driver resolution, the motors' dead zone and gyro noise keep "
-        f"its pitch oscillating. In the last 2 s it swings by up to {cell_text(1000 * swing, 2)} mrad, {outside} than "
-        f"the 5 % band ({cell_text(1000 * band, 2)} mrad). The models have none of these: their poles alone set the "
-        "settling time."
-    )
-
-
-def _fits(comparison: Comparison, measured: Measured) -> Table:
-    """The fits; those of yaw only where the robot turns."""
-    table = fit_table(comparison)
-    kept = [k for k, name in enumerate(table.header) if not (measured.yaw_negligible and name.startswith("yaw"))]
-    return replace(table, header=[table.header[k] for k in kept], rows=[[row[k] for k in kept] for row in table.rows])
-
-
-def _figures(comparison: Comparison, measured: Measured, numbers: Mapping[str, int]) -> list[Figure]:
-    """The paper's figures by their numbers; where the robot does not turn, a small one for yaw and its rate."""
-    still = [state for state in ("yaw", "yaw_rate") if state in numbers and measured.yaw_negligible]
-    figures = [
-        replace(drawn, title=f"Figure {number} again. {drawn.title}")
-        for state, number in numbers.items() if state not in still
-        for drawn in [state_figure(comparison, state)]
-    ]  # fmt: skip
-    if not still:
-        return figures
-    drawing, (ax,) = panels(["yaw [°]"], height=0.6)
-    for name, log in comparison.logs.items():
-        line(ax, name, log.t, np.degrees(log["truth/yaw"]))
-    ax.set_ylim(-1, 1)
-    degrees = cell_text(math.degrees(measured.largest_yaw), 2)
-    named = " and ".join(str(numbers[s]) for s in still)
-    title = f"Figures {named} again. Yaw is at most {degrees}°, where the compass reads whole degrees"
-    return [*figures, Figure(title, legend(drawing))]
-
-
-def _tested(measured: dict[str, Measured]) -> Claim:
-    every = list(measured.values())
+def _tested(measured: Mapping[str, Measured]) -> Claim:
+    every = measured.values()
     held = {
         "shapes are alike": sum(c.alike for c in every),
         "settling times differ": sum(c.settling_differs for c in every),
@@ -235,43 +176,33 @@ def _tested(measured: dict[str, Measured]) -> Claim:
         "yaw is negligible": sum(c.yaw_negligible for c in every),
     }
     verdicts = {claim: count == len(every) for claim, count in held.items()}
-    apart = f" (by more than a sample, {cell_text(printed.PERIOD)} s)"
-    text = "; ".join(
-        f"“{claim}”{apart if 'differ' in claim else ''} holds in "
-        + ("all" if count == len(every) else f"{count or 'none'} of {len(every)} cases")
-        + (" (it ties with the nonlinear one)" if "fastest" in claim and all(c.linear_ties for c in every) else "")
-        for claim, count in sorted(held.items(), key=lambda item: item[1])
-    )
-    summary = (
-        f"{sentence(text)} A case is one robot under one push; a claim holds where it does in every case. A twin that "
-        f"never settles counts as later than its models."
-    )
+    found = Say("{n} of {all} conclusions hold under every push.", n=sum(verdicts.values()), all=len(verdicts))
     cases = {n: {**vars(c), "settling": {r: finite(s) for r, s in c.settling.items()}} for n, c in measured.items()}
+    rows = [[CONCLUSIONS[c], Say("{n} of {all} cases", n=n, all=len(every))] for c, n in held.items()]
+    columns = [Column(Say("the paper concludes")), Column(Say("it holds in"))]
+    title = Say("The paper's conclusions")
     numbers = {"claims": verdicts, "cases": cases}
-    count = sum(verdicts.values())
-    holding = f"{count} of {len(verdicts)} conclusions hold in every case" if count < len(verdicts) else ""
-    compared: list[list[Cell]] = [[CONCLUSIONS[c], f"in {n} of {len(every)} cases"] for c, n in held.items()]
-    caption = "The paper's conclusions beside these runs; it prints curves, and no settling time as a number"
-    items = [Table(["the paper", "here"], compared, caption), *_claim_tables(measured)]
-    title = "The paper's conclusions, tested"
-    return Claim("5e", title, judged(verdicts.values()), summary, numbers, items, aside=holding)
+    blocks = [Table(columns, rows), _settling(measured)]
+    return Claim("5e", title, judged(verdicts.values()), found, numbers, blocks)
 
 
-def _claim_tables(measured: dict[str, Measured]) -> list[Table]:
-    settling: list[list[Cell]] = [
-        [name, *("never" if math.isinf(s) else s for s in c.settling.values()), c.linear_fastest]
-        for name, c in measured.items()
-    ]
-    shapes: list[list[Cell]] = [
-        [name, c.correlation, c.alike, math.degrees(c.largest_yaw), c.yaw_negligible] for name, c in measured.items()
-    ]
-    runs = [f"{name} [s]" for name in next(iter(measured.values())).settling]
-    caption = f"Smallest correlation with the twin ({ALIKE:g} and more counts as alike), and largest yaw"
-    return [
-        Table(["robot and push", *runs, "linear fastest"], settling, "Pitch settles to 5 % after the release", 3),
-        Table(["robot and push", "correlation", "alike", "yaw [°]", "negligible"], shapes, caption, digits=3),
-    ]
+def _settling(measured: Mapping[str, Measured]) -> Table:
+    runs = [*next(iter(measured.values())).settling]
+    columns = [Column(Say("robot and push")), *(Column(Say("{run}", run=run), "s") for run in runs)]
+    rows: list[list[Cell]] = []
+    for name, case in measured.items():
+        rows.append([name, *(Say("never") if math.isinf(s) else s for s in case.settling.values())])
+    return Table(columns, rows, Say("Pitch settles to 5 % after the release in"))
 
 
-def _times(settling: dict[str, float]) -> str:
-    return ", ".join(f"{name} {'never' if math.isinf(s) else f'{s:.2f} s'}" for name, s in settling.items())
+def draw_push(logs: Mapping[str, Log]) -> Figure:
+    """Pitch of the first of the `logs`, the twin, and of its models, and below how far each model is from the twin."""
+    figure, (above, below) = panels([str(Say("pitch [°]")), str(Say("model less twin [°]"))], str(Say("time [s]")))
+    twin, *_ = logs.values()
+    for style, (name, log) in enumerate(logs.items()):
+        line(above, name, log.t, np.degrees(log["truth/pitch"]), style=style, below=log is twin)
+        if log is not twin:
+            n = min(len(log), len(twin))
+            line(below, name, log.t[:n], np.degrees(log["truth/pitch"][:n] - twin["truth/pitch"][:n]), style=style)
+    span([above, below], 0.0, RELEASE, str(Say("push acts")))
+    return legend(figure)

@@ -18,14 +18,12 @@ from upright.signals import STATE_NAMES, Log
 class LeastSquares:
     """P̂ = (XᵀX)⁻¹Xᵀy of eq. (33) for x⁺ = p₀ + A x + B u.
 
-    `offset` p₀ (6,) is the independent term; `deviation` (6, 9) the standard deviations of [p₀, A, B] if the residuals
-    were white and the regressors exact, which real sensors violate; `condition` is that of X_g with columns scaled to
-    unit length, `rank` its numerical rank out of 9.
+    `offset` p₀ (6,) is the independent term; `condition` is that of X_g with columns scaled to unit length, `rank` its
+    numerical rank out of 9.
     """
 
     model: LinearModel
     offset: Array
-    deviation: Array
     rank: int
     condition: float
     samples: int
@@ -52,13 +50,8 @@ def least_squares(states: ArrayLike, commands: ArrayLike, dt: float) -> LeastSqu
     scale = np.maximum(np.linalg.norm(regressors, axis=0), np.finfo(float).tiny)
     solution, _, rank, singular = np.linalg.lstsq(regressors / scale, x[1:], rcond=1e-12)
     P = solution / scale[:, None]
-    residual = x[1:] - regressors @ P
-    variance = (residual**2).sum(axis=0) / (len(residual) - 9)
-    spread = np.diag(np.linalg.pinv((regressors / scale).T @ (regressors / scale))) / scale**2
     model = LinearModel(P[1:7].T, P[7:].T, dt=dt)
-    return LeastSquares(
-        model, P[0], np.sqrt(np.outer(variance, spread)), int(rank), float(singular[0] / singular[-1]), len(x)
-    )
+    return LeastSquares(model, P[0], int(rank), float(singular[0] / singular[-1]), len(x))
 
 
 def rebuild_states(log: Log, robot: Robot) -> Array:

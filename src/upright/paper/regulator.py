@@ -8,16 +8,18 @@ import math
 import numpy as np
 
 from upright.arrays import Array
-from upright.control import Lqr, StateFeedback, dlqr
+from upright.comparison.drawing import state_words
+from upright.control import StateFeedback, dlqr
+from upright.pages import Column, Quantity, Say, Table
 from upright.paper import printed
 from upright.paper.claim import Claim, judged
 from upright.physics.linear import LinearModel, linearise
-from upright.plotting import legend, plane, points
-from upright.reports import Figure, Table
-from upright.reports.page import cell_text
 from upright.robots import Robot
 from upright.signals import STATE_NAMES
-from upright.tables import joined
+
+AS_PRINTED = "printed A, B as printed"
+TURNED = "printed A, B, yaw inputs turned"
+LOOPS = {AS_PRINTED: Say("the printed model"), TURNED: Say("the printed model, yaw inputs turned")}
 
 PRICES: list[float] = np.logspace(0, 4, 41).tolist()
 
@@ -47,36 +49,24 @@ def chapter(light: Robot) -> Claim:
     nearest, permutation, price = nearest_gain()
     feedback = printed_feedback()
     loops = {
-        "printed A, B as printed": _radius(LinearModel(printed.A, printed.B, dt=printed.PERIOD), feedback),
-        "printed A, B, yaw inputs turned": _radius(_turned(), feedback),
+        AS_PRINTED: _radius(LinearModel(printed.A, printed.B, dt=printed.PERIOD), feedback),
+        TURNED: _radius(_turned(), feedback),
         light.name: _radius(linearise(light).c2d(printed.PERIOD), feedback),
     }
-    summary = (
-        f"The regulator (LQR) of the printed A, B, Q, R has a pitch gain of {cell_text(clean.gain[0, 0], 3)} (printed: "
-        f"{cell_text(printed.KU1[0], 3)}) and a wheel gain of {cell_text(clean.gain[0, 2], 2)} (printed: "
-        f"{cell_text(printed.KU1[2], 2)}); {_balanced(loops, light.name)}. "
-        "A search covers the 30 orders of the diagonal of Q, and R = r·I with r from "
-        f"1 to 10⁴. Its smallest distance from the printed gains is {100 * nearest:.0f} % (RMS over the six gains). "
-        "The printed gains stabilise the printed model (largest |eigenvalue| "
-        f"{loops['printed A, B, yaw inputs turned']:.4f} with the yaw sign corrected, "
-        f"{loops['printed A, B as printed']:.4f} without) but not {light.name} ({loops[light.name]:.1f})."
-    )
+    found = Say(
+        "The printed weights give a pitch gain of {gain}; printed is {printed}.",
+        gain=Quantity(clean.gain[0, 0]), printed=Quantity(printed.KU1[0]),
+    )  # fmt: skip
     numbers = {
         "dlqr_as_printed": as_printed.gain.tolist(), "dlqr_without_noise": clean.gain.tolist(),
         "printed": printed.K.tolist(), "riccati_residual": clean.check(),
         "nearest_relative_distance": nearest, "nearest_Q": permutation, "nearest_r": price, "largest_eigenvalue": loops,
     }  # fmt: skip
-    items = [_gains(clean.gain, as_printed.gain), _stability(loops), _poles(feedback, clean)]
+    search = Say("No order of the weights in Q, with any R from 1 to 10⁴, comes nearer than {distance} (RMS).",
+                 distance=Quantity(nearest, "fraction", digits=2))  # fmt: skip
+    blocks = [_gains(clean.gain, as_printed.gain), search, _stability(loops)]
     same = np.abs(np.abs(clean.gain[0] / printed.KU1) - 1) < SAME
-    return Claim("4", "The regulator and its gains, eqs. (36)–(38)", judged(same.tolist()), summary, numbers, items)
-
-
-def _balanced(loops: dict[str, float], light: str) -> str:
-    """Which robots balance with the printed gains."""
-    names = {"printed A, B, yaw inputs turned": "the printed model", light: light}
-    stable = [words for name, words in names.items() if loops[name] < 1]
-    others = [words for words in names.values() if words not in stable]
-    return f"the printed gains balance {joined(stable) or 'neither'}{f', but not {joined(others)}' if others else ''}"
+    return Claim("4", Say("Gains of the regulator"), judged(same.tolist()), found, numbers, blocks)
 
 
 SAME = 0.05  # [1] of a printed gain: closer is the same to two digits, as it was printed
@@ -107,35 +97,22 @@ def _radius(model: LinearModel, feedback: StateFeedback) -> float:
 
 
 def _gains(clean: Array, noisy: Array) -> Table:
-    header = ["gain, left motor", *(name.replace("_", " ") for name in STATE_NAMES)]
+    columns = [
+        Column(Say("gain of")), Column(Say("printed")), Column(Say("from Q and R, noise removed")),
+        Column(Say("from Q and R, left")), Column(Say("from Q and R, right")),
+    ]  # fmt: skip
     rows = [
-        ["printed Ku₁", *printed.KU1.tolist()],
-        ["dlqr of the printed matrices, noise removed", *clean[0].tolist()],
-        ["dlqr of the printed matrices, left", *noisy[0].tolist()],
-        ["dlqr of the printed matrices, right", *noisy[1].tolist()],
+        [state_words(name), *gains]
+        for name, *gains in zip(STATE_NAMES, printed.KU1.tolist(), clean[0].tolist(), *noisy.tolist(), strict=True)
     ]
-    return Table(header, rows, "The regulator of (38) beside the printed gains", digits=3)
+    return Table(columns, rows, Say("The gains of (38)"))
 
 
 def _stability(loops: dict[str, float]) -> Table:
-    rows = [[name, value, value < 1] for name, value in loops.items()]
-    return Table(
-        ["robot under the printed gains", "largest |eigenvalue|", "stable"],
-        rows,
-        "Where the printed gains hold",
-        digits=5,
-    )
-
-
-def _poles(feedback: StateFeedback, clean: Lqr) -> Figure:
-    """Each under its own sign of yaw: the printed gains suit the equations', dlqr the printed matrices'."""
-    model = _turned()
-    poles = {
-        "printed gains": np.linalg.eigvals(model.A - model.B @ feedback.gain),
-        "dlqr of the printed Q and R": clean.poles(),
-    }
-    figure, ax = plane("real part [1]", "imaginary part [1]", circle=True)
-    for name, values in poles.items():
-        points(ax, name, values.tolist())
-    largest = ", ".join(f"{cell_text(float(np.abs(values).max()), 6)} ({name})" for name, values in poles.items())
-    return Figure(f"Largest pole of the printed robot under both regulators: {largest}", legend(figure))
+    rows = [[LOOPS.get(name, name), value, value < 1] for name, value in loops.items()]
+    columns = [
+        Column(Say("under the printed gains")),
+        Column(Say("largest eigenvalue"), digits=5),
+        Column(Say("stable")),
+    ]
+    return Table(columns, rows)

@@ -6,6 +6,7 @@ constraint does not allow, and take the body's roll inertia for its yaw inertia.
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -17,17 +18,16 @@ from upright.bodies import Body, NonlinearBody
 from upright.bodies.twin import Twin
 from upright.control import StateFeedback, lqr_state
 from upright.experiment import Drive, Turn, run
+from upright.pages import Cell, Column, Picture, Quantity, Say, Table
 from upright.paper.claim import BEYOND, Claim
 from upright.physics.dynamics import accelerations, mass_matrix, motor_damping, motor_gain, turn_ratio
 from upright.plotting import legend, line, panels
 from upright.progress import Progress, unwatched
-from upright.reports import Figure, Table
-from upright.reports.page import Cell, cell_text
 from upright.robots import Robot
 from upright.signals import Log
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 
 RATES = (1.0, 3.0, 6.0)  # [rad/s] of yaw
@@ -37,8 +37,8 @@ SECONDS = 3.0
 JOLT = 0.1  # [s] the start from rest is a jolt of a few milliseconds, whose torques would dwarf all others
 PERIOD = 0.001  # [s] a fast loop, so that the models alone differ and not how long a command is held
 CONTACTS = (0.001, 0.0005, 0.00025)  # [s] contact times of the twin, its own step half of each
-SPIN, DRIFT, CORIOLIS = "M L R φ̇² sin ψ", "M L R φ̇ θ̇ sin ψ", "2 M L² ψ̇ φ̇ sin ψ cos ψ"
 JUDGED = {"ψ": "pitch", "θ̇": "wheel_rate"}
+MODELS = ("complete", "published")
 
 
 @dataclass(frozen=True)
@@ -115,7 +115,7 @@ def terms(robot: Robot, log: Log) -> list[Term]:
         ("θ", "a₁₂ ψ̈", a12 * pitch_acc, True),
         ("θ", "M L R ψ̇² sin ψ", -lever * pitch_rate**2 * sin, True),
         ("θ", "motors: α (v_l + v_r) − 2 β (θ̇ − ψ̇)", -net, True),
-        ("θ", SPIN, -lever * yaw_rate**2 * sin, False),
+        ("θ", "M L R φ̇² sin ψ", -lever * yaw_rate**2 * sin, False),
         ("ψ", "a₁₂ θ̈", a12 * wheel_acc, True),
         ("ψ", "a₂₂ ψ̈", a22 * pitch_acc, True),
         ("ψ", "M g L sin ψ", -robot.body_mass * robot.gravity * robot.com_height * sin, True),
@@ -123,9 +123,9 @@ def terms(robot: Robot, log: Log) -> list[Term]:
         ("ψ", "motors: α (v_l + v_r) − 2 β (θ̇ − ψ̇)", net, True),
         ("ψ", "(J_ρ − J_φ) φ̇² sin ψ cos ψ", -roll * yaw_rate**2 * sin * cos, False),
         ("φ", "a₃₃ φ̈", a33 * yaw_acc, True),
-        ("φ", CORIOLIS, 2 * point * pitch_rate * yaw_rate * sin * cos, True),
+        ("φ", "2 M L² ψ̇ φ̇ sin ψ cos ψ", 2 * point * pitch_rate * yaw_rate * sin * cos, True),
         ("φ", "motors: W/(2 R) α (v_r − v_l) − W²/(2 R²) β φ̇", -turning, True),
-        ("φ", DRIFT, lever * yaw_rate * wheel_rate * sin, False),
+        ("φ", "M L R φ̇ θ̇ sin ψ", lever * yaw_rate * wheel_rate * sin, False),
         ("φ", "(J_ρ − J_φ) sin² ψ φ̈", roll * sin**2 * yaw_acc, False),
         ("φ", "2 (J_ρ − J_φ) ψ̇ φ̇ sin ψ cos ψ", 2 * roll * pitch_rate * yaw_rate * sin * cos, False),
     ]
@@ -155,34 +155,17 @@ def _sizes(robot: Robot, logs: Mapping[float, Mapping[str, Log]]) -> Claim:
         for i, term in enumerate(listed[SHOWN])
         if not term.kept
     }
-    spin, drift = (left_out[text] for text in (SPIN, DRIFT))
-    kept = {term.text: term.rms for term in listed[SHOWN] if term.kept and term.equation == "φ"}
-    beside = next(term.rms for term in listed[SHOWN] if term.text == DRIFT) / kept[CORIOLIS]
-    summary = (
-        f"At {SHOWN:g} rad/s of yaw, two left-out terms have {100 * spin[SHOWN]:.2g} % and {100 * drift[SHOWN]:.2g} % "
-        "of the size of the largest kept term; for what they do to the pitch see 2b. "
-        f"At {_rates()} rad/s they have {_percentages(spin)} % and {_percentages(drift)} %. Wheels that roll and do "
-        f"not slide sideways (a non-holonomic constraint) add them on the left: −{SPIN} in the θ equation and +{DRIFT} "
-        f"in the φ equation. The second is {beside:.0f} times the Coriolis term that the model keeps (RMS along the "
-        "run). "
-        "A body whose roll inertia J_ρ differs from J_φ adds the terms with J_ρ − J_φ. All of them vanish in straight "
-        "motion."
-    )
+    size = Quantity(max(of[SHOWN] for of in left_out.values()), "fraction", digits=2)
+    found = Say("Turning at {rate}, one left-out term has {size} of the largest kept one.",
+                rate=_rate(SHOWN), size=size)  # fmt: skip
+    rows = [[text, *of.values()] for text, of in left_out.items()]
+    columns = [
+        Column(Say("left-out term")),
+        *(Column(Say("{rate}", rate=_rate(rate)), "fraction") for rate in RATES),
+    ]
+    caption = Say("RMS over that of the largest kept term, by the rate of turning")
     numbers = {"share_of_largest_kept_term": {text: _keyed(fractions) for text, fractions in left_out.items()}}
-    title = "Terms that the published model leaves out"
-    return Claim("2a", title, BEYOND, summary, numbers, [_term_table(listed)])
-
-
-def _term_table(listed: Mapping[float, Sequence[Term]]) -> Table:
-    rows: list[list[Cell]] = []
-    for i, term in enumerate(listed[SHOWN]):
-        sizes = [1000 * listed[rate][i].rms for rate in RATES]
-        rows.append([term.equation, term.text, "kept" if term.kept else "left out", *sizes])
-    header = ["equation", "term", "published model", *(f"{rate:g} rad/s" for rate in RATES)]
-    caption = (
-        f"RMS of every term [mN m] along the run, from {JOLT:g} s on, while driving at {WHEEL_RATE:g} rad/s of wheel"
-    )
-    return Table(header, rows, caption, digits=3)
+    return Claim("2a", Say("Terms left out by the paper"), BEYOND, found, numbers, [Table(columns, rows, caption)])
 
 
 def _judged(logs: Mapping[float, Mapping[str, Log]], stiffened: Mapping[float, Log]) -> Claim:
@@ -195,20 +178,14 @@ def _judged(logs: Mapping[float, Mapping[str, Log]], stiffened: Mapping[float, L
         for rate, runs in logs.items()
     }
     limits = {
-        contact: {name: deviation(logs[SHOWN][name], twin, "pitch").rms for name in ("complete", "published")}
+        contact: {name: deviation(logs[SHOWN][name], twin, "pitch").rms for name in MODELS}
         for contact, twin in stiffened.items()
     }
-    soft, stiff = (limits[c] for c in (CONTACTS[0], CONTACTS[-1]))
-    at = errors[SHOWN]
-    complete, published = (_percent(at[name]["pitch"].rms) for name in ("complete", "published"))
-    summary = (
-        f"Turning at {SHOWN:g} rad/s, the complete model (with the terms of 2a) differs from MuJoCo's pitch by "
-        f"{complete} of the peak (RMS), the published model by {published}. MuJoCo uses neither derivation. "
-        "The remaining difference comes from the twin’s contact, which slips slightly, most at the start. When the "
-        f"contact time falls from {1000 * CONTACTS[0]:g} ms to {1000 * CONTACTS[-1]:g} ms, the complete model’s error "
-        f"falls from {_percent(soft['complete'])} to {_percent(stiff['complete'])}. The published model’s does not "
-        f"({_percent(soft['published'])}, {_percent(stiff['published'])})."
-    )
+    complete, published = (Quantity(errors[SHOWN][name]["pitch"].rms, "fraction", digits=2) for name in MODELS)
+    found = Say(
+        "Turning at {rate}, the complete model differs from MuJoCo by {complete}, the published by {published}.",
+        rate=_rate(SHOWN), complete=complete, published=published,
+    )  # fmt: skip
     numbers = {
         "off_the_twin": {
             f"{rate:g}": {name: {state: vars(o) for state, o in of.items()} for name, of in models.items()}
@@ -216,73 +193,38 @@ def _judged(logs: Mapping[float, Mapping[str, Log]], stiffened: Mapping[float, L
         },
         "pitch_rms_by_contact_time": {f"{contact:g}": of for contact, of in limits.items()},
     }
-    items = [_error_table(errors), _contact_table(limits), _pitch_figure(logs[SHOWN], at), _error_figure(logs, errors)]
-    saved = {f"turning-{name}": log for name, log in logs[SHOWN].items() if name in ("twin", "complete", "published")}
-    return Claim("2b", "MuJoCo as the reference for both models", BEYOND, summary, numbers, items, saved)
+    claim = Say("The published model's error grows with the rate of turning; the complete model follows")
+    blocks = [Picture(claim, functools.partial(_draw, logs)), _error_table(errors)]
+    saved = {f"turning-{name}": log for name, log in logs[SHOWN].items() if name in ("twin", *MODELS)}
+    return Claim("2b", Say("MuJoCo beside both models"), BEYOND, found, numbers, blocks, saved)
 
 
 def _error_table(errors: Mapping[float, Mapping[str, Mapping[str, Deviation]]]) -> Table:
-    rows: list[list[Cell]] = []
-    for rate, models in errors.items():
-        for name, of in models.items():
-            fractions = [100 * value for state in JUDGED.values() for value in (of[state].rms, of[state].largest)]
-            rows.append([f"{rate:g}", name, *fractions])
-    header = ["yaw [rad/s]", "model", *(f"{text}, {kind}" for text in JUDGED for kind in ("RMS", "largest"))]
-    return Table(header, rows, "Difference from the twin [% of the twin’s peak]", digits=2)
-
-
-def _contact_table(limits: Mapping[float, Mapping[str, float]]) -> Table:
     rows: list[list[Cell]] = [
-        [1000 * contact, *(100 * of[name] for name in ("complete", "published"))] for contact, of in limits.items()
+        [_rate(rate), name, *(of[state].rms for state in JUDGED.values())]
+        for rate, models in errors.items() for name, of in models.items()
+    ]  # fmt: skip
+    columns = [
+        Column(Say("turning at")),
+        Column(Say("model")),
+        *(Column(Say("{state}", state=s), "fraction") for s in JUDGED),
     ]
-    caption = f"RMS of pitch over the twin's peak at {SHOWN:g} rad/s, against the contact time of the twin"
-    return Table(["contact time [ms]", "complete [%]", "published [%]"], rows, caption, digits=2)
+    return Table(columns, rows, Say("Difference from the twin, over the twin's peak (RMS)"))
 
 
-def _pitch_figure(runs: Mapping[str, Log], at: Mapping[str, Mapping[str, Deviation]]) -> Figure:
-    figure, (pitch, difference) = panels(["pitch ψ [rad]", "pitch ψ minus the twin's [mrad]"])
-    for name in ("twin", "complete", "published"):
-        line(pitch, name, runs[name].t, runs[name]["truth/pitch"])
-    _difference(difference, runs)
-    complete, published = (_percent(at[name]["pitch"].rms) for name in ("complete", "published"))
-    title = (
-        f"Turning at {SHOWN:g} rad/s: RMS difference of pitch from the twin, over the peak: {complete} complete, "
-        f"{published} published"
-    )
-    return Figure(title, legend(figure))
-
-
-def _error_figure(
-    logs: Mapping[float, Mapping[str, Log]], errors: Mapping[float, Mapping[str, Mapping[str, Deviation]]]
-) -> Figure:
-    figure, axes = panels([f"pitch ψ minus the twin's at {rate:g} rad/s of yaw [mrad]" for rate in logs])
+def _draw(logs: Mapping[float, Mapping[str, Log]]) -> Figure:
+    labels = [str(Say("model less twin at {rate} [°]", rate=_rate(rate))) for rate in logs]
+    figure, axes = panels(labels, str(Say("time [s]")))
     for ax, runs in zip(axes, logs.values(), strict=True):
-        _difference(ax, runs)
-    worst = {name: max(of[name]["pitch"].largest for of in errors.values()) for name in ("complete", "published")}
-    title = (
-        f"The published model's error grows with the yaw rate, to {_percent(worst['published'])} of the peak; "
-        f"the complete model stays within {_percent(worst['complete'])}"
-    )
-    return Figure(title, legend(figure))
+        twin = runs["twin"]["truth/pitch"]
+        for style, name in enumerate(MODELS, start=1):
+            line(ax, name, runs[name].t, np.degrees(runs[name]["truth/pitch"] - twin), style=style)
+    return legend(figure)
 
 
-def _difference(ax: Axes, runs: Mapping[str, Log]) -> None:
-    twin = runs["twin"]["truth/pitch"]
-    for style, name in enumerate(("complete", "published"), start=1):
-        line(ax, name, runs[name].t, 1000 * (runs[name]["truth/pitch"] - twin), style=style)
-
-
-def _percent(part: float) -> str:
-    return f"{cell_text(100 * part, 2)} %"
+def _rate(rate: float) -> Quantity:
+    return Quantity(rate, "rad/s")
 
 
 def _keyed(fractions: Mapping[float, float]) -> dict[str, float]:
     return {f"{rate:g}": value for rate, value in fractions.items()}
-
-
-def _rates() -> str:
-    return ", ".join(f"{rate:g}" for rate in RATES)
-
-
-def _percentages(of: Mapping[float, float]) -> str:
-    return ", ".join(f"{100 * value:.2g}" for value in of.values())
