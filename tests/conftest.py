@@ -253,22 +253,6 @@ def pytest_runtest_teardown(item: pytest.Item, nextitem: pytest.Item | None) -> 
         OPEN.pop().stop()
 
 
-@pytest.fixture
-def paged(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
-    """What commands print the head of: that of `--json` can be printed as text without computing it again."""
-    from upright.cli import output
-
-    printed: list[Any] = []
-    page_of = output._page_of
-
-    def noted(result: Any) -> Any:
-        printed.append(result)
-        return page_of(result)
-
-    monkeypatch.setattr(output, "_page_of", noted)
-    return printed
-
-
 def common(factory: pytest.TempPathFactory, name: str) -> Path:
     """A temporary folder of that name for all processes of this run."""
     base = factory.getbasetemp()

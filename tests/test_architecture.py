@@ -53,7 +53,7 @@ AT_ONCE = {
     ("gym/balance.py", "gymnasium"), ("gym/task.py", "gymnasium"), ("gym/vector.py", "gymnasium"),
     ("calibration/motion.py", "numba"), ("lab/app.py", "fastapi"), ("plotting.py", "matplotlib"),
     ("ticks.py", "matplotlib"), ("pages/drawing.py", "matplotlib"),
-    ("reports/figure.py", "matplotlib"), ("reports/robot.py", "matplotlib"), ("reports/film.py", "matplotlib"),
+    ("reports/robot.py", "matplotlib"), ("reports/film.py", "matplotlib"),
 }  # fmt: skip
 """Heavy packages that a module may import when it is loaded, because it is loaded only to use them."""
 
@@ -323,8 +323,6 @@ def test_no_files_import_in_a_circle() -> None:
 def test_a_class_name_means_one_thing() -> None:
     homes: dict[str, set[str]] = {}
     for file, inside in nodes().items():
-        if file.startswith("reports/"):
-            continue  # its pages move to their results, in the words of `pages`
         for node in inside:
             if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
                 homes.setdefault(node.name, set()).add(file)

@@ -17,7 +17,8 @@ from conftest import PATIENCE
 from upright.atomic import TemporaryFolder, write_text, writing
 from upright.cli.main import USER_ERROR, main
 from upright.errors import UprightError
-from upright.reports import Page
+from upright.pages import Page, Say
+from upright.pages.result import write_page
 from upright.robots import Robot
 from upright.signals import Log
 
@@ -35,7 +36,7 @@ def a_robot(path: Path) -> None:
 
 
 def a_page(path: Path) -> None:
-    Page("title", ()).write(path)
+    write_page(Page(Say("number")), path)
 
 
 def a_log(path: Path) -> None:
@@ -205,7 +206,7 @@ def test_what_a_killed_process_left_goes_with_the_next_file_and_that_of_a_living
     other = tmp_path / ".upright-elsewhere-1-abc"  # of another machine, whose processes nobody here knows
     other.mkdir()
     living = TemporaryFolder(tmp_path / "x")
-    writer(tmp_path / ("run.csv" if writer is a_log else "run.toml"))
+    writer(tmp_path / {a_log: "run.csv", a_page: "run.html"}.get(writer, "run.toml"))
     assert {path.name for path in tmp_path.iterdir() if path.is_dir()} == {other.name, living.path.name}
 
 

@@ -16,10 +16,10 @@ from matplotlib.text import Text
 import upright as up
 from upright.checkup.finding import BALANCING, FALLEN, FALLING, LYING, MOVED, OVER, RISING, STANDING
 from upright.identification.methods import IDENTIFIERS
-from upright.languages import SPANISH, figure_translated, language, text_translated, translated
+from upright.languages import SPANISH, figure_translated, language, translated
+from upright.pages.drawing import strokes
 from upright.pages.words import catalogue
 from upright.plotting import bars, intervals
-from upright.reports.figure import Figure as Drawn
 from upright.robots.robot import PARAMETERS
 from upright.tables import Listing, spoken
 
@@ -91,10 +91,10 @@ def test_numbers_have_a_comma_and_the_figure_stays_english() -> None:
 def test_a_picture_is_spanish_and_a_report_is_not() -> None:
     figure = bars(["a"], [0.5], "travel [m]", "push")
     spanish = figure._repr_png_()[0]  # type: ignore[attr-defined]
-    page = Drawn("t", figure).svg()
+    page = strokes(figure, "t")
     language()
     assert figure._repr_png_()[0] != spanish  # type: ignore[attr-defined]
-    assert Drawn("t", figure).svg() == page
+    assert strokes(figure, "t") == page
 
 
 def test_names_of_ones_own_and_another_language() -> None:
@@ -126,7 +126,7 @@ def test_the_margins_of_a_loop_are_shown_in_spanish() -> None:
     both = loop.both()
     edges = [replace(both, **{name: v}) for name, v in (("gain_low", 0.0), ("gain_high", 1e4), ("delay", np.inf))]
     sentences = [*(m.words() for m in edges), replace(both, delay=0.0).words()]
-    pairs = [(words, text_translated(words)) for words in sentences]
+    pairs = [(words, translated(words)) for words in sentences]
     same = {"lqg", "nxtway", "motor", "robots"}
     for english, spanish in pairs:
         kept = set(re.findall(r"[a-z]{3,}", english)) & set(re.findall(r"[a-z]{3,}", spanish)) - same

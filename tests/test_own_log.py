@@ -16,7 +16,8 @@ from upright.cli.main import main
 from upright.comparison.comparison_page import fit_verdict
 from upright.comparison.drawing import state_words
 from upright.control import Estimated, kalman, lqr_state
-from upright.paper.own_log import CALIBRATED, LINEAR, NONLINEAR, compare_own
+from upright.paper.own_log import CALIBRATED, compare_own
+from upright.paper.own_trial import LINEAR, NONLINEAR
 from upright.robots import Kit, Robot
 
 FILE, KIT = Robot.preset("nxtway-gs"), Kit.preset("ideal")

@@ -131,44 +131,6 @@ def test_a_filmstrip_puts_the_axle_where_the_wheels_have_rolled_and_the_body_at_
     assert np.arctan2(*(upper - axle)) == pytest.approx(0.3)  # from the vertical, forwards
 
 
-def test_a_notebook_shows_tables() -> None:
-    assert "<td>&lt;b&gt;</td>" in compare({"a": run(0.1), "<b>": run(0.2)})._repr_html_()
-
-
-def test_nyquist_stays_out_of_the_circle_that_it_touches(analysis: Analysis) -> None:
-    (ax,) = analysis.plot_nyquist().axes
-    curve = np.asarray(ax.lines[0].get_xdata()) + 1j * np.asarray(ax.lines[0].get_ydata())
-    (circle,) = ax.patches[:1]
-    # Ms is found on a finer grid than the curve's 400 points over four decades
-    assert np.nanmin(np.abs(curve + 1)) == pytest.approx(circle.get_width() / 2, rel=0.02)
-
-
-def test_bars_are_as_long_as_their_numbers_and_what_is_not_known_has_none() -> None:
-    figure = bars(["a", "b"], [2.0, np.nan], "falls [%]", "push")
-    (ax,) = figure.axes
-    assert [patch.get_width() for patch in ax.patches] == [2.0, 0.0]
-    assert [text.get_text() for text in ax.texts] == ["2", "–"]
-
-
-def test_a_filmstrip_puts_the_axle_where_the_wheels_have_rolled_and_the_body_at_its_pitch() -> None:
-    t = np.array([0.0, 1.0])
-    log = Log(t, {"truth/pitch": np.array([0.0, 0.3]), "truth/wheel": np.array([0.0, 2.0])})
-    _, ax = filmstrip(NXT, log, [0.0, 1.0]).axes
-    body, wheel = ax.patches[:2]
-    rolled = 2.0 * NXT.wheel_radius
-    assert wheel.get_center() == pytest.approx((rolled, NXT.wheel_radius))
-    (left, right, *_), upper = body.get_xy()[:2], body.get_xy()[2:4].mean(axis=0)
-    axle = (left + right) / 2
-    assert axle == pytest.approx((rolled, NXT.wheel_radius))
-    assert np.arctan2(*(upper - axle)) == pytest.approx(0.3)  # from the vertical, forwards
-
-
-def test_the_labelled_robot_names_its_angles_and_lengths() -> None:
-    side, top = labelled(NXT).axes
-    words = " ".join(text.get_text() for text in (*side.texts, *top.texts))
-    assert all(symbol in words for symbol in ("ψ", "θ", "φ", "L", "R", "W"))
-
-
 def test_a_notebook_shows_a_figure_by_itself() -> None:
     """As a PNG with twice the dots of the size that it asks for, by the header of the file (ISO 15948, IHDR)."""
     figure = run(0.1).plot("truth/pitch")

@@ -1,11 +1,10 @@
-"""Pages and figures: well formed, self-contained, the same bytes each time, and true to the data."""
+"""Pages as files, and figures: the same bytes each time, and true to the data."""
 
 from __future__ import annotations
 
 import json
 import math
 import re
-from html.parser import HTMLParser
 from itertools import pairwise
 from xml.etree import ElementTree
 
@@ -16,53 +15,27 @@ from upright.certification.design import Designed
 from upright.comparison.bench import Bench, BenchRow
 from upright.control import design_of, make_controller
 from upright.decimate import decimate
-from upright.errors import InvalidLog, UnknownName, UprightError
+from upright.errors import InvalidLog, UprightError
 from upright.fleets.binomial import clopper_pearson
 from upright.fleets.cases import Cases
 from upright.fleets.tally import CaseSummary
+from upright.pages import Column, Picture, Say, Table
+from upright.pages.drawing import svg
 from upright.plotting import (
-    BESIDE,
     COLOURS,
-    RIGHT,
-    WIDTH,
-    bars,
-    legend,
     line,
     number,
     numbered,
     panels,
     plane,
     points,
-    rows_of,
-    span,
 )
-from upright.reports import Details, Figure, Formula, Page, Section, Table, Verdict, report
-from upright.reports.page import cell_text
+from upright.reports import report
 from upright.robots import Kit, Robot
 from upright.signals import STATE_NAMES, Log
 from upright.tables import spoken
 
 SVG = "{http://www.w3.org/2000/svg}"
-VOID = {"meta", "link", "br", "hr", "img", "input"}
-
-
-class Balanced(HTMLParser):
-    """Fails on a tag that is closed out of turn; at the end `open` must be empty."""
-
-    def __init__(self):
-        super().__init__()
-        self.open, self.ids, self.links = [], [], []
-
-    def handle_starttag(self, tag, attrs):
-        self.open += [] if tag in VOID else [tag]
-        self.ids += [value for name, value in attrs if name == "id"]
-        self.links += [value for name, value in attrs if name in ("href", "src", "xlink:href")]
-
-    def handle_startendtag(self, _, attrs):
-        self.ids += [value for name, value in attrs if name == "id"]
-
-    def handle_endtag(self, tag):
-        assert self.open.pop() == tag
 
 
 def drawn(*curves, label="y [m]", step=False):
@@ -73,13 +46,13 @@ def drawn(*curves, label="y [m]", step=False):
     return drawing
 
 
-def figure(title="Twin & model agree"):
-    t = np.linspace(0, 5, 100)
-    drawing, axes = panels(["pitch ψ [rad]"])
-    line(axes[0], "twin", t, np.sin(t))
-    line(axes[0], "model <1>", t, np.cos(t))
-    span(axes, 1.0, 2.0, "push acts")
-    return Figure(title, legend(drawing))
+def svg_of(drawing):
+    """The drawing as a page has it."""
+    return svg(Picture(Say("number"), lambda: drawing))
+
+
+def a_campaign():
+    return Cases((CaseSummary({"robot": "a"}, 100, 0, clopper_pearson(0, 100), {}),))
 
 
 def circle(*sets):
@@ -97,20 +70,6 @@ def run(kind="nonlinear model", tau=0.5):
     return Log(t, columns, origin={"body": {"kind": kind}, "seed": 7, "versions": {"numpy": "2"}})
 
 
-def page():
-    poles = Figure("All poles lie inside the circle", circle([0.9 + 0.1j, 0.9 - 0.1j]))
-    maths = Formula('<math xmlns="http://www.w3.org/1998/Math/MathML"><mi>x</mi></math>')
-    sections = [
-        Section("First <em>", ["A & B <script>", figure(), poles], Verdict("reproduced", "good")),
-        Section("First", [Table(["", "s"], [["x", 1.5], ["y", math.nan]], "Times"), Formula("u = −K x"), maths]),
-    ]
-    return Page("A page", sections, "Lead.", {"seed": "7"})
-
-
-def drawings(html):
-    return [ElementTree.fromstring(text) for text in re.findall(r"<svg.*?</svg>", html, re.DOTALL)]
-
-
 def coordinates(root):
     """The lines that a pointer reads: the corners of each run between gaps."""
     lines = [g for g in root.iter(f"{SVG}g") if (g.get("id") or "").startswith("line-")]
@@ -119,118 +78,18 @@ def coordinates(root):
     return [[(float(x), float(y)) for x, y in re.findall(r"[ML] ?(-?[\d.]+) (-?[\d.]+)", run)] for run in runs]
 
 
-@pytest.fixture(scope="module")
-def htmls():
-    """A page of every kind of part."""
-    return [page().html()]
-
-
-def test_pages_are_well_formed_and_their_links_lead_to_ids_that_exist_once(htmls):
-    for html in htmls:
-        parser = Balanced()
-        parser.feed(html)
-        assert parser.open == []
-        assert len(set(parser.ids)) == len(parser.ids)
-        assert {link.removeprefix("#") for link in parser.links} <= set(parser.ids)
-
-
-def test_the_key_names_the_unit_circle_by_a_dotted_line():
-    (entry,) = [entry for entry in Figure("Poles", circle([0.9 + 0.1j])).key() if "unit circle" in entry.name]
-    assert 'stroke-dasharray="2 3"' in entry.sample
-
-
-def test_a_phone_shows_letters_beside_a_row_below_its_name_and_leaves_the_drawing_as_it_was():
-    drawing, ax = rows_of(["a", "b"], "pole [1/s]", "method")
-    beside = ax.annotate("7.4 to 7.6", (1, 0), (8, 0), xycoords=ax.get_yaxis_transform(), textcoords="offset points")
-    beside.set_gid(BESIDE)
-    figure = Figure("Poles", drawing)
-    wide, narrow = figure.svg(), figure.narrow()
-    across = [float(re.findall(r'x="([\d.]+)"[^>]*>7.4 to', svg)[0]) for svg in (wide, narrow)]
-    assert across[0] > 72 * (WIDTH - RIGHT)  # right of the panel, 72 units an inch
-    assert across[1] < 72 * 1.0  # at its left end
-    assert figure.svg() == wide
-
-
-def test_a_phone_shows_long_names_above_their_rows_and_leaves_the_drawing_as_it_was():
-    """40 letters left of the bars would leave a phone a third of its width for them."""
-    names = ["a name of a controller with forty letters", "b"]
-    figure = Figure("Falls", bars(names, [1.0, 2.0], "robots that fell [%]", "push"))
-    wide, narrow = figure.svg(), figure.narrow()
-    across = [float(re.findall(r'x="([\d.]+)"[^>]*>a name', svg)[0]) for svg in (wide, narrow)]
-    assert across[0] > 72 * 2.0  # right-aligned before the axis, 72 units an inch
-    assert across[1] < 72 * 0.5  # at the left end of its bar
-    assert figure.svg() == wide
-
-
-def test_a_column_of_per_cents_keeps_a_decimal_beside_small_ones():
-    """2.8 of 100 was shown as 3, beside a figure that said 2.8 %."""
-    table = Table(["case", "fell [%]"], [["a", 100.0], ["b", 2.8]], digits=3, even=True)
-    assert [row[1][0] for row in table.cells()] == ["100.0", "2.8"]
-
-
-def test_pages_fetch_nothing(htmls):
-    for html in htmls:
-        assert not re.search(r"https?://|//[a-z]+\.[a-z]", re.sub(r'xmlns="[^"]*"', "", html))
-        assert not re.search(r"@import|url\((?!#)", html)  # url(#…) points into the drawing itself
-
-
-def test_every_drawing_is_xml_with_a_title_a_description_and_units_on_both_axes(htmls):
-    for html in htmls:
-        pictures = [root for root in drawings(html) if root.get("role") == "img"]
-        assert pictures
-        for root in pictures:
-            assert root.findtext(f"{SVG}title")
-            assert root.findtext(f"{SVG}desc")
-            labels = [text.text for text in root.iter(f"{SVG}text") if re.search(r"\[.+\]$", text.text or "")]
-            assert len(labels) >= 2
-            assert set(labels) <= set(re.split(r", |: ", root.findtext(f"{SVG}desc")))
-
-
-@pytest.mark.parametrize(
-    ("text", "whole"),
-    [
-        ("at most 129 % of", "129~%"), ("of ± 6.4 %", "±~6.4~%"), ("effort [V² / s]", "V²~/~s"),
-        ("0.19 N s more", "0.19~N~s more"), ("2 · 10⁻⁵ kg m²", "2~·~10⁻⁵~kg~m²"), ("5 N m s/rad", "5~N~m~s/rad"),
-        ("of 3 sensors", "of 3 sensors"), ("4 more", "4 more"), ("`-n 5 s`", "-n 5 s"),
-    ],
-)  # fmt: skip
-def test_no_line_breaks_between_a_number_and_its_unit_or_inside_a_unit(text, whole):
-    """One rule for prose, tables, captions and numbers; a command can be copied with its spaces."""
-    several = [text, Table([text, "b"], [[text, 1.0]], text)]
-    html = Page(text, [Section(text, several)], text, numbers=[(text, text)]).html()
-    shown = re.sub(r"</?(span|code|a)\b[^>]*>", "", html.partition("<body>")[2]).replace("\u00a0", "~")
-    if "`" not in text:
-        assert shown.count(whole) >= 8
-    else:
-        assert whole in shown
-
-
 def test_the_same_page_is_the_same_bytes(tmp_path):
-    first, second = (page().write(tmp_path / name) for name in ("a.html", "b.html"))  # each is drawn anew
+    first, second = (report(a_campaign(), tmp_path / name) for name in ("a.html", "b.html"))  # each is drawn anew
     assert first.read_bytes() == second.read_bytes()
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.html", "b.html"]  # no temporary file stays
 
 
 def test_a_title_replaces_the_pages_own_and_a_result_without_a_page_says_so(tmp_path):
-    cases = Cases((CaseSummary({"robot": "a"}, 100, 0, clopper_pearson(0, 100), {}),))
-    assert "<title>Two &amp; one</title>" in report(cases, tmp_path / "a.html", title="Two & one").read_text()
+    path = report(a_campaign(), tmp_path / "a.html", title="Two & one")
+    assert "<title>Two &amp; one</title>" in path.read_text("utf-8")
     with pytest.raises(UprightError, match="float has no page; expected what a verb of upright returns") as error:
         report(1.0, tmp_path / "b.html")
     assert "\n" not in str(error.value)
-
-
-def test_text_is_escaped_wherever_it_stands():
-    html = page().html()
-    assert "<script>\n//" in html  # our own
-    assert "A &amp; B &lt;script&gt;" in html
-    assert "First &lt;em&gt;" in html
-    assert "model &lt;1&gt;" in html
-    assert "<1>" not in html
-
-
-def test_a_page_that_cannot_be_written_is_an_error_of_ours(tmp_path):
-    with pytest.raises(UprightError, match="no folder"):
-        page().write(tmp_path / "nowhere" / "a.html")
 
 
 def test_a_failed_write_leaves_the_old_page(tmp_path, monkeypatch):
@@ -238,14 +97,14 @@ def test_a_failed_write_leaves_the_old_page(tmp_path, monkeypatch):
     target.write_text("old")
     monkeypatch.setattr("os.replace", lambda *_: (_ for _ in ()).throw(OSError(28, "disk full")))
     with pytest.raises(UprightError, match="disk full"):
-        page().write(target)
+        report(a_campaign(), target)
     assert [path.name for path in tmp_path.iterdir()] == ["a.html"]
     assert target.read_text() == "old"
 
 
 def test_a_line_goes_through_its_data():
     drawing = drawn(([0, 1, 2], [0, 1, 0]))
-    root = ElementTree.fromstring(Figure("t", drawing).svg())
+    root = ElementTree.fromstring(svg_of(drawing))
     (corners,) = coordinates(root)
     (left, low), (middle, high), (right, end) = corners
     assert middle == pytest.approx((left + right) / 2, abs=0.02)  # rounded to 2 decimals
@@ -256,15 +115,13 @@ def test_a_line_goes_through_its_data():
 
 
 def test_nan_breaks_a_line():
-    root = ElementTree.fromstring(
-        Figure("t", drawn((range(5), [0, 1, math.nan, 1, 0]), ([0, 1], [math.nan] * 2))).svg()
-    )
+    root = ElementTree.fromstring(svg_of(drawn((range(5), [0, 1, math.nan, 1, 0]), ([0, 1], [math.nan] * 2))))
     assert [len(corners) for corners in coordinates(root)] == [2, 2]
     assert not any("nan" in (text.text or "") for text in root.iter(f"{SVG}text"))
 
 
 def test_a_step_line_holds_each_value_up_to_the_next():
-    (corners,) = coordinates(ElementTree.fromstring(Figure("t", drawn(([0, 1, 2], [0, 1, 0]), step=True)).svg()))
+    (corners,) = coordinates(ElementTree.fromstring(svg_of(drawn(([0, 1, 2], [0, 1, 0]), step=True))))
     assert all(a[0] == b[0] or a[1] == b[1] for a, b in pairwise(corners))
     assert len(corners) == 5  # three values and two corners between them
 
@@ -272,7 +129,7 @@ def test_a_step_line_holds_each_value_up_to_the_next():
 def test_what_a_pointer_reads_are_the_values_drawn():
     drawing, (ax,) = panels(["gain [1]"], "frequency [rad/s]", "log")
     line(ax, "loop", [0.1, 1, 10], [3, 2, 1])
-    root = ElementTree.fromstring(Figure("t", drawing).svg())
+    root = ElementTree.fromstring(svg_of(drawing))
     (panel,) = json.loads(root.get("data-curves"))
     (corners,) = coordinates(root)
     low, high = panel["x"]
@@ -283,11 +140,11 @@ def test_what_a_pointer_reads_are_the_values_drawn():
 
 
 def test_colours_are_the_pages_own_and_letters_stay_text():
-    svg = figure().svg()
-    assert "var(--c0)" in svg
-    assert "var(--c1)" in svg
-    assert not any(colour in svg for colour in COLOURS)
-    assert "pitch ψ [rad]" in [text.text for text in ElementTree.fromstring(svg).iter(f"{SVG}text")]
+    picture = svg_of(drawn(([0, 1], [0, 1]), ([0, 1], [1, 0]), label="pitch ψ [rad]"))
+    assert "var(--c0)" in picture
+    assert "var(--axis)" in picture
+    assert not any(colour in picture for colour in COLOURS)
+    assert "pitch ψ [rad]" in [text.text for text in ElementTree.fromstring(picture).iter(f"{SVG}text")]
 
 
 def test_a_number_on_a_page_is_the_number_of_the_drawing():
@@ -295,7 +152,7 @@ def test_a_number_on_a_page_is_the_number_of_the_drawing():
     ax.set(ylim=(0, 0.0155), ylabel="0.12345 m")
     drawing.draw_without_rendering()
     named = {text.get_text() for text in ax.get_yticklabels() if 0 <= text.get_position()[1] <= 0.0155}
-    letters = {text.text for text in ElementTree.fromstring(Figure("t", drawing).svg()).iter(f"{SVG}text")}
+    letters = {text.text for text in ElementTree.fromstring(svg_of(drawing)).iter(f"{SVG}text")}
     assert {"0.12345 m", *named} <= letters
     assert "0.005" in letters
 
@@ -379,7 +236,6 @@ def test_the_unit_circle_is_round_and_poles_stand_where_they_are():
 def test_numbers_are_rounded_as_readers_round():
     """Python takes a half to the even neighbour."""
     assert [number(x, 2) for x in (58.5, 57.5, -58.5, 0.125)] == ["59", "58", "−59", "0.13"]
-    assert cell_text(58.5, 2) == "59"
 
 
 def test_a_bench_takes_of_tied_controllers_the_one_with_the_least_effort():
@@ -399,37 +255,9 @@ def test_a_bench_takes_of_tied_controllers_the_one_with_the_least_effort():
     assert numbers == ["0.29 N s", "at most 3.2 %", "5 V² s"]
 
 
-def test_cells_show_a_true_minus_and_a_dash_for_what_is_not_known():
-    assert [cell_text(cell) for cell in (-1.5, math.nan, None, True, 1.06e7, "x")] == [
-        "−1.5",
-        "–",
-        "–",
-        "yes",
-        "1.06 · 10⁷",
-        "x",
-    ]
-
-
-def test_a_table_without_rows_is_a_sentence_instead_of_a_bare_header():
-    html = Page("P", [Section("S", [Table(["a", "b"], [], "Pairs"), Table(["c", "d"], [])])]).html()
-    assert "<th" not in html
-    assert [html.count(sentence) for sentence in ("<p>Pairs: none.</p>", "<p>No entries.</p>")] == [1, 1]
-
-
-def test_a_name_in_backticks_is_set_as_code():
-    cell = "see `upright certify` for J_ψ & `a_b`"
-    html = Page("P", [Section("S", [cell, Table(["a"], [[cell]])])]).html()
-    assert html.count("see <code>upright certify</code> for J<sub>ψ</sub> &amp; <code>a_b</code>") == 2
-    assert "`" not in re.sub(r"<script>.*?</script>", "", html, flags=re.DOTALL)
-
-
-def test_mistakes_in_a_page_are_reported():
-    with pytest.raises(UprightError, match="a row of table 'T' has 1 cells; expected 2"):
-        Table(["a", "b"], [["x"]], "T")
-    with pytest.raises(UnknownName, match="one of bad, good, info, warn"):
-        Verdict("fine", "great")
-    with pytest.raises(UprightError, match="MathML does not parse"):
-        Formula("<math><mi>x</math>")
+def test_mistakes_are_reported():
+    with pytest.raises(ValueError, match="a row of 1 cells under 2 columns"):
+        Table([Column(Say("number")), Column(Say("middle"))], [["x"]])
     with pytest.raises(InvalidLog, match="line 'a' has 2 x and 1 y"):
         drawn(([0, 1], [0]))
 
@@ -438,15 +266,6 @@ def test_ratios_of_coefficients_keep_their_slash():
     assert [spoken(name) for name in ("weight_moment/a22", "a22/a11", "delay/gyro", "fleet.com_height")] == [
         "weight moment/a22", "a22/a11", "gyro delay", "centre of mass height",
     ]  # fmt: skip
-
-
-def test_words_that_only_folded_parts_use_are_folded_too():
-    seen, folded = Section("Open", ["A twin."]), Section("Ms of it", ["The NIS.", Details("Mt", ["BIC"])], folded=True)
-    html = Page("P", [seen, folded], twin_note=True).html()
-    first, _, rest = html.partition("Words of the folded parts")
-    words = [re.findall(r'<div id="word-([^"]+)"><dt>', part) for part in (first, rest)]
-    # headings of folded sections are seen, what stands below them is not
-    assert words == [["Ms", "twin"], ["BIC", "Mt", "NIS"]]
 
 
 def test_a_design_tells_its_weights_and_gains():

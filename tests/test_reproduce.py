@@ -62,7 +62,7 @@ def read(folder: Path) -> Reproduction:
     claims: list[Claim] = []
     for found in json.loads((folder / "results.json").read_text("utf-8"))["findings"]:
         logs = {name: Log.load(folder / "logs" / f"{name}.parquet") for name in found.pop("logs")}
-        found |= {name: Say("{words}", words=found[name]) for name in ("title", "found")}
+        found |= {name: Say("{words}", words=found[name]) for name in ("title", "summary")}
         claims.append(Claim(**found, logs=logs))
     return Reproduction(claims, folder)
 
@@ -148,7 +148,7 @@ def test_what_the_chapters_give_is_written_and_read_whole(tmp_path: Path, monkey
 def test_verdicts(parts: dict[str, Claim], part: str, verdict: str) -> None:
     twin_swings = {IN_PART} if part in PUSHED else set[str]()  # its swing at rest may be wider than the band
     assert parts[part].verdict in {verdict} | twin_swings
-    assert len(str(parts[part].found)) > 20  # it says why
+    assert len(str(parts[part].summary)) > 20  # it says why
 
 
 def test_the_first_screen_has_the_verdict_three_numbers_and_every_claim_of_the_paper(done: Reproduction) -> None:
@@ -325,7 +325,7 @@ def test_claims_follow_from_their_cases(parts: dict[str, Claim]) -> None:
     held = sum(claims.values())
     # as 5a to 5d: in part where some of what a claim says holds
     assert parts["5e"].verdict == (REPRODUCED if held == len(claims) else IN_PART if held else NOT_AS_PRINTED)
-    assert str(parts["5e"].found).startswith(f"{held} of {len(claims)} conclusions hold")
+    assert str(parts["5e"].summary).startswith(f"{held} of {len(claims)} conclusions hold")
 
 
 def planted(decay: float, yaw: float = 0.0, sign: float = 1.0) -> Log:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import functools
 import os
 import re
-from collections.abc import Collection, Generator, Mapping
+from collections.abc import Generator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import Any
@@ -184,26 +184,6 @@ def translated(text: str) -> str:
     if match := _UNIT.fullmatch(text):
         return f"{translated(match[1])} {match[2][0]}{translated(match[2][1:-1])}{match[2][-1]}"
     return text
-
-
-_CELL = re.compile(r"\S+(?: \S+)*")
-
-
-def text_translated(text: str, names: Collection[str] = ()) -> str:
-    """Lines of sentences and of tables in the language that was chosen; `names` stay, and columns keep their right
-    edges."""
-    return "\n".join(_line_translated(line, names) for line in text.split("\n")) if _words else text
-
-
-def _line_translated(line: str, names: Collection[str]) -> str:
-    if (whole := translated(line)) != line:
-        return whole
-    made = ""
-    for cell in _CELL.finditer(line):
-        words = cell[0] if cell[0] in names else translated(cell[0])
-        least = 2 if made else 0
-        made += " " * max(least, cell.end() - len(made) - len(words)) * (cell.start() > 0) + words
-    return made
 
 
 @contextmanager

@@ -10,7 +10,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from html import escape
 
-from upright.languages import text_translated, translated
+from upright.languages import translated
 
 
 @dataclass(frozen=True)
@@ -53,48 +53,9 @@ class Listing:
         return ["  ".join([*cells, first]).rstrip(), *(" " * left + line for line in rest)]
 
 
-class Shown:
-    """A result that prints itself. A notebook shows its table, or the same text; its `repr` is the first line."""
-
-    def __repr__(self) -> str:
-        first, *_ = str(self).splitlines() or [""]
-        return f"<{type(self).__name__}: {' '.join(first.split())}>"
-
-    def listing(self) -> Listing | None:
-        """The result as a table, where it is one."""
-        return None
-
-    def labels(self) -> Collection[str]:
-        """Names in its text, which stay in every language."""
-        return ()
-
-    def _repr_html_(self) -> str:
-        table = self.listing()
-        text = f"<pre>{escape(text_translated(str(self), self.labels()))}</pre>"
-        return table.html(type(self).__name__) if table else text
-
-
-def wrapped(text: str, width: int) -> str:
-    """`text` with its longer lines wrapped at `width`, indented as they begin; rows of tables stay whole."""
-    return "\n".join(_wrapped_line(line, width) for line in text.split("\n"))
-
-
-def _wrapped_line(line: str, width: int) -> str:
-    plain = line.strip()
-    if length(line) <= width or "  " in plain:
-        return line
-    indent = " " * (len(line) - len(line.lstrip()))
-    return textwrap.fill(plain, max(width, 40), initial_indent=indent, subsequent_indent=f"{indent}  ")
-
-
 def sentence(text: str, end: str = ".") -> str:
     """`text` with its first letter upper, and with an `end`."""
     return f"{text[:1].upper()}{text[1:]}{end}"
-
-
-def joined(names: Sequence[str]) -> str:
-    """Names in a sentence: "a, b and c"."""
-    return f"{', '.join(names[:-1])} and {names[-1]}" if len(names) > 1 else "".join(names)
 
 
 def short(channel: str) -> str:
@@ -139,15 +100,6 @@ _RADIANS = re.compile(r"([+−-]?)(\d+\.\d+) rad\b(?!/)")
 def in_degrees(text: str) -> str:
     """The same words with angles in degrees: "hold at +0.19 rad" as hold at +11°."""
     return _RADIANS.sub(lambda m: f"{m[1]}{math.degrees(float(m[2])):.2g}°".replace("-", "−"), text)
-
-
-def least(value: float, digits: int = 3) -> str:
-    """A number of which it is said that others are at least as large: never rounded up.
-
-    >>> least(0.9947)
-    '0.994'
-    """
-    return f"{math.floor(value * 10**digits + 1e-9) / 10**digits:.{digits}f}".replace("-", "−")
 
 
 HALF_UP = 1 + 1e-12

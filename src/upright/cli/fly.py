@@ -9,7 +9,7 @@ import typer
 
 from upright.cli import options
 from upright.cli.keep import check_log_target, save_log
-from upright.cli.output import AGAINST, finish, progress
+from upright.cli.output import AGAINST, progress
 from upright.errors import UprightError
 
 if TYPE_CHECKING:
@@ -70,7 +70,10 @@ def fly(
                 seconds=seconds, pushes=pushes, seed=seed, confirm=None if yes or as_json else _ask, progress=show,
             )  # fmt: skip
     path, wrong = save_log(flight.log.log, output) if flight.log and output else (None, "")
-    finish(flight, as_json, written=[path], log=str(path) if path else None)
+    if as_json:
+        print_json(flight.to_json() | {"log": str(path) if path else None})
+    else:
+        typer.echo(f"{flight}\n\nwrote {path}" if path else str(flight))
     if flight.lost:
         raise typer.Exit(AGAINST)  # nobody knows: the program runs on without the connection
     if wrong:

@@ -9,9 +9,9 @@ import sys
 import time
 from collections.abc import Callable, Collection, Generator, Iterable, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import asdict, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 import typer
 
@@ -19,22 +19,13 @@ from upright.atomic import json_text, place_of, write_json
 from upright.cli.typed import GIVEN, TYPED
 from upright.errors import UprightError, require
 from upright.languages import ENGLISH, speaking
-from upright.pages import Next, Say
-from upright.pages import Page as NewPage
-from upright.pages import Result as Shown
+from upright.pages import Next, Page, Result, Say
 from upright.pages.terminal import WIDTH
 from upright.pages.terminal import text as page_text
-from upright.tables import Listing, wrapped
+from upright.tables import Listing
 
 if TYPE_CHECKING:
-    from upright.reports import Page
     from upright.robots import Robot
-
-
-class Printable(Protocol):
-    """What a library function returns: it prints as text and as JSON."""
-
-    def to_json(self) -> dict[str, Any]: ...
 
 
 def print_table(header: Sequence[str], rows: Sequence[Sequence[str]], numbers: Collection[str] = ()) -> None:
@@ -53,7 +44,7 @@ AGAINST = 3
 
 
 def finish(
-    result: Printable, as_json: bool, *,
+    result: Result, as_json: bool, *,
     output: Path | None = None, page: Path | None = None, written: Iterable[Path | None] = (), **facts: Any,
 ) -> None:  # fmt: skip
     """Write the result to `output` and its page to `page`, print it as its page or as JSON with further `facts`, and
@@ -62,27 +53,10 @@ def finish(
     write_page(result, page)
     if output:
         write_json(output, data)
-    files = (output, *written, page)
-    if isinstance(result, Shown):
-        _print_page(result.page(), data if as_json else None, files)
-    else:
-        print_result(result, data if as_json else str(result), files)
+    _print_page(result.page(), data if as_json else None, (output, *written, page))
 
 
-def print_result(paged: Any, below: str | dict[str, Any], written: Iterable[Path | None] = ()) -> None:
-    """Print the head of what has a page of the paper's kind first: as JSON beside the data `below`, or over the text
-    `below`. The files `written` end it."""
-    page = _page_of(paged)
-    head = page and page.head
-    if not isinstance(below, str):
-        print_json(({"head": asdict(head)} if head else {}) | below)
-        return
-    shown = [head.text(shutil.get_terminal_size().columns) if head else "", below]
-    shown += ["\n".join(f"wrote {path}" for path in written if path)]
-    print_text("\n\n".join(filter(None, shown)), head.verdict.level if head and head.verdict else "")
-
-
-def _print_page(page: NewPage, data: dict[str, Any] | None, written: Iterable[Path | None]) -> None:
+def _print_page(page: Page, data: dict[str, Any] | None, written: Iterable[Path | None]) -> None:
     """Print a page for people, or its head as JSON beside the `data`; the files `written` end it."""
     page = continued(page)
     if data is not None:
@@ -100,7 +74,7 @@ CARRIED = ("robot", "kit", "controller", "mapping", "posterior")
 """Options that the next command takes over from this one."""
 
 
-def continued(page: NewPage) -> NewPage:
+def continued(page: Page) -> Page:
     """The page whose next commands are for the robot, the kit and the files that were typed."""
     typed = {name: value for name, value in GIVEN.get().items() if name in CARRIED and not isinstance(value, list)}
     return replace(page, next=[_for_typed(step, typed) for step in page.next])
@@ -122,16 +96,6 @@ def _for_typed(step: Next, typed: Mapping[str, Any]) -> Next:
     return Next(step.verb, *given, why=step.why, **{**step.options, **kept})
 
 
-def _page_of(result: Any) -> Page | None:
-    """The page whose head the terminal shows, with files named as they were typed; None for a result without one."""
-    from upright.reports import finished
-
-    try:
-        return finished(result, command=shlex.join(["upright", *TYPED.get()]) if TYPED.get() else "")
-    except UprightError:
-        return None
-
-
 def warn_of(robot: Robot) -> None:
     """Say first, on stderr, that no such motor exists, where that is so."""
     from upright.robots.motor import makes_energy
@@ -140,30 +104,12 @@ def warn_of(robot: Robot) -> None:
         typer.echo(f"warning: {wrong}", err=True)
 
 
-LIGHTS = {"good": "green", "warn": "yellow", "bad": "red"}
-
-
-def print_text(text: str, level: str = "") -> None:
-    """Print text; on a terminal its long lines are wrapped, and its first has the colour of a verdict's `level`."""
-    if sys.stdout.isatty():
-        first, end, rest = wrapped(text, shutil.get_terminal_size().columns).partition("\n")
-        if level in LIGHTS and not os.environ.get("NO_COLOR"):
-            first = typer.style(first, fg=LIGHTS[level], bold=True)
-        text = f"{first}{end}{rest}"
-    typer.echo(text)
-
-
-def write_page(result: Any, path: Path | None, title: str = "") -> None:
-    """Write the page of a result to `path`, where one is given, with the command at its foot; `title` replaces the
-    page's own."""
-    if path and isinstance(result, Shown):
+def write_page(result: Result, path: Path | None) -> None:
+    """Write the page of a result to `path`, where one is given, with the command at its foot."""
+    if path:
         from upright.pages.result import write_page as write
 
         write(continued(result.page()), path, _command())
-    elif path:
-        from upright.reports import report
-
-        report(result, path, title=title, command=_command())
 
 
 QUIET = 10.0

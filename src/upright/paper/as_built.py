@@ -115,7 +115,7 @@ def chapter(trial: RegulatedRobot, kit: Kit, logs: Mapping[str, Log], progress: 
         others = {other: logs[f"{name}-{side}-{other}"] for other in OTHERS}
         cases[f"{side} push"] = settled({AS_BUILT: runs, **{other: [log] for other, log in others.items()}})
     slower = sum(c.slower for c in cases.values())
-    found = Say("With friction and backlash, {robot} settles later than both models under {n} of {all} pushes.",
+    summary = Say("With friction and backlash, {robot} settles later than both models under {n} of {all} pushes.",
                 robot=name, n=slower, all=len(cases))  # fmt: skip
     friction = calibration["coulomb_friction"]
     known = Quantity(friction.value, "N m", low=friction.low, high=friction.high, digits=2)
@@ -131,7 +131,7 @@ def chapter(trial: RegulatedRobot, kit: Kit, logs: Mapping[str, Log], progress: 
     )
     title = Say("Settling of real robots")
     verdict = judged(c.slower for c in cases.values())
-    return Claim("5f", title, verdict, found, numbers, [picture, guess, _table(cases)], kept)
+    return Claim("5f", title, verdict, summary, numbers, [picture, guess, _table(cases)], kept)
 
 
 def _plain(c: Settled) -> dict[str, object]:

@@ -34,7 +34,7 @@ def judged(holds: Iterable[bool]) -> str:
 
 @dataclass(frozen=True, eq=False)
 class Claim:
-    """One claim: `part` of the paper, `title`, `verdict`, what was `found`, and the evidence.
+    """One claim: `part` of the paper, `title`, `verdict`, a `summary`, and the evidence.
 
     `numbers` are plain JSON; `blocks` what the page shows of them; `logs` the runs behind it, by file name without
     suffix.
@@ -43,15 +43,15 @@ class Claim:
     part: str
     title: Say
     verdict: str
-    found: Say
+    summary: Say
     numbers: Mapping[str, Any]
     blocks: Sequence[Block] = ()
     logs: Mapping[str, Log] = field(default_factory=dict[str, Log])
 
     def to_json(self) -> dict[str, Any]:
         """Everything but blocks and logs; of the logs their names."""
-        said = {"part": self.part, "title": str(self.title), "verdict": self.verdict, "found": str(self.found)}
-        return {**said, "numbers": dict(self.numbers), "logs": sorted(self.logs)}
+        named = {"part": self.part, "title": str(self.title), "verdict": self.verdict, "summary": str(self.summary)}
+        return {**named, "numbers": dict(self.numbers), "logs": sorted(self.logs)}
 
 
 def shown_of(result: Result) -> list[Block]:

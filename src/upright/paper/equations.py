@@ -51,7 +51,7 @@ def _model() -> Claim:
     robot = Robot.preset("nxtway-gs")
     models: tuple[Model, Model] = ("published", "complete")
     off = {model: disagreement(model, robot) for model in models}
-    found = Say("They equal those derived from the energies, to within {off}.",
+    summary = Say("They equal those derived from the energies, to within {off}.",
                 off=Quantity(max(off.values()), "1", digits=1))  # fmt: skip
     derived = derive("published")
     plain = replace(derived, force=derived.force.subs(derived.loads))  # the paper has no push, slope or dry friction
@@ -62,13 +62,13 @@ def _model() -> Claim:
     ]
     numbers = {"states": STATES, "largest_relative_difference": off}
     verdict = judged(value < ROUNDING for value in off.values())
-    return Claim("1a", Say("Corrected equations"), verdict, found, numbers, blocks)
+    return Claim("1a", Say("Corrected equations"), verdict, summary, numbers, blocks)
 
 
 def _misprints(proofs: Mapping[Erratum, Proof | None]) -> Claim:
     proved = [proof for proof in proofs.values() if proof]
     holding = sum(proof.holds for proof in proved)
-    found = Say(
+    summary = Say(
         "{n} misprints: {proved} in equations of motion are proved, {other} are of notation.",
         n=len(proofs), proved=holding, other=len(proofs) - len(proved),
     )  # fmt: skip
@@ -76,7 +76,7 @@ def _misprints(proofs: Mapping[Erratum, Proof | None]) -> Claim:
         "errata": [_as_json(erratum, proof) for erratum, proof in proofs.items()],
         "proved": holding, "provable": len(proved), "witness": WITNESS,
     }  # fmt: skip
-    return Claim("1b", Say("Printed equations"), NOT_AS_PRINTED, found, numbers, [_table(proofs)])
+    return Claim("1b", Say("Printed equations"), NOT_AS_PRINTED, summary, numbers, [_table(proofs)])
 
 
 def _as_json(erratum: Erratum, proof: Proof | None) -> dict[str, object]:

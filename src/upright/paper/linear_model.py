@@ -84,9 +84,9 @@ def _fitted(log: Log, fit: LeastSquares) -> Claim:
         "rank": fit.rank, "condition": fit.condition, "largest_offset": float(np.abs(fit.offset).max()),
         "samples": fit.samples, "A": fit.model.A.tolist(), "B": fit.model.B.tolist(),
     }  # fmt: skip
-    found = Say("Pitch and wheels have the printed numbers; the inputs of yaw have the other sign.")
+    summary = Say("Pitch and wheels have the printed numbers; the inputs of yaw have the other sign.")
     if not blocks[0].agrees:
-        found = Say("The fit differs from the printed numbers.")
+        summary = Say("The fit differs from the printed numbers.")
     columns = [
         Column(Say("part of A and B")), Column(Say("entries")), Column(Say("largest difference"), "last digits"),
         Column(Say("agrees")),
@@ -96,14 +96,14 @@ def _fitted(log: Log, fit: LeastSquares) -> Claim:
     # the inputs of yaw as printed are the last block
     verdict = judged([b.agrees and fit.full_rank for b in blocks])
     title = Say("Linear model, fitted")
-    return Claim("3a", title, verdict, found, numbers, [table], {"identification": log})
+    return Claim("3a", title, verdict, summary, numbers, [table], {"identification": log})
 
 
 def _biased(robot: Robot, log: Log, fit: LeastSquares, longer: LeastSquares) -> Claim:
     reference = linearise(robot).c2d(printed.PERIOD)
     true = unstable_pole(reference)
     estimated = unstable_pole(fit.model)
-    found = Say(
+    summary = Say(
         "On real sensors the unstable pole comes out as {pole}, and is {true}: noise biases least squares.",
         pole=Quantity(estimated, "1/s"), true=Quantity(true, "1/s"),
     )  # fmt: skip
@@ -122,7 +122,7 @@ def _biased(robot: Robot, log: Log, fit: LeastSquares, longer: LeastSquares) -> 
     ]
     table = Table([Column(Say("fit to")), Column(Say("unstable pole"), "1/s")], rows)
     title = Say("The same fit on real sensors")
-    return Claim("3b", title, BEYOND, found, numbers, [table], {"identification-sensors": log})
+    return Claim("3b", title, BEYOND, summary, numbers, [table], {"identification-sensors": log})
 
 
 def _misfit(block: Say, model: LinearModel, B: Array, rows: tuple[int, ...]) -> Misfit:

@@ -8,32 +8,30 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from upright.arrays import Array
-from upright.atomic import finite
 from upright.bodies import LinearBody
 from upright.calibration.calibrate import calibrate, prepared
 from upright.calibration.estimate import NORMAL
 from upright.calibration.filter_log import filter_log
 from upright.checkup.finding import instant
 from upright.checkup.wheels import on_its_wheels
-from upright.comparison import Comparison, compare
+from upright.comparison import compare
 from upright.comparison.drawing import state_words
 from upright.comparison.metrics import active_intervals
 from upright.control import Controller, read_controller
 from upright.errors import DesignFailed, InvalidLog, InvalidRobot
 from upright.experiment import Push
 from upright.experiment.pushes import PushProgramme
-from upright.languages import ENGLISH, speaking
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
-from upright.pages import Page, Quantity, Result, Say
-from upright.paper.own_trial import MEASURED, NONLINEAR, WIDEST, Trial, trial_of
+from upright.pages import Quantity, Say
+from upright.paper.own_robot import Adjustment, LearntNumber, OwnRobot
+from upright.paper.own_trial import LINEAR, MEASURED, NONLINEAR, Trial, trial_of
 from upright.physics.linear import linearise_rolling
 from upright.progress import Progress, unwatched
 from upright.robots import PARAMETERS, Kit, Robot, find_kit, find_robot
@@ -42,7 +40,7 @@ from upright.signals import STATE_NAMES, Log
 from upright.validation.law import CommandLaw, LinearLaw, law_by, law_of, recorded
 from upright.validation.loop import first_state
 
-LINEAR, CALIBRATED = "linear", "calibrated"
+CALIBRATED = "calibrated"
 ELECTRONICS = "with electronics"
 DISTURBED = 0.03  # [1] process noise of the filter that rebuilds states, as a fraction of the commands
 MOVED = 0.25  # [deviations] a number that the calibration moved less is not tried
@@ -50,85 +48,12 @@ TRIED, MOST_STEPS = 6, 3  # numbers that are tried: those that moved most; numbe
 WORTH = 0.1  # [1] of the gap that is left: what a further number must close
 
 
-class Number(NamedTuple):
-    """A number of the robot's file that was learnt: stated and learnt, its 95 % interval, and by how many deviations of
-    the file it moved."""
-
-    name: str
-    unit: str
-    stated: float
-    value: float
-    low: float
-    high: float
-    moved: float
-
-
-@dataclass(frozen=True, kw_only=True)
-class Adjustment:
-    """What is put right in the model, on top of those before it: a `number` of the robot's file, or its electronics
-    where that is None. Pitch then settles in `settling` [s], and fits the log round the push by `fit` [%]."""
-
-    number: Number | None
-    settling: float
-    fit: float
-
-    @property
-    def name(self) -> str:
-        """What is put right."""
-        return self.number.name if self.number else "electronics"
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain numbers."""
-        number = self.number._asdict() if self.number else {}
-        return {"name": self.name} | number | {"settling": finite(self.settling), "fit": finite(self.fit)}
-
-
-@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class OwnRobot(Result):
-    """A robot's log compared with its models: `law` and `push` in words; what is `adjusted`, in the order in which it
-    counts; `notes` say what could not be done. `settling` [s] of each run is the time until pitch stays within `band`
-    (fraction) of its largest deviation from where it comes to rest: 5 %, or what the resting robot swings, if more."""
-
-    robot: Robot
-    comparison: Comparison
-    law: Say
-    push: Say
-    side: str
-    band: float
-    settling: Mapping[str, float]
-    fits: Mapping[str, float]
-    adjusted: tuple[Adjustment, ...]
-    notes: tuple[Say, ...]
-
-    @property
-    def settles(self) -> bool:
-        """Whether the robot comes to rest, so that settling times say something."""
-        return self.band <= WIDEST
-
-    def page(self) -> Page:
-        """The robot beside its models, for people."""
-        from upright.paper.own_page import own_page
-
-        return own_page(self)
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain numbers."""
-        with speaking(ENGLISH):
-            return {
-                "robot": self.robot.name, "law": str(self.law), "push": str(self.push), "side": self.side,
-                "band": self.band, "settling": {name: finite(value) for name, value in self.settling.items()},
-                "fits": {name: finite(value) for name, value in self.fits.items()},
-                "comparison": self.comparison.to_json(), "adjusted": [one.to_json() for one in self.adjusted],
-                "notes": [str(note) for note in self.notes],
-            }  # fmt: skip
-
-
 class _Learnt(NamedTuple):
     """A robot and its electronics as a calibration has them, and the numbers that it moved, most moved first."""
 
     robot: Robot
     kit: Kit
-    numbers: tuple[Number, ...]
+    numbers: tuple[LearntNumber, ...]
 
 
 def compare_own(
@@ -243,9 +168,9 @@ def _calibrated(log: Log, robot: Robot, kit: Kit) -> tuple[_Learnt, tuple[Say, .
     start, stop = max(parts, key=lambda part: part[1] - part[0])
     try:
         result = calibrate(log.between(start, stop), robot, kit)
-        reasons = [*result.refused, *([result.quiet] if result.quiet else [])]
     except (DesignFailed, InvalidLog) as error:
-        reasons = [str(error)]
+        return _Learnt(robot, kit, ()), (Say("Nothing is learnt from this log: {why}", why=str(error)),)
+    reasons = [*result.refused, *([result.quiet] if result.quiet else [])]
     if reasons:
         return _Learnt(robot, kit, ()), tuple(Say("Nothing is learnt from this log: {why}", why=why) for why in reasons)
     return _other(robot, result.known_robot(), result.kit or kit), ()
@@ -253,13 +178,15 @@ def _calibrated(log: Log, robot: Robot, kit: Kit) -> tuple[_Learnt, tuple[Say, .
 
 def _other(robot: Robot, best: Robot, kit: Kit) -> _Learnt:
     """What is known better of a robot than its file says: the numbers that moved, most moved first."""
-    numbers: list[Number] = []
+    numbers: list[LearntNumber] = []
     for name, (unit, _) in PARAMETERS.items():
         before, after = getattr(robot, name), getattr(best, name)
         if after != before:
             half = NORMAL * (stated(best, name) or 0.0)
             spread = stated(robot, name) or GUESS * abs(before) or abs(after)
-            numbers.append(Number(name, unit, before, after, after - half, after + half, (after - before) / spread))
+            numbers.append(
+                LearntNumber(name, unit, before, after, after - half, after + half, (after - before) / spread)
+            )
     most = sorted((n for n in numbers if abs(n.moved) > MOVED), key=lambda n: -abs(n.moved))[:TRIED]
     return _Learnt(best, kit, tuple(most))
 
@@ -291,7 +218,7 @@ def _adjusted(
     measured = judged[reference][0]
     left = _gap(judged[reference][0], *judged[NONLINEAR])
     at: tuple[Robot, Kit | None] = (trial.robot, None)
-    candidates: list[Number | None] = [*known.numbers, None]  # None: the electronics
+    candidates: list[LearntNumber | None] = [*known.numbers, None]  # None: the electronics
     steps: list[Adjustment] = []
     while candidates and len(steps) < MOST_STEPS:
         tries = [(n, changed) for n in candidates if (changed := _with(at, n, known.kit))]
@@ -308,7 +235,7 @@ def _adjusted(
     return () if unlike else tuple(steps)
 
 
-def _with(at: tuple[Robot, Kit | None], number: Number | None, kit: Kit) -> tuple[Robot, Kit | None] | None:
+def _with(at: tuple[Robot, Kit | None], number: LearntNumber | None, kit: Kit) -> tuple[Robot, Kit | None] | None:
     """The model with that number, or with the electronics of `kit`; None where no robot has that number alone."""
     if number is None:
         return at[0], kit

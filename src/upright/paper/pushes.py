@@ -139,9 +139,9 @@ def _shown(trial: RegulatedRobot, side: str, comparison: Comparison, measured: M
     swing, band = _swing(comparison)
     settles = math.isfinite(measured.settling["twin"]) or swing < band
     fit = Quantity(min(fits["pitch"] for fits in comparison.fits.values()) / 100, "fraction", digits=2)
-    found = Say("Pitch of both models fits the twin to {fit}.", fit=fit)
+    summary = Say("Pitch of both models fits the twin to {fit}.", fit=fit)
     if not settles:
-        found = Say("Pitch fits the twin to {fit}, but the twin keeps swinging by {swing}.",
+        summary = Say("Pitch fits the twin to {fit}, but the twin keeps swinging by {swing}.",
                     fit=fit, swing=Quantity(swing, "rad", digits=2))  # fmt: skip
     twin = comparison.logs["twin"]
     strip = Picture(
@@ -157,7 +157,7 @@ def _shown(trial: RegulatedRobot, side: str, comparison: Comparison, measured: M
     title = Say("{robot}, front push", robot=robot.name)
     if side == "back":
         title = Say("{robot}, back push", robot=robot.name)
-    return Claim(part, title, judged([stood, settles]), found, numbers, [states, strip, *tables], logs)
+    return Claim(part, title, judged([stood, settles]), summary, numbers, [states, strip, *tables], logs)
 
 
 def _swing(comparison: Comparison) -> tuple[float, float]:
@@ -176,14 +176,14 @@ def _tested(measured: Mapping[str, Measured]) -> Claim:
         "yaw is negligible": sum(c.yaw_negligible for c in every),
     }
     verdicts = {claim: count == len(every) for claim, count in held.items()}
-    found = Say("{n} of {all} conclusions hold under every push.", n=sum(verdicts.values()), all=len(verdicts))
+    summary = Say("{n} of {all} conclusions hold under every push.", n=sum(verdicts.values()), all=len(verdicts))
     cases = {n: {**vars(c), "settling": {r: finite(s) for r, s in c.settling.items()}} for n, c in measured.items()}
     rows = [[CONCLUSIONS[c], Say("{n} of {all} cases", n=n, all=len(every))] for c, n in held.items()]
     columns = [Column(Say("the paper concludes")), Column(Say("it holds in"))]
     title = Say("The paper's conclusions")
     numbers = {"claims": verdicts, "cases": cases}
     blocks = [Table(columns, rows), _settling(measured)]
-    return Claim("5e", title, judged(verdicts.values()), found, numbers, blocks)
+    return Claim("5e", title, judged(verdicts.values()), summary, numbers, blocks)
 
 
 def _settling(measured: Mapping[str, Measured]) -> Table:

@@ -53,7 +53,7 @@ def chapter(light: Robot) -> Claim:
         TURNED: _radius(_turned(), feedback),
         light.name: _radius(linearise(light).c2d(printed.PERIOD), feedback),
     }
-    found = Say(
+    summary = Say(
         "The printed weights give a pitch gain of {gain}; printed is {printed}.",
         gain=Quantity(clean.gain[0, 0]), printed=Quantity(printed.KU1[0]),
     )  # fmt: skip
@@ -66,7 +66,7 @@ def chapter(light: Robot) -> Claim:
                  distance=Quantity(nearest, "fraction", digits=2))  # fmt: skip
     blocks = [_gains(clean.gain, as_printed.gain), search, _stability(loops)]
     same = np.abs(np.abs(clean.gain[0] / printed.KU1) - 1) < SAME
-    return Claim("4", Say("Gains of the regulator"), judged(same.tolist()), found, numbers, blocks)
+    return Claim("4", Say("Gains of the regulator"), judged(same.tolist()), summary, numbers, blocks)
 
 
 SAME = 0.05  # [1] of a printed gain: closer is the same to two digits, as it was printed

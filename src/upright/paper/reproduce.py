@@ -119,20 +119,20 @@ def _fit(logs: Any) -> float:
 def _picture(claim: Claim) -> Picture:
     """Figure 5 again: pitch of the twin and of both models."""
     runs = {name: claim.logs[f"{HEAVY}-front-{name}"] for name in ("twin", *MODELS)}
-    said = Say("Figure 5 again: both models follow the twin of {robot}", robot=HEAVY)
+    shown = Say("Figure 5 again: both models follow the twin of {robot}", robot=HEAVY)
     if _fit(claim.numbers["logs"]) < FAIR:
-        said = Say("Figure 5 again: the models do not follow the twin of {robot}", robot=HEAVY)
+        shown = Say("Figure 5 again: the models do not follow the twin of {robot}", robot=HEAVY)
     note = Say(
         "Pushed from the front by {force} for {time}, then let go. The robot leans into the push.",
         force=Quantity(abs(claim.numbers["force"]), "N", digits=2), time=Quantity(RELEASE, "s"),
     )  # fmt: skip
-    return Picture(said, functools.partial(draw_push, runs), note)
+    return Picture(shown, functools.partial(draw_push, runs), note)
 
 
 def _table(claims: Sequence[Claim]) -> Table:
     """What was found of each claim."""
     columns = [Column(Say("part")), Column(Say("claim")), Column(Say("here")), Column(Say("what was found"))]
-    return Table(columns, [[claim.part, claim.title, BADGES[claim.verdict], claim.found] for claim in claims])
+    return Table(columns, [[claim.part, claim.title, BADGES[claim.verdict], claim.summary] for claim in claims])
 
 
 def _folds(claims: Sequence[Claim]) -> list[Fold]:
@@ -143,7 +143,7 @@ def _folds(claims: Sequence[Claim]) -> list[Fold]:
         if len(each) == 1:
             folds.append(Fold(heading, each[0].blocks))
         elif each:
-            folds.append(Fold(heading, [Fold(_named(claim), [claim.found, *claim.blocks]) for claim in each]))
+            folds.append(Fold(heading, [Fold(_named(claim), [claim.summary, *claim.blocks]) for claim in each]))
     return folds
 
 

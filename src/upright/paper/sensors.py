@@ -26,12 +26,12 @@ def chapter(robot: Robot, kit: Kit, log: Log, progress: Progress = unwatched) ->
         return Claim("3c", title, BEYOND, Say("No model was identified: {why}", why=str(error)), {})
     true = unstable_pole(robot.rolling())
     poles = [model.pole for model in compared.models.values()]
-    found = Say(
+    summary = Say(
         "{holding} of {n} methods give a regulator that holds the robot; {inside} have the true pole, {true}.",
         holding=len(compared.holding), n=len(poles), inside=sum(pole.low <= true <= pole.high for pole in poles),
         true=Quantity(true, "1/s"),
     )  # fmt: skip
-    return Claim("3c", title, BEYOND, found, _numbers(compared, true), shown_of(compared))
+    return Claim("3c", title, BEYOND, summary, _numbers(compared, true), shown_of(compared))
 
 
 def _numbers(compared: MethodComparison, true: float) -> dict[str, object]:

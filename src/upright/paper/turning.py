@@ -156,7 +156,7 @@ def _sizes(robot: Robot, logs: Mapping[float, Mapping[str, Log]]) -> Claim:
         if not term.kept
     }
     size = Quantity(max(of[SHOWN] for of in left_out.values()), "fraction", digits=2)
-    found = Say("Turning at {rate}, one left-out term has {size} of the largest kept one.",
+    summary = Say("Turning at {rate}, one left-out term has {size} of the largest kept one.",
                 rate=_rate(SHOWN), size=size)  # fmt: skip
     rows = [[text, *of.values()] for text, of in left_out.items()]
     columns = [
@@ -165,7 +165,7 @@ def _sizes(robot: Robot, logs: Mapping[float, Mapping[str, Log]]) -> Claim:
     ]
     caption = Say("RMS over that of the largest kept term, by the rate of turning")
     numbers = {"share_of_largest_kept_term": {text: _keyed(fractions) for text, fractions in left_out.items()}}
-    return Claim("2a", Say("Terms left out by the paper"), BEYOND, found, numbers, [Table(columns, rows, caption)])
+    return Claim("2a", Say("Terms left out by the paper"), BEYOND, summary, numbers, [Table(columns, rows, caption)])
 
 
 def _judged(logs: Mapping[float, Mapping[str, Log]], stiffened: Mapping[float, Log]) -> Claim:
@@ -182,7 +182,7 @@ def _judged(logs: Mapping[float, Mapping[str, Log]], stiffened: Mapping[float, L
         for contact, twin in stiffened.items()
     }
     complete, published = (Quantity(errors[SHOWN][name]["pitch"].rms, "fraction", digits=2) for name in MODELS)
-    found = Say(
+    summary = Say(
         "Turning at {rate}, the complete model differs from MuJoCo by {complete}, the published by {published}.",
         rate=_rate(SHOWN), complete=complete, published=published,
     )  # fmt: skip
@@ -196,7 +196,7 @@ def _judged(logs: Mapping[float, Mapping[str, Log]], stiffened: Mapping[float, L
     claim = Say("The published model's error grows with the rate of turning; the complete model follows")
     blocks = [Picture(claim, functools.partial(_draw, logs)), _error_table(errors)]
     saved = {f"turning-{name}": log for name, log in logs[SHOWN].items() if name in ("twin", *MODELS)}
-    return Claim("2b", Say("MuJoCo beside both models"), BEYOND, found, numbers, blocks, saved)
+    return Claim("2b", Say("MuJoCo beside both models"), BEYOND, summary, numbers, blocks, saved)
 
 
 def _error_table(errors: Mapping[float, Mapping[str, Mapping[str, Deviation]]]) -> Table:

@@ -1,24 +1,101 @@
-"""The page of `upright reproduce --log`: a robot of one's own beside the paper's models, and what must be adjusted."""
+"""What comes of `upright reproduce --log`: one's own robot beside the paper's models, and what must be adjusted."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
 
+from upright.atomic import finite
+from upright.comparison import Comparison
 from upright.comparison.comparison_page import fit_verdict
 from upright.comparison.drawing import state_words
 from upright.comparison.runs import DIVERGED
 from upright.experiment.described import facts_of
+from upright.languages import ENGLISH, speaking
 from upright.logs.raw import named
-from upright.pages import Block, Cell, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table
+from upright.pages import Block, Cell, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Result, Say, Table
 from upright.pages.blocks import MOST_NUMBERS
 from upright.pages.terms import term
 from upright.paper.claim import shown_of
-from upright.paper.own_log import LINEAR, Adjustment, OwnRobot
-from upright.paper.own_trial import NONLINEAR
+from upright.paper.own_trial import LINEAR, NONLINEAR, WIDEST
 from upright.paper.pushes import FIGURES_AGAIN
+from upright.robots import Robot
 
 
-def own_page(result: OwnRobot) -> Page:
+class LearntNumber(NamedTuple):
+    """A number of the robot's file that was learnt: stated and learnt, its 95 % interval, and by how many deviations of
+    the file it moved."""
+
+    name: str
+    unit: str
+    stated: float
+    value: float
+    low: float
+    high: float
+    moved: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Adjustment:
+    """What is put right in the model, on top of those before it: a `number` of the robot's file, or its electronics
+    where that is None. Pitch then settles in `settling` [s], and fits the log round the push by `fit` [%]."""
+
+    number: LearntNumber | None
+    settling: float
+    fit: float
+
+    @property
+    def name(self) -> str:
+        """What is put right."""
+        return self.number.name if self.number else "electronics"
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain numbers."""
+        number = self.number._asdict() if self.number else {}
+        return {"name": self.name} | number | {"settling": finite(self.settling), "fit": finite(self.fit)}
+
+
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
+class OwnRobot(Result):
+    """A robot's log compared with its models: `law` and `push` in words; what is `adjusted`, in the order in which it
+    counts; `notes` say what could not be done. `settling` [s] of each run is the time until pitch stays within `band`
+    (fraction) of its largest deviation from where it comes to rest: 5 %, or what the resting robot swings, if more."""
+
+    robot: Robot
+    comparison: Comparison
+    law: Say
+    push: Say
+    side: str
+    band: float
+    settling: Mapping[str, float]
+    fits: Mapping[str, float]
+    adjusted: tuple[Adjustment, ...]
+    notes: tuple[Say, ...]
+
+    @property
+    def settles(self) -> bool:
+        """Whether the robot comes to rest, so that settling times say something."""
+        return self.band <= WIDEST
+
+    def page(self) -> Page:
+        """The robot beside its models, for people."""
+        return _page(self)
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain numbers."""
+        with speaking(ENGLISH):
+            return {
+                "robot": self.robot.name, "law": str(self.law), "push": str(self.push), "side": self.side,
+                "band": self.band, "settling": {name: finite(value) for name, value in self.settling.items()},
+                "fits": {name: finite(value) for name, value in self.fits.items()},
+                "comparison": self.comparison.to_json(), "adjusted": [one.to_json() for one in self.adjusted],
+                "notes": [str(note) for note in self.notes],
+            }  # fmt: skip
+
+
+def _page(result: OwnRobot) -> Page:
     """The page of a robot of one's own."""
     comparison = result.comparison
     log = comparison.logs[comparison.reference]
