@@ -20,9 +20,10 @@ from upright.cli import main as cli
 from upright.cli.help import EXAMPLES
 from upright.cli.main import BUG, USER_ERROR, group, main
 from upright.cli.options import complete_controller, complete_kit, complete_robot
-from upright.cli.output import print_text, progress
+from upright.cli.output import finish, progress
 from upright.control import CONTROLLERS, make_controller, write_controller
 from upright.errors import InvalidLog
+from upright.pages import Page, Result, Say, Verdict
 from upright.robots import PARAMETERS, Kit, Robot, kit_names
 from upright.robots.drives import UNUSED
 
@@ -476,6 +477,16 @@ def test_the_shell_completes_values(command: str, option: str, value: str) -> No
     assert value in [item.value for item in parameter.shell_complete(context, value[:2])]
 
 
+class Stood(Result):
+    """A result with a long title and a good verdict."""
+
+    def page(self) -> Page:
+        return Page(Say("{words}", words="word " * 20), verdict=Verdict(Say("{words}", words="stood"), "good"))
+
+    def to_json(self) -> dict[str, Any]:
+        return {}
+
+
 @pytest.mark.parametrize(("no_color", "coloured"), [("", True), ("1", False)])
 def test_a_verdict_has_its_colour_on_a_terminal(no_color: str, coloured: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NO_COLOR", no_color)
@@ -483,17 +494,16 @@ def test_a_verdict_has_its_colour_on_a_terminal(no_color: str, coloured: bool, m
     master, slave = os.openpty()
     with os.fdopen(slave, "w", encoding="utf-8") as screen, monkeypatch.context() as here:
         here.setattr(sys, "stdout", screen)
-        print_text(f"Verdict: stood\n  {'word ' * 20}\nname  mass\n{'a  1  ' * 20}", "good")
+        finish(Stood(), as_json=False)
     lines = os.read(master, 10_000).decode().splitlines()
     os.close(master)
-    assert lines[0].startswith("\x1b[32m" if coloured else "Verdict: stood")
-    assert max(map(len, lines[1:-2])) <= 40
-    assert len(lines[-1]) > 100  # a row of a table stays one line
+    assert lines[0].startswith("\x1b[1;32m" if coloured else "stood")
+    assert max(map(len, lines[1:])) <= 40
 
 
 def test_a_verdict_has_no_colour_in_a_file(capsys: pytest.CaptureFixture[str]) -> None:
-    print_text(f"Verdict: {'word ' * 40}", "good")
-    assert capsys.readouterr().out == f"Verdict: {'word ' * 40}\n"
+    finish(Stood(), as_json=False)
+    assert capsys.readouterr().out.startswith("stood\n")
 
 
 def test_a_run_that_nothing_disturbs_says_so(capsys: pytest.CaptureFixture[str]) -> None:

@@ -9,7 +9,7 @@ import typer
 
 from upright.cli import options
 from upright.cli.keep import check_log_target, save_log
-from upright.cli.output import AGAINST, progress
+from upright.cli.output import AGAINST, print_json, progress
 from upright.errors import UprightError
 
 if TYPE_CHECKING:
