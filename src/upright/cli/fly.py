@@ -13,6 +13,7 @@ from upright.cli.output import AGAINST, print_json, progress
 from upright.errors import UprightError
 
 if TYPE_CHECKING:
+    from upright.flight import Flight
     from upright.flight.fly import FlightPlan
 
 
@@ -70,14 +71,18 @@ def fly(
                 seconds=seconds, pushes=pushes, seed=seed, confirm=None if yes or as_json else _ask, progress=show,
             )  # fmt: skip
     path, wrong = save_log(flight.log.log, output) if flight.log and output else (None, "")
-    if as_json:
-        print_json(flight.to_json() | {"log": str(path) if path else None})
-    else:
-        typer.echo(f"{flight}\n\nwrote {path}" if path else str(flight))
+    _print(flight, path, as_json)
     if flight.lost:
         raise typer.Exit(AGAINST)  # nobody knows: the program runs on without the connection
     if wrong:
         raise UprightError(f"cannot write {output} ({wrong}); the log is in {path}")
+
+
+def _print(flight: Flight, path: Path | None, as_json: bool) -> None:
+    if as_json:
+        print_json(flight.to_json() | {"log": str(path) if path else None})
+    else:
+        typer.echo(f"{flight}\n\nwrote {path}" if path else str(flight))
 
 
 def _ask(plan: FlightPlan) -> None:

@@ -115,16 +115,26 @@ def chapter(trial: RegulatedRobot, kit: Kit, logs: Mapping[str, Log], progress: 
         others = {other: logs[f"{name}-{side}-{other}"] for other in OTHERS}
         cases[f"{side} push"] = settled({AS_BUILT: runs, **{other: [log] for other, log in others.items()}})
     slower = sum(c.slower for c in cases.values())
-    summary = Say("With friction and backlash, {robot} settles later than both models under {n} of {all} pushes.",
-                robot=name, n=slower, all=len(cases))  # fmt: skip
+    summary = Say(
+        "With friction and backlash, {robot} settles later than both models under {n} of {all} pushes.",
+        robot=name,
+        n=slower,
+        all=len(cases),
+    )
     friction = calibration["coulomb_friction"]
     known = Quantity(friction.value, "N m", low=friction.low, high=friction.high, digits=2)
-    guess = Say("Friction of {friction} and backlash of {play} are guesses; a calibration finds {known}.",
-                friction=Quantity(FRICTION, "N m"), play=Quantity(PLAY, "rad", digits=2), known=known)  # fmt: skip
+    guess = Say(
+        "Friction of {friction} and backlash of {play} are guesses; a calibration finds {known}.",
+        friction=Quantity(FRICTION, "N m"),
+        play=Quantity(PLAY, "rad", digits=2),
+        known=known,
+    )
     numbers = {
-        "friction": FRICTION, "backlash": PLAY, "seeds": list(SEEDS),
+        "friction": FRICTION,
+        "backlash": PLAY,
+        "seeds": list(SEEDS),
         "cases": {name: {**_plain(c), "slower": c.slower} for name, c in cases.items()},
-    }  # fmt: skip
+    }
     front = {AS_BUILT: kept[f"{name}-front-as-built"], **{model: logs[f"{name}-front-{model}"] for model in MODELS}}
     picture = Picture(
         Say("Friction keeps the robot swinging, front push"), functools.partial(compare(front).plot, "pitch")

@@ -19,8 +19,10 @@ def chapter(robot: Robot, kit: Kit, progress: Progress = unwatched) -> Claim:
     held = [name for name in METHODS if all(row.holds for row in rows if row.controller == name)]
     summary = Say(
         "{n} of {all} controllers balance {robot} through both pushes; without integral action it rolls away.",
-        n=len(held), all=len(METHODS), robot=robot.name,
-    )  # fmt: skip
+        n=len(held),
+        all=len(METHODS),
+        robot=robot.name,
+    )
     tables = [push_table(bench, push) for push in dict.fromkeys(row.push for row in rows)]
     title = Say("Other controllers under these pushes")
     return Claim("6", title, BEYOND, summary, {"rows": bench.to_json()["rows"]}, [responses(bench), *tables])

@@ -51,8 +51,9 @@ def _model() -> Claim:
     robot = Robot.preset("nxtway-gs")
     models: tuple[Model, Model] = ("published", "complete")
     off = {model: disagreement(model, robot) for model in models}
-    summary = Say("They equal those derived from the energies, to within {off}.",
-                off=Quantity(max(off.values()), "1", digits=1))  # fmt: skip
+    summary = Say(
+        "They equal those derived from the energies, to within {off}.", off=Quantity(max(off.values()), "1", digits=1)
+    )
     derived = derive("published")
     plain = replace(derived, force=derived.force.subs(derived.loads))  # the paper has no push, slope or dry friction
     lines = [*plain.equations, "α = n K_t / R_m", "β = n K_t K_b / R_m + f_m"]
@@ -70,12 +71,16 @@ def _misprints(proofs: Mapping[Erratum, Proof | None]) -> Claim:
     holding = sum(proof.holds for proof in proved)
     summary = Say(
         "{n} misprints: {proved} in equations of motion are proved, {other} are of notation.",
-        n=len(proofs), proved=holding, other=len(proofs) - len(proved),
-    )  # fmt: skip
+        n=len(proofs),
+        proved=holding,
+        other=len(proofs) - len(proved),
+    )
     numbers = {
         "errata": [_as_json(erratum, proof) for erratum, proof in proofs.items()],
-        "proved": holding, "provable": len(proved), "witness": WITNESS,
-    }  # fmt: skip
+        "proved": holding,
+        "provable": len(proved),
+        "witness": WITNESS,
+    }
     return Claim("1b", Say("Printed equations"), NOT_AS_PRINTED, summary, numbers, [_table(proofs)])
 
 
@@ -86,12 +91,15 @@ def _as_json(erratum: Erratum, proof: Proof | None) -> dict[str, object]:
 
 def _table(proofs: Mapping[Erratum, Proof | None]) -> Table:
     columns = [
-        Column(Say("equation")), Column(Say("printed")), Column(Say("should be")), Column(Say("why")),
-        Column(Say("off by"), "fraction"), Column(Say("proved")),
-    ]  # fmt: skip
+        Column(Say("equation")),
+        Column(Say("printed")),
+        Column(Say("should be")),
+        Column(Say("why")),
+        Column(Say("off by"), "fraction"),
+        Column(Say("proved")),
+    ]
     rows: list[list[Cell]] = [
-        [e.equations, e.printed, e.corrected, e.why, p and p.printed_residual, p and p.holds]
-        for e, p in proofs.items()
-    ]  # fmt: skip
+        [e.equations, e.printed, e.corrected, e.why, p and p.printed_residual, p and p.holds] for e, p in proofs.items()
+    ]
     caption = Say("Each misprint alone: how far it changes an acceleration of a robot that leans, rolls and turns")
     return Table(columns, rows, caption)

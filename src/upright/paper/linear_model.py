@@ -81,16 +81,22 @@ def _fitted(log: Log, fit: LeastSquares) -> Claim:
     blocks = misfits(fit.model)
     numbers = {
         "misfit": {b.block.template: {"last_digits": b.units, "entries": b.entries} for b in blocks},
-        "rank": fit.rank, "condition": fit.condition, "largest_offset": float(np.abs(fit.offset).max()),
-        "samples": fit.samples, "A": fit.model.A.tolist(), "B": fit.model.B.tolist(),
-    }  # fmt: skip
+        "rank": fit.rank,
+        "condition": fit.condition,
+        "largest_offset": float(np.abs(fit.offset).max()),
+        "samples": fit.samples,
+        "A": fit.model.A.tolist(),
+        "B": fit.model.B.tolist(),
+    }
     summary = Say("Pitch and wheels have the printed numbers; the inputs of yaw have the other sign.")
     if not blocks[0].agrees:
         summary = Say("The fit differs from the printed numbers.")
     columns = [
-        Column(Say("part of A and B")), Column(Say("entries")), Column(Say("largest difference"), "last digits"),
+        Column(Say("part of A and B")),
+        Column(Say("entries")),
+        Column(Say("largest difference"), "last digits"),
         Column(Say("agrees")),
-    ]  # fmt: skip
+    ]
     rows = [[b.block, b.entries, b.units, b.agrees] for b in blocks]
     table = Table(columns, rows, Say("The fit to {n} samples beside (34) and (35)", n=fit.samples))
     # the inputs of yaw as printed are the last block
@@ -105,8 +111,9 @@ def _biased(robot: Robot, log: Log, fit: LeastSquares, longer: LeastSquares) -> 
     estimated = unstable_pole(fit.model)
     summary = Say(
         "On real sensors the unstable pole comes out as {pole}, and is {true}: noise biases least squares.",
-        pole=Quantity(estimated, "1/s"), true=Quantity(true, "1/s"),
-    )  # fmt: skip
+        pole=Quantity(estimated, "1/s"),
+        true=Quantity(true, "1/s"),
+    )
     relative = float(np.linalg.norm(fit.model.A[:4, :4] - reference.A[:4, :4]) / np.linalg.norm(reference.A[:4, :4]))
     numbers = {
         "unstable_pole": estimated,

@@ -87,12 +87,17 @@ class OwnRobot(Result):
         """Plain numbers."""
         with speaking(ENGLISH):
             return {
-                "robot": self.robot.name, "law": str(self.law), "push": str(self.push), "side": self.side,
-                "band": self.band, "settling": {name: finite(value) for name, value in self.settling.items()},
+                "robot": self.robot.name,
+                "law": str(self.law),
+                "push": str(self.push),
+                "side": self.side,
+                "band": self.band,
+                "settling": {name: finite(value) for name, value in self.settling.items()},
                 "fits": {name: finite(value) for name, value in self.fits.items()},
-                "comparison": self.comparison.to_json(), "adjusted": [one.to_json() for one in self.adjusted],
+                "comparison": self.comparison.to_json(),
+                "adjusted": [one.to_json() for one in self.adjusted],
                 "notes": [str(note) for note in self.notes],
-            }  # fmt: skip
+            }
 
 
 def _page(result: OwnRobot) -> Page:
@@ -115,10 +120,12 @@ def _page(result: OwnRobot) -> Page:
         Say("{robot} in the experiment of Herrera et al. (2015)", robot=result.robot.name),
         verdict=fit_verdict(state_words("pitch"), min(result.fits[NONLINEAR], result.fits[LINEAR])),
         lead=[Say("Law: {law}; {push}.", law=result.law, push=result.push), _answer(result)],
-        numbers=_numbers(result), picture=picture, blocks=[*blocks, *folds],
+        numbers=_numbers(result),
+        picture=picture,
+        blocks=[*blocks, *folds],
         next=[Next("calibrate", named(log), robot=result.robot.name, output="robot.toml", why=why)],
         origin=facts_of(log.origin),
-    )  # fmt: skip
+    )
 
 
 def _answer(result: OwnRobot) -> Say:
@@ -149,18 +156,24 @@ def _numbers(result: OwnRobot) -> list[KeyNumber]:
         ]
     else:
         numbers = [
-            KeyNumber(Quantity(fit / 100, "fraction", digits=2) if fit > DIVERGED else Say("diverges"),
-                      Say("{run}: fit of pitch to the robot", run=run))
-            for run, fit in result.fits.items() if run != result.comparison.reference
-        ]  # fmt: skip
+            KeyNumber(
+                Quantity(fit / 100, "fraction", digits=2) if fit > DIVERGED else Say("diverges"),
+                Say("{run}: fit of pitch to the robot", run=run),
+            )
+            for run, fit in result.fits.items()
+            if run != result.comparison.reference
+        ]
     return numbers[:MOST_NUMBERS]
 
 
 def _adjusted(result: OwnRobot) -> Table:
     columns = [
-        Column(Say("put right")), Column(Say("in the file")), Column(Say("learnt")), Column(Say("settles in")),
+        Column(Say("put right")),
+        Column(Say("in the file")),
+        Column(Say("learnt")),
+        Column(Say("settles in")),
         Column(Say("fit of pitch"), "%"),
-    ]  # fmt: skip
+    ]
     caption = Say("Put right one on top of the other, what helps most first")
     return Table(columns, [_row(one) for one in result.adjusted], caption)
 
@@ -173,8 +186,10 @@ def _row(one: Adjustment) -> list[Cell]:
 
 
 def _method(result: OwnRobot) -> list[Say]:
-    settled = Say("Settled: within {band} of the largest deviation from where pitch comes to rest.",
-                  band=Quantity(result.band, "fraction", digits=2))  # fmt: skip
+    settled = Say(
+        "Settled: within {band} of the largest deviation from where pitch comes to rest.",
+        band=Quantity(result.band, "fraction", digits=2),
+    )
     if not result.settles:
         settled = Say("The robot swings at the end as much as after a push: no settling time is given.")
     return [

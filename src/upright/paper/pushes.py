@@ -141,13 +141,17 @@ def _shown(trial: RegulatedRobot, side: str, comparison: Comparison, measured: M
     fit = Quantity(min(fits["pitch"] for fits in comparison.fits.values()) / 100, "fraction", digits=2)
     summary = Say("Pitch of both models fits the twin to {fit}.", fit=fit)
     if not settles:
-        summary = Say("Pitch fits the twin to {fit}, but the twin keeps swinging by {swing}.",
-                    fit=fit, swing=Quantity(swing, "rad", digits=2))  # fmt: skip
+        summary = Say(
+            "Pitch fits the twin to {fit}, but the twin keeps swinging by {swing}.",
+            fit=fit,
+            swing=Quantity(swing, "rad", digits=2),
+        )
     twin = comparison.logs["twin"]
     strip = Picture(
-        Say("Figure {n} again, by the twin", n=PHOTOGRAPHS[side]), functools.partial(filmstrip, robot, twin, STRIP),
+        Say("Figure {n} again, by the twin", n=PHOTOGRAPHS[side]),
+        functools.partial(filmstrip, robot, twin, STRIP),
         Say("Under each time: pitch, and how far the axle has rolled."),
-    )  # fmt: skip
+    )
     _, *tables = shown_of(comparison)
     under = Say("Under {law}; yaw is not drawn where the robot does not turn.", law=trial.feedback.spec.kind)
     states = Picture(FIGURES_AGAIN[side], comparison.plot, under)

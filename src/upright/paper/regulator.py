@@ -55,15 +55,23 @@ def chapter(light: Robot) -> Claim:
     }
     summary = Say(
         "The printed weights give a pitch gain of {gain}; printed is {printed}.",
-        gain=Quantity(clean.gain[0, 0]), printed=Quantity(printed.KU1[0]),
-    )  # fmt: skip
+        gain=Quantity(clean.gain[0, 0]),
+        printed=Quantity(printed.KU1[0]),
+    )
     numbers = {
-        "dlqr_as_printed": as_printed.gain.tolist(), "dlqr_without_noise": clean.gain.tolist(),
-        "printed": printed.K.tolist(), "riccati_residual": clean.check(),
-        "nearest_relative_distance": nearest, "nearest_Q": permutation, "nearest_r": price, "largest_eigenvalue": loops,
-    }  # fmt: skip
-    search = Say("No order of the weights in Q, with any R from 1 to 10⁴, comes nearer than {distance} (RMS).",
-                 distance=Quantity(nearest, "fraction", digits=2))  # fmt: skip
+        "dlqr_as_printed": as_printed.gain.tolist(),
+        "dlqr_without_noise": clean.gain.tolist(),
+        "printed": printed.K.tolist(),
+        "riccati_residual": clean.check(),
+        "nearest_relative_distance": nearest,
+        "nearest_Q": permutation,
+        "nearest_r": price,
+        "largest_eigenvalue": loops,
+    }
+    search = Say(
+        "No order of the weights in Q, with any R from 1 to 10⁴, comes nearer than {distance} (RMS).",
+        distance=Quantity(nearest, "fraction", digits=2),
+    )
     blocks = [_gains(clean.gain, as_printed.gain), search, _stability(loops)]
     same = np.abs(np.abs(clean.gain[0] / printed.KU1) - 1) < SAME
     return Claim("4", Say("Gains of the regulator"), judged(same.tolist()), summary, numbers, blocks)
@@ -98,9 +106,12 @@ def _radius(model: LinearModel, feedback: StateFeedback) -> float:
 
 def _gains(clean: Array, noisy: Array) -> Table:
     columns = [
-        Column(Say("gain of")), Column(Say("printed")), Column(Say("from Q and R, noise removed")),
-        Column(Say("from Q and R, left")), Column(Say("from Q and R, right")),
-    ]  # fmt: skip
+        Column(Say("gain of")),
+        Column(Say("printed")),
+        Column(Say("from Q and R, noise removed")),
+        Column(Say("from Q and R, left")),
+        Column(Say("from Q and R, right")),
+    ]
     rows = [
         [state_words(name), *gains]
         for name, *gains in zip(STATE_NAMES, printed.KU1.tolist(), clean[0].tolist(), *noisy.tolist(), strict=True)

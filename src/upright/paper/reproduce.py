@@ -57,8 +57,11 @@ class Reproduction(Result):
             verdict = BADGES[REPRODUCED]
         title = Say(
             "Herrera et al. (2015): of {all} claims {n} are reproduced, {part} in part, {no} not",
-            all=len(says), n=says.count(REPRODUCED), part=says.count(IN_PART), no=says.count(NOT_AS_PRINTED),
-        )  # fmt: skip
+            all=len(says),
+            n=says.count(REPRODUCED),
+            part=says.count(IN_PART),
+            no=says.count(NOT_AS_PRINTED),
+        )
         lead = [
             Say("The paper pushes a balancing LEGO robot and compares two models with it."),
             Say("Here a twin, simulated by MuJoCo, stands in for the robot."),
@@ -67,10 +70,15 @@ class Reproduction(Result):
         why = Say("It puts a log of your own robot beside both models.")
         versions = ", ".join(f"{name} {number}" for name, number in _versions().items())
         return Page(
-            title, verdict=verdict, lead=lead, numbers=_numbers(self.claims), picture=drawn and _picture(drawn),
+            title,
+            verdict=verdict,
+            lead=lead,
+            numbers=_numbers(self.claims),
+            picture=drawn and _picture(drawn),
             next=[Next("reproduce", log="LOG", robot="ROBOT", why=why)],
-            blocks=[_table(self.judged), *_folds(self.claims)], origin={"paper": PAPER, "versions": versions},
-        )  # fmt: skip
+            blocks=[_table(self.judged), *_folds(self.claims)],
+            origin={"paper": PAPER, "versions": versions},
+        )
 
     def to_json(self) -> dict[str, Any]:
         """All numbers, as written to results.json."""
@@ -124,8 +132,9 @@ def _picture(claim: Claim) -> Picture:
         shown = Say("Figure 5 again: the models do not follow the twin of {robot}", robot=HEAVY)
     note = Say(
         "Pushed from the front by {force} for {time}, then let go. The robot leans into the push.",
-        force=Quantity(abs(claim.numbers["force"]), "N", digits=2), time=Quantity(RELEASE, "s"),
-    )  # fmt: skip
+        force=Quantity(abs(claim.numbers["force"]), "N", digits=2),
+        time=Quantity(RELEASE, "s"),
+    )
     return Picture(shown, functools.partial(draw_push, runs), note)
 
 

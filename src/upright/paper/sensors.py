@@ -28,9 +28,11 @@ def chapter(robot: Robot, kit: Kit, log: Log, progress: Progress = unwatched) ->
     poles = [model.pole for model in compared.models.values()]
     summary = Say(
         "{holding} of {n} methods give a regulator that holds the robot; {inside} have the true pole, {true}.",
-        holding=len(compared.holding), n=len(poles), inside=sum(pole.low <= true <= pole.high for pole in poles),
+        holding=len(compared.holding),
+        n=len(poles),
+        inside=sum(pole.low <= true <= pole.high for pole in poles),
         true=Quantity(true, "1/s"),
-    )  # fmt: skip
+    )
     return Claim("3c", title, BEYOND, summary, _numbers(compared, true), shown_of(compared))
 
 

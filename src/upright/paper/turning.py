@@ -156,8 +156,9 @@ def _sizes(robot: Robot, logs: Mapping[float, Mapping[str, Log]]) -> Claim:
         if not term.kept
     }
     size = Quantity(max(of[SHOWN] for of in left_out.values()), "fraction", digits=2)
-    summary = Say("Turning at {rate}, one left-out term has {size} of the largest kept one.",
-                rate=_rate(SHOWN), size=size)  # fmt: skip
+    summary = Say(
+        "Turning at {rate}, one left-out term has {size} of the largest kept one.", rate=_rate(SHOWN), size=size
+    )
     rows = [[text, *of.values()] for text, of in left_out.items()]
     columns = [
         Column(Say("left-out term")),
@@ -184,8 +185,10 @@ def _judged(logs: Mapping[float, Mapping[str, Log]], stiffened: Mapping[float, L
     complete, published = (Quantity(errors[SHOWN][name]["pitch"].rms, "fraction", digits=2) for name in MODELS)
     summary = Say(
         "Turning at {rate}, the complete model differs from MuJoCo by {complete}, the published by {published}.",
-        rate=_rate(SHOWN), complete=complete, published=published,
-    )  # fmt: skip
+        rate=_rate(SHOWN),
+        complete=complete,
+        published=published,
+    )
     numbers = {
         "off_the_twin": {
             f"{rate:g}": {name: {state: vars(o) for state, o in of.items()} for name, of in models.items()}
@@ -202,8 +205,9 @@ def _judged(logs: Mapping[float, Mapping[str, Log]], stiffened: Mapping[float, L
 def _error_table(errors: Mapping[float, Mapping[str, Mapping[str, Deviation]]]) -> Table:
     rows: list[list[Cell]] = [
         [_rate(rate), name, *(of[state].rms for state in JUDGED.values())]
-        for rate, models in errors.items() for name, of in models.items()
-    ]  # fmt: skip
+        for rate, models in errors.items()
+        for name, of in models.items()
+    ]
     columns = [
         Column(Say("turning at")),
         Column(Say("model")),
