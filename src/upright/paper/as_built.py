@@ -17,10 +17,10 @@ from upright.comparison import compare
 from upright.control import Estimated, StateFeedback, kalman
 from upright.control.excited import Excited, random_binary
 from upright.experiment import Hold, run
-from upright.pages import Column, Picture, Quantity, Say, Table
+from upright.pages import Picture, Quantity, Say
 from upright.paper import printed
 from upright.paper.claim import Claim, judged
-from upright.paper.pushes import MODELS, PUSHES, RELEASE, SECONDS, RegulatedRobot
+from upright.paper.pushes import MODELS, PUSHES, RELEASE, SECONDS, RegulatedRobot, settling_table
 from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot
 from upright.signals import Log
@@ -139,9 +139,10 @@ def chapter(trial: RegulatedRobot, kit: Kit, logs: Mapping[str, Log], progress: 
     picture = Picture(
         Say("Friction keeps the robot swinging, front push"), functools.partial(compare(front).plot, "pitch")
     )
+    slowest = {name: {run: max(times) for run, times in c.settling["5 %"].items()} for name, c in cases.items()}
     title = Say("Settling of real robots")
     verdict = judged(c.slower for c in cases.values())
-    return Claim("5f", title, verdict, summary, numbers, [picture, guess, _table(cases)], kept)
+    return Claim("5f", title, verdict, summary, numbers, [picture, guess, settling_table(slowest)], kept)
 
 
 def _plain(c: Settled) -> dict[str, object]:
@@ -150,21 +151,3 @@ def _plain(c: Settled) -> dict[str, object]:
 
 def _finite(runs: Mapping[str, Sequence[float]]) -> dict[str, list[float | None]]:
     return {run: [None if math.isinf(x) else x for x in values] for run, values in runs.items()}
-
-
-def _table(cases: Mapping[str, Settled]) -> Table:
-    """How long pitch takes to settle: smallest and largest value over the seeds."""
-    runs = [AS_BUILT, *OTHERS]
-    columns = [Column(Say("push")), *(Column(Say("{run}", run=run)) for run in runs)]
-    rows = [[name, *(_range(case.settling["5 %"][run]) for run in runs)] for name, case in cases.items()]
-    return Table(columns, rows, Say("Pitch settles to 5 % after the release in"))
-
-
-def _range(values: Sequence[float]) -> Quantity | Say:
-    """Times [s] over the seeds, of which some may have no end."""
-    low, high = min(values), max(values)
-    if math.isinf(low):
-        return Say("never")
-    if math.isinf(high):
-        return Say("{time} or never", time=Quantity(low, "s"))
-    return Quantity(low, "s") if low == high else Quantity(None, "s", low=low, high=high)

@@ -85,8 +85,8 @@ def _misprints(proofs: Mapping[Erratum, Proof | None]) -> Claim:
 
 
 def _as_json(erratum: Erratum, proof: Proof | None) -> dict[str, object]:
-    record = {name: str(getattr(erratum, name)) for name in ("equations", "printed", "corrected", "why")}
-    return {**record, "proof": asdict(proof) if proof else None}
+    record = {name: getattr(erratum, name) for name in ("equations", "printed", "corrected")}
+    return {**record, "why": erratum.why.template, "proof": asdict(proof) if proof else None}
 
 
 def _table(proofs: Mapping[Erratum, Proof | None]) -> Table:

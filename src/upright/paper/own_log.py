@@ -31,7 +31,7 @@ from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
 from upright.pages import Quantity, Say
 from upright.paper.own_robot import Adjustment, LearntNumber, OwnRobot
-from upright.paper.own_trial import LINEAR, MEASURED, NONLINEAR, Trial, trial_of
+from upright.paper.own_trial import LINEAR, MEASURED, NONLINEAR, Trial, pushed_in, trial_of
 from upright.physics.linear import linearise_rolling
 from upright.progress import Progress, unwatched
 from upright.robots import PARAMETERS, Kit, Robot, find_kit, find_robot
@@ -85,7 +85,7 @@ def compare_own(
         known = _other(nominal, best, find_kit(best.kit))
         notes: tuple[Say, ...] = ()
     else:
-        known, notes = _calibrated(log, nominal, parts)
+        known, notes = _calibrated(log, pushes, nominal, parts)
     progress(0.4)
     measured, first, how = _with_states(log, known.robot, known.kit)
     trial = trial_of(measured, first, law, pushes, nominal, parts)
@@ -128,15 +128,12 @@ def _law(log: Log, controller: Controller | str | Path | None) -> CommandLaw:
     )  # fmt: skip
 
 
-def _pushed(log: Log) -> tuple[tuple[float, float], ...]:
-    """From when to when [s] a log says that it was pushed."""
-    return active_intervals(log.t, log["push/force"]) if "push/force" in log else ()
-
-
 def _logged(log: Log) -> tuple[PushProgramme, ...]:
     """The pushes that a log says it had, each with its mean force and height."""
+    if "push/force" not in log:
+        return ()
     pushes: list[PushProgramme] = []
-    for start, stop in _pushed(log):
+    for start, stop in active_intervals(log.t, log["push/force"]):
         at = (log.t >= start) & (log.t < stop)
         force = float(log["push/force"][at].mean())
         height = float(log["push/height"][at].mean()) if "push/height" in log else None
@@ -161,9 +158,9 @@ def _words(pushes: Sequence[PushProgramme], robot: Robot) -> Say:
     return Say("pushed by {forces}", forces=forces)
 
 
-def _calibrated(log: Log, robot: Robot, kit: Kit) -> tuple[_Learnt, tuple[Say, ...]]:
+def _calibrated(log: Log, pushes: Sequence[PushProgramme], robot: Robot, kit: Kit) -> tuple[_Learnt, tuple[Say, ...]]:
     """What the longest part without a push says of the robot, or its file and why there is no more."""
-    edges = [0.0, *(t for pair in _pushed(log) for t in pair), float(log.t[-1])]
+    edges = [0.0, *(t for pair in pushed_in(log, pushes, robot) for t in pair), float(log.t[-1])]
     parts = [(a, b) for a, b in zip(edges[::2], edges[1::2], strict=False) if math.isfinite(a)]
     start, stop = max(parts, key=lambda part: part[1] - part[0])
     try:

@@ -116,14 +116,19 @@ def _rest(log: Log) -> Array:
     return _pitch(log)[log.t > log.t[-1] - REST]
 
 
+def pushed_in(log: Log, pushes: Sequence[PushProgramme], robot: Robot) -> tuple[tuple[float, float], ...]:
+    """From when to when [s] some push acts in a log."""
+    force = [sum(abs(push.at(float(t), robot).force) for push in pushes) for t in log.t]
+    return active_intervals(log.t, force)
+
+
 def trial_of(
     measured: Log, first: Array, law: CommandLaw, pushes: tuple[PushProgramme, ...], robot: Robot, kit: Kit
 ) -> Trial:
     """What the models go through, with the times of the pushes, and how much the resting robot swings."""
     t = measured.t
     pitch = _pitch(measured)
-    force = [sum(abs(p.at(float(at), robot).force) for p in pushes) for at in t]
-    times = [time for pair in active_intervals(t, force) for time in pair if math.isfinite(time)]
+    times = [time for pair in pushed_in(measured, pushes, robot) for time in pair if math.isfinite(time)]
     pushed, release = (times[0], times[-1]) if times else (0.0, 0.0)
     rest = _rest(measured)
     swing = float(np.ptp(rest)) / 2

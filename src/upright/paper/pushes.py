@@ -186,16 +186,17 @@ def _tested(measured: Mapping[str, Measured]) -> Claim:
     columns = [Column(Say("the paper concludes")), Column(Say("it holds in"))]
     title = Say("The paper's conclusions")
     numbers = {"claims": verdicts, "cases": cases}
-    blocks = [Table(columns, rows), _settling(measured)]
+    blocks = [Table(columns, rows), settling_table({name: case.settling for name, case in measured.items()})]
     return Claim("5e", title, judged(verdicts.values()), summary, numbers, blocks)
 
 
-def _settling(measured: Mapping[str, Measured]) -> Table:
-    runs = [*next(iter(measured.values())).settling]
+def settling_table(cases: Mapping[str, Mapping[str, float]]) -> Table:
+    """Settling times [s] of the runs of each case, which may be infinite."""
+    runs = next(iter(cases.values()))
     columns = [Column(Say("robot and push")), *(Column(Say("{run}", run=run), "s") for run in runs)]
     rows: list[list[Cell]] = []
-    for name, case in measured.items():
-        rows.append([name, *(Say("never") if math.isinf(s) else s for s in case.settling.values())])
+    for name, settling in cases.items():
+        rows.append([name, *(Say("never") if math.isinf(time) else time for time in settling.values())])
     return Table(columns, rows, Say("Pitch settles to 5 % after the release in"))
 
 

@@ -72,7 +72,7 @@ def chapter(light: Robot) -> Claim:
         "No order of the weights in Q, with any R from 1 to 10⁴, comes nearer than {distance} (RMS).",
         distance=Quantity(nearest, "fraction", digits=2),
     )
-    blocks = [_gains(clean.gain, as_printed.gain), search, _stability(loops)]
+    blocks = [_gains(clean.gain), search, _stability(loops)]
     same = np.abs(np.abs(clean.gain[0] / printed.KU1) - 1) < SAME
     return Claim("4", Say("Gains of the regulator"), judged(same.tolist()), summary, numbers, blocks)
 
@@ -104,19 +104,11 @@ def _radius(model: LinearModel, feedback: StateFeedback) -> float:
     return float(np.abs(np.linalg.eigvals(model.A - model.B @ feedback.gain)).max())
 
 
-def _gains(clean: Array, noisy: Array) -> Table:
-    columns = [
-        Column(Say("gain of")),
-        Column(Say("printed")),
-        Column(Say("from Q and R, noise removed")),
-        Column(Say("from Q and R, left")),
-        Column(Say("from Q and R, right")),
-    ]
-    rows = [
-        [state_words(name), *gains]
-        for name, *gains in zip(STATE_NAMES, printed.KU1.tolist(), clean[0].tolist(), *noisy.tolist(), strict=True)
-    ]
-    return Table(columns, rows, Say("The gains of (38)"))
+def _gains(clean: Array) -> Table:
+    columns = [Column(Say("gain of")), Column(Say("printed")), Column(Say("from Q and R, noise removed"))]
+    each = zip(STATE_NAMES, printed.KU1.tolist(), clean[0].tolist(), strict=True)
+    rows = [[state_words(name), *gains] for name, *gains in each]
+    return Table(columns, rows, Say("The gains of (38), left motor"))
 
 
 def _stability(loops: dict[str, float]) -> Table:

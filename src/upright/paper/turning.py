@@ -18,7 +18,7 @@ from upright.bodies import Body, NonlinearBody
 from upright.bodies.twin import Twin
 from upright.control import StateFeedback, lqr_state
 from upright.experiment import Drive, Turn, run
-from upright.pages import Cell, Column, Picture, Quantity, Say, Table
+from upright.pages import Column, Picture, Quantity, Say, Table
 from upright.paper.claim import BEYOND, Claim
 from upright.physics.dynamics import accelerations, mass_matrix, motor_damping, motor_gain, turn_ratio
 from upright.plotting import legend, line, panels
@@ -197,23 +197,9 @@ def _judged(logs: Mapping[float, Mapping[str, Log]], stiffened: Mapping[float, L
         "pitch_rms_by_contact_time": {f"{contact:g}": of for contact, of in limits.items()},
     }
     claim = Say("The published model's error grows with the rate of turning; the complete model follows")
-    blocks = [Picture(claim, functools.partial(_draw, logs)), _error_table(errors)]
+    blocks = [Picture(claim, functools.partial(_draw, logs))]
     saved = {f"turning-{name}": log for name, log in logs[SHOWN].items() if name in ("twin", *MODELS)}
     return Claim("2b", Say("MuJoCo beside both models"), BEYOND, summary, numbers, blocks, saved)
-
-
-def _error_table(errors: Mapping[float, Mapping[str, Mapping[str, Deviation]]]) -> Table:
-    rows: list[list[Cell]] = [
-        [_rate(rate), name, *(of[state].rms for state in JUDGED.values())]
-        for rate, models in errors.items()
-        for name, of in models.items()
-    ]
-    columns = [
-        Column(Say("turning at")),
-        Column(Say("model")),
-        *(Column(Say("{state}", state=s), "fraction") for s in JUDGED),
-    ]
-    return Table(columns, rows, Say("Difference from the twin, over the twin's peak (RMS)"))
 
 
 def _draw(logs: Mapping[float, Mapping[str, Log]]) -> Figure:
