@@ -12,7 +12,7 @@ from upright.pages.words import Say
 GLOSSARY: dict[str, tuple[Say, Say]] = {
     "twin": (Say("twin"), Say("A simulation in MuJoCo that stands in for a robot, but is no real robot.")),
     "kit": (Say("kit"), Say("The electronics of a robot: sensors, motors' driver, battery, and the period.")),
-    "R²": (Say("R²"), Say("1: predicted exactly. 0: no better than the mean of the readings.")),
+    r"(?<![\w)²] )R²": (Say("R²"), Say("1: predicted exactly. 0: no better than the mean of the readings.")),
     "fit": (Say("fit"), Say("100 %: both curves are equal. 0 %: no better than a constant.")),
     "knock": (Say("knock"), Say("A blow so short that only its impulse counts, force times duration [N s].")),
     "hold": (Say("hold"), Say("A constant force leans the robot, and then lets go.")),
