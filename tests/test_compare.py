@@ -180,7 +180,7 @@ def test_a_run_that_stood_says_that_its_swing_grows_and_how_far_it_rolled():
     still = Log(t, {f"truth/{name}": 0 * t for name in states}, {}, origin)
     pages = [compare(log).page() for log in (rolled, growing, still)]
     assert [page.verdict.level for page in pages if page.verdict] == ["warn", "warn", "good"]
-    assert numbers_of(pages[0])["distance rolled"] == "3 m"
+    assert numbers_of(pages[0])["furthest from the start"] == "3 m"
     assert "every 2 s" in str(pages[1].title).replace("\u00a0", " ")
     assert compare(growing).metrics["1"].doubling == pytest.approx(math.log(2) / 0.35, rel=0.05)
     driven = Log(t, rolled.channels, {}, {**origin, "scenario": {"reference": [{"speed": 0.3}]}})
@@ -236,7 +236,8 @@ def test_page_text_and_json_tell_one_settling_time_within_one_band():
     )
     assert {log["settled_within"] for log in told.values()} == {0.02}
     seconds = " and ".join(f"{told[label]['settled']:.3g} s" for label in ("slow", "fast"))
-    assert numbers_of(result.page())["settling after the push: slow, fast"] == seconds
+    meaning = "after the last push until pitch stays within ±1.15°: slow, fast"
+    assert numbers_of(result.page())[meaning] == seconds
 
 
 def test_logs_on_other_time_bases_are_interpolated_on_the_common_interval():
@@ -255,14 +256,13 @@ def test_a_time_that_the_end_of_the_record_decides_is_none():
     assert math.isnan(numbers.settling_5)
 
 
-def test_a_short_answer_to_a_push_is_shown_alone():
-    """Pushed until 2 s of 20 s, and calm 0.5 ln 5 later: less than 4 s and a second beside it."""
-    picture = compare({"a": pushed(seconds=20.0)}).page().picture
-    assert picture
-    low, high = picture.draw().axes[0].get_xlim()
-    assert low == 0.0
-    assert high == pytest.approx(2 + 0.5 * math.log(5) + 1, abs=0.02)
-    assert picture.note
+def test_the_whole_run_is_shown_with_the_band_in_which_it_has_settled():
+    """A page that said "stood for 10 s" ended its picture at 5.6 s."""
+    (ax, *_) = compare({"a": pushed(seconds=20.0)}).page().picture.draw().axes
+    low, high = ax.get_xlim()
+    assert (low <= 0, high >= 19.9) == (True, True)
+    band = [line.get_ydata()[0] for line in ax.lines if line.get_linestyle() == ":"]
+    assert band == pytest.approx([-math.degrees(0.02), math.degrees(0.02)])
 
 
 def test_the_reference_may_be_named_and_an_unknown_one_is_refused():

@@ -332,7 +332,7 @@ def test_the_summary_counts_falls_and_leaves_the_fallen_out(results):
     assert summary.fell == int((~stood).sum())
     assert summary.quantiles["travel"][1] == pytest.approx(np.median(results["travel"].values[stood]))
     json.dumps(summary.to_json(), allow_nan=False)
-    assert str(Fleet(results, summary).page().title) == f"{summary.fell} of 100 robots fell"
+    assert str(Fleet(results, summary).page().title) == f"The robot fell in {summary.fell} of 100 runs without a push"
 
 
 def test_falls_that_chance_explains_have_no_cause(results):
@@ -517,7 +517,8 @@ def test_pages_of_maps_hold_what_is_in_their_json_and_come_back_from_a_file(smal
     back = Basin(load(save(cut.data, tmp_path / "basin.parquet")))
     assert str(back) == str(cut)
     assert "stands 1 s later" in str(cut).replace("\n", " ")
-    assert len(cut.plot().axes) == 1
+    areas = [label.get_text() for label in cut.plot().axes[1].get_yticklabels()]
+    assert areas == ["it falls", "it recovers"]
 
 
 def planted_basin(recovered, able=None):
@@ -540,7 +541,8 @@ def test_a_basin_says_from_where_it_recovers_round_rest():
     assert found.to_json()["result"]["ranges"] == {"pitch": pytest.approx((-0.1, 0.1)), "pitch_rate": (-1.0, 0.0)}
     page = found.page()
     assert "−5.73° to 5.73°" in str(page.title)  # 0.1 rad
-    assert [str(number.value) for number in page.numbers][:2] == ["−57.3°/s to 0°/s", "14°"]
+    assert [str(number.value) for number in page.numbers] == ["−57.3°/s to 0°/s", "5.73°"]
+    assert "14°" in str(page.verdict.text)  # 0.25 rad
     recovered[3, 2] = 0.0
     assert planted_basin(recovered).page().verdict.level == "bad"
 

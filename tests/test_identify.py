@@ -321,7 +321,7 @@ def test_the_page_shows_every_method_and_no_bad_number() -> None:
     assert [tick.get_text() for tick in figure.axes[0].get_yticklabels()] == list(compared().models)
     one = next(iter(compared().models.values()))
     (ax,) = one.plot().axes
-    assert (ax.get_xlabel(), ax.get_ylabel(), ax.get_xscale()) == ("prediction horizon [samples]", "skill [%]", "log")
+    assert (ax.get_xlabel(), ax.get_ylabel(), ax.get_xscale()) == ("samples predicted ahead", "skill [%]", "log")
 
 
 # What cannot be used

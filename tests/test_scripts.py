@@ -25,7 +25,7 @@ SAYS = {
     "read_log": r"wrong sign +gyro(.|\n)*another unit +encoders",
     "simulate": r"largest lean 0\.0\d+ rad",
     "tune": r"lqg for nxtway-gs(.|\n)*\d+ mm of travel instead of \d+ mm",
-    "sweep": r"of 10000 robots fell",
+    "sweep": r"fell in \d+ of 10000 runs",
 }
 """What each one must print. The pole of nxtway-gs, 7.437 1/s, and e-fold in 1/7.437 s are its linear model's
 (docs/model.md), so a lean doubles in ln 2/7.437 s, 93 ms; an identified pole lies between 7 and 8; least squares in

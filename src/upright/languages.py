@@ -47,7 +47,7 @@ SPANISH = {
     "lying": "caído", "upside down": "cabeza abajo", "standing up": "levantándose", "falling": "cayendo",
     "fallen": "tras caer", "moved": "movido", "cut": "corte",
     "at the limit": "en el límite", "held out: not fitted": "apartado: no se ajustó",
-    "skill": "acierto", "prediction horizon": "horizonte de predicción",
+    "skill": "acierto",
     # a loop
     "magnitude": "magnitud", "phase": "fase", "frequency": "frecuencia", "loop gain": "ganancia de lazo",
     "gain 1 and phase ±180°: the point −1": "ganancia 1 y fase ±180°: el punto −1",

@@ -49,10 +49,10 @@ def _who(comparison: Compared, pushes: Say) -> Say:
     robots = list(dict.fromkeys(name_in(log.origin, "robot") for log in comparison.logs.values()))
     laws = list(dict.fromkeys(law_in(log.origin) for log in comparison.logs.values()))
     if not all(robots):
-        return Say("Not every log names its robot; {pushes}.", pushes=pushes)
+        return Say("Not every log names its robot: {pushes}.", pushes=pushes)
     if all(laws):
-        return Say("Runs of {robots} under {laws}; {pushes}.", robots=robots, laws=laws, pushes=pushes)
-    return Say("Runs of {robots}; {pushes}.", robots=robots, pushes=pushes)
+        return Say("All runs are of {robots} under {laws}: {pushes}.", robots=robots, laws=laws, pushes=pushes)
+    return Say("All runs are of {robots}: {pushes}.", robots=robots, pushes=pushes)
 
 
 def _fits(comparison: Compared, name: str) -> dict[str, float]:
@@ -120,18 +120,18 @@ def _numbers(comparison: Compared, first: str, fits: Mapping[str, float]) -> lis
     fell = {label: outcome_of(log) for label, log in comparison.logs.items() if comparison.metrics[label].fell}
     numbers = [KeyNumber(Quantity(end.seconds, "s"), Say("until {run} fell", run=run)) for run, end in fell.items()]
     for label, fit in list(fits.items())[:2]:
-        meaning = Say("fit of {state}, {run}; good from {close}", state=state, run=label, close=_percent(CLOSE))
+        meaning = Say("how well {run} follows {one} in {state}; good from {close}", run=label, state=state,
+                      one=comparison.reference, close=_percent(CLOSE))  # fmt: skip
         if comparison.answered:
             meaning = Say("fit of {state}, {run}, until both are calm", state=state, run=label)
         numbers.append(KeyNumber(_percent(fit) if fit > DIVERGED else Say("diverges"), meaning))
-    if not fell:
-        label, size = _furthest(comparison, first)
-        meaning = Say("largest difference in {state}, {run}", state=state, run=label)
-        numbers.append(KeyNumber(Quantity(size, _unit(comparison, first)), meaning))
     settled = [comparison.at_rest(label)[0] for label in comparison.logs]
     if len(settled) == 2 and comparison.pushed and all(map(math.isfinite, settled)):
         value = Say("{one} and {other}", one=Quantity(settled[0], "s"), other=Quantity(settled[1], "s"))
-        numbers.append(KeyNumber(value, Say("settling after the push: {runs}", runs=list(comparison.logs))))
+        band = Quantity(comparison.at_rest(comparison.reference)[1], "rad")
+        runs = list(comparison.logs)
+        meaning = Say("after the last push until pitch stays within ±{band}: {runs}", band=band, runs=runs)
+        numbers.append(KeyNumber(value, meaning))
     return numbers[:MOST_NUMBERS]
 
 
@@ -154,8 +154,8 @@ def _furthest(comparison: Compared, name: str) -> tuple[str, float]:
 def _picture(comparison: Compared, first: str) -> Picture:
     label, size = _furthest(comparison, first)
     claim = Say(
-        "Largest difference from {one}: {size}, of {run}", one=comparison.reference, run=label,
-        size=Quantity(size, _unit(comparison, first), digits=2),
+        "In {state}, {run} differs from {one} by {size} at most", one=comparison.reference, run=label,
+        state=state_words(first), size=Quantity(size, _unit(comparison, first)),
     )  # fmt: skip
     return states_picture(comparison, claim, first)
 
@@ -167,7 +167,7 @@ def _fit_table(comparison: Compared) -> Table:
     rows: list[list[Cell]] = []
     for label, fit in shown.items():
         rows.append([label, *(Say("diverges") if fit[name] < DIVERGED else fit[name] for name in names)])
-    caption = Say("Fit to {one}; noise lowers that of rates", one=comparison.reference)
+    caption = Say("Fit to {one}: noise differs in each run, and lowers the fit of rates", one=comparison.reference)
     if comparison.answered:
         caption = Say("Fit to {one}, from the push until both are calm", one=comparison.reference)
     return Table(columns, rows, caption)

@@ -30,10 +30,10 @@ def state_words(name: str) -> Say:
     return STATES.get(name, Say("{name}", name=name))
 
 
-def draw_states(comparison: Compared, names: Sequence[str], window: tuple[float, float] | None = None) -> Figure:
-    """One panel for each state, angles in degrees; the reference lies wide and pale below the others. `window` [s] is
-    the time that is shown, where it is not the whole."""
-    from upright.plotting import legend, line, panels
+def draw_states(comparison: Compared, names: Sequence[str]) -> Figure:
+    """One panel for each state, angles in degrees; the reference lies wide and pale below the others. Dotted lines hold
+    the pitch of a run that has settled."""
+    from upright.plotting import AXIS, legend, line, panels
 
     source = comparison.sources[comparison.reference]
     units = [comparison.logs[comparison.reference].unit(f"{source}/{name}") for name in names]
@@ -45,11 +45,13 @@ def draw_states(comparison: Compared, names: Sequence[str], window: tuple[float,
         for style, (label, log) in enumerate(comparison.logs.items()):
             below = several and label == comparison.reference
             line(ax, label, log.t, factor * comparison.state(label, name), style=style, below=below)
+        if name == "pitch" and comparison.pushed:
+            seconds, within = comparison.at_rest(comparison.reference)
+            for side in (-1, 1) if np.isfinite(seconds) else ():
+                ax.axhline(side * factor * within, linestyle=":", color=AXIS, label=str(Say("settled")))
         if dwarfing(comparison, name):
             low, high = _range(comparison, name)
             ax.set_ylim(factor * (2 * low - high), factor * (2 * high - low))
-    if window:
-        axes[0].set_xlim(*window)
     _shade(comparison, axes)
     return legend(figure)
 
@@ -97,8 +99,10 @@ def draw_asked(comparison: Compared) -> Figure:
 
 
 def _shade(comparison: Compared, axes: Sequence[Axes]) -> None:
-    from upright.plotting import span
+    from upright.plotting import SPAN, span
 
     end = max(float(log.t[-1]) for log in comparison.logs.values())
     for start, stop in comparison.pushed:
         span(axes, start, min(stop, end), str(Say("push acts")))
+        for ax in axes:
+            ax.axvline(start, color=SPAN, zorder=0)  # a knock is too short for a span

@@ -14,8 +14,6 @@ from upright.logs.recording import commanded
 from upright.pages import Cell, Column, Fold, Items, Next, Picture, Quantity, Say
 from upright.signals import Log
 
-BESIDE = 1.0  # [s] shown before a push and after the last run has settled
-SHORT = 0.6  # [1] of a run: a shorter part is shown alone
 FRACTIONS = {"1": "fraction"}
 """Unit of a metric → that in which people read it."""
 
@@ -25,14 +23,14 @@ def who(log: Log, kind: str, pushes: Say) -> Say:
     robot = name_in(log.origin, "robot")
     law = law_in(log.origin) or Say("a controller of one's own")
     if not robot:
-        return Say("Its log does not name the robot; {pushes}.", pushes=pushes)
+        return Say("Its log does not name the robot: {pushes}.", pushes=pushes)
     if kind.startswith("twin"):
-        return Say("Simulated by the twin: {robot} under {law}; {pushes}.", robot=robot, law=law, pushes=pushes)
+        return Say("The twin simulates {robot} under {law}: {pushes}.", robot=robot, law=law, pushes=pushes)
     if "nonlinear model" in kind:
-        return Say("Simulated by the model: {robot} under {law}; {pushes}.", robot=robot, law=law, pushes=pushes)
+        return Say("The model simulates {robot} under {law}: {pushes}.", robot=robot, law=law, pushes=pushes)
     if "linear model" in kind:
-        return Say("Simulated by the linear model: {robot} under {law}; {pushes}.", robot=robot, law=law, pushes=pushes)
-    return Say("The robot is {robot} under {law}; {pushes}.", robot=robot, law=law, pushes=pushes)
+        return Say("The linear model simulates {robot} under {law}: {pushes}.", robot=robot, law=law, pushes=pushes)
+    return Say("The robot is {robot} under {law}: {pushes}.", robot=robot, law=law, pushes=pushes)
 
 
 def pushes_of(log: Log) -> Say:
@@ -61,27 +59,10 @@ def _known(value: Cell) -> bool:
 
 
 def states_picture(comparison: Compared, claim: Say, *names: str) -> Picture:
-    """Some states, near the pushes where that is a short part of the runs; which runs are cut stands below."""
-    window = _window(comparison)
+    """Some states over the whole of the runs; which runs are cut stands below."""
     cut = sorted({label for name in names for label in dwarfing(comparison, name)})
-    note = None
-    if cut:
-        note = Say("Cut at the frame: {runs}.", runs=cut)
-    elif window:
-        low, high = (Quantity(end, "s", digits=2) for end in window)
-        note = Say("Shown from {low} to {high}; the whole is below.", low=low, high=high)
-    return Picture(claim, functools.partial(draw_states, comparison, names, window), note)
-
-
-def _window(comparison: Compared) -> tuple[float, float] | None:
-    """The time [s] from before the pushes until pitch of each run is calm, where that is a short part of the runs."""
-    if not comparison.pushed:
-        return None
-    ends = [comparison.releases[label] + comparison.at_rest(label)[0] for label in comparison.logs]
-    log = comparison.logs[comparison.reference]
-    low = max(float(log.t[0]), comparison.pushed[0][0] - BESIDE)
-    high = min(float(log.t[-1]), max(ends) + BESIDE)
-    return (low, high) if math.isfinite(sum(ends)) and high - low < SHORT * (log.t[-1] - log.t[0]) else None
+    note = Say("Cut at the frame: {runs}.", runs=cut) if cut else None
+    return Picture(claim, functools.partial(draw_states, comparison, names), note)
 
 
 def folds(comparison: Compared) -> list[Fold]:
@@ -104,7 +85,7 @@ def _meanings(comparison: Compared) -> list[Say]:
     ]
     if comparison.pushed:
         band = Quantity(max(comparison.at_rest(label)[1] for label in comparison.logs), "rad")
-        items.insert(0, Say("Settling: from the end of the push until pitch stays within ±{band}.", band=band))
+        items.insert(0, Say("Settling: from the end of the last push until pitch stays within ±{band}.", band=band))
         items.append(Say("Held back for long, a robot leans forward, into the push."))
     if comparison.fits:
         items.append(Say("Fit: 100 % is the same curve, 0 % is no better than a constant."))

@@ -56,9 +56,11 @@ def _title(log: Log, numbers: Metrics, calm: bool, still: bool) -> Say:
     if still:
         return Say("It stood still for {time}", time=time)
     if calm:
-        most = Quantity(abs(numbers.pitch_peak), "rad", digits=2)
+        most = Quantity(abs(numbers.pitch_peak), "rad")
         return Say("It swayed by {most} at most in {time}", most=most, time=time)
-    return outcome.in_words
+    robot = name_in(log.origin, "robot")
+    pushed = robot and pushes_of(log).facts
+    return Say("Pushed, {robot} stood for {time}", robot=robot, time=time) if pushed else outcome.in_words
 
 
 def _verdict(log: Log, numbers: Metrics, calm: bool) -> Verdict:
@@ -99,9 +101,9 @@ def _numbers(comparison: Compared, label: str) -> list[KeyNumber]:
         seconds, within = comparison.at_rest(label)
         settled = Say("never") if math.isnan(seconds) else Quantity(seconds, "s")
         band = Quantity(within, "rad")
-        numbers.append(KeyNumber(settled, Say("after the push until pitch stays within ±{band}", band=band)))
+        numbers.append(KeyNumber(settled, Say("after the last push until pitch stays within ±{band}", band=band)))
     if math.isfinite(m.rolled):
-        numbers.append(KeyNumber(Quantity(m.rolled, "m"), Say("distance rolled")))
+        numbers.append(KeyNumber(Quantity(m.rolled, "m"), Say("furthest from the start")))
     return numbers
 
 
@@ -115,9 +117,9 @@ def _picture(comparison: Compared, label: str, still: Say | None) -> Picture:
     elif not comparison.pushed:
         claim = Say("Pitch and wheel angle, while nobody pushes")
     elif math.isnan(seconds):
-        claim = Say("After the push pitch does not come to rest")
+        claim = Say("After the last push pitch does not come to rest")
     else:
-        claim = Say("Pitch is calm {time} after the push", time=Quantity(seconds, "s", digits=2))
+        claim = Say("After the last push pitch comes to rest")
     names = [name for name in ("pitch", "wheel") if name in comparison.signals]
     return states_picture(comparison, claim, *(names or comparison.signals[:1]))
 

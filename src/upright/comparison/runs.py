@@ -48,7 +48,7 @@ class Metrics:
 
     fell: bool | None = _number("", Say("fell"))
     pitch_peak: float = _number("rad", Say("largest pitch"))
-    rolled: float = _number("m", Say("distance rolled"))
+    rolled: float = _number("m", Say("furthest from the start"))
     saturated: float = _number("1", Say("motors at limit"))
     effort: float = _number("u² s", Say("effort"))
     overshoot: float = _number("1", Say("overshoot"))

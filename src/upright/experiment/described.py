@@ -17,11 +17,14 @@ def pushes_in_words(pushes: Sequence[Mapping[str, Any]]) -> Say:
 
 def _in_words(push: Mapping[str, Any]) -> Say:
     if push.get("impulse"):
-        return Say("a knock of {size}", size=Quantity(push["impulse"], "N s"))
+        impulse = push["impulse"]
+        size = Quantity(abs(impulse), "N s")
+        return Say("a knock of {size} forward", size=size) if impulse > 0 else Say("a knock of {size} back", size=size)
     if push.get("force"):
         return Say("{force} for {time}", force=Quantity(push["force"], "N"), time=Quantity(push["duration"], "s"))
     if push.get("pitch"):
-        return Say("held at {angle} and let go", angle=Quantity(push["pitch"], "rad"))
+        time = Quantity(push["until"] - push.get("start", 0.0), "s")
+        return Say("a force for {time} that leans it to {angle}", time=time, angle=Quantity(push["pitch"], "rad"))
     if push.get("angle"):
         return Say("a slope of {angle}", angle=Quantity(push["angle"], "rad"))
     return Say("a push")

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from upright.arrays import Array
-from upright.fleets.limits import ranges, samples, saved_by_any, states
+from upright.fleets.limits import ranges, samples, saved_by_any, sees_lean, states
 from upright.fleets.origin import made_of
 from upright.fleets.results import origin_of
 from upright.pages import Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
@@ -49,14 +49,22 @@ def basin_page(data: Dataset) -> Page:
                     robot=robot, across=STATES[across], range=span)  # fmt: skip
         verdict = Verdict(Say("most recover from {range}", range=span))
     else:
-        title = Say("With no {up}, {robot} recovers from a {across} of {range}", up=STATES[up], robot=robot,
+        title = Say("Let go at rest but for its {across}, {robot} recovers from {range}", robot=robot,
                     across=STATES[across], range=span)  # fmt: skip
-        verdict = Verdict(Say("recovers from {range}", range=span))
+        if not across.endswith("rate"):
+            title = Say("Let go at rest, {robot} recovers from a {across} of {range}", robot=robot,
+                        across=STATES[across], range=span)  # fmt: skip
+        verdict = Verdict(Say("it recovers"))
     lead = [
-        Say("Simulated: {robot} under {controller}, let go at each state; it recovers if it stands {time} later.",
-            robot=robot, controller=kind or Say("a controller of one's own"),
+        Say("In a simulation under {controller}, it recovers if it stands {time} later.",
+            controller=kind or Say("a controller of one's own"),
             time=Quantity(float(origin["scenario"]["seconds"]), "s"))
     ]  # fmt: skip
+    best = saved_by_any(data)
+    if known and best and max(known) < best:
+        verdict = Verdict(Say("its motors could save {best}", best=Quantity(best, "rad", digits=2)))
+        if not sees_lean(data):
+            lead.insert(0, Say("It reads no sensor that shows a lean at rest, so it notices the fall late."))
     return Page(
         title, verdict=verdict, lead=lead, numbers=_numbers(data), picture=_picture(data),
         next=[Next("push_map", robot=robot, controller=kind or None, why=Say("It does the same for pushes."))],
@@ -80,11 +88,12 @@ def _numbers(data: Dataset) -> list[KeyNumber]:
     if ranges(data)[across]:
         meaning = Say("{up} from which it recovers at zero {across}", up=STATES[up], across=STATES[across])
         numbers.append(KeyNumber(_range(data, up), meaning))
-    if best := saved_by_any(data):
-        meaning = Say("largest pitch at rest that any controller saves (linear model)")
-        numbers.append(KeyNumber(Quantity(best, "rad", digits=2), meaning))
-    fraction = Quantity(float(data["recovered"].values.mean()), "fraction")
-    return [*numbers, KeyNumber(fraction, Say("of the states tried recover"))]
+    meaning = Say("between two values of the {across} that were tried", across=STATES[across])
+    return [*numbers, KeyNumber(_step(data, across), meaning)]
+
+
+def _step(data: Dataset, name: str) -> Quantity:
+    return Quantity(float(np.diff(data[name].values).mean()), str(data[name].attrs["unit"]))
 
 
 def _table(data: Dataset) -> Table:
@@ -98,18 +107,14 @@ def _row(data: Dataset, name: str) -> list[Cell]:
     unit = str(data[name].attrs["unit"])
     tried = _between((float(values.min()), float(values.max())), unit)
     recovers = _range(data, name) if ranges(data)[name] else None
-    return [STATES[name], recovers, tried, Quantity(float(np.diff(values).mean()), unit)]
+    return [STATES[name], recovers, tried, _step(data, name)]
 
 
 def _tried(data: Dataset) -> Items:
-    apart = float(data["island"].values.mean())
     items = [
         Say("Robots at each state: {n}", n=samples(data)),
-        Say("States tried: {n}", n=int(data["recovered"].size)),
-        Say("Islands, cut off from rest by states from which it falls: {part}",
-            part=Quantity(apart, "fraction", digits=2)),
         Say("The picture shows the part around what recovers, its border smoothed."),
-    ]  # fmt: skip
+    ]
     return Items(items)
 
 
@@ -118,7 +123,11 @@ def _picture(data: Dataset) -> Picture:
     claim = Say("It recovers from the green states; the white line has no {up}", up=up)
     if samples(data) > 1:
         claim = Say("The lighter, the more robots recover; the black line has no {up}", up=up)
-    note = Say("Marks: the largest pitch at rest that any controller saves.") if saved_by_any(data) else None
+    note = (
+        Say("Marks: the largest pitch at rest that any controller saves, by a linear model.")
+        if saved_by_any(data)
+        else None
+    )
     return Picture(claim, functools.partial(draw_basin, data), note)
 
 
@@ -132,9 +141,10 @@ def draw_basin(data: Dataset) -> Figure:
     units = {name: str(data[name].attrs["unit"]) for name in states(data)}
     x, y = (DEGREES * data[name].values for name in states(data))
     names = [f"{STATES[name]} [{unit.replace('rad', '°')}]" for name, unit in units.items()]
+    areas = () if family else (str(Say("it falls")), str(Say("it recovers")))
     drawing = colour_map(
         x, y, recovered if family else smooth(recovered), x_label=names[0], y_label=names[1],
-        label=str(Say("recovers [1]")) if family else "", names=() if family else ("", ""),
+        label=str(Say("recovers [1]")) if family else "", names=areas,
         levels=np.linspace(0, 1, LEVELS + 1).tolist() if family else [0.0, 0.5, 1.0], smooth=True,
     )  # fmt: skip
     ax = drawing.axes[0]
@@ -145,8 +155,6 @@ def draw_basin(data: Dataset) -> Figure:
     if ends := ranges(data)[across]:
         ax.plot([DEGREES * end for end in ends], [0, 0], color=dark, linewidth=2.5, solid_capstyle="butt")
     ax.locator_params(axis="x", nbins=5)
-    if not family:
-        _without_bar(drawing)
     return drawing
 
 
@@ -167,20 +175,7 @@ def _mark_limit(ax: Axes, best: float, colour: str) -> None:
     for side in (-best, best):
         ax.annotate(str(Quantity(side / DEGREES, "rad", digits=2)), (side, 0.0), (0, 14), textcoords="offset points",
                     ha="center", color=colour)  # fmt: skip
-    ax.set_xlim(min(ax.get_xlim()[0], -1.2 * best), max(ax.get_xlim()[1], 1.2 * best))
-
-
-def _without_bar(drawing: Figure) -> None:
-    """Two areas need no scale of colours."""
-    from upright.plotting import RIGHT
-
-    ax, beside = drawing.axes
-    drawing.delaxes(beside)
-    box = ax.get_position()
-    right = 1 - RIGHT / drawing.get_size_inches()[0]
-    ax.set_position((box.x0, box.y0, right - box.x0, box.height))
-    x, y = ax.yaxis.label.get_position()
-    ax.yaxis.set_label_coords(x * box.width / (right - box.x0), y)
+    ax.set_xlim(min(ax.get_xlim()[0], -1.4 * best), max(ax.get_xlim()[1], 1.4 * best))
 
 
 def _zoom(ax: Axes, x: Array, y: Array, recovered: Array) -> None:

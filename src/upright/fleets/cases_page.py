@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from upright.experiment.described import pushes_in_words
+from upright.experiment.described import facts_of, pushes_in_words
 from upright.fleets.binomial import MOST_FALLS, upper_bound
 from upright.fleets.fleet_page import falls_of
 from upright.fleets.origin import spreads_table
@@ -71,7 +71,7 @@ def _title(shown: Tally) -> Say:
     if not others:
         return Say("{fell} of {n} robots fell", fell=worst.fell, n=worst.n)
     name = shown.names()[shown.index(worst)]
-    return Say("Worst case ({case}): {part} of the robots fall", case=name, part=_part(worst.fell / worst.n))
+    return Say("Worst case ({case}): {part} of {n} robots fall", case=name, part=_part(worst), n=worst.n)
 
 
 def _verdict(cases: Tally, counted: Sequence[CaseSummary]) -> Verdict:
@@ -90,22 +90,24 @@ def _verdict(cases: Tally, counted: Sequence[CaseSummary]) -> Verdict:
 
 
 def _lead(cases: Tally) -> list[Say]:
-    lead = [Say("Simulated: {n} cases with {robots} robots in all.", n=len(cases), robots=sum(c.n for c in cases))]
+    lead = [Say("{n} cases were simulated, and nobody pushed the robots.", n=len(cases))]
+    if pushes := _pushes(cases.origins[cases.index(cases.worst_first()[0])]) if cases.origins else ():
+        lead = [Say("{n} cases were simulated; the worst has {pushes}.", n=len(cases), pushes=pushes_in_words(pushes))]
     if decisive := cases.decisive():
         name, levels = decisive
-        first, *_, last = levels
+        *_, last = levels
         lead.append(
-            Say("Most depends on the {label}: with {worst} {most} fall, with {best} {least}.",
-                label=LABELS.get(name, term(name)), worst=cases.labelled(name, first), best=cases.labelled(name, last),
-                most=_part(levels[first].value), least=_part(levels[last].value))
+            Say("Most depends on the {label}: with {best} {least} fall.", label=LABELS.get(name, term(name)),
+                best=cases.labelled(name, last), least=Quantity(levels[last].value, "fraction", digits=2))
         )  # fmt: skip
     elif len(cases) > 1:
         lead.append(Say("No difference between the cases is clear."))
     return lead
 
 
-def _part(value: float) -> Quantity:
-    return Quantity(value, "fraction")
+def _part(case: CaseSummary) -> Quantity | None:
+    """The fraction that fell; of cases together it is no whole number of robots."""
+    return Quantity(case.chance.value, "fraction", digits=2) if case.chance else None
 
 
 def _numbers(counted: Sequence[CaseSummary], shown: Tally) -> list[KeyNumber]:
@@ -118,19 +120,17 @@ def _numbers(counted: Sequence[CaseSummary], shown: Tally) -> list[KeyNumber]:
 
 
 def _picture(shown: Tally, alike: Sequence[str]) -> Picture:
-    limit = Quantity(MOST_FALLS, "fraction")
-    note = Say("Thin lines: bounds, each with 95 % confidence. Dashed: {limit}, as a certificate allows.", limit=limit)
+    note = None
     if alike:
         labels = [LABELS.get(name, term(name)) for name in alike]
-        note = Say("Dashed: {limit}, as a certificate allows. Counted together, without clear difference: {labels}.",
-                   limit=limit, labels=labels)  # fmt: skip
+        note = Say("Cases that differ in {labels} alone are counted together: chance explains it.", labels=labels)
     draw = functools.partial(draw_cases, shown)
     return Picture(Say("Robots that fell in each case, the worst on top"), draw, note)
 
 
 def draw_cases(cases: Tally) -> Figure:
     """The fraction that fell in each case [%], the worst first, beside the limit of a certificate."""
-    from upright.plotting import AXIS, COLOURS, INK, number, rows_of
+    from upright.plotting import AXIS, COLOURS, INK, legend, number, rows_of
 
     names = cases.names()
     worst = cases.worst_first()[:DRAWN]
@@ -140,16 +140,18 @@ def draw_cases(cases: Tally) -> Figure:
     percent = 100 * np.array(chances).reshape(-1, 3)
     rows = np.arange(len(worst))
     ax.barh(rows, percent[:, 0], height=0.6, color=COLOURS[0])
-    ax.hlines(rows, percent[:, 1], percent[:, 2], linewidth=1.2, color=INK, zorder=3)
+    bounds = str(Say("95 % confidence"))
+    ax.hlines(rows, percent[:, 1], percent[:, 2], linewidth=1.2, color=INK, zorder=3, label=bounds)
     limit = 100 * MOST_FALLS
-    ax.axvline(limit, linestyle="--", linewidth=1, color=AXIS)
+    allowed = str(Say("allowed by a certificate"))
+    ax.axvline(limit, linestyle="--", linewidth=1, color=AXIS, label=allowed)
     for row, (value, _, high) in enumerate(percent.tolist()):
         at = max(high, limit)  # not across the line of the limit
-        ax.annotate(f"{number(value, 3)} %", (at, row), (4, 0), textcoords="offset points", va="center")
+        ax.annotate(f"{number(value, 2)} %", (at, row), (4, 0), textcoords="offset points", va="center")
     ax.set_xlim(0, 1.3 * max(limit, percent[:, 2].max()))
     if ax.get_xlim()[1] > 100:  # room for the numbers, but no tick above 100 %
         ax.set_xticks(np.arange(0, 101, 25))
-    return figure
+    return legend(figure)
 
 
 def _order(cases: Tally) -> list[int]:
@@ -169,12 +171,11 @@ def _table(cases: Tally, order: Sequence[int]) -> Table:
     rows: list[list[Cell]] = []
     for k in order:
         case = cases[k]
-        fell = None if case.fell is None else case.fell / case.n
-        rows.append([names[k], fell, case.n, *(case.mean(outcome) for outcome in shown)])
+        rows.append([names[k], _part(case), case.n, *(case.mean(outcome) for outcome in shown)])
     caption = Say("Cases, the worst first; means of the robots that stood") if shown else None
     columns = [
         Column(Say("case")),
-        Column(Say("fell"), "fraction"),
+        Column(Say("fell")),
         Column(Say("robots")),
         *(kinds[name] for name in shown),
     ]
@@ -225,9 +226,5 @@ def _made_of(cases: Tally) -> dict[str, str]:
     """Seed, length of the runs and versions, as of the first case."""
     origin = cases.origins[0] if cases.origins else {}
     seconds = origin.get("scenario", {}).get("seconds")
-    facts = {
-        "seed": str(origin.get("seed", "")),
-        "each run": str(Quantity(float(seconds), "s")) if seconds else "",
-        "versions": ", ".join(f"{name} {number}" for name, number in sorted(origin.get("versions", {}).items())),
-    }
-    return {name: text for name, text in facts.items() if text}
+    facts = {name: text for name, text in facts_of(origin).items() if name in ("seed", "versions")}
+    return facts | ({"each run": str(Quantity(float(seconds), "s"))} if seconds else {})

@@ -15,6 +15,7 @@ from upright.fleets.origin import made_of, names_varied, spreads_of, spreads_tab
 from upright.fleets.results import OUTCOME_NAMES, origin_of
 from upright.pages import Block, Column, Fold, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.terms import term
+from upright.pages.words import shown_in
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -32,42 +33,38 @@ def fleet_page(data: Dataset, summary: Summary) -> Page:
     origin = origin_of(data)
     pushes = origin.get("scenario", {}).get("push") or ()
     influence = summary.influence
-    lead = [
-        Say("Simulated: {robot} under {controller}, {n} numbers varied; {pushes}.", robot=origin["robot"]["name"],
-            controller=(origin.get("controller") or {}).get("kind") or Say("a controller of one's own"),
-            n=len(names_varied(data)), pushes=pushes_in_words(pushes))
-    ]  # fmt: skip
+    varied = len(names_varied(data))
+    robot = str(origin["robot"]["name"])
+    kind = (origin.get("controller") or {}).get("kind")
+    law = kind or Say("a controller of one's own")
+    lead = [Say("Each run simulates {robot} under {law}; only the noise differs.", robot=robot, law=law)]
+    if varied:
+        lead = [Say("Each run simulates {robot} under {law}, with {n} numbers varied.", robot=robot, law=law, n=varied)]
     if influence.strongest:
-        what, name = OUTCOME_NAMES[influence.outcome], term(influence.strongest)
-        if influence.outcome == "fell":
-            lead.append(Say("Whether a robot falls depends most on: {name}.", name=name))
-        else:
-            lead.append(Say("What the {outcome} depends on most: {name}.", outcome=what, name=name))
-    elif summary.fell < summary.n:
+        lead.append(Say("What happens depends most on: {name}.", name=term(influence.strongest)))
+    elif varied and summary.fell < summary.n:
         lead.append(Say("No varied number decides by more than chance."))
-    drawn = [name for name, row in summary.quantiles.items() if row[2] > row[0]]
-    pictures = [
-        Picture(
-            Say("How the {outcome} is distributed over the robots that stood", outcome=OUTCOME_NAMES[name]),
-            functools.partial(distribution, data, name),
-        )
-        for name in drawn
-    ]
-    if influence.strongest:
-        pictures.insert(0, _over(data, influence))
-    first, *others = pictures or [None]
+    picture = _over(data, influence) if influence.strongest else None
+    if not picture and summary.fell < summary.n:
+        picture = _distributed(data, summary, "peak_pitch")
     folds: list[Block] = []
     if influence.correlations:
         folds.append(Fold(Say("What decides"), [_correlations(influence)]))
-    if others:
-        folds.append(Fold(Say("Distributions"), [picture for picture in others if picture]))
-    if names_varied(data):
+    if varied:
         units = {str(name): str(column.attrs.get("unit") or "") for name, column in data.data_vars.items()}
         folds.append(Fold(Say("What varies"), [spreads_table(spreads_of(data), units)]))
+    title = Say("The robot fell in {fell} of {n} runs without a push", fell=summary.fell, n=summary.n)
+    following = Next("certify", kind or "lqr", robot=robot, why=Say("It varies every number, pushes and counts falls."))
+    if pushes:
+        title = Say("The robot fell in {fell} of {n} runs with {pushes}", fell=summary.fell, n=summary.n,
+                    pushes=pushes_in_words(pushes))  # fmt: skip
+    else:
+        following = Next("fleet", robot=robot, push="impulse:0.1", why=Say("A push shows more than noise does."))
+    verdict = _verdict(summary, bool(pushes), varied)
+    if verdict.level == "bad":
+        following = Next("push_map", robot=robot, why=Say("It finds the largest push that the robot survives."))
     return Page(
-        Say("{fell} of {n} robots fell", fell=summary.fell, n=summary.n),
-        verdict=_verdict(summary, bool(pushes), len(names_varied(data))),
-        lead=lead, numbers=_numbers(summary), picture=first, next=[_next(data, bool(pushes))],
+        title, verdict=verdict, lead=lead, numbers=_numbers(summary), picture=picture, next=[following],
         blocks=[_quantiles(summary), *folds], origin=made_of(data),
     )  # fmt: skip
 
@@ -98,34 +95,29 @@ def falls_of(fell: int, n: int) -> Quantity:
 
 
 def _numbers(summary: Summary) -> list[KeyNumber]:
-    numbers = [KeyNumber(falls_of(summary.fell, summary.n), Say("of such robots fall (95 % confidence)"))]
+    allowed = Say("of such runs end in a fall, with 95 % confidence; a certificate allows {limit}",
+                  limit=Quantity(MOST_FALLS, "fraction"))  # fmt: skip
+    numbers = [KeyNumber(falls_of(summary.fell, summary.n), allowed)]
     meanings = {
-        "peak_pitch": Say("95 % of those that stood leaned less"),
-        "settling": Say("after the last push 95 % had settled"),
-        "travel": Say("95 % of those that stood rolled less far"),
+        "peak_pitch": Say("95 % of those that stood leaned less than this"),
+        "settling": Say("95 % were calm so long after the last push"),
+        "travel": Say("95 % of those that stood stayed this near to the start"),
     }
     for name, meaning in meanings.items():
         row = summary.quantiles.get(name)
         if row and math.isfinite(row[2]) and len(numbers) < 3:
-            numbers.append(KeyNumber(Quantity(row[2], summary.units[name], digits=2), meaning))
+            numbers.append(KeyNumber(_shown(summary, name, row[2]), meaning))
     return numbers
 
 
+def _shown(summary: Summary, name: str, value: float) -> Quantity:
+    return Quantity(value, "fraction" if summary.units[name] == "1" else summary.units[name])
+
+
 def _quantiles(summary: Summary) -> Table:
-    rows = [
-        [
-            OUTCOME_NAMES[name],
-            *(Quantity(q, "fraction" if summary.units[name] == "1" else summary.units[name]) for q in row),
-        ]
-        for name, row in summary.quantiles.items()
-    ]
-    columns = [
-        Column(Say("robots that stood")),
-        Column(Say("5 % below")),
-        Column(Say("half below")),
-        Column(Say("95 % below")),
-    ]
-    return Table(columns, rows)
+    rows = [[OUTCOME_NAMES[name], *(_shown(summary, name, q) for q in row)] for name, row in summary.quantiles.items()]
+    names = Say("robots that stood"), Say("5 % below"), Say("half below"), Say("95 % below")
+    return Table([Column(name) for name in names], rows)
 
 
 def _correlations(influence: Influence) -> Table:
@@ -145,6 +137,8 @@ def _over(data: Dataset, influence: Influence) -> Picture:
     claim = Say(
         "The {outcome}, robot by robot, over the {name}", outcome=OUTCOME_NAMES[influence.outcome], name=term(name)
     )
+    if influence.outcome == "fell":
+        claim = Say("Part of the robots that fell, by their {name}", name=term(name))
     return Picture(claim, functools.partial(_draw_over, data, name, influence.outcome))
 
 
@@ -158,42 +152,39 @@ def _draw_over(data: Dataset, name: str, outcome: str) -> Figure:
         figure, (ax,) = panels([str(Say("robots that fell [%]"))], across)
         groups = np.array_split(np.argsort(x), min(GROUPS, max(len(x) // 20, 2)))
         line(ax, str(Say("fell")), [x[g].mean() for g in groups], [100 * y[g].mean() for g in groups], solid=True)
-        ax.set_ylim(-2, 102)
+        ax.set_ylim(0)
         return figure
     use = np.flatnonzero(np.isfinite(y) & (data["fell"].values == 0))
     use = use[:: max(1, math.ceil(len(use) / DOTS))]
-    unit = str(data[outcome].attrs["unit"])
-    factor = 180 / math.pi if unit == "rad" else 1.0
-    figure, (ax,) = panels([f"{OUTCOME_NAMES[outcome]} [{unit.replace('rad', '°')}]"], across)
+    factor, unit = shown_in(str(data[outcome].attrs["unit"]), float(y[use].max(initial=0.0)))
+    figure, (ax,) = panels([f"{OUTCOME_NAMES[outcome]} [{unit}]"], across)
     ax.plot(x[use], factor * y[use], ".", markersize=3)
     return figure
 
 
-def _next(data: Dataset, pushed: bool) -> Next:
-    robot = str(origin_of(data)["robot"]["name"])
-    if pushed:
-        return Next("push_map", robot=robot)
-    return Next("fleet", robot=robot, push="impulse:0.1", why=Say("A push shows more than noise does."))
+def _distributed(data: Dataset, summary: Summary, name: str) -> Picture:
+    _, half, most = (_shown(summary, name, q) for q in summary.quantiles[name])
+    claim = Say("Of those that stood, half have a {outcome} below {half}, and 95 % below {most}",
+                outcome=OUTCOME_NAMES[name], half=half, most=most)  # fmt: skip
+    return Picture(claim, functools.partial(distribution, data, name))
 
 
 def distribution(data: Dataset, outcome: str, bins: int = 60) -> Figure:
     """The fraction of the robots that stood over an outcome of theirs, as a histogram."""
-    from upright.plotting import panels
+    from upright.plotting import AXIS, legend, panels
 
-    values = stood(data, outcome)
+    values = data[outcome].values[data["fell"].values == 0]
+    values = values[np.isfinite(values)]
     unit = str(data[outcome].attrs["unit"])
-    if unit in ("rad", "rad/s"):
-        values = np.degrees(values)
-        unit = unit.replace("rad", "°")
-    words = str(data[outcome].attrs["long_name"])
-    if unit == "1":
-        values = 100 * values
-        unit = "%"
-    figure, (ax,) = panels(["robots [%]"], f"{words} [{unit}]", height=1.4)
+    factor, unit = shown_in("fraction" if unit == "1" else unit, float(values.max(initial=0.0)))
+    values = factor * values
+    figure, (ax,) = panels([str(Say("runs [%]"))], f"{OUTCOME_NAMES[outcome]} [{unit}]", height=1.4)
     if len(values):
         ax.hist(values, _borders(values, bins), weights=np.full(len(values), 100 / len(values)), histtype="stepfilled",
                 alpha=0.8)  # fmt: skip
-    return figure
+        ax.axvline(np.median(values), color=AXIS, label=str(Say("half below")))
+        ax.axvline(np.quantile(values, 0.95), linestyle="--", color=AXIS, label=str(Say("95 % below")))
+    return legend(figure)
 
 
 def _borders(values: Array, bins: int) -> int | list[float]:
@@ -203,9 +194,3 @@ def _borders(values: Array, bins: int) -> int | list[float]:
     if not step or np.ptp(few) > bins * step:
         return bins
     return [float(few[0]) + step * (k - 0.5) for k in range(round(float(np.ptp(few)) / step) + 2)]
-
-
-def stood(data: Dataset, outcome: str) -> Array:
-    """An outcome of the robots that stood, as far as they have one."""
-    values = data[outcome].values[data["fell"].values == 0]
-    return values[np.isfinite(values)]

@@ -15,12 +15,13 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
 KNOCK = 0.02  # [s] of a knock, as a certificate's
+TENNIS_BALL = 0.058  # [kg] in the middle of what the rules of tennis allow
 
 
 def weakest(data: Dataset) -> Mapping[str, Mapping[str, float]]:
     """For each direction of a push map, the weakest first, where the least impulse fells the nominal robot: `impulse`
-    [N s], `height` [m], `duration` [s], the band `low` to `high` [N s] where similar robots were tried, and the
-    fraction of `islands`."""
+    [N s], `height` [m], `duration` [s], its mean `force` [N], the speed [m/s] of a tennis `ball` that gives as much
+    when it is caught, the band `low` to `high` [N s] where similar robots were tried, and the fraction of `islands`."""
     places = {str(way): _weakest(data.sel(direction=way)) for way in data["direction"].values}
     return dict(sorted(places.items(), key=lambda item: item[1]["impulse"]))
 
@@ -29,6 +30,7 @@ def _weakest(part: Dataset) -> dict[str, float]:
     impulse = part["impulse"].values
     row, column = np.unravel_index(int(np.argmin(impulse)), impulse.shape)
     place = {"impulse": impulse[row, column], "height": part["height"][row], "duration": part["duration"][column]}
+    place |= {"force": place["impulse"] / place["duration"], "ball": place["impulse"] / TENNIS_BALL}
     place |= {name: part[name].values[row, column] for name in ("low", "high") if name in part}
     return {name: float(value) for name, value in place.items()} | {"islands": float(part["island"].values.mean())}
 
@@ -42,6 +44,11 @@ def at_centre(data: Dataset) -> float | None:
         return None
     least = data["impulse"].min("direction").transpose("height", "duration").values
     return float(np.interp(height, heights, [np.interp(KNOCK, durations, row) for row in least]))
+
+
+def longest(data: Dataset) -> float:
+    """The impulse [N s] that is survived at every height in the longest pushes of a push map."""
+    return float(data["impulse"].isel(duration=-1).min())
 
 
 def states(data: Dataset) -> tuple[str, str]:
@@ -59,6 +66,13 @@ def saved_by_any(data: Dataset) -> float | None:
     """The largest pitch [rad] at rest from which any controller could save the linear robot (`control.reach`); None
     where the motors lift it off the floor, no kit limits the command, or the basin is not over pitch."""
     return (origin_of(data).get("basin") or {}).get("saved_by_any")
+
+
+def sees_lean(data: Dataset) -> bool:
+    """Whether the controller of a basin reads pitch itself or an accelerometer; without them a lean at rest shows only
+    as it grows."""
+    reads = (origin_of(data).get("controller") or {}).get("reads") or ("truth/pitch",)
+    return any(name == "truth/pitch" or "accel" in name for name in reads)
 
 
 def ranges(data: Dataset) -> dict[str, tuple[float, float] | None]:

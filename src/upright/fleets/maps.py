@@ -30,8 +30,11 @@ class PushMap(Result):
         return draw_map(self.data.sel(direction=first))
 
     def to_json(self) -> dict[str, Any]:
-        """The weakest place by direction, a knock at the centre of mass, and where they come from."""
-        numbers = {**limits.weakest(self.data), "at_centre": limits.at_centre(self.data)}
+        """The weakest place by direction, a knock at the centre of mass, the longest pushes, and the origin."""
+        numbers = {
+            **limits.weakest(self.data), "at_centre": limits.at_centre(self.data),
+            "longest": limits.longest(self.data),
+        }  # fmt: skip
         return {"result": numbers, "origin": origin_of(self.data)}
 
     def page(self) -> Page:
@@ -59,7 +62,7 @@ class Basin(Result):
         numbers = {
             "fraction": float(recovered.mean()), "points": int(recovered.size), "samples": limits.samples(self.data),
             "islands": float(self.data["island"].values.mean()), "ranges": limits.ranges(self.data),
-            "saved_by_any": limits.saved_by_any(self.data),
+            "saved_by_any": limits.saved_by_any(self.data), "sees_lean": limits.sees_lean(self.data),
         }  # fmt: skip
         return {"result": numbers, "origin": origin_of(self.data)}
 

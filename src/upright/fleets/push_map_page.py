@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from upright.arrays import Array
-from upright.fleets.limits import KNOCK, at_centre, weakest
+from upright.fleets.limits import KNOCK, at_centre, longest, weakest
 from upright.fleets.origin import made_of
 from upright.fleets.results import origin_of
 from upright.pages import Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
+from upright.pages.words import shown_in
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -30,16 +31,25 @@ def push_map_page(data: Dataset) -> Page:
     robot = str(origin["robot"]["name"])
     controller = origin.get("controller") or {}
     kind = str(controller.get("kind") or "")
-    least = min(place["impulse"] for place in weakest(data).values())
-    title = Say("{robot} survives {size}, wherever it is pushed", robot=robot, size=Quantity(None, "N s", low=least))
-    verdict = Verdict(Say("weakest push: {size}", size=Quantity(least, "N s")))
-    if not least:
-        title = Say("The smallest push tried fells {robot}", robot=robot)
-        verdict = Verdict(Say("no push is survived"), "bad")
+    weak, *_ = weakest(data).values()
+    lows = [place["low"] for place in weakest(data).values() if "low" in place]
+    verdict = Verdict(Say("one robot alone was tried"))
+    if lows:
+        verdict = Verdict(Say("similar robots: {size}", size=_survived(min(lows))))
     lead = [
-        Say("Simulated: {robot} under {controller}, pushed ever harder until it falls.", robot=robot,
+        Say("In a simulation under {controller}, each push grows until the robot falls.",
             controller=kind or Say("a controller of one's own"))
     ]  # fmt: skip
+    title = Say(
+        "{robot} survives {size} at every height and duration tried", robot=robot, size=_survived(weak["impulse"])
+    )
+    if weak["impulse"]:
+        lead.insert(0, Say("That is {force} for {time}, as of a tennis ball caught at {speed}.",
+                           force=Quantity(weak["force"], "N"), time=Quantity(weak["duration"], "s"),
+                           speed=Quantity(weak["ball"], "m/s", digits=2)))  # fmt: skip
+    else:
+        title = Say("The smallest push tried fells {robot}", robot=robot)
+        verdict = Verdict(Say("no push is survived"), "bad")
     first, *others = [_map(data, way) for way in weakest(data)]
     slices = [_slices(data.sel(direction=way), way) for way in weakest(data)]
     folds = [
@@ -55,41 +65,38 @@ def push_map_page(data: Dataset) -> Page:
 
 def _numbers(data: Dataset) -> list[KeyNumber]:
     numbers: list[KeyNumber] = []
-    lows = [place["low"] for place in weakest(data).values() if "low" in place]
-    if lows:
-        meaning = Say("survived at its weakest place by 97.5 % of similar robots")
-        numbers.append(KeyNumber(Quantity(None, "N s", low=min(lows)), meaning))
     if knock := at_centre(data):
-        meaning = Say("survived at the centre of mass within {time}", time=Quantity(KNOCK, "s"))
-        numbers.append(KeyNumber(Quantity(knock, "N s"), meaning))
-    longest = Quantity(float(data["duration"].values[-1]), "s", digits=2)
-    lasting = Quantity(float(data["impulse"].isel(duration=-1).min()), "N s")
-    return [*numbers, KeyNumber(lasting, Say("survived at every height within {time}", time=longest))]
+        meaning = Say("survived at the centre of mass, if the push lasts {time}", time=Quantity(KNOCK, "s"))
+        numbers.append(KeyNumber(_survived(knock), meaning))
+    time = Quantity(float(data["duration"].values[-1]), "s", digits=2)
+    meaning = Say("survived at every height, if the push lasts {time}", time=time)
+    return [*numbers, KeyNumber(_survived(longest(data)), meaning)]
+
+
+def _survived(impulse: float | None) -> Quantity | None:
+    """A limit, which is never rounded up."""
+    return None if impulse is None else Quantity(None, "N s", low=impulse)
 
 
 def _table(data: Dataset) -> Table:
     columns = [
-        Column(Say("direction")), Column(Say("weakest push"), "N s"), Column(Say("height"), "m"),
-        Column(Say("lasts"), "s"), Column(Say("97.5 % survive"), "N s"),
+        Column(Say("direction")), Column(Say("it survives")), Column(Say("height"), "m"), Column(Say("lasts"), "s"),
+        Column(Say("97.5 % survive")),
     ]  # fmt: skip
     rows = [
-        [WAYS[way], place["impulse"], place["height"], place["duration"], place.get("low")]
+        [WAYS[way], _survived(place["impulse"]), place["height"], place["duration"], _survived(place.get("low"))]
         for way, place in weakest(data).items()
     ]
-    return Table(columns, rows, Say("The weakest place of each direction; height above the axle"))
+    return Table(columns, rows, Say("Where each direction is weakest, by its height above the axle"))
 
 
 def _tried(data: Dataset) -> Items:
     search = origin_of(data)["push_map"]
-    heights, durations = data["height"].values, data["duration"].values
-    apart = float(data["island"].values.mean())
     items = [
-        Say("Heights: {range} above the axle", range=_reach(heights, "m")),
-        Say("Durations: {range}", range=_reach(durations, "s")),
+        Say("Heights: {range} above the axle", range=_reach(data["height"].values, "m")),
+        Say("Durations: {range}", range=_reach(data["duration"].values, "s")),
         Say("A push is survived if the robot still stands {time} later", time=Quantity(float(search["watch"]), "s")),
-        Say("Accuracy of each limit: {part}", part=Quantity(float(search["tolerance"]), "fraction")),
         Say("Similar robots drawn for the band: {n}", n=int(search["samples"])),
-        Say("Points where a larger push is survived again: {part}", part=Quantity(apart, "fraction", digits=2)),
     ]
     return Items(items)
 
@@ -99,9 +106,7 @@ def _reach(values: Array, unit: str) -> Quantity:
 
 
 def _map(data: Dataset, way: str) -> Picture:
-    place = weakest(data)[way]
-    claim = Say("Pushed {way}, it is weakest {height} above the axle, for {time}", way=WAYS[way],
-                height=Quantity(place["height"], "m"), time=Quantity(place["duration"], "s"))  # fmt: skip
+    claim = Say("The largest push {way} that it survives, by height and duration", way=WAYS[way])
     note = Say("Numbers on the lines: the largest push survived [N s]. The lightest colour includes larger ones.")
     return Picture(claim, functools.partial(draw_map, data.sel(direction=way)), note)
 
@@ -114,17 +119,19 @@ def draw_map(part: Dataset) -> Figure:
     low = float(np.nanmin(impulse))
     high = float(np.nanquantile(impulse, 0.98))
     row, column = np.unravel_index(int(np.nanargmin(impulse)), impulse.shape)
-    height, duration = float(part["height"].values[row]), float(part["duration"].values[column])
+    factor, unit = shown_in("m", float(part["height"].values.max()))
+    heights = factor * part["height"].values
+    height, duration = float(heights[row]), float(part["duration"].values[column])
     levels = _levels(low, high)
     drawing = colour_map(
-        part["duration"].values, part["height"].values, impulse.T, x_label=str(Say("duration of the push [s]")),
-        y_label=str(Say("height above the axle [m]")), label=str(Say("push [N s]")), levels=levels, smooth=True,
+        part["duration"].values, heights, impulse.T, x_label=str(Say("duration of the push [s]")),
+        y_label=f"{Say('height above the axle')} [{unit}]", label=str(Say("push [N s]")), levels=levels, smooth=True,
     )  # fmt: skip
     ax = drawing.axes[0]
-    _numbered(ax, part, levels)
+    _numbered(ax, part, heights, levels)
     ax.plot(duration, height, "o", color="white", markeredgecolor="black", markersize=9, clip_on=False, zorder=5)
     right = part["duration"].values.mean() >= duration
-    above = part["height"].values.mean() >= height
+    above = heights.mean() >= height
     ax.annotate(
         str(Say("weakest")), (duration, height), (28 if right else -28, 24 if above else -24), color="white",
         textcoords="offset points", ha="left" if right else "right", arrowprops={"arrowstyle": "-", "color": "white"},
@@ -132,7 +139,7 @@ def draw_map(part: Dataset) -> Figure:
     return drawing
 
 
-def _numbered(ax: Axes, part: Any, levels: list[float]) -> None:
+def _numbered(ax: Axes, part: Any, heights: Array, levels: list[float]) -> None:
     """The impulse on each border between colours: white on dark ones, dark on light ones."""
     from upright.plotting import number
 
@@ -141,9 +148,9 @@ def _numbered(ax: Axes, part: Any, levels: list[float]) -> None:
         return
     half = (len(levels) - 1) / 2
     colours = ["white" if k < half else "#101010" for k in range(1, len(levels) - 1)]
-    lines = ax.contour(part["duration"].values, part["height"].values, part["impulse"].values, levels=inner,
+    lines = ax.contour(part["duration"].values, heights, part["impulse"].values, levels=inner,
                        colors=colours, linewidths=0.6)  # fmt: skip
-    far = [level for level in inner if level > 1.1 * float(np.nanmin(part["impulse"].values))]  # not at the marker
+    far = [level for level in inner if level > 1.6 * float(np.nanmin(part["impulse"].values))]  # not at the marker
     ax.clabel(lines, far, fmt={level: number(level, 2) for level in inner}, fontsize=9)
 
 

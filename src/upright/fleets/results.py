@@ -34,7 +34,7 @@ _NOTE = b"upright-fleet"
 OUTCOME_NAMES = {
     "fell": Say("falls"), "lived": Say("time until the fall"), "peak_pitch": Say("largest pitch"),
     "settling": Say("settling time"), "rms_pitch": Say("RMS pitch"), "effort": Say("effort"),
-    "saturated": Say("saturated fraction"), "travel": Say("distance rolled"),
+    "saturated": Say("saturated fraction"), "travel": Say("furthest from the start"),
 }  # fmt: skip
 
 

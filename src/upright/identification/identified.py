@@ -74,7 +74,7 @@ class Identified(Result):
         """The skill of predictions of each output on the held-out part, over their horizon on a logarithmic axis."""
         from upright.plotting import legend, line, panels
 
-        figure, (ax,) = panels([str(Say("skill [%]"))], str(Say("prediction horizon [samples]")), "log")
+        figure, (ax,) = panels([str(Say("skill [%]"))], str(Say("samples predicted ahead")), "log")
         ahead = [float(h) for h in self.fits]
         for name in next(iter(self.fits.values()), {}):
             line(ax, str(OUTPUTS[name]), ahead, [fit.get(name, np.nan) for fit in self.fits.values()])
@@ -83,33 +83,41 @@ class Identified(Result):
     def page(self) -> Page:
         """The model for people."""
         verdict = Verdict(Say("not yet tried in a loop"))
+        if np.isfinite(self.pole.low):
+            verdict = Verdict(Say("pole known to ±{part}", part=Quantity(self.pole.within, "fraction", digits=2)))
         title = Say("By {method}, a lean doubles in {time}", method=self.method, time=doubling(self.pole))
         if self.pole.value <= 0:
             verdict = Verdict(Say("wrong: a stable model"), "bad")
             title = Say("By {method} the robot does not fall", method=self.method)
-        lead = [Say("A linear model has no dry friction, which is counted as damping.")]
+        lead = [
+            Say("A regulator of this model may still fall: none was tried."),
+            Say("Dry friction is counted as damping."),
+        ]
         if self.pole.without_friction:
             value, low, high = self.pole.without_friction
             free = Quantity(value, "1/s", low=low, high=high)
-            lead.append(Say("Without dry friction, the unstable pole is {pole}.", pole=free))
+            lead[1] = Say("Dry friction is counted as damping; without it, the unstable pole is {pole}.", pole=free)
         meaning = Say("unstable pole, with its 95 % interval")
         if not np.isfinite(self.pole.low):
             meaning = Say("unstable pole; its interval needs more repeated logs")
         numbers = [KeyNumber(known_pole(self.pole), meaning)]
         if np.isfinite(self.pole.bias):
-            numbers.append(KeyNumber(known_bias(self.pole), Say("bias of the method on repeated logs")))
+            numbers.append(
+                KeyNumber(known_bias(self.pole), Say("error of the method on simulated logs whose pole is known"))
+            )
         folds: list[Fold] = []
         if self.notes:
             folds.append(Fold(Say("Notes"), [Items([Say("{note}", note=note) for note in self.notes])]))
         why = Say("It compares the methods, and tries a regulator of each model.")
         return Page(
             title, verdict=verdict, lead=lead, numbers=numbers,
-            picture=Picture(Say("Skill of predictions on the held-out part of the log"), self.plot),
+            picture=Picture(Say("How well it predicts the part of the log that was not fitted"), self.plot, SKILL),
             next=[Next("identify", self.log, method="all", why=why)], blocks=folds,
             origin={"log": self.log, "method": self.method},
         )  # fmt: skip
 
 
+SKILL = Say("100 %: the prediction is exact. 0 %: to predict no motion would be as good.")
 OUTPUTS = {"gyro": Say("gyro"), "wheel": Say("wheels"), "turn": Say("turn"), "pitch": Say("pitch"),
            "pitch_rate": Say("pitch rate"), "wheel_rate": Say("wheel rate"), "yaw": Say("yaw"),
            "yaw_rate": Say("yaw rate")}  # fmt: skip

@@ -136,7 +136,9 @@ class MethodComparison(Result):
                 robot=self.judge.who, angle=Quantity(HELD, "rad", digits=2)),
         ]  # fmt: skip
         if len(self.alike) > 1:
-            lead.append(Say("Several lean about equally far; {method} knows the pole best.", method=self.best))
+            part = Quantity(self.models[self.best].pole.within, "fraction", digits=2)
+            lead.append(Say("Several lean about equally far; {method} knows the pole best, to ±{part}.",
+                            method=self.best, part=part))  # fmt: skip
         return Page(
             title, verdict=verdict, lead=lead, numbers=_numbers(self), picture=Picture(_claim(self), self.plot),
             next=following, blocks=[_trials(self), *_folds(self)],
@@ -230,7 +232,7 @@ def _predictions(compared: MethodComparison) -> Picture:
         from upright.plotting import legend, line, panels
 
         labels = [str(Say("skill for {output} [%]", output=OUTPUTS[output])) for output in outputs]
-        figure, axes = panels(labels, str(Say("prediction horizon [samples]")), "log")
+        figure, axes = panels(labels, str(Say("samples predicted ahead")), "log")
         for ax, output in zip(axes, outputs, strict=True):
             for name, m in compared.models.items():
                 line(ax, name, [float(h) for h in m.fits], [fit.get(output, math.nan) for fit in m.fits.values()])

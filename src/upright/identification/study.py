@@ -47,13 +47,19 @@ class Pole:
     without_friction: tuple[float, float, float] | None = None
 
     @property
+    def within(self) -> float:
+        """Half the interval, as a part of the value."""
+        return 0.5 * (self.high - self.low) / self.value if self.value else np.nan
+
+    @property
     def corrected(self) -> float:
         """The value less its bias."""
         return self.value - self.bias
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; unknown ones are null."""
-        numbers = {name: getattr(self, name) for name in ("value", "low", "high", "bias", "bias_error", "corrected")}
+        names = ("value", "low", "high", "within", "bias", "bias_error", "corrected")
+        numbers = {name: getattr(self, name) for name in names}
         return {name: finite(value) for name, value in numbers.items()} | {
             "how": self.how, "friction": "counted as damping", "without_friction": self.without_friction
         }  # fmt: skip

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import functools
 import math
-from collections import Counter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -32,17 +31,20 @@ def linear_page(model: LinearModel) -> Page:
     upright = set(model.states) <= set(SYMBOLS)
     facts = [_pole(model)] if unstable else []
     if unstable:
-        facts.append(KeyNumber(_doubled(rate), Say("in which a small deviation doubles")))
+        facts.append(KeyNumber(_grown(rate, 10), Say("until a small lean is ten times as large")))
     if still := int((np.abs(rates) <= STILL).sum()):
-        facts.append(KeyNumber(still, Say("poles that neither grow nor fade: what has rolled or turned stays there")))
-    law = Say("Linear near its operating point: ẋ = A x + B u.")
+        value = Say("{n} of {all}", n=still, all=len(rates))
+        facts.append(KeyNumber(value, Say("poles neither grow nor fade: where it has rolled or turned, it stays")))
+    law = Say("Near its operating point the state changes by ẋ = A x + B u.")
     if not model.continuous:
-        law = Say("Linear near its operating point, every {period}: x⁺ = A x + B u.", period=Quantity(model.dt, "s"))
+        law = Say("Near its operating point the state changes every {period} to x⁺ = A x + B u.",
+                  period=Quantity(model.dt, "s"))  # fmt: skip
+    why = Say("It designs a controller that holds the robot, and writes its file.")
     return Page(
         _title(rate, unstable, upright),
         verdict=Verdict(Say("unstable without control") if unstable else Say("no pole is unstable")),
         lead=[law], numbers=facts, picture=poles_picture(model),
-        next=[Next("design", "lqg", why=Say("This method holds the robot."))] if upright and unstable else [],
+        next=[Next("design", "lqg", output="lqg.json", why=why)] if upright and unstable else [],
         blocks=[_poles(model), _matrices(model)],
     )  # fmt: skip
 
@@ -79,12 +81,13 @@ def _title(rate: float, unstable: int, upright: bool) -> Say:
     if not unstable:
         return Say("No pole is unstable: without a controller nothing grows")
     if upright:
-        return Say("Without a controller the robot falls: a lean doubles every {time}", time=_doubled(rate))
-    return Say("Unstable: a small deviation doubles every {time}", time=_doubled(rate))
+        return Say("Without a controller the robot falls: a lean doubles every {time}", time=_grown(rate, 2))
+    return Say("Unstable: a small deviation doubles every {time}", time=_grown(rate, 2))
 
 
-def _doubled(rate: float) -> Quantity:
-    return Quantity(math.log(2) / rate, "s", digits=2)
+def _grown(rate: float, times: int) -> Quantity:
+    """The time until a deviation that grows at a rate is so many times as large."""
+    return Quantity(math.log(times) / rate, "s", digits=2)
 
 
 def _pole(model: LinearModel) -> KeyNumber:
@@ -102,7 +105,9 @@ def _matrices(model: LinearModel) -> Table:
     values = np.hstack([model.A, model.B])
     rounded = np.where(np.abs(values) < 1e-14 * np.abs(values).max(initial=0.0), 0.0, values)
     caption = Say("ψ: pitch, θ: wheel angle, φ: yaw [rad]; with a dot: their rates [rad/s]")
-    rows = [[row, *line] for row, line in zip(states, rounded.tolist(), strict=True)]
+    rows: list[list[Cell]] = []
+    for row, values in zip(states, rounded.tolist(), strict=True):
+        rows.append([row, *(value or 0 for value in values)])  # a zero is one without decimals
     return Table(heads, rows, caption if set(model.states) <= set(SYMBOLS) else None)
 
 
@@ -122,9 +127,9 @@ def poles_picture(model: LinearModel) -> Picture:
     unstable = int((growth(model) > STILL).sum())
     of = len(model.A)
     if model.continuous:
-        claim = Say("Right of the line, unstable: {n} of {of} poles", n=unstable, of=of)
+        claim = Say("Unstable poles lie right of the line: {n} of {of}", n=unstable, of=of)
         return Picture(claim, functools.partial(_draw_continuous, model))
-    return Picture(Say("Outside of the circle, unstable: {n} of {of} poles", n=unstable, of=of),
+    return Picture(Say("Unstable poles lie outside of the circle: {n} of {of}", n=unstable, of=of),
                    functools.partial(_draw_discrete, model))  # fmt: skip
 
 
@@ -138,7 +143,7 @@ def _draw_discrete(model: LinearModel) -> Figure:
 
 def _draw_continuous(model: LinearModel) -> Figure:
     """Over a real axis that is logarithmic away from zero, so that fast poles do not hide the slow ones."""
-    from upright.plotting import AXIS, COLOURS, PANEL, numbered, panels
+    from upright.plotting import AXIS, COLOURS, PANEL, legend, numbered, panels
 
     poles: Complex = model.poles()
     real = not poles.imag.any()
@@ -153,24 +158,10 @@ def _draw_continuous(model: LinearModel) -> Figure:
     ax.axvline(0, color=AXIS, linewidth=1)
     if real:
         ax.set_yticks([0], ["0"])
-    colours = [COLOURS[4] if abs(p.real) <= STILL else COLOURS[1 if p.real > 0 else 0] for p in poles.tolist()]
-    ax.scatter(poles.real, poles.imag, 80, colours, marker="x", linewidths=2.2, zorder=3)
-    for place, (text, pole) in enumerate(_labels(model)):
-        beside = 6 if pole.real == 0 else 0  # not over the line
-        offset = (beside, -22 if place % 2 else 9)  # neighbours do not overlap
-        ha = "left" if beside else "center"
-        ax.annotate(text, (pole.real, pole.imag), offset, textcoords="offset points", ha=ha)
-    return figure
-
-
-def _labels(model: LinearModel) -> list[tuple[str, complex]]:
-    """The real part of each pole, once where several are equal, from left to right."""
-    from upright.plotting import number
-
-    several = Counter(complex(round(p.real, 6), round(p.imag, 6)) for p in model.poles().tolist())
-    texts: list[tuple[str, complex]] = []
-    for pole in sorted(several, key=lambda p: p.real):
-        count = several[pole]
-        times = Say("{pole} ({n} poles)", pole=number(pole.real, 3), n=count)
-        texts.append((str(times) if count > 1 else number(pole.real, 3), pole))
-    return texts
+    still = np.abs(poles.real) <= STILL
+    fading = ~still & (poles.real < 0)
+    kinds = ((Say("stable"), fading, 0), (Say("at zero"), still, 4), (Say("unstable"), ~still & ~fading, 1))
+    for words, those, colour in kinds:
+        ax.scatter(poles.real[those], poles.imag[those], 80, COLOURS[colour], marker="x", linewidths=2.2, zorder=3,
+                   label=str(words))  # fmt: skip
+    return legend(figure)
