@@ -73,9 +73,9 @@ def _numbers(data: Dataset) -> list[KeyNumber]:
     return [*numbers, KeyNumber(_survived(longest(data)), meaning)]
 
 
-def _survived(impulse: float | None) -> Quantity | None:
+def _survived(impulse: float) -> Quantity:
     """A limit, which is never rounded up."""
-    return None if impulse is None else Quantity(None, "N s", low=impulse)
+    return Quantity(None, "N s", low=impulse)
 
 
 def _table(data: Dataset) -> Table:
@@ -84,7 +84,13 @@ def _table(data: Dataset) -> Table:
         Column(Say("97.5 % survive")),
     ]  # fmt: skip
     rows = [
-        [WAYS[way], _survived(place["impulse"]), place["height"], place["duration"], _survived(place.get("low"))]
+        [
+            WAYS[way],
+            _survived(place["impulse"]),
+            place["height"],
+            place["duration"],
+            _survived(place["low"]) if "low" in place else None,
+        ]
         for way, place in weakest(data).items()
     ]
     return Table(columns, rows, Say("Where each direction is weakest, by its height above the axle"))
