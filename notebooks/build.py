@@ -6,12 +6,13 @@ A text is a Python file of cells, as jupytext and most editors read it. Beside t
 cell of prose is marked `lang="en"` or `lang="es"`. A cell with `tags=["answer"]` is in the teacher's notebook only; in
 the student's there is an empty cell in place of code. Answers are executed with everything else. Code marked
 `lang="es"` changes nothing but how results are shown (`up.language`). So it is executed after the rest, and all
-results are shown again.
+results are shown again: what draws a figure is executed once more, since letters are drawn in one language.
 """
 
 from __future__ import annotations
 
 import argparse
+import ast
 import re
 import shutil
 import tempfile
@@ -62,7 +63,7 @@ def executed(text: Path, folder: Path) -> dict[str, list[NotebookNode]]:
     cells = cells_of(text)
     shared = [cell for cell in cells if cell.cell_type == "code" and not cell.metadata["lang"]]
     spanish = [cell for cell in cells if cell.cell_type == "code" and cell.metadata["lang"]]
-    again = [nbformat.v4.new_code_cell(f"Out.get({number + 1})") for number in range(len(shared))]
+    again = [nbformat.v4.new_code_cell(shown_again(cell.source, k)) for k, cell in enumerate(shared, 1)]
     notebook = nbformat.v4.new_notebook(cells=[*shared, *spanish, *again])
     where = {"metadata": {"path": folder}}
     NotebookClient(notebook, timeout=LIMIT, kernel_name="python3", resources=where, coalesce_streams=True).execute()
@@ -73,6 +74,14 @@ def executed(text: Path, folder: Path) -> dict[str, list[NotebookNode]]:
             printed = [out for out in cell.outputs if out.output_type != "execute_result"]
             cell["outputs"] = [*printed, *results[cell["id"]]]
     return ran
+
+
+def shown_again(source: str, number: int) -> str:
+    """The code that shows the result of a cell, executed as the `number`-th one, in another language."""
+    last = ast.parse(source).body[-1]
+    words = ast.get_source_segment(source, last) or ""
+    draws = isinstance(last, ast.Expr) and re.search(r"\.plot(_\w+)?\(", words)
+    return words if draws else f"Out.get({number})"
 
 
 def notebook_of(cells: Sequence[NotebookNode], lang: str, *, teacher: bool) -> NotebookNode:

@@ -23,7 +23,7 @@ CHECKOUT = Path(__file__).resolve().parents[1]
 SOURCE = CHECKOUT / "src" / "upright"
 
 WINGS = {
-    "base": ("arrays", "errors", "interrupts", "atomic", "progress", "reading", "languages", "tables", "decimate",
+    "base": ("arrays", "errors", "interrupts", "atomic", "progress", "reading", "languages", "decimate",
              "ticks", "plotting", "pages", "plugins"),
     "description": ("signals", "robots"),
     "model": ("physics", "compiled", "bodies", "control", "loops"),
@@ -53,7 +53,7 @@ AT_ONCE = {
     ("gym/balance.py", "gymnasium"), ("gym/task.py", "gymnasium"), ("gym/vector.py", "gymnasium"),
     ("calibration/motion.py", "numba"), ("lab/app.py", "fastapi"), ("plotting.py", "matplotlib"),
     ("ticks.py", "matplotlib"), ("pages/drawing.py", "matplotlib"),
-    ("reports/robot.py", "matplotlib"), ("reports/film.py", "matplotlib"),
+    ("robots/drawing.py", "matplotlib"), ("reports/film.py", "matplotlib"),
 }  # fmt: skip
 """Heavy packages that a module may import when it is loaded, because it is loaded only to use them."""
 

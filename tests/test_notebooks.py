@@ -68,6 +68,13 @@ def test_exercises_stand_by_what_students_have(course, text: Path) -> None:
             (answered if is_answer(cell) else given).update(made)
 
 
+def test_a_figure_is_drawn_again_in_another_language_and_the_rest_is_shown_again(course) -> None:
+    """Letters of a figure are in the language in which it was drawn; a result is text in that of its reader."""
+    assert course.shown_again('runs = {}\nup.compare(runs).plot("pitch")', 3) == 'up.compare(runs).plot("pitch")'
+    assert course.shown_again("found = up.calibrate(log)\nfound", 4) == "Out.get(4)"
+    assert course.shown_again("figure = many.plot()", 5) == "Out.get(5)"
+
+
 def test_a_text_with_a_mistake_is_refused(course, tmp_path: Path) -> None:
     for head in ('# %% [markdown] lang="fr"', '# %% tags=["hidden"]', "# %% [markdown]"):
         text = tmp_path / "1_wrong.py"

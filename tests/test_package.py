@@ -14,7 +14,6 @@ import pytest
 
 import upright as up
 from conftest import PATIENCE
-from upright.tables import Listing
 
 VERBS = ("doctor", "calibrate", "identify", "excite", "certify", "post_mortem", "design", "fleet", "push_map", "parity",
          "reproduce", "report", "simulate")  # fmt: skip
@@ -71,21 +70,10 @@ def test_robot_and_model_are_short_at_a_prompt_and_tables_in_a_notebook() -> Non
     robot = up.Robot.preset("nxtway-gs")
     # Yamamoto (2008): 0.6 kg and two wheels of 0.03 kg, the centre of mass at 0.072 m
     assert repr(robot) == "Robot('nxtway-gs': 0.66 kg, centre of mass 0.072 m above the axle)"
-    assert "<td>wheel_radius</td><td>R</td><td>0.04</td>" in robot._repr_html_()
+    assert '<td>wheel_radius</td><td class="number">0.04</td><td>m</td>' in robot._repr_html_()
     model = up.linearise(robot)
     assert repr(model) == "LinearModel(6 states, 2 inputs, 6 outputs, continuous)"
     assert f"{model.poles()[0].real:.3g}\u00a01/s" in str(model.page().numbers[0].value)
-
-
-def test_a_table_is_aligned_and_wraps_its_last_column() -> None:
-    table = Listing(
-        ("name", "number", "words"), [("θ̇", "1", "one two three four five six"), ("pitch", "20", "x")], ["number"]
-    )
-    assert str(table).splitlines()[1:] == ["θ̇           1  one two three four five six", "pitch      20  x"]
-    assert table.text(35).splitlines()[1:3] == ["θ̇           1  one two three four", "               five six"]
-    assert Listing(("<b>",), [("&",)]).html() == (
-        "<table><caption></caption><tr><th>&lt;b&gt;</th></tr><tr><td>&amp;</td></tr></table>"
-    )
 
 
 def test_the_citation_names_the_version_that_is_built() -> None:

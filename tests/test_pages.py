@@ -34,11 +34,11 @@ from upright.fleets.fleet import ensemble_of
 from upright.fleets.push_map import PushGrid
 from upright.fleets.tally import CaseSummary
 from upright.lab.handin import RunResult
-from upright.languages import LANGUAGES, speaking
+from upright.languages import LANGUAGES, catalogue, speaking
 from upright.loops.analysis import analyse
 from upright.pages import Column, Fold, KeyNumber, Next, Page, Quantity, Result, Say, Table, Verdict, html, terminal
 from upright.pages.terms import term
-from upright.pages.words import _FORMS, catalogue
+from upright.pages.words import _FORMS
 from upright.robots import PARAMETERS, Kit, Robot
 from upright.signals import Log
 from upright.signals.signal import SIDES, TRUE_STATE
@@ -47,12 +47,13 @@ SOURCE = Path(upright.__file__).parent
 OTHERS = [language for language in LANGUAGES if language != "en"]
 
 
-def called_says() -> Iterator[tuple[Path, ast.Call]]:
+def calls(*names: str) -> Iterator[tuple[Path, ast.Call]]:
+    """The calls of functions by these names."""
     for path in sorted(SOURCE.rglob("*.py")):
         if path.name == "terms.py" and path.parent.name == "pages":
             continue  # names of parameters, which a test below asks
         for node in budget.nodes()[path]:
-            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "Say":
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in names:
                 yield path, node
 
 
@@ -60,7 +61,7 @@ def literals() -> set[str]:
     """Every template of the package, in Python and in the templates of pages."""
     said = {
         node.args[0].value
-        for _, node in called_says()
+        for _, node in calls("Say", "translated")
         if isinstance(node.args[0], ast.Constant) and isinstance(node.args[0].value, str)
     }
     for path in (SOURCE / "pages" / "templates").glob("*.html"):
@@ -72,7 +73,7 @@ def test_what_is_said_is_one_literal_sentence() -> None:
     """A sentence put together from pieces cannot be translated: other languages order their words otherwise."""
     made = [
         f"{path.relative_to(SOURCE)}:{node.lineno}"
-        for path, node in called_says()
+        for path, node in calls("Say")
         if not (isinstance(node.args[0], ast.Constant) and isinstance(node.args[0].value, str))
     ]
     assert made == []
@@ -151,6 +152,13 @@ def test_a_terminal_has_eighty_columns_and_says_what_it_left_out() -> None:
     assert "Columns left out" in text
     assert "`upright push-map --robot 'my robot.toml'`" in text
     assert "Columns left out" not in terminal.text(example(), wide=True)
+
+
+def test_a_table_is_aligned_and_wraps_its_last_column() -> None:
+    columns = [Column(Say("number")), Column(Say("value")), Column(Say("why"))]
+    table = Table(columns, [["θ̇", 1, "one two three four five six"], ["pitch", 20, "x"]])
+    lines = terminal.table_text(table, 40).splitlines()
+    assert lines[1:] == ["θ̇           1  one two three four five", "               six", "pitch      20  x"]
 
 
 def test_a_page_fetches_nothing_and_is_well_formed() -> None:

@@ -16,8 +16,8 @@ from upright.comparison import compare
 from upright.control import lqr_state
 from upright.loops.analysis import Analysis, analyse
 from upright.plotting import bars, intervals, panels
-from upright.reports.robot import filmstrip
 from upright.robots import Kit, Robot
+from upright.robots.drawing import filmstrip, labelled
 from upright.signals import STATE_NAMES, Log
 
 NXT = Robot.preset("nxtway-gs")
@@ -129,6 +129,12 @@ def test_a_filmstrip_puts_the_axle_where_the_wheels_have_rolled_and_the_body_at_
     axle = (left + right) / 2
     assert axle == pytest.approx((rolled, NXT.wheel_radius))
     assert np.arctan2(*(upper - axle)) == pytest.approx(0.3)  # from the vertical, forwards
+
+
+def test_the_labelled_robot_names_its_angles_and_lengths() -> None:
+    side, top = labelled(NXT).axes
+    words = " ".join(text.get_text() for text in (*side.texts, *top.texts))
+    assert all(symbol in words for symbol in ("ψ", "θ", "φ", "L", "R", "W"))
 
 
 def test_a_notebook_shows_a_figure_by_itself() -> None:

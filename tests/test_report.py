@@ -21,6 +21,7 @@ from upright.fleets.cases import Cases
 from upright.fleets.tally import CaseSummary
 from upright.pages import Column, Picture, Say, Table
 from upright.pages.drawing import svg
+from upright.pages.terms import term
 from upright.plotting import (
     COLOURS,
     line,
@@ -33,7 +34,6 @@ from upright.plotting import (
 from upright.reports import report
 from upright.robots import Kit, Robot
 from upright.signals import STATE_NAMES, Log
-from upright.tables import spoken
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -56,7 +56,7 @@ def a_campaign():
 
 
 def circle(*sets):
-    drawing, ax = plane("real part [1]", "imaginary part [1]", circle=True)
+    drawing, ax = plane(circle=True)
     for name, values in zip("pqr", sets, strict=False):
         points(ax, name, values)
     return drawing
@@ -179,7 +179,7 @@ RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻"
 
 def value_of(text):
     """The number that a tick says."""
-    plain = text.replace("−", "-")
+    plain = text.replace("−", "-").replace("\u00a0", " ")
     power = re.fullmatch(rf"(-?)(?:([\d.]+) · )?10([{RAISED}]+)", plain)
     if not power:
         return float(plain)
@@ -204,9 +204,9 @@ def test_a_logarithmic_axis_names_numbers_and_no_logarithms():
     _, (ax,) = panels(["y [1]"], x_scale="log")
     ax.set_xlim(0.05, 200)
     assert {"0.1", "1", "10", "100"} <= {text.get_text() for text in ax.get_xticklabels()}
-    assert number(2e-7) == "2 · 10⁻⁷"
+    assert number(2e-7) == "2\u00a0·\u00a010⁻⁷"
     assert number(-1e6) == "−10⁶"
-    assert [number(value) for value in (1e4, 25_000, -99_990, 1e5)] == ["10000", "25000", "−99990", "10⁵"]
+    assert [number(value, 4) for value in (1e4, 25_000, -99_990, 1e5)] == ["10000", "25000", "−99990", "10⁵"]
     assert number(1250, 3) == "1250"
     ax.set_yscale("log")
     numbered(ax.yaxis)
@@ -263,7 +263,7 @@ def test_mistakes_are_reported():
 
 
 def test_ratios_of_coefficients_keep_their_slash():
-    assert [spoken(name) for name in ("weight_moment/a22", "a22/a11", "delay/gyro", "fleet.com_height")] == [
+    assert [term(name).template for name in ("weight_moment/a22", "a22/a11", "delay/gyro", "fleet.com_height")] == [
         "weight moment/a22", "a22/a11", "gyro delay", "centre of mass height",
     ]  # fmt: skip
 

@@ -14,7 +14,6 @@ from collections.abc import Callable, Generator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from io import BytesIO
-from itertools import pairwise
 from typing import Any, ParamSpec, TypeVar
 
 import matplotlib
@@ -22,7 +21,6 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.figure import Figure
-from matplotlib.image import NonUniformImage
 from matplotlib.patches import Circle
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike
@@ -30,9 +28,8 @@ from numpy.typing import ArrayLike
 from upright.arrays import Array, Complex
 from upright.decimate import decimate
 from upright.errors import InvalidLog
-from upright.languages import figure_translated
-from upright.tables import spoken
-from upright.ticks import AxisNumbers, number, numbered
+from upright.languages import number, translated
+from upright.ticks import AxisNumbers, numbered
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -65,7 +62,7 @@ KEY = 0.4  # [inch] of a line in a legend with its gaps
 SCREEN, LEAST = 4.7, 0.7  # [inches] of all panels that a screen shows below a title, and of one panel at least
 CIRCLE = "unit circle: inside it a motion fades"
 BELOW: dict[str, Any] = {"linewidth": 4.0, "alpha": 0.35}
-ROWS, BESIDE = "rows", "beside"  # ids: axes with a row for each name; letters right of a row, which a phone moves
+ROWS = "rows"  # id of axes with a row for each name
 MANY = 12  # rows of names: more are closer together
 COLUMNS = 1000  # of a line that is thinned: two for each column of pixels at the width of a page
 
@@ -109,14 +106,13 @@ def panels(
     figure, axes = _Picture(figsize=(across, total)), list[Axes]()
     for label, high in zip(labels, heights, strict=True):
         bottom -= HEAD + high
-        box = (LEFT / across, bottom / total, (across - LEFT - RIGHT) / across, high / total)
-        axes.append(_axes(figure, box, sharex=axes[0] if axes else None))
-        axes[-1].set(ylabel=label, xscale=x_scale)
-        _label_above(axes[-1])
+        sharex = axes[0] if axes else None
+        axes.append(_axes(figure, LEFT, bottom, across - LEFT - RIGHT, high, label, sharex))
+        axes[-1].set(xscale=x_scale)
         numbered(axes[-1].xaxis, axes[-1].yaxis)
     for ax in axes[:-1]:
         ax.tick_params(labelbottom=False)
-    axes[-1].set_xlabel(x_label, loc="right")
+    axes[-1].set_xlabel(translated(x_label), loc="right")
     return figure, axes
 
 
@@ -140,6 +136,7 @@ def line(
     gap = np.array([np.nan])
     across, up = (np.concatenate([part for run in runs for part in (run[k], gap)][:-1] or [gap]) for k in (0, 1))
     names = _names(ax)
+    name = translated(name)
     place = style if style is not None else names.index(name) if name in names else len(names)
     ax.plot(
         across, up, label=name, drawstyle="steps-post" if step else "default", color=COLOURS[place % len(COLOURS)],
@@ -151,22 +148,21 @@ def line(
 def span(axes: Sequence[Axes], start: float, stop: float, name: str, colour: str = SPAN) -> None:
     """Shade [start, stop] of x in all `axes`."""
     for ax in axes:
-        ax.axvspan(start, stop, color=colour, alpha=0.22 if colour == SPAN else 0.12, linewidth=0, zorder=0, label=name)
+        ax.axvspan(start, stop, color=colour, alpha=0.22 if colour == SPAN else 0.12, linewidth=0, zorder=0,
+                   label=translated(name))  # fmt: skip
 
 
 @styled
-def plane(x_label: str, y_label: str, *, circle: bool = False) -> tuple[Figure, Axes]:
-    """An empty plane with one scale for both axes; `circle` draws the unit circle of a sampled system."""
+def plane(*, circle: bool = False) -> tuple[Figure, Axes]:
+    """The empty complex plane; `circle` draws the unit circle of a sampled system."""
     side = min(4.6, _across.get() - LEFT - RIGHT)
-    figure = _Picture(figsize=(size := (LEFT + side + RIGHT, HEAD + side + FOOT)))
-    ax = _axes(figure, (LEFT / size[0], FOOT / size[1], side / size[0], side / size[1]))
-    ax.set(ylabel=y_label)
-    ax.set_xlabel(x_label, loc="right")
+    figure = _Picture(figsize=(LEFT + side + RIGHT, HEAD + side + FOOT))
+    ax = _axes(figure, LEFT, FOOT, side, side, translated("imaginary part [1]"))
+    ax.set_xlabel(translated("real part [1]"), loc="right")
     ax.set_aspect("equal", adjustable="datalim")
-    _label_above(ax)
     numbered(ax.xaxis, ax.yaxis)
     if circle:
-        ax.add_patch(Circle((0, 0), 1, fill=False, edgecolor=AXIS, linestyle=(0, (2, 3)), label=CIRCLE))
+        ax.add_patch(Circle((0, 0), 1, fill=False, edgecolor=AXIS, linestyle=(0, (2, 3)), label=translated(CIRCLE)))
     return figure, ax
 
 
@@ -177,7 +173,7 @@ def points(ax: Axes, name: str, values: Sequence[complex], style: int | None = N
     z: Complex = np.asarray(values, dtype=np.complex128).ravel()
     z = z[np.isfinite(z)]
     ax.plot(
-        z.real, z.imag, label=name, linestyle="", marker=MARKERS[place % len(MARKERS)], fillstyle="none",
+        z.real, z.imag, label=translated(name), linestyle="", marker=MARKERS[place % len(MARKERS)], fillstyle="none",
         markersize=size, color=COLOURS[place % len(COLOURS)],
     )  # fmt: skip
 
@@ -188,13 +184,15 @@ def nyquist(response: ArrayLike, distance: float) -> Figure:
     L: Complex = np.asarray(response, dtype=np.complex128)
     reach = max(1.0, 1.35 * distance)
     real, imaginary = np.where(np.abs(L + 1) < 4 * reach, [L.real, L.imag], np.nan)
-    figure, ax = plane("real part [1]", "imaginary part [1]")
-    ax.plot(real, imaginary, color=COLOURS[0], linestyle="-", label="loop gain L(jω)")
-    ax.plot(real, -imaginary, color=COLOURS[0], linestyle=DASHES[2], label="negative frequencies")
-    ax.add_patch(Circle((-1, 0), distance, facecolor=COLOURS[1], alpha=0.3, linewidth=0, label="distance 1 / Ms"))
+    figure, ax = plane()
+    ax.plot(real, imaginary, color=COLOURS[0], linestyle="-", label=translated("loop gain L(jω)"))
+    ax.plot(real, -imaginary, color=COLOURS[0], linestyle=DASHES[2], label=translated("negative frequencies"))
+    ax.add_patch(
+        Circle((-1, 0), distance, facecolor=COLOURS[1], alpha=0.3, linewidth=0, label=translated("distance 1 / Ms"))
+    )
     ax.plot([-1], [0], linestyle="", marker="x", markersize=8, color=COLOURS[1], label="−1")
     touch = L[np.argmin(np.abs(L + 1))]
-    ax.plot(touch.real, touch.imag, "o", markersize=5, color=COLOURS[4], label="nearest to −1")
+    ax.plot(touch.real, touch.imag, "o", markersize=5, color=COLOURS[4], label=translated("nearest to −1"))
     inside = np.flatnonzero((np.abs(L + 1) < reach)[:-1])
     if len(inside):
         at = inside[np.argmax(np.abs(L[inside] - touch))]
@@ -218,7 +216,7 @@ def bars(
     ax.set_xlim(0, 1.12 * (float(np.nanmax([*lengths, limit, 0.0])) or 1.0))
     ax.axvline(limit, linestyle="--", linewidth=1, color=AXIS)
     if np.isfinite(limit):
-        ax.annotate("limit", (limit, -0.6), (0, 3), textcoords="offset points", ha="center")
+        ax.annotate(translated("limit"), (limit, -0.6), (0, 3), textcoords="offset points", ha="center")
     return figure
 
 
@@ -228,8 +226,10 @@ def intervals(names: Sequence[str], values: ArrayLike, ends: ArrayLike, x_label:
     low, high = np.asarray(ends, dtype=np.float64).reshape(-1, 2).T
     rows = np.arange(len(names))
     figure, ax = rows_of(names, x_label, y_label)
-    ax.hlines(rows, low, high, linewidth=2.5, color=COLOURS[0], label="95 % interval")
-    ax.plot(np.asarray(values, dtype=np.float64), rows, "o", markersize=4.5, color=COLOURS[0], label="estimate")
+    ax.hlines(rows, low, high, linewidth=2.5, color=COLOURS[0], label=translated("95 % interval"))
+    ax.plot(
+        np.asarray(values, dtype=np.float64), rows, "o", markersize=4.5, color=COLOURS[0], label=translated("estimate")
+    )
     return figure
 
 
@@ -237,83 +237,65 @@ def intervals(names: Sequence[str], values: ArrayLike, ends: ArrayLike, x_label:
 def rows_of(names: Sequence[str], x_label: str, y_label: str) -> tuple[Figure, Axes]:
     """An empty figure with one row for each name, the first on top."""
     across = _across.get()
-    texts = [spoken(name).replace("-0", "−0") for name in names]
+    texts = list(names)
     left = min(0.4 * across, 0.4 + LETTER * max(map(len, texts), default=0))
     if across < WIDTH:  # a phone breaks long names
         texts = [textwrap.fill(text, round((left - 0.1) / LETTER)) for text in texts]
     lines = max((text.count("\n") for text in texts), default=0)  # more than one for each name
-    total = HEAD + (height := max(len(names), 2) * ((0.24 if len(names) <= MANY else 0.2) + 0.14 * lines)) + FOOT
-    figure = _Picture(figsize=(across, total))
-    ax = _axes(figure, (left / across, FOOT / total, (across - left - RIGHT) / across, height / total))
-    ax.set(yticks=range(len(names)), yticklabels=texts, ylabel=y_label, ylim=(len(names) - 0.4, -0.6), gid=ROWS)
+    height = max(len(names), 2) * ((0.24 if len(names) <= MANY else 0.2) + 0.14 * lines)
+    figure = _Picture(figsize=(across, HEAD + height + FOOT))
+    ax = _axes(figure, left, FOOT, across - left - RIGHT, height, y_label)
+    ax.set(yticks=range(len(names)), yticklabels=texts, ylim=(len(names) - 0.4, -0.6), gid=ROWS)
     ax.set_xlabel(x_label, loc="right")
     ax.grid(visible=False, axis="y")
     ax.tick_params(axis="y", length=0)
     numbered(ax.xaxis)
-    _label_above(ax, -left + 0.02)
     return figure, ax
 
 
 @styled
 def colour_map(
-    x: Array, y: Array, values: Array, *, x_label: str, y_label: str, label: str,
-    levels: Sequence[float] | None = None, names: Sequence[str] = (), smooth: bool = False,
+    x: Array, y: Array, values: Array, *, x_label: str, y_label: str, levels: Sequence[float], label: str = "",
 ) -> Figure:  # fmt: skip
-    """`values` (nx, ny) in colour over `x` (nx,) and `y` (ny,), each increasing; NaN stays blank.
-
-    `levels` are the borders between colours (None: round ones round the values), `names` what each colour means;
-    `smooth` draws the borders between the cells.
-    """
-    height, bar = 2.7, 1.1
-    side = min(4.6, _across.get() - LEFT - bar)
-    size = (LEFT + side + bar, HEAD + height + FOOT)
-    figure = _Picture(figsize=size)
-    ax = _axes(figure, (LEFT / size[0], FOOT / size[1], side / size[0], height / size[1]))
+    """`values` (nx, ny) in colour over `x` (nx,) and `y` (ny,), each increasing; `levels` are the borders between
+    colours, and NaN stays blank. Their scale stands beside under a `label`; without one there are two colours."""
+    height = 2.7
+    bar = 1.1 if label else RIGHT
+    side = min(5.7, _across.get() - LEFT) - bar
+    figure = _Picture(figsize=(LEFT + side + bar, HEAD + height + FOOT))
+    ax = _axes(figure, LEFT, FOOT, side, height, y_label)
+    colours = matplotlib.colormaps[MAP] if label else ListedColormap([GRID, COLOURS[2]])
+    shown = np.ma.masked_invalid(np.clip(values.T, levels[0], np.nextafter(levels[-1], -np.inf)))
+    picture = ax.contourf(x, y, shown, levels=levels, cmap=colours, norm=BoundaryNorm(levels, colours.N))
+    ax.set(xlim=(x[0], x[-1]), ylim=(y[0], y[-1]))
     ax.set_xlabel(x_label, loc="right")
-    finite = values[np.isfinite(values)]
-    low, high = (float(finite.min()), float(finite.max())) if len(finite) else (0.0, 1.0)
-    borders = levels if levels is not None else round_levels(low, high, 10)
-    colours = ListedColormap([GRID, COLOURS[2]]) if len(names) == 2 else matplotlib.colormaps[MAP]
-    norm = BoundaryNorm(borders, colours.N, extend="neither")
-    shown = np.ma.masked_invalid(np.clip(values.T, borders[0], np.nextafter(borders[-1], -np.inf)))
-    if smooth:
-        picture: Any = ax.contourf(x, y, shown, levels=borders, cmap=colours, norm=norm)
-        ends = (x[0], x[-1]), (y[0], y[-1])
-    else:
-        ends = edges(x), edges(y)
-        picture = NonUniformImage(ax, interpolation="nearest", extent=(*ends[0], *ends[1]), cmap=colours, norm=norm)
-        picture.set_data(x, y, shown)
-        ax.add_image(picture)
-    ax.set(xlim=ends[0], ylim=ends[1], ylabel=y_label)
     ax.grid(visible=False)
     ax.spines[:].set_visible(True)
-    _label_above(ax)
     numbered(ax.xaxis, ax.yaxis)
-    beside = _axes(figure, ((LEFT + side + 0.2) / size[0], FOOT / size[1], 0.18 / size[0], height / size[1]))
-    key = figure.colorbar(picture, cax=beside, ticks=borders)
-    key.outline.set_visible(False)
-    beside.set_title(label, loc="right", x=1.0 + 0.7 / 0.18)
-    beside.yaxis.set_major_formatter(AxisNumbers())
-    if names:
-        key.set_ticks([(low + high) / 2 for low, high in pairwise(borders)], labels=list(names))
+    if label:
+        beside = _axes(figure, LEFT + side + 0.2, FOOT, 0.18, height)
+        key = figure.colorbar(picture, cax=beside, ticks=levels)
+        key.outline.set_visible(False)
+        beside.set_title(label, loc="right", x=1.0 + 0.7 / 0.18)
+        beside.yaxis.set_major_formatter(AxisNumbers())
     return figure
 
 
 @styled
-def empty(count: int, height: float) -> tuple[Figure, list[Axes]]:
-    """A figure of drawings beside each other, on a phone two in a row, without axes, to one scale across and up."""
+def empty(count: int, height: float, least: float = 0.0) -> tuple[Figure, list[Axes]]:
+    """A figure of `count` drawings without axes, to one scale across and up, each `height` [inch] high. They stand
+    beside each other, as many as are `least` [inch] wide."""
     across = _across.get()
-    columns = count if across == WIDTH else min(count, 2)
-    rows = math.ceil(count / columns)
+    beside = max(1, min(count, int(across / least))) if least else count
     each = height + TITLES
+    rows = math.ceil(count / beside)
     figure = _Picture(figsize=(across, rows * each))
-    axes: list[Axes] = []
-    for k in range(count):
-        row, column = divmod(k, columns)
-        box = (column / columns, (rows - 1 - row + 0.02) / rows, 1 / columns, height / each / rows)
-        axes.append(_axes(figure, box))
-        axes[-1].set_aspect("equal", adjustable="box")
-        axes[-1].set_axis_off()
+    width = across / beside
+    places = [(k % beside * width, (rows - 1 - k // beside) * each) for k in range(count)]
+    axes = [_axes(figure, *place, width, height) for place in places]
+    for ax in axes:
+        ax.set_aspect("equal", adjustable="box")
+        ax.set_axis_off()
     return figure, axes
 
 
@@ -321,14 +303,6 @@ def round_levels(low: float, high: float, count: int) -> list[float]:
     """At most `count` + 1 round numbers from just below `low` to just above `high`."""
     high = high if high > low else low + (abs(low) or 1.0)
     return list(MaxNLocator(count, steps=[1, 2, 5, 10]).tick_values(low, high))
-
-
-def edges(values: Array) -> tuple[float, float]:
-    """The outer borders of the cells round n values: half a step beyond the first and the last."""
-    if len(values) == 1:
-        half = abs(float(values[0])) / 2 or 0.5
-        return float(values[0]) - half, float(values[0]) + half
-    return float(values[0] - (values[1] - values[0]) / 2), float(values[-1] + (values[-1] - values[-2]) / 2)
 
 
 @styled
@@ -363,10 +337,6 @@ def _place_of_legend(figure: Figure, ax: Axes, names: Sequence[str], *, first: b
 class _Picture(Figure):
     """A figure that a notebook shows by itself: only figures of pyplot have a backend there."""
 
-    def savefig(self, *args: Any, **kwargs: Any) -> None:
-        with figure_translated(self):
-            super().savefig(*args, **kwargs)
-
     @styled
     def _repr_png_(self) -> tuple[bytes, dict[str, int]]:
         """The picture for screens of twice as many dots, and the size [px] to show it at."""
@@ -377,17 +347,16 @@ class _Picture(Figure):
 
 
 @styled
-def _axes(figure: Figure, box: tuple[float, float, float, float], sharex: Axes | None = None) -> Axes:
-    return figure.add_axes(box, sharex=sharex)
-
-
-def _label_above(ax: Axes, left: float = -LEFT + 0.02) -> None:
-    """The name of y above its axis, from `left` [inches] of the axis on: no head has to be turned to read it."""
-    ax.yaxis.label.set(rotation=0, ha="left", va="bottom")
-    figure = ax.get_figure(root=True)
-    assert figure
-    width, height = figure.get_size_inches() * (ax.get_position().width, ax.get_position().height)
-    ax.yaxis.set_label_coords(left / width, 1.0 + 0.1 / height)
+def _axes(
+    figure: Figure, left: float, bottom: float, width: float, height: float, y_label: str = "",
+    sharex: Axes | None = None,
+) -> Axes:  # fmt: skip
+    """Axes at a place of the figure [inch]. The name of y is above its axis: no head has to be turned to read it."""
+    across, up = figure.get_size_inches()
+    ax = figure.add_axes((left / across, bottom / up, width / across, height / up), sharex=sharex)
+    ax.set_ylabel(y_label, rotation=0, ha="left", va="bottom")
+    ax.yaxis.set_label_coords((0.02 - left) / width, 1.0 + 0.1 / height)
+    return ax
 
 
 def _names(panel: Axes) -> list[str]:

@@ -8,7 +8,9 @@ import numpy as np
 from matplotlib.axis import Axis
 from matplotlib.ticker import Formatter, FuncFormatter, LogFormatter
 
-from upright.tables import HALF_UP, power_of_ten
+from upright.languages import localised, number
+
+DIGITS = 4  # of a number at a tick
 
 
 def numbered(*axes: Axis) -> None:
@@ -21,7 +23,7 @@ def numbered(*axes: Axis) -> None:
 
 
 def _plain(value: float, _: object) -> str:
-    return number(value)
+    return number(value, DIGITS)
 
 
 class AxisNumbers(Formatter):
@@ -29,7 +31,7 @@ class AxisNumbers(Formatter):
 
     def __call__(self, x: float, pos: int | None = None) -> str:
         del pos
-        return number(x)
+        return number(x, DIGITS)
 
     def format_ticks(self, values: Any) -> list[str]:
         ticks = np.asarray(values, dtype=np.float64)
@@ -40,22 +42,11 @@ class AxisNumbers(Formatter):
             return [number(0.0 if abs(tick) < 1e-9 * step else float(tick), 3) for tick in ticks]
         exact = (d for d in range(decimals, 5) if np.allclose(np.round(ticks, d), ticks, atol=1e-6 * step))
         decimals = next(exact, decimals)
-        return [f"{tick + 0.0:.{decimals}f}".replace("-", "−") for tick in np.round(ticks, decimals)]
+        return [localised(f"{tick + 0.0:.{decimals}f}") for tick in np.round(ticks, decimals)]
 
 
 class _Between(LogFormatter):
     """Ticks between powers of ten are named where few powers are in view."""
 
     def __call__(self, x: float, pos: int | None = None) -> str:
-        return number(x) if super().__call__(x, pos) else ""
-
-
-def number(value: float, digits: int = 4) -> str:
-    """A finite number as text: a half goes away from zero, a true minus sign, powers of ten beyond 10⁵ or 10⁻⁴."""
-    rounded = float(f"{value * HALF_UP:.{digits}g}")
-    if rounded == 0 or 1e-4 <= abs(rounded) < 1e5:
-        return np.format_float_positional(rounded + 0.0, trim="-").replace("-", "−")
-    mantissa, _, power = f"{rounded:.{digits - 1}e}".partition("e")
-    mantissa = mantissa.rstrip("0").rstrip(".")
-    head = {"1": "", "-1": "-"}.get(mantissa, f"{mantissa} · ")
-    return f"{head}{power_of_ten(int(power))}".replace("-", "−")
+        return number(x, DIGITS) if super().__call__(x, pos) else ""

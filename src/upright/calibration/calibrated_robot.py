@@ -337,7 +337,7 @@ class CalibratedRobot(Result):
         names = [name for name in free.rows if name in DRAWN] or list(free.rows)
         shown = [shown_in(DRAWN.get(name, ""), 1.0) for name in names]
         labels = [f"{channel(name)} [{unit}]" for name, (_, unit) in zip(names, shown, strict=True)]
-        figure, axes = panels(labels, str(Say("time [s]")))
+        figure, axes = panels(labels)
         for ax, name, (factor, _) in zip(axes, names, shown, strict=True):
             t, measured, predicted = free.series(name)
             line(ax, str(Say("measured")), t, factor * measured, style=4, below=True)

@@ -14,6 +14,7 @@ from upright.certification.recovery import KNOCK_DURATION
 from upright.certification.standing import LEAN, Swept
 from upright.certification.verdict import AMBER, GREEN, MOST_FALLS, RED, UNKNOWN, LinearMargins
 from upright.control.tunable import TUNABLE
+from upright.languages import number
 from upright.likelihood.assumptions import BATTERIES
 from upright.likelihood.support import MASS
 from upright.loops.places import delay_of, place_of
@@ -33,7 +34,6 @@ from upright.pages import (
 )
 from upright.pages.blocks import Level
 from upright.pages.terms import term
-from upright.pages.words import number
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -92,9 +92,7 @@ class Release:
         """Pitch and travel over time."""
         from upright.plotting import AXIS, legend, line, panels
 
-        figure, (pitch, travel) = panels(
-            [str(Say("pitch [°]")), str(Say("travel of the wheels [cm]"))], str(Say("time [s]"))
-        )
+        figure, (pitch, travel) = panels([str(Say("pitch [°]")), str(Say("travel of the wheels [cm]"))])
         line(pitch, str(Say("pitch")), self.log.t, np.degrees(self.log["truth/pitch"]), style=0, solid=True)
         rolled = 100 * self.radius * self.log["truth/wheel"]
         line(travel, str(Say("travel of the wheels")), self.log.t, rolled, style=1, solid=True)

@@ -14,8 +14,8 @@ from upright.control.pid_angle_design import AngleDesign
 from upright.loops.analysis_page import analysis_page
 from upright.loops.places import place_of
 from upright.pages import Block, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
+from upright.pages.terms import short
 from upright.signals import STATE_NAMES
-from upright.tables import short
 
 Designed = Any  # these are those of `design.py`, which imports this file
 Release = Any

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from upright.cli.options import JsonOption, completed
-from upright.cli.output import check_targets, print_json, print_table
+from upright.cli.output import check_targets, print_json, print_page
+from upright.pages import Column, Next, Page, Say, Table
 
 FILES = {
-    "handed-in": "hand-ins of a class of three, for `upright grade`",
-    "notebook": "a notebook to begin with, for Jupyter or VS Code",
+    "handed-in": Say("hand-ins of a class of three, for `upright grade`"),
+    "notebook": Say("a notebook to begin with, for Jupyter or VS Code"),
 }
 """Examples that are no logs, each a folder or file of that name."""
 
@@ -48,9 +50,9 @@ def example(
     every = {key: one.about for key, one in EXAMPLES.items()} | FILES
     if name is None:
         if as_json:
-            print_json(every)
+            print_json({key: str(about) for key, about in every.items()})
         else:
-            print_table(("example", "what it shows"), list(every.items()))
+            print_page(_page(every))
         return
     if name not in every:
         raise UnknownName("example", name, every)
@@ -62,11 +64,16 @@ def example(
         check_targets(target := output or Path(f"{name}.csv"))
         written = simulate(name).save(target)
         kind = "log"
-        about = f"a twin, {EXAMPLES[name].about}"
+        about = Say("a twin, {about}", about=EXAMPLES[name].about)
     if as_json:
         print_json({"example": name, kind: str(written)})
     else:
-        typer.echo(f"wrote {written}: {about}")
+        typer.echo(str(Say("wrote {file}: {about}", file=str(written), about=about)))
+
+
+def _page(every: Mapping[str, Say]) -> Page:
+    table = Table([Column(Say("example")), Column(Say("what it shows"))], list(every.items()))
+    return Page(Say("{n} examples to try commands on", n=len(every)), next=[Next("example", "pushed")], blocks=[table])
 
 
 def _file(name: str, output: Path | None) -> Path:

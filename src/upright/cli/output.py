@@ -7,7 +7,7 @@ import shlex
 import shutil
 import sys
 import time
-from collections.abc import Callable, Collection, Generator, Iterable, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
@@ -22,16 +22,9 @@ from upright.languages import ENGLISH, speaking
 from upright.pages import Next, Page, Result, Say
 from upright.pages.terminal import WIDTH
 from upright.pages.terminal import text as page_text
-from upright.tables import Listing
 
 if TYPE_CHECKING:
     from upright.robots import Robot
-
-
-def print_table(header: Sequence[str], rows: Sequence[Sequence[str]], numbers: Collection[str] = ()) -> None:
-    """Print aligned columns; those named in `numbers` are set to the right, and a terminal wraps the last one."""
-    width = shutil.get_terminal_size().columns if sys.stdout.isatty() else None
-    typer.echo(Listing(header, rows, numbers).text(width))
 
 
 def print_json(data: Any) -> None:
@@ -53,10 +46,10 @@ def finish(
     write_page(result, page)
     if output:
         write_json(output, data)
-    _print_page(result.page(), data if as_json else None, (output, *written, page))
+    print_page(result.page(), data if as_json else None, (output, *written, page))
 
 
-def _print_page(page: Page, data: dict[str, Any] | None, written: Iterable[Path | None]) -> None:
+def print_page(page: Page, data: dict[str, Any] | None = None, written: Iterable[Path | None] = ()) -> None:
     """Print a page for people, or its head as JSON beside the `data`; the files `written` end it."""
     page = continued(page)
     if data is not None:

@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from upright.cli.options import ROBOT_HELP, JsonOption, complete_robot
-from upright.cli.output import check_targets, print_json, print_table
+from upright.cli.options import ROBOT_HELP, JsonOption, ReportOption, complete_robot
+from upright.cli.output import check_targets, finish, print_json, print_page
 from upright.cli.robots_new import new
 
 if TYPE_CHECKING:
+    from upright.pages import Page
     from upright.robots import Robot
 
 robots = typer.Typer(add_completion=False, rich_markup_mode=None)
@@ -33,14 +34,24 @@ def listing(*, as_json: JsonOption = False) -> None:
     entries = [_summary(Robot.preset(name)) for name in preset_names()]
     if as_json:
         print_json(entries)
-        return
-    header = ("robot", "mass [kg]", "wheel radius [m]", "pole [1/s]", "drive", "kit")
-    shown = ("name", "mass", "wheel_radius", "unstable_pole", "drive", "kit")
-    print_table(
-        header, [[f"{e[k]:.3g}" if isinstance(e[k], float) else e[k] for k in shown] for e in entries],
-        numbers=header[1:4],
+    else:
+        print_page(_page(entries))
+
+
+def _page(entries: list[dict[str, Any]]) -> Page:
+    from upright.pages import Column, Next, Page, Say, Table
+    from upright.robots.robot_page import COMMANDS
+
+    columns = [
+        Column(Say("robot")), Column(Say("mass"), "kg"), Column(Say("wheels"), "m"),
+        Column(Say("pole"), "1/s"), Column(Say("drive")), Column(Say("kit")),
+    ]  # fmt: skip
+    shown = ("name", "mass", "wheel_radius", "unstable_pole")
+    rows = [[*(entry[name] for name in shown), COMMANDS[entry["drive"]], entry["kit"]] for entry in entries]
+    return Page(
+        Say("{n} robots come with upright", n=len(rows)), next=[Next("robots", "show", entries[0]["name"])],
+        blocks=[Table(columns, rows)],
     )  # fmt: skip
-    typer.echo("What each is: upright robots show NAME")
 
 
 @robots.command()
@@ -50,36 +61,26 @@ def show(
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write the robot as a file (.toml), to be changed.")
     ] = None,
+    report: ReportOption = None,
     as_json: JsonOption = False,
 ) -> None:
     """Print every parameter of a robot, with source and spread."""
+    from upright.pages import Say
+    from upright.physics.linear import unstable_pole
     from upright.robots import find_robot
 
     robot = find_robot(name)
+    check_targets(output, report)
     if output:
-        check_targets(output)
         robot.replace(name=output.stem).save(output)
-    if as_json:
-        print_json({**_summary(robot), "parameters": robot.parameters()})
-    else:
-        title = f"{robot.title}\n" if robot.title else ""
-        typer.echo(f"{title}{robot.name}: {robot.drive} drive, kit {robot.kit_name}\n")
-        table = robot.listing()
-        print_table(table.header, table.rows, table.numbers)
-        if output:
-            typer.echo(f"wrote {output}: change its numbers, and use it as --robot {output}")
+    finish(robot, as_json, page=report, unstable_pole=unstable_pole(robot))
+    if output and not as_json:
+        typer.echo(str(Say("wrote {file}: change its numbers, and use it as --robot {file}", file=str(output))))
 
 
 def _summary(robot: Robot) -> dict[str, Any]:
     from upright.physics.linear import unstable_pole
 
-    return {
-        "name": robot.name,
-        "title": robot.title,
-        "mass": robot.body_mass + 2 * robot.wheel_mass,
-        "wheel_radius": robot.wheel_radius,
-        "com_height": robot.com_height,
-        "unstable_pole": unstable_pole(robot),
-        "drive": robot.drive,
-        "kit": robot.kit_name,
-    }
+    facts = robot.to_json()
+    del facts["parameters"]
+    return facts | {"unstable_pole": unstable_pole(robot)}

@@ -13,6 +13,7 @@ from upright.arrays import Array, Mask
 from upright.atomic import finite
 from upright.bodies import Body, equipped
 from upright.certification.checks import TrialSetup, kernel_controller, watched
+from upright.comparison.bench_page import PUSH_WORDS, PUSHES, push_name
 from upright.comparison.comparison import compare
 from upright.control import CONTROLLERS, Controller, make_controller
 from upright.errors import DesignFailed, UprightError
@@ -26,7 +27,6 @@ from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.drives import EFFORT_UNITS
 from upright.robots.uncertainty import draw
 from upright.signals import Log
-from upright.tables import in_degrees
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -34,8 +34,6 @@ if TYPE_CHECKING:
     from upright.pages import Page
 
 
-PUSHES = {"front": 0.1, "back": -0.12}
-"""Pitch [rad] at which each push holds the robot (Herrera et al. 2015, section 3.2)."""
 UNTIL, SECONDS = 3.0, 7.0  # [s]
 STRUCK, KNOCK, WATCHED = 1.0, 0.02, 3.0  # [s] when a knock comes, how long it is, and how long it is watched
 GUESS = 0.3  # [m/s] of the whole robot: what most controllers survive about
@@ -196,8 +194,8 @@ class Bench(Result):
         from upright.plotting import legend, line, panels, span
 
         pushes = list(dict.fromkeys(push for _, push in self.logs))
-        labels = [str(Say("pitch, {push} of lean [°]", push=in_degrees(push))) for push in pushes]
-        figure, axes = panels(labels, str(Say("time [s]")))
+        labels = [str(Say("pitch, {push} [°]", push=PUSH_WORDS.get(push, push))) for push in pushes]
+        figure, axes = panels(labels)
         order = controllers or tuple(dict.fromkeys(name for name, _ in self.logs))
         most = 0.0
         for controller, push in ((c, p) for c in order for p in pushes if (c, p) in self.logs):
@@ -267,7 +265,7 @@ def bench_one(
 
     `controller` is the method's design for this robot, or why there is none; None: it is designed here.
     """
-    push = f"{side}, {PUSHES[side]:+.2f} rad".replace("-", "−")
+    push = push_name(side)
     controller = controller or _designed(method, robot, kit)
     if isinstance(controller, str):
         return BenchRow(controller=method, push=push, outcome=controller), None

@@ -9,10 +9,23 @@ from typing import Any
 from upright.fleets.binomial import upper_bound
 from upright.pages import Block, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.blocks import Cell
-from upright.tables import in_degrees
 
 Bench = Any  # these are those of `bench.py`, which imports this file
 BenchRow = Any
+
+PUSHES = {"front": 0.1, "back": -0.12}
+"""Pitch [rad] at which each push holds the robot (Herrera et al. 2015, section 3.2)."""
+
+
+def push_name(side: str) -> str:
+    """What a push of `PUSHES` is called in data."""
+    return f"{side}, {PUSHES[side]:+.2f} rad".replace("-", "−")
+
+
+PUSH_WORDS = {
+    push_name("front"): Say("front, at {lean}", lean=Quantity(PUSHES["front"], "rad", digits=2)),
+    push_name("back"): Say("back, at {lean}", lean=Quantity(PUSHES["back"], "rad", digits=2)),
+}
 
 FEW = 4  # curves that can be told apart in one panel
 
@@ -115,7 +128,7 @@ def push_table(bench: Bench, push: str) -> Table:
         Column(Say("at the motors' limit"), "fraction"), Column(Say("knock"), "N s"),
         Column(Say("falls"), "fraction"),
     ]  # fmt: skip
-    return Table(columns, rows, Say("Pushed from the {push} of lean", push=in_degrees(push)))
+    return Table(columns, rows, Say("Held in a lean and let go: from the {push}", push=PUSH_WORDS.get(push, push)))
 
 
 def _holds(row: BenchRow) -> Verdict | Say:

@@ -38,7 +38,7 @@ def draw_states(comparison: Compared, names: Sequence[str]) -> Figure:
     source = comparison.sources[comparison.reference]
     units = [comparison.logs[comparison.reference].unit(f"{source}/{name}") for name in names]
     labels = [f"{state_words(name)} [{unit.replace('rad', '°')}]" for name, unit in zip(names, units, strict=True)]
-    figure, axes = panels(labels, f"{Say('time')} [s]")
+    figure, axes = panels(labels)
     several = len(comparison.logs) > 1
     for ax, name, unit in zip(axes, names, units, strict=True):
         factor = float(np.degrees(1.0)) if unit.startswith("rad") else 1.0
@@ -76,7 +76,7 @@ def draw_commands(comparison: Compared) -> Figure:
     from upright.plotting import legend, line, panels
 
     unit = comparison.command_unit
-    figure, axes = panels([f"{Say('left command')} [{unit}]", f"{Say('right command')} [{unit}]"], f"{Say('time')} [s]")
+    figure, axes = panels([f"{Say('left command')} [{unit}]", f"{Say('right command')} [{unit}]"])
     for style, (label, log) in enumerate(comparison.logs.items()):
         prefix = commanded(log)
         for ax, side in zip(axes, ("left", "right"), strict=True):
@@ -91,7 +91,7 @@ def draw_asked(comparison: Compared) -> Figure:
     from upright.plotting import legend, line, panels
 
     log = comparison.logs[comparison.reference]
-    figure, axes = panels([f"{Say('left command')} [{comparison.command_unit}]"], f"{Say('time')} [s]")
+    figure, axes = panels([f"{Say('left command')} [{comparison.command_unit}]"])
     line(axes[0], str(Say("asked")), log.t, log["command/left"], step=True)
     line(axes[0], str(Say("applied")), log.t, log["applied/left"], step=True, solid=True)
     _shade(comparison, axes)

@@ -12,7 +12,7 @@ import numpy as np
 from upright.arrays import Array
 from upright.diagnose.fall import limit
 from upright.diagnose.innovations import FilterRun, Signature, answer, entering, propagated
-from upright.tables import short
+from upright.pages.terms import short
 
 GYRO = "sensor/gyro"
 RATE_TIME = 0.02  # [s] before and after, over which a wheel's rate follows from its angle

@@ -13,7 +13,7 @@ from upright.diagnose.chances import PEGGED, fits_badly, sound_until, step, topp
 from upright.diagnose.evidence import Evidence
 from upright.diagnose.fall import USUALLY_HELD
 from upright.diagnose.words import began, most, percent
-from upright.tables import short
+from upright.pages.terms import short
 
 FACT = 0.98  # probability of what the commands themselves show
 GAIN_STEP = 0.03  # |ln| of a gain from which it is another one

@@ -163,7 +163,7 @@ def _draw_over_time(plan: PlannedRun) -> Figure:
     t = np.arange(len(plan.excitation)) * plan.hold * plan.period
     left, right = plan.excitation.T
     labels = [Say("driving [{unit}]", unit=plan.unit), Say("turning [{unit}]", unit=plan.unit)]
-    figure, axes = panels([*map(str, labels)], str(Say("time [s]")))
+    figure, axes = panels([*map(str, labels)])
     for style, (ax, wave) in enumerate(zip(axes, ((left + right) / 2, (right - left) / 2), strict=True)):
         line(ax, "_wave", t, wave, step=True, solid=True, style=style)
     return figure

@@ -16,6 +16,7 @@ from upright.arrays import Array
 from upright.errors import UnknownName
 from upright.experiment.pushes import Impulse, PushProgramme
 from upright.experiment.run import run
+from upright.pages import Say
 from upright.signals import Log
 
 ROBOT = "nxtway-gs"
@@ -33,7 +34,7 @@ Planted = Callable[[Log], tuple[Array, dict[str, Array]]]
 class Example:
     """What a log shows (`about`), with which pushes, excited or not, and the fault `planted` in it."""
 
-    about: str
+    about: Say
     pushes: tuple[PushProgramme, ...] = ()
     excited: bool = False
     planted: Planted | None = None
@@ -59,15 +60,17 @@ def _lossy(log: Log) -> tuple[Array, dict[str, Array]]:
 
 
 EXAMPLES: Mapping[str, Example] = {
-    "standing": Example("stands still: too quiet for an inertia"),
-    "excited": Example("excited by a random binary voltage, as `calibrate` needs it", excited=True),
-    "pushed": Example("pushed at 3 and 7 s", (Impulse(impulse=BLOW, start=3.0), Impulse(impulse=-BLOW, start=7.0))),
-    "fall": Example("pushed over at 5 s", (Impulse(impulse=FATAL, start=5.0),)),
-    "gyro-degrees": Example("excited; its gyro counts degrees", excited=True, planted=_scaled(GYRO, 180 / np.pi)),
-    "gyro-flipped": Example("excited; its gyro has the other sign", excited=True, planted=_scaled(GYRO, -1.0)),
-    "gyro-behind": Example("excited; its gyro is 3 rows behind", excited=True, planted=_behind),
-    "sides-swapped": Example("excited; left and right encoder are swapped", excited=True, planted=_swapped),
-    "rows-lost": Example("excited; 3 rows in 100 are lost", excited=True, planted=_lossy),
+    "standing": Example(Say("stands still: too quiet for an inertia")),
+    "excited": Example(Say("excited by a random binary voltage, as `calibrate` needs it"), excited=True),
+    "pushed": Example(
+        Say("pushed at 3 and 7 s"), (Impulse(impulse=BLOW, start=3.0), Impulse(impulse=-BLOW, start=7.0))
+    ),
+    "fall": Example(Say("pushed over at 5 s"), (Impulse(impulse=FATAL, start=5.0),)),
+    "gyro-degrees": Example(Say("excited; its gyro counts degrees"), excited=True, planted=_scaled(GYRO, 180 / np.pi)),
+    "gyro-flipped": Example(Say("excited; its gyro has the other sign"), excited=True, planted=_scaled(GYRO, -1.0)),
+    "gyro-behind": Example(Say("excited; its gyro is 3 rows behind"), excited=True, planted=_behind),
+    "sides-swapped": Example(Say("excited; left and right encoder are swapped"), excited=True, planted=_swapped),
+    "rows-lost": Example(Say("excited; 3 rows in 100 are lost"), excited=True, planted=_lossy),
 }  # fmt: skip
 """Name → example, in the order of a lesson."""
 

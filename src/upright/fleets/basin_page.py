@@ -141,15 +141,16 @@ def draw_basin(data: Dataset) -> Figure:
     units = {name: str(data[name].attrs["unit"]) for name in states(data)}
     x, y = (DEGREES * data[name].values for name in states(data))
     names = [f"{STATES[name]} [{unit.replace('rad', '°')}]" for name, unit in units.items()]
-    areas = () if family else (str(Say("it falls")), str(Say("it recovers")))
     drawing = colour_map(
         x, y, recovered if family else smooth(recovered), x_label=names[0], y_label=names[1],
-        label=str(Say("recovers [1]")) if family else "", names=areas,
-        levels=np.linspace(0, 1, LEVELS + 1).tolist() if family else [0.0, 0.5, 1.0], smooth=True,
+        label=str(Say("recovers [1]")) if family else "",
+        levels=np.linspace(0, 1, LEVELS + 1).tolist() if family else [0.0, 0.5, 1.0],
     )  # fmt: skip
     ax = drawing.axes[0]
     light, dark = ("white", "black") if family else (INK, "white")
     _zoom(ax, x, y, recovered)
+    if not family:
+        _name_areas(ax, y, recovered[len(x) // 2])
     if best := saved_by_any(data):
         _mark_limit(ax, DEGREES * best, light)
     if ends := ranges(data)[across]:
@@ -167,6 +168,13 @@ def smooth(recovered: Array) -> Array:
 
     field = gaussian_filter(recovered, SMOOTHED, mode="nearest")
     return np.where(recovered > 0.5, np.maximum(field, 0.5 + SIDE), np.minimum(field, 0.5 - SIDE))
+
+
+def _name_areas(ax: Axes, y: Array, upright: Array) -> None:
+    """What the colours mean: `upright` (ny,) tells which y are recovered from where x is zero."""
+    ax.annotate(str(Say("it falls")), (0.03, 0.06), xycoords="axes fraction", color="black")
+    if upright.any():
+        ax.annotate(str(Say("it recovers")), (0.0, y[upright > 0].max() / 2), ha="center", va="center", color="white")
 
 
 def _mark_limit(ax: Axes, best: float, colour: str) -> None:

@@ -13,6 +13,7 @@ from upright.fleets.binomial import MOST_FALLS, upper_bound
 from upright.fleets.fleet_page import falls_of
 from upright.fleets.origin import spreads_table
 from upright.fleets.tally import END, CaseSummary, Tally
+from upright.languages import number
 from upright.pages import (
     Block,
     Column,
@@ -130,7 +131,7 @@ def _picture(shown: Tally, alike: Sequence[str]) -> Picture:
 
 def draw_cases(cases: Tally) -> Figure:
     """The fraction that fell in each case [%], the worst first, beside the limit of a certificate."""
-    from upright.plotting import AXIS, COLOURS, INK, legend, number, rows_of
+    from upright.plotting import AXIS, COLOURS, INK, legend, rows_of
 
     names = cases.names()
     worst = cases.worst_first()[:DRAWN]

@@ -12,6 +12,7 @@ from upright.arrays import Array
 from upright.fleets.limits import KNOCK, at_centre, longest, weakest
 from upright.fleets.origin import made_of
 from upright.fleets.results import origin_of
+from upright.languages import number
 from upright.pages import Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.words import shown_in
 
@@ -131,7 +132,7 @@ def draw_map(part: Dataset) -> Figure:
     levels = _levels(low, high)
     drawing = colour_map(
         part["duration"].values, heights, impulse.T, x_label=str(Say("duration of the push [s]")),
-        y_label=f"{Say('height above the axle')} [{unit}]", label=str(Say("push [N s]")), levels=levels, smooth=True,
+        y_label=f"{Say('height above the axle')} [{unit}]", label=str(Say("push [N s]")), levels=levels,
     )  # fmt: skip
     ax = drawing.axes[0]
     _numbered(ax, part, heights, levels)
@@ -147,8 +148,6 @@ def draw_map(part: Dataset) -> Figure:
 
 def _numbered(ax: Axes, part: Any, heights: Array, levels: list[float]) -> None:
     """The impulse on each border between colours: white on dark ones, dark on light ones."""
-    from upright.plotting import number
-
     inner = levels[1:-1]
     if not inner:
         return

@@ -18,10 +18,10 @@ from upright.checkup.doctor import contradictions
 from upright.checkup.wheels import on_its_wheels
 from upright.errors import InvalidLog, UnknownName
 from upright.identification.arx import FirstResponse, arx, first_response
+from upright.languages import sentence
 from upright.logs.recording import check_clock, check_complete, check_unit, one_encoder
 from upright.robots import Kit, Robot, Sensor, find_kit
 from upright.signals import Log
-from upright.tables import sentence
 
 SOURCES = ("sensors", "states")
 FEWEST = 300  # samples for a dynamic model: a past of some 15 periods alone has 50 parameters for each output

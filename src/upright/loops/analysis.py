@@ -18,11 +18,11 @@ from upright.loops.margins import Margins, ScalarResponse, broken_at, disk_margi
 from upright.loops.mu import Mu, parameter_mu
 from upright.loops.targets import ROUNDED, Thinnest, reached, thinnest
 from upright.pages import Result, Say
+from upright.pages.terms import short
 from upright.physics.dynamics import motor_gain
 from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import draw
-from upright.tables import short
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -178,7 +178,7 @@ class Analysis(Result):
         """
         from upright.plotting import legend, plane, points
 
-        figure, ax = plane(str(Say("real part [1]")), str(Say("imaginary part [1]")), circle=True)
+        figure, ax = plane(circle=True)
         if self.drawn.size:
             points(ax, str(Say("drawn robots")), self.drawn.ravel().tolist(), style=1, size=2.5)
         points(ax, str(Say("nominal robot")), self.poles.tolist(), style=0)

@@ -6,8 +6,9 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from upright.languages import localised, number
 from upright.pages.blocks import Cell, Column, Table, Verdict
-from upright.pages.words import Say, localised, number, shown_in, text_of
+from upright.pages.words import Say, shown_in, text_of
 
 
 @dataclass(frozen=True)

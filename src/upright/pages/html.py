@@ -9,11 +9,10 @@ from html import escape
 from importlib import resources
 from typing import TYPE_CHECKING, Any
 
-from upright.languages import chosen
+from upright.languages import chosen, translated
 from upright.pages.blocks import Block, Page, Picture
 from upright.pages.cells import Text, columns_of
 from upright.pages.glossary import explained
-from upright.pages.words import translated
 
 if TYPE_CHECKING:
     from jinja2 import Template

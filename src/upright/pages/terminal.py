@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 import textwrap
+import unicodedata
 from collections.abc import Iterator, Sequence
 
 from upright.pages.blocks import Block, Fold, Formula, Items, KeyNumber, Page, Picture, Table
 from upright.pages.cells import Text, columns_of
 from upright.pages.words import Say
-from upright.tables import length, padded
 
 WIDTH = 80  # columns of a plain terminal
 LIGHTS = {"good": "32", "warn": "33", "bad": "31", "unknown": "34"}
@@ -107,3 +107,14 @@ def wrapped(line: str, width: int = WIDTH, indent: int = 0) -> str:
         break_long_words=False,
     )  # fmt: skip
     return "\n".join(lines).replace("\0", " ")
+
+
+def length(text: str) -> int:
+    """Columns that the text takes: a combining accent, as in θ̇, takes none."""
+    return sum(not unicodedata.combining(letter) for letter in text)
+
+
+def padded(text: str, width: int, right: bool = False) -> str:
+    """The text in `width` columns, on their left or on their right."""
+    space = " " * (width - length(text))
+    return space + text if right else text + space

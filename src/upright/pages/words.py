@@ -6,28 +6,11 @@ The template is the key of its translation in `es.json`. No sentence is put toge
 
 from __future__ import annotations
 
-import functools
-import json
 import math
-from collections.abc import Mapping, Sequence
-from importlib import resources
+from collections.abc import Sequence
 from typing import Any
 
-from upright.languages import ENGLISH, chosen
-from upright.tables import HALF_UP, power_of_ten
-
-
-@functools.cache
-def catalogue(language: str) -> Mapping[str, str]:
-    """English template → template in another language."""
-    if language == ENGLISH:
-        return {}
-    return json.loads(resources.files("upright.pages").joinpath(f"{language}.json").read_text("utf-8"))
-
-
-def translated(template: str) -> str:
-    """A template in the chosen language; one that the catalogue lacks, as of a plug-in, stays English."""
-    return catalogue(chosen()).get(template, template)
+from upright.languages import number, translated
 
 
 class Say:
@@ -151,40 +134,3 @@ def with_unit(text: str, unit: str) -> str:
         return text
     whole = unit.replace(" ", "\u00a0")
     return f"{text}{whole}" if unit[0] == "°" else f"{text}\u00a0{whole}"
-
-
-def number(value: float, digits: int = 3, toward: int = 0) -> str:
-    """A number as text: a true minus sign, a power of ten beyond 10⁵ or 10⁻⁴, the decimal sign of the language.
-
-    `toward` −1 never rounds up, 1 never down, 0 rounds a half away from zero.
-    """
-    if math.isnan(value):
-        return "–"
-    if math.isinf(value):
-        return "∞" if value > 0 else "−∞"
-    rounded = _rounded(value, digits, toward)
-    if rounded == 0 or 1e-4 <= abs(rounded) < 1e5:
-        decimals = max(0, digits - 1 - math.floor(math.log10(abs(rounded)))) if rounded else 0
-        return localised(f"{rounded:.{decimals}f}".rstrip("0").rstrip(".") if decimals else f"{rounded:.0f}")
-    exponent = math.floor(math.log10(abs(rounded)))
-    mantissa = f"{rounded / 10**exponent:.{digits - 1}f}".rstrip("0").rstrip(".")
-    power = power_of_ten(exponent)
-    return localised(power if mantissa == "1" else f"{mantissa}\u00a0·\u00a0{power}")
-
-
-def _rounded(value: float, digits: int, toward: int) -> float:
-    if value == 0 or not toward:
-        return float(f"{value * HALF_UP:.{digits}g}")
-    step = 10.0 ** (math.floor(math.log10(abs(value))) - digits + 1)
-    steps = value / step
-    # a value that is whole up to its last bits stays
-    whole = round(steps)
-    if abs(steps - whole) > 1e-9 * abs(steps):
-        whole = math.floor(steps) if toward < 0 else math.ceil(steps)
-    return float(f"{whole * step:.{digits}g}")
-
-
-def localised(text: str) -> str:
-    """A number's text with a true minus sign and the decimal sign of the language."""
-    text = text.replace("-", "−")
-    return text.replace(".", ",") if chosen() == "es" else text

@@ -17,10 +17,10 @@ from types import SimpleNamespace
 from typing import Any, Literal, NamedTuple
 
 from upright.errors import UnknownName
+from upright.languages import superscript
 from upright.physics.dynamics import CALM, MODELS, Disturbance
 from upright.robots import PARAMETERS
 from upright.signals import STATE
-from upright.tables import superscript
 
 Model = Literal["published", "complete"]
 

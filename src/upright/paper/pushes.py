@@ -23,8 +23,8 @@ from upright.paper.claim import Claim, judged, shown_of
 from upright.physics.linear import LinearModel
 from upright.plotting import legend, line, panels, span
 from upright.progress import Progress, unwatched
-from upright.reports.robot import filmstrip
 from upright.robots import Kit, Motor, Robot
+from upright.robots.drawing import filmstrip
 from upright.signals import Log
 
 if TYPE_CHECKING:

@@ -136,7 +136,7 @@ def poles_picture(model: LinearModel) -> Picture:
 def _draw_discrete(model: LinearModel) -> Figure:
     from upright.plotting import plane, points
 
-    figure, ax = plane(str(Say("real part [1]")), str(Say("imaginary part [1]")), circle=True)
+    figure, ax = plane(circle=True)
     points(ax, str(Say("poles")), model.poles().tolist())
     return figure
 

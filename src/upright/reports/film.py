@@ -26,11 +26,12 @@ from upright.arrays import Array
 from upright.atomic import TemporaryFolder, write_bytes
 from upright.diagnose.post_mortem import robot_of
 from upright.errors import InvalidLog, UprightError, require
+from upright.languages import localised, translated
 from upright.logs.raw import GYRO, RATES
 from upright.plotting import COLOURS, FOOT, HEAD, INK, LEFT, RIGHT, line, numbered, span, styled
 from upright.progress import Progress
-from upright.reports.robot import FLOOR, height_of, outline
 from upright.robots import Robot
+from upright.robots.drawing import FLOOR, height_of, outline
 from upright.signals import Log
 
 if TYPE_CHECKING:
@@ -196,7 +197,7 @@ class _Drawing:
     """The figure of a film: what stands still is drawn once, the rest into each frame."""
 
     def __init__(self, runs: list[_Run], times: tuple[float, float], width: int) -> None:
-        self.figure, self.scene, traces = scene(("lean [rad]", "position [m]"), times)
+        self.figure, self.scene, traces = scene((translated("pitch [rad]"), translated("position [m]")), times)
         self.figure.set_dpi(max(160, min(width, 3840)) / self.figure.get_figwidth())
         self.runs = runs
         tall = max(2 * run.robot.wheel_radius + height_of(run.robot) for run in runs)
@@ -238,7 +239,7 @@ class _Drawing:
         for robot in self.robots:
             moving += robot.place(robot.run.at(time), camera)
         moving += self._push(lead, time, camera)
-        self.clock.set_text(f"{time:.1f} s")
+        self.clock.set_text(localised(f"{time:.1f} s"))
         for cursor in self.cursors:
             cursor.set_xdata([time, time])
         for artist in (*moving, self.clock, *self.cursors):
@@ -284,7 +285,7 @@ def scene(labels: tuple[str, str], times: tuple[float, float]) -> tuple[Figure, 
         ax = figure.add_axes((k / 2 + LEFT / WIDTH, FOOT / HEIGHT, each, PANEL / HEIGHT))
         ax.set_xlim(times[0], max(times[1], math.nextafter(times[0], math.inf)))
         ax.set_title(label)
-        ax.set_xlabel("time [s]", loc="right")
+        ax.set_xlabel(translated("time [s]"), loc="right")
         numbered(ax.xaxis, ax.yaxis)
         panels.append(ax)
     return figure, plane, panels

@@ -14,13 +14,13 @@ from typing import Any, NamedTuple
 
 from upright.atomic import write_text
 from upright.errors import InvalidRobot
+from upright.pages import Page, Result
 from upright.reading import read_json, understood
 from upright.robots import toml
 from upright.robots.drives import COMMAND_UNITS, UNUSED
 from upright.robots.kit import Kit, kit_of
 from upright.robots.sections import Conditions, FittedLog, TunedWeights, sections
 from upright.robots.toml import Provenance
-from upright.tables import Listing
 
 PRESETS = "presets"
 
@@ -30,7 +30,7 @@ def _number(unit: str, symbol: str, default: float | None = None) -> Any:
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
-class Robot:
+class Robot(Result):
     """Parameters of one robot, in SI units. Symbols are those of Herrera et al. (2015) and Yamamoto (2008).
 
     `pitch_inertia`, `yaw_inertia` and `roll_inertia` are those of the body about its centre of mass. The yaw and
@@ -163,22 +163,24 @@ class Robot:
         """Unit of the two commands, by the drive: 'V', 'N m' or 'rad/s'."""
         return COMMAND_UNITS[self.drive]
 
+    @property
+    def mass(self) -> float:
+        """Of the body and both wheels [kg]."""
+        return self.body_mass + 2 * self.wheel_mass
+
     def __repr__(self) -> str:
-        mass = self.body_mass + 2 * self.wheel_mass
-        return f"Robot({self.name!r}: {mass:.3g} kg, centre of mass {self.com_height:.3g} m above the axle)"
+        return f"Robot({self.name!r}: {self.mass:.3g} kg, centre of mass {self.com_height:.3g} m above the axle)"
 
-    def _repr_html_(self) -> str:
-        return self.listing().html(f"{self.name}: {self.drive} drive, kit {self.kit_name}")
+    def page(self) -> Page:
+        """Its numbers for people."""
+        from upright.robots.robot_page import robot_page
 
-    def listing(self) -> Listing:
-        """Every parameter with symbol, value, spread, unit and source, as a table."""
-        header = ("parameter", "symbol", "value", "spread", "unit", "source")
-        rows = [
-            (p["name"], p["symbol"], f"{p['value']:.5g}", "guess" if p["spread"] is None else f"± {p['spread']:.2g}",
-             p["unit"], p["source"])
-            for p in self.parameters()
-        ]  # fmt: skip
-        return Listing(header, rows, ("value", "spread"))
+        return robot_page(self)
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain values: what it is, and every parameter."""
+        shown = ("name", "title", "mass", "wheel_radius", "com_height", "drive")
+        return {name: getattr(self, name) for name in shown} | {"kit": self.kit_name, "parameters": self.parameters()}
 
     def parameters(self) -> list[dict[str, Any]]:
         """Name, symbol, value, unit, source and spread of every parameter that its drive has, or whose source is

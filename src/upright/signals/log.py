@@ -14,10 +14,11 @@ from numpy.typing import ArrayLike
 
 from upright.arrays import Array, read_only
 from upright.errors import InvalidLog
+from upright.languages import translated
+from upright.pages import Column, Page, Quantity, Say, Table
 from upright.signals import files
 from upright.signals.header import Columns
 from upright.signals.signal import KNOWN, STATE_NAMES, Signal
-from upright.tables import Listing, called
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -69,8 +70,14 @@ class Log:
         return f"Log({len(self)} samples, {self.t[-1] - self.t[0]:.4g} s, {len(self.channels)} channels)"
 
     def _repr_html_(self) -> str:
-        ends = [(n, self.units[n], *(f"{f(x):.4g}" for f in (np.min, np.max))) for n, x in self.channels.items()]
-        return Listing(("channel", "unit", "least", "largest"), ends).html(repr(self))
+        from upright.pages.html import fragment
+
+        rows = [[f"`{n}`", self.units[n], Quantity(x.min()), Quantity(x.max())] for n, x in self.channels.items()]
+        columns = [Column(Say("channel")), Column(Say("unit")), Column(Say("least")), Column(Say("largest"))]
+        length = Quantity(self.t[-1] - self.t[0], "s")
+        return fragment(
+            Page(Say("Log of {n} samples, {length}", n=len(self), length=length), blocks=[Table(columns, rows)])
+        )
 
     def __len__(self) -> int:
         return len(self.t)
@@ -149,7 +156,7 @@ class Log:
             quantity = re.sub(r"^.*/|_?(left|right)$", "", name).replace("_", " ") or "commands"
             groups.setdefault((quantity, self.unit(name)), []).append(name)
         labels = [
-            f"{called(group[0]) if len(group) == 1 else quantity} [{unit}]"
+            f"{called(group[0]) if len(group) == 1 else translated(quantity)} [{unit}]"
             for (quantity, unit), group in groups.items()
         ]
         figure, axes = panels(labels)
@@ -178,6 +185,20 @@ class Log:
         Cells that are empty or say NaN are NaN. Raises `InvalidLog`, which names the file and the fault in it.
         """
         return files.read(path, lambda columns: cls(*columns))
+
+
+SOURCES = {"truth": "truth", "estimate": "estimate", "applied": "applied", "sensor": "", "command": ""}
+"""Kind of a channel → where its values come from, in brackets behind its name."""
+
+
+def called(channel: str) -> str:
+    """A channel in words: `truth/pitch_rate` as pitch rate (truth); one of another kind as it is."""
+    kind, _, name = channel.partition("/")
+    if kind not in SOURCES:
+        return channel
+    side = f"{name} command" if kind in ("command", "applied") else name.replace("_", " ")
+    words = translated(side)
+    return str(Say("{name} ({source})", name=words, source=translated(SOURCES[kind]))) if SOURCES[kind] else words
 
 
 def _column(name: str, values: ArrayLike) -> Array:

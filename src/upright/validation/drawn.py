@@ -9,7 +9,7 @@ import numpy as np
 from upright.arrays import Array
 from upright.calibration.calibrated_robot import GOOD, PREDICTED
 from upright.pages import Say
-from upright.tables import short
+from upright.pages.terms import short
 from upright.validation.fits import COMPASS, LogJudged, loop_channels
 from upright.validation.loop import FreeLoop
 
@@ -43,7 +43,7 @@ def half_second_figure(log: LogJudged) -> Figure:
     names.sort(key=lambda name: r2.get(name, GOOD))
     lowest = log.worst.name if log.worst.name in names else names[0]
     error = str(Say("{sensor}, measured − predicted [{unit}]", sensor=reading(lowest), unit=_unit(lowest)))
-    figure, axes = panels([*map(_label, names), error], str(Say("time [s]")))
+    figure, axes = panels([*map(_label, names), error])
     for ax, name in zip(axes, names, strict=False):
         t, measured, predicted = _degrees(*log.segments.series(name))
         line(ax, str(Say("measured")), t, measured, style=4, below=True)
@@ -61,7 +61,7 @@ def loop_figure(loop: FreeLoop) -> Figure:
     """Measured readings, and those of the free closed loop, with its pushes and when each reading is lost."""
     from upright.plotting import AXIS, legend, line, panels, span
 
-    figure, axes = panels([_label(name) for name in loop.names], str(Say("time [s]")))
+    figure, axes = panels([_label(name) for name in loop.names])
     for i, ax in enumerate(axes):
         t, measured, simulated = _degrees(loop.t, loop.measured[:, i], loop.simulated[:, i])
         line(ax, str(Say("measured")), t, measured, style=4, below=True)

@@ -33,6 +33,7 @@ from upright.checkup.doctor import contradictions
 from upright.checkup.wheels import on_its_wheels
 from upright.control import Controller, read_controller
 from upright.errors import InvalidLog, SpecMismatch
+from upright.languages import sentence
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.marks import known_fraction
 from upright.logs.raw import LogSource, named, raw_log
@@ -40,7 +41,6 @@ from upright.logs.recording import SENSOR
 from upright.progress import Progress
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
-from upright.tables import sentence
 from upright.validation.fits import LogJudged, Shift, channels_of, least, loop_channels
 from upright.validation.law import CommandLaw, LinearLaw, law_by, law_of, recorded
 from upright.validation.loop import FreeLoop, closed_loop
