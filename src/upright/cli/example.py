@@ -10,6 +10,7 @@ import typer
 
 from upright.cli.options import JsonOption, completed
 from upright.cli.output import check_targets, print_json, print_page
+from upright.languages import ENGLISH, speaking
 from upright.pages import Column, Next, Page, Say, Table
 
 FILES = {
@@ -50,7 +51,8 @@ def example(
     every = {key: one.about for key, one in EXAMPLES.items()} | FILES
     if name is None:
         if as_json:
-            print_json({key: str(about) for key, about in every.items()})
+            with speaking(ENGLISH):
+                print_json({key: str(about) for key, about in every.items()})
         else:
             print_page(_page(every))
         return
