@@ -174,7 +174,7 @@ def _name_areas(ax: Axes, y: Array, upright: Array) -> None:
     """What the colours mean: `upright` (ny,) tells which y are recovered from where x is zero."""
     ax.annotate(str(Say("it falls")), (0.03, 0.06), xycoords="axes fraction", color="black")
     if upright.any():
-        ax.annotate(str(Say("it recovers")), (0.0, y[upright > 0].max() / 2), ha="center", va="center", color="white")
+        ax.annotate(str(Say("it recovers")), (0.0, y[upright > 0].max() / 4), ha="center", va="center", color="white")
 
 
 def _mark_limit(ax: Axes, best: float, colour: str) -> None:
