@@ -81,7 +81,7 @@ def number(value: float, digits: int = 3, toward: int = 0) -> str:
     if math.isinf(value):
         return "∞" if value > 0 else "−∞"
     rounded = _rounded(value, digits, toward)
-    if rounded == 0 or 1e-4 <= abs(rounded) < 1e5:
+    if rounded == 0 or 1e-4 <= abs(rounded) < max(1e5, 10.0**digits):
         decimals = max(0, digits - 1 - math.floor(math.log10(abs(rounded)))) if rounded else 0
         return localised(f"{rounded:.{decimals}f}".rstrip("0").rstrip(".") if decimals else f"{rounded:.0f}")
     exponent = math.floor(math.log10(abs(rounded)))

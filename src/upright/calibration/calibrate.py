@@ -85,7 +85,7 @@ def calibrate(
     stated, _ = prepared(several, nominal, parts, known, held_out)
     reason, straight = too_quiet(stated), drives_straight(stated)
     held = (*(INERTIAL if reason else ()), *(TURNING if straight else ()))
-    wrong = [Say("The doctor finds: {fault}.", fault=text) for log in several for text in contradictions(log, nominal)]
+    wrong = [fault for log in several for fault in contradictions(log, nominal)]
 
     def searched(
         logs: Sequence[Log], start: float = 0.7, stop: float = 0.77, guesses: Sequence[str] = (), doubt: float = 1.0,
@@ -131,7 +131,7 @@ def _unknown(
         return Say("Somebody seems to push the robot at {time}, which no channel of the log shows.", time=when), EXCITE
     dropped = any(e.name == DROP for e in result.electronics)  # by a driver, which absorbs small commands too
     for finding in (f for log in logs for f in faster_controller(record_of(log)) if not dropped):
-        return Say("The log lacks commands: {evidence}.", evidence=finding.evidence), EXCITE
+        return Say("The log lacks commands. {evidence}", evidence=finding.evidence), EXCITE
     for e in () if result.refused else result.delays:
         if "−" not in e.name and e.value + CERTAIN * e.spread < 0:
             early = Say(

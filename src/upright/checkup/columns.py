@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from upright.arrays import Array
-from upright.checkup.finding import GYRO, LEFT, PITCH, RIGHT, Finding, Record, error
+from upright.checkup.finding import GYRO, LEFT, PITCH, RIGHT, Finding, Record, error, plain
 from upright.checkup.motion import TRUSTED as OBEYED
 from upright.checkup.physics import Resampled, motor, resampled
 from upright.logs.draft import clock_of, draft, looks, rate_of, still_to_name
@@ -23,6 +23,7 @@ from upright.logs.mapping import COMMANDS, GUESS, Mapping, Source, by_names, cha
 from upright.logs.names import pairs
 from upright.logs.readers import RawTable
 from upright.logs.units import UNITS
+from upright.pages import Say, english
 
 TRUSTED = 0.95
 """[1] R² of the pendulum equation from which columns are taken for encoders and gyro. Other triples of columns reach
@@ -48,12 +49,12 @@ GYROS = ("rad/s", "deg/s", "mrad/s", "mdeg/s")
 PERIOD = 0.01  # [s] taken where no column is a clock
 
 
-def lacking(mapping: Mapping) -> str:
-    """What a mapping lacks of encoders, commands, and a gyro or a tilt, in words; '' where it has all."""
-    groups = {"encoders": (LEFT, RIGHT), "commands": COMMANDS[:2] if COMMANDS[0] in mapping.channels else COMMANDS[2:]}
-    without = [name for name, channels in groups.items() if not set(channels) <= mapping.channels.keys()]
-    without += [] if {GYRO, PITCH} & mapping.channels.keys() else ["a gyro"]
-    return " or ".join(without)
+def lacking(mapping: Mapping) -> list[Say]:
+    """What a mapping lacks of encoders, commands, and a gyro or a tilt."""
+    commands = COMMANDS[:2] if COMMANDS[0] in mapping.channels else COMMANDS[2:]
+    without = [] if {LEFT, RIGHT} <= mapping.channels.keys() else [Say("encoders")]
+    without += [] if {*commands} <= mapping.channels.keys() else [Say("commands")]
+    return without + ([] if {GYRO, PITCH} & mapping.channels.keys() else [Say("a gyro")])
 
 
 def spare(mapping: Mapping, table: RawTable) -> bool:
@@ -83,8 +84,14 @@ def another_gyro(mapping: Mapping, table: RawTable, findings: Sequence[Finding])
     if not fits:
         return []
     best = max(fits, key=lambda fit: fit.r2)
-    evidence = f"column '{best.gyro}' obeys the pendulum equation as a gyro (R² {best.r2:.2f}), '{names[2]}' does not"
-    swapped = error("columns/gyro", GYRO, evidence, "name the right column in a mapping: --write-mapping MINE.toml")
+    evidence = Say(
+        "Column '{best}' obeys the pendulum equation as a gyro (R² {r2}), and '{named}' does not.",
+        best=best.gyro,
+        r2=plain(best.r2, 2),
+        named=names[2],
+    )
+    repair = Say("Name the right column in a mapping: `--write-mapping MINE.toml`.")
+    swapped = error("columns/gyro", GYRO, evidence, repair)
     return [swapped, *(f for f in findings if f.code.split("/")[0] in _WITHOUT_GYRO)]
 
 
@@ -327,4 +334,6 @@ def drafted(table: RawTable) -> str:
             mapping = replace(mapping, time=replace(mapping.time, period=row))
             period += "# By the steps of the tilt and its rate it is about this, if their units agree.\n"
     left = lacking(mapping)
-    return f"{looks(table)}\n{period}{mapping.to_toml()}" + (still_to_name(left, mapping.channels) if left else "")
+    return f"{looks(table)}\n{period}{mapping.to_toml()}" + (
+        still_to_name(" or ".join(map(english, left)), mapping.channels) if left else ""
+    )

@@ -6,9 +6,11 @@ from itertools import combinations
 
 import numpy as np
 
-from upright.checkup.finding import COMPASS, FORWARD, GYRO, LEFT, PITCH, RIGHT, UP, Array, Finding, Record, error
+from upright.checkup.finding import COMPASS, FORWARD, GYRO, LEFT, PITCH, RIGHT, UP, Array, Finding, Record, error, plain
 from upright.checkup.fixes import levels
+from upright.checkup.titles import CHANNELS
 from upright.logs.outliers import grain_of
+from upright.pages import Say
 
 _SENSORS = (COMPASS, PITCH, LEFT, RIGHT, GYRO, FORWARD, UP)  # what is rather made of others first
 _KINDS = (PITCH, LEFT, RIGHT, GYRO)  # of two of these that are one, nothing tells which it is
@@ -20,7 +22,7 @@ def copies(record: Record) -> list[Finding]:
     wheels may be one, as on a straight course."""
     read = {n: _as_read(record, n) for n in _SENSORS if n in record and np.isfinite(record[n]).all()}
     read = {name: values for name, values in read.items() if levels(values) > _LEVELS}
-    copied: dict[str, str] = {}
+    copied: dict[str, Say] = {}
     alike: set[frozenset[str]] = set()
     for size in (2, 3):
         for name, *others in combinations(read, size):
@@ -31,11 +33,26 @@ def copies(record: Record) -> list[Finding]:
                 continue
             alike.add(frozenset((name, *others)))
             if (name, *others) != (LEFT, RIGHT):
-                made = " and ".join(f"{by:.4g} times {other}" for by, other in zip(factors, others, strict=True))
-                text = f"{name} is {made} in every row, but for the last digits: no reading of its own"
+                text = _made(name, others, factors)
                 copied |= dict.fromkeys([name, *(o for o in others if size == 2 and {name, o} <= {*_KINDS})], text)
-    repair = "map the column of the sensor, or leave it out; nothing that rests on it is judged"
+    repair = Say("Map the sensor's own column, or leave it out.")
     return [error("columns/copied", name, text, repair) for name, text in copied.items()]
+
+
+def _made(name: str, others: list[str], factors: Array) -> Say:
+    """Of which channels, and by which factors, one is made."""
+    own, one, *two = (CHANNELS[channel] for channel in (name, *others))
+    by, *more = (plain(float(factor), digits=4) for factor in factors)
+    if not two:
+        return Say("In every row {own} is {by} times {one}: one reading under two names.", own=own, by=by, one=one)
+    return Say(
+        "In every row {own} is {by} times {one} plus {more} times {two}: no reading of its own.",
+        own=own,
+        by=by,
+        one=one,
+        more=more[0],
+        two=two[0],
+    )
 
 
 def _as_read(record: Record, name: str) -> Array:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from upright.checkup.finding import LEFT, RIGHT, Finding, Fix, Record, note, warning
-from upright.checkup.physics import REACH, Resampled, Response, backward_rate, motion, motor, responses
+from upright.checkup.physics import FAR, REACH, Resampled, Response, backward_rate, motion, motor, responses
+from upright.pages import Quantity, Say
 
 CLEAR = 0.9
 """R² of the pendulum equation above which its lag and residuals are used; below it, quantisation dominates."""
@@ -31,9 +32,13 @@ def delays(record: Record) -> list[Finding]:
     if m is None:
         return []
     if m.gyro is not None and m.law.pushed:
-        evidence = f"what looks like pushes that the log does not name, {m.law.off:.0f} standard deviations off the "
-        evidence += "pendulum equation: its delays, and when its commands act, are not judged"
-        return [note("delay/untold", m.gyro_name, evidence, "dither, do not push: upright excite -o plan.json")]
+        evidence = Say(
+            "Pushes move it, {off} standard deviations off the pendulum equation (limit {limit}): no delay is judged.",
+            off=round(m.law.off),
+            limit=round(FAR),
+        )
+        repair = Say("Dither, and do not push: `upright excite -o plan.json`.")
+        return [note("delay/untold", m.gyro_name, evidence, repair)]
     findings: list[Finding] = []
     lag = 0.0
     if m.gyro is not None:
@@ -47,32 +52,38 @@ def delays(record: Record) -> list[Finding]:
 
 
 def _between(m: Resampled, lag: float, r2: float) -> list[Finding]:
-    if abs(lag) < shortest(m.period)[0]:
+    limit = shortest(m.period)[0]
+    if abs(lag) < limit:
         return []
-    delayed, other = ((m.gyro_name,), "encoders") if lag > 0 else ((LEFT, RIGHT), "gyro")
-    milliseconds = f"{abs(lag) * 1e3:.0f} ms"
-    evidence = f"delayed by {milliseconds} relative to the {other}, by the pendulum equation (R² {r2:.2f})"
-    fix = Fix("earlier", delayed, (abs(lag),))
-    return [warning("delay/sensor", delayed[0], evidence, f"shift it {milliseconds} earlier", fix)]
+    delayed = (m.gyro_name,) if lag > 0 else (LEFT, RIGHT)
+    late = {"delay": Quantity(abs(lag), "s"), "limit": Quantity(limit, "s")}
+    evidence = Say("It comes {delay} after the encoders; sampling explains up to {limit}.", **late)
+    if lag < 0:
+        evidence = Say("They come {delay} after the gyro; sampling explains up to {limit}.", **late)
+    repair = Say("Shift the readings {delay} earlier.", delay=late["delay"])
+    return [
+        warning("delay/sensor", delayed[0], evidence, repair, Fix("earlier", delayed, (abs(lag),)), measured={"r2": r2})
+    ]
 
 
 def _behind_command(m: Resampled, lag: float) -> list[Finding]:
     """Dead time from the command to the wheels."""
-    measured = command_delay(m, lag)
-    if measured is None:
+    dead = command_delay(m, lag)
+    limit = shortest(m.period)[1]
+    if dead is None or dead + min(lag, 0.0) < limit:  # a delay common to gyro and encoders belongs to the command
         return []
-    dead, how = measured
-    common = dead + min(lag, 0.0)  # a delay common to gyro and encoders belongs to the command
-    if common < shortest(m.period)[1]:
-        return []
-    evidence = (
-        f"the wheels respond {dead * 1e3:.0f} ms and the gyro {(dead + lag) * 1e3:.0f} ms after a command ({how})"
+    evidence = Say(
+        "The wheels answer a command after {wheels}, the gyro after {gyro}; sampling explains up to {limit}.",
+        wheels=Quantity(dead, "s"),
+        gyro=Quantity(dead + lag, "s"),
+        limit=Quantity(limit, "s"),
     )
-    return [warning("delay/command", "command", evidence, "include this dead time in the model, or shift the commands")]
+    repair = Say("Put this dead time into the model, or shift the commands.")
+    return [warning("delay/command", "command", evidence, repair)]
 
 
-def command_delay(m: Resampled, lag: float) -> tuple[float, str] | None:
-    """Dead time [s] from command to wheels, and the method; None where the log does not determine it."""
+def command_delay(m: Resampled, lag: float) -> float | None:
+    """Dead time [s] from command to wheels; None where the log does not determine it."""
     assert m.commands is not None
     if m.gyro is not None:
         mean = (m.commands[0] + m.commands[1]) / 2
@@ -82,13 +93,12 @@ def command_delay(m: Resampled, lag: float) -> tuple[float, str] | None:
             dead = first * m.period - lag
             if (own := onsets.get("wheel")) is not None:
                 dead = min(dead, own * m.period)  # wheels that respond at once are not late, whatever the gyro shows
-            largest = abs(several["gyro"].t_value).max()
-            return max(0.0, dead), f"response to the unpredictable part of the command, t = {largest:.0f}"
+            return max(0.0, dead)
     mean = (m.commands[0] + m.commands[1]) / 2
     fit = motor(m, mean, m.left, m.right, m.gyro, lag)
     if fit.r2 < 0.9 or fit.lag > REACH - 1.5 * m.period:  # the best of the lags that are tried is none of them
         return None
-    return max(0.0, fit.lag), f"the motor equation, R² {fit.r2:.2f}"
+    return max(0.0, fit.lag)
 
 
 def _first(response: Response) -> float | None:

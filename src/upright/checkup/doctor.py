@@ -36,7 +36,9 @@ from upright.checkup.examined import LogExamined
 from upright.checkup.finding import (
     CONTRADICTORY,
     FEWEST,
+    LEFT,
     PITCH,
+    RIGHT,
     SEVERITIES,
     SPEED,
     Finding,
@@ -46,12 +48,13 @@ from upright.checkup.finding import (
 )
 from upright.checkup.fixes import repaired
 from upright.checkup.scale import against_robot
+from upright.checkup.titles import place_of, title_of
 from upright.checkup.wheels import record_of
 from upright.checkup.wrapped import wrapped
 from upright.errors import InvalidLog
 from upright.logs.mapping import GUESS, Mapping, Source, channels_of, find_mapping, propose
 from upright.logs.readers import RawTable, read_table, table_of
-from upright.pages import Page, Result
+from upright.pages import Page, Result, Say, english
 from upright.progress import Progress, unwatched
 from upright.robots import Robot, find_robot
 from upright.signals import Log
@@ -70,7 +73,7 @@ class Diagnosis(LogExamined, Result):
         "valid log."""
         in_order = sorted(self.findings, key=lambda finding: _STAGE_OF.get(finding.code, 0))
         record = _repaired(self._raw, in_order)
-        repairs = [f"{finding.code} {finding.channel}: {finding.repair}" for finding in self.findings if finding.fixes]
+        repairs = [f"{f.code} {f.channel}: {english(f.repair)}" for f in self.findings if f.fixes and f.repair]
         return Log(record.t, record.channels, record.units, {**self._origin, "repaired": repairs})
 
     def plot(self) -> Figure | None:
@@ -138,9 +141,11 @@ def proposed(table: RawTable) -> tuple[Mapping, list[Finding]]:
             mapping = columns.by_physics(table, named) if columns.spare(named, table) else None
         if mapping is None or not mapping.time.column or columns.lacking(mapping):
             mapping = columns.with_gyro(named, table)
-            text = f"no column is recognised as {lacking}: what rests on them is not judged"
-            text += "" if "encoders" not in lacking else ", and “balancing” says only that it is near upright"
-            missing = warning("columns/missing", named.time.column, text, "--write-mapping MINE.toml, and edit it")
+            text = Say("No column is recognised as {what}: what rests on them is not judged.", what=lacking)
+            if not {LEFT, RIGHT} <= named.channels.keys():
+                text = Say("No column is recognised as {what}: “balancing” means only near upright.", what=lacking)
+            repair = Say("Name their columns in a mapping: `--write-mapping MINE.toml`.")
+            missing = warning("columns/missing", named.time.column, text, repair)
             return mapping, [missing, *_unnamed(mapping, by_name)]
     mapping = columns.with_tilt(mapping, table)
     return mapping, _unnamed(mapping, by_name)
@@ -149,9 +154,8 @@ def proposed(table: RawTable) -> tuple[Mapping, list[Finding]]:
 def _unnamed(mapping: Mapping, by_name: set[tuple[str, Source]]) -> list[Finding]:
     """The columns that were not taken by their names."""
     taken = {source.column: name for name, source in mapping.channels.items() if (name, source) not in by_name}
-    are, they, move = ("is", "it", "moves") if len(taken) == 1 else ("are", "they", "move")
-    text = f"no name says what {', '.join(taken)} {are}: taken for what {they} {move} like"
-    check = "check them, and --write-mapping MINE.toml"
+    text = Say("Taken for what they move like, since no name tells: {columns}.", columns=[*taken])
+    check = Say("Check them, and keep them: `--write-mapping MINE.toml`.")
     return [note("columns/unnamed", mapping.time.column, text, check)] if taken else []
 
 
@@ -232,8 +236,8 @@ _STAGE_OF = {
 """Order of the repairs. Those that change the rows come last, so that the times in the others stay valid."""
 
 
-def contradictions(log: Log, robot: Robot | None = None, codes: tuple[str, ...] = CONTRADICTORY) -> list[str]:
-    """What is wrong in a log of ours that a fit reads as it stands, in words, of the findings with these `codes`. A
+def contradictions(log: Log, robot: Robot | None = None, codes: tuple[str, ...] = CONTRADICTORY) -> list[Say]:
+    """What is wrong in a log of ours that a fit reads as it stands, of the findings with these `codes`. A
     unit that is doubtful for robots in general, and not for `robot`, is none; only with a robot can commands be judged
     of which no name says the unit."""
     record = record_of(log)
@@ -244,7 +248,16 @@ def contradictions(log: Log, robot: Robot | None = None, codes: tuple[str, ...] 
         findings = [f for f in findings if not f.code.startswith("units/") or (f.code, f.channel) in own]
     if robot is not None and last.unnamed:
         findings += [f for f in volts.commands(last, robot) if f.severity == "error"]
-    return [f"the log contradicts itself, {f.channel}: {f.evidence}" for f in findings if f.code.startswith(codes)]
+    return [
+        Say(
+            "The log contradicts itself ({what}, {where}). {evidence}",
+            what=title_of(f),
+            where=place_of(f),
+            evidence=f.evidence,
+        )
+        for f in findings
+        if f.code.startswith(codes)
+    ]
 
 
 def _examine(raw: Record, robot: Robot | None, progress: Progress) -> tuple[list[Finding], Record]:

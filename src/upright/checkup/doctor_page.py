@@ -91,26 +91,18 @@ def _verdict(result: LogExamined) -> Verdict:
 
 def _lead(result: LogExamined) -> list[Say]:
     lead: list[Say] = []
-    balanced = Quantity(_balanced(result), "s")
-    fall = next((f for f in result.faults if f.code == FALL and f.span), None)
-    if fall and fall.span and balanced.value:
-        lead.append(Say("The robot balances for {balanced} and falls at {at}.", balanced=balanced,
-                        at=instant(fall.span[0])))  # fmt: skip
-    elif balanced.value and balanced.value >= result.seconds:  # a part counts the period of its last row too
-        lead.append(Say("The robot balances in the whole log, {seconds}.", seconds=Quantity(result.seconds, "s")))
-    elif result.segments and balanced.value:
-        seconds = Quantity(result.seconds, "s")
-        lead.append(Say("The robot balances for {balanced} of {seconds}.", balanced=balanced, seconds=seconds))
+    balanced = _balanced(result)
+    facts = {"balanced": Quantity(balanced, "s"), "seconds": Quantity(result.seconds, "s")}
+    falls = [f.span[0] for f in result.faults if f.code == FALL and f.span]
+    if balanced and falls:
+        lead.append(Say("The robot balances for {balanced} and falls at {at}.", **facts, at=instant(falls[0])))
+    elif balanced >= result.seconds:  # a part counts the period of its last row too
+        lead.append(Say("The robot balances in the whole log, {seconds}.", **facts))
     elif result.segments:
-        lead.append(Say("The robot balances nowhere in this log."))
-    n, m = len(_repairable(result)), len(result.faults)
-    if result.kept and n == m and len(result.cut_away()) == m > 0:
-        start, stop = map(instant, result.kept)
-        lead.append(Say("A cut to {start} … {stop} removes every fault.", start=start, stop=stop))
-    elif n == m > 0:
-        lead.append(Say("A repair removes every fault."))
-    elif n:
-        lead.append(Say("A repair removes {n} of {m} faults.", n=n, m=m))
+        lead.append(Say("The robot balances for {balanced} of {seconds}.", **facts))
+    n = len(_repairable(result))
+    if n:
+        lead.append(Say("A repair removes {n} of {m} faults.", n=n, m=len(result.faults)))
     elif _has(result, PUSHED):
         lead.append(Say("Pushes that the log does not name bend a model of it."))
     return lead
@@ -139,7 +131,7 @@ def _listed(result: LogExamined) -> list[Finding]:
 
 
 def _findings(result: LogExamined) -> Table:
-    rows = [[KINDS[f.severity], title_of(f), place_of(f), f.repair or None] for f in _listed(result)]
+    rows = [[KINDS[f.severity], title_of(f), place_of(f), f.repair] for f in _listed(result)]
     names = (Say("severity"), Say("what"), Say("where"), Say("what to do"))
     caption = Say("An error makes the log wrong; a model must allow for a warning")
     return Table([Column(name) for name in names], rows, caption if result.faults else None)

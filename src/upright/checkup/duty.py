@@ -8,9 +8,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from upright.checkup.finding import BATTERY, Array, Record
+from upright.checkup.finding import BATTERY, Array, Record, plain
 from upright.checkup.physics import Resampled, motor
 from upright.logs.mapping import FULL_DUTIES, full_duty
+from upright.pages import Say
 from upright.robots import Robot, find_kit
 
 ALIKE = math.log(20)
@@ -23,7 +24,8 @@ UNCLIPPED = 4.0
 """Negative log odds that commands are larger than the battery: one program in fifty logs what its law asked for, before
 the limit."""
 
-FRACTION = "a fraction of full duty"
+VOLTS, MILLIVOLTS, PER_CENT = Say("volts"), Say("millivolts"), Say("per cent")
+FRACTION = Say("a fraction of full duty")
 USUAL_DUTIES = (100.0, 255.0)  # full duty where people program LEGO, and where they program an Arduino: equally usual
 LARGER_DUTY = 2.0  # negative log odds that a full duty is a number beyond these and the smallest usual one
 USUAL_BATTERY = 7.5  # [V] for the size of commands whose log and robot tell no battery; no repair is made of it
@@ -32,7 +34,7 @@ USUAL_BATTERY = 7.5  # [V] for the size of commands whose log and robot tell no 
 class CommandUnit(NamedTuple):
     """What commands may be in: how many of it are a volt, and the negative log prior of that, by their size alone."""
 
-    name: str
+    name: Say
     factor: float
     prior: float
 
@@ -42,7 +44,7 @@ def command_units(record: Record, robot: Robot | None = None) -> list[CommandUni
     robot that stands seldom needs a half of 255."""
     names = record.commands
     if names is None:
-        return [CommandUnit("volts", 1.0, 0.0)]
+        return [CommandUnit(VOLTS, 1.0, 0.0)]
     largest, battery = largest_command(record, names), battery_of(record, robot)
 
     def size(factor: float) -> float:
@@ -55,14 +57,14 @@ def command_units(record: Record, robot: Robot | None = None) -> list[CommandUni
         larger = [f for f in FULL_DUTIES if f > full > 1]
         rare = {f: 0.0 if f in USUAL_DUTIES else LARGER_DUTY for f in larger}
         return [duty, *(CommandUnit(_counts(f), duty.factor * f / full, rare[f]) for f in larger)]
-    others = [(name, duty.factor), ("millivolts", 1e3)]
+    others = [(name, duty.factor), (MILLIVOLTS, 1e3)]
     if largest <= 1 and record.unnamed:
         others.append((FRACTION, 1 / (battery or USUAL_BATTERY)))
     if largest > 100 and not counted(record[names[0]]):  # a law's output, not yet rounded to a timer's counts
         most = full_duty(np.array(largest))
         others.append((_counts(most), most / (battery or USUAL_BATTERY)))
     return [
-        CommandUnit("volts", 1.0, size(1.0)),
+        CommandUnit(VOLTS, 1.0, size(1.0)),
         *(CommandUnit(name, factor, FAULT + size(factor)) for name, factor in others),
     ]
 
@@ -87,18 +89,18 @@ def battery_of(record: Record, robot: Robot | None = None) -> float:
     return voltage if math.isfinite(voltage) else 0.0
 
 
-def _duty(record: Record, names: tuple[str, str], largest: float) -> tuple[str, float]:
+def _duty(record: Record, names: tuple[str, str], largest: float) -> tuple[Say, float]:
     """What the commands are if they are a duty, and the number that is full: per cent, counts of a timer, which are
     whole numbers, or a fraction."""
     if record.units.get(names[0]) == "1" and largest <= 1:
         return FRACTION, 1.0
     whole = counted(record[names[0]]) or (record.units.get(names[0]) == "1" and largest > 100)
     full = full_duty(np.concatenate([record[name] for name in names])) if whole else 100.0
-    return ("per cent", 100.0) if full <= 100 else (_counts(full), full)
+    return (PER_CENT, 100.0) if full <= 100 else (_counts(full), full)
 
 
-def _counts(full: float) -> str:
-    return f"counts of a duty, {full:g} of which are full,"
+def _counts(full: float) -> Say:
+    return Say("counts of a duty, {full} of which are full", full=plain(full, 4))
 
 
 def counted(values: Array) -> bool:

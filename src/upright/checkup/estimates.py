@@ -7,12 +7,13 @@ import math
 import numpy as np
 
 from upright.checkup.delays import CLEAR
-from upright.checkup.finding import COMPASS, GYRO, PITCH, Finding, Record, error, note
+from upright.checkup.finding import COMPASS, GYRO, PITCH, Finding, Record, error, note, plain
 from upright.checkup.fixes import COARSE, levels
 from upright.checkup.motion import contrary, follows_wheels
 from upright.checkup.physics import Resampled, gyro_by_gravity, motion, pitch_slope, smooth, widths
-from upright.checkup.units import DEGREE, STATE, divide
+from upright.checkup.units import DEGREE, divide
 from upright.logs.outliers import grain_of
+from upright.pages import Say
 
 
 def estimates(record: Record) -> list[Finding]:
@@ -23,12 +24,12 @@ def estimates(record: Record) -> list[Finding]:
 
 _NEAR = 1.2  # within which the rate of a pitch estimate that follows the gyro clearly is that of the gyro
 _FACTORS = {
-    "degrees instead of radians": 1 / DEGREE,
-    "radians × 10": 10.0,
-    "degrees × 10": 10 / DEGREE,
-    "milliradians": 1000.0,
-    "converted from degrees twice": DEGREE,
-    "radians / 10": 0.1,
+    Say("degrees"): 1 / DEGREE,
+    Say("tenths of a radian"): 10.0,
+    Say("tenths of a degree"): 10 / DEGREE,
+    Say("milliradians"): 1000.0,
+    Say("degrees converted twice"): DEGREE,
+    Say("tens of radians"): 0.1,
 }
 
 
@@ -37,20 +38,25 @@ def _pitch(record: Record, m: Resampled) -> list[Finding]:
     slope, r2 = pitch_slope(record, m)
     if slope and 1 < (count := levels(record[PITCH])) <= COARSE:
         step = grain_of(record[PITCH])
-        return [note("channel/coarse", PITCH, f"it has {count} values in steps of {step:.3g}: too coarse to compare")]
+        coarse = Say("It has {n} values in steps of {step}: too coarse to compare.", n=count, step=plain(step))
+        return [note("channel/coarse", PITCH, coarse, None)]
     near = _NEAR if r2 > CLEAR else 2.0
     if r2 < 0.7 or not slope or 1 / near < slope < near:
         return []
-    evidence = f"its rate is {slope:.3g} times the gyro (R² {r2:.2f}), where it should be 1"
+    evidence = Say("Its rate is {slope} times that of the gyro, and should be 1.", slope=plain(slope))
     if -2 < slope < -0.5:
         return contrary((PITCH,), (GYRO,), evidence, follows_wheels(m) or int(np.sign(gyro_by_gravity(record, m))))
     if slope < 0:
         return []
     why = min(_FACTORS, key=lambda name: abs(math.log(slope / _FACTORS[name])))
     if abs(math.log(slope / _FACTORS[why])) > 0.4:
-        repair = "nothing in the log tells which of both has another scale, or whether the clock is wrong: " + STATE
-        return [error("units/scale", PITCH, evidence, repair)]
-    return [divide((PITCH,), f"{why}: {evidence}", _FACTORS[why])]
+        repair = Say("State the true scale of either in a mapping, or check the clock.")
+        return [error("units/scale", PITCH, evidence, repair, measured={"r2": r2})]
+    return [
+        divide(
+            (PITCH,), Say("Perhaps {unit}. {evidence}", unit=why, evidence=evidence), _FACTORS[why], measured={"r2": r2}
+        )
+    ]
 
 
 def _heading(record: Record, m: Resampled) -> list[Finding]:
@@ -65,7 +71,5 @@ def _heading(record: Record, m: Resampled) -> list[Finding]:
     slope = abs(float(a @ b / (b @ b)))
     if slope < 4:
         return []
-    evidence = (
-        f"degrees instead of radians: it turns {slope:.3g} rad per rad between the wheels; robots have R/W of 0.1 to 1"
-    )
+    evidence = Say("It turns {slope} rad for each rad between the wheels; usual is 0.1 to 1.", slope=plain(slope))
     return [divide((COMPASS,), evidence, 1 / DEGREE)]

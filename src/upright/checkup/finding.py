@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.arrays import Array, Mask
-from upright.pages import Quantity
+from upright.pages import Quantity, Say, data_of, english
 
 SEVERITIES = ("error", "warning", "note")
 """error: the log is wrong; warning: a fit must account for it; note: information."""
@@ -144,38 +145,86 @@ class Fix:
 
 @dataclass(frozen=True)
 class Finding:
-    """One fault: `code` (family/name), `severity`, `channel`, the `evidence` as a sentence with its numbers, the
-    `repair` in words, the `fixes` that do it, and its `span` [s] where it does not concern the whole log."""
+    """One fault: `code` (family/name), `severity`, `channel`, the `evidence` as a sentence with what decides, the
+    `repair` as one, the `fixes` that do it, its `span` [s] where it does not concern the whole log, and further
+    `measured` numbers [SI]."""
 
     code: str
     severity: str
     channel: str
-    evidence: str
-    repair: str = ""
+    evidence: Say
+    repair: Say | None = None
     fixes: tuple[Fix, ...] = ()
     span: tuple[float, float] | None = None
+    measured: Mapping[str, float] = field(default_factory=dict[str, float])
+
+    @property
+    def facts(self) -> dict[str, Any]:
+        """The facts of both sentences as data, and what else was measured."""
+        said = self.evidence.facts | (self.repair.facts if self.repair else {})
+        return {name: data_of(fact) for name, fact in said.items()} | dict(self.measured)
 
     def to_json(self) -> dict[str, Any]:
-        """As plain data."""
-        names = ("code", "severity", "channel", "evidence", "repair")
-        plain: dict[str, Any] = {name: getattr(self, name) for name in names}
-        return plain | ({"from": self.span[0], "until": self.span[1]} if self.span else {})
+        """As plain data, with the sentences in English."""
+        data: dict[str, Any] = {"code": self.code, "severity": self.severity, "channel": self.channel}
+        data |= {"evidence": english(self.evidence), "repair": english(self.repair) if self.repair else ""}
+        return data | {"facts": self.facts} | ({"from": self.span[0], "until": self.span[1]} if self.span else {})
 
 
-def error(code: str, channel: str, evidence: str, repair: str = "", *fixes: Fix) -> Finding:
+def in_a_line(finding: Finding) -> str:
+    """Where something is wrong and its evidence, for an error's one line."""
+    return f"{finding.channel}: {english(finding.evidence).rstrip('.')}"
+
+
+Span = tuple[float, float]
+Measured = Mapping[str, float]
+NOTHING: Measured = MappingProxyType({})
+
+
+def error(
+    code: str,
+    channel: str,
+    evidence: Say,
+    repair: Say | None,
+    *fixes: Fix,
+    span: Span | None = None,
+    measured: Measured = NOTHING,
+) -> Finding:
     """A finding of severity `error`."""
-    return Finding(code, "error", channel, evidence, repair, fixes)
+    return Finding(code, "error", channel, evidence, repair, fixes, span, measured)
 
 
 def warning(
-    code: str, channel: str, evidence: str, repair: str = "", *fixes: Fix, span: tuple[float, float] | None = None
+    code: str,
+    channel: str,
+    evidence: Say,
+    repair: Say | None,
+    *fixes: Fix,
+    span: Span | None = None,
+    measured: Measured = NOTHING,
 ) -> Finding:
     """A finding of severity `warning`."""
-    return Finding(code, "warning", channel, evidence, repair, fixes, span)
+    return Finding(code, "warning", channel, evidence, repair, fixes, span, measured)
 
 
 def note(
-    code: str, channel: str, evidence: str, repair: str = "", *, span: tuple[float, float] | None = None
+    code: str,
+    channel: str,
+    evidence: Say,
+    repair: Say | None,
+    *,
+    span: Span | None = None,
+    measured: Measured = NOTHING,
 ) -> Finding:
     """A finding of severity `note`."""
-    return Finding(code, "note", channel, evidence, repair, (), span)
+    return Finding(code, "note", channel, evidence, repair, (), span, measured)
+
+
+STATE = Say("State the true unit and scale in a mapping: `--write-mapping MINE.toml`.")
+LEAVE_OUT = Say("Leave these rows out of a fit.")
+INTERPOLATE = Say("Interpolate these readings.")
+
+
+def plain(value: float, digits: int = 3) -> Quantity:
+    """A ratio, or a number whose unit nobody knows."""
+    return Quantity(value, "1", digits=digits)

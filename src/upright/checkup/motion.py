@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from upright.checkup.delays import CLEAR
-from upright.checkup.finding import COMPASS, GYRO, LEFT, RIGHT, Array, Finding, Fix, Record, error
+from upright.checkup.finding import COMPASS, GYRO, LEFT, RIGHT, Array, Finding, Fix, Record, error, plain
 from upright.checkup.physics import (
     LaggedFit,
     Resampled,
@@ -22,6 +22,7 @@ from upright.checkup.physics import (
     widths,
 )
 from upright.checkup.swings import rests
+from upright.pages import Say
 
 TRUSTED = 0.6
 """R² above which an equation is taken to hold; on measured logs the correct hypothesis reaches 0.75 to 0.99."""
@@ -38,21 +39,19 @@ def kinds(record: Record) -> list[Finding]:
     m = motion(record)
     if m is None or m.gyro is None or m.gyro_name != GYRO or not _moves(m) or rests(record):
         return []
-    plain = m.law
+    law = m.law
     other = pendulum(m, m.wheel, gyro_order=1)
-    as_logged = plain.r2 if _direction(plain) else 0.0
-    least = max(TRUSTED if as_logged < TRUSTED else CLEAR, as_logged + MARGIN, plain.r2)
-    if not plain.values or other.r2 < least or not _direction(other):
+    as_logged = law.r2 if _direction(law) else 0.0
+    least = max(TRUSTED if as_logged < TRUSTED else CLEAR, as_logged + MARGIN, law.r2)
+    if not law.values or other.r2 < least or not _direction(other):
         return []  # as logged it fits better, though a wheel that friction holds may hide what gravity does
-    shown = f"fit the pendulum equation (R² {other.r2:.2f})"
+    fits = {"r2": plain(other.r2, 2), "logged": plain(as_logged, 2)}
     if _wheel_is_rate(m):
-        evidence = (
-            f"read as rates the encoders {shown} and the motor equation, read as angles they do not ({as_logged:.2f})"
-        )
+        evidence = Say("The pendulum equation fits the encoders as rates (R² {r2}), not as angles ({logged}).", **fits)
         fix = Fix("integrate", (LEFT, RIGHT))
-        return [error("motion/differentiated", LEFT, evidence, "integrate both encoders", fix)]
-    evidence = f"read as angles the gyro readings {shown}, read as rates they do not ({as_logged:.2f})"
-    return [error("motion/integrated", GYRO, evidence, "differentiate it", Fix("differentiate", (GYRO,)))]
+        return [error("motion/differentiated", LEFT, evidence, Say("Integrate both encoders."), fix)]
+    evidence = Say("The pendulum equation fits the gyro as an angle (R² {r2}), not as a rate ({logged}).", **fits)
+    return [error("motion/integrated", GYRO, evidence, Say("Differentiate it."), Fix("differentiate", (GYRO,)))]
 
 
 def _wheel_is_rate(m: Resampled) -> bool:
@@ -122,14 +121,14 @@ class _Drive:
 
     left: int
     right: int
-    evidence: str
+    evidence: Say | None = None
 
 
 def _against_command(m: Resampled, wheels: _Wheels) -> _Drive:
     """By the response to what is unpredictable in the commands, or else by the motor equation. Where that equation
     holds as logged, a response the other way is what the controller does of pushes and of wheels that stick."""
     if m.commands is None or m.gyro is None or _quiet(m.commands[0]) or _quiet(m.commands[1]):
-        return _Drive(0, 0, "")  # what a controller does of a lean that was not logged looks like its surprise
+        return _Drive(0, 0)  # what a controller does of a lean that was not logged looks like its surprise
     # Wheels are corrected against the gyro first: left and right then mean the same direction.
     left = m.left * (-1 if wheels.left * wheels.right < 0 and wheels.left < 0 else 1)
     right = m.right * (-1 if wheels.left * wheels.right < 0 and wheels.right < 0 else 1)
@@ -142,15 +141,19 @@ def _against_command(m: Resampled, wheels: _Wheels) -> _Drive:
         fits[side] = motor(m, (side[0] * m.commands[0] + side[1] * m.commands[1]) / 2, left, right, None)
     if answer is not None:
         against = fits[1, 1].r2 > max(TRUSTED, fits[answer.left, answer.right].r2 + MARGIN)
-        return _Drive(0, 0, "") if against else answer
+        return _Drive(0, 0) if against else answer
     best = max(fits, key=lambda side: fits[side].r2)
-    plain = fits[1, 1].r2
+    as_logged = fits[1, 1].r2
     least = TRUSTED if best[0] == best[1] else CLEAR  # what turns alone is little, and its equation leaves out the gyro
-    if fits[best].r2 < least or (best != (1, 1) and fits[best].r2 < plain + MARGIN):
-        return _Drive(0, 0, "")
+    if fits[best].r2 < least or (best != (1, 1) and fits[best].r2 < as_logged + MARGIN):
+        return _Drive(0, 0)
     return _Drive(
-        *best, f"the motor equation fits with R² {fits[best].r2:.2f} with the sign changed, {plain:.2f} as logged"
-    )
+        *best,
+        Say(
+            "With the sign changed the motor equation fits (R² {r2}), as logged less ({logged}).",
+            r2=plain(fits[best].r2, 2), logged=plain(as_logged, 2),
+        ),
+    )  # fmt: skip
 
 
 def _by_responses(m: Resampled, left: Array, right: Array) -> _Drive | None:
@@ -169,45 +172,46 @@ def _by_responses(m: Resampled, left: Array, right: Array) -> _Drive | None:
     t = clear[name]
     if t == 0 or (len(clear) > 1 and min(map(abs, clear.values())) > 0.5 * abs(t)):
         return None
-    evidence = f"the unpredictable part of the command, {name} on both sides, turns the wheels "
-    evidence += f"{'forward' if t > 0 else 'backward'} (t = {abs(t):.0f})"
     way = 1 if t > 0 else -1
-    return _Drive(way, way, evidence) if name == "same" else _Drive(-way, way, evidence)
+    sure = {"t": round(abs(t)), "limit": round(SURE)}
+    if name == "same":
+        return _Drive(
+            way, way, Say("A sudden command turns the wheels backwards (t = {t}, sure from {limit}).", **sure)
+        )
+    return _Drive(-way, way, Say("A sudden turn drives both wheels one way (t = {t}, sure from {limit}).", **sure))
 
 
 def _verdict(record: Record, m: Resampled, wheels: _Wheels, drive: _Drive) -> list[Finding]:
     commands = record.commands or ("", "")
-    by_motor = drive.evidence
+    by_motor = drive.evidence or Say("")
     findings: list[Finding] = []
     if wheels.left * wheels.right < 0:
         name = LEFT if wheels.left < 0 else RIGHT
-        findings.append(
-            _flip((name,), f"its sign is opposite to that of the other wheel and of the gyro (R² {wheels.r2:.2f})")
-        )
+        alone = Say("Its sign is opposite to those of gyro and other wheel (R² {r2}).", r2=plain(wheels.r2, 2))
+        findings.append(_flip((name,), alone))
     disagree = wheels.left < 0 and wheels.right < 0
     backwards = drive.left < 0 and drive.right < 0
     if disagree:
-        by_gyro = "when the body is thrown forward, the wheels of every robot turn back against it; here they turn on "
-        by_gyro += f"with it, {abs(wheels.q):.2f} times as fast (R² {wheels.r2:.2f})"
-        opposite = f"its sign is opposite, of the gyro against the encoders: {by_gyro}{f'; {by_motor}' * backwards}"
+        opposite = Say(
+            "As logged the wheels turn with a thrown body, {q} times as fast; every robot's turn against it.",
+            q=plain(abs(wheels.q)),
+        )
         alike = drive.left * (drive.left == drive.right) or -np.sign(gyro_by_gravity(record, m))
         witness = int(alike or pitch_slope(record, m)[0] < 0)
         findings += contrary((m.gyro_name,), (LEFT, RIGHT), opposite, witness)
     elif backwards:
-        findings.append(_flip(commands, f"both commands drive the wheels backwards: {by_motor}"))
+        findings.append(_flip(commands, by_motor))
     elif drive.left * drive.right < 0:
-        findings.append(
-            _flip((commands[0] if drive.left < 0 else commands[1],), f"it opposes the other motor: {by_motor}")
-        )
+        findings.append(_flip((commands[0] if drive.left < 0 else commands[1],), by_motor))
     return findings
 
 
-def contrary(one: tuple[str, ...], other: tuple[str, ...], evidence: str, witness: int) -> list[Finding]:
+def contrary(one: tuple[str, ...], other: tuple[str, ...], evidence: Say, witness: int) -> list[Finding]:
     """Channels on two sides whose signs contradict each other: the repair of the one against which a third is a
     `witness` (positive: the other is right), or both without a repair where none is (0)."""
     if witness:
         return [_flip(one if witness > 0 else other, evidence)]
-    which = "nothing in the log tells which is wrong: state its sign in a mapping"
+    which = Say("Check both signs on the robot, and state the wrong one in a mapping.")
     return [error("motion/contradicted", names[0], evidence, which) for names in (one, other)]
 
 
@@ -216,9 +220,10 @@ def follows_wheels(m: Resampled) -> int:
     return _direction(m.law) if m.law.r2 > TRUSTED else 0
 
 
-def _flip(channels: tuple[str, ...], evidence: str) -> Finding:
+def _flip(channels: tuple[str, ...], evidence: Say) -> Finding:
     also = tuple(name.replace("applied/", "command/") for name in channels if name.startswith("applied/"))
-    return error("motion/flipped", channels[0], evidence, "multiply by −1", Fix("scale", (*channels, *also), (-1.0,)))
+    fix = Fix("scale", (*channels, *also), (-1.0,))
+    return error("motion/flipped", channels[0], evidence, Say("Multiply by −1."), fix)
 
 
 def sides(record: Record) -> list[Finding]:
@@ -233,7 +238,8 @@ def sides(record: Record) -> list[Finding]:
     if t < -SURE:
         findings.append(_swapped(record, t, compass))
     if compass < -TRUSTED and not findings:
-        findings.append(_flip((COMPASS,), f"its sign is opposite to that of the encoders (correlation {compass:.2f})"))
+        against = Say("It turns against the encoders (correlation {correlation}).", correlation=plain(compass, 2))
+        findings.append(_flip((COMPASS,), against))
     return findings
 
 
@@ -261,14 +267,15 @@ def _first_clear(t_value: Array) -> float:
 
 
 def _swapped(record: Record, t: float, compass: float) -> Finding:
-    evidence = f"each motor drives the other wheel: an unpredictable left-turn command turns them right (t = {t:.0f})"
+    sure = {"t": round(-t), "limit": round(SURE)}
     if compass > TRUSTED:
         commands = record.commands or ("", "")
         also = ("command/left", "command/right") if "command/left" in record else commands
         pairs = tuple(dict.fromkeys((*commands, *also)))
-        evidence += f"; compass and encoders agree (correlation {compass:.2f}), so the commands are swapped"
-        return error("motion/swapped", commands[0], evidence, "swap left and right command", Fix("swap", pairs))
-    repair = "swap the encoders, or the commands if the motor cables are swapped"
+        evidence = Say("Commands to the left turn wheels and compass right (t = {t}, sure from {limit}).", **sure)
+        return error("motion/swapped", commands[0], evidence, Say("Swap left and right command."), Fix("swap", pairs))
+    evidence = Say("Commands to the left turn the wheels right (t = {t}, sure from {limit}).", **sure)
+    repair = Say("Swap the encoders, or the commands if the motor cables are swapped.")
     return error("motion/swapped", LEFT, evidence, repair, Fix("swap", (LEFT, RIGHT)))
 
 

@@ -5,10 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from upright.checkup import sensors
+from upright.checkup.counts import STATE_SCALE
 from upright.checkup.duty import counted
-from upright.checkup.finding import BATTERY, FEWEST, FORWARD, LEFT, RIGHT, UP, Finding, Record, error, warning
+from upright.checkup.finding import BATTERY, FEWEST, FORWARD, LEFT, RIGHT, UP, Finding, Record, error, plain, warning
 from upright.checkup.poses import FASTEST_WHEEL
 from upright.checkup.units import divide
+from upright.pages import Quantity, Say
 
 STANDARD_GRAVITY = 9.80665
 MOST_VOLTS, LEAST_MILLIVOLTS = 50.0, 2500.0  # of a scooter, and of one lithium cell that is empty
@@ -21,19 +23,25 @@ def constants(record: Record) -> list[Finding]:
         volts = float(np.nanmedian(record[BATTERY]))
         whole = counted(record[BATTERY])
         if whole and (MOST_VOLTS < volts <= 100 or 100 < volts < LEAST_MILLIVOLTS):
-            what = "per cent of its charge" if volts <= 100 else "counts of a converter"
-            evidence = f"whole numbers about {volts:.4g}: {what}, and no volts"
-            repair = (
-                "leave it out of the mapping, and state the voltage: [constants]; so for commands that it multiplies"
-            )
+            evidence = Say("Whole numbers about {median}: a charge in per cent, and no volts.", median=plain(volts))
+            if volts > 100:
+                evidence = Say(
+                    "Whole numbers about {median}: counts of a converter, and no volts.", median=plain(volts)
+                )
+            repair = Say("Leave it out of the mapping, and state the voltage there under [constants].")
             findings.append(error("units/battery", BATTERY, evidence, repair))
         elif 100 < volts < 1e5:
-            findings.append(divide((BATTERY,), f"millivolts instead of volts: the median is {volts:.4g}", 1000.0))
+            evidence = Say("The median is {median}: millivolts, and no volts.", median=plain(volts))
+            findings.append(divide((BATTERY,), evidence, 1000.0))
     if FORWARD in record and UP in record:
         weight = float(np.nanmedian(np.hypot(record[FORWARD], record[UP])))
-        for why, pull in (("g", 1 / STANDARD_GRAVITY), ("thousandths of g", 1000 / STANDARD_GRAVITY)):
+        for unit, pull in (("g", 1 / STANDARD_GRAVITY), ("mg", 1000 / STANDARD_GRAVITY)):
             if 0.7 < weight / (pull * STANDARD_GRAVITY) < 1.4:
-                evidence = f"{why} instead of m/s²: the median magnitude is {weight:.3g}, gravity is 9.81"
+                evidence = Say(
+                    "The median is {median}, so its unit is {unit}: gravity is 9.81 m/s².",
+                    median=plain(weight),
+                    unit=unit,
+                )
                 findings.append(divide((FORWARD, UP), evidence, pull))
     return findings
 
@@ -47,10 +55,12 @@ def speeds(record: Record) -> list[Finding]:
         rates = moved[(steps > 0) & np.isfinite(moved)] / steps[(steps > 0) & np.isfinite(moved)]
         rate = float(np.percentile(rates, 90)) if len(rates) else 0.0
         if rate > FASTEST_WHEEL:
-            evidence = f"it turns at {rate:.3g} rad/s or more in a tenth of the rows, as no wheel does"
-            findings.append(
-                error("units/speed", name, evidence, "counts or degrees: state unit and scale in a mapping")
+            evidence = Say(
+                "It turns at {rate} or more in a tenth of the rows; no wheel exceeds {limit}.",
+                rate=Quantity(rate, "rad/s"),
+                limit=Quantity(FASTEST_WHEEL, "rad/s"),
             )
+            findings.append(error("units/speed", name, evidence, STATE_SCALE))
     return findings
 
 
@@ -71,6 +81,10 @@ def _doubled(record: Record) -> list[Finding]:
     sizes = np.diff(first)
     if len(sizes) < FEWEST / 2 or (times := int(np.median(sizes))) < 2 or (sizes == times).mean() < _REGULAR:
         return []
-    evidence = f"each row stands {times} times: {len(first)} of {len(record.t)} differ from the row before"
-    repair = f"keep one of {times}; where the mapping states a period, it is that of one of them"
-    return [warning("samples/doubled", "t", evidence, repair)]
+    evidence = Say(
+        "Each row stands {times} times: only {n} of {rows} differ from the row before.",
+        times=times,
+        n=len(first),
+        rows=len(record.t),
+    )
+    return [warning("samples/doubled", "t", evidence, Say("Keep one row of {times}.", times=times))]

@@ -10,14 +10,15 @@ from upright.checkup.delays import command_delay
 from upright.checkup.finding import Finding, Record, note, warning
 from upright.checkup.physics import Resampled, backward_rate, motion, responses
 from upright.logs.outliers import grain_of
+from upright.pages import Quantity, Say
 
 _SURE = 3.0  # standard deviations by which the response must be too small
 _GRAINS = 3.0  # [quantisation steps of the command] a smaller unpredictable part is rounding in the driver
 _LAW = 0.98  # R² of the motor equation above which its lag is accurate to a few hundredths of a row
 _SHARP = 2.0  # smallest sharpness of the lag: a slow motion fits any lag
-SHOWN = 3  # lines without a row that are quoted
 _WHOLE = 0.6  # [rows] of lead from which a whole row is likelier than a part of one
 _EARLY = 0.05  # [rows] tolerated lead of the wheels over a held command
+AT_ITS_RATE = Say("Log at the controller's rate: one-step regression on this log is biased.")
 
 
 def faster_controller(record: Record) -> list[Finding]:
@@ -33,17 +34,16 @@ def stated(decimation: tuple[int, str], findings: Sequence[Finding]) -> list[Fin
     one_in, words = decimation
     if one_in == 1 or any(finding.code == "samples/controller" for finding in findings):
         return []
-    evidence = f"the file says {words}: one row in {one_in} was logged, and the commands changed between them"
-    repair = "log at the controller's rate; one-step regression on this log is biased"
-    return [warning("samples/controller", "command", evidence, repair)]
+    evidence = Say("One row in {n} was logged, as the file says: {words}.", n=one_in, words=words)
+    return [warning("samples/controller", "command", evidence, AT_ITS_RATE)]
 
 
 def skipped(lines: Sequence[str]) -> list[Finding]:
     """Lines of a file that are no rows."""
     if not lines:
         return []
-    evidence = f"{len(lines)} line{'s' if len(lines) > 1 else ''} among the rows hold no row and are left out: "
-    return [note("rows/skipped", "t", evidence + "; ".join(lines[:SHOWN]) + ("; …" if len(lines) > SHOWN else ""))]
+    evidence = Say("Lines that hold no row, and are left out: {n}, as “{line}”.", n=len(lines), line=lines[0])
+    return [note("rows/skipped", "t", evidence, None)]
 
 
 def _too_early(m: Resampled) -> list[Finding]:
@@ -53,13 +53,13 @@ def _too_early(m: Resampled) -> list[Finding]:
     fit = m.drive
     if fit.r2 < _LAW or fit.sharp < _SHARP or fit.lag > -_EARLY * m.period:
         return []
-    evidence = f"if commands were held for {m.period * 1e3:.3g} ms, the wheels would lead by {-fit.lag * 1e3:.1f} ms "
-    evidence += f"(motor equation, R² {fit.r2:.3f}): "
-    after = -fit.lag > _WHOLE * m.period
-    evidence += "each was logged a row after it acted" if after else "the commands changed between the rows"
-    repair = "log the command that acts from the row on" if after else "log at the controller's rate"
-    repair += "; one-step regression on this log is biased"
-    return [warning("samples/controller", "command", evidence, repair)]
+    early = {"lead": Quantity(-fit.lag, "s"), "period": Quantity(m.period, "s")}
+    if -fit.lag > _WHOLE * m.period:
+        evidence = Say("The wheels lead the commands by {lead} of {period}: each was logged a row late.", **early)
+        repair = Say("Log the command that acts from the row on.")
+        return [warning("samples/controller", "command", evidence, repair, measured={"r2": fit.r2})]
+    evidence = Say("The wheels lead the commands by {lead} of {period}: these change between the rows.", **early)
+    return [warning("samples/controller", "command", evidence, AT_ITS_RATE, measured={"r2": fit.r2})]
 
 
 def _swallowed(m: Resampled) -> list[Finding]:
@@ -75,13 +75,12 @@ def _swallowed(m: Resampled) -> list[Finding]:
     fraction, spread = measured
     if fraction + _SURE * spread > 1:
         return []
-    evidence = f"the unpredictable part of the command moves the wheels {max(fraction, 0):.0%} (± {2 * spread:.0%}) of "
-    evidence += (
-        f"the distance expected if held for {m.period * 1e3:.3g} ms: the commands changed between the rows, act "
+    evidence = Say(
+        "A sudden command moves the wheels {part} ± {error} of what it should: faster changes, or friction.",
+        part=Quantity(max(fraction, 0), "fraction", digits=2),
+        error=Quantity(2 * spread, "fraction", digits=2),
     )
-    evidence += "later than they were logged, or friction absorbs the small ones"
-    repair = "if the controller is faster, log at its rate; one-step regression on this log is biased"
-    return [note("samples/controller", "command", evidence, repair)]
+    return [note("samples/controller", "command", evidence, Say("If the controller is faster, log at its rate."))]
 
 
 def held(m: Resampled) -> tuple[float, float] | None:
@@ -101,7 +100,7 @@ def held(m: Resampled) -> tuple[float, float] | None:
     inertia = fit.values[0] - (fit.values[3] / q if q > 0 and len(fit.values) > 3 else 0.0)
     keep = np.exp(-m.period * fit.values[1] / max(inertia, 0.1 * fit.values[0], 0.05 * m.period * fit.values[1]))
     dead = command_delay(m, lag)
-    first = 1 + int((dead[0] if dead else 0.0) / m.period)
+    first = 1 + int((dead or 0.0) / m.period)
     rows = slice(first, first + 3)
     gain, t = response.gain[rows], response.t_value[rows]
     if len(gain) < 3 or not t.all():

@@ -6,9 +6,10 @@ import math
 
 from upright.checkup.delays import CLEAR, SHARP
 from upright.checkup.duty import back_emf
-from upright.checkup.finding import GYRO, LEFT, Finding, Record, note, warning
+from upright.checkup.finding import GYRO, LEFT, Finding, Record, note, plain, warning
 from upright.checkup.physics import motion
-from upright.checkup.units import STATE, expected
+from upright.checkup.units import expected
+from upright.pages import Say
 from upright.robots import Robot
 
 _HALF = 0.5  # of the logarithm of q, from which a factor of 2 is likelier than none: files and logs are within 0.25
@@ -26,18 +27,30 @@ def against_robot(record: Record, robot: Robot | None = None) -> list[Finding]:
     values = expected(robot)
     sure = fit.r2 > CLEAR and fit.sharp > SHARP and not fit.pushed and m.good.sum() * m.period > _CLEAR
     off = math.log(fit.values[0]) - values["q"][0] if sure and min(fit.values) > 0 else 0.0
-    shown = f"the wheels turn back {math.exp(off):.2g} times as fast against the body as by the file of '{robot.name}'"
+    facts = {"ratio": plain(math.exp(off), 2), "robot": robot.name}
     if abs(off) < _HALF:
-        agree = f"{shown}: a scale of both gyro and encoders, or of the clock, is not told"
-        unclear = "a scale of gyro or encoders by 2 or ½ is not told: no pendulum equation holds clearly"
-        repair = "log for longer, with a dither and no pushes, beside a watch"
-        return [note("motion/untold", m.gyro_name, agree if off else unclear, repair)]
+        evidence = Say("No pendulum equation holds clearly, so a scale of 2 or ½ would not show.")
+        if off:
+            evidence = Say(
+                "Gyro and wheels agree with the file of {robot} (ratio {ratio}); one scale of both would not show.",
+                **facts,
+            )
+        repair = Say("Log for longer, with a dither and no pushes, beside a watch.")
+        return [note("motion/untold", m.gyro_name, evidence, repair)]
     emf = back_emf(record, m, robot) if robot.drive == "voltage" else 0.0
     by = math.log(emf) - values["back_emf"][0] if emf else math.inf
-    causes = {
-        GYRO: (by, f"the gyro shows about {math.exp(-off):.2g} times the motion (another range of the chip)"),
-        LEFT: (by + off, f"the encoders count about {math.exp(off):.2g} times the turns (×1, ×2 or ×4)"),
-    }
-    likely = [name for name, (left, _) in causes.items() if abs(left) < _EMF] or [*causes]
-    evidence = f"{shown}: {' or '.join(causes[name][1] for name in likely)}, or the file is of another robot"
-    return [warning("units/scale", likely[0], evidence, f"{STATE}, or mend the robot's file")]
+    apart = {GYRO: by, LEFT: by + off}
+    likely = [name for name, left in apart.items() if abs(left) < _EMF] or [*apart]
+    evidence = Say(
+        "The wheels turn {ratio} times as fast as by the file of {robot}: the gyro's range, or how encoders count.",
+        **facts,
+    )
+    if likely == [GYRO]:
+        shown = plain(math.exp(-off), 2)
+        evidence = Say(
+            "It shows {ratio} times the motion, by the file of {robot}: another range?", **facts | {"ratio": shown}
+        )
+    if likely == [LEFT]:
+        evidence = Say("The encoders count {ratio} times the turns, by the file of {robot}: ×1, ×2 or ×4?", **facts)
+    repair = Say("State the true unit and scale in a mapping, or mend the robot's file.")
+    return [warning("units/scale", likely[0], evidence, repair)]

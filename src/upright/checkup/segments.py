@@ -14,6 +14,7 @@ from upright.checkup.finding import (
     GYRO,
     HELD,
     LEANING,
+    LEAVE_OUT,
     LEFT,
     LYING,
     MOVED,
@@ -28,8 +29,7 @@ from upright.checkup.finding import (
     Fix,
     Record,
     Segment,
-    during,
-    moment,
+    instant,
     note,
     warning,
 )
@@ -37,6 +37,7 @@ from upright.checkup.fixes import beside
 from upright.checkup.physics import FAR, LEAST_ROWS, LOUD, Resampled, motion, resampled, smooth, widths
 from upright.checkup.poses import at_rest, bodily, lean_of, other_zero
 from upright.logs.outliers import runs
+from upright.pages import Quantity, Say
 
 _MOST = 10  # reported events of one kind
 _BEFORE = 0.1  # [s] before a fall begins, up to which the rows are used
@@ -60,12 +61,12 @@ def zero(record: Record) -> list[Finding]:
     if not about or abs(about) > math.tau:
         return []
     quarter = math.pi / 2 * round(about / (math.pi / 2))
-    evidence = f"the robot swings about {about:.3g} rad of it, and nothing balances so: it counts from another zero"
+    evidence = Say("The robot swings about {angle} of it, not about 0°.", angle=Quantity(about, "rad"))
     if abs(about - quarter) > _OFF:
-        repair = "state its unit, and what it reads upright, in a mapping: --write-mapping MINE.toml"
-        return [warning("estimate/zero", PITCH, f"{evidence}, or in degrees", repair)]
-    fix = Fix("offset", (PITCH,), (-quarter,))
-    return [Finding("estimate/zero", "warning", PITCH, evidence, f"subtract {quarter:.4g} rad", (fix,))]
+        repair = Say("State its unit, and what it reads upright, in a mapping: `--write-mapping MINE.toml`.")
+        return [warning("estimate/zero", PITCH, evidence, repair)]
+    repair = Say("Subtract {angle}.", angle=Quantity(quarter, "rad"))
+    return [warning("estimate/zero", PITCH, evidence, repair, Fix("offset", (PITCH,), (-quarter,)))]
 
 
 def _fell(record: Record, segment: Segment) -> Finding:
@@ -75,39 +76,38 @@ def _fell(record: Record, segment: Segment) -> Finding:
     rate = smooth(m.gyro, m.period, widths(m.period)[0])[(m.t >= segment.start) & (m.t < segment.stop)]
     turn = abs(float(rate.sum())) * m.period
     fastest = float(np.abs(rate).max())
-    how = "until the log ends" if segment is record.segments[-1] else "until the robot lies"
-    evidence = (
-        f"from t = {moment(segment.start)} s the pitch turns by {turn:.2g} rad at up to {fastest:.2g} rad/s, {how}"
+    evidence = Say(
+        "From {start} on the pitch turns by {turn}, at up to {rate}.",
+        start=instant(segment.start),
+        turn=Quantity(turn, "rad"),
+        rate=Quantity(fastest, "rad/s"),
     )
-    before = segment.start - _BEFORE - record.t[0]
-    usable = before >= _LEAST * m.period
-    repair = f"use t < {moment(segment.start - _BEFORE)} s" if usable else "record the robot while it stands, too"
+    repair = Say("Log the robot while it stands, too.")
+    if segment.start - _BEFORE - record.t[0] >= _LEAST * m.period:
+        repair = Say("Use the rows before {time}.", time=instant(segment.start - _BEFORE))
     return warning("segment/fall", m.gyro_name, evidence, repair, span=(segment.start, segment.stop))
 
 
-_ASIDE = {
-    LYING: "the robot lies", FALLEN: "the robot lies after its fall", OVER: "the robot is upside down",
-    OFF: "both motors are off, and nothing balances", RISING: "the robot stands up",
-    MOVED: "the robot is thrown, lifted or carried",
-    HELD: "the gyro reads a body at rest while the wheels spin up: it is held, its wheels are off the floor, or this "
-    "is no pitch rate",
-}  # fmt: skip
+_ASIDE = (LYING, FALLEN, OVER, OFF, RISING, MOVED, HELD)
 
 
 def aside(record: Record) -> list[Finding]:
     """Parts in which the robot neither balances nor stands: no other check reads them."""
     findings: list[Finding] = []
     for segment in [segment for segment in record.segments if segment.kind in _ASIDE][:_MOST]:
-        leaning = f" at {segment.lean:+.2f} rad" if segment.kind in LEANING else ""
-        evidence = (
-            f"{during(segment.start, segment.stop)} {_ASIDE[segment.kind]}{leaning}"
-            ": signs, units, delays and offsets are not judged there"
-        )
-        code = f"segment/{segment.kind.replace(' ', '-')}"
         span = segment.start, segment.stop
-        findings.append(
-            note(code, GYRO if GYRO in record else PITCH, evidence, "leave it out when a model is fitted", span=span)
-        )
+        when = {"start": instant(segment.start), "stop": instant(segment.stop)}
+        evidence = Say("From {start} to {stop}: no other check reads this part.", **when)
+        if segment.kind in LEANING:
+            lean = Quantity(segment.lean, "rad")
+            evidence = Say("From {start} to {stop} at {lean}: no other check reads this part.", **when, lean=lean)
+        if segment.kind == HELD:
+            evidence = Say(
+                "From {start} to {stop} the gyro rests while the wheels spin: held, or its wheels are off the floor.",
+                **when,
+            )
+        code = f"segment/{segment.kind.replace(' ', '-')}"
+        findings.append(note(code, GYRO if GYRO in record else PITCH, evidence, LEAVE_OUT, span=span))
     return findings + _kept(record)
 
 
@@ -117,15 +117,15 @@ def _kept(record: Record) -> list[Finding]:
         return []
     spans = on_wheels(record)
     if not spans:
-        evidence = "the robot balances nowhere in this log: no sign, unit, delay or offset can be judged"
-        return [warning("segment/none", "t", evidence, "log a robot that balances")]
+        evidence = Say("The robot balances nowhere: no sign, unit, delay or offset can be judged.")
+        return [warning("segment/none", "t", evidence, Say("Log a robot that balances."))]
     start, stop = max(spans, key=lambda span: span[1] - span[0])
     stop -= _BEFORE if any(s.kind == FALLING and s.start == stop for s in record.segments) else 0.0
     if stop - start < _LEAST * record.period:
         return []
     cut = Fix("cut", numbers=(start, stop))
-    evidence = f"the longest time on the wheels is from {moment(start)} to {moment(stop)} s"
-    return [Finding("segment/cut", "note", "t", evidence, f"use {moment(start)} ≤ t < {moment(stop)} s", (cut,))]
+    evidence = Say("On its wheels longest from {start} to {stop}.", start=instant(start), stop=instant(stop))
+    return [Finding("segment/cut", "note", "t", evidence, Say("Use these rows only."), (cut,))]
 
 
 def short(record: Record) -> list[Finding]:
@@ -134,8 +134,8 @@ def short(record: Record) -> list[Finding]:
     rows = int((m.good & record.on_wheels(m.t)).sum()) if m is not None else 0
     if not 0 < rows < LEAST_ROWS:
         return []
-    evidence = f"{rows} rows on the wheels, not {LEAST_ROWS}: units, signs and delays are not judged"
-    return [note("segment/short", "t", evidence, "log for longer")]
+    evidence = Say("Rows on the wheels: {n}; units, signs and delays need {least}.", n=rows, least=LEAST_ROWS)
+    return [note("segment/short", "t", evidence, Say("Log for longer."))]
 
 
 def on_wheels(record: Record) -> list[tuple[float, float]]:
@@ -161,11 +161,18 @@ def still(record: Record) -> list[Finding]:
     for part in standing[:_MOST]:
         there = (m.t >= part.start) & (m.t < part.stop)
         driven = float(mean[there].mean())
-        evidence = f"wheels at rest {during(part.start, part.stop)}: gyro noise {m.gyro[there].std():.2g} rad/s, "
-        evidence += f"mean command {driven:.2g} {unit}".rstrip() if driven > _IDLE * mean.max() else "no command"
-        evidence += "; held by hand, or stuck by friction"
-        repair = "leave these rows out when a model is fitted"
-        findings.append(note("segment/still", m.gyro_name, evidence, repair, span=(part.start, part.stop)))
+        span = part.start, part.stop
+        when = {"start": instant(part.start), "stop": instant(part.stop)}
+        evidence = Say("From {start} to {stop} neither wheels nor body move, and no command drives them.", **when)
+        if driven > _IDLE * mean.max():
+            command = Quantity(driven, unit)
+            evidence = Say(
+                "From {start} to {stop} the wheels rest under {command}: held, or stuck by friction.",
+                **when,
+                command=command,
+            )
+        noise = float(m.gyro[there].std())
+        findings.append(note("segment/still", m.gyro_name, evidence, LEAVE_OUT, span=span, measured={"noise": noise}))
     return findings
 
 
@@ -205,17 +212,18 @@ def _events(m: Resampled, miss: Array, loud: Mask, scatter: float) -> list[Findi
         both = min(float(part.max()), float(-part.min())) / largest
         balance = abs(float(part.sum())) / float(np.abs(part).sum())
         span = float(m.t[a + join]), float(m.t[b - 1 - join])
-        evidence = (
-            f"{during(*span)}: up to {largest:.3g} rad/s² off the pendulum "
-            f"equation ({largest / scatter:.0f} standard deviations), in "
-        )
+        facts = {"start": instant(span[0]), "times": round(largest / scatter), "limit": round(FAR)}
         if both > 0.35 and balance < 0.35:
-            evidence = f"wheel slip {evidence}both directions"
-            findings.append(
-                warning("segment/slip", LEFT, evidence, "leave these rows out when a model is fitted", span=span)
+            evidence = Say(
+                "At {start} the wheels leave the pendulum equation both ways, by {times} deviations (limit {limit}).",
+                **facts,
             )
+            findings.append(warning("segment/slip", LEFT, evidence, LEAVE_OUT, span=span, measured={"size": largest}))
         else:
-            evidence = f"a push {evidence}one direction"
-            repair = "exclude these rows from a fit, or log the push"
-            findings.append(note("segment/push", LEFT, evidence, repair, span=span))
+            evidence = Say(
+                "At {start} the wheels leave the pendulum equation one way, by {times} deviations (limit {limit}).",
+                **facts,
+            )
+            repair = Say("Leave these rows out of a fit, or log the push.")
+            findings.append(note("segment/push", LEFT, evidence, repair, span=span, measured={"size": largest}))
     return findings

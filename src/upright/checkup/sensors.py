@@ -12,6 +12,8 @@ from upright.checkup.finding import (
     BATTERY,
     FORWARD,
     GYRO,
+    INTERPOLATE,
+    LEAVE_OUT,
     LEFT,
     PITCH,
     RIGHT,
@@ -20,15 +22,16 @@ from upright.checkup.finding import (
     Finding,
     Fix,
     Record,
-    during,
     error,
-    moment,
+    instant,
     note,
+    plain,
     warning,
 )
 from upright.checkup.fixes import COARSE, levels, stale, switched
 from upright.checkup.physics import motion, smooth, widths
 from upright.logs.outliers import LEVELS, at_range, grain_of, runs, single
+from upright.pages import Quantity, Say
 
 COARSE_ENCODER = 0.06  # [rad] a hundred steps a turn, coarser than any motor that balances
 
@@ -47,18 +50,21 @@ def dead(record: Record) -> list[Finding]:
         values = record[name]
         fine = np.isfinite(record[name])
         if not fine.any():
-            findings.append(error("channel/empty", name, "all readings are missing", "drop the channel"))
+            findings.append(error("channel/empty", name, Say("All readings are missing."), Say("Drop the channel.")))
         elif not fine.all():
-            evidence = (
-                f"{int((~fine).sum())} of {len(fine)} readings are missing, the first at row {int(np.argmin(fine))}"
+            evidence = Say(
+                "{n} of {rows} readings are missing, the first in row {row}.",
+                n=int((~fine).sum()),
+                rows=len(fine),
+                row=int(np.argmin(fine)),
             )
-            fix = Fix("fill", (name,))
-            findings.append(warning("channel/holes", name, evidence, "interpolate them linearly", fix))
+            findings.append(warning("channel/holes", name, evidence, INTERPOLATE, Fix("fill", (name,))))
         elif np.ptp(values) == 0 and name in moving:
-            evidence = f"it is {values[0]:.4g} in all {len(fine)} rows"
-            silent = name in commands and values[0] == 0
-            repair = "run it with a controller, or check" if silent else "check the cable and"
-            findings.append(error("channel/constant", name, evidence, f"{repair} the mapped column"))
+            evidence = Say("It is {value} in all {n} rows.", value=plain(float(values[0]), 4), n=len(fine))
+            repair = Say("Check the cable and the mapped column.")
+            if name in commands and values[0] == 0:
+                repair = Say("Run it with a controller, or check the mapped column.")
+            findings.append(error("channel/constant", name, evidence, repair))
     return findings
 
 
@@ -74,8 +80,9 @@ def unsigned(record: Record) -> list[Finding]:
     for name, values in zip(record.commands, m.commands, strict=True):
         on = values[m.good]
         if on.min() >= 0 and (on > 0).mean() > _DRIVEN:
-            evidence = f"never negative, {on.max():.4g} at most: nothing balances so, and its direction is missing"
-            findings.append(error("command/unsigned", name, evidence, "name its column in a mapping: direction = …"))
+            evidence = Say("It is never negative, {most} at most: nothing balances so.", most=plain(float(on.max())))
+            repair = Say("Name the column of its direction in a mapping: direction = …")
+            findings.append(error("command/unsigned", name, evidence, repair))
     return findings
 
 
@@ -100,11 +107,13 @@ def joined(record: Record) -> list[Finding]:
         return []
     edges = [0, *rows.tolist(), len(record.t)]
     first, last = max(pairwise(edges), key=lambda part: part[1] - part[0])
-    when = moment(float(record.t[rows[0]]))
-    evidence = f"both jump at {when} s, the left one by {steps[rows[0] - 1, 0]:.3g} rad: counters that were set to "
-    evidence += "zero, or two recordings"
-    fix = Fix("rows", numbers=(float(first), float(last)))
-    return [error("encoder/jump", LEFT, evidence, f"keep rows {first} to {last - 1}, the longest part", fix)]
+    evidence = Say(
+        "Both jump at {time}, the left one by {angle}: set to zero, or two recordings.",
+        time=instant(float(record.t[rows[0]])),
+        angle=Quantity(float(steps[rows[0] - 1, 0]), "rad"),
+    )
+    repair = Say("Keep the longest part, rows {first} to {last}.", first=first, last=last - 1)
+    return [error("encoder/jump", LEFT, evidence, repair, Fix("rows", numbers=(float(first), float(last))))]
 
 
 _ALIKE, _UNEQUAL = 0.98, 1.25  # correlation of both wheels' rates, and by how much more one may turn
@@ -121,8 +130,8 @@ def unequal(record: Record) -> list[Finding]:
     ratio = float(right.std() / left.std())
     if 1 / _UNEQUAL < ratio < _UNEQUAL:
         return []
-    evidence = f"the right one turns {ratio:.3g} times as much as the left one, at all times"
-    return [warning("encoder/unequal", RIGHT, evidence, "the same unit, counts and wheels on both sides?")]
+    evidence = Say("The right wheel turns {ratio} times as much as the left one, at all times.", ratio=plain(ratio))
+    return [warning("encoder/unequal", RIGHT, evidence, Say("Compare unit, counts and wheels of both sides."))]
 
 
 def repeated(record: Record) -> list[Finding]:
@@ -137,12 +146,14 @@ def repeated(record: Record) -> list[Finding]:
         if equal < 3 + 2.5 * chance + 4 * np.sqrt(chance) or equal < REPEATED * moving:
             continue
         first = float(record.t[int(np.argmax(stale(record[name])))])
-        evidence = (
-            f"{equal} of {moving} readings repeat the previous one while the channel moves ({equal / moving:.1%}; "
+        evidence = Say(
+            "While it moves, {n} of {rows} readings repeat the one before; by chance {chance} would.",
+            n=equal,
+            rows=moving,
+            chance=round(chance),
         )
-        evidence += f"{chance:.0f} expected by chance), the first near {first:.4g} s"
         fix = Fix("bridge", (name,))
-        findings.append(warning("samples/repeated", name, evidence, "interpolate them linearly", fix))
+        findings.append(warning("samples/repeated", name, evidence, INTERPOLATE, fix, measured={"first": first}))
     return findings
 
 
@@ -153,13 +164,14 @@ def outliers(record: Record) -> list[Finding]:
         alone = single(record.t, record[name])
         if alone.any():
             row = int(np.argmax(alone))
-            unit = record.units.get(name, "").replace("1", "")
-            evidence = (
-                f"{int(alone.sum())} of {len(alone)} readings stand alone, far from those before and after; the first, "
-                f"{record[name][row]:.4g} {unit}".rstrip()
-                + f", at {moment(float(record.t[row]))} s"
+            evidence = Say(
+                "{n} of {rows} readings stand far from those before and after; the first, {value}, at {time}.",
+                n=int(alone.sum()),
+                rows=len(alone),
+                time=instant(float(record.t[row])),
+                value=Quantity(float(record[name][row]), record.units.get(name, "")),
             )
-            repair = "interpolate them linearly; check the cable"
+            repair = Say("Interpolate them, and check the cable.")
             findings.append(warning("channel/outliers", name, evidence, repair, Fix("single", (name,))))
     return findings
 
@@ -202,11 +214,14 @@ def stuck(record: Record) -> list[Finding]:
         if not there or at_limit or moves(name, ~inside) < _ACTIVE:
             continue
         if all(moves(other, inside) > max(_ACTIVE, _AS_BEFORE * moves(other, ~inside)) for other in others):
-            span = f"from {record.t[first]:.2f} to {record.t[last]:.2f} s"
-            evidence = f"it reads {x[first]:.4g} {span}, while the other sensors move on"
-            findings.append(
-                error("channel/stuck", name, evidence, "check the sensor and its cable; leave these rows out")
+            evidence = Say(
+                "It reads {value} from {start} to {stop}, while the other sensors move on.",
+                value=plain(float(x[first])),
+                start=instant(float(record.t[first])),
+                stop=instant(float(record.t[last])),
             )
+            repair = Say("Check the sensor and its cable, and leave these rows out.")
+            findings.append(error("channel/stuck", name, evidence, repair))
     return findings
 
 
@@ -229,13 +244,15 @@ def saturation(record: Record) -> list[Finding]:
     for names in groups:
         fraction, most = at_limit(record, names)
         if fraction > 0 and (names[0] == GYRO or not all(switched(record[name]) for name in names)):
-            limit = "gyro's range" if names[0] == GYRO else "largest command"
-            unit = record.units.get(names[0], "").replace("1", "without a unit")
-            top = f"{float(np.abs(record[names[0]]).max()):.4g} {unit}".rstrip()
+            top = float(np.abs(record[names[0]]).max())
             a, b = record.t[limited(record, names).any(axis=0)][[0, -1]].tolist()
-            evidence = f"{fraction:.1%} of the rows are at the {limit}, {top}, up to {most} consecutive, {during(a, b)}"
-            repair = "leave these rows out when a linear model is fitted, or use one that knows the limit"
-            repair = "upright calibrate leaves these readings out" if names[0] == GYRO else repair
+            evidence = Say(
+                "{part} of the rows stand at the largest value, {top}; up to {most} in succession.",
+                most=most,
+                part=Quantity(fraction, "fraction"),
+                top=Quantity(top, record.units.get(names[0], "")),
+            )
+            repair = Say("`upright calibrate` leaves these readings out.") if names[0] == GYRO else LEAVE_OUT
             findings.append(warning("saturation", names[0], evidence, repair, span=(a, b)))
     return findings
 
@@ -270,16 +287,29 @@ def grain(record: Record) -> list[Finding]:
         step = grain_of(record[name])
         if m is None or step <= 0 or name in record.summed:
             continue
-        alike = ", both encoders" if abs(grain_of(record[RIGHT]) - grain_of(record[LEFT])) < 0.01 * step else ""
         rate = float(smooth(values, m.period, widths(m.period)[0], 1).std())
-        noise = step / np.sqrt(6) / m.period
-        evidence = f"{2 * np.pi / step:.0f} counts per turn{alike}: noise of a rate from two rows {noise:.2g} rad/s, "
-        evidence += f"its motion {rate:.2g} rad/s"
+        noise = float(step / np.sqrt(6) / m.period)
         if step > COARSE_ENCODER:
-            findings.append(warning("encoder/grain", name, evidence, "fit the angles, not their differences"))
+            evidence = Say(
+                "One count is {step}; an encoder that balances a robot resolves {limit}.",
+                step=Quantity(step, "rad"),
+                limit=Quantity(COARSE_ENCODER, "rad"),
+            )
+            repair = Say("Fit the angles, not their differences.")
+            findings.append(warning("encoder/grain", name, evidence, repair, measured={"noise": noise, "rate": rate}))
         elif noise > 0.3 * rate and name == LEFT:
-            findings.append(note("encoder/grain", name, evidence, "take rates over several rows"))
+            evidence = Say(
+                "Its counts make a rate from two rows uncertain by {noise}; the wheel moves at {rate}.",
+                noise=Quantity(noise, "rad/s"),
+                rate=Quantity(rate, "rad/s"),
+            )
+            findings.append(
+                note("encoder/grain", name, evidence, Say("Take rates over several rows."), measured={"step": step})
+            )
     return findings
+
+
+_SHAKEN = 0.02  # [rad] least error of an estimate that is shaken
 
 
 def contaminated(record: Record) -> list[Finding]:
@@ -313,12 +343,15 @@ def contaminated(record: Record) -> list[Finding]:
     fraction = gain**2 * power / float(own @ own) if own.any() else 0.0
     error = np.cumsum(gain * (source[rows] - source[rows].mean())) * m.period
     largest = float(np.abs(error - smooth(error, m.period, 0.5)).max())
-    if fraction < 0.2 or gain <= 0 or largest < 0.02:
+    if fraction < 0.2 or gain <= 0 or largest < _SHAKEN:
         return []
-    which = "the acceleration of the wheels" if pull is None else "the accelerometer's pitch"
-    evidence = f"its difference from the gyro follows {which} (partial R² {fraction:.2f}); "
-    evidence += f"its error while accelerating reaches {largest:.2g} rad"
-    return [warning("estimate/accelerometer", PITCH, evidence, "fit gyro and encoders, not this estimate")]
+    evidence = Say(
+        "While the robot accelerates it is wrong by up to {error}; a sound one by less than {limit}.",
+        error=Quantity(largest, "rad"),
+        limit=Quantity(_SHAKEN, "rad"),
+    )
+    repair = Say("Fit gyro and encoders, not this estimate.")
+    return [warning("estimate/accelerometer", PITCH, evidence, repair, measured={"r2": fraction})]
 
 
 def _suspect(record: Record, t: Array) -> Array:

@@ -6,11 +6,12 @@ import math
 
 import numpy as np
 
-from upright.checkup.finding import LEFT, PITCH, RIGHT, Array, Finding, error, note
+from upright.checkup.finding import LEFT, PITCH, RIGHT, STATE, Array, Finding, error, note, plain
 from upright.logs.draft import is_clock, rate_of
 from upright.logs.mapping import Mapping, Source, channels_of, named_unit
 from upright.logs.readers import RawTable
 from upright.logs.units import UNITS
+from upright.pages import Say
 
 _FOLLOWS = 0.98  # [1] correlation of an angle with the sum of a speed, each without its line, if the wheel is the same
 _APART = 1.3  # ratio of two units of one reading, below which filters and periods explain it; units differ by 6 or more
@@ -35,7 +36,7 @@ def against_angles(mapping: Mapping, table: RawTable) -> list[Finding]:
         taken.add(source.column)
         other = _other(source, mapping, table, t)
         if other:
-            findings += _compared(channel, source, *other, table, assumed=not mapping.time.column)
+            findings += _compared(channel, source, *other, table)
     return findings
 
 
@@ -75,14 +76,11 @@ def _slope(speed: Array, angle: Array, t: Array) -> tuple[float, float]:
     return best
 
 
-def _compared(
-    channel: str, source: Source, other: str, slope: float, table: RawTable, *, assumed: bool
-) -> list[Finding]:
+def _compared(channel: str, source: Source, other: str, slope: float, table: RawTable) -> list[Finding]:
     """What the units of both columns make of each other."""
     names = (source.column, other) if source.integrate else (other, source.column)
     known = UNITS[source.unit][0] * source.scale
     unit = named_unit(other, table)
-    when = ", if a row takes as long as stated" if assumed else ""
     if source.integrate:
         of_turn = slope / known * math.tau  # how much of the other a turn is
         ratio = slope * UNITS[unit][0] / known if UNITS[unit][1] == "rad" else 0.0
@@ -90,20 +88,29 @@ def _compared(
         of_turn = 0.0
         ratio = slope * known / UNITS[unit][0] if UNITS[unit][1] == "rad/s" else 0.0
     if ratio and not 1 / _APART < ratio < _APART:
-        evidence = (
-            f"'{names[1]}' turns {ratio:.3g} times as far as '{names[0]}' says, in the units of their names{when}"
-        )
-        guess = _named(ratio, source.unit if source.integrate else unit)
-        repair = "state the true unit of each in a mapping: --write-mapping MINE.toml"
-        return [error("units/contradicted", channel, f"{evidence}: one unit is wrong{guess}", repair)]
+        facts = {"angle": names[1], "speed": names[0], "ratio": plain(ratio)}
+        evidence = Say("By its name's unit '{angle}' turns {ratio} times as far as '{speed}' says.", **facts)
+        near = _named(ratio, source.unit if source.integrate else unit)
+        if near:
+            evidence = Say(
+                "By its name's unit '{angle}' turns {ratio} times as far as '{speed}'; in {unit} they would agree.",
+                **facts,
+                unit=near[0],
+            )
+        return [error("units/contradicted", channel, evidence, STATE)]
     if ratio or not of_turn:
         return []
-    evidence = f"with '{source.column}' in {source.unit}, a turn of the wheel is {of_turn:.4g} of '{other}'{when}"
-    repair = "compare that with what the encoder counts in a turn; if it differs, state another unit"
+    evidence = Say(
+        "With '{column}' in {unit}, a turn of the wheel is {turn} of '{other}'.",
+        column=source.column,
+        unit=source.unit,
+        turn=plain(of_turn, 4),
+        other=other,
+    )
+    repair = Say("Compare that with the counts of a turn; if it differs, state another unit.")
     return [note("units/turn", channel, evidence, repair)]
 
 
-def _named(ratio: float, unit: str) -> str:
-    """The unit in which a speed agrees, where one is near."""
-    near = [u for u, (f, si) in UNITS.items() if si == "rad/s" and 1 / 1.1 < UNITS[unit][0] * ratio / f < 1.1]
-    return f" ('{near[0]}' would agree)" if near else ""
+def _named(ratio: float, unit: str) -> list[str]:
+    """The units in which a speed would agree."""
+    return [u for u, (f, si) in UNITS.items() if si == "rad/s" and 1 / 1.1 < UNITS[unit][0] * ratio / f < 1.1]

@@ -10,6 +10,7 @@ from upright.checkup.finding import GAP, GYRO, LEFT, PITCH, Array, Finding, Fix,
 from upright.checkup.physics import REACH, motion, smooth, trimmed, widths
 from upright.checkup.poses import LARGEST_OFFSET, bodily, lean_of
 from upright.checkup.segments import on_wheels
+from upright.pages import Quantity, Say
 
 QUIET = 0.012
 """Amplitude of the pitch [rad] below which inertias are hardly identifiable: gravity then gives less torque than
@@ -31,9 +32,14 @@ def bias(record: Record) -> list[Finding]:
     if drifted is None or abs(drifted[0]) <= drifted[1]:
         return []
     mean, limit, span = drifted
-    evidence = f"mean {mean:+.3g} rad/s over {span:.3g} s: a drift of {mean * span:+.3g} rad; plausible: at most "
-    evidence += f"{limit:.2g} rad/s"
-    return [warning("gyro/bias", GYRO, evidence, f"subtract {mean:.4g} rad/s", Fix("offset", (GYRO,), (-mean,)))]
+    evidence = Say(
+        "Its mean is {mean} over {seconds}; a motion explains at most {limit}.",
+        mean=Quantity(mean, "rad/s"),
+        seconds=Quantity(span, "s"),
+        limit=Quantity(limit, "rad/s"),
+    )
+    repair = Say("Subtract {mean}.", mean=Quantity(mean, "rad/s"))
+    return [warning("gyro/bias", GYRO, evidence, repair, Fix("offset", (GYRO,), (-mean,)))]
 
 
 def drift(record: Record) -> tuple[float, float, float] | None:
@@ -120,10 +126,13 @@ def quiet(record: Record) -> list[Finding]:
     swing = amplitude(record)
     if not 0 < swing < QUIET:
         return []
-    evidence = f"the pitch amplitude is only {swing:.2g} rad: resolution and friction are as large as the dynamics"
-    evidence += ", and the log is too short to judge signs and units" if rests(record) else ""
+    evidence = Say(
+        "The pitch swings by only {swing}; friction and resolution hide an inertia below {limit}.",
+        swing=Quantity(swing, "rad"),
+        limit=Quantity(QUIET, "rad"),
+    )
     name = GYRO if GYRO in record else PITCH
-    return [note("motion/quiet", name, evidence, "add a signal that makes it swing (upright excite), for a model")]
+    return [note("motion/quiet", name, evidence, Say("Add a signal that makes it swing: `upright excite`."))]
 
 
 def rests(record: Record) -> bool:

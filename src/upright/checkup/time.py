@@ -8,10 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.checkup.finding import FEWEST, GAP, Array, Finding, Fix, Record, error, moment, warning
+from upright.checkup.finding import FEWEST, GAP, Array, Finding, Fix, Record, error, instant, plain, warning
 from upright.errors import InvalidLog
 from upright.logs.pace import pace
 from upright.logs.recording import jumps
+from upright.pages import Quantity, Say
 
 LONGEST, SHORTEST = 0.2, 2e-4
 """Plausible sampling periods [s] of a balancing robot: with a pole at 5 1/s, 0.2 s is too slow to balance."""
@@ -28,8 +29,8 @@ def order(record: Record) -> list[Finding]:
     """Rows without a time, times that repeat, and times that run backwards."""
     bad = ~np.isfinite(record.t)
     if bad.any():
-        evidence = f"{int(bad.sum())} rows have no time, the first is row {int(np.argmax(bad))}"
-        return [error("time/missing", "t", evidence, "remove them", Fix("finite time"))]
+        evidence = Say("{n} rows have no time, the first is row {row}.", n=int(bad.sum()), row=int(np.argmax(bad)))
+        return [error("time/missing", "t", evidence, Say("Remove these rows."), Fix("finite time"))]
     steps = np.diff(record.t)
     back = np.flatnonzero(steps < 0)
     if len(back):
@@ -39,16 +40,12 @@ def order(record: Record) -> list[Finding]:
         return []
     row = int(np.argmax(steps == 0)) + 1
     if _coarse(record, steps):
-        tick = float(np.median(steps[steps > 0]))
-        evidence = (
-            f"the clock counts in steps of {tick:.3g} s, about {repeats / max(1, (steps > 0).sum()) + 1:.2g} rows each"
-        )
-        repair = "space the rows evenly between its steps"
-        return [error("time/coarse", "t", evidence, repair, Fix("spread"))]
-    evidence = (
-        f"{repeats} rows repeat the time of the row before, the first is row {row} at {moment(record.t[row], 4)} s"
-    )
-    return [error("time/repeated", "t", evidence, "keep the first row of each time", Fix("unique"))]
+        tick = Quantity(float(np.median(steps[steps > 0])), "s")
+        each = float(repeats / max(1, (steps > 0).sum()) + 1)
+        evidence = Say("The clock counts in steps of {tick}, about {rows} rows each.", tick=tick, rows=plain(each, 2))
+        return [error("time/coarse", "t", evidence, Say("Space the rows evenly between its steps."), Fix("spread"))]
+    evidence = Say("{n} rows repeat the time of the row before, the first is row {row}.", n=repeats, row=row)
+    return [error("time/repeated", "t", evidence, Say("Keep the first row of each time."), Fix("unique"))]
 
 
 def _coarse(record: Record, steps: Array) -> bool:
@@ -65,25 +62,24 @@ def _backwards(record: Record, back: NDArray[np.intp]) -> Finding:
     steps = np.diff(record.t)
     row = int(back[0]) + 1
     period = float(np.median(steps[steps > 0])) if (steps > 0).any() else 0.0
-    evidence = f"time runs backwards {len(back)} time{'s' if len(back) > 1 else ''}, first at row {row}"
-    evidence += f" from {moment(record.t[row - 1], 4)} to {moment(record.t[row], 4)} s"
+    found = {"row": row, "n": len(back)}
     if float(-steps[back].min()) < _DISORDER * period:
-        evidence += "; the rows are out of order"
-        return error(
-            "time/backwards", "t", evidence, "sort the rows, keep one for each time", Fix("sort"), Fix("unique")
-        )
+        evidence = Say("Time runs backwards at row {row} ({n} in all): the rows are out of order.", **found)
+        repair = Say("Sort the rows, and keep one for each time.")
+        return error("time/backwards", "t", evidence, repair, Fix("sort"), Fix("unique"))
     repair, fix = _longest(record, back + 1)
-    evidence += "; the clock was reset, or the file holds two recordings"
+    evidence = Say("Time runs backwards at row {row} ({n} in all): a reset, or two recordings.", **found)
     return error("time/backwards", "t", evidence, repair, fix, Fix("unique"))
 
 
-def _longest(record: Record, starts: NDArray[np.intp]) -> tuple[str, Fix]:
+def _longest(record: Record, starts: NDArray[np.intp]) -> tuple[Say, Fix]:
     """The repair that keeps the longest of the runs that begin at the rows `starts` and at the first."""
     edges = np.concatenate([[0], starts, [len(record.t)]])
     longest = int(np.argmax(np.diff(edges)))
     first = int(edges[longest])
     last = int(edges[longest + 1])
-    return f"keep the longest run, rows {first} to {last - 1}", Fix("rows", numbers=(first, last))
+    kept = Say("Keep the longest part, rows {first} to {last}.", first=first, last=last - 1)
+    return kept, Fix("rows", numbers=(first, last))
 
 
 def jump(record: Record) -> list[Finding]:
@@ -92,12 +88,14 @@ def jump(record: Record) -> list[Finding]:
     if not len(rows):
         return []
     first = int(rows[0])
-    evidence = f"the clock jumps {len(rows)} time{'s' if len(rows) > 1 else ''}, first at row {first} from "
-    evidence += f"{moment(record.t[first - 1], 4)} to {moment(record.t[first], 4)} s"
     repair, fix = _longest(record, rows)
     if fix.numbers[1] - fix.numbers[0] < FEWEST:
-        raise InvalidLog(evidence, expected=f"{FEWEST} rows of one run", likely="another column is the time")
-    return [error("time/jump", "t", f"{evidence}; it was set, or the file holds two recordings", repair, fix)]
+        raise InvalidLog(
+            f"the clock jumps {len(rows)} times, first at row {first}", expected=f"{FEWEST} rows of one run",
+            likely="another column is the time",
+        )  # fmt: skip
+    evidence = Say("The clock jumps at row {row} ({n} in all): set, or two recordings.", row=first, n=len(rows))
+    return [error("time/jump", "t", evidence, repair, fix)]
 
 
 def unit(record: Record) -> list[Finding]:
@@ -107,14 +105,22 @@ def unit(record: Record) -> list[Finding]:
     if SHORTEST <= period <= LONGEST:
         return []
     if LONGEST < period <= _SLOWEST:
-        evidence = f"the rows are {period:.3g} s apart: too slow to show how a robot balances, or how it falls"
-        return [warning("time/slow", "t", evidence, "log every 10 to 50 ms; if these are no seconds, state the unit")]
-    evidence = f"the sampling period is {period:.4g} s, too long or too short to balance"
-    for name, factor in (("milliseconds", 1e-3), ("microseconds", 1e-6), ("nanoseconds", 1e-9)):
+        evidence = Say(
+            "The rows are {period} apart, too slow to show a balance or a fall (limit {limit}).",
+            period=Quantity(period, "s"),
+            limit=Quantity(LONGEST, "s"),
+        )
+        repair = Say("Log every 10 to 50 ms; if these are no seconds, state the unit.")
+        return [warning("time/slow", "t", evidence, repair)]
+    read = Quantity(period, "s", digits=4)
+    for name, factor in (("ms", 1e-3), ("µs", 1e-6), ("ns", 1e-9)):
         if 5e-4 <= period * factor <= 0.1:
-            evidence += f"; read as {name} it is {period * factor * 1e3:.3g} ms"
-            return [error("time/unit", "t", evidence, f"multiply by {factor:g}", Fix("time scale", numbers=(factor,)))]
-    return [error("time/unit", "t", evidence, "give the unit of the time in a mapping")]
+            true = Quantity(period * factor, "s")
+            evidence = Say("The rows are {period} apart; in {unit} they are {true}.", period=read, unit=name, true=true)
+            repair = Say("Multiply the time by {factor}.", factor=plain(factor))
+            return [error("time/unit", "t", evidence, repair, Fix("time scale", numbers=(factor,)))]
+    evidence = Say("The rows are {period} apart, too long or too short to balance.", period=read)
+    return [error("time/unit", "t", evidence, Say("State the unit of the time in a mapping."))]
 
 
 def steps(record: Record) -> list[Finding]:
@@ -125,18 +131,26 @@ def steps(record: Record) -> list[Finding]:
     jitter = float(ordinary.std() / period)
     findings = _gaps(record, step, period)
     if jitter > JITTER:
-        evidence = f"steps of {period * 1e3:.4g} ms scatter by {jitter * period * 1e3:.2g} ms ({jitter:.0%}), "
-        evidence += f"from {ordinary.min() * 1e3:.3g} to {ordinary.max() * 1e3:.3g} ms"
+        evidence = Say(
+            "Steps of {period} scatter by {jitter}; up to {limit} is usual.",
+            period=Quantity(period, "s", digits=4),
+            jitter=Quantity(jitter * period, "s"),
+            limit=Quantity(JITTER * period, "s"),
+        )
         even = Fix("even", numbers=(period,))
-        return [*findings, warning("time/jitter", "t", evidence, "resample at even times", even)]
+        return [*findings, warning("time/jitter", "t", evidence, Say("Resample at even times."), even)]
     missed = (step >= MISSED * period) & (step <= GAP * period)
     if missed.any():
         lost = int(np.rint(step[missed] / period - 1).sum())
         first = float(record.t[int(np.argmax(missed))])
-        evidence = f"{lost} rows are missing at {int(missed.sum())} places, the first after t = {moment(first, 4)} s"
-        evidence += f": steps of two or more periods of {period * 1e3:.4g} ms"
+        evidence = Say(
+            "{n} rows are missing at {places} places, the first after {time}.",
+            n=lost,
+            places=int(missed.sum()),
+            time=instant(first),
+        )
         lost_rows = Fix("insert", numbers=(period, GAP * period))
-        findings.append(warning("time/dropped", "t", evidence, "interpolate them linearly", lost_rows))
+        findings.append(warning("time/dropped", "t", evidence, Say("Interpolate these rows."), lost_rows))
     return findings
 
 
@@ -146,9 +160,13 @@ def _gaps(record: Record, step: Array, period: float) -> list[Finding]:
         return []
     worst = int(gaps[np.argmax(step[gaps])])
     span = float(record.t[worst]), float(record.t[worst + 1])
-    evidence = f"{len(gaps)} gap{'s' if len(gaps) > 1 else ''}: the longest, {step[worst]:.3g} s or "
-    evidence += f"{step[worst] / period:.0f} periods, after t = {moment(span[0], 4)} s"
-    return [warning("time/gap", "t", evidence, "use the parts as separate logs", span=span)]
+    evidence = Say(
+        "The log pauses for {seconds} after {time} (gaps in all: {n}).",
+        seconds=Quantity(float(step[worst]), "s"),
+        time=instant(span[0]),
+        n=len(gaps),
+    )
+    return [warning("time/gap", "t", evidence, Say("Use the parts as separate logs."), span=span)]
 
 
 def paced(t: Array, origin: Mapping[str, Any]) -> list[Finding]:
@@ -156,4 +174,11 @@ def paced(t: Array, origin: Mapping[str, Any]) -> list[Finding]:
     kept = pace(t, origin)
     if kept is None or kept.kept:
         return []
-    return [warning("time/pace", "t", str(kept), "use the times of the log, as every command does, not row × period")]
+    evidence = Say(
+        "{late} of {rows} rows came late: {median} apart, where the program's period is {period}.",
+        late=kept.overdue,
+        rows=kept.rows,
+        median=Quantity(kept.median, "s"),
+        period=Quantity(kept.period, "s"),
+    )
+    return [warning("time/pace", "t", evidence, Say("Use the log's times, not row × period."))]

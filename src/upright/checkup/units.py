@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from upright.arrays import Mask
-from upright.checkup.counts import DEGREE, encoder_counts, raw_counts, whole_numbers
+from upright.checkup.counts import DEGREE, STATE_SCALE, encoder_counts, raw_counts, whole_numbers
 from upright.checkup.duty import (
     ALIKE,
     FAULT,
@@ -21,13 +21,17 @@ from upright.checkup.duty import (
 from upright.checkup.finding import (
     GYRO,
     LEFT,
+    NOTHING,
     RIGHT,
     SPEED,
+    STATE,
     Array,
     Finding,
     Fix,
+    Measured,
     Record,
     error,
+    plain,
     warning,
 )  # fmt: skip
 from upright.checkup.motion import TRUSTED
@@ -36,51 +40,57 @@ from upright.checkup.poses import LARGEST_OFFSET
 from upright.checkup.swings import rests
 from upright.logs.outliers import grain_of
 from upright.logs.units import UNITS
+from upright.pages import Quantity, Say
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.robots import Robot, find_kit
 
 
 @dataclass(frozen=True)
 class _Suspect:
-    """What may be wrong, in words (`why`), and by which factors the gyro and the encoders are then too large: `about`
-    so much, where that depends on the robot."""
+    """In which `unit` they may be, and by which factors the gyro and the encoders are then too large: `about` so much,
+    where that depends on the robot."""
 
-    why: str
+    unit: Say
     gyro: float = 1.0
     encoder: float = 1.0
     about: bool = False
 
 
 _SUSPECTS = (
-    _Suspect("degrees per second instead of radians per second", gyro=1 / DEGREE),
-    _Suspect("tenths of a radian per second instead of radians per second", gyro=10.0),
-    _Suspect("converted from degrees twice", gyro=DEGREE),
-    _Suspect("milliradians per second instead of radians per second", gyro=1000.0),
-    _Suspect("millidegrees per second instead of radians per second", gyro=1000.0 / DEGREE),
-    _Suspect("degrees instead of radians", encoder=1 / DEGREE),
-    _Suspect("tenths of a radian instead of radians", encoder=10.0),
-    _Suspect("turns instead of radians", encoder=1 / math.tau),
-    _Suspect("metres of travel instead of radians", encoder=0.04, about=True),
-    _Suspect("converted from degrees twice", encoder=DEGREE),
-    _Suspect("degrees instead of radians in gyro and encoders", gyro=1 / DEGREE, encoder=1 / DEGREE),
-    _Suspect("gyro and encoders converted from degrees twice", gyro=DEGREE, encoder=DEGREE),
+    _Suspect(Say("degrees per second"), gyro=1 / DEGREE),
+    _Suspect(Say("tenths of a radian per second"), gyro=10.0),
+    _Suspect(Say("degrees converted twice"), gyro=DEGREE),
+    _Suspect(Say("milliradians per second"), gyro=1000.0),
+    _Suspect(Say("millidegrees per second"), gyro=1000.0 / DEGREE),
+    _Suspect(Say("degrees"), encoder=1 / DEGREE),
+    _Suspect(Say("tenths of a radian"), encoder=10.0),
+    _Suspect(Say("turns"), encoder=1 / math.tau),
+    _Suspect(Say("metres of travel"), encoder=0.04, about=True),
+    _Suspect(Say("degrees converted twice"), encoder=DEGREE),
+    _Suspect(Say("degrees in gyro and encoders"), gyro=1 / DEGREE, encoder=1 / DEGREE),
+    _Suspect(Say("degrees converted twice in gyro and encoders"), gyro=DEGREE, encoder=DEGREE),
 )
 """One mistake of a program each: who prints degrees prints them everywhere. Usual wheels have a radius of 0.04 m."""
 
 _OF_RPM = tuple(
-    _Suspect(f"{unit} under a name that says rpm", encoder=UNITS["rpm"][0] / factor)
-    for unit, factor in (("rad/s", 1.0), ("deg/s", DEGREE), ("turns per second", math.tau), ("m/s", 25.0))
+    _Suspect(Say("{unit} under a name that says rpm", unit=unit), encoder=UNITS["rpm"][0] / factor)
+    for unit, factor in (("rad/s", 1.0), ("deg/s", DEGREE), (Say("turns per second"), math.tau), ("m/s", 25.0))
 )
 """Instead of those of an angle, for wheels whose speed was read in rpm."""
 
-_OF_SPEED = tuple(
-    _Suspect(f"{unit} (wheels) instead of radians per second{both}", gyro=gyro, encoder=1 / factor)
-    for unit, factor in (("rpm", UNITS["rpm"][0]), ("degrees per second", DEGREE), ("turns per second", math.tau))
-    for gyro, both in ((1.0, ""), (1 / DEGREE, ", and degrees per second in the gyro"))
+_SPEEDS = (("rpm", UNITS["rpm"][0]), (Say("degrees per second"), DEGREE), (Say("turns per second"), math.tau))
+_OF_SPEED = (
+    *(_Suspect(Say("{unit} of the wheels", unit=unit), encoder=1 / factor) for unit, factor in _SPEEDS),
+    *(
+        _Suspect(
+            Say("{unit} of the wheels and degrees per second of the gyro", unit=unit),
+            gyro=1 / DEGREE,
+            encoder=1 / factor,
+        )
+        for unit, factor in _SPEEDS
+    ),
 )
 """The same for wheels whose speed was read, where nothing says in what."""
-
-STATE = "state the true unit and scale in a mapping: --write-mapping MINE.toml"
 
 _COUNTS = 500.0
 """Of 1 rad/s, fewer than any chip of 16 bits has: 940 where its range is ±2000 degrees per second."""
@@ -122,7 +132,7 @@ def scales(record: Record, robot: Robot | None = None) -> list[Finding]:
     says what whole numbers of an encoder are."""
     m = motion(record)
     if m is None or m.gyro is None or m.gyro_name != GYRO:
-        return whole_numbers(record, "this motion does not tell which" if GYRO in record else "no gyro tells which")
+        return whole_numbers(record)
     fit = m.law
     if fit.r2 < TRUSTED or min(fit.values, default=0.0) <= 0 or rests(record):
         return _of_no_unit(record, m.good, m.gyro)
@@ -144,21 +154,22 @@ def _scaled(record: Record, robot: Robot | None, m: Resampled, values: tuple[flo
     def penalty(s: _Suspect) -> float:
         return _penalty(estimated, usual, by_gravity, by_pitch, units, s)
 
-    plain = penalty(_Suspect("none"))
+    as_logged = penalty(_Suspect(Say("none of these")))
     stated = _of_kit(record, robot)
     graded = sorted([(FAULT + penalty(s), i, s) for i, s in enumerate((*_suspects(record), *stated))])
-    if graded[0][0] >= plain:
+    if graded[0][0] >= as_logged:
         return []
     suspect = graded[0][2]
-    odds = plain - graded[0][0]
+    odds = as_logged - graded[0][0]
     alike = [s for p, _, s in graded if p < graded[0][0] + ALIKE]
     q = estimated["q"] * suspect.gyro / suspect.encoder
     possible = q > 1 and _fine(estimated, suspect)
     if counted(record[GYRO]) and suspect not in stated and (suspect.gyro >= _COUNTS or not possible):
         return raw_counts(record, estimated["q"], usual["q"])
     counts = suspect.encoder != 1 and suspect not in stated and counted(record[LEFT]) and counted(record[RIGHT])
-    repair = ", or where these are counts: state in a mapping how many are a turn" if counts else ""
-    wrong = _wrong(suspect, estimated, odds, by_gravity, repair) if len(alike) == 1 else _ambiguous(alike, estimated)
+    wrong = _ambiguous(alike, estimated)
+    if len(alike) == 1:
+        wrong = _wrong(suspect, estimated, counts=counts, odds=odds, by_gravity=by_gravity)
     if odds < ALIKE:
         return [_perhaps(one) for one in wrong]
     if not counts or (possible and _usual(record, estimated, usual, suspect)):
@@ -183,11 +194,12 @@ def _of_kit(record: Record, robot: Robot | None) -> Sequence[_Suspect]:
     sensor = find_kit(robot.kit).sensors.get(LEFT)
     if sensor is None or not sensor.quantum or abs(sensor.quantum / DEGREE - 1) < _SAME_STEP:
         return ()
-    why = f"counts, of which the kit has {math.tau / sensor.quantum:.5g} to a turn,"
     counts = 1 / sensor.quantum
+    turn = plain(math.tau / sensor.quantum, 5)
+    both = Say("the kit's counts, {turn} a turn, and the gyro's degrees per second", turn=turn)
     return (
-        _Suspect(f"{why} instead of radians", encoder=counts),
-        _Suspect(f"{why} instead of radians, and a gyro in degrees per second", gyro=1 / DEGREE, encoder=counts),
+        _Suspect(Say("the kit's counts, {turn} a turn", turn=turn), encoder=counts),
+        _Suspect(both, gyro=1 / DEGREE, encoder=counts),
     )
 
 
@@ -208,14 +220,19 @@ _FASTEST = 35.0  # [rad/s] 2000 degrees per second, the largest range of the chi
 def _of_no_unit(record: Record, on: Mask, gyro: Array) -> list[Finding]:
     """Channels that are not in radians, where no motion tells in what: whole numbers of an encoder, and a gyro whose
     mean or largest reading no gyro in rad/s has."""
-    findings = whole_numbers(record, "this motion does not tell which")
+    findings = whole_numbers(record)
     mean = float(gyro[on].mean())
     most = float(np.abs(gyro).max())
     offset = LARGEST_OFFSET + _TURNED / (float(on.mean() * (record.t[-1] - record.t[0])) or math.inf)
     if abs(mean) > offset or most > _FASTEST:
-        shown = f"its mean is {mean:.3g}" if abs(mean) > offset else f"it reaches {most:.3g}"
-        evidence = f"{shown}, as no gyro in rad/s: another unit, and this motion does not tell which"
-        findings.append(error("units/counts", GYRO, evidence, "state unit and scale in a mapping: deg/s, …"))
+        evidence = Say(
+            "It reaches {most}; a gyro in rad/s reaches {limit} at most.", most=plain(most), limit=plain(_FASTEST)
+        )
+        if abs(mean) > offset:
+            evidence = Say(
+                "Its mean is {mean}; that of a gyro in rad/s is {limit} at most.", mean=plain(mean), limit=plain(offset)
+            )
+        findings.append(error("units/counts", GYRO, evidence, STATE_SCALE))
     return findings
 
 
@@ -272,50 +289,73 @@ def _fine(estimated: dict[str, float], s: _Suspect) -> bool:
     return estimated["grain"] / s.encoder < 0.3 and estimated["gyro_grain"] / s.gyro < 0.5  # [rad] and [rad/s]
 
 
+_Q = Quantity(None, "1", low=1.2, high=15.0)
+"""Usual q of the pendulum equation δ⃛ = −q ψ⃛ + p ψ̇: how fast wheels turn back as the body is thrown forward."""
+
+
 def _ambiguous(several: Sequence[_Suspect], estimated: dict[str, float]) -> list[Finding]:
     """That a unit is wrong, where several mistakes explain the log about as well."""
-    of = {True: "gyro", False: "encoders"}
-    whys = [s.why if s.gyro != 1 and s.encoder != 1 else f"{s.why} ({of[s.gyro != 1]})" for s in several]
-    evidence = (
-        f"a unit is wrong: as logged, {_answer(estimated['q'], estimated['p'])} (robots: 1.2 to 15, 10 to 500); it may "
-        f"be {', '.join(whys[:-1])} or {whys[-1]}"
+    units: list[Say] = []
+    for s in several:
+        if s.gyro != 1 and s.encoder != 1:
+            units.append(s.unit)
+        elif s.gyro != 1:
+            units.append(Say("{unit} (gyro)", unit=s.unit))
+        else:
+            units.append(Say("{unit} (encoders)", unit=s.unit))
+    evidence = Say(
+        "The wheels turn {q} times as fast as the body; usual is {usual}. Perhaps: {units}.",
+        q=plain(estimated["q"]),
+        usual=_Q,
+        units=units,
     )
     channels = [GYRO] * any(s.gyro != 1 for s in several) + [LEFT] * any(s.encoder != 1 for s in several)
-    return [error("units/scale", channel, evidence, STATE) for channel in channels]
-
-
-def _answer(q: float, p: float) -> str:
-    """What the pendulum equation δ⃛ = −q ψ⃛ + p ψ̇ says of the wheels, in words."""
-    return (
-        f"the wheels turn back {q:.3g} times as fast as the body is thrown forward, and each radian that it leans "
-        f"speeds them up by {p:.3g} rad/s²"
-    )
+    return [error("units/scale", channel, evidence, STATE, measured={"p": estimated["p"]}) for channel in channels]
 
 
 def _perhaps(finding: Finding) -> Finding:
     """A mistake of a unit that is hardly likelier than none: a question, and no repair."""
-    return warning(finding.code, finding.channel, f"perhaps {finding.evidence}", STATE)
+    evidence = Say("Perhaps, by odds below 20 to 1: {evidence}", evidence=finding.evidence)
+    return warning(finding.code, finding.channel, evidence, STATE, measured=finding.measured)
 
 
-def _wrong(s: _Suspect, estimated: dict[str, float], odds: float, gravity: float, or_else: str = "") -> list[Finding]:
-    ratio = s.encoder / s.gyro
-    evidence = f"{s.why}: as logged, {_answer(estimated['q'], estimated['p'])} "
-    if ratio != 1:
-        evidence += f"(robots: 1.2 to 15, 10 to 500); repaired: {estimated['q'] / ratio:.3g} times and "
-        evidence += f"{estimated['p'] / ratio:.3g} rad/s²; log odds {odds:.0f}"
-    else:
-        evidence += f"in any unit of angle, but the body sways by {estimated['pitch']:.2g} rad and the wheels turn at "
-        evidence += f"{estimated['wheel_rate']:.2g} rad/s; log odds {odds:.0f}"
-    if gravity and s.gyro != 1:
-        evidence += f"; by the accelerometer the gyro is {abs(gravity):.3g} times too large"
+def _wrong(s: _Suspect, estimated: dict[str, float], *, counts: bool, odds: float, by_gravity: float) -> list[Finding]:
+    """The likeliest mistake of a unit; of encoders in whole numbers (`counts`) it may be counts, too."""
+    evidence = Say(
+        "Seems to be in {unit}: the wheels turn {q} times as fast as the body; usual is {usual}.",
+        unit=s.unit,
+        q=plain(estimated["q"]),
+        usual=_Q,
+    )
+    if s.encoder == s.gyro:
+        evidence = Say(
+            "Seems to be in {unit}: the body sways by {pitch}, the wheels turn at {rate}.",
+            unit=s.unit,
+            pitch=Quantity(estimated["pitch"], "rad"),
+            rate=Quantity(estimated["wheel_rate"], "rad/s"),
+        )
+    measured = {"p": estimated["p"], "log_odds": odds} | ({"by_gravity": abs(by_gravity)} if by_gravity else {})
     if s.about:
-        return [error("units/scale", LEFT, evidence, "state in a mapping: unit rad, scale 1 over the wheel's radius")]
+        return [
+            error(
+                "units/scale",
+                LEFT,
+                evidence,
+                Say("State scale 1 over the wheel's radius in a mapping."),
+                measured=measured,
+            )
+        ]
     groups = (((GYRO,), s.gyro), ((LEFT, RIGHT), s.encoder))
-    divided = [divide(channels, evidence, factor) for channels, factor in groups if factor != 1]
-    return [replace(f, repair=f.repair + or_else) if f.channel != GYRO else f for f in divided]
+    divided = [divide(channels, evidence, factor, measured=measured) for channels, factor in groups if factor != 1]
+    if not counts:
+        return divided
+    either = Say("Divide by {factor}; of counts, state how many are a turn.", factor=plain(s.encoder, 6))
+    return [replace(f, repair=either) if f.channel != GYRO else f for f in divided]
 
 
-def divide(channels: tuple[str, ...], evidence: str, divisor: float) -> Finding:
+def divide(channels: tuple[str, ...], evidence: Say, divisor: float, measured: Measured = NOTHING) -> Finding:
+    """That channels are too large by a factor, and the repair."""
+    repair = Say("Divide by {factor}.", factor=plain(divisor, 6))
     return error(
-        "units/scale", channels[0], evidence, f"divide by {divisor:.6g}", Fix("scale", channels, (1 / divisor,))
+        "units/scale", channels[0], evidence, repair, Fix("scale", channels, (1 / divisor,)), measured=measured
     )

@@ -9,7 +9,9 @@ import numpy as np
 
 from upright.checkup.duty import (
     ALIKE,
+    MILLIVOLTS,
     USUAL_BATTERY,
+    VOLTS,
     CommandUnit,
     as_likely,
     back_emf,
@@ -18,14 +20,16 @@ from upright.checkup.duty import (
     counted,
     largest_command,
 )
-from upright.checkup.finding import BATTERY, Finding, Fix, Record, error, note
+from upright.checkup.finding import BATTERY, Finding, Fix, Record, error, note, plain
 from upright.checkup.physics import motion
 from upright.checkup.units import expected
 from upright.logs.mapping import COMMANDS, GUESS, Mapping, full_duty
 from upright.logs.readers import RawTable
+from upright.pages import Quantity, Say
 from upright.robots import Robot
 
-_VOLTS = ("volts", "millivolts")
+_STATE = Say("State their unit and scale in a mapping: V, mV, N m or %.")
+_DUTY = Say("a duty")
 
 
 def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
@@ -46,52 +50,62 @@ def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
 
     units = command_units(record, robot)
     unit = min(units, key=penalty)
-    if unit.name == "volts":
-        evidence = f"no name says their unit, and they reach {largest:.3g}: N m, a fraction of full duty, or V"
-        which = note("units/command", names[0], evidence, "state it in a mapping: V, N m or %, and its scale")
+    reach = plain(largest)
+    if unit.name == VOLTS:
+        evidence = Say("They reach {largest}, and no name says their unit: V, N m or a duty.", largest=reach)
+        which = note("units/command", names[0], evidence, _STATE)
         return [which] if record.unnamed and largest <= 1 and not emf else []
     duty = record.units.get(names[0]) == "1"  # by its name
     if not emf and not duty and not counted(record[names[0]]) and (others := as_likely(units, unit)):
-        which = " or ".join(one.name.rstrip(",") for one in (unit, *others))
-        evidence = f"no volts, since they reach {largest:.3g}: {which}; without wheels that turn nothing tells which"
-        return [error("units/command", names[0], evidence, "state the unit in a mapping: V, mV or %, and its scale")]
-    alike = [u for u in units if u is not unit and penalty(u) < penalty(unit) + ALIKE and u.name not in _VOLTS]
-    repair, fixes = _repair(record, unit, alike, largest, battery)
-    name = "a duty" if "full duty" in repair else unit.name
-    evidence = f"{name} instead of volts: they reach {largest:.3g}" + (
-        f" on a battery of {battery:.3g} V" if battery else ""
-    )
-    if emf:
-        evidence += (
-            f"; back-EMF {emf:.3g} V s/rad as logged, {emf / unit.factor:.3g} V s/rad with {unit.name.rstrip(',')}"
+        evidence = Say(
+            "They reach {largest}, no volts; without wheels that turn nothing tells which of these: {units}.",
+            largest=reach,
+            units=[one.name for one in (unit, *others)],
         )
-    return [error("units/command", names[0], evidence, repair, *fixes)]
+        return [error("units/command", names[0], evidence, _STATE)]
+    alike = [
+        u for u in units if u is not unit and penalty(u) < penalty(unit) + ALIKE and u.name not in (VOLTS, MILLIVOLTS)
+    ]
+    repair, fixes = _repair(record, unit, alike, largest, battery)
+    name = _DUTY if "fulls" in repair.facts else unit.name
+    evidence = Say("They reach {largest}: {unit} instead of volts.", largest=reach, unit=name)
+    if emf:
+        evidence = Say(
+            "They are {unit} instead of volts: the back-EMF is {emf}, and read as volts {logged}.",
+            unit=name,
+            emf=Quantity(emf / unit.factor, "V s/rad"),
+            logged=Quantity(emf, "V s/rad"),
+        )
+    return [error("units/command", names[0], evidence, repair, *fixes, measured={"battery": battery})]
 
 
 def _repair(
     record: Record, unit: CommandUnit, alike: Sequence[CommandUnit], largest: float, battery: float
-) -> tuple[str, tuple[Fix, ...]]:
+) -> tuple[Say, tuple[Fix, ...]]:
     """How commands in `unit` become volts, or the question where `alike` units, or no battery, leave that open."""
     names = record.commands or ()
     channels = (*names, *(n for n in ("command/left", "command/right") if n in record and n not in names))
     by_volts = Fix("scale", channels, (1 / unit.factor,))
-    if unit.name == "millivolts":
-        return f"divide by {unit.factor:.4g}", (by_volts,)
+    if unit.name == MILLIVOLTS:
+        return Say("Divide by {factor}.", factor=plain(unit.factor)), (by_volts,)
     full, *others = (u.factor * (battery or USUAL_BATTERY) for u in (unit, *alike))
     # a duty that is reached is full
-    asked = [f"what full duty is: {_or(sorted([full, *others]))}"] if others and largest < full else []
-    asked += [] if battery else ['of what voltage: [constants] "sensor/battery" = …, or --robot with its kit']
-    if asked:
-        return f"state in a mapping {'; and '.join(asked)}", ()
+    fulls = [plain(one, 4) for one in sorted([full, *others])]
+    open_ = bool(others) and largest < full
+    if open_ and battery:
+        return Say("State in a mapping what full duty is, of these: {fulls}.", fulls=fulls), ()
+    if open_:
+        return Say(
+            "State full duty ({fulls}) in a mapping, and the battery: `--robot`, or [constants].", fulls=fulls
+        ), ()
+    if not battery:
+        return Say("State the battery's voltage: `--robot`, or [constants] of a mapping."), ()
     if BATTERY not in record:
-        return f"multiply by the {battery:.4g} V of the kit over {full:g}", (by_volts,)
+        volts = Quantity(battery, "V")
+        return Say("Multiply by the kit's {battery} over {full}.", battery=volts, full=plain(full, 4)), (by_volts,)
     fixes = (Fix("scale", channels, (100 / full,)),) if full != 100 else ()
-    return f"multiply by the battery over {full:g}", (*fixes, Fix("percent", (*channels, BATTERY)))
-
-
-def _or(fulls: Sequence[float]) -> str:
-    *most, last = (f"{full:g}" for full in fulls)
-    return f"{', '.join(most)} or {last}"
+    repair = Say("Multiply by the battery over {full}.", full=plain(full, 4))
+    return repair, (*fixes, Fix("percent", (*channels, BATTERY)))
 
 
 def assumed(mapping: Mapping, table: RawTable) -> list[Finding]:
@@ -103,6 +117,12 @@ def assumed(mapping: Mapping, table: RawTable) -> list[Finding]:
         full = full_duty(values)
         largest = float(np.nanmax(values))
         if largest < full and "percent" not in source.column.lower():
-            evidence = f"'{source.column}' is taken for a duty of which {full:g} are full: it reaches {largest:.4g}"
-            findings.append(note("units/duty", name, evidence, "if another number is full, state it in a mapping"))
+            evidence = Say(
+                "'{column}' reaches {largest}: taken for a duty of which {full} are full.",
+                column=source.column,
+                largest=plain(largest, 4),
+                full=plain(full, 4),
+            )
+            repair = Say("If another number is full, state it in a mapping.")
+            findings.append(note("units/duty", name, evidence, repair))
     return findings

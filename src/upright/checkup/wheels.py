@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from upright.checkup.finding import FALLING, FEWEST, LEANING, ON_WHEELS, Record, Segment, during, moment
+from upright.checkup.finding import FALLING, FEWEST, LEANING, ON_WHEELS, Record, Segment, during, in_a_line, moment
 from upright.checkup.poses import segments
 from upright.checkup.time import unit
 from upright.checkup.wrapped import wrapped
@@ -44,12 +44,12 @@ def on_its_wheels(log: Log, *, falling: bool = True) -> tuple[Log, str]:
     for wrong in unit(record):
         slow = wrong.severity == "warning"
         raise InvalidLog(
-            wrong.evidence, expected="rows every 10 to 50 ms" if slow else "times in seconds",
+            in_a_line(wrong), expected="rows every 10 to 50 ms" if slow else "times in seconds",
             hint="" if slow else "upright doctor LOG --fix NEW.csv, or a mapping",
         )  # fmt: skip
     for wrong in wrapped(record):
         raise InvalidLog(
-            f"{wrong.channel}: {wrong.evidence}",
+            in_a_line(wrong),
             expected="angles that count on",
             hint="upright doctor LOG --fix NEW.csv",
         )

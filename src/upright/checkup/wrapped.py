@@ -6,8 +6,9 @@ import math
 
 import numpy as np
 
-from upright.checkup.finding import LEFT, PITCH, RIGHT, Array, Finding, Fix, Record, error, moment
+from upright.checkup.finding import LEFT, PITCH, RIGHT, Array, Finding, Fix, Record, error, instant
 from upright.logs.outliers import grain_of
+from upright.pages import Quantity, Say
 
 _HALF = 0.5  # of a channel's range: a step beyond is a jump
 _CLEAR = 4.0  # times the largest ordinary step, which a jump exceeds
@@ -25,12 +26,14 @@ def wrapped(record: Record) -> list[Finding]:
         jumps, period = _jumps(record[name]) if name in record else (0, 0.0)
         if jumps:
             first = int(np.argmax(np.abs(np.diff(record[name])) > _HALF * period))
-            often = "once" if jumps == 1 else f"{jumps} times"
-            evidence = (
-                f"it begins again after {period:.4g} {_unit(record, name)}, {often}, first at "
-                f"{moment(float(record.t[first]))} s"
+            turn = Quantity(period, _unit(record, name), digits=4)
+            evidence = Say(
+                "It begins again after {period}, first at {time} ({n} in all).",
+                period=turn,
+                time=instant(float(record.t[first])),
+                n=jumps,
             )
-            repair = f"add {period:.4g} where it jumps"
+            repair = Say("Add {period} where it jumps.", period=turn)
             findings.append(error("encoder/wrapped", name, evidence, repair, Fix("unwrap", (name,), (period,))))
     return findings
 

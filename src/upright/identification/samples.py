@@ -20,6 +20,7 @@ from upright.errors import InvalidLog, UnknownName
 from upright.identification.arx import FirstResponse, arx, first_response
 from upright.languages import sentence
 from upright.logs.recording import check_clock, check_complete, check_unit, one_encoder
+from upright.pages import english
 from upright.robots import Kit, Robot, Sensor, find_kit
 from upright.signals import Log
 
@@ -117,8 +118,8 @@ def samples(
 
 
 def _contradictions(log: Log, robot: Robot) -> list[str]:
-    kept = "the model keeps this fault (`upright doctor --fix`)"
-    return [sentence(f"{text}; {kept}") for text in contradictions(log, robot)]
+    kept = "The model keeps this fault (`upright doctor --fix`)."
+    return [f"{english(fault)} {kept}" for fault in contradictions(log, robot)]
 
 
 def _ready(halves: Sequence[Part], log: Log, kit: Kit, known: int | None, notes: list[str]) -> list[Part]:
@@ -318,7 +319,7 @@ def _faster(log: Log) -> list[str]:
     from upright.checkup.rates import faster_controller
 
     findings = faster_controller(Record(log.t, _measured(log), dict(log.units)))
-    return [sentence(f"{finding.evidence}: {finding.repair}") for finding in findings]
+    return [" ".join(english(said) for said in (f.evidence, f.repair) if said) for f in findings]
 
 
 def _measured(log: Log) -> dict[str, Array]:

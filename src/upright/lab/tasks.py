@@ -18,6 +18,7 @@ from upright.lab.page_words import for_page
 from upright.lab.plant import design as design_of
 from upright.lab.plant import design_part, plant_of
 from upright.languages import ENGLISH, speaking
+from upright.pages import english
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -160,7 +161,10 @@ def doctor(report: Report, source: Path | Log, robot: Robot) -> tuple[JobResult]
     from upright.checkup.doctor import doctor as examine
 
     diagnosis = examine(source, robot=robot, progress=report)
-    rows = tuple((f.severity, f.code, f.channel, f.evidence, for_page(f.repair, "doctor")) for f in diagnosis.findings)
+    rows = tuple(
+        (f.severity, f.code, f.channel, english(f.evidence), for_page(english(f.repair) if f.repair else "", "doctor"))
+        for f in diagnosis.findings
+    )
     name = Path(diagnosis.source).name if diagnosis.source else "this run"
     title = f"{name}: {diagnosis.rows} rows, {diagnosis.seconds:.1f} s, every {1e3 * diagnosis.period:.3g} ms"
     text = "" if rows else "Nothing found: this log can be used as it is."

@@ -18,6 +18,7 @@ from upright.likelihood.actual import WITHIN, as_logged, doubted, is_beyond
 from upright.likelihood.assumptions import LOADED, Assumptions
 from upright.likelihood.support import LOAD_KNOWN, MASS, Support, body_mass, slope
 from upright.logs.recording import SENSOR
+from upright.pages import english
 from upright.progress import Progress
 from upright.robots import PARAMETERS, Kit, Robot
 from upright.robots.robot import MAY_BE_ZERO
@@ -60,7 +61,7 @@ def calibrated(log: Log, setup: Assumptions, progress: Progress | None = None) -
     explains.
     """
     for wrong in contradictions(log, codes=("motion/flipped",)):
-        raise InvalidLog(wrong, hint="upright doctor LOG --fix NEW.csv")
+        raise InvalidLog(english(wrong), hint="upright doctor LOG --fix NEW.csv")
     met, _, taken = as_logged(log, setup)
     alone = unloaded(met)
     unsure = unconfirmed(taken)

@@ -15,3 +15,5 @@ from upright.pages.blocks import Verdict as Verdict
 from upright.pages.result import Result as Result
 from upright.pages.words import Quantity as Quantity
 from upright.pages.words import Say as Say
+from upright.pages.words import data_of as data_of
+from upright.pages.words import english as english

@@ -10,7 +10,8 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from upright.languages import number, translated
+from upright.atomic import finite
+from upright.languages import ENGLISH, number, speaking, translated
 
 
 class Say:
@@ -42,7 +43,7 @@ class Say:
         return isinstance(other, Say) and (self.template, self.facts) == (other.template, other.facts)
 
     def __hash__(self) -> int:
-        return hash((self.template, str(self)))
+        return hash(self.template)  # the same in all languages
 
 
 Fact = Any  # Say | Quantity | int | str | Sequence[Fact]
@@ -53,6 +54,21 @@ def text_of(fact: Fact) -> str:
     if isinstance(fact, Sequence) and not isinstance(fact, str):
         return ", ".join(map(text_of, fact))
     return str(fact)
+
+
+def english(said: Say) -> str:
+    """A sentence as programs read it: in English, with plain spaces."""
+    with speaking(ENGLISH):
+        return str(said).replace("\u00a0", " ")
+
+
+def data_of(fact: Fact) -> Any:
+    """A fact as data: a number in SI, an interval as two, a name or an English sentence."""
+    if isinstance(fact, Quantity):
+        return [fact.low, fact.high] if fact.value is None else finite(fact.value)
+    if isinstance(fact, Sequence) and not isinstance(fact, str):
+        return [data_of(one) for one in fact]
+    return english(fact) if isinstance(fact, Say) else fact
 
 
 class Quantity:
