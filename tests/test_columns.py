@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-import re
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -197,8 +197,8 @@ def test_a_duty_of_eight_bits_is_no_per_cent_and_no_millivolts() -> None:
         t, channels, stated = channels_of(propose(table), table)
         record = Record(t, channels, stated)
         (found,) = volts.commands(record)
-        assert "counts of a duty, 255 of which are full" in found.evidence
-        assert "of what voltage" in found.repair
+        assert found.facts["unit"]["full"] == 255
+        assert "--robot" in str(found.repair)
         assert not found.fixes
     with pytest.raises(InvalidLog, match="a duty"):
         check_unit(Log(t, channels, stated), "command", up.Robot.preset("nxtway-gs"))
@@ -211,8 +211,8 @@ def sensors(**changes: NDArray[np.float64] | None) -> dict[str, NDArray[np.float
     return plain | {name: values for name, values in changes.items() if values is not None}
 
 
-def told(columns: dict[str, NDArray[np.float64]], robot: str | None = "nxtway-gs") -> dict[tuple[str, str], str]:
-    return {(f.code, f.channel): f.evidence for f in up.doctor(RawTable(columns), robot).findings}
+def told(columns: dict[str, NDArray[np.float64]], robot: str | None = "nxtway-gs") -> dict[tuple[str, str], Any]:
+    return {(f.code, f.channel): f.facts for f in up.doctor(RawTable(columns), robot).findings}
 
 
 COMMAND, WRONG = ("units/command", "command/left"), ("error", "warning")
@@ -225,7 +225,7 @@ def test_a_duty_beside_right_units_spoils_no_unit(robot: str | None) -> None:
     assert [(f.code, f.channel) for f in findings if f.severity in WRONG] == [COMMAND]
     (found,) = (f for f in findings if f.code == COMMAND[0])
     # the motor's own 0.468 V s/rad, and what its friction takes: 6.69 · 0.0022 / 0.317
-    assert "0.48" in found.evidence.partition("logged, ")[2] or "0.51" in found.evidence.partition("logged, ")[2]
+    assert found.facts["emf"] == pytest.approx(0.49, abs=0.025)
 
 
 def test_a_duty_that_stays_small_is_of_the_number_that_the_motor_needs() -> None:
@@ -233,7 +233,7 @@ def test_a_duty_that_stays_small_is_of_the_number_that_the_motor_needs() -> None
     8.9 V in place of 8.)"""
     small = {n: np.rint(0.9 * sensors()[n]) for n in ("pwm_left", "pwm_right")}
     assert max(np.abs(x).max() for x in small.values()) < 100
-    assert "255 of which are full" in told(sensors(**small))[COMMAND]
+    assert told(sensors(**small))[COMMAND]["unit"]["full"] == 255
 
 
 @pytest.mark.parametrize("gyro", [1, -1])
@@ -250,8 +250,7 @@ def test_a_mirrored_side_is_found_though_the_robot_turns_much(gyro: int) -> None
 def test_ticks_of_an_encoder_are_no_degrees(turn: float) -> None:
     """How many are a turn cannot be said to better than what is not known of the robot; the range has the true one."""
     ticks = {f"enc_{side}": np.rint(held()[side[0]] * turn / math.tau) for side in ("left", "right")}
-    evidence = told(sensors(**ticks))["units/counts", LEFT]
-    low, high = (float(x) for x in re.findall(r"[\d.e+]+", evidence.partition("robots ")[2])[:2])
+    low, high = told(sensors(**ticks))["units/counts", LEFT]["counts"]
     assert low < turn < high < 2.5 * low
     raw = told(sensors(**ticks, gyro=np.rint(held()["g"] / DEGREE * 131)))  # an MPU-6050 at its finest range
     assert {("units/counts", name) for name in (LEFT, RIGHT, GYRO)} <= raw.keys()
@@ -271,7 +270,7 @@ def test_a_distance_is_no_angle_of_a_wheel(unit: str, factor: float) -> None:
     assert not [f for f in up.doctor(table, robot).findings if f.code == "units/scale" and f.channel == GYRO]
     unknown = [f for f in up.doctor(table).findings if f.severity == "error" and f.channel in (LEFT, RIGHT)]
     assert [f.code for f in unknown] == ["units/counts"] * 2
-    assert f"by its unit of {unit}" in unknown[0].evidence
+    assert unknown[0].facts["unit"] == unit
 
 
 def test_speeds_of_no_stated_unit_may_be_turns_a_minute() -> None:
@@ -280,7 +279,7 @@ def test_speeds_of_no_stated_unit_may_be_turns_a_minute() -> None:
     columns = {n: x for n, x in sensors(gyro=held()["g"] / DEGREE).items() if not n.startswith("enc")}
     found = told(columns | speeds | {"angle": held()["p"] / DEGREE})
     assert {c for code, c in found if code == "units/scale"} == {GYRO, LEFT, "estimate/pitch"}
-    assert "rpm (wheels)" in found["units/scale", LEFT]
+    assert found["units/scale", LEFT]["unit"]["unit"] == "rpm"
     assert "estimate/zero" not in {code for code, _ in found}
 
 
@@ -288,7 +287,7 @@ def test_a_fraction_of_full_duty_is_no_volt_where_the_robot_is_known() -> None:
     """No name says its unit: with a robot the back-EMF does, without one the doctor asks."""
     columns = {n: x for n, x in sensors().items() if not n.startswith("pwm")}
     columns |= {f"cmd_{side}": held()[u] / 8.0 for side, u in (("l", "ul"), ("r", "ur"))}
-    assert "a fraction of full duty" in told(columns)[COMMAND]
+    assert told(columns)[COMMAND]["unit"] == "a fraction of full duty"
     volts = told(columns | {f"cmd_{side}": held()[u] for side, u in (("l", "ul"), ("r", "ur"))})
     assert COMMAND not in volts
     (question,) = (f for f in up.doctor(RawTable(columns)).findings if f.code == COMMAND[0])
@@ -332,9 +331,9 @@ def test_text_between_the_rows_and_times_of_day_are_read(tmp_path: Path) -> None
     found = up.doctor(path, "nxtway-gs")
     assert (found.rows, found.seconds) == (len(stamp), pytest.approx(11.99, abs=1e-3))
     assert {f.code for f in found.findings if f.severity in WRONG} == {"units/command"}
-    (skipped,) = (f.evidence for f in found.findings if f.code == "rows/skipped")
-    assert skipped.startswith("4 lines")
-    assert "line 502: WARN: late" in skipped
+    (skipped,) = (f.facts for f in found.findings if f.code == "rows/skipped")
+    assert skipped["n"] == 4
+    assert "line 502: WARN: late" in skipped["lines"]
     clock = [s[11:] for s in np.datetime_as_string(stamp)]  # without the date
     path.write_text("\n".join([header, *(f"{c}{row[23:]}" for c, row in zip(clock, rows[:500], strict=False))]))
     assert up.doctor(path).seconds == pytest.approx(4.99, abs=1e-3)

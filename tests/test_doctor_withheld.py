@@ -128,7 +128,7 @@ def test_a_scale_of_two_against_the_robots_file_is_asked(bot: Bot, seed: int, fa
         told = doctor(table(changed), robot=known(bot))
         assert "calibrate" not in [step.verb for step in told.page().next]  # a fit would bend its numbers to the scale
         found = [f for f in told.findings if f.code == "units/scale"]
-        assert channel in [f.channel for f in found] or (channel == LEFT and "encoders count" in found[0].evidence)
+        assert channel in [f.channel for f in found] or (channel == LEFT and "encoders count" in str(found[0].evidence))
         assert not any(f.fixes for f in found)
 
 

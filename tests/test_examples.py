@@ -68,7 +68,7 @@ def test_a_duty_without_a_unit_is_not_shown_as_volts(tmp_path: Path, capsys: pyt
     assert main(["doctor", str(path), "--write-mapping", str(mapping)]) == 0
     shown = capsys.readouterr().out
     assert "30 V" not in shown
-    assert "what full duty is: 100 or 255" in " ".join(shown.split())  # up to 30, a PWM may be of either: none is said
+    assert "State full duty (100, 255)" in " ".join(shown.split())  # up to 30, a PWM may be of either: none is said
     assert "enc_left" in mapping.read_text()
 
 
@@ -86,5 +86,5 @@ def test_rows_that_came_late_are_reported_by_their_own_times() -> None:
     origin = {"controller": {"period": 0.01}, "outcome": {"late": 30}}
     slow = up.Log(1.2 * log.t, keep, log.units, origin)
     finding = next(f for f in up.doctor(slow).findings if f.code == "time/pace")
-    assert "30 of 1199 rows came late: the program's period is 10 ms, its rows are 12 ms apart" in finding.evidence
+    assert finding.facts == {"late": 30, "rows": 1199, "median": pytest.approx(0.012), "period": 0.01}
     assert "time/pace" not in up.doctor(up.Log(log.t, keep, log.units, {**origin, "outcome": {"late": 0}})).codes()

@@ -230,7 +230,7 @@ def test_columns_that_no_name_tells_are_missed_and_nothing_is_read_into_the_rest
     """A gyro in degrees alone: no pose is known without wheels, so that its mean is no offset."""
     found = doctor(RawTable({"t": T, "gyro": (GYRO + 0.2) / DEGREE, "alpha": WHEEL, "beta": VOLTS}))
     assert found.codes() == ["columns/missing"]
-    assert any("no column is recognised as encoders or commands" in finding.evidence for finding in found.findings)
+    assert found.findings[0].facts["what"] == ["encoders", "commands"]
 
 
 @pytest.mark.parametrize(("largest", "volts"), [(0.8, 6.4), (80.0, 6.4), (200.0, 8.0 * 200 / 255), (1023.0, 8.0)])
@@ -280,13 +280,13 @@ def test_a_tilt_alone_shows_poses_and_what_is_missing() -> None:
     found = doctor(RawTable(columns | {"PWM": np.clip(-2500 * falls, -255, 255)}))
     assert [pose.kind for pose in found.segments] == ["balancing", "falling"]
     assert found.mapping.channels[SENSORS[2]].column == "Speed (deg./s)"
-    assert any("no column is recognised as encoders" in finding.evidence for finding in found.findings)
+    assert any(f.facts["what"] == ["encoders"] for f in found.findings if f.code == "columns/missing")
     (command,) = (f for f in found.findings if f.code == "units/command")
-    assert "a duty instead of volts" in command.evidence  # its name says that it is a duty
-    assert "255" in command.repair  # but not of what: 255, 400 and 1023 are usual
+    assert command.facts["unit"] == "a duty"  # its name says so
+    assert 255 in command.facts["fulls"]  # but not of what: 255, 400 and 1023 are usual
     asked = doctor(RawTable(columns | {"command": -7500.5 * falls}))  # a law's output, before any limit
     (command,) = (f for f in asked.findings if f.code == "units/command")
-    assert "nothing tells which" in command.evidence
+    assert len(command.facts["units"]) > 1
     assert not command.fixes
 
 
@@ -373,7 +373,7 @@ def test_rows_without_names_are_read_beside_the_settings_of_a_program(tmp_path: 
     tilt, gyro = Source(column="c1", unit="rad"), Source(column="c2", unit="rad/s")
     mapping = Mapping("mine", Source(column="", period=0.005), {"estimate/pitch": tilt, SENSORS[2]: gyro})
     (found,) = (f for f in doctor(table, mapping=mapping).findings if f.code == "samples/doubled")
-    assert "each row stands 2 times: 60 of 120" in found.evidence
+    assert found.facts == {"times": 2, "n": 60, "rows": 120}
 
 
 def test_settings_beside_columns_are_no_columns(tmp_path: Path) -> None:
@@ -405,7 +405,7 @@ def test_a_speed_in_another_unit_than_its_name_says_contradicts_the_angle(per_sp
     assert bool(found) == wrong
     if wrong:
         true = "rad/s" if per_speed == 1 else "deg/s"
-        assert f"('{true}' would agree)" in found[0].evidence
+        assert found[0].facts["unit"] == true
 
 
 def test_counts_beside_a_speed_say_what_a_turn_is() -> None:
@@ -414,9 +414,8 @@ def test_counts_beside_a_speed_say_what_a_turn_is() -> None:
     table = RawTable({"t": w["t"], "left_rpm": w["speed"], "right_rpm": w["speed"], "n": np.rint(w["angle"]),
                       "pitch": 0.1 * np.sin(9 * w["t"])})  # fmt: skip
     (finding, *_) = (f for f in doctor(table).findings if f.code == "units/turn")
-    turn = float(finding.evidence.split("a turn of the wheel is ")[1].split()[0])
-    assert turn == pytest.approx(330 * 60 / (2 * np.pi), rel=0.01)  # four digits are printed
-    assert "'left_rpm' in rpm" in finding.evidence
+    assert finding.facts["turn"] == pytest.approx(330 * 60 / (2 * np.pi), rel=0.01)
+    assert (finding.facts["column"], finding.facts["unit"]) == ("left_rpm", "rpm")
 
 
 def test_pairs_with_units_are_read_between_the_messages_of_a_program(tmp_path: Path) -> None:

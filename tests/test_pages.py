@@ -221,7 +221,7 @@ def a_diagnosis() -> Result:
 
 def a_post_mortem() -> Result:
     push = Blow(impulse=0.38, start=5.0, duration=0.01, height=0.07, counts=0.65, largest=0.63, most=0.37, explained=1)
-    causes = Cause(PUSH, 0.67, 5.0, "a push", push), Cause(LOW, 0.33, 4.5, "the motors had torque left")
+    causes = Cause(PUSH, 0.67, 5.0, Say("push"), push), Cause(LOW, 0.33, 4.5, Say("gain too low"))
     return PostMortem(
         verdict=PUSH, causes=causes, robot="a", kit="b", controller="", hash="", fell_at=5.4, onset=5.0, rows=600,
         missing=(), notes=(), series=Series.none(),

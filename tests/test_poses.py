@@ -187,7 +187,7 @@ def test_a_log_of_29_rows_shows_its_fall(motors: int, gyro: int, blamed: str) ->
     found = post_mortem(log, "nxtway-gs")
     assert found.fell
     assert found.check() == []
-    assert any(blamed in words for words in (*found.notes, *(cause.evidence for cause in found.causes)))
+    assert any(blamed in str(said) for said in (*found.notes, *(cause.evidence for cause in found.causes)))
     assert ("against" in str(found)) == bool(blamed)
 
 
@@ -230,7 +230,7 @@ def test_a_log_cut_in_the_midst_of_a_swing_has_no_gyro_offset() -> None:
     assert "gyro/bias" not in doctor(log).codes()
     found = doctor(Log(t, {**log.channels, GYRO: log[GYRO] + 0.3}))
     (bias,) = [f for f in found.findings if f.code == "gyro/bias"]
-    assert float(bias.repair.split()[1]) == pytest.approx(0.3, abs=0.02)
+    assert bias.facts["mean"] == pytest.approx(0.3, abs=0.02)
 
 
 def test_only_the_time_on_the_wheels_is_fitted() -> None:
@@ -257,15 +257,15 @@ def test_a_robot_on_its_back_is_not_calibrated() -> None:
 
 def test_microseconds_read_as_seconds_are_named() -> None:
     log = balanced()
-    with pytest.raises(InvalidLog, match="read as microseconds it is 10 ms"):
+    with pytest.raises(InvalidLog, match="in µs they are 10 ms"):
         on_its_wheels(Log(1e6 * log.t, log.channels, log.units))
 
 
 def test_times_since_1970_are_reported_to_the_hundredth() -> None:
     log = joined([], [turned(1.3, 0.5, 3.0)], chasing=12.0)
     (fall,) = [f for f in doctor(Log(log.t + 1.7e9, log.channels, log.units)).findings if f.code == "segment/fall"]
-    assert "use t < 170000000" in fall.repair
-    assert "e+09" not in fall.evidence + fall.repair
+    assert "before 170000000" in str(fall.repair)
+    assert "10⁹" not in f"{fall.evidence}{fall.repair}"
 
 
 # Rows of a measured log, cut where nobody would: what its authors and its own tilt say is in the README beside it.
@@ -337,7 +337,7 @@ def test_a_robot_on_a_stand_whose_wheels_spin_up_does_not_balance(per_radian: fl
     on = np.where(t > 0.3, 7.0, 0.0)
     found = doctor(Log(t, channels | {"applied/left": on, "applied/right": on}, {"applied/left": "V"}))
     assert [pose.kind for pose in found.segments] == ["held"]
-    assert any("its wheels are off the floor" in finding.evidence for finding in found.findings)
+    assert any("its wheels are off the floor" in str(finding.evidence) for finding in found.findings)
     assert "segment/none" in found.codes()
 
 

@@ -59,11 +59,11 @@ from upright.diagnose.series import Series
 from upright.diagnose.signatures import bank
 from upright.diagnose.slip import _slip_acceleration
 from upright.diagnose.usual import window_of
-from upright.errors import InvalidLog, InvalidRobot
+from upright.errors import InvalidRobot
 from upright.experiment import Drive, Impulse, Push, run
 from upright.experiment.examples import example
 from upright.logs.raw import raw_log
-from upright.pages import Page
+from upright.pages import Page, Say
 from upright.pages.html import document
 from upright.physics.dynamics import Disturbance, derivative
 from upright.physics.integrate import rk4_step
@@ -203,7 +203,7 @@ def test_a_sensor_that_stands_still_while_another_moves_is_stuck() -> None:
     # what the controller reads is stuck from `ONSET` on, as by a plug that came off; the robot falls by it
     found = post_mortem(logged("sensor stuck", "sensor/gyro"), NXT, KIT)
     assert found.verdict == "sensor stuck", str(found)
-    assert "gyro" in found.causes[0].evidence
+    assert "gyro" in str(found.causes[0].evidence)
     assert found.onset == pytest.approx(ONSET, abs=0.1)
 
 
@@ -256,7 +256,7 @@ def test_motors_that_are_off_leave_no_cause_to_name() -> None:
     """A loop that did not run, or one that was switched off: the log is the same."""
     found = post_mortem(left_alone(0.0), NXT, KIT)
     assert not found.causes, str(found)
-    assert any("both commands are 0 in every row" in note for note in found.notes)
+    assert any("Both commands are 0 in every row" in str(note) for note in found.notes)
 
 
 def test_the_robot_as_it_should_be_leaves_its_dead_time_to_no_fault() -> None:
@@ -430,7 +430,7 @@ def test_high_gain_is_named_with_the_file() -> None:
     log = logged("gain too high", "law", 10.0, robot="twipr")
     found = post_mortem(log, twipr, Kit.preset("twipr"), designed("twipr"))
     assert found.verdict == "gain too high"
-    assert "10.00 times" in found.causes[0].evidence
+    assert found.causes[0].evidence.facts["gain"].value == pytest.approx(10, rel=1e-3)
 
 
 def test_a_standing_robot_is_not_mourned() -> None:
@@ -440,15 +440,12 @@ def test_a_standing_robot_is_not_mourned() -> None:
     assert not found.check()
 
 
-def test_json_brings_it_back() -> None:
+def test_json_and_page_have_the_causes() -> None:
     found = mourned()
-    text = json.dumps(found.to_json(), allow_nan=False)
-    again = PostMortem.from_json(json.loads(text))
-    assert json.dumps(again.to_json()) == text
-    assert again.causes == found.causes
+    data = json.loads(json.dumps(found.to_json(), allow_nan=False))
+    assert [cause["name"] for cause in data["causes"]] == [cause.name for cause in found.causes]
     assert {name for cause in found.causes for name in cause.name.split(" and ")} <= {*CAUSES, NONE, CANNOT_TELL}
-    with pytest.raises(InvalidLog, match="no post-mortem"):
-        PostMortem.from_json(json.loads(text) | {"verdict": NO_FALL})
+    assert dataclasses.replace(found, verdict=NO_FALL).check()
     page = document(found.page())
     assert str(found.causes[0].title) in page
     assert "<svg" in page
@@ -463,11 +460,11 @@ def test_a_push_is_named_with_its_numbers() -> None:
     assert push is not None
     assert push.impulse == pytest.approx(STRUCK.impulse, rel=0.1)  # 7 % small to 1 % large (docs/post-mortem.md)
     assert push.start == pytest.approx(ONSET, abs=KIT.period)
-    assert PostMortem.from_json(json.loads(json.dumps(found.to_json()))).causes == found.causes
+    assert found.to_json()["causes"][0]["push"]["impulse"] == push.impulse
     known = dataclasses.replace(
         push, impulse=-0.46, counts=math.radians(41), largest=math.radians(35), most=0.4, saves=None
     )
-    first = dataclasses.replace(found.causes[0], evidence="other words", push=known)
+    first = dataclasses.replace(found.causes[0], evidence=Say("none of these"), push=known)
     page = dataclasses.replace(found, causes=(first, *found.causes[1:])).page()
     assert "A push backward at 2" in str(page.lead[0])
     assert "No controller could have saved it" in str(page.lead[1])
@@ -540,7 +537,7 @@ def said_of(name: str, push: Blow | None = None, series: Series | None = None) -
     """A post-mortem that names this cause."""
     named: dict[str, Any] = {"robot": "a", "kit": "", "controller": "", "hash": "", "rows": 101}
     return PostMortem(
-        verdict=name, causes=(Cause(name, 1.0, 0.0, "", push),), fell_at=1.0, onset=0.0, missing=(), notes=(),
+        verdict=name, causes=(Cause(name, 1.0, 0.0, Say("wall"), push),), fell_at=1.0, onset=0.0, missing=(), notes=(),
         series=series or Series.none(), **named,
     )  # fmt: skip
 
@@ -550,7 +547,7 @@ def test_what_is_missing_is_reported() -> None:
     blind = Log(log.t, {n: v for n, v in log.channels.items() if n != "sensor/gyro"})
     found = post_mortem(blind, NXT, KIT)
     assert found.verdict == CANNOT_TELL
-    assert any("gyro" in name for name in found.missing)
+    assert any("gyro" in str(name) for name in found.missing)
     assert math.isnan(found.fell_at)
 
 
@@ -592,7 +589,7 @@ def test_no_fault_is_named_by_a_model_that_does_not_describe_the_robot(shared: P
     assert fallen.fell
     assert fallen.verdict == CANNOT_TELL  # motors come to their limit in every fall, and the lean is not known
     assert "nan" not in str(fallen)
-    assert any("no cause is named" in note for note in fallen.notes)
+    assert any("times the expected ones" in str(note) for note in fallen.notes)
 
 
 @pytest.mark.needs("shared/data/ev3way/tilt_000.csv")
@@ -648,7 +645,7 @@ def test_a_log_in_which_nothing_turns_lacks_no_channel_but_motion() -> None:
     still = {n: np.zeros(200) for n in ("sensor/encoder_left", "sensor/encoder_right", "command/left", "command/right")}
     found = post_mortem(Log(t, still | {"sensor/gyro": 0.01 * np.sin(t)}), NXT, KIT)
     assert found.verdict == CANNOT_TELL
-    assert found.missing == ("an encoder that changes: it reads the same in every row",)
+    assert [*map(str, found.missing)] == ["an encoder that changes (sensor/encoder_left)"]
 
 
 def test_the_last_quarter_of_a_second_does_not_show_which_gain_was_wrong() -> None:
@@ -657,7 +654,7 @@ def test_the_last_quarter_of_a_second_does_not_show_which_gain_was_wrong() -> No
     rows = np.arange(len(log) - 25, len(log))
     found = post_mortem(Log(log.t[rows], {n: v[rows] for n, v in log.channels.items()}, log.units, log.origin))
     assert found.verdict == CANNOT_TELL, str(found)
-    assert any("the seconds before" in name for name in found.missing)
+    assert any("the seconds before" in str(name) for name in found.missing)
     assert "0 times a second" not in str(found)
 
 
@@ -776,7 +773,7 @@ def frozen() -> Log:
 def test_a_program_that_stands_still_is_named_though_robot_and_sensors_are_sound() -> None:
     found = post_mortem(frozen(), NXT, KIT)
     assert found.verdict == "dropped samples", str(found)
-    assert "both commands stood still" in found.causes[0].evidence
+    assert "Both commands stood still" in str(found.causes[0].evidence)
     assert found.onset == pytest.approx(ONSET, abs=0.02)
 
 
@@ -833,13 +830,20 @@ def test_a_log_whose_gyro_has_the_other_sign_sends_its_reader_to_the_doctor() ->
     found = post_mortem(log, NXT, KIT)
     assert found.verdict == NONE, str(found)
     assert found.page().next[0].verb == "doctor"
-    assert any("sensor/gyro: its sign" in note for note in found.notes)
+    assert any("wrong sign, gyro" in str(note) for note in found.notes)
 
 
 BEYOND = {  # planted in MuJoCo: cause, way, size, a knock after it [N s], what is said, a part of why
-    "encoders that agree": ("sensor mis-scaled", "encoders", 1.9, 0.0, SCALED, "both encoders that show 1."),
+    "encoders that agree": (
+        "sensor mis-scaled",
+        "encoders",
+        1.9,
+        0.0,
+        SCALED,
+        "times the motion shows in: both encoders",
+    ),
     "one encoder counts backwards": ("wrong sign", "encoder_left", 1.0, 0.0, REVERSED, "with the wrong sign"),
-    "a gyro is clipped": ("clipped", "gyro", 0.15, 0.15, NONE, "the end of its range"),
+    "a gyro is clipped": ("clipped", "gyro", 0.15, 0.15, NONE, "its range ends there"),
 }
 
 
@@ -869,4 +873,4 @@ def test_what_no_list_had_is_named_or_none_of_these(name: str) -> None:
     *planted, said, why = BEYOND[name]
     found = post_mortem(beyond(*planted), NXT, KIT)
     assert found.verdict == said, str(found)
-    assert why in found.causes[0].evidence
+    assert why in str(found.causes[0].evidence)

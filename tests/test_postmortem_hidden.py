@@ -23,10 +23,11 @@ from upright.diagnose.innovations import Signature, follow
 from upright.diagnose.joint import _as_another
 from upright.diagnose.pairs import _explained
 from upright.diagnose.remedy import remedied
-from upright.diagnose.resting import RESTS, held_wheel, of_held_wheel, weighed
+from upright.diagnose.resting import RESTS, held_wheel, weighed
 from upright.diagnose.sizes import possible
 from upright.diagnose.usual import window_of
 from upright.logs.mapping import apply, propose
+from upright.pages import Say
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -101,7 +102,7 @@ def test_a_push_shares_its_probability_with_a_load_that_explains_as_much(
     """Of the loads that went beside a push (7673 and 7675) the planted numbers have 10 nats and 1 nat less than the
     push alone, which stood at 0.87. One cause stays likelier than two."""
     for name in ("blow", "of_push", "of_fault"):
-        monkeypatch.setattr(blows, name, lambda *_: "")
+        monkeypatch.setattr(blows, name, lambda *_: Say("none of these"))
     push = PushEstimate(4.0, 4.1, 0.5, 0.1, 90.0)
     load = FaultFit(fault="payload", onset=3.9, size=-0.2, score=100.0 + more, pushes=(push,))
     evidence: Any = SimpleNamespace(
@@ -110,7 +111,7 @@ def test_a_push_shares_its_probability_with_a_load_that_explains_as_much(
     alone, both = blows._with_load(evidence, 0.87, push, 0.3)
     assert (alone.name, both.name) == ("push too large", "load changed and push too large")
     assert (alone.probability, both.probability) == pytest.approx((0.87 * (1 - share), 0.87 * share), abs=0.01)
-    assert ("explains about as much" in alone.evidence) == (share > 0.1)
+    assert ("explains about as much" in str(alone.evidence)) == (share > 0.1)
 
 
 def test_what_takes_torque_is_searched_from_where_the_other_causes_of_that_were_found() -> None:
@@ -168,8 +169,6 @@ def test_of_a_wheel_that_rests_a_jam_and_a_dead_motor_are_both_said() -> None:
     assert held_wheel(evidence, best) == "left"
     weights = weighed(evidence, best, held=True)
     assert weights == pytest.approx({"motor": IDLE, "friction": 1 - IDLE})
-    assert "motor without torque" in of_held_wheel("left", best["friction"])
-    assert "jam" in of_held_wheel("left", best["motor"])
     evidence, best = resting(3 * RESTS)  # let go before the robot lies, as by a motor without torque
     assert held_wheel(evidence, best) == ""
     assert weighed(evidence, best, held=False)["motor"] == pytest.approx(1 / (1 + np.exp(-12 / 6)))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from upright.checkup.finding import LEFT, RIGHT, Finding, Fix, Record, note, warning
+from upright.checkup.finding import LEFT, RIGHT, Finding, Fix, Record, note, plain, warning
 from upright.checkup.physics import FAR, REACH, Resampled, Response, backward_rate, motion, motor, responses
 from upright.pages import Quantity, Say
 
@@ -56,14 +56,12 @@ def _between(m: Resampled, lag: float, r2: float) -> list[Finding]:
     if abs(lag) < limit:
         return []
     delayed = (m.gyro_name,) if lag > 0 else (LEFT, RIGHT)
-    late = {"delay": Quantity(abs(lag), "s"), "limit": Quantity(limit, "s")}
+    late = {"delay": Quantity(abs(lag), "s"), "limit": Quantity(limit, "s"), "r2": plain(r2)}
     evidence = Say("It comes {delay} after the encoders; sampling explains up to {limit}.", **late)
     if lag < 0:
         evidence = Say("They come {delay} after the gyro; sampling explains up to {limit}.", **late)
     repair = Say("Shift the readings {delay} earlier.", delay=late["delay"])
-    return [
-        warning("delay/sensor", delayed[0], evidence, repair, Fix("earlier", delayed, (abs(lag),)), measured={"r2": r2})
-    ]
+    return [warning("delay/sensor", delayed[0], evidence, repair, Fix("earlier", delayed, (abs(lag),)))]
 
 
 def _behind_command(m: Resampled, lag: float) -> list[Finding]:

@@ -43,7 +43,7 @@ def _pitch(record: Record, m: Resampled) -> list[Finding]:
     near = _NEAR if r2 > CLEAR else 2.0
     if r2 < 0.7 or not slope or 1 / near < slope < near:
         return []
-    evidence = Say("Its rate is {slope} times that of the gyro, and should be 1.", slope=plain(slope))
+    evidence = Say("Its rate is {slope} times that of the gyro, and should be 1.", slope=plain(slope), r2=plain(r2))
     if -2 < slope < -0.5:
         return contrary((PITCH,), (GYRO,), evidence, follows_wheels(m) or int(np.sign(gyro_by_gravity(record, m))))
     if slope < 0:
@@ -51,12 +51,8 @@ def _pitch(record: Record, m: Resampled) -> list[Finding]:
     why = min(_FACTORS, key=lambda name: abs(math.log(slope / _FACTORS[name])))
     if abs(math.log(slope / _FACTORS[why])) > 0.4:
         repair = Say("State the true scale of either in a mapping, or check the clock.")
-        return [error("units/scale", PITCH, evidence, repair, measured={"r2": r2})]
-    return [
-        divide(
-            (PITCH,), Say("Perhaps {unit}. {evidence}", unit=why, evidence=evidence), _FACTORS[why], measured={"r2": r2}
-        )
-    ]
+        return [error("units/scale", PITCH, evidence, repair)]
+    return [divide((PITCH,), Say("Perhaps {unit}. {evidence}", unit=why, evidence=evidence), _FACTORS[why])]
 
 
 def _heading(record: Record, m: Resampled) -> list[Finding]:

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.arrays import Array, Mask
-from upright.pages import Quantity, Say, data_of, english
+from upright.pages import Quantity, Say, english, facts_of
 
 SEVERITIES = ("error", "warning", "note")
 """error: the log is wrong; warning: a fit must account for it; note: information."""
@@ -146,8 +145,7 @@ class Fix:
 @dataclass(frozen=True)
 class Finding:
     """One fault: `code` (family/name), `severity`, `channel`, the `evidence` as a sentence with what decides, the
-    `repair` as one, the `fixes` that do it, its `span` [s] where it does not concern the whole log, and further
-    `measured` numbers [SI]."""
+    `repair` as one, the `fixes` that do it, and its `span` [s] where it does not concern the whole log."""
 
     code: str
     severity: str
@@ -156,13 +154,11 @@ class Finding:
     repair: Say | None = None
     fixes: tuple[Fix, ...] = ()
     span: tuple[float, float] | None = None
-    measured: Mapping[str, float] = field(default_factory=dict[str, float])
 
     @property
     def facts(self) -> dict[str, Any]:
-        """The facts of both sentences as data, and what else was measured."""
-        said = self.evidence.facts | (self.repair.facts if self.repair else {})
-        return {name: data_of(fact) for name, fact in said.items()} | dict(self.measured)
+        """The facts of both sentences as data."""
+        return facts_of(self.evidence) | (facts_of(self.repair) if self.repair else {})
 
     def to_json(self) -> dict[str, Any]:
         """As plain data, with the sentences in English."""
@@ -177,47 +173,23 @@ def in_a_line(finding: Finding) -> str:
 
 
 Span = tuple[float, float]
-Measured = Mapping[str, float]
-NOTHING: Measured = MappingProxyType({})
 
 
-def error(
-    code: str,
-    channel: str,
-    evidence: Say,
-    repair: Say | None,
-    *fixes: Fix,
-    span: Span | None = None,
-    measured: Measured = NOTHING,
-) -> Finding:
+def error(code: str, channel: str, evidence: Say, repair: Say | None, *fixes: Fix) -> Finding:
     """A finding of severity `error`."""
-    return Finding(code, "error", channel, evidence, repair, fixes, span, measured)
+    return Finding(code, "error", channel, evidence, repair, fixes)
 
 
 def warning(
-    code: str,
-    channel: str,
-    evidence: Say,
-    repair: Say | None,
-    *fixes: Fix,
-    span: Span | None = None,
-    measured: Measured = NOTHING,
+    code: str, channel: str, evidence: Say, repair: Say | None, *fixes: Fix, span: Span | None = None
 ) -> Finding:
     """A finding of severity `warning`."""
-    return Finding(code, "warning", channel, evidence, repair, fixes, span, measured)
+    return Finding(code, "warning", channel, evidence, repair, fixes, span)
 
 
-def note(
-    code: str,
-    channel: str,
-    evidence: Say,
-    repair: Say | None,
-    *,
-    span: Span | None = None,
-    measured: Measured = NOTHING,
-) -> Finding:
+def note(code: str, channel: str, evidence: Say, repair: Say | None, *, span: Span | None = None) -> Finding:
     """A finding of severity `note`."""
-    return Finding(code, "note", channel, evidence, repair, (), span, measured)
+    return Finding(code, "note", channel, evidence, repair, (), span)
 
 
 STATE = Say("State the true unit and scale in a mapping: `--write-mapping MINE.toml`.")

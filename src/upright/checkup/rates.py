@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from upright.checkup.delays import command_delay
-from upright.checkup.finding import Finding, Record, note, warning
+from upright.checkup.finding import Finding, Record, note, plain, warning
 from upright.checkup.physics import Resampled, backward_rate, motion, responses
 from upright.logs.outliers import grain_of
 from upright.pages import Quantity, Say
@@ -16,6 +16,7 @@ _SURE = 3.0  # standard deviations by which the response must be too small
 _GRAINS = 3.0  # [quantisation steps of the command] a smaller unpredictable part is rounding in the driver
 _LAW = 0.98  # R² of the motor equation above which its lag is accurate to a few hundredths of a row
 _SHARP = 2.0  # smallest sharpness of the lag: a slow motion fits any lag
+SHOWN = 3  # lines without a row that are quoted
 _WHOLE = 0.6  # [rows] of lead from which a whole row is likelier than a part of one
 _EARLY = 0.05  # [rows] tolerated lead of the wheels over a held command
 AT_ITS_RATE = Say("Log at the controller's rate: one-step regression on this log is biased.")
@@ -42,7 +43,7 @@ def skipped(lines: Sequence[str]) -> list[Finding]:
     """Lines of a file that are no rows."""
     if not lines:
         return []
-    evidence = Say("Lines that hold no row, and are left out: {n}, as “{line}”.", n=len(lines), line=lines[0])
+    evidence = Say("Lines without a row: {n}, as {lines}.", n=len(lines), lines=lines[:SHOWN])
     return [note("rows/skipped", "t", evidence, None)]
 
 
@@ -53,13 +54,13 @@ def _too_early(m: Resampled) -> list[Finding]:
     fit = m.drive
     if fit.r2 < _LAW or fit.sharp < _SHARP or fit.lag > -_EARLY * m.period:
         return []
-    early = {"lead": Quantity(-fit.lag, "s"), "period": Quantity(m.period, "s")}
+    early = {"lead": Quantity(-fit.lag, "s"), "period": Quantity(m.period, "s"), "r2": plain(fit.r2)}
     if -fit.lag > _WHOLE * m.period:
         evidence = Say("The wheels lead the commands by {lead} of {period}: each was logged a row late.", **early)
         repair = Say("Log the command that acts from the row on.")
-        return [warning("samples/controller", "command", evidence, repair, measured={"r2": fit.r2})]
+        return [warning("samples/controller", "command", evidence, repair)]
     evidence = Say("The wheels lead the commands by {lead} of {period}: these change between the rows.", **early)
-    return [warning("samples/controller", "command", evidence, AT_ITS_RATE, measured={"r2": fit.r2})]
+    return [warning("samples/controller", "command", evidence, AT_ITS_RATE)]
 
 
 def _swallowed(m: Resampled) -> list[Finding]:

@@ -31,6 +31,7 @@ from upright.checkup.finding import (
     Segment,
     instant,
     note,
+    plain,
     warning,
 )
 from upright.checkup.fixes import beside
@@ -162,7 +163,8 @@ def still(record: Record) -> list[Finding]:
         there = (m.t >= part.start) & (m.t < part.stop)
         driven = float(mean[there].mean())
         span = part.start, part.stop
-        when = {"start": instant(part.start), "stop": instant(part.stop)}
+        noise = Quantity(float(m.gyro[there].std()), "rad/s")
+        when = {"start": instant(part.start), "stop": instant(part.stop), "noise": noise}
         evidence = Say("From {start} to {stop} neither wheels nor body move, and no command drives them.", **when)
         if driven > _IDLE * mean.max():
             command = Quantity(driven, unit)
@@ -171,8 +173,7 @@ def still(record: Record) -> list[Finding]:
                 **when,
                 command=command,
             )
-        noise = float(m.gyro[there].std())
-        findings.append(note("segment/still", m.gyro_name, evidence, LEAVE_OUT, span=span, measured={"noise": noise}))
+        findings.append(note("segment/still", m.gyro_name, evidence, LEAVE_OUT, span=span))
     return findings
 
 
@@ -212,18 +213,23 @@ def _events(m: Resampled, miss: Array, loud: Mask, scatter: float) -> list[Findi
         both = min(float(part.max()), float(-part.min())) / largest
         balance = abs(float(part.sum())) / float(np.abs(part).sum())
         span = float(m.t[a + join]), float(m.t[b - 1 - join])
-        facts = {"start": instant(span[0]), "times": round(largest / scatter), "limit": round(FAR)}
+        facts = {
+            "start": instant(span[0]),
+            "times": round(largest / scatter),
+            "limit": round(FAR),
+            "size": plain(largest),
+        }
         if both > 0.35 and balance < 0.35:
             evidence = Say(
                 "At {start} the wheels leave the pendulum equation both ways, by {times} deviations (limit {limit}).",
                 **facts,
             )
-            findings.append(warning("segment/slip", LEFT, evidence, LEAVE_OUT, span=span, measured={"size": largest}))
+            findings.append(warning("segment/slip", LEFT, evidence, LEAVE_OUT, span=span))
         else:
             evidence = Say(
                 "At {start} the wheels leave the pendulum equation one way, by {times} deviations (limit {limit}).",
                 **facts,
             )
             repair = Say("Leave these rows out of a fit, or log the push.")
-            findings.append(note("segment/push", LEFT, evidence, repair, span=span, measured={"size": largest}))
+            findings.append(note("segment/push", LEFT, evidence, repair, span=span))
     return findings

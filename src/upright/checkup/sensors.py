@@ -151,9 +151,10 @@ def repeated(record: Record) -> list[Finding]:
             n=equal,
             rows=moving,
             chance=round(chance),
+            first=instant(first),
         )
         fix = Fix("bridge", (name,))
-        findings.append(warning("samples/repeated", name, evidence, INTERPOLATE, fix, measured={"first": first}))
+        findings.append(warning("samples/repeated", name, evidence, INTERPOLATE, fix))
     return findings
 
 
@@ -296,16 +297,14 @@ def grain(record: Record) -> list[Finding]:
                 limit=Quantity(COARSE_ENCODER, "rad"),
             )
             repair = Say("Fit the angles, not their differences.")
-            findings.append(warning("encoder/grain", name, evidence, repair, measured={"noise": noise, "rate": rate}))
+            findings.append(warning("encoder/grain", name, evidence, repair))
         elif noise > 0.3 * rate and name == LEFT:
             evidence = Say(
                 "Its counts make a rate from two rows uncertain by {noise}; the wheel moves at {rate}.",
                 noise=Quantity(noise, "rad/s"),
                 rate=Quantity(rate, "rad/s"),
             )
-            findings.append(
-                note("encoder/grain", name, evidence, Say("Take rates over several rows."), measured={"step": step})
-            )
+            findings.append(note("encoder/grain", name, evidence, Say("Take rates over several rows.")))
     return findings
 
 
@@ -349,9 +348,10 @@ def contaminated(record: Record) -> list[Finding]:
         "While the robot accelerates it is wrong by up to {error}; a sound one by less than {limit}.",
         error=Quantity(largest, "rad"),
         limit=Quantity(_SHAKEN, "rad"),
+        r2=plain(fraction),
     )
     repair = Say("Fit gyro and encoders, not this estimate.")
-    return [warning("estimate/accelerometer", PITCH, evidence, repair, measured={"r2": fraction})]
+    return [warning("estimate/accelerometer", PITCH, evidence, repair)]
 
 
 def _suspect(record: Record, t: Array) -> Array:

@@ -21,14 +21,12 @@ from upright.checkup.duty import (
 from upright.checkup.finding import (
     GYRO,
     LEFT,
-    NOTHING,
     RIGHT,
     SPEED,
     STATE,
     Array,
     Finding,
     Fix,
-    Measured,
     Record,
     error,
     plain,
@@ -308,54 +306,44 @@ def _ambiguous(several: Sequence[_Suspect], estimated: dict[str, float]) -> list
         q=plain(estimated["q"]),
         usual=_Q,
         units=units,
+        p=plain(estimated["p"]),
     )
     channels = [GYRO] * any(s.gyro != 1 for s in several) + [LEFT] * any(s.encoder != 1 for s in several)
-    return [error("units/scale", channel, evidence, STATE, measured={"p": estimated["p"]}) for channel in channels]
+    return [error("units/scale", channel, evidence, STATE) for channel in channels]
 
 
 def _perhaps(finding: Finding) -> Finding:
     """A mistake of a unit that is hardly likelier than none: a question, and no repair."""
     evidence = Say("Perhaps, by odds below 20 to 1: {evidence}", evidence=finding.evidence)
-    return warning(finding.code, finding.channel, evidence, STATE, measured=finding.measured)
+    return warning(finding.code, finding.channel, evidence, STATE)
 
 
 def _wrong(s: _Suspect, estimated: dict[str, float], *, counts: bool, odds: float, by_gravity: float) -> list[Finding]:
     """The likeliest mistake of a unit; of encoders in whole numbers (`counts`) it may be counts, too."""
-    evidence = Say(
-        "Seems to be in {unit}: the wheels turn {q} times as fast as the body; usual is {usual}.",
-        unit=s.unit,
-        q=plain(estimated["q"]),
-        usual=_Q,
-    )
+    facts = {
+        "unit": s.unit,
+        "q": plain(estimated["q"]),
+        "usual": _Q,
+        "p": plain(estimated["p"]),
+        "pitch": Quantity(estimated["pitch"], "rad"),
+        "rate": Quantity(estimated["wheel_rate"], "rad/s"),
+        "log_odds": plain(odds),
+        "by_gravity": plain(abs(by_gravity)),
+    }
+    evidence = Say("Seems to be in {unit}: the wheels turn {q} times as fast as the body; usual is {usual}.", **facts)
     if s.encoder == s.gyro:
-        evidence = Say(
-            "Seems to be in {unit}: the body sways by {pitch}, the wheels turn at {rate}.",
-            unit=s.unit,
-            pitch=Quantity(estimated["pitch"], "rad"),
-            rate=Quantity(estimated["wheel_rate"], "rad/s"),
-        )
-    measured = {"p": estimated["p"], "log_odds": odds} | ({"by_gravity": abs(by_gravity)} if by_gravity else {})
+        evidence = Say("Seems to be in {unit}: the body sways by {pitch}, the wheels turn at {rate}.", **facts)
     if s.about:
-        return [
-            error(
-                "units/scale",
-                LEFT,
-                evidence,
-                Say("State scale 1 over the wheel's radius in a mapping."),
-                measured=measured,
-            )
-        ]
+        return [error("units/scale", LEFT, evidence, Say("State scale 1 over the wheel's radius in a mapping."))]
     groups = (((GYRO,), s.gyro), ((LEFT, RIGHT), s.encoder))
-    divided = [divide(channels, evidence, factor, measured=measured) for channels, factor in groups if factor != 1]
+    divided = [divide(channels, evidence, factor) for channels, factor in groups if factor != 1]
     if not counts:
         return divided
     either = Say("Divide by {factor}; of counts, state how many are a turn.", factor=plain(s.encoder, 6))
     return [replace(f, repair=either) if f.channel != GYRO else f for f in divided]
 
 
-def divide(channels: tuple[str, ...], evidence: Say, divisor: float, measured: Measured = NOTHING) -> Finding:
+def divide(channels: tuple[str, ...], evidence: Say, divisor: float) -> Finding:
     """That channels are too large by a factor, and the repair."""
     repair = Say("Divide by {factor}.", factor=plain(divisor, 6))
-    return error(
-        "units/scale", channels[0], evidence, repair, Fix("scale", channels, (1 / divisor,)), measured=measured
-    )
+    return error("units/scale", channels[0], evidence, repair, Fix("scale", channels, (1 / divisor,)))

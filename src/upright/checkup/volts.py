@@ -68,7 +68,7 @@ def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
     ]
     repair, fixes = _repair(record, unit, alike, largest, battery)
     name = _DUTY if "fulls" in repair.facts else unit.name
-    evidence = Say("They reach {largest}: {unit} instead of volts.", largest=reach, unit=name)
+    evidence = Say("They reach {largest}: {unit} instead of volts.", largest=reach, unit=name, battery=plain(battery))
     if emf:
         evidence = Say(
             "They are {unit} instead of volts: the back-EMF is {emf}, and read as volts {logged}.",
@@ -76,7 +76,7 @@ def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
             emf=Quantity(emf / unit.factor, "V s/rad"),
             logged=Quantity(emf, "V s/rad"),
         )
-    return [error("units/command", names[0], evidence, repair, *fixes, measured={"battery": battery})]
+    return [error("units/command", names[0], evidence, repair, *fixes)]
 
 
 def _repair(
@@ -90,7 +90,7 @@ def _repair(
         return Say("Divide by {factor}.", factor=plain(unit.factor)), (by_volts,)
     full, *others = (u.factor * (battery or USUAL_BATTERY) for u in (unit, *alike))
     # a duty that is reached is full
-    fulls = [plain(one, 4) for one in sorted([full, *others])]
+    fulls = sorted(round(one) for one in (full, *others))
     open_ = bool(others) and largest < full
     if open_ and battery:
         return Say("State in a mapping what full duty is, of these: {fulls}.", fulls=fulls), ()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from upright.checkup.finding import instant
 from upright.diagnose.causes import CANNOT_TELL, LOAD, NAMES, PUSH, STUCK, WALL
 from upright.diagnose.chances import (
     FITS_BADLY,
@@ -25,6 +26,7 @@ from upright.diagnose.fault_fits import PushEstimate
 from upright.diagnose.sizes import possible, slight
 from upright.diagnose.thrown import FEW
 from upright.diagnose.words import blow, of_fault, of_push, of_throw
+from upright.pages import Quantity, Say
 
 LIKELY = 0.95  # most probability of a demand or a steady load, PUSHED of a push: a fault may look like either
 PUSHED = 0.97
@@ -62,9 +64,12 @@ def driven_into(evidence: Evidence) -> list[Answer]:
             free = 1 - max((max(holds(evidence, fit), surer(evidence, fit)) for fit in others), default=0.0)
             slip = max((fit.score for fit in others if fit.fault == "slip"), default=-math.inf)
             free *= step(evidence.pushes_only.score - slip, TEMPER)  # wheels that slip go no further either
-            text = (
-                f"the robot drove at {wall.speed:.2g} m/s and its wheels were held from t = {wall.start:.2f} s on, "
-                f"within {1e3 * max(wall.further, 0.0):.0f} mm, by {abs(push.impulse):.2g} N s"
+            text = Say(
+                "At {time} the wheels stopped within {distance} from {speed}.",
+                time=instant(wall.start),
+                distance=Quantity(max(wall.further, 0.0), "m", digits=2),
+                speed=Quantity(wall.speed, "m/s", digits=2),
+                impulse=Quantity(abs(push.impulse), "N s"),
             )
             return [Answer(LIKELY * sure * free, WALL, wall.start, text)]
     return []
@@ -89,14 +94,12 @@ def thrown_over(evidence: Evidence) -> list[Answer]:
     sure = (1 - wall) * (1 - HELPED) * (BRIEFLY if throw.rows < FEW else PUSHED)
     answers = [Answer((1 - failed) * sure, PUSH, throw.start, text)]
     if failed:
-        other = (
-            f"the gyro stands at the end of its range from t = {throw.start:.2f} s on, and the wheels do not show why"
-        )
+        at = instant(throw.start)
+        other = Say("From {time} on the gyro stands at the end of its range; the wheels do not show why.", time=at)
         answers.append(Answer(failed * sure, STUCK, throw.start, other))
     if throw.rows < FEW:
-        answers.append(
-            Answer(1 - sure, CANNOT_TELL, math.nan, f"the log ends {1e3 * throw.left:.0f} ms after the blow")
-        )
+        brief = Say("The log ends {left} after the blow.", left=Quantity(throw.left, "s", digits=2))
+        answers.append(Answer(1 - sure, CANNOT_TELL, math.nan, brief))
     return answers
 
 
@@ -114,7 +117,7 @@ def _with_load(evidence: Evidence, chance: float, push: PushEstimate, lean: floa
     """A push that felled the robot, which shares its probability with a load that came or went beside it, as far as
     that explains as much: a load hardly shows beside a push."""
     numbers = blow(evidence, push, lean)
-    text = of_push(evidence, push, numbers)
+    text = of_push(numbers)
     none = evidence.pushes_only
     loads = [fit for fit in evidence.fits if fit.fault == "payload" and fit.pushes and not slight(fit)]
     loads = [fit for fit in loads if possible(fit, evidence.fell_at)]
@@ -123,8 +126,8 @@ def _with_load(evidence: Evidence, chance: float, push: PushEstimate, lean: floa
     load = max(loads, key=evidence.nats)
     part = min(step(evidence.nats(load) - evidence.nats(none), TEMPER), MOST_SHARED)
     if part > SHOWN:
-        text += ". A load that came or went beside it explains about as much: the log does not show whether one did"
-    other = f"{of_fault(evidence, load)}, beside a push; the push alone explains about as much"
+        text = Say("{push} A load beside it explains about as much.", push=text)
+    other = Say("{load} The push alone explains about as much.", load=of_fault(evidence, load))
     return [
         Answer((1 - part) * chance, PUSH, push.start, text, numbers),
         Answer(part * chance, f"{LOAD} and {PUSH}", min(load.onset, push.start), other),

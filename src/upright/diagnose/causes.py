@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from upright.pages import Say
+from upright.pages import Quantity, Say
 from upright.robots import Robot
 
 NO_FALL, CANNOT_TELL = "it did not fall", "cannot tell"
@@ -95,7 +95,7 @@ class Cause:
     name: str
     likelihood: float
     onset: float
-    evidence: str
+    evidence: Say
     push: Blow | None = None
 
     @property
@@ -119,19 +119,19 @@ AND = " and "
 """Between the names of two causes at once."""
 
 
-def noisy(noise: Mapping[str, float]) -> str:
+def noisy(noise: Mapping[str, float]) -> Say:
     """What a filter of a calibrated robot cannot see."""
-    units = {"gyro": "rad/s", "encoder": "rad"}
-    sizes = " and ".join(f"{name} {noise[name]:.2g} {unit}" for name, unit in units.items() if name in noise)
-    return f"the noise is that of the robot's calibration ({sizes} from reading to reading): a smaller fault is hidden"
+    gyro = Quantity(noise.get("gyro", 0.0), "rad/s", digits=2)
+    return Say("Faults below the noise of the robot's calibration are hidden (gyro {gyro}).", gyro=gyro)
 
 
-def foreign(ordinary: float, robot: Robot) -> str:
+def foreign(ordinary: float, robot: Robot) -> Say:
     """Why no cause is named that rests on the innovations of a `robot` that they do not fit."""
-    text = (
-        f"the given robot does not fit this log, even before the fall: innovations are {math.sqrt(ordinary):.0f} times "
-        "the expected size, so no cause is named that rests on them"
-    )
+    times = round(math.sqrt(ordinary))
     if any(origin.source.startswith("calibrated from ") for origin in robot.provenance.values()):
-        return f"{text}. Its calibration is of another run, or without the noise of one: calibrate it from this log too"
-    return f"{text}. Calibrate it first, or name another robot"
+        return Say(
+            "The filter's errors are {times} times the expected ones: calibrate from this log, too.", times=times
+        )
+    return Say(
+        "The filter's errors are {times} times the expected ones: calibrate, or name another robot.", times=times
+    )

@@ -52,6 +52,7 @@ from upright.diagnose.supply import as_shown, with_supply
 from upright.diagnose.thrown import Throw, thrown
 from upright.diagnose.usual import FOREIGN, calm_of, quiet_of, window_of
 from upright.errors import SpecMismatch, UprightError
+from upright.pages import Say
 from upright.physics.dynamics import motor_damping, motor_gain
 from upright.physics.linear import linearise
 from upright.progress import Progress
@@ -108,7 +109,7 @@ class Evidence:
     demand: Demand | None
     battery: tuple[float, float]
     throw: Throw | None
-    notes: tuple[str, ...]
+    notes: tuple[Say, ...]
     slid: float = math.nan
 
     @cached_property
@@ -300,7 +301,7 @@ def _evidence(
 
 def _match(
     run: FilterRun, controller: Controller | None, end: float
-) -> tuple[CommandMatch | None, bool | None, tuple[str, ...]]:
+) -> tuple[CommandMatch | None, bool | None, tuple[Say, ...]]:
     """The comparison over the time before the fall that shows it best, and whether the file's loop is stable."""
     if controller is None:
         return None, None, ()
@@ -308,12 +309,12 @@ def _match(
     try:
         several = [matched(run, controller, end - seconds, end) for seconds in LAST_SECONDS]
     except SpecMismatch as error:
-        return None, None, (f"the controller was not replayed: {error}",)
+        return None, None, (Say("The controller was not replayed: {error}", error=str(error)),)
     best = max(several, key=lambda match: match.explained)
     stable = _stable(controller, run.robot, run.kit)
     if best.known or best.explained > SAME:
         return best, stable, ()
-    note = "the controller's file does not reproduce the commands of this log, even before the fault"
+    note = Say("The controller's file does not give the commands of this log, even before the fault.")
     return best, stable, (note,)
 
 

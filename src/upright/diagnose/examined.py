@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
-from typing import Any, Self
+from dataclasses import asdict, dataclass, field, fields
+from typing import Any
 
 from upright.atomic import finite
-from upright.diagnose.causes import CANNOT_TELL, NO_FALL, Blow, Cause
+from upright.diagnose.causes import CANNOT_TELL, NO_FALL, Cause
 from upright.diagnose.series import Series
-from upright.errors import InvalidLog
+from upright.pages import Say, english, facts_of
 
 KIND, VERSION = "upright post-mortem", 1
 
@@ -33,8 +32,8 @@ class FallExamined:
     fell_at: float
     onset: float
     rows: int
-    missing: tuple[str, ...]
-    notes: tuple[str, ...]
+    missing: tuple[Say, ...]
+    notes: tuple[Say, ...]
     series: Series = field(repr=False)
     misfit: float = math.nan
     source: str = ""
@@ -57,41 +56,23 @@ class FallExamined:
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is not known."""
-        numbers = {k: finite(v) for k, v in asdict(self).items() if k not in ("causes", "series")}
-        causes = [_plain(asdict(c)) | {"repair": [words.template for words in c.repairs]} for c in self.causes]
-        return {"file": KIND, "version": VERSION} | numbers | {"causes": causes, "series": self.series.to_json()}
-
-    @classmethod
-    def from_json(cls, data: Mapping[str, Any]) -> Self:
-        """The inverse of `to_json`; raises `InvalidLog` for what is no post-mortem or contradicts itself."""
-        try:
-            given = dict(data)
-            if (given.pop("file"), given.pop("version")) != (KIND, VERSION):
-                raise ValueError(f"it is no '{KIND}' of version {VERSION}")
-            listed: list[dict[str, Any]] = given.pop("causes")
-            causes = tuple(_cause(one) for one in listed)
-            times: dict[str, Any] = {name: _number(given.pop(name)) for name in ("fell_at", "onset", "misfit")}
-            lists: dict[str, Any] = {name: tuple(given.pop(name)) for name in ("missing", "notes")}
-            result = cls(causes=causes, series=Series.from_json(given.pop("series")), **times, **lists, **given)
-            if wrong := result.check():
-                raise ValueError(wrong[0])
-        except (KeyError, TypeError, ValueError, AttributeError) as error:
-            raise InvalidLog(
-                f"this is no post-mortem ({type(error).__name__}: {error})", expected="JSON by upright post-mortem"
-            ) from None
-        return result
+        numbers = {f.name: finite(getattr(self, f.name)) for f in fields(self) if f.name not in _SAID}
+        said = {name: [english(one) for one in getattr(self, name)] for name in ("missing", "notes")}
+        causes = [_cause(cause) for cause in self.causes]
+        return {"file": KIND, "version": VERSION} | numbers | said | {"causes": causes, "series": self.series.to_json()}
 
 
-def _plain(data: dict[str, Any]) -> dict[str, Any]:
-    return {k: finite(v) for k, v in data.items()} | ({"push": _plain(data["push"])} if data.get("push") else {})
+_SAID = ("causes", "series", "missing", "notes")
 
 
-def _cause(data: dict[str, Any]) -> Cause:
-    push: dict[str, Any] | None = data.get("push")
-    blow = Blow(**{name: value for name, value in push.items() if value is not None}) if push else None
-    names = ("name", "likelihood", "evidence")
-    return Cause(**{name: data[name] for name in names}, onset=_number(data["onset"]), push=blow)
-
-
-def _number(value: float | None) -> float:
-    return math.nan if value is None else float(value)
+def _cause(cause: Cause) -> dict[str, Any]:
+    """With its evidence and repairs in English, and the facts of the evidence."""
+    return {
+        "name": cause.name,
+        "likelihood": cause.likelihood,
+        "onset": finite(cause.onset),
+        "evidence": english(cause.evidence),
+        "facts": facts_of(cause.evidence),
+        "push": cause.push and {name: finite(value) for name, value in asdict(cause.push).items()},
+        "repair": [english(one) for one in cause.repairs],
+    }

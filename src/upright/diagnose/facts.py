@@ -8,12 +8,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from upright.checkup.finding import instant, plain
 from upright.diagnose.causes import DEAD, DROPPED, HIGH, JAMMED, LOW, NONE, OFF, SATURATION, STUCK, Blow
 from upright.diagnose.chances import PEGGED, fits_badly, sound_until, step, toppled, unexplained
 from upright.diagnose.evidence import Evidence
 from upright.diagnose.fall import USUALLY_HELD
-from upright.diagnose.words import began, most, percent
-from upright.pages.terms import short
+from upright.diagnose.words import ALMOST, began, percent, sensor
+from upright.pages import Quantity, Say
 
 FACT = 0.98  # probability of what the commands themselves show
 GAIN_STEP = 0.03  # |ln| of a gain from which it is another one
@@ -38,7 +39,7 @@ class Answer:
     probability: float
     name: str
     onset: float
-    evidence: str
+    evidence: Say
     push: Blow | None = None
 
 
@@ -62,7 +63,7 @@ def switched_off(evidence: Evidence) -> list[Answer]:
     turned = abs(float(np.nansum(log["sensor/gyro"][falling]))) * log.period
     if np.nanmedian(rate[last]) > np.nanquantile(rate[balancing], USUAL) or turned < TURNED:
         return []
-    text = f"both commands are 0 from t = {since:.2f} s to the last row, and until then it turned no faster than usual"
+    text = Say("Both commands are 0 from {since} to the last row, before the body turned fast.", since=instant(since))
     return [Answer(FACT * sound_until(evidence, since), OFF, since, text)]
 
 
@@ -75,21 +76,21 @@ def stuck(evidence: Evidence) -> list[Answer]:
     if held is not None and still is not None and still.start < held[0] - BEFORE:  # commands follow what it shows
         held = None
     if held is not None and not evidence.motors.pegged > PEGGED:
-        text = (
-            f"both commands stood still from t = {held[0]:.2f} to {held[1]:.2f} s, while the robot leaned further and "
+        start, stop = map(instant, held)
+        text = Say(
+            "Both commands stood still from {start} to {stop}, while they could have saved it.", start=start, stop=stop
         )
-        text += "the motors could have saved it: the loop did not run"
         return [Answer(FACT * sound_until(evidence, held[0]), DROPPED, held[0], text)]
     if not evidence.motors.stuck or (still is not None and still.start < began(evidence) - BEFORE):
         return []
-    pegged = evidence.motors.pegged > PEGGED
-    name, why = (SATURATION, "the motors were at their limit") if pegged else (DROPPED, "the loop did not run")
-    text = f"no command changed in the last {evidence.excursion:.2g} s, while the robot fell: {why}"
-    if not pegged:
-        return [Answer(FACT * sound_until(evidence, began(evidence)), name, began(evidence), text)]
+    seconds = Quantity(evidence.excursion, "s", digits=2)
+    if not evidence.motors.pegged > PEGGED:
+        text = Say("No command changed in the last {seconds} of the fall: the loop did not run.", seconds=seconds)
+        return [Answer(FACT * sound_until(evidence, began(evidence)), DROPPED, began(evidence), text)]
+    text = Say("No command changed in the last {seconds} of the fall: the motors were at their limit.", seconds=seconds)
     # motors that are at their limit because something else changed, or by a push that topples, are no cause
     changed = max(fits_badly(evidence, evidence.pushes_only.nis), toppled(evidence)[0])
-    return [Answer(FACT * (1 - changed), name, began(evidence), text)]
+    return [Answer(FACT * (1 - changed), SATURATION, began(evidence), text)]
 
 
 def stuck_sensor(evidence: Evidence) -> list[Answer]:
@@ -97,15 +98,14 @@ def stuck_sensor(evidence: Evidence) -> list[Answer]:
     still = evidence.stuck
     if still is None:
         return []
-    name = short(still.channel)
-    seconds = evidence.fell_at - still.start
-    text = f"the {name} reads {still.reading:.3g} in every row of the last {seconds:.2g} s, while "
+    seconds = Quantity(evidence.fell_at - still.start, "s", digits=2)
+    facts = {"sensor": sensor(still.channel), "reading": plain(still.reading), "seconds": seconds}
+    text = Say("The {sensor} reads {reading} in all of the last {seconds}, while the wheels turn.", **facts)
     if still.clipped or still.beyond:
-        before = "it stood there before and never went beyond"
-        why = before if still.clipped else "by the other sensors the body turns faster the same way"
-        return [Answer(FACT, NONE, still.start, f"{text}the wheels turn, and {why}: that is the end of its range")]
+        ends = Say("The {sensor} reads {reading} in all of the last {seconds}: its range ends there.", **facts)
+        return [Answer(FACT, NONE, still.start, ends)]
     if evidence.jam is None:
-        return [Answer(FACT, STUCK, still.start, text + "the wheels turn")]
+        return [Answer(FACT, STUCK, still.start, text)]
     held, blind, leaves = evidence.jam
     side = "left" if still.channel.endswith("left") else "right"
     dead_ones = [fit for fit in evidence.fits if fit.fault == "motor" and (side in fit.way or "both" in fit.way)]
@@ -113,20 +113,16 @@ def stuck_sensor(evidence: Evidence) -> list[Answer]:
     leaves = left if idle > max(held, blind) else leaves
     jammed = step(max(held, idle) - blind, TEMPER)
     dead = IDLE * step(idle - held, TEMPER)
-    better = f"explains the motion better than a dumb encoder ({max(held, idle) - blind:+.0f} nats)"
-    texts = {
-        STUCK: f"a wheel that is held explains the motion less well than a dumb encoder ({held - blind:+.0f} nats)",
-        JAMMED: f"a wheel that is held {better}",
-        DEAD: f"a motor without torque whose friction holds the wheel {better}",
-    }
-    chances = {STUCK: 1 - jammed, JAMMED: jammed * (1 - dead), DEAD: jammed * dead}
+    facts |= {"nats": plain(max(held, idle) - blind)}
+    jam = Say("A held wheel explains the motion better than a stuck {sensor}, by {nats} nats.", **facts)
+    no_torque = Say("A motor without torque explains the motion better than a stuck {sensor}, by {nats} nats.", **facts)
     unknown = unexplained(evidence, leaves)
-    more = f"{text}the other one turns, but before that, or beside it, something else is wrong (NIS {leaves:.3g})"
+    more = Say("The {sensor} stands still, but something else is wrong, too (NIS {nis}).", **facts, nis=plain(leaves))
+    known = FACT * (1 - unknown)
     return [
-        *(
-            Answer(FACT * (1 - unknown) * chance, name, still.start, f"{text}the other one turns; {texts[name]}")
-            for name, chance in chances.items()
-        ),
+        Answer(known * (1 - jammed), STUCK, still.start, text),
+        Answer(known * jammed * (1 - dead), JAMMED, still.start, jam),
+        Answer(known * jammed * dead, DEAD, still.start, no_torque),
         Answer(FACT * unknown, NONE, still.start, more),
     ]
 
@@ -136,11 +132,12 @@ def changed_gain(evidence: Evidence) -> list[Answer]:
     match = evidence.match
     if match is None or match.explained < EXACT or abs(math.log(max(match.gain, 1e-9))) < GAIN_STEP:
         return []
-    text = (
-        f"the commands are {match.gain:.2f} times those of the controller's file on the same readings; this explains "
-        f"{most(match.explained)} of their difference"
+    text = Say(
+        "The commands are {gain} times those of the controller's file on the same readings.",
+        gain=plain(match.gain),
+        explained=Quantity(min(match.explained, ALMOST), "fraction"),
+        misfit=percent(match.misfit),
     )
-    text += f"; before, they agreed to {percent(match.misfit)}" if match.known else ""
     return [Answer(FACT, LOW if match.gain < 1 else HIGH, began(evidence), text)]
 
 
@@ -151,6 +148,10 @@ def lost_rows(evidence: Evidence) -> list[Answer]:
         lost = min(lost, LOST_ROWS)
     if lost <= FEW_LOST:
         return []
-    text = f"{percent(lost)} of the periods since t = {since:.2f} s have no row ({percent(before)} before): the loop "
-    text += "did not run"
+    text = Say(
+        "Since {since} {part} of the periods have no row, before that {before}: the loop did not run.",
+        since=instant(since),
+        part=percent(lost),
+        before=percent(before),
+    )
     return [Answer(step(lost - LOST_ROWS, LOST_WIDTH), DROPPED, since, text)]

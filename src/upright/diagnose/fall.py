@@ -16,6 +16,7 @@ from upright.control.reach import largest_command
 from upright.diagnose.innovations import FULL_RANGE, FilterRun
 from upright.logs.raw import RATES
 from upright.logs.recording import commanded
+from upright.pages import Say
 from upright.physics.linear import linearise_rolling
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import Log
@@ -77,26 +78,27 @@ def last_fall(log: Log) -> Segment | None:
     return falls[-1] if falls else None
 
 
-def against(log: Log, fall: Segment) -> tuple[str, ...]:
-    """What worked against its purpose in a fall, in words: wheels that turn against their commands, or commands that
+def against(log: Log, fall: Segment) -> Say | None:
+    """What worked against its purpose in a fall: wheels that turn against their commands, or commands that
     drive away from the fall."""
     record, prefix = record_of(log), commanded(log)
     rows = (log.t >= fall.start) & (log.t < fall.stop)
     if not prefix:
-        return ()
+        return None
     every = (log[f"{prefix}/left"] + log[f"{prefix}/right"]) / 2
     rows &= log.t <= worked_until(log.t, every)
     command = every[rows]
     rate = log["sensor/gyro"][rows]
     wheel = sum(record[f"sensor/encoder_{side}"][rows] for side in ("left", "right")) / 2 + np.cumsum(rate) * log.period
     if len(command) < 3:
-        return ()
+        return None
     turned = float((command - command[0]) @ (wheel - wheel[0]))
     caught = float(command @ np.cumsum(rate))  # driving forward catches a forward fall
-    notes = ["the wheels turn against their commands: a motor or both encoders count backwards"] if turned < 0 else []
-    if caught < 0 <= turned:
-        notes.append("the commands drive away from the fall: the gyro or the controller has the wrong sign")
-    return tuple(notes)
+    if turned < 0:
+        return Say("The wheels turn against their commands: a motor or both encoders count backwards.")
+    if caught < 0:
+        return Say("The commands drive away from the fall: the gyro or the controller has the wrong sign.")
+    return None
 
 
 def worked_until(t: Array, commands: Array) -> float:

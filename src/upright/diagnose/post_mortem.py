@@ -33,7 +33,7 @@ from upright.errors import InvalidLog, InvalidRobot
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import RATES, LogSource, raw_log
 from upright.logs.recording import FEWEST, check_drive, commanded
-from upright.pages import Page, Result
+from upright.pages import Page, Quantity, Result, Say
 from upright.progress import Progress, unwatched
 from upright.robots import PARAMETERS, Kit, Robot, find_kit, find_robot, kit_names, preset_names
 from upright.robots.facts import recorded
@@ -42,8 +42,7 @@ from upright.signals import SIDES, Log
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-UNFINISHED = "the search ended after {:g} s: this is what was known till then. Try --seconds {:g}"
-SIDEWAYS = "a fall to the side, or after the last row, does not show: nothing in the log measures it"
+SIDEWAYS = Say("A fall to the side, or after the last row, does not show in a log.")
 
 
 class PostMortem(FallExamined, Result):
@@ -86,9 +85,8 @@ def post_mortem(
     head |= {"hash": controller_hash(controller) if controller else ""}
     head |= {"source": fspath(source) if isinstance(source, str | PathLike) else ""}
     if missing := missing_channels(log):
-        notes = ("without these the robot's motion is unknown",)
         return PostMortem(
-            verdict=CANNOT_TELL, causes=(), fell_at=math.nan, onset=math.nan, missing=missing, notes=notes,
+            verdict=CANNOT_TELL, causes=(), fell_at=math.nan, onset=math.nan, missing=missing, notes=(),
             series=Series.none(), **head,
         )  # fmt: skip
     check_drive(log, nominal)
@@ -115,7 +113,12 @@ def post_mortem(
     verdict = causes[0].name
     missing = _helpful(evidence) if verdict == CANNOT_TELL else ()
     notes = (*evidence.notes, *of_supply(parts, run.kit), *_wiring(log, verdict))
-    notes = (UNFINISHED.format(seconds, 5 * seconds), *notes) if unfinished else notes
+    if unfinished:
+        longer = round(5 * seconds)
+        ended = Say(
+            "The search ended after {seconds}: try `--seconds {longer}`.", seconds=Quantity(seconds, "s"), longer=longer
+        )
+        notes = (ended, *notes)
     return PostMortem(
         verdict=verdict, causes=causes, fell_at=evidence.fell_at, onset=causes[0].onset, missing=missing, notes=notes,
         series=series_of(run, evidence.fell_at), misfit=math.sqrt(evidence.ordinary), **head,
@@ -128,10 +131,11 @@ def _short(log: Log, head: dict[str, Any]) -> PostMortem:
         raise InvalidLog(f"the log has {len(log)} samples", expected=f"at least {FEWEST_POSES} to see a fall")
     fall = last_fall(log)
     causes = reversed_causes(against(log, fall), fall.start) if fall else ()
+    too_few = Say("{n} rows", n=FEWEST)
     return PostMortem(
         verdict=causes[0].name if causes else CANNOT_TELL if fall else NO_FALL, causes=causes,
         fell_at=fall.stop if fall else math.nan, onset=fall.start if fall else math.nan,
-        missing=(f"{FEWEST} rows",) if fall and not causes else (), notes=(f"the log has only {len(log)} rows",),
+        missing=(too_few,) if fall and not causes else (), notes=(Say("The log has only {n} rows.", n=len(log)),),
         series=Series.none(), **head,
     )  # fmt: skip
 
@@ -145,22 +149,22 @@ def _off(log: Log) -> bool:
 def _without_motors(log: Log, head: dict[str, Any]) -> PostMortem:
     """Whether a robot fell whose motors are off: why is no question then."""
     fall = last_fall(log) if len(log) >= FEWEST_POSES else None
-    notes = ("both commands are 0 in every row: with its motors off every robot falls",) if fall else (SIDEWAYS,)
+    notes = (Say("Both commands are 0 in every row: without motors every robot falls.") if fall else SIDEWAYS,)
     return PostMortem(
         verdict=CANNOT_TELL if fall else NO_FALL, causes=(), fell_at=fall.stop if fall else math.nan,
-        onset=fall.start if fall else math.nan, missing=("motors at work",) if fall else (), notes=notes,
+        onset=fall.start if fall else math.nan, missing=(Say("motors at work"),) if fall else (), notes=notes,
         series=Series.none(), **head,
     )  # fmt: skip
 
 
-def _wiring(log: Log, verdict: str) -> tuple[str, ...]:
+def _wiring(log: Log, verdict: str) -> tuple[Say, ...]:
     """What the doctor finds wrong in signs, units and sensors of a log that no cause explains."""
     if verdict not in (NONE, CANNOT_TELL):
         return ()
     return tuple(contradictions(log))
 
 
-def missing_channels(log: Log) -> tuple[str, ...]:
+def missing_channels(log: Log) -> tuple[Say, ...]:
     """What a log lacks of commands, gyro and encoders, without which the motion is unknown."""
 
     def holds(name: str) -> bool:
@@ -169,26 +173,25 @@ def missing_channels(log: Log) -> tuple[str, ...]:
     def moves(name: str) -> bool:
         return holds(name) and float(np.nanmax(log[name]) - np.nanmin(log[name])) > 0
 
-    def lacking(name: str, what: str) -> list[str]:
-        return [f"{what} that changes: it reads the same in every row"] if holds(name) else [f"{what} ({name})"]
-
     commands = any(all(holds(f"{prefix}/{side}") for side in ("left", "right")) for prefix in ("command", "applied"))
-    missing = [] if commands else ["commands (command/left and command/right)"]
-    missing += [] if moves("sensor/gyro") else lacking("sensor/gyro", "a gyro")
-    encoders = [n for pair in RATES.items() for n in pair]
-    name = next((n for n in encoders if holds(n)), "sensor/encoder_left")
-    return tuple(missing + ([] if any(moves(n) for n in encoders) else lacking(name, "an encoder")))
+    missing = [] if commands else [Say("commands (command/left and command/right)")]
+    if not moves("sensor/gyro"):
+        missing.append(Say("a gyro that changes (sensor/gyro)"))
+    if not any(moves(n) for pair in RATES.items() for n in pair):
+        missing.append(Say("an encoder that changes (sensor/encoder_left)"))
+    return tuple(missing)
 
 
-def _helpful(evidence: Evidence) -> tuple[str, ...]:
+def _helpful(evidence: Evidence) -> tuple[Say, ...]:
     """What would help where no cause is likely."""
     if evidence.ordinary > FOREIGN:
-        return ("the robot's own numbers",)
+        return (Say("the robot's own numbers"),)
     seconds = evidence.fell_at - float(evidence.run.log.t[0])
     if seconds < evidence.excursion:
-        return (f"the seconds before: the fall began {seconds:.2g} s after the first row",)
-    files = ["the controller's file"] if evidence.match is None else []
-    return (*files, *(["the references, if it was driven"] if evidence.demand is None else []))
+        after = Quantity(seconds, "s", digits=2)
+        return (Say("the seconds before: the fall began {seconds} after the first row", seconds=after),)
+    files = [Say("the controller's file")] if evidence.match is None else []
+    return (*files, *([Say("the references, if it was driven")] if evidence.demand is None else []))
 
 
 def robot_of(log: Log) -> Robot:

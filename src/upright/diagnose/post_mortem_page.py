@@ -52,7 +52,7 @@ def post_mortem_page(result: FallExamined) -> Page:
         title = Say("The log of {robot} does not tell whether it fell", robot=result.robot)
     reservations = [
         *(Say("The log lacks {what}.", what=what) for what in result.missing),
-        *(Say("Note: {what}.", what=note) for note in result.notes),
+        *result.notes,
     ]
     blocks: list[Block] = [_causes(result)] if result.causes else []
     if reservations:

@@ -42,11 +42,3 @@ def held_wheel(evidence: Evidence, best: Mapping[str, FaultFit]) -> str:
         return ""
     angle = log[name][(log.t >= max(dead.onset, jam.onset)) & (log.t <= evidence.fell_at)]
     return jam.way if len(angle) and float(np.nanmax(angle) - np.nanmin(angle)) < RESTS else ""
-
-
-def of_held_wheel(side: str, fit: FaultFit) -> str:
-    """What stands beside the evidence of a fault where a wheel rests: the other cause, which the log allows as well."""
-    if not side or fit.fault not in ("motor", "friction"):
-        return ""
-    other = "a jam" if fit.fault == "motor" else "the friction of a motor without torque"
-    return f"; the {side} wheel hardly turns from then on, as {other} would hold it too: the log does not show which"

@@ -43,13 +43,6 @@ class Series:
         data = {f.name: getattr(self, f.name) for f in fields(self)}
         return {k: _rounded(v) if isinstance(v, np.ndarray) else finite(v) for k, v in data.items()}
 
-    @classmethod
-    def from_json(cls, data: dict[str, Any]) -> Series:
-        """The inverse of `to_json`; null is NaN."""
-        numbers: dict[str, Any] = {name: np.array(values, dtype=np.float64) for name, values in data.items()}
-        bounds: dict[str, Any] = {name: float(numbers.pop(name)) for name in ("low", "high")}
-        return cls(**numbers, **bounds)
-
 
 def _rounded(values: Array) -> list[float | None]:
     return [float(f"{v:.6g}") if math.isfinite(v) else None for v in values.tolist()]

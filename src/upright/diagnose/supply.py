@@ -11,6 +11,7 @@ from upright.arrays import Array
 from upright.calibration.electronics import MEASURED
 from upright.checkup.finding import BATTERY
 from upright.diagnose.innovations import asked_of
+from upright.pages import Quantity, Say
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -37,12 +38,13 @@ def as_shown(kit: Kit, log: Log, robot: Robot) -> Kit:
     return kit if BATTERY not in log and volts < usual.voltage else _with(kit, volts, sag)
 
 
-def of_supply(kit: Kit, used: Kit) -> tuple[str, ...]:
-    """In words, where the kit that was `used` has another battery."""
+def of_supply(kit: Kit, used: Kit) -> tuple[Say, ...]:
+    """A note, where the kit that was `used` has another battery."""
     volts, usual = used.battery.voltage, kit.battery.voltage
     if volts == usual:
         return ()
-    return (f"the log's battery, {volts:.3g} V, is used here instead of the kit's, {usual:.3g} V",)
+    both = {"volts": Quantity(volts, "V"), "usual": Quantity(usual, "V")}
+    return (Say("The log's battery, {volts}, is used, and not the kit's, {usual}.", **both),)
 
 
 def _with(kit: Kit, volts: float, sag: float) -> Kit:

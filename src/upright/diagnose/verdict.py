@@ -51,11 +51,10 @@ from upright.diagnose.fault_fits import FaultFit, PushEstimate
 from upright.diagnose.measured import SLOWLY
 from upright.diagnose.pairs import Pair
 from upright.diagnose.remedy import acts_from
-from upright.diagnose.resting import held_wheel, of_held_wheel, weighed
+from upright.diagnose.resting import held_wheel, weighed
 from upright.diagnose.sizes import possible, slight
 from upright.diagnose.usual import SECONDS
 from upright.diagnose.words import (
-    at_limit,
     began,
     blow,
     nothing,
@@ -67,8 +66,8 @@ from upright.diagnose.words import (
     of_pegged,
     of_push,
     percent,
-    sound,
 )
+from upright.pages import Quantity, Say
 
 TWO = SURE
 TWO_WIDTH = 5.0
@@ -162,13 +161,12 @@ def stated(causes: tuple[Cause, ...], *, unfinished: bool) -> tuple[Cause, ...]:
     return replace(first, likelihood=most), *(replace(one, likelihood=part * one.likelihood) for one in rest)
 
 
-def reversed_causes(notes: Sequence[str], onset: float) -> tuple[Cause, ...]:
+def reversed_causes(evidence: Say | None, onset: float) -> tuple[Cause, ...]:
     """The causes of a fall in which something worked against its purpose, by what `fall.against` says of it."""
-    if not notes:
+    if evidence is None:
         return ()
-    rest = 1 - LIKELY
-    first = Cause(REVERSED, LIKELY, onset, "; ".join(notes))
-    return first, Cause(CANNOT_TELL, rest, onset, "too few rows to tell it from a push")
+    unsure = Cause(CANNOT_TELL, 1 - LIKELY, onset, Say("Too few rows to tell it from a push."))
+    return Cause(REVERSED, LIKELY, onset, evidence), unsure
 
 
 def _changed_robot(evidence: Evidence) -> list[Answer]:
@@ -182,9 +180,9 @@ def _changed_robot(evidence: Evidence) -> list[Answer]:
     answers: list[Answer] = []
     for name, fit in best.items():
         chance = FACT * weights[name] * holds(evidence, fit)
-        text = of_fault(evidence, fit) + of_held_wheel(side, fit)
+        text = of_fault(evidence, fit)
         answers.append(Answer((1 - HELPED) * chance, name_of(fit), fit.onset, text))
-        helped = f"{text}; a second cause beside it need not show in the log"
+        helped = Say("{fault} A second cause need not show beside it.", fault=text)
         answers.append(Answer(HELPED * chance, CANNOT_TELL, fit.onset, helped))
     return answers
 
@@ -227,7 +225,7 @@ def _two_faults(evidence: Evidence, pair: Pair, pushed: Sequence[Answer]) -> Ans
     if evidence.left is not None:  # one unknown cause rather than two that are known
         chance *= step(evidence.nats(pair.both) - evidence.nats(evidence.left), TWO_WIDTH)
     chance *= step(FITS_TWO - pair.second.nis / evidence.calm, FITS_WIDTH)
-    text = f"{of_fault(evidence, pair.first)}; with it, {of_fault(evidence, pair.second)}"
+    text = Say("{one} {other}", one=of_fault(evidence, pair.first), other=of_fault(evidence, pair.second))
     began_at = min(pair.first.onset, pair.second.onset)
     return Answer((1 - HELPED) * FACT * chance, AND.join(names), began_at, text)
 
@@ -255,7 +253,7 @@ def _fault_and_push(evidence: Evidence) -> list[Answer]:
     chance *= step(push.score - PUSH_BESIDE, PUSH_SCORE_WIDTH)
     chance *= step(PUSH_LEAVES - (best.nis - evidence.calm) / evidence.nis, PUSH_LEAVES / 6)
     chance *= 1 - unexplained(evidence, best.nis, best.fault)
-    text = f"{of_fault(evidence, best)}; and {of_push(evidence, push, blow(evidence, push, lean))}"
+    text = Say("{one} {other}", one=of_fault(evidence, best), other=of_push(blow(evidence, push, lean)))
     name = AND.join((name_of(best), PUSH))
     return [Answer((1 - HELPED) * FACT * chance, name, min(best.onset, push.start), text)]
 
@@ -285,12 +283,12 @@ def _none(evidence: Evidence) -> list[Answer]:
     shaped *= step(best.nis / evidence.calm - FITS_BADLY, FITS_WIDTH)
     wild = step(math.log(max(best.nis, 1e-9) / (UNSOUND * evidence.calm)), UNSOUND_WIDTH)
     wild *= step(best.nis / evidence.nis - UNSOUND_LEAVES, EXPLAINED_WIDTH)
-    answers = [Answer(FACT * max(shaped, wild, badly), NONE, left.onset, of_leftover(evidence, left))]
+    answers = [Answer(FACT * max(shaped, wild, badly), NONE, left.onset, of_leftover(left, evidence.run.robot))]
     several = [fit for fit in evidence.fits if fit.fault in NAMES and not slight(fit)]
     odd = max(several, key=lambda fit: fit.score, default=best)
     if odd is not best and not possible(odd, evidence.fell_at):
         chance = step(odd.score - best.score - ODD, TEMPER) * (1 - unexplained(evidence, odd.nis, odd.fault) / DOUBT)
-        text = f"{of_fault(evidence, odd)}, which is more than robots meet: something that acts like it"
+        text = Say("Something acts like this, though no robot meets so much: {fault}", fault=of_fault(evidence, odd))
         answers.append(Answer(FACT * (1 - answers[0].probability) * chance, NONE, odd.onset, text))
     return answers
 
@@ -302,7 +300,7 @@ def _demanded(evidence: Evidence) -> list[Answer]:
         return []
     limit = min(JUMP, JUMP_OF_TOP * demand.top_speed)
     chance = LIKELY * step(demand.jump / limit - 1, LIMIT_WIDTH)
-    return [Answer(chance, SATURATION, demand.at, of_demand(evidence, demand))]
+    return [Answer(chance, SATURATION, demand.at, of_demand(evidence, demand, limit))]
 
 
 def _out_of_speed(evidence: Evidence) -> list[Answer]:
@@ -315,10 +313,8 @@ def _out_of_speed(evidence: Evidence) -> list[Answer]:
     slow = demand is not None and demand.fastest < JUMP_OF_TOP * demand.top_speed
     if since < evidence.run.log.t[0] or slow:
         return []
-    text = (
-        f"{sound(evidence)}, and wheels that drove the way it fell reached {percent(min(speed, 1.0))} of the speed at "
-        "which full commands give no torque, while the robot was upright"
-    )
+    part = percent(min(speed, 1.0))
+    text = Say("Upright, the wheels reached {part} of the speed at which motors give no torque.", part=part)
     lags = demand is None and 0.0 < evidence.motors.help < 1.0  # so does a low gain, and only references tell the two
     sure = HIDDEN if evidence.run.robot.noise or lags else CLEAR
     return [Answer(sure * step(speed - NO_TORQUE, NO_TORQUE_WIDTH), SATURATION, since, text)]
@@ -331,8 +327,8 @@ def _run_down(evidence: Evidence) -> list[Answer]:
     if not math.isfinite(last + before) or before <= 0:
         return []
     chance = CLEAR * step(BROKEN_DOWN - last / before, BROKEN_DOWN_WIDTH)
-    shown = f"the battery shows {last:.3g} V after {before:.3g} V"
-    text = f"{sound(evidence)}, and {shown}: commands that are scaled by it are small"
+    shown = {"last": Quantity(last, "V"), "before": Quantity(before, "V")}
+    text = Say("The battery shows {last}, before {before}: commands that are scaled by it are small.", **shown)
     return [Answer(chance, BATTERY, began(evidence), text)]
 
 
@@ -345,7 +341,10 @@ def _weak_or_wild(evidence: Evidence) -> list[Answer]:
     if evidence.ordinary > FOREIGN:
         return [Answer(pegged, SATURATION, since, of_pegged(evidence))]
     if match is not None and match.known and abs(match.gain - 1) < SAME_GAIN and evidence.stable is not False:
-        text = f"{sound(evidence)}, the commands are the file's, and {at_limit(evidence)}"
+        saturated = percent(motors.saturated)
+        text = Say(
+            "The commands are the file's; the motors were at their limit for {part} of the fall.", part=saturated
+        )
         return [Answer(AT_LIMIT, SATURATION, since, text)] if motors.saturated > SATURATED else []
     large = motors.saturated > 0 and not 0.0 < motors.help < 1.0  # as the commands of a gain that is too high are
     wild = (large or motors.swings >= SWINGS) and not motors.half_swing > SLOWLY

@@ -1,12 +1,13 @@
-"""What speaks for a cause, in words and numbers."""
+"""What speaks for a cause, in sentences with their facts; some facts are in no sentence, but in the JSON."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 import numpy as np
 
+from upright.checkup.finding import instant, plain
+from upright.checkup.titles import CHANNELS
 from upright.diagnose.beyond import Leftover
 from upright.diagnose.causes import Blow
 from upright.diagnose.changes import PART, channels_of
@@ -18,14 +19,40 @@ from upright.diagnose.measured import SLOWLY, Demand
 from upright.diagnose.sizes import turned
 from upright.diagnose.supply import as_shown
 from upright.diagnose.thrown import Throw
+from upright.pages import Quantity, Say
 from upright.physics.dynamics import motor_gain
+from upright.robots import Robot
 
 _PLACES = {
-    "left motor": ("a torque on the left wheel", "N m"), "right motor": ("a torque on the right wheel", "N m"),
-    "both motors": ("a torque on both wheels", "N m"), "force": ("a force on the robot", "N"),
-    "moment": ("a torque on the body", "N m"),
-}  # fmt: skip
+    "left motor": (Say("a torque on the left wheel"), "N m"),
+    "right motor": (Say("a torque on the right wheel"), "N m"),
+    "both motors": (Say("a torque on both wheels"), "N m"),
+    "force": (Say("a force on the robot"), "N"),
+    "moment": (Say("a torque on the body"), "N m"),
+}
+WHEELS = {"left": Say("the left wheel"), "right": Say("the right wheel"), "both": Say("both wheels")}
+_FAULTS = {
+    "bias": (Say("Since {since} the gyro reads {size} too much."), "rad/s"),
+    "drift": (Say("Since {since} the gyro drifts by {size} each second."), "rad/s"),
+    "weak": (Say("Since {since} the motors get {size} of every command."), "fraction"),
+    "limit": (Say("Since {since} the motors get no more than {size} of their largest command."), "fraction"),
+    "delay": (Say("Since {since} readings answer a command {size} later."), "s"),
+    "slip": (Say("Since {since} the wheels spin, as on a floor with a friction of {size}."), "1"),
+    "dropped": (Say("Since {since} {size} of the rows repeat, while the wheels turn."), "fraction"),
+    "scale": (Say("Since {since} {size} times the motion shows in: {where}."), "1"),
+    "turned": (Say("Since {since} the motion shows with the wrong sign in: {where}."), "1"),
+    "motor": (Say("Since {since} no torque reaches {where}."), "1"),
+    "braked": (Say("Since {since} a motor gives no torque, and brakes {where}."), "1"),
+    "ramp": (Say("Since {since} the floor rises by {size}."), "rad"),
+    "payload": (Say("Since {since} the robot's load differs by {size}."), "kg"),
+    "friction": (Say("Since {since} a dry friction of {size} brakes {where}."), "N m"),
+    "radius": (Say("Since {since} wheels have {size} of their radius, as without tyres."), "fraction"),
+    "load": (Say("Since {since} a steady force of {size} acts at the axle."), "N"),
+}
+"""What a fault is, its size, and the unit of that."""
 SOUND = 4.0  # NIS over the ordinary one, below which robot and sensors are sound
+ALMOST = 0.999  # [1] most that is said to be explained: nothing explains all
+ALL = 1e-3  # [1] least of a reading that is left, where one shows so many times the motion
 
 
 def gained(evidence: Evidence, fit: FaultFit) -> float:
@@ -37,89 +64,64 @@ def began(evidence: Evidence) -> float:
     return evidence.fell_at - evidence.excursion
 
 
-def of_fault(evidence: Evidence, fit: FaultFit) -> str:
-    """A fault of the robot in words: what it is, since when, and how much of the innovations it explains, where that
-    was examined apart from another fault."""
-    text = f"{_FAULT_TEXTS[fit.fault](evidence, fit)} since t = {fit.onset:.2f} s"
+def percent(fraction: float) -> Quantity:
+    return Quantity(fraction, "fraction", digits=2)
+
+
+def sensor(name: str) -> Say:
+    """What people call a sensor, by its channel or a short name of that."""
+    word = name.removeprefix("sensor/").replace("_", " ").replace(" rate", "")
+    if word == "encoders":
+        return Say("both encoders")
+    return CHANNELS.get(f"sensor/{word.replace(' ', '_')}", Say("{name}", name=word))
+
+
+def of_fault(evidence: Evidence, fit: FaultFit) -> Say:
+    """A fault of the robot: what it is, since when, and where it was examined apart from another fault, how much of
+    the filter's errors it explains."""
+    fault = _fault(evidence, fit)
     if not math.isfinite(fit.nis):
-        return text
-    return (
-        f"{text} explains {most(fit.explained)} of the innovations: NIS falls from {evidence.nis:.3g} to {fit.nis:.3g} "
-        f"({gained(evidence, fit):+.0f} nats)"
+        return fault
+    return Say(
+        "{fault} This explains {explained} of the filter's errors, pushes alone {pushes}.",
+        fault=fault,
+        explained=Quantity(min(fit.explained, ALMOST), "fraction"),
+        pushes=Quantity(evidence.pushes_only.explained, "fraction"),
+        nis=plain(fit.nis),
+        nis_without=plain(evidence.nis),
+        nats=plain(gained(evidence, fit)),
     )
 
 
-def _bias_text(_: Evidence, fit: FaultFit) -> str:
-    return f"a gyro offset of {fit.size:+.2g} rad/s" + ("" if fit.way == "step" else " that grows by this each second")
+def _fault(evidence: Evidence, fit: FaultFit) -> Say:
+    template, unit = _FAULTS[_kind(fit)]
+    robot, way = evidence.run.robot, fit.way.partition(" ")[0]
+    sizes = {
+        "delay": fit.size * evidence.run.log.period,
+        "ramp": math.asin(max(-1.0, min(fit.size, 1.0))),
+        "payload": fit.size * robot.body_mass,
+        "friction": fit.size * motor_gain(robot),
+        "radius": 1 - fit.size,
+        "scale": 1 / max(1 - fit.size, ALL),
+    }
+    size = sizes.get(fit.fault, 1 - fit.size if fit.way == PART else fit.size)
+    where = WHEELS.get(way)
+    if fit.fault == "scale":
+        where = sensor("encoders" if len(channels_of(evidence.run, fit.way)) == 2 else fit.way)
+    return template.about(since=instant(fit.onset), size=Quantity(size, unit, digits=2), where=where)
 
 
-def _weak_text(evidence: Evidence, fit: FaultFit) -> str:
-    fit = replace(fit, size=1 - fit.size) if fit.way == PART else fit
-    part = "as the largest command" if fit.way == "limit" else "of every command"
-    before, last = evidence.battery
-    volts = f" (the battery shows {last:.2f} V after {before:.2f} V)" if math.isfinite(last + before) else ""
-    fades = f", fading to it within {fit.rise:.2g} s," if fit.rise > 0 else ""
-    return f"motors that get {percent(fit.size)} {part}{volts}{fades}"
-
-
-def _delay_text(evidence: Evidence, fit: FaultFit) -> str:
-    milliseconds = 1e3 * fit.size * evidence.run.log.period
-    return f"{fit.size:.2g} periods ({milliseconds:.0f} ms) more from command to reading"
-
-
-def _slip_text(_: Evidence, fit: FaultFit) -> str:
-    return f"wheels that slip and spin, as on a floor with a friction coefficient of {fit.size:.2g},"
-
-
-def _dropped_text(_: Evidence, fit: FaultFit) -> str:
-    return f"readings that repeat exactly in {percent(fit.size)} of the rows while the wheels turn,"
-
-
-def _scale_text(evidence: Evidence, fit: FaultFit) -> str:
-    several = len(channels_of(evidence.run, fit.way)) == 2
-    name = "both encoders" if several else "the " + fit.way.replace("_", " ")
-    verb = "show" if several else "shows"
-    if turned(fit):
-        return f"{name} that {verb} the motion with the wrong sign"
-    return f"{name} that {verb} {1 / max(1 - fit.size, 1e-3):.2g} times the motion"
-
-
-def _motor_text(_: Evidence, fit: FaultFit) -> str:
-    side, _space, braked = fit.way.partition(" ")
-    if side == "both":
-        return "two motors that give no torque"
-    return f"a {side} motor that gives no torque" + (" and is braked" if braked else "")
-
-
-def _ramp_text(_: Evidence, fit: FaultFit) -> str:
-    way = "climbs" if fit.size > 0 else "falls"
-    return f"a floor that {way} by {math.degrees(math.asin(min(abs(fit.size), 1.0))):.2g}°"
-
-
-def _payload_text(evidence: Evidence, fit: FaultFit) -> str:
-    way = "added" if fit.size > 0 else "lost"
-    return f"a load of about {abs(fit.size) * evidence.run.robot.body_mass:.1g} kg that was {way}"
-
-
-def _friction_text(evidence: Evidence, fit: FaultFit) -> str:
-    several = fit.way == "both"
-    torque = fit.size * motor_gain(evidence.run.robot)
-    return f"{'both wheels' if several else f'a {fit.way} wheel'} held by a dry friction of {torque:.2g} N m"
-
-
-def _radius_text(_: Evidence, fit: FaultFit) -> str:
-    return f"wheels of {1 - fit.size:.2g} times their radius, as without tyres,"
-
-
-def _load_text(_: Evidence, fit: FaultFit) -> str:
-    return f"a steady force of {fit.size:+.2g} N at the axle"
-
-
-_FAULT_TEXTS = {
-    "scale": _scale_text, "motor": _motor_text, "ramp": _ramp_text, "payload": _payload_text, "load": _load_text,
-    "friction": _friction_text, "radius": _radius_text,
-    "bias": _bias_text, "weak": _weak_text, "delay": _delay_text, "slip": _slip_text, "dropped": _dropped_text,
-}  # fmt: skip
+def _kind(fit: FaultFit) -> str:
+    """Which sentence tells of a fault."""
+    if fit.fault == "bias" and fit.way != "step":
+        return "drift"
+    if fit.fault == "weak" and fit.way == "limit":
+        return "limit"
+    if fit.fault == "scale" and turned(fit):
+        return "turned"
+    if fit.fault == "motor" and fit.way.endswith("braked"):
+        return "braked"
+    return fit.fault
 
 
 def blow(evidence: Evidence, push: PushEstimate, lean: float) -> Blow:
@@ -134,104 +136,94 @@ def blow(evidence: Evidence, push: PushEstimate, lean: float) -> Blow:
     )  # fmt: skip
 
 
-def of_push(evidence: Evidence, push: PushEstimate, numbers: Blow) -> str:
-    way = "forward" if numbers.impulse > 0 else "backward"
-    several = numbers.counts > 1.01 * abs(evidence.toppling.lean(push))
-    speed = "With smaller pushes the same way, its speed" if several else "Its speed"
-    lean, largest = (math.degrees(abs(angle)) for angle in (numbers.counts, numbers.largest))
-    return (
-        f"a push {way} of {abs(numbers.impulse):.2g} N s at t = {numbers.start:.2f} s explains "
-        f"{most(numbers.explained)} of the innovations. {speed} is as hard to stop as a lean at rest of {lean:.2g}°; "
-        f"the motors bring back {largest:.3g}° at most"
+def of_push(numbers: Blow) -> Say:
+    """How hard a push is to stop."""
+    return Say(
+        "A push of {size} at {time} is as hard to stop as a lean of {lean}; the motors bring back {largest}.",
+        size=Quantity(abs(numbers.impulse), "N s", digits=2),
+        time=instant(numbers.start),
+        lean=Quantity(abs(numbers.counts), "rad", digits=2),
+        largest=Quantity(numbers.largest, "rad", digits=2),
     )
 
 
-def of_throw(throw: Throw) -> str:
+def of_throw(throw: Throw) -> Say:
     """A blow that the readings alone show."""
-    more = "more than " if throw.clipped else ""
-    return (
-        f"at t = {throw.start:.2f} s something hit the robot: within {1e3 * throw.seconds:.0f} ms its body turned at "
-        f"{more}{abs(throw.after):.2g} rad/s, {more or 'about '}{throw.times:.1g} times what the motors stop. Neither "
-        "they nor gravity do that so fast. Wheels may slide or lift off then, so size and direction do not show. The "
-        f"log ends {1e3 * throw.left:.0f} ms after it"
+    speed, times = abs(throw.after), throw.times
+    rate = Quantity(None, "rad/s", low=speed, digits=2) if throw.clipped else Quantity(speed, "rad/s", digits=2)
+    return Say(
+        "At {time} a blow turned the body at {rate}, {times} times what the motors stop.",
+        time=instant(throw.start),
+        rate=rate,
+        times=plain(times, 1),
+        within=Quantity(throw.seconds, "s"),
+        left=Quantity(throw.left, "s"),
     )
 
 
-def of_demand(evidence: Evidence, demand: Demand) -> str:
-    top = f", and these motors reach {demand.top_speed:.2f} m/s" if math.isfinite(demand.top_speed) else ""
-    return (
-        f"the reference speed changed by {demand.jump:.2f} m/s at once at t = {demand.at:.2f} s{top}; "
-        f"{at_limit(evidence)}; robot and commands are sound"
+def of_demand(evidence: Evidence, demand: Demand, limit: float) -> Say:
+    return Say(
+        "At {time} the reference speed changed by {jump} at once; the robot follows {limit}.",
+        time=instant(demand.at),
+        jump=Quantity(demand.jump, "m/s"),
+        limit=Quantity(limit, "m/s"),
+        top=Quantity(demand.top_speed, "m/s"),
+        saturated=percent(evidence.motors.saturated),
     )
 
 
-def of_low(evidence: Evidence) -> str:
+def of_low(evidence: Evidence) -> Say:
     half, pole = evidence.motors.half_swing, evidence.toppling.pole
-    if began(evidence) < evidence.run.log.t[0] and (grows := growth(evidence.run, evidence.fell_at)) > 0:
-        return (
-            f"{sound(evidence)}, and the loop as programmed is unstable: by its commands from the first row on a lean "
-            f"doubles every {math.log(2) / grows:.2g} s, without motors every {math.log(2) / pole:.2g} s"
+    grows = growth(evidence.run, evidence.fell_at) if began(evidence) < evidence.run.log.t[0] else 0.0
+    if grows > 0:
+        return Say(
+            "By its commands a lean doubles every {doubles}, and without motors every {free}.",
+            doubles=Quantity(math.log(2) / grows, "s", digits=2),
+            free=Quantity(math.log(2) / pole, "s", digits=2),
         )
-    gave = "the motors had torque left"
+    if half > SLOWLY:
+        swing = Quantity(half / pole, "s", digits=2)
+        return Say("The fall grew in slow swings of {swing} each way, and the motors had torque left.", swing=swing)
     if math.isfinite(evidence.motors.help):
-        gave = f"the motors gave {evidence.motors.help:.2g} of the torque that stops the fall, and had more"
-    how = f"in slow swings of {half / pole:.2g} s each way" if half > SLOWLY else "without swings"
-    return f"{sound(evidence)}, and the fall grew {how}: {gave}"
+        help_ = plain(evidence.motors.help, 2)
+        return Say("The motors gave {help} of the torque that stops the fall, and had more.", help=help_)
+    return Say("The fall grew without swings, and the motors had torque left.")
 
 
-def of_high(evidence: Evidence) -> str:
+def of_high(evidence: Evidence) -> Say:
     if math.isfinite(evidence.slid):
-        until = f"{sound(evidence)} until t = {evidence.slid:.2f} s"
-        return f"{until}; then the commands ask more of the floor than it holds, and the wheels slide"
+        return Say("From {time} on the commands ask more of the floor than it holds.", time=instant(evidence.slid))
     if evidence.motors.swings < 1:
-        return f"{sound(evidence)}; a high gain shows mostly in swings, and this log has none"
-    return (
-        f"{sound(evidence)}, and the commands changed sign {evidence.motors.swings:.1g} times a second with growing "
-        "swings"
-    )
+        return Say("Nothing else is wrong; but a high gain shows mostly in swings, and this log has none.")
+    swings = plain(evidence.motors.swings, 1)
+    return Say("The commands changed their sign {swings} times a second, with growing swings.", swings=swings)
 
 
-def of_pegged(evidence: Evidence) -> str:
-    return f"the motors were at their limit for {percent(evidence.motors.pegged)} of the last second; {sound(evidence)}"
+def of_pegged(evidence: Evidence) -> Say:
+    pegged = percent(evidence.motors.pegged)
+    return Say("The motors were at their limit for {part} of the last second.", part=pegged)
 
 
-def at_limit(evidence: Evidence) -> str:
-    return f"the motors were at their limit for {percent(evidence.motors.saturated)} of the last excursion"
-
-
-def nothing(evidence: Evidence) -> str:
+def nothing(evidence: Evidence) -> Say:
     """Why no other cause is likely."""
-    return f"{sound(evidence)}; nothing else in the log is large enough"
+    nis = plain(evidence.pushes_only.nis, 2)
+    is_sound = evidence.pushes_only.nis < SOUND * evidence.ordinary
+    if is_sound and evidence.run.robot.noise:
+        return Say("Nothing shows beyond the noise of the robot's calibration (NIS {nis}).", nis=nis)
+    if is_sound and evidence.ordinary < FOREIGN:
+        return Say("Robot and sensors are sound (NIS {nis}), and nothing else is large enough.", nis=nis)
+    return Say("No single fault explains the filter's errors (NIS {nis}).", nis=nis)
 
 
-def sound(evidence: Evidence) -> str:
-    """Whether anything is left that no hypothesis explains."""
-    nis = evidence.pushes_only.nis
-    if evidence.run.robot.noise and nis < SOUND * evidence.ordinary:
-        return f"nothing beyond the noise of its calibration shows (NIS {nis:.2g})"
-    if nis < SOUND * evidence.ordinary < SOUND * FOREIGN:
-        return f"robot and sensors are sound (NIS {nis:.2g} apart from pushes)"
-    return f"no single fault explains the innovations (NIS {nis:.2g})"
-
-
-def of_leftover(evidence: Evidence, left: Leftover) -> str:
+def of_leftover(left: Leftover, robot: Robot) -> Say:
     """What is left where no known cause explains a fall: by which channel it enters, and since when."""
-    place, unit = _PLACES.get(left.channel, (f"a wrong reading of the {left.channel}", "rad"))
+    wrong = Say("a wrong reading of the {sensor}", sensor=sensor(left.channel))
+    place, unit = _PLACES.get(left.channel, (wrong, "rad"))
     if "gyro" in left.channel or "rate" in left.channel:
         unit = "rad/s"
+    since = instant(left.onset)
     if not len(left.values):
-        return f"what is left looks like something rapid, most like {place}, from t = {left.onset:.2f} s on"
-    size = motor_gain(evidence.run.robot) if "motor" in left.channel else 1.0
-    return (
-        f"what is left looks like {place} from t = {left.onset:.2f} s on, up to "
-        f"{np.abs(size * left.values).max():.2g} {unit}"
-    )
-
-
-def percent(fraction: float) -> str:
-    return f"{100 * fraction:.0f} %" if fraction >= 0.005 or fraction == 0 else f"{100 * fraction:.1g} %"
-
-
-def most(fraction: float) -> str:
-    """A fraction near one without rounding it to all."""
-    return f"{100 * min(fraction, 0.999):.3g} %"
+        return Say("What is left is rapid, and most like {place}, from {since} on.", place=place, since=since)
+    size = motor_gain(robot) if "motor" in left.channel else 1.0
+    most = Quantity(float(np.abs(size * left.values).max()), unit, digits=2)
+    return Say("What is left looks like {place} from {since} on, up to {most}.", place=place, since=since, most=most)

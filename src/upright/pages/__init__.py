@@ -17,3 +17,4 @@ from upright.pages.words import Quantity as Quantity
 from upright.pages.words import Say as Say
 from upright.pages.words import data_of as data_of
 from upright.pages.words import english as english
+from upright.pages.words import facts_of as facts_of

@@ -33,6 +33,10 @@ class Say:
         self.template = template
         self.facts = facts
 
+    def about(self, **facts: Fact) -> Say:
+        """The same sentence with these facts, for one that stands in a table."""
+        return type(self)(self.template, **self.facts | facts)
+
     def __str__(self) -> str:
         return translated(self.template).format(**{name: text_of(fact) for name, fact in self.facts.items()})
 
@@ -63,12 +67,19 @@ def english(said: Say) -> str:
 
 
 def data_of(fact: Fact) -> Any:
-    """A fact as data: a number in SI, an interval as two, a name or an English sentence."""
+    """A fact as data: a number in SI, an interval as two, a name, or English words, "text" beside their facts."""
     if isinstance(fact, Quantity):
         return [fact.low, fact.high] if fact.value is None else finite(fact.value)
     if isinstance(fact, Sequence) and not isinstance(fact, str):
         return [data_of(one) for one in fact]
-    return english(fact) if isinstance(fact, Say) else fact
+    if isinstance(fact, Say):
+        return {"text": english(fact), **facts_of(fact)} if fact.facts else english(fact)
+    return fact
+
+
+def facts_of(said: Say) -> dict[str, Any]:
+    """The facts of a sentence as data, also those that it does not show."""
+    return {name: data_of(fact) for name, fact in said.facts.items()}
 
 
 class Quantity:
