@@ -840,9 +840,9 @@ BEYOND = {  # planted in MuJoCo: cause, way, size, a knock after it [N s], what 
         1.9,
         0.0,
         SCALED,
-        "times the motion shows in: both encoders",
+        "times the motion: both encoders",
     ),
-    "one encoder counts backwards": ("wrong sign", "encoder_left", 1.0, 0.0, REVERSED, "with the wrong sign"),
+    "one encoder counts backwards": ("wrong sign", "encoder_left", 1.0, 0.0, REVERSED, "wrong sign"),
     "a gyro is clipped": ("clipped", "gyro", 0.15, 0.15, NONE, "its range ends there"),
 }
 

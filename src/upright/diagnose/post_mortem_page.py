@@ -128,7 +128,7 @@ def _numbers(result: FallExamined, push: Blow | None) -> list[KeyNumber]:
             left = Quantity(lost - result.onset, "s", digits=2)
             numbers.append(KeyNumber(left, Say("from the first sign until no motor could save it")))
     second = result.causes[1] if len(result.causes) > 1 else None
-    if second and second.likelihood >= WORTH:
+    if second and second.likelihood >= WORTH and second.name != CANNOT_TELL:
         likely = Quantity(second.likelihood, "fraction", digits=2)
         numbers.append(KeyNumber(likely, Say("next likely: {cause}", cause=second.title)))
     return numbers

@@ -180,9 +180,8 @@ def _changed_robot(evidence: Evidence) -> list[Answer]:
     answers: list[Answer] = []
     for name, fit in best.items():
         chance = FACT * weights[name] * holds(evidence, fit)
-        text = of_fault(evidence, fit)
-        answers.append(Answer((1 - HELPED) * chance, name_of(fit), fit.onset, text))
-        helped = Say("{fault} A second cause need not show beside it.", fault=text)
+        answers.append(Answer((1 - HELPED) * chance, name_of(fit), fit.onset, of_fault(evidence, fit)))
+        helped = Say("A second cause need not show beside the likeliest one.")
         answers.append(Answer(HELPED * chance, CANNOT_TELL, fit.onset, helped))
     return answers
 
