@@ -188,7 +188,7 @@ def test_a_start_with_the_motors_off_is_left_out() -> None:
     part, left = on_its_wheels(log)
     assert part.t[0] == pytest.approx(0.8, abs=0.1)
     assert part.t[-1] == log.t[-1]
-    assert "the motors are off" in left
+    assert "the motors are off" in str(left)
     ours = Log(log.t, log.channels, log.units)  # zero at a motor of ours is its dead zone
     assert on_its_wheels(ours)[0].t[0] == 0.0
 

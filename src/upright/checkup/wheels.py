@@ -6,14 +6,16 @@ from typing import Any
 
 import numpy as np
 
-from upright.checkup.finding import FALLING, FEWEST, LEANING, ON_WHEELS, Record, Segment, during, in_a_line, moment
+from upright.checkup.finding import FALLING, FEWEST, LEANING, ON_WHEELS, Record, Segment, during, in_a_line, instant
 from upright.checkup.poses import segments
 from upright.checkup.time import unit
+from upright.checkup.titles import POSES
 from upright.checkup.wrapped import wrapped
 from upright.errors import InvalidLog
 from upright.logs.outliers import in_words
 from upright.logs.raw import RATES
 from upright.logs.recording import commanded
+from upright.pages import Say
 from upright.signals import SIDES, Log
 
 FITTED = (*ON_WHEELS, FALLING)
@@ -33,9 +35,9 @@ def record_of(log: Log) -> Record:
     return Record(log.t, channels, log.units)
 
 
-def on_its_wheels(log: Log, *, falling: bool = True) -> tuple[Log, str]:
-    """The longest time of a log in which the robot balances, stands or (`falling`) falls, and what is left out, in
-    words ('' where nothing is). A log that shows no poses is taken whole, but for a start with the motors off. Raises
+def on_its_wheels(log: Log, *, falling: bool = True) -> tuple[Log, Say | None]:
+    """The longest time of a log in which the robot balances, stands or (`falling`) falls, and what is left out (None
+    where nothing is). A log that shows no poses is taken whole, but for a start with the motors off. Raises
     `InvalidLog` for a robot that is never on its wheels, for times that are no seconds, and for angles that begin
     again.
     """
@@ -64,35 +66,39 @@ def on_its_wheels(log: Log, *, falling: bool = True) -> tuple[Log, str]:
             f"the robot is never on its wheels in this log: {'; '.join(map(_in_words, others[:3]))}",
             expected="a robot that balances", hint="upright doctor shows the poses",
         )  # fmt: skip
-    used = log
-    notes = list[str]()
+    used, said = log, None
     if others:
         start, stop = max(spans, key=lambda span: span[1] - span[0])
-        left = "; ".join(map(_in_words, others[:3])) + (f"; and {len(others) - 3} more" if len(others) > 3 else "")
         used = log.between(start, stop)
-        only = f"Only {moment(start)} to {moment(stop)} s is used, where the robot is on its wheels."
-        notes.append(f"{only} Left out: {left}.")
+        left = [*dict.fromkeys(POSES[pose.kind] for pose in others)]
+        said = Say(
+            "Used: {start} to {stop}, where the robot is on its wheels. Left out: {poses}.",
+            start=instant(start),
+            stop=instant(stop),
+            poses=left,
+        )
     used, held = _without_held(used)
-    return used, " ".join(filter(None, [*notes, held, in_words(used)]))
+    for one in (held, in_words(used)):
+        said = Say("{one} {other}", one=said, other=one) if said and one else said or one
+    return used, said
 
 
 HELD = 0.1
 """[s] with the motors off at the start of a log, from which a hand, or the floor, must hold the robot."""
 
 
-def _without_held(log: Log) -> tuple[Log, str]:
-    """The log from the moment at which its motors are switched on, and what that leaves out, in words: no equation
+def _without_held(log: Log) -> tuple[Log, Say | None]:
+    """The log from the moment at which its motors are switched on, and what that leaves out: no equation
     knows of the hand that holds a robot until then. Whole where the motors are on, or always off, and in logs of ours,
     where zero at a motor is its dead zone."""
     prefix = commanded(log) if log.origin.get("mapping", "ours") != "ours" else ""
     on = np.flatnonzero(np.abs(np.column_stack([log[f"{prefix}/{s}"] for s in SIDES])).max(axis=1)) if prefix else []
     first = int(on[0]) if len(on) else 0
     if log.t[first] - log.t[0] < HELD or len(log) - first < FEWEST:
-        return log, ""
-    until = moment(float(log.t[first]))
-    return log.between(float(log.t[first]), float(log.t[-1]) + log.period), (
-        f"Until {until} s the motors are off, so that a hand or the floor holds the robot: left out."
-    )
+        return log, None
+    until = float(log.t[first])
+    held = Say("Until {time} the motors are off, so that something holds the robot: left out.", time=instant(until))
+    return log.between(until, float(log.t[-1]) + log.period), held
 
 
 def _in_words(pose: Segment) -> str:

@@ -101,9 +101,13 @@ def samples(
     parts_of_robot = kit or find_kit(robot.kit)
     if source == "sensors":
         check_complete(log, robot)
-    log, left = on_its_wheels(log, falling=False) if source == "sensors" else (log, "")
+    log, left = on_its_wheels(log, falling=False) if source == "sensors" else (log, None)
     prefix, commands = _commands(log, robot)
-    notes = [*([left] if left else []), *(_contradictions(log, robot) if source == "sensors" else []), *_clock(log)]
+    notes = [
+        *([english(left)] if left else []),
+        *(_contradictions(log, robot) if source == "sensors" else []),
+        *_clock(log),
+    ]
     halves = _from_states(log, commands) if source == "states" else _from_sensors(log, robot, parts_of_robot, commands)
     notes += _faster(log)
     ready = _ready(halves, log, parts_of_robot, None if delay is None else round(delay / log.period), notes)

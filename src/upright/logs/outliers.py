@@ -8,6 +8,7 @@ from functools import lru_cache
 import numpy as np
 
 from upright.arrays import Array, Mask
+from upright.pages import Say
 from upright.signals import Log
 
 SENSORS = ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro")
@@ -90,12 +91,17 @@ def _left_out(times: bytes, readings: bytes, name: str) -> Mask:
     return left
 
 
-def in_words(log: Log) -> str:
-    """How many readings of which sensor are left out, as a sentence; empty where none are."""
+def in_words(log: Log) -> Say | None:
+    """How many readings of which sensor are left out; None where none are."""
     counted = {name: int(left_out(log, name).sum()) for name in SENSORS if name in log}
-    many = [f"{count} of {name.removeprefix('sensor/').replace('_', ' ')}" for name, count in counted.items() if count]
-    why = "single ones far from their neighbours, or at the end of the sensor's range"
-    return f"Of {len(log)} readings these are left out: {', '.join(many)}; {why}." if many else ""
+    many = [Say("{sensor}: {n}", sensor=name, n=count) for name, count in counted.items() if count]
+    if not many:
+        return None
+    return Say(
+        "Of {n} readings some are left out, far from the others or at the end of a range: {many}.",
+        n=len(log),
+        many=many,
+    )
 
 
 def bridged(t: Array, values: Array, left: Mask) -> Array:

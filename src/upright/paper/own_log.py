@@ -104,7 +104,7 @@ def compare_own(
     return OwnRobot(
         robot=nominal, comparison=comparison, law=law.name, push=_words(pushes, nominal), adjusted=adjusted,
         side="back" if force > 0 else "front", band=trial.band,
-        notes=(*([Say("{note}", note=left)] if left else []), *how, *notes),
+        notes=(*([left] if left else []), *how, *notes),
         settling={n: settling for n, (settling, _) in judged.items()}, fits={n: fit for n, (_, fit) in judged.items()},
     )  # fmt: skip
 
