@@ -466,8 +466,8 @@ def test_a_push_is_named_with_its_numbers() -> None:
     )
     first = dataclasses.replace(found.causes[0], evidence=Say("none of these"), push=known)
     page = dataclasses.replace(found, causes=(first, *found.causes[1:])).page()
-    assert "A push backward at 2" in str(page.lead[0])
-    assert "No controller could have saved it" in str(page.lead[1])
+    assert "backward at 2" in str(page.lead[0])
+    assert "no controller could have saved it" in str(page.lead[1])
     assert numbers_of(page)[:2] == ["0.46 ± 0.03 N s", "0.4 N s"]
     saved = dataclasses.replace(first, push=dataclasses.replace(known, by="pid", saves=0.3))
     page = dataclasses.replace(found, causes=(saved, *found.causes[1:])).page()
@@ -501,9 +501,9 @@ def test_a_better_controller_is_advised_only_where_one_can_help() -> None:
     beyond, below = (dataclasses.replace(at_limit, impulse=impulse) for impulse in (-0.6, 0.2))
     pages = [said_of(PUSH, push=push).page() for push in (at_limit, beyond, below)]
     for page in pages:
-        assert "survives 0.37 N s" in str(page.lead[1]).replace("\u00a0", " ")
+        assert "0.37 N s" in numbers_of(page)
     assert [page.next[0].verb for page in pages] == ["bench_controllers", "push_map", "bench_controllers"]
-    assert "within the error" in str(pages[0].lead[1])
+    assert "may have saved it or not" in str(pages[0].lead[1])
     assert "could have saved" in str(pages[1].lead[1])
 
 

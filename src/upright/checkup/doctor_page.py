@@ -10,7 +10,20 @@ from upright.checkup import sensors
 from upright.checkup.finding import BALANCING, CONTRADICTORY, GYRO, LEFT, ON_WHEELS, RIGHT, STANDING, Finding, instant
 from upright.checkup.titles import CHANNELS, CHECKS, POSES, check_of, place_of, title_of
 from upright.logs.mapping import GUESS, Source
-from upright.pages import Block, Column, Fold, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
+from upright.pages import (
+    MOST_NUMBERS,
+    Block,
+    Column,
+    Fold,
+    KeyNumber,
+    Next,
+    Page,
+    Picture,
+    Quantity,
+    Say,
+    Table,
+    Verdict,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -20,6 +33,7 @@ if TYPE_CHECKING:
 
     from upright.checkup.examined import LogExamined
 
+SHOWN = 2  # titles of notes in one number
 PUSHED, QUIET, FALL = "delay/untold", "motion/quiet", "segment/fall"
 MAPPED = ("units/", "columns/", "command/", "time/unit")
 """How the codes begin of what a mapping states."""
@@ -123,7 +137,11 @@ def _numbers(result: LogExamined) -> list[KeyNumber]:
         kept = Quantity(result.kept[1] - result.kept[0], "s")
         numbers.append(KeyNumber(kept, Say("of {seconds} a repair keeps", seconds=Quantity(result.seconds, "s"))))
     period = Quantity(result.period, "s", digits=4)
-    return [*numbers, KeyNumber(period, Say("from row to row, {n} rows", n=result.rows))]
+    numbers.append(KeyNumber(period, Say("from row to row, {n} rows", n=result.rows)))
+    notes = [title_of(f) for f in _listed(result) if f.severity == "note"]
+    if notes and len(numbers) < MOST_NUMBERS:
+        numbers.append(KeyNumber(len(notes), Say("notes: {what}", what=[*dict.fromkeys(notes)][:SHOWN])))
+    return numbers
 
 
 def _listed(result: LogExamined) -> list[Finding]:
@@ -197,7 +215,10 @@ def _next(result: LogExamined) -> list[Next]:
         steps.append(Next("post_mortem", log, robot=robot, why=Say("It finds why the robot fell.")))
     elif _has(result, QUIET) or _has(result, PUSHED):
         steps.append(Next("excite", robot=robot, output="plan.json", why=Say("It designs the signal to log next.")))
-    return steps or [Next("calibrate", log, robot=robot, output="robot.toml")]
+    learns = Say("It learns the numbers of this robot from the log.")
+    if result.robot:
+        learns = Say("It learns the numbers of the robot that the log names.")
+    return steps or [Next("calibrate", log, robot=robot, output="robot.toml", why=learns)]
 
 
 def _picture(result: LogExamined) -> Picture | None:
@@ -211,7 +232,9 @@ def _picture(result: LogExamined) -> Picture | None:
     several = [(title, names) for title, names in several if names]
     if not several:
         return None
-    claim = Say("The readings of the log, and where the robot balances")
+    claim = Say("The readings of the log")
+    if any(segment.kind != BALANCING for segment in result.segments):
+        claim = Say("The readings of the log, shaded where the robot does not balance")
     note = Say("Dots: values at the limit.") if _has(result, "saturation") else None
     return Picture(claim, functools.partial(_draw, result, several), note)
 

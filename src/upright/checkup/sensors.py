@@ -300,11 +300,13 @@ def grain(record: Record) -> list[Finding]:
             findings.append(warning("encoder/grain", name, evidence, repair))
         elif noise > 0.3 * rate and name == LEFT:
             evidence = Say(
-                "Its counts make a rate from two rows uncertain by {noise}; the wheel moves at {rate}.",
+                "Their counts make a speed from two rows uncertain by {noise}; the wheels turn at {rate}.",
                 noise=Quantity(noise, "rad/s"),
                 rate=Quantity(rate, "rad/s"),
             )
-            findings.append(note("encoder/grain", name, evidence, Say("Take rates over several rows.")))
+            findings.append(
+                note("encoder/grain", name, evidence, Say("Compute speeds from readings several rows apart."))
+            )
     return findings
 
 

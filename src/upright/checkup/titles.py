@@ -100,6 +100,8 @@ def title_of(finding: Finding) -> Say:
 def place_of(finding: Finding) -> Say:
     """Where it is wrong: in the channel, or in all those that are repaired or judged together."""
     names = {finding.channel, *(name for fix in finding.fixes for name in fix.channels)}
+    if finding.code == "encoder/grain" and finding.severity == "note":
+        return PAIRS[0][1]  # of two alike the first is named
     if finding.code == "saturation" and finding.channel != GYRO:
         return Say("motors")
     both = (title for pair, title in PAIRS if pair <= names)

@@ -109,7 +109,8 @@ def post_mortem(
             verdict=NO_FALL, causes=(), fell_at=math.nan, onset=math.nan, missing=(), notes=(SIDEWAYS,),
             series=series_of(run, float(run.t[-1])), **head,
         )  # fmt: skip
-    causes = with_saved(stated(ranked(evidence), unfinished=unfinished), log, nominal, run.kit, controller)
+    before = log.between(float(log.t[0]), evidence.fell_at)  # then a program stops its motors, as no law says
+    causes = with_saved(stated(ranked(evidence), unfinished=unfinished), before, nominal, run.kit, controller)
     verdict = causes[0].name
     missing = _helpful(evidence) if verdict == CANNOT_TELL else ()
     notes = (*evidence.notes, *of_supply(parts, run.kit), *_wiring(log, verdict))

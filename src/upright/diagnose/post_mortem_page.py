@@ -28,7 +28,21 @@ from upright.diagnose.causes import (
 from upright.diagnose.fall import LEANING
 from upright.diagnose.fall_pictures import last_seconds
 from upright.diagnose.usual import FOREIGN
-from upright.pages import Block, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
+from upright.pages import (
+    MOST_NUMBERS,
+    Block,
+    Column,
+    Fold,
+    Items,
+    KeyNumber,
+    Next,
+    Page,
+    Picture,
+    Quantity,
+    Say,
+    Table,
+    Verdict,
+)
 
 if TYPE_CHECKING:
     from upright.diagnose.examined import FallExamined
@@ -46,7 +60,10 @@ def post_mortem_page(result: FallExamined) -> Page:
     """The page of a post-mortem."""
     push = result.causes[0].push if result.causes else None
     title = Say("{robot} did not fall in this log", robot=result.robot)
-    if result.fell:
+    if result.fell and _is_named(result):
+        title = Say("{robot} fell at {time}: {cause}", robot=result.robot, time=instant(result.fell_at),
+                    cause=result.causes[0].title)  # fmt: skip
+    elif result.fell:
         title = Say("{robot} fell at {time} of the log", robot=result.robot, time=instant(result.fell_at))
     elif result.verdict == CANNOT_TELL:
         title = Say("The log of {robot} does not tell whether it fell", robot=result.robot)
@@ -67,6 +84,11 @@ def post_mortem_page(result: FallExamined) -> Page:
     )  # fmt: skip
 
 
+def _is_named(result: FallExamined) -> bool:
+    """Whether one cause is likelier than not."""
+    return bool(result.causes) and result.verdict != CANNOT_TELL and result.causes[0].likelihood >= SURE
+
+
 def _verdict(result: FallExamined) -> Verdict:
     if result.verdict == NO_FALL:
         return Verdict(Say("no fall"), "good")
@@ -74,7 +96,7 @@ def _verdict(result: FallExamined) -> Verdict:
         return Verdict(Say("the cause is not clear"), "unknown")
     first = result.causes[0]
     likely = Quantity(first.likelihood, "fraction", digits=2)
-    if first.likelihood < SURE:
+    if not _is_named(result):
         return Verdict(Say("perhaps {cause}: {likely}", cause=first.title, likely=likely), "unknown")
     return Verdict(Say("{cause}: {likely} likely", cause=first.title, likely=likely), "bad")
 
@@ -83,10 +105,10 @@ def _lead(result: FallExamined, push: Blow | None) -> list[Say]:
     if not result.fell:
         return [Say("A fall is a lean beyond {lean} that lasts.", lean=Quantity(LEANING, "rad", digits=2))]
     if push:
-        at = instant(push.start)
-        threw = Say("A push forward at {at} most likely threw it over.", at=at)
+        facts = {"size": Quantity(abs(push.impulse), "N s", digits=2), "at": instant(push.start)}
+        threw = Say("A push of {size} forward at {at} threw it over.", **facts)
         if push.impulse < 0:
-            threw = Say("A push backward at {at} most likely threw it over.", at=at)
+            threw = Say("A push of {size} backward at {at} threw it over.", **facts)
         return [threw, _saved(push)]
     if result.misfit**2 > FOREIGN:
         return [Say("The given robot does not fit this log, even before the fall.")]
@@ -100,12 +122,11 @@ def _lead(result: FallExamined, push: Blow | None) -> list[Say]:
 
 def _saved(push: Blow) -> Say:
     """Whether any controller could have saved it: an impulse is known to `KNOWN`."""
-    most = Quantity(push.most, "N s", digits=2)
     if abs(push.impulse) > (1 + KNOWN) * push.most:
-        return Say("No controller could have saved it: the best possible one survives {most}.", most=most)
+        return Say("Push less: probably no controller could have saved it.")
     if abs(push.impulse) > (1 - KNOWN) * push.most:
-        return Say("The best possible controller survives {most}, within the error of this push.", most=most)
-    return Say("A better controller may save it: the best possible one survives {most}.", most=most)
+        return Say("Push less: the best possible controller may have saved it or not.")
+    return Say("Push less, or take a better controller, which may save it.")
 
 
 def _numbers(result: FallExamined, push: Blow | None) -> list[KeyNumber]:
@@ -116,10 +137,11 @@ def _numbers(result: FallExamined, push: Blow | None) -> list[KeyNumber]:
         impulse = Say("{size} ± {error}", size=Quantity(size, "1", digits=2), error=error)
         height = Quantity(push.height, "m", digits=2)
         numbers.append(KeyNumber(impulse, Say("the push, if it hit {height} above the axle", height=height)))
-        survived, by = push.most, Say("the best possible controller survives")
         if push.saves is not None:
-            survived, by = push.saves, Say("its controller ({by}) survives", by=push.by)
-        numbers.append(KeyNumber(Quantity(survived, "N s", digits=2), by))
+            own = Quantity(push.saves, "N s", digits=2)
+            numbers.append(KeyNumber(own, Say("its controller ({by}) survives", by=push.by)))
+        best = Quantity(push.most, "N s", digits=2)
+        numbers.append(KeyNumber(best, Say("the best possible controller survives")))
     elif result.causes and math.isfinite(result.onset):
         lasted = Quantity(result.fell_at - result.onset, "s", digits=2)
         numbers.append(KeyNumber(lasted, Say("from the first sign to the fall")))
@@ -128,7 +150,7 @@ def _numbers(result: FallExamined, push: Blow | None) -> list[KeyNumber]:
             left = Quantity(lost - result.onset, "s", digits=2)
             numbers.append(KeyNumber(left, Say("from the first sign until no motor could save it")))
     second = result.causes[1] if len(result.causes) > 1 else None
-    if second and second.likelihood >= WORTH and second.name != CANNOT_TELL:
+    if len(numbers) < MOST_NUMBERS and second and second.likelihood >= WORTH and second.name != CANNOT_TELL:
         likely = Quantity(second.likelihood, "fraction", digits=2)
         numbers.append(KeyNumber(likely, Say("next likely: {cause}", cause=second.title)))
     return numbers
@@ -192,7 +214,8 @@ def _next(result: FallExamined, push: Blow | None) -> Next:
     if push and abs(push.impulse) < (1 + KNOWN) * push.most:
         return Next("bench_controllers", robot=robot, why=Say("It compares controllers under pushes."))
     if PUSH in parts:
-        return Next("push_map", robot=robot, why=Say("It finds the largest push that the robot survives."))
+        why = Say("It finds the largest push that the robot survives, at each height.")
+        return Next("push_map", robot=robot, controller=(push and push.by) or None, why=why)
     for part in parts:
         if part in DESIGNED_FOR:
             return Next("design", DESIGNED_FOR[part], robot=robot)

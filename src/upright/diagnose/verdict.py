@@ -358,7 +358,7 @@ def _weak_or_wild(evidence: Evidence) -> list[Answer]:
     return [
         *answers,
         Answer(gain * low, LOW, since, of_low(evidence)),
-        Answer(gain * (1 - low), HIGH, since, of_high(evidence)),
+        Answer(gain * (1 - low), HIGH, since, of_high(evidence, SWINGS)),
     ]
 
 

@@ -190,13 +190,14 @@ def of_low(evidence: Evidence) -> Say:
     return Say("The fall grew without swings, and the motors had torque left.")
 
 
-def of_high(evidence: Evidence) -> Say:
+def of_high(evidence: Evidence, limit: float) -> Say:
     if math.isfinite(evidence.slid):
         return Say("From {time} on the commands ask more of the floor than it holds.", time=instant(evidence.slid))
-    if evidence.motors.swings < 1:
-        return Say("Nothing else is wrong; but a high gain shows mostly in swings, and this log has none.")
-    swings = plain(evidence.motors.swings, 1)
-    return Say("The commands changed their sign {swings} times a second, with growing swings.", swings=swings)
+    return Say(
+        "The commands changed their sign {swings} times a second; a high gain shows from {limit} on.",
+        swings=plain(evidence.motors.swings, 1),
+        limit=plain(limit),
+    )
 
 
 def of_pegged(evidence: Evidence) -> Say:

@@ -1,5 +1,6 @@
 """What every result is shown with: sentences with facts, a verdict, numbers, pictures, tables, and what to run next."""
 
+from upright.pages.blocks import MOST_NUMBERS as MOST_NUMBERS
 from upright.pages.blocks import Block as Block
 from upright.pages.blocks import Cell as Cell
 from upright.pages.blocks import Column as Column

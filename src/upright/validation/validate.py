@@ -95,7 +95,7 @@ def _judged(log: Log, robot: Robot, kit: Kit, controller: Controller | None) -> 
     parts, pushed = unpushed(whole, log)
     law, explained = _law(log, recording.rows, controller)
     loop: FreeLoop | None = closed_loop(problem, recording, z, log, kit, law) if law else None
-    notes = [*map(english, filter(None, (left, meant))), *map(english, contradictions(log, robot))]
+    notes = [*([english(left)] if left else []), *([meant] if meant else []), *map(english, contradictions(log, robot))]
     dead = tuple(n for n in log.channels if n in SENSOR and n not in recording.rows and _never_changes(log[n]))
     half_seconds = channels_of(parts)
     own = of_this_run(problem, limits) if 0 <= least(half_seconds).r2 < GOOD else None
