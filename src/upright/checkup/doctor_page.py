@@ -28,7 +28,6 @@ from upright.pages import (
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
     from upright.checkup.examined import LogExamined
@@ -241,7 +240,7 @@ def _picture(result: LogExamined) -> Picture | None:
 
 def _draw(result: LogExamined, several: Sequence[tuple[Say, Sequence[str]]]) -> Figure:
     """Channels as they were read, with poses and a repair's cuts."""
-    from upright.plotting import COLOURS, INK, line, panels, span
+    from upright.plotting import COLOURS, INK, legend, line, panels, span
 
     record = result.read
     sides = {"left": (0, str(Say("left"))), "right": (1, str(Say("right")))}
@@ -265,19 +264,4 @@ def _draw(result: LogExamined, several: Sequence[tuple[Say, Sequence[str]]]) -> 
     for at in result.kept or ():
         for ax in axes if record.t[0] < at < record.t[-1] else ():
             ax.axvline(at, linestyle="--", linewidth=1.2, color=INK, label=str(Say("cut")))
-    _named(axes)
-    return figure
-
-
-def _named(axes: Sequence[Axes]) -> None:
-    """Each name once, over the panel: poses over the first, sides over the first that has both."""
-    known: set[str] = set()
-    for ax in axes:
-        handles, labels = ax.get_legend_handles_labels()
-        named = {label: handle for handle, label in zip(handles, labels, strict=True) if label not in known}
-        alone = {label for label in named if ax.get_ylabel().startswith(f"{label} ")}
-        shown = {label: handle for label, handle in named.items() if label not in alone}
-        if shown:
-            ax.legend([*shown.values()], [*shown], loc="lower right", bbox_to_anchor=(1, 1), ncols=3, frameon=False,
-                      fontsize=8.0, columnspacing=1.0, handlelength=1.4, borderpad=0.0)  # fmt: skip
-        known |= named.keys()
+    return legend(figure)
