@@ -392,7 +392,7 @@ def test_metres_of_travel_are_no_angle_of_a_known_factor() -> None:
     metres = {f"enc_{side}": 0.04 * log[f"sensor/encoder_{side}"] for side in ("left", "right")}
     found = [f for f in doctor(table(log, **metres)).findings if f.code == "units/scale"]
     assert [f.channel for f in found] == [bench.LEFT]
-    assert "metres of travel" in [one["unit"] for one in found[0].facts["units"]]
+    assert "metres of travel" in found[0].facts["units"]
     assert not found[0].fixes
 
 

@@ -23,11 +23,7 @@ def constants(record: Record) -> list[Finding]:
         volts = float(np.nanmedian(record[BATTERY]))
         whole = counted(record[BATTERY])
         if whole and (MOST_VOLTS < volts <= 100 or 100 < volts < LEAST_MILLIVOLTS):
-            evidence = Say("Whole numbers about {median}: a charge in per cent, and no volts.", median=plain(volts))
-            if volts > 100:
-                evidence = Say(
-                    "Whole numbers about {median}: counts of a converter, and no volts.", median=plain(volts)
-                )
+            evidence = Say("Whole numbers about {median}: per cent or raw counts, and no volts.", median=plain(volts))
             repair = Say("Leave it out of the mapping, and state the voltage there under [constants].")
             findings.append(error("units/battery", BATTERY, evidence, repair))
         elif 100 < volts < 1e5:

@@ -54,13 +54,15 @@ def _too_early(m: Resampled) -> list[Finding]:
     fit = m.drive
     if fit.r2 < _LAW or fit.sharp < _SHARP or fit.lag > -_EARLY * m.period:
         return []
-    early = {"lead": Quantity(-fit.lag, "s"), "period": Quantity(m.period, "s"), "r2": plain(fit.r2)}
-    if -fit.lag > _WHOLE * m.period:
-        evidence = Say("The wheels lead the commands by {lead} of {period}: each was logged a row late.", **early)
-        repair = Say("Log the command that acts from the row on.")
-        return [warning("samples/controller", "command", evidence, repair)]
-    evidence = Say("The wheels lead the commands by {lead} of {period}: these change between the rows.", **early)
-    return [warning("samples/controller", "command", evidence, AT_ITS_RATE)]
+    evidence = Say(
+        "The wheels lead the commands by {lead} of {period}, which no dead time does.",
+        lead=Quantity(-fit.lag, "s"),
+        period=Quantity(m.period, "s"),
+        r2=plain(fit.r2),
+    )
+    late = Say("Log the command that acts from the row on, not the one before.")
+    repair = late if -fit.lag > _WHOLE * m.period else AT_ITS_RATE
+    return [warning("samples/controller", "command", evidence, repair)]
 
 
 def _swallowed(m: Resampled) -> list[Finding]:

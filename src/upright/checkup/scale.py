@@ -45,12 +45,5 @@ def against_robot(record: Record, robot: Robot | None = None) -> list[Finding]:
         "The wheels turn {ratio} times as fast as by the file of {robot}: the gyro's range, or how encoders count.",
         **facts,
     )
-    if likely == [GYRO]:
-        shown = plain(math.exp(-off), 2)
-        evidence = Say(
-            "It shows {ratio} times the motion, by the file of {robot}: another range?", **facts | {"ratio": shown}
-        )
-    if likely == [LEFT]:
-        evidence = Say("The encoders count {ratio} times the turns, by the file of {robot}: ×1, ×2 or ×4?", **facts)
     repair = Say("State the true unit and scale in a mapping, or mend the robot's file.")
     return [warning("units/scale", likely[0], evidence, repair)]

@@ -213,23 +213,16 @@ def _events(m: Resampled, miss: Array, loud: Mask, scatter: float) -> list[Findi
         both = min(float(part.max()), float(-part.min())) / largest
         balance = abs(float(part.sum())) / float(np.abs(part).sum())
         span = float(m.t[a + join]), float(m.t[b - 1 - join])
-        facts = {
-            "start": instant(span[0]),
-            "times": round(largest / scatter),
-            "limit": round(FAR),
-            "size": plain(largest),
-        }
+        evidence = Say(
+            "From {start} on the wheels leave the pendulum equation by {times} deviations (limit {limit}).",
+            start=instant(span[0]),
+            times=round(largest / scatter),
+            limit=round(FAR),
+            size=plain(largest),
+        )
         if both > 0.35 and balance < 0.35:
-            evidence = Say(
-                "At {start} the wheels leave the pendulum equation both ways, by {times} deviations (limit {limit}).",
-                **facts,
-            )
             findings.append(warning("segment/slip", LEFT, evidence, LEAVE_OUT, span=span))
         else:
-            evidence = Say(
-                "At {start} the wheels leave the pendulum equation one way, by {times} deviations (limit {limit}).",
-                **facts,
-            )
             repair = Say("Leave these rows out of a fit, or log the push.")
             findings.append(note("segment/push", LEFT, evidence, repair, span=span))
     return findings

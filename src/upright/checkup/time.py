@@ -62,13 +62,11 @@ def _backwards(record: Record, back: NDArray[np.intp]) -> Finding:
     steps = np.diff(record.t)
     row = int(back[0]) + 1
     period = float(np.median(steps[steps > 0])) if (steps > 0).any() else 0.0
-    found = {"row": row, "n": len(back)}
+    evidence = Say("Time runs backwards at row {row} ({n} in all).", row=row, n=len(back))
     if float(-steps[back].min()) < _DISORDER * period:
-        evidence = Say("Time runs backwards at row {row} ({n} in all): the rows are out of order.", **found)
         repair = Say("Sort the rows, and keep one for each time.")
         return error("time/backwards", "t", evidence, repair, Fix("sort"), Fix("unique"))
     repair, fix = _longest(record, back + 1)
-    evidence = Say("Time runs backwards at row {row} ({n} in all): a reset, or two recordings.", **found)
     return error("time/backwards", "t", evidence, repair, fix, Fix("unique"))
 
 

@@ -57,14 +57,14 @@ class _Suspect:
 _SUSPECTS = (
     _Suspect(Say("degrees per second"), gyro=1 / DEGREE),
     _Suspect(Say("tenths of a radian per second"), gyro=10.0),
-    _Suspect(Say("degrees converted twice"), gyro=DEGREE),
+    _Suspect(Say("gyro degrees converted twice"), gyro=DEGREE),
     _Suspect(Say("milliradians per second"), gyro=1000.0),
     _Suspect(Say("millidegrees per second"), gyro=1000.0 / DEGREE),
     _Suspect(Say("degrees"), encoder=1 / DEGREE),
     _Suspect(Say("tenths of a radian"), encoder=10.0),
     _Suspect(Say("turns"), encoder=1 / math.tau),
     _Suspect(Say("metres of travel"), encoder=0.04, about=True),
-    _Suspect(Say("degrees converted twice"), encoder=DEGREE),
+    _Suspect(Say("encoder degrees converted twice"), encoder=DEGREE),
     _Suspect(Say("degrees in gyro and encoders"), gyro=1 / DEGREE, encoder=1 / DEGREE),
     _Suspect(Say("degrees converted twice in gyro and encoders"), gyro=DEGREE, encoder=DEGREE),
 )
@@ -293,19 +293,11 @@ _Q = Quantity(None, "1", low=1.2, high=15.0)
 
 def _ambiguous(several: Sequence[_Suspect], estimated: dict[str, float]) -> list[Finding]:
     """That a unit is wrong, where several mistakes explain the log about as well."""
-    units: list[Say] = []
-    for s in several:
-        if s.gyro != 1 and s.encoder != 1:
-            units.append(s.unit)
-        elif s.gyro != 1:
-            units.append(Say("{unit} (gyro)", unit=s.unit))
-        else:
-            units.append(Say("{unit} (encoders)", unit=s.unit))
     evidence = Say(
         "The wheels turn {q} times as fast as the body; usual is {usual}. Perhaps: {units}.",
         q=plain(estimated["q"]),
         usual=_Q,
-        units=units,
+        units=[s.unit for s in several],
         p=plain(estimated["p"]),
     )
     channels = [GYRO] * any(s.gyro != 1 for s in several) + [LEFT] * any(s.encoder != 1 for s in several)
