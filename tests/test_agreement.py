@@ -336,7 +336,7 @@ def test_a_log_with_a_flipped_gyro_or_of_a_robot_that_is_held_is_refused_at_once
     noise = np.random.default_rng(1).normal(0.0, 0.005, len(log))
     spun = {f"sensor/encoder_{side}": 10 * (1 - np.cos(2 * log.t)) for side in ("left", "right")}
     for changed, words in (
-        ({"sensor/gyro": -log["sensor/gyro"]}, r"sensor/gyro: its sign is opposite.* --fix"),
+        ({"sensor/gyro": -log["sensor/gyro"]}, r"wrong sign, gyro.* --fix"),
         ({"sensor/gyro": noise, **spun}, "never on its wheels"),
     ):
         with pytest.raises(InvalidLog, match=words):

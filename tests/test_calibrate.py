@@ -260,7 +260,7 @@ def test_a_gyro_that_is_turned_is_said_before_what_looks_like_pushes_under_anoth
     log = example("excited").between(0.0, 4.0)
     turned = {n: -v if n == "sensor/gyro" else v for n, v in log.channels.items() if n.startswith(("sens", "appl"))}
     found = calibrate(Log(log.t, turned, log.units), "ev3way")
-    assert "its sign is opposite" in str(found.refused[0])
+    assert "wrong sign, gyro" in str(found.refused[0])
     assert found.decision.verdict == "refused"
     assert any("looks like a push" in str(note) for note in found.notes)
 

@@ -103,9 +103,8 @@ def calibrate(
     show(0.77)
     result = summarised(best, several, reason, began, stated=stated, wrong=wrong)
     hidden = parts.delay + parts.jitter / 2 - _dead_time(parts, several)
-    late = [_as_written(f"{pace}.") for pace in map(pace_of, several) if pace and not pace.kept]
-    left_out = [one for one in left if one]
-    notes = [*meant, *(one.remark for one in knocked), *([STRAIGHT] if straight else []), *left_out, *late]
+    remarks = [*filter(None, left), *(_as_written(f"{p}.") for p in map(pace_of, several) if p and not p.kept)]
+    notes = [*meant, *(one.remark for one in knocked), *([STRAIGHT] if straight else []), *remarks]
     result = untold(result, _unknown(result, several, knocked, cut=between_knocks, wrong=bool(wrong)))
     result = replace(result, kit=learnt_kit(result, parts, problem.delays, hidden), notes=(*result.notes, *notes))
     if problem.temper < 1 and not result.decision.withheld:  # else the noise of the kit is that of the filter

@@ -56,11 +56,11 @@ def _between(m: Resampled, lag: float, r2: float) -> list[Finding]:
     if abs(lag) < limit:
         return []
     delayed = (m.gyro_name,) if lag > 0 else (LEFT, RIGHT)
-    late = {"delay": Quantity(abs(lag), "s"), "limit": Quantity(limit, "s"), "r2": plain(r2)}
-    evidence = Say("It comes {delay} after the encoders; sampling explains up to {limit}.", **late)
+    delayed_by = {"delay": Quantity(abs(lag), "s"), "limit": Quantity(limit, "s"), "r2": plain(r2)}
+    evidence = Say("It comes {delay} after the encoders; sampling explains up to {limit}.", **delayed_by)
     if lag < 0:
-        evidence = Say("They come {delay} after the gyro; sampling explains up to {limit}.", **late)
-    repair = Say("Shift the readings {delay} earlier.", delay=late["delay"])
+        evidence = Say("They come {delay} after the gyro; sampling explains up to {limit}.", **delayed_by)
+    repair = Say("Shift the readings {delay} earlier.", delay=delayed_by["delay"])
     return [warning("delay/sensor", delayed[0], evidence, repair, Fix("earlier", delayed, (abs(lag),)))]
 
 

@@ -60,8 +60,8 @@ def _too_early(m: Resampled) -> list[Finding]:
         period=Quantity(m.period, "s"),
         r2=plain(fit.r2),
     )
-    late = Say("Log the command that acts from the row on, not the one before.")
-    repair = late if -fit.lag > _WHOLE * m.period else AT_ITS_RATE
+    acted = Say("Log the command that acts from the row on, not the one before.")
+    repair = acted if -fit.lag > _WHOLE * m.period else AT_ITS_RATE
     return [warning("samples/controller", "command", evidence, repair)]
 
 

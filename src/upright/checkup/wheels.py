@@ -66,12 +66,13 @@ def on_its_wheels(log: Log, *, falling: bool = True) -> tuple[Log, Say | None]:
             f"the robot is never on its wheels in this log: {'; '.join(map(_in_words, others[:3]))}",
             expected="a robot that balances", hint="upright doctor shows the poses",
         )  # fmt: skip
-    used, said = log, None
+    used: Log = log
+    note: Say | None = None
     if others:
         start, stop = max(spans, key=lambda span: span[1] - span[0])
         used = log.between(start, stop)
         left = [*dict.fromkeys(POSES[pose.kind] for pose in others)]
-        said = Say(
+        note = Say(
             "Used: {start} to {stop}, where the robot is on its wheels. Left out: {poses}.",
             start=instant(start),
             stop=instant(stop),
@@ -79,8 +80,8 @@ def on_its_wheels(log: Log, *, falling: bool = True) -> tuple[Log, Say | None]:
         )
     used, held = _without_held(used)
     for one in (held, in_words(used)):
-        said = Say("{one} {other}", one=said, other=one) if said and one else said or one
-    return used, said
+        note = Say("{one} {other}", one=note, other=one) if note and one else note or one
+    return used, note
 
 
 HELD = 0.1

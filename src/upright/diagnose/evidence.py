@@ -314,8 +314,7 @@ def _match(
     stable = _stable(controller, run.robot, run.kit)
     if best.known or best.explained > SAME:
         return best, stable, ()
-    note = Say("The controller's file does not give the commands of this log, even before the fault.")
-    return best, stable, (note,)
+    return best, stable, (Say("The controller's file does not give the commands of this log, even before the fault."),)
 
 
 def _stable(controller: Controller, robot: Robot, kit: Kit) -> bool | None:

@@ -56,13 +56,18 @@ class FallExamined:
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is not known."""
-        numbers = {f.name: finite(getattr(self, f.name)) for f in fields(self) if f.name not in _SAID}
-        said = {name: [english(one) for one in getattr(self, name)] for name in ("missing", "notes")}
+        numbers = {f.name: finite(getattr(self, f.name)) for f in fields(self) if f.name not in _SENTENCES}
+        sentences = {name: [english(one) for one in getattr(self, name)] for name in ("missing", "notes")}
         causes = [_cause(cause) for cause in self.causes]
-        return {"file": KIND, "version": VERSION} | numbers | said | {"causes": causes, "series": self.series.to_json()}
+        return (
+            {"file": KIND, "version": VERSION}
+            | numbers
+            | sentences
+            | {"causes": causes, "series": self.series.to_json()}
+        )
 
 
-_SAID = ("causes", "series", "missing", "notes")
+_SENTENCES = ("causes", "series", "missing", "notes")
 
 
 def _cause(cause: Cause) -> dict[str, Any]:

@@ -42,6 +42,7 @@ from upright.signals import SIDES, Log
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+UNFINISHED = Say("The search ended after {seconds}: try `--seconds {longer}`.")
 SIDEWAYS = Say("A fall to the side, or after the last row, does not show in a log.")
 
 
@@ -115,11 +116,7 @@ def post_mortem(
     missing = _helpful(evidence) if verdict == CANNOT_TELL else ()
     notes = (*evidence.notes, *of_supply(parts, run.kit), *_wiring(log, verdict))
     if unfinished:
-        longer = round(5 * seconds)
-        ended = Say(
-            "The search ended after {seconds}: try `--seconds {longer}`.", seconds=Quantity(seconds, "s"), longer=longer
-        )
-        notes = (ended, *notes)
+        notes = (UNFINISHED.about(seconds=Quantity(seconds, "s"), longer=round(5 * seconds)), *notes)
     return PostMortem(
         verdict=verdict, causes=causes, fell_at=evidence.fell_at, onset=causes[0].onset, missing=missing, notes=notes,
         series=series_of(run, evidence.fell_at), misfit=math.sqrt(evidence.ordinary), **head,

@@ -323,7 +323,7 @@ def _faster(log: Log) -> list[str]:
     from upright.checkup.rates import faster_controller
 
     findings = faster_controller(Record(log.t, _measured(log), dict(log.units)))
-    return [" ".join(english(said) for said in (f.evidence, f.repair) if said) for f in findings]
+    return [" ".join(english(sentence) for sentence in (f.evidence, f.repair) if sentence) for f in findings]
 
 
 def _measured(log: Log) -> dict[str, Array]:

@@ -61,7 +61,7 @@ def calibrated(log: Log, setup: Assumptions, progress: Progress | None = None) -
     explains.
     """
     for wrong in contradictions(log, codes=("motion/flipped",)):
-        raise InvalidLog(english(wrong), hint="upright doctor LOG --fix NEW.csv")
+        raise InvalidLog(english(wrong).rstrip("."), hint="upright doctor LOG --fix NEW.csv")
     met, _, taken = as_logged(log, setup)
     alone = unloaded(met)
     unsure = unconfirmed(taken)

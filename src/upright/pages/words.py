@@ -60,10 +60,10 @@ def text_of(fact: Fact) -> str:
     return str(fact)
 
 
-def english(said: Say) -> str:
+def english(sentence: Say) -> str:
     """A sentence as programs read it: in English, with plain spaces."""
     with speaking(ENGLISH):
-        return str(said).replace("\u00a0", " ")
+        return str(sentence).replace("\u00a0", " ")
 
 
 def data_of(fact: Fact) -> Any:
@@ -77,9 +77,9 @@ def data_of(fact: Fact) -> Any:
     return fact
 
 
-def facts_of(said: Say) -> dict[str, Any]:
+def facts_of(sentence: Say) -> dict[str, Any]:
     """The facts of a sentence as data, also those that it does not show."""
-    return {name: data_of(fact) for name, fact in said.facts.items()}
+    return {name: data_of(fact) for name, fact in sentence.facts.items()}
 
 
 class Quantity:
