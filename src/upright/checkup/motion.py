@@ -151,9 +151,10 @@ def _against_command(m: Resampled, wheels: _Wheels) -> _Drive:
         *best,
         Say(
             "With the sign changed the motor equation fits (R² {r2}), as logged less ({logged}).",
-            r2=plain(fits[best].r2, 2), logged=plain(as_logged, 2),
+            r2=plain(fits[best].r2, 2),
+            logged=plain(as_logged, 2),
         ),
-    )  # fmt: skip
+    )
 
 
 def _by_responses(m: Resampled, left: Array, right: Array) -> _Drive | None:

@@ -89,9 +89,10 @@ def jump(record: Record) -> list[Finding]:
     repair, fix = _longest(record, rows)
     if fix.numbers[1] - fix.numbers[0] < FEWEST:
         raise InvalidLog(
-            f"the clock jumps {len(rows)} times, first at row {first}", expected=f"{FEWEST} rows of one run",
+            f"the clock jumps {len(rows)} times, first at row {first}",
+            expected=f"{FEWEST} rows of one run",
             likely="another column is the time",
-        )  # fmt: skip
+        )
     evidence = Say("The clock jumps at row {row} ({n} in all): set, or two recordings.", row=first, n=len(rows))
     return [error("time/jump", "t", evidence, repair, fix)]
 

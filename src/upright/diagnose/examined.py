@@ -57,7 +57,7 @@ class FallExamined:
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is not known."""
         numbers = {f.name: finite(getattr(self, f.name)) for f in fields(self) if f.name not in _SENTENCES}
-        sentences = {name: [english(one) for one in getattr(self, name)] for name in ("missing", "notes")}
+        sentences = {"missing": [*map(english, self.missing)], "notes": [*map(english, self.notes)]}
         causes = [_cause(cause) for cause in self.causes]
         return (
             {"file": KIND, "version": VERSION}

@@ -61,8 +61,8 @@ def post_mortem_page(result: FallExamined) -> Page:
     push = result.causes[0].push if result.causes else None
     title = Say("{robot} did not fall in this log", robot=result.robot)
     if result.fell and _is_named(result):
-        title = Say("{robot} fell at {time}: {cause}", robot=result.robot, time=instant(result.fell_at),
-                    cause=result.causes[0].title)  # fmt: skip
+        cause = result.causes[0].title
+        title = Say("{robot} fell at {time}: {cause}", robot=result.robot, time=instant(result.fell_at), cause=cause)
     elif result.fell:
         title = Say("{robot} fell at {time} of the log", robot=result.robot, time=instant(result.fell_at))
     elif result.verdict == CANNOT_TELL:

@@ -20,7 +20,7 @@ from upright.errors import InvalidLog, UnknownName
 from upright.identification.arx import FirstResponse, arx, first_response
 from upright.languages import sentence
 from upright.logs.recording import check_clock, check_complete, check_unit, one_encoder
-from upright.pages import english
+from upright.pages import Say, english
 from upright.robots import Kit, Robot, Sensor, find_kit
 from upright.signals import Log
 
@@ -323,7 +323,7 @@ def _faster(log: Log) -> list[str]:
     from upright.checkup.rates import faster_controller
 
     findings = faster_controller(Record(log.t, _measured(log), dict(log.units)))
-    return [" ".join(english(sentence) for sentence in (f.evidence, f.repair) if sentence) for f in findings]
+    return [english(Say("{one} {other}", one=f.evidence, other=f.repair)) for f in findings]
 
 
 def _measured(log: Log) -> dict[str, Array]:
