@@ -359,7 +359,7 @@ def test_a_robot_whose_motors_are_off_has_no_cause_to_fall_for() -> None:
     assert found.fell
     assert found.causes == ()
     assert found.check() == []
-    assert "both commands are 0 in every row" in str(found)
+    assert "Both commands are 0 in every row" in str(found)
 
 
 def test_rows_without_names_are_read_beside_the_settings_of_a_program(tmp_path: Path) -> None:
