@@ -214,7 +214,7 @@ def _next(result: FallExamined, push: Blow | None) -> Next:
     if push and abs(push.impulse) < (1 + KNOWN) * push.most:
         return Next("bench_controllers", robot=robot, why=Say("It compares controllers under pushes."))
     if PUSH in parts:
-        why = Say("It finds the largest push that the robot survives, at each height.")
+        why = Say("It finds the largest push that the robot survives.")
         return Next("push_map", robot=robot, controller=(push and push.by) or None, why=why)
     for part in parts:
         if part in DESIGNED_FOR:
