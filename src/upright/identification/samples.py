@@ -18,7 +18,6 @@ from upright.checkup.doctor import contradictions
 from upright.checkup.wheels import on_its_wheels
 from upright.errors import InvalidLog, UnknownName
 from upright.identification.arx import FirstResponse, arx, first_response
-from upright.languages import sentence
 from upright.logs.recording import check_clock, check_complete, check_unit, one_encoder
 from upright.pages import Say, english
 from upright.robots import Kit, Robot, Sensor, find_kit

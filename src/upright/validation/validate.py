@@ -33,7 +33,6 @@ from upright.checkup.doctor import contradictions
 from upright.checkup.wheels import on_its_wheels
 from upright.control import Controller, read_controller
 from upright.errors import InvalidLog, SpecMismatch
-from upright.languages import sentence
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.marks import known_fraction
 from upright.logs.raw import LogSource, named, raw_log
