@@ -407,6 +407,16 @@ def test_no_help_shows_a_type_of_python_or_a_default_twice(name, capsys, monkeyp
     assert not re.search(r"\(default: [^)]*\)\.? \[default:", text)
 
 
+FIRST = "start lab simulate compare doctor calibrate design certify post-mortem firmware fly reproduce"
+"""What a newcomer reads before the other commands: a way from nothing to a robot that stands, and the paper."""
+
+
+def test_help_shows_a_dozen_commands_first(capsys):
+    assert main(["--help"]) == 0
+    first = capsys.readouterr().out.partition("Begin:")[2].partition("\n\n")[0]
+    assert re.findall(r"^  ([a-z-]+)  ", first, re.MULTILINE) == FIRST.split()
+
+
 def test_help_names_every_command_once_under_a_heading_and_nothing_is_clipped(capsys):
     assert main(["--help"]) == 0
     text = capsys.readouterr().out

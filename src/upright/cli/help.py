@@ -16,42 +16,47 @@ from typer.models import ArgumentInfo
 from upright.cli.typed import GIVEN
 
 GROUPS = {
-    "Begin": {"start": ("upright start", "upright start study --robot ev3way")},
-    "Model": {
+    "Begin": {
+        "start": ("upright start", "upright start study --robot ev3way"),
+        "lab": ("upright lab", "upright lab --class", "upright lab --export site -r herrera2015 -r mine.toml"),
         "simulate": ("upright simulate --push hold:0.1,until=1", "upright simulate -r ev3way -b twin -o run.parquet"),
         "compare": ("upright compare run.csv twin.parquet", "upright compare a=run1.csv b=run2.csv --report page.html"),
-        "linearise": ("upright linearise", "upright linearise -r ev3way --period 0.01"),
-        "reproduce": ("upright reproduce", "upright reproduce --log run.csv --robot mine.toml -o study"),
-        "robots": ("upright robots show ev3way", "upright robots new mine --gear 30 --encoder none"),
-    },
-    "Learn": {
-        "example": ("upright example", "upright example excited -o run.csv"),
-        "excite": ("upright excite -o plan.json", "upright excite -r my-robot.toml --seconds 30 --report plan.html"),
         "doctor": ("upright doctor run.csv", "upright doctor run.csv --robot ev3way --fix repaired.csv"),
         "calibrate": (
             "upright calibrate run.csv --robot ev3way",
             "upright calibrate run1.csv run2.csv --robot my.toml -o mine.toml",
         ),
-        "validate": (
-            "upright validate mine.toml run2.csv",
-            "upright validate mine.toml run2.csv --report prediction.html",
-        ),
-        "identify": (
-            "upright identify run.csv --robot ev3way",
-            "upright identify run.csv --method all --report id.html",
-        ),
+        "design": ("upright design lqg -o controller.json", "upright design hinf -r ev3way --report margins.html"),
+        "certify": ("upright certify lqg", "upright certify controller.json --log run.csv --report page.html"),
         "post-mortem": (
             "upright post-mortem fall.csv --robot ev3way",
             "upright post-mortem fall.csv --report why.html",
         ),
+        "firmware": (
+            "upright firmware lqg --target nxc -o balance.nxc",
+            "upright firmware controller.json -t pybricks -o balance.py",
+        ),
+        "fly": ("upright fly balance.nxc controller.json", "upright fly balance.py controller.json -o flight.parquet"),
+        "reproduce": ("upright reproduce", "upright reproduce --log run.csv --robot mine.toml -o study"),
     },
-    "Design": {
-        "design": ("upright design lqg -o controller.json", "upright design hinf -r ev3way --report margins.html"),
-        "tune": ("upright tune lqg -o tuned.json", "upright tune lqr -r herrera2015 --report tune.html"),
-        "bench-controllers": ("upright bench-controllers", "upright bench-controllers -r ev3way --json"),
+    "Robots and logs": {
+        "robots": ("upright robots show ev3way", "upright robots new mine --gear 30 --encoder none"),
+        "example": ("upright example", "upright example excited -o run.csv"),
+        "film": ("upright film run.parquet", "upright film robot=run.csv model=model.parquet -o run.mp4 --speed 0.5"),
     },
-    "Prove": {
-        "certify": ("upright certify lqg", "upright certify controller.json --log run.csv --report page.html"),
+    "Learn": {
+        "linearise": ("upright linearise", "upright linearise -r ev3way --period 0.01"),
+        "excite": ("upright excite -o plan.json", "upright excite -r my-robot.toml --seconds 30 --report plan.html"),
+        "identify": (
+            "upright identify run.csv --robot ev3way",
+            "upright identify run.csv --method all --report id.html",
+        ),
+        "validate": (
+            "upright validate mine.toml run2.csv",
+            "upright validate mine.toml run2.csv --report prediction.html",
+        ),
+    },
+    "Many robots": {
         "fleet": (
             "upright fleet -n 1000 --vary com_height=±10%",
             "upright fleet -c lqg -p impulse:0.1 --report f.html",
@@ -59,23 +64,18 @@ GROUPS = {
         "push-map": ("upright push-map", "upright push-map -c pid --report map.html"),
         "basin": ("upright basin", "upright basin -c lqg --report basin.html"),
         "sweep": ("upright sweep campaign.toml -o results", "upright sweep campaign.toml -o results --workers 2"),
+        "tune": ("upright tune lqg -o tuned.json", "upright tune lqr -r herrera2015 --report tune.html"),
+        "bench-controllers": ("upright bench-controllers", "upright bench-controllers -r ev3way --json"),
     },
-    "Fly": {
-        "firmware": (
-            "upright firmware lqg --target nxc -o balance.nxc",
-            "upright firmware controller.json -t pybricks -o balance.py",
-        ),
+    "Programs": {
         "parity": ("upright parity balance.nxc controller.json", "upright parity balance.py controller.json --json"),
-        "fly": ("upright fly balance.nxc controller.json", "upright fly balance.py controller.json -o flight.parquet"),
         "monitor": ("upright monitor", "upright monitor -o run.csv"),
     },
-    "Teach": {
-        "lab": ("upright lab", "upright lab --class", "upright lab --export site -r herrera2015 -r mine.toml"),
+    "Classes": {
         "grade": ("upright grade handed-in -o grades.csv", "upright grade --worksheet es -o worksheet.md"),
-        "film": ("upright film run.parquet", "upright film robot=run.csv model=model.parquet -o run.mp4 --speed 0.5"),
     },
 }
-"""Heading → command → two calls that show what it is for."""
+"""Heading → command → calls that show what it is for. The first dozen is what most people need."""
 
 EXAMPLES = {name: examples for commands in GROUPS.values() for name, examples in commands.items()}
 
