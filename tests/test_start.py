@@ -22,6 +22,7 @@ from upright.cli import guide
 from upright.cli.guide import STATE
 from upright.cli.main import main
 from upright.control import make_controller, write_controller
+from upright.errors import UprightError
 from upright.robots import find_robot
 from upright.robots.kit import find_kit
 
@@ -30,22 +31,23 @@ START = (sys.executable, "-m", "upright", "start")
 
 @pytest.fixture
 def started(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Callable[..., str]:
-    """`started(answers, folder)`: what `upright start` prints in that folder, with its steps in this process, which has
-    imported all, and not in processes of their own; less is simulated and drawn."""
+    """`started(answers, folder)`: what `upright start` prints in that folder; less is simulated and drawn, and nothing
+    is analysed."""
+    executed = guide._executed
 
     def here(command: Sequence[str], folder: Path) -> int:
+        if command[0] != "design":
+            return executed(command, folder)
         with contextlib.chdir(folder):
-            if command[0] != "design":
-                return main(command)
             _, method, _, name, _, file = command  # without its analysis, which takes longest
             robot = find_robot(name)
             kit = find_kit(robot.kit_name)
             write_controller(make_controller(method, robot, kit, kit.period), file)
             return 0
 
-    def started(answers: str, folder: str = ".") -> str:
+    def started(answers: str, folder: str = ".", robot: str | None = None) -> str:
         monkeypatch.setattr("sys.stdin", io.StringIO(answers))
-        guide.start(Path(folder), samples=100)  # the fewest that bound a fall to a few per cent
+        guide.start(Path(folder), robot=robot, samples=100)  # the fewest that bound a fall to a few per cent
         return capsys.readouterr().out
 
     monkeypatch.chdir(tmp_path)
@@ -56,7 +58,11 @@ def started(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.Capt
 
 
 def printed_commands(text: str) -> list[list[str]]:
-    return [shlex.split(line[2:].removesuffix("   (done before)")) for line in text.splitlines() if line[:2] == "$ "]
+    return [
+        shlex.split(line[2:].removesuffix("   (done before)"))
+        for line in text.splitlines()
+        if line.startswith("$ upright ")
+    ]
 
 
 def test_a_simulated_robot_comes_to_a_verdict_and_goes_on_where_it_stopped(started, tmp_path):
@@ -87,6 +93,7 @@ def test_what_a_certificate_refuses_is_not_flown_next(tmp_path, capsys, light):
 @pytest.mark.evidence
 def test_a_log_is_examined_calibrated_and_certified(started, tmp_path):
     run = started("nxtway-gs\nlog\nno-such.csv\nexample\nnone\nlqr\n", "study")
+    assert "$ cd study" in run
     assert "there is no file no-such.csv" in run
     assert [line[1] for line in printed_commands(run)] == ["example", "doctor", "calibrate", "design", "certify"]
     assert "Verdict: " in run
@@ -97,12 +104,53 @@ def test_a_step_that_fails_asks_its_question_again(tmp_path, monkeypatch, capfd)
     """A file that is no log ends the doctor with exit code 2; the answer is forgotten, and the rest kept."""
     (tmp_path / "bad.csv").write_bytes(b"\x00\x01")
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("sys.stdin", io.StringIO("\nlog\nbad.csv\n"))
+    monkeypatch.setattr("sys.stdin", io.StringIO("\nlog\nbad.csv\nnone\n"))
     assert main(["start"]) == 2
     complaints = capfd.readouterr().err
     assert "asks again for log" in complaints
     assert "Traceback" not in complaints
     assert set(json.loads((tmp_path / STATE).read_text())["answers"]) == {"robot", "where"}
+
+
+def test_a_robot_is_looked_for_from_where_one_stands(started, tmp_path):
+    """The commands run in the folder of the study, and find it there too."""
+    (tmp_path / "mine.toml").write_text(find_robot("ev3way").save(tmp_path / "x.toml").read_text())
+    (tmp_path / "work").mkdir()
+    with contextlib.chdir(tmp_path / "work"):
+        said = started("simulated\nlqr\n", "study", "../mine.toml")
+    (design,) = printed_commands(said)
+    assert design[:5] == ["upright", "design", "lqr", "--robot", "../../mine.toml"]
+    assert (tmp_path / "work" / "study" / "controller.json").exists()
+
+
+def test_a_log_whose_columns_nobody_knows_asks_for_a_mapping_and_goes_on(started, tmp_path):
+    """The doctor drafts one; whoever completes it answers with it, and the same log is read."""
+    rows = "".join(f"{k},{k + 1},{2 * k}\n" for k in range(9))
+    (tmp_path / "own.csv").write_text("a,b,c\n" + rows)
+    with pytest.raises(
+        UprightError, match=r"complete mapping.toml and answer with it: upright start, which asks again for mapping"
+    ):
+        started("\nlog\nown.csv\nnone\n")
+    assert "?" in (tmp_path / "mapping.toml").read_text()
+    (tmp_path / "done.toml").write_text("name = 'mine'\n")
+    with pytest.raises(UprightError):
+        started("done.toml\n")
+    state = json.loads((tmp_path / STATE).read_text())
+    assert ["doctor", "own.csv", "--robot", "nxtway-gs", "--write-mapping", "mapping.toml"] in state["done"]
+    assert state["answers"]["log"] == "own.csv"
+
+
+def test_a_log_that_does_not_tell_the_robot_tests_its_file(started, monkeypatch, tmp_path):
+    """A calibration that is refused writes no robot; the study goes on with the numbers of the file, and says so."""
+    (tmp_path / "quiet.csv").write_text("t\n0\n")
+    answers = "\nlog\nquiet.csv\nnone\nnone\nlqr\n"
+    monkeypatch.setattr(guide, "_executed", lambda command, _: 3 if command[0] in ("calibrate", "certify") else 0)
+    (tmp_path / "certificate.json").write_text('{"light": "unknown"}')
+    said = started(answers)
+    commands = printed_commands(said)
+    assert [line[1] for line in commands] == ["doctor", "calibrate", "design", "certify"]
+    assert "does not tell this robot" in said
+    assert commands[-1][3:7] == ["--robot", "nxtway-gs", "--log", "quiet.csv"]
 
 
 def test_without_answers_it_stops_and_says_how_to_go_on(tmp_path, monkeypatch, capsys):

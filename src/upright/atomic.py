@@ -133,19 +133,26 @@ def make_folder(target: str | Path) -> Path:
 
 @contextmanager
 def together() -> Generator[None]:
-    """All files that are written inside appear at the end; after an error, or in an interrupted run, none."""
+    """All files that are written inside appear at the end; after an error, or in an interrupted run, none.
+
+    One inside another is a step of a longer run: its files appear at its own end.
+    """
+    around = _Run.waiting
     waiting = _Run.waiting = []
     try:
         yield
         for scratch, place in waiting:  # streams first, since one may wait for a reader, and be interrupted
             if _is_stream(place):
                 _arrive(scratch, place)
-        interrupts.complete()
+        if around is None:
+            interrupts.complete()
+        else:
+            interrupts.check()
         for scratch, place in waiting:
             if not _is_stream(place):
                 _arrive(scratch, place)
     finally:
-        _Run.waiting = None
+        _Run.waiting = around
         for scratch, _ in waiting:
             scratch.cleanup()
         _remove_made()

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import shlex
-import subprocess
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
@@ -25,7 +25,8 @@ STATE = "upright-start.json"
 KIND, VERSION = "upright start", 1
 FEWEST = 100  # robots of a certificate
 PATIENCE = 5  # answers to one question that cannot be taken, before it is given up
-WHERE = ("simulated", "log", "here")
+JUDGES = ("certify", "calibrate")
+"""Commands whose verdict against does not end the study: the first is its end, after the second it goes on without."""
 BRICKS = {"nxt": ("nxc", "balance.nxc"), "spike": ("pybricks", "balance.py"), "ev3": ("ev3dev", "balance.py")}
 PUSH = ("--push", "hold:0.1,until=4", "--seconds", "8")
 
@@ -77,6 +78,19 @@ class GuidedStudy:
         data = {"kind": KIND, "version": VERSION, "answers": self.answers, "done": self.done}
         write_json(self.folder / STATE, data, at_once=True)
 
+    def named(self, file: str) -> str:
+        """A file's name as the commands need it, which run in the folder; other answers as they are."""
+        path = expanded(file, UprightError)
+        if not path.is_file():
+            return file
+        whole = str(path.resolve())
+        return min(os.path.relpath(whole, self.folder.resolve()), whole, key=len)
+
+    @property
+    def again(self) -> str:
+        """What goes on from here."""
+        return shlex.join(["upright", "start", *([str(self.folder)] if self.folder != Path() else [])])
+
 
 class EndOfAnswers(Exception):
     """There are no more answers."""
@@ -99,12 +113,12 @@ def start(
     goes on there. Answers may come from a file or a pipe.
     """
     make_folder(folder)
-    study = GuidedStudy.of(folder)
-    if again:
-        study.answers, study.done = {}, []
+    study = GuidedStudy(folder) if again else GuidedStudy.of(folder)
     if robot is not None:
         _check_robot(robot)
-        study.answers["robot"] = robot
+        study.answers["robot"] = study.named(robot)
+    if folder != Path():
+        typer.echo(f"$ cd {shlex.quote(str(folder))}")
     try:
         for part in _parts(study, samples):
             if isinstance(part, Question):
@@ -112,8 +126,7 @@ def start(
             else:
                 _run(part, study)
     except EndOfAnswers:
-        again_with = shlex.join(["upright", "start", *([str(folder)] if folder != Path() else [])])
-        typer.echo(f"\nno more answers; `{again_with}` goes on from here")
+        typer.echo(f"\nno more answers; `{study.again}` goes on from here")
         return
     _conclude(study)
 
@@ -124,9 +137,15 @@ def _parts(study: GuidedStudy, samples: int) -> Iterator[Question | GuidedStep]:
     yield ROBOT
     yield PLACE
     robot = answers["robot"]
+    tested: tuple[str, ...] = ()
     if answers["where"] == "log":
         yield from _from_log(answers)
-        robot = "mine.toml"
+        if (study.folder / "mine.toml").exists():
+            robot = "mine.toml"
+        else:
+            tested = ("--log", _log(answers), *_mapping(answers))
+            typer.echo("\nThe log does not tell this robot: the numbers of its file go on, and the log tests them.")
+        yield from _judged(answers, robot)
     yield METHOD
     chosen = ("--robot", robot)
     design = ("design", answers["method"], *chosen, "-o", "controller.json")
@@ -134,11 +153,9 @@ def _parts(study: GuidedStudy, samples: int) -> Iterator[Question | GuidedStep]:
     if answers["where"] == "simulated":
         yield BODY
         run = ("simulate", *chosen, "--controller", "controller.json", "--body", answers["body"], *PUSH)
-        yield GuidedStep(
-            "It is pushed for four seconds, and let go.", (*run, "-o", "run.csv", "--report", "run.html"),
-            ("body", "method"),
-        )  # fmt: skip
-    certify = ("certify", "controller.json", *chosen, "--samples", str(samples), "-o", "certificate.json")
+        why = "It is pushed for four seconds, and let go."
+        yield GuidedStep(why, (*run, "-o", "run.csv", "--report", "run.html"), ("body", "method"))
+    certify = ("certify", "controller.json", *chosen, *tested, "--samples", str(samples), "-o", "certificate.json")
     why = "Many robots, as uncertain as this one, are pushed: may the controller drive?"
     yield GuidedStep(why, (*certify, "--report", "certificate.html"), ("method",))
     if answers["where"] == "here" and _light(study) not in ("red", "unknown"):
@@ -147,17 +164,32 @@ def _parts(study: GuidedStudy, samples: int) -> Iterator[Question | GuidedStep]:
 
 def _from_log(answers: dict[str, str]) -> Iterator[Question | GuidedStep]:
     yield LOG
-    log = answers["log"]
-    if log == "example":
-        log = "example.csv"
-        yield GuidedStep("A log of a twin, as a robot would write it.", ("example", "excited", "-o", log))
+    log = _log(answers)
     chosen = ("--robot", answers["robot"])
-    yield GuidedStep("First: is anything wrong with the log?", ("doctor", log, *chosen), ("log",))
-    calibrate = ("calibrate", log, *chosen, "-o", "mine.toml", "--report", "calibration.html")
-    yield GuidedStep("The robot's parameters are estimated from it.", calibrate, ("log", "robot"))
+    if answers["log"] == "example":
+        yield GuidedStep("A log of a twin, as a robot would write it.", ("example", "excited", "-o", log))
+    else:
+        yield MAPPING
+    mapping = _mapping(answers)
+    examine = ("doctor", log, *chosen, *(mapping or ("--write-mapping", "mapping.toml")))
+    yield GuidedStep("First: is anything wrong with the log?", examine, ("mapping",) if mapping else ("log", "mapping"))
+    calibrate = ("calibrate", log, *chosen, *mapping, "-o", "mine.toml", "--report", "calibration.html")
+    yield GuidedStep("The robot's parameters are estimated from it.", calibrate, ("mapping",))
+
+
+def _log(answers: dict[str, str]) -> str:
+    return "example.csv" if answers["log"] == "example" else answers["log"]
+
+
+def _mapping(answers: dict[str, str]) -> tuple[str, ...]:
+    mapping = answers.get("mapping", "none")
+    return () if mapping == "none" else ("--mapping", mapping)
+
+
+def _judged(answers: dict[str, str], robot: str) -> Iterator[Question | GuidedStep]:
     yield SECOND
     if answers["second"] != "none":
-        validate = ("validate", "mine.toml", answers["second"], "--report", "validation.html")
+        validate = ("validate", robot, answers["second"], *_mapping(answers), "--report", "validation.html")
         why = "What is known of the robot has to predict a log that it was not learnt from."
         yield GuidedStep(why, validate, ("second",))
 
@@ -176,7 +208,7 @@ def _ask(question: Question, study: GuidedStudy) -> None:
     if question.name in study.answers:
         typer.echo(f"{question.text}: {study.answers[question.name]} (answered before)")
         return
-    study.answers[question.name] = _from_folder(answered(question), study.folder)
+    study.answers[question.name] = study.named(answered(question))
     study.save()
 
 
@@ -200,50 +232,46 @@ def answered(question: Question) -> str:
     raise UprightError(f"no answer to '{question.name}' after {PATIENCE} attempts", hint="the same command, once more")
 
 
-def _from_folder(answer: str, folder: Path) -> str:
-    """A file's name as the commands need it, which run in the folder of the study."""
-    path = expanded(answer, UprightError)
-    inside = folder.resolve() == Path.cwd() or not path.is_file()
-    return answer if inside else os.path.relpath(path.resolve(), folder.resolve())
-
-
 def _run(step: GuidedStep, study: GuidedStudy) -> None:
     """Run the command in the folder, unless it is done."""
     line = shlex.join(("upright", *step.command))
+    verb = step.command[0]
     if list(step.command) in study.done and _complete(step, study.folder):
         typer.echo(f"\n{step.why}\n$ {line}   (done before)")
         return
     typer.echo(f"\n{step.why}\n$ {line}")
-    sys.stdout.flush()
-    code = _executed(step.command, study.folder)
-    if code != 0 and not (code == AGAINST and step.command[0] == "certify"):  # whose verdict ends the study
-        for name in step.of:
-            study.answers.pop(name, None)
-        study.save()
-        asks = f"asks again for {' and '.join(step.of)}" if step.of else "tries it again"
-        why = "has a verdict against, or unknown: see above" if code == AGAINST else f"ended with exit code {code}"
-        raise UprightError(f"`{line}` {why}", hint=f"upright start, which {asks}")
+    try:
+        code = _executed(step.command, study.folder)
+    except (UprightError, typer.TyperException) as error:
+        raise _failed(step, study, str(error)) from None
+    if code != 0 and not (code == AGAINST and verb in JUDGES):
+        raise _failed(step, study, f"`upright {verb}` has a verdict against, or unknown: see above")
     study.done.append(list(step.command))
     study.save()
 
 
 def _executed(command: Sequence[str], folder: Path) -> int:
-    """The exit code of a command of ours, in a process of its own, which ends with this one."""
-    process = subprocess.Popen([sys.executable, "-m", "upright", *command], cwd=folder, stdin=subprocess.DEVNULL)
-    try:
-        code = process.wait()
-    except BaseException:
-        process.terminate()
-        process.wait()
-        raise
-    if code < 0 or code > 128:
-        raise KeyboardInterrupt
-    return code
+    """The exit code of a command of ours, called in the folder."""
+    from upright.cli.main import run
+
+    with contextlib.chdir(folder):
+        return run(command)
+
+
+def _failed(step: GuidedStep, study: GuidedStudy, why: str) -> UprightError:
+    """The error of a step that failed, whose answers are forgotten."""
+    for name in step.of:
+        study.answers.pop(name, None)
+    study.save()
+    complete = f"complete {study.folder / 'mapping.toml'} and answer with it: " if step.of == ("mapping",) else ""
+    asks = f"asks again for {' and '.join(step.of)}" if step.of else "tries it again"
+    return UprightError(why.replace("; try: ", "; or "), hint=f"{complete}{study.again}, which {asks}")
 
 
 def _complete(step: GuidedStep, folder: Path) -> bool:
-    """Whether the files that the step wrote are still there."""
-    files = [name for flag, name in zip(step.command, step.command[1:], strict=False) if flag in ("-o", "--report")]
+    """Whether the files that the step wrote are still there; a robot is not written where it cannot be told."""
+    named = zip(step.command, step.command[1:], strict=False)
+    files = [name for flag, name in named if flag in ("-o", "--report") and name != "mine.toml"]
     return all((folder / name).exists() for name in files)
 
 
@@ -253,26 +281,14 @@ def _light(study: GuidedStudy) -> str:
 
 
 def _conclude(study: GuidedStudy) -> None:
+    """The verdict once more, where its pages are, and what is next where the certificate has not said it."""
     light = _light(study)
-    where = study.answers["where"]
-    words = {
-        "green": "green: the controller may drive this robot", "amber": "amber: it may drive, with care",
-        "red": "red: it must not drive", "unknown": "unknown: measure what the certificate names",
-    }  # fmt: skip
-    typer.echo(f"\nVerdict: {words.get(light, light)}. The pages (.html) in {study.folder.resolve()} show why.")
-    if light == "red":
-        typer.echo("Next: another controller (upright start --again), or upright tune, which searches for weights.")
-    elif light == "unknown":
-        typer.echo("Next: measure that, write it into the robot's file with its spread, and: upright start --again")
-    elif where == "here":
+    typer.echo(f"\nVerdict: {light}. The pages (.html) in {study.folder.resolve()} show why.")
+    if study.answers["where"] == "here" and light not in ("red", "unknown"):
         program = BRICKS[study.answers["brick"]][1]
         typer.echo(f"Next: connect the brick, hold the robot upright, and: upright fly {program} controller.json")
-    elif where == "log":
-        typer.echo(
-            "Next: upright firmware controller.json --robot mine.toml --certificate certificate.json --target nxc"
-        )
     else:
-        typer.echo("Next: upright lab, to push it with the mouse; or a log of your own robot: upright start --again")
+        typer.echo(f"Another answer: {study.again} --again")
 
 
 def _check_robot(answer: str) -> None:
@@ -296,28 +312,35 @@ def _one_of(what: str, choices: Sequence[str]) -> Callable[[str], None]:
     return check
 
 
-def _log_or(word: str) -> Callable[[str], None]:
+def _file_or(word: str) -> Callable[[str], None]:
     def check(answer: str) -> None:
         if answer != word and not expanded(answer, UprightError).is_file():
-            raise UprightError(f"there is no file {answer[:100]}", expected=f"a log, or `{word}`")
+            raise UprightError(f"there is no file {answer[:100]}", expected=f"a file, or `{word}`")
 
     return check
 
 
 ROBOT = Question("robot", "Which robot? A name (`upright robots` lists them) or a TOML file", "nxtway-gs", _check_robot)
 PLACE = Question(
-    "where", "Is it simulated, do you have a log of it, or is it here? (simulated, log, here)", "simulated",
-    _one_of("answer", WHERE),
-)  # fmt: skip
+    "where",
+    "Is it simulated, do you have a log of it, or is it here? (simulated, log, here)",
+    "simulated",
+    _one_of("answer", ("simulated", "log", "here")),
+)
 METHOD = Question("method", "Which controller? lqg, lqr, lqi, pid, hinf, mpc, sliding, robust", "lqg", _check_method)
 BODY = Question(
-    "body", "Which simulation? twin (MuJoCo, stands in for hardware) or nonlinear (the equations)", "twin",
+    "body",
+    "Which simulation? twin (MuJoCo, stands in for hardware) or nonlinear (the equations)",
+    "twin",
     _one_of("body", ("twin", "nonlinear")),
-)  # fmt: skip
+)
 LOG = Question(
-    "log", "Where is its log? A file, or `example` for one of nxtway-gs to try", "example", _log_or("example")
+    "log", "Where is its log? A file, or `example` for one of nxtway-gs to try", "example", _file_or("example")
+)
+MAPPING = Question(
+    "mapping", "Its columns: a mapping (TOML), or `none`: the doctor guesses, and drafts one", "none", _file_or("none")
 )
 SECOND = Question(
-    "second", "Another log of the same robot, to judge what was learnt? A file, or `none`", "none", _log_or("none")
+    "second", "Another log of the same robot, to judge what was learnt? A file, or `none`", "none", _file_or("none")
 )
 BRICK = Question("brick", "Which brick? nxt, ev3 (ev3dev) or spike (Pybricks)", "nxt", _one_of("brick", tuple(BRICKS)))

@@ -66,14 +66,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     All its files appear at the end, if it is neither interrupted nor fails.
     """
     arguments = sys.argv[1:] if argv is None else list(argv)
-    TYPED.set(arguments)
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # matrices here are small: more threads only wait for each other
     try:
-        with together():
-            code = group().main(arguments, prog_name="upright", standalone_mode=False)
-            if code == INTERRUPTED:
-                raise KeyboardInterrupt
-        return code if isinstance(code, int) else 0
+        return run(arguments)
     except (KeyboardInterrupt, typer.Abort):
         pass
     except Exception as error:  # whatever it is, a user gets one line
@@ -83,6 +78,16 @@ def main(argv: Sequence[str] | None = None) -> int:
             return _code_of(error)
     typer.echo(interrupts.STOPPED, err=True, nl=False)
     return interrupts.exit_code()
+
+
+def run(arguments: Sequence[str]) -> int:
+    """Run one command, whose files appear together at its end, and return its exit code; raises whatever it raises."""
+    TYPED.set(arguments)
+    with together():
+        code = group().main(list(arguments), prog_name="upright", standalone_mode=False)
+        if code == INTERRUPTED:
+            raise KeyboardInterrupt
+    return code if isinstance(code, int) else 0
 
 
 def _code_of(error: Exception) -> int:
