@@ -147,6 +147,7 @@ def test_a_mistake_is_one_line_that_names_it(
     assert said.err.startswith("upright: ")
     assert said.err.count("\n") == 1
     assert named.lower() in said.err.lower()
+    assert re.search(r"; try: |Did you mean|Possible options", said.err), "every refusal ends with what to type"
     assert sorted(files.rglob("*")) == before, "a refused call leaves no file"
 
 
@@ -205,6 +206,37 @@ def test_a_bug_is_one_line_that_says_how_to_see_more(
     said = capsys.readouterr().err
     assert "UPRIGHT_DEBUG=1" in said
     assert said.count("\n") == 1
+
+
+OWN = """
+from upright.control import lqg
+
+class Mine:
+    def __init__(self, robot, kit, dt):
+        self.lqg = lqg(robot, kit, dt)
+        self.spec = self.lqg.spec
+        self.reset, self.estimate, self.applied = self.lqg.reset, self.lqg.estimate, self.lqg.applied
+
+    def to_json(self):
+        return {"kind": "mine"}
+
+    def step(self, measurement, reference):
+        return self.lqg.step(measurement, reference)[0] / {}
+"""
+"""A controller of one's own with a mistake in its last line."""
+
+
+@pytest.mark.parametrize("call", ["simulate -s 1", "fleet -n 2 -s 1"])
+def test_an_error_in_ones_own_step_names_file_and_line(
+    call: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("mine.py").write_text(OWN)
+    assert main([*call.split(), "-c", "mine.py:Mine"]) == USER_ERROR
+    (line,) = [said for said in capsys.readouterr().err.splitlines() if said.startswith("upright: ")]
+    number = len(OWN.splitlines())
+    assert line.startswith(f"upright: mine.py line {number}: ")
+    assert "TypeError" in line
 
 
 def test_ctrl_c_ends_with_130(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:

@@ -127,9 +127,7 @@ def test_a_log_whose_columns_nobody_knows_asks_for_a_mapping_and_goes_on(started
     """The doctor drafts one; whoever completes it answers with it, and the same log is read."""
     rows = "".join(f"{k},{k + 1},{2 * k}\n" for k in range(9))
     (tmp_path / "own.csv").write_text("a,b,c\n" + rows)
-    with pytest.raises(
-        UprightError, match=r"complete mapping.toml and answer with it: upright start, which asks again for mapping"
-    ):
+    with pytest.raises(UprightError, match=r"complete mapping\.toml and answer with it: upright start"):
         started("\nlog\nown.csv\nnone\n")
     assert "?" in (tmp_path / "mapping.toml").read_text()
     (tmp_path / "done.toml").write_text("name = 'mine'\n")

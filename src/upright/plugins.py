@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import traceback
 from collections.abc import Callable, Iterator, Mapping
 from importlib import metadata
 from pathlib import Path
@@ -13,6 +14,10 @@ from upright.errors import InvalidPlugin, UnknownName, UprightError
 
 Entry = TypeVar("Entry")
 Made = TypeVar("Made")
+
+
+OUTSIDE = "upright_plugin_"
+"""How the names of modules begin that are a user's own files."""
 
 
 class Registry(Mapping[str, Entry], Generic[Entry]):
@@ -62,7 +67,7 @@ def from_file(place: str) -> Any:
     path = Path(file)
     if not path.is_file():
         raise InvalidPlugin(f"there is no file {path}", expected="file.py:Name")
-    spec = importlib.util.spec_from_file_location(f"upright_plugin_{path.stem}", path)
+    spec = importlib.util.spec_from_file_location(f"{OUTSIDE}{path.stem}", path)
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
@@ -91,12 +96,16 @@ def _loaded(what: str, load: Callable[[], Any]) -> Any:
     except UprightError:
         raise
     except (Exception, SystemExit) as error:
-        trace = error.__traceback__
-        while trace and trace.tb_next:
-            trace = trace.tb_next
-        where = Path(trace.tb_frame.f_code.co_filename) if trace else Path(__file__)
-        line = f"{where.name} line {trace.tb_lineno}: " if trace and where != Path(__file__) else ""
-        raise InvalidPlugin(f"{what} fails: {line}{type(error).__name__}: {error}") from error
+        line = where(error)
+        raise InvalidPlugin(f"{what} fails: {f'{line}: ' * bool(line)}{type(error).__name__}: {error}") from error
+
+
+def where(error: BaseException) -> str:
+    """File and line of a user's own code that an error came through last, such as "my.py line 12"; "" where it is none
+    of it."""
+    frames = traceback.walk_tb(error.__traceback__)
+    own = [(frame, line) for frame, line in frames if str(frame.f_globals.get("__name__")).startswith(OUTSIDE)]
+    return f"{Path(own[-1][0].f_code.co_filename).name} line {own[-1][1]}" if own else ""
 
 
 def _callables(module: ModuleType) -> list[str]:

@@ -86,18 +86,14 @@ def epilog(name: str) -> str:
 
 
 def option_meant(error: typer.TyperException) -> str:
-    """What to try after a mistake in the words of a command: the option whose values have such a name, or else its
-    help; empty where the error proposes something itself, or has no command."""
+    """What to try after a word too many: the option whose values have such a name, or ""."""
     context = getattr(error, "ctx", None)
-    message = error.format_message()
-    if context is None or "Did you mean" in message or "Possible options" in message:
-        return ""
-    extra = re.fullmatch(r"Got unexpected extra arguments?(?:\(s\))? \((\S+).*\)", message)
-    if extra is not None:
+    extra = re.fullmatch(r"Got unexpected extra arguments?(?:\(s\))? \((\S+).*\)", error.format_message())
+    if context is not None and extra is not None:
         for option in context.command.params:
             if extra[1] in (item.value for item in option.shell_complete(context, extra[1])):
                 return f"; try: {max(option.opts, key=len)} {extra[1]}"
-    return f"; try: {context.command_path} --help"
+    return ""
 
 
 HOMES = {"start": "guide", "bench-controllers": "design", "push-map": "fleet", "basin": "fleet", "sweep": "fleet"}

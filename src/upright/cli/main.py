@@ -12,9 +12,10 @@ from typer.main import get_command
 
 from upright import interrupts
 from upright.atomic import together
-from upright.cli.help import Commands, Grouped, option_meant
+from upright.cli.help import EXAMPLES, Commands, Grouped, option_meant
 from upright.cli.typed import TYPED
 from upright.errors import UprightError
+from upright.plugins import where
 
 USER_ERROR, BUG = 2, 1
 """Exit codes: an error that the user can correct, and a bug. An interrupted run has 128 and the signal's number, as in
@@ -24,6 +25,9 @@ INTERRUPTED = 130  # into which typer turns a `KeyboardInterrupt`, whatever the 
 
 LASTING = ("fly", "monitor", "lab")
 """Commands that Ctrl-C ends as they usually end: they stop motors then, and write what they have."""
+
+PROPOSALS = ("; try: ", "Did you mean", "Possible options")
+"""Words before what a message says to type; to one without them the help of the command is added."""
 
 app = typer.Typer(
     name="upright", cls=Grouped, rich_markup_mode=None, context_settings={"help_option_names": ["-h", "--help"]}
@@ -75,7 +79,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         if not interrupts.interrupted():  # which may end in any exception
             if _debugging(arguments):
                 raise
-            return _code_of(error)
+            return _code_of(error, arguments)
     typer.echo(interrupts.STOPPED, err=True, nl=False)
     return interrupts.exit_code()
 
@@ -90,20 +94,23 @@ def run(arguments: Sequence[str]) -> int:
     return code if isinstance(code, int) else 0
 
 
-def _code_of(error: Exception) -> int:
-    """Print the error as one line on stderr and return the exit code."""
+def _code_of(error: Exception, arguments: Sequence[str]) -> int:
+    """Print the error as one line on stderr, which ends with what to try, and return the exit code."""
     code = USER_ERROR
     if isinstance(error, typer.TyperException):
-        message = error.format_message()
-        proposal = option_meant(error)
-        message = message.rstrip(".") + proposal if proposal else message
+        message = error.format_message().rstrip(".") + option_meant(error)
     elif isinstance(error, UprightError):
         message = str(error)
     elif isinstance(error, OSError) and error.filename is not None:
         message = f"{error.filename}: {error.strerror}"
+    elif own := where(error):
+        message = f"{own}: {type(error).__name__}: {error}; try: correct it there; UPRIGHT_DEBUG=1 shows the traceback"
     else:
         code = BUG
         message = f"unexpected {type(error).__name__}: {error}; try: UPRIGHT_DEBUG=1, and report the traceback"
+    if not any(proposal in message for proposal in PROPOSALS):
+        verb = arguments[0] + " " if arguments[0] in EXAMPLES else ""
+        message += f"; try: upright {verb}--help"
     complain(message)
     return code
 

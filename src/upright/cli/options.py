@@ -111,7 +111,7 @@ KernelOption = Annotated[
 ]  # fmt: skip
 LawOption = Annotated[
     str | None,
-    typer.Option("--controller", "-c", help="Law of the log: controller.json (default: read from the log).",
+    typer.Option("--controller", "-c", help=f"{CONTROLLER_HELP}, of the log (default: read from it).",
                  autocompletion=complete_controller),
 ]  # fmt: skip
 DesignArgument = Annotated[str, typer.Argument(help="The controller.json of its design.")]

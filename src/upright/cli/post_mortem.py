@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -10,6 +9,7 @@ import typer
 from upright.cli.options import (
     KIT_HELP,
     JsonOption,
+    LawOption,
     LogArgument,
     LogRobotOption,
     MappingOption,
@@ -28,9 +28,7 @@ def post_mortem(
         str | None,
         typer.Option(help=f"{KIT_HELP} (default: the log's, else the robot's).", autocompletion=complete_kit),
     ] = None,
-    controller: Annotated[
-        Path | None, typer.Option("--controller", "-c", help="Controller of the robot, as designed: controller.json.")
-    ] = None,
+    controller: LawOption = None,
     mapping: MappingOption = None,
     seconds: Annotated[
         float, typer.Option(min=0.0, help="Longest search [s of processor time]; then what is known is said.")

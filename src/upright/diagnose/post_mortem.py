@@ -19,7 +19,7 @@ import numpy as np
 
 from upright.checkup.doctor import contradictions
 from upright.checkup.finding import FEWEST as FEWEST_POSES
-from upright.control import Controller, controller_hash, read_controller
+from upright.control import Controller, controller_hash, find_controller
 from upright.diagnose.causes import CANNOT_TELL, NO_FALL, NONE
 from upright.diagnose.evidence import FOREIGN, Evidence, gather
 from upright.diagnose.examined import FallExamined
@@ -74,13 +74,14 @@ def post_mortem(
     """Why the robot of this log fell. No search begins after so many `seconds` of processor time.
 
     `robot` (default: that of the log's origin) is the robot without faults, `kit` (default: its own) its electronics,
-    `controller` what should have driven it. `mapping` names the columns of a foreign file. All may be names or files.
+    `controller` what should have driven it, also my.py:Name. `mapping` names the columns of a foreign file. All may be
+    names or files.
     Raises `InvalidLog` for a file without a log, `InvalidRobot` where no robot is given or named in the log.
     """
     log = raw_log(source, mapping)
     nominal = find_robot(robot) if robot else robot_of(log)
     parts = find_kit(kit) if kit else kit_of(log, nominal)
-    controller = read_controller(controller) if isinstance(controller, str | Path) else controller
+    controller = controller and find_controller(controller, nominal, parts, parts.period)
     head: dict[str, Any] = {"robot": nominal.name, "kit": parts.name, "rows": len(log)}
     head |= {"controller": controller.spec.kind if controller else ""}
     head |= {"hash": controller_hash(controller) if controller else ""}

@@ -23,7 +23,7 @@ from upright.checkup.wheels import on_its_wheels
 from upright.comparison import compare
 from upright.comparison.drawing import state_words
 from upright.comparison.metrics import active_intervals
-from upright.control import Controller, read_controller
+from upright.control import Controller, find_controller
 from upright.errors import DesignFailed, InvalidLog, InvalidRobot
 from upright.experiment import Push
 from upright.experiment.pushes import PushProgramme
@@ -78,7 +78,7 @@ def compare_own(
     log = _from_zero(log)
     nominal = find_robot(robot)
     parts = find_kit(kit or nominal.kit)
-    law = _law(log, controller)
+    law = _law(log, controller and find_controller(controller, nominal, parts, parts.period))
     pushes = tuple(push) or _logged(log)
     if learnt:
         best = find_robot(learnt)
@@ -113,9 +113,9 @@ def _from_zero(log: Log) -> Log:
     return Log(log.t - log.t[0], dict(log.channels), log.units, log.origin)
 
 
-def _law(log: Log, controller: Controller | str | Path | None) -> CommandLaw:
+def _law(log: Log, controller: Controller | None) -> CommandLaw:
     if controller is not None:
-        return law_by(read_controller(controller) if isinstance(controller, str | Path) else controller, log)
+        return law_by(controller, log)
     if known := recorded(log):
         return known
     rows = [n for n in log.channels if n.startswith("sensor/") and np.isfinite(log[n]).all() and np.ptp(log[n]) > 0]

@@ -31,7 +31,7 @@ from upright.calibration.refined import SEGMENT, SEGMENT_NOISE
 from upright.calibration.validate import segments
 from upright.checkup.doctor import contradictions
 from upright.checkup.wheels import on_its_wheels
-from upright.control import Controller, read_controller
+from upright.control import Controller, find_controller
 from upright.errors import InvalidLog, SpecMismatch
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.marks import known_fraction
@@ -75,7 +75,7 @@ def validate(
     several = [logs] if isinstance(logs, Log | str | os.PathLike) else list(logs)
     if not several:
         raise InvalidLog("no log is given", expected="at least one")
-    given = read_controller(controller) if isinstance(controller, str | Path) else controller
+    given = controller and find_controller(controller, nominal, parts, parts.period)
     judged: list[LogJudged] = []
     for i, source in enumerate(several):
         judged.append(_judged(raw_log(source, mapping), nominal, parts, given))
