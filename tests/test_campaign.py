@@ -17,7 +17,6 @@ import numpy as np
 import pytest
 
 from conftest import PATIENCE
-from upright.cli.fleet import sweep
 from upright.cli.main import main
 from upright.errors import InvalidScenario, UnknownName, UprightError
 from upright.experiment.pushes import Impulse, Slope
@@ -424,6 +423,6 @@ def test_what_is_wrong_with_a_campaign_is_reported(tmp_path, old, new, error, sa
 def test_only_what_is_asked_for_is_kept(tmp_path, capsys):
     path = tmp_path / "c.toml"
     path.write_text(SPEC.replace("n = 24", "n = 20").replace("seed = 3", "seed = 3\nkeep = ['fell', 'effort']"))
-    sweep(path, workers=0)
+    assert main(["sweep", str(path), "--workers", "0"]) == 0
     assert "Worst case" in capsys.readouterr().out
     assert set(collect(tmp_path / "c").data_vars) == {"fell", "effort", "case"}

@@ -19,7 +19,6 @@ from upright.certification.checks import PushTrial, TrialSetup, kernel_controlle
 from upright.certification.pushes import RELEASE, standard_pushes
 from upright.certification.recovery import means, recoverable
 from upright.certification.verdict import AMBER, GREEN, RED, UNKNOWN, Examined, LinearMargins, judge, linear_margins
-from upright.cli import certify as command
 from upright.cli.main import main
 from upright.control import LinearController, as_linear, controller_hash, make_controller, write_controller
 from upright.errors import InvalidController, InvalidScenario, SpecMismatch
@@ -366,13 +365,8 @@ def test_page_and_table_say_the_light() -> None:
 def test_command_writes_certificate_and_page(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     posterior = {"parameters": ["com_height"], "mean": [0.07], "covariance": [[1e-6]]}
     (tmp_path / "posterior.json").write_text(json.dumps(posterior))
-    command.certify(
-        "pid",
-        posterior=tmp_path / "posterior.json",
-        samples=150,
-        output=tmp_path / "c.json",
-        report=tmp_path / "c.html",
-    )
+    options = ["--posterior", tmp_path / "posterior.json", "-n", "150", "-o", tmp_path / "c.json"]
+    assert main(["certify", "pid", *map(str, options), "--report", str(tmp_path / "c.html")]) == 0
     written = read_certificate(tmp_path / "c.json")
     said = capsys.readouterr().out
     assert said.startswith("Green")

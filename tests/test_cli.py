@@ -19,8 +19,9 @@ from upright.atomic import write_json
 from upright.cli import main as cli
 from upright.cli.help import EXAMPLES
 from upright.cli.main import BUG, USER_ERROR, group, main
-from upright.cli.options import complete_controller, complete_kit, complete_robot
 from upright.cli.output import finish, progress
+from upright.cli.retired import RETIRED
+from upright.cli.vocabulary import complete_controller, complete_kit, complete_robot
 from upright.control import CONTROLLERS, make_controller, write_controller
 from upright.errors import InvalidLog
 from upright.pages import Page, Result, Say, Verdict
@@ -77,15 +78,15 @@ BAD = {
     "fewer seconds than a period": ("simulate --seconds 0.001", "0.001"),
     "negative period": ("simulate --period -0.01", "-0.01"),
     "period that does not divide": ("simulate --kit ideal --period 0.0105", "0.0105"),
-    "five gains": ("simulate --gains 1,2,3,4,5", "six"),
-    "a word among the gains": ("simulate --gains 1,2,3,4,5,yaw", "yaw"),
-    "NaN among the gains": ("simulate --gains 1,2,3,4,5,nan", "nan"),
-    "gain file of six numbers": ("simulate --gains flat-gain.json", "(2, 6)"),
-    "gain file with NaN": ("simulate --gains nan-gain.json", "NaN"),
-    "gain file without a gain": ("simulate --gains no-gain.json", "gain"),
-    "gain file that is no JSON": ("simulate --gains not.json", "not.json"),
-    "missing gain file": ("simulate --gains missing.json", "missing.json"),
-    "controller and gains": ("simulate --controller lqr --gains 1,2,3,4,5,6", "--gains"),
+    "five gains": ("simulate --feedback 1,2,3,4,5", "six"),
+    "a word among the gains": ("simulate --feedback 1,2,3,4,5,yaw", "yaw"),
+    "NaN among the gains": ("simulate --feedback 1,2,3,4,5,nan", "nan"),
+    "gain file of six numbers": ("simulate --feedback flat-gain.json", "(2, 6)"),
+    "gain file with NaN": ("simulate --feedback nan-gain.json", "NaN"),
+    "gain file without a gain": ("simulate --feedback no-gain.json", "gain"),
+    "gain file that is no JSON": ("simulate --feedback not.json", "not.json"),
+    "missing gain file": ("simulate --feedback missing.json", "missing.json"),
+    "controller and gains": ("simulate --controller lqr --feedback 1,2,3,4,5,6", "--feedback"),
     "push without a kind": ("simulate --push 0.1", "hold:0.1"),
     "unknown push": ("simulate --push shove:0.1", "shove"),
     "hold without an end": ("simulate --push hold:0.1", "until"),
@@ -256,8 +257,13 @@ def test_every_command_has_a_help_page(capsys: pytest.CaptureFixture[str]) -> No
 
 
 def options() -> list[tuple[str, Any]]:
-    every = group().commands.items()  # type: ignore[attr-defined]
-    return [(f"{name} {option.name}", option) for name, command in every for option in command.params]
+    """Every option and argument of every command, and of the commands of `robots`."""
+    every: list[tuple[str, Any]] = []
+    for name, command in group().commands.items():  # type: ignore[attr-defined]
+        within = {f"{name} {part}": one for part, one in getattr(command, "commands", {}).items()}
+        for where, one in {name: command, **within}.items():
+            every += [(f"{where} {option.name}", option) for option in one.params]
+    return every
 
 
 @pytest.mark.parametrize(("where", "option"), options(), ids=[where for where, _ in options()])
@@ -268,13 +274,51 @@ def test_every_option_has_a_short_help(where: str, option: Any) -> None:
 
 
 def test_an_option_means_one_thing() -> None:
-    meanings: dict[str, set[str]] = {}
+    """Everywhere its help begins with the same words, after which a command may say more; its values are of one kind; a
+    letter belongs to one option. What `-o` writes differs, but it always writes the artefact."""
+    helps: dict[str, set[str]] = {}
+    kinds: dict[str, set[str]] = {}
+    letters: dict[str, set[str]] = {}
     for _, option in options():
-        for flag in option.opts:
-            if flag.startswith("-"):
-                meanings.setdefault(flag, set()).add(option.name)
-    twice = {flag: names for flag, names in meanings.items() if len(names) > 1 and len(flag) == 2}
-    assert twice == {}
+        for flag in [flag for flag in option.opts if flag.startswith("-")]:
+            helps.setdefault(flag, set()).add(option.help)
+            kinds.setdefault(flag, set()).add("number" if option.bare_type in (int, float) else str(option.bare_type))
+            if len(flag) == 2:
+                letters.setdefault(flag, set()).add(option.name)
+    for flag, texts in helps.items():
+        meaning = min((re.split(r"[.,:;(]", text)[0].strip() for text in texts), key=len)
+        meaning = "Write the " if flag in ("-o", "--output") else meaning
+        assert [text for text in texts if not text.startswith(meaning)] == [], flag
+    assert {flag: names for flag, names in kinds.items() if len(names) > 1} == {}
+    assert {flag: names for flag, names in letters.items() if len(names) > 1} == {}
+
+
+def test_json_of_a_result_is_never_the_artefact() -> None:
+    """`-o` is there where a command makes something that another one, or a robot, reads; JSON is printed or saved."""
+    flags = {where.split()[0]: set[str]() for where, _ in options()}
+    for where, option in options():
+        flags[where.split()[0]] |= {*option.opts}
+    assert {name for name, known in flags.items() if "--report" in known} == {
+        name for name, known in flags.items() if "--save" in known
+    }
+    assert {name for name, known in flags.items() if "--report" in known and "-o" not in known} == {
+        "bench-controllers", "compare", "doctor", "parity", "post-mortem", "validate",
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("line", [
+    f"{'robots new' if command == 'new' else command} {flag}" for flags, commands, _ in RETIRED
+    for command in commands for flag in flags.split()
+])  # fmt: skip
+def test_an_old_spelling_is_answered_with_what_to_type_now(line: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([*line.split(), "1"]) == USER_ERROR
+    said = capsys.readouterr()
+    (told,) = said.err.splitlines()
+    assert "has another name; try: " in told
+    now = told.partition("; try: ")[2].split()[0]
+    *command, _ = line.split()
+    known = {flag for where, option in options() for flag in option.opts if where.split()[: len(command)] == command}
+    assert now in known or now == "upright"
 
 
 def test_the_shell_completes_names_of_robots_and_kits(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -376,7 +420,7 @@ def test_simulate_stands_and_writes_its_log(files: Path, capsys: pytest.CaptureF
 
 def test_simulate_tells_a_fall(capsys: pytest.CaptureFixture[str]) -> None:
     # No gain at all: an inverted pendulum started off its top falls, here in well under 2 s (its pole is 7.4 1/s).
-    call = "simulate --kit ideal --gains 0,0,0,0,0,0 --start pitch=0.05 --seconds 2"
+    call = "simulate --kit ideal --feedback 0,0,0,0,0,0 --start pitch=0.05 --seconds 2"
     assert main(call.split()) == 0
     text = capsys.readouterr().out
     assert text.startswith("it fell\nIt fell at ")
@@ -503,7 +547,7 @@ FILES_OF_THEIR_OWN = {"reproduce", "firmware", "fly", "monitor", "start", "lab",
 def test_every_command_with_a_result_writes_it_and_its_page() -> None:
     commands = group().commands  # type: ignore[attr-defined]
     flags = {name: {flag for option in command.params for flag in option.opts} for name, command in commands.items()}
-    lacking = [name for name, known in flags.items() if not {"-o", "--report"} <= known]
+    lacking = [name for name, known in flags.items() if not {"--save", "--report"} <= known]
     assert set(lacking) == FILES_OF_THEIR_OWN
 
 

@@ -488,13 +488,14 @@ def test_progress_goes_from_nothing_to_all() -> None:
 
 
 def test_the_command_library_never_writes_over_the_log(tmp_path: Path) -> None:
-    import upright.cli.doctor as command
+    from upright.cli.destination import Destination
+    from upright.cli.doctor import doctor as command
     from upright.errors import UprightError
 
     path = made("nxt").save(tmp_path / "run.parquet")
     with pytest.raises(UprightError, match="is a log itself"):
-        command.doctor(path, fix=path)
-    command.doctor(path, fix=tmp_path / "fixed.parquet")
+        command(path, fix=path, out=Destination())
+    command(path, fix=tmp_path / "fixed.parquet", out=Destination())
     assert Log.load(tmp_path / "fixed.parquet").origin["repaired"] == []
 
 

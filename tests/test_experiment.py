@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
-from upright.cli.options import push as push_of
+from upright.cli.notation import push as push_of
 from upright.control import Estimated, StateFeedback, kalman, lqr_state
 from upright.errors import InvalidScenario, SpecMismatch
 from upright.experiment import Drive, Hold, Impulse, Push, Slope, Turn, run

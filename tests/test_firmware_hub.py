@@ -440,7 +440,7 @@ def test_the_command_flies_a_hub_and_labels_the_twin(designed: Path, capsys: pyt
 
 @pytest.mark.parametrize(
     ("options", "said"),
-    [("--port usb", "expected ble, ble:NAME or virtual"), ("--fetch", "keeps no log"), ("--seconds 0", "more than 0")],
+    [("--link usb", "expected ble, ble:NAME or virtual"), ("--fetch", "keeps no log"), ("--seconds 0", "more than 0")],
 )
 def test_what_cannot_be_flown_is_one_line(
     designed: Path, capsys: pytest.CaptureFixture[str], options: str, said: str
@@ -456,7 +456,7 @@ def test_the_exit_code_says_that_the_robot_was_lost(
 ) -> None:
     lost = Flight(lost=True, notes=["the hub does not answer"])
     monkeypatch.setattr(import_module("upright.flight.fly"), "fly_hub", lambda *_, **__: lost)
-    assert main(shlex.split("fly balance.py controller.json --yes --port ble")) == AGAINST
+    assert main(shlex.split("fly balance.py controller.json --yes --link ble")) == AGAINST
     assert "does not answer" in capsys.readouterr().out
 
 

@@ -13,8 +13,6 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from scipy.stats import binomtest
 
 from upright.bodies import NonlinearBody
-from upright.cli.fleet import basin as basin_command
-from upright.cli.fleet import fleet as fleet_command
 from upright.cli.main import main
 from upright.control import make_controller
 from upright.errors import InvalidLog, InvalidScenario, UnknownName, UprightError
@@ -179,7 +177,7 @@ class Own:
     [
         ("fleet -s 0.2", "-n 3", ("-n 1000", "-n 10000")),
         ("fleet -s 0.2 --start pitch=1.5", "-n 3", ("-n 1000", "-n 10000")),  # it lies, and takes no time at all
-        ("basin -s 0.2", "--points 2", ("--points 41", "--points 101")),
+        ("basin --watch 0.2", "--points 2", ("--points 41", "--points 101")),
         (
             "push-map --watch 0.1 --durations 0.01..0.02",
             "--points 2 -n 0",
@@ -566,15 +564,15 @@ def test_a_basin_knows_what_any_controller_could_save():
     "grid", ["--points 2", "--points 10", "--points 3 --across pitch=0.5..1", "--points 3 --up pitch_rate=9..10"]
 )
 def test_a_basin_whose_grid_leaves_rest_out_is_shown(grid, capsys):
-    assert main(["basin", "-s", "0.2", *grid.split()]) == 0
+    assert main(["basin", "--watch", "0.2", *grid.split()]) == 0
     assert "recover" in capsys.readouterr().out
 
 
-@pytest.mark.parametrize("command", ["fleet -n 2", "basin --points 3"])
+@pytest.mark.parametrize("command", ["fleet -n 2 -s", "basin --points 3 --watch"])
 @pytest.mark.parametrize("seconds", ["0", "1e-9", "0.001"])
 def test_a_run_shorter_than_a_period_is_refused(command, seconds, capsys):
     """In which nothing moves, so that nobody fell."""
-    assert main([*command.split(), "-s", seconds]) == 2
+    assert main([*command.split(), seconds]) == 2
     assert "expected a period of the controller, 0.01 s, or more" in capsys.readouterr().err
 
 
@@ -611,19 +609,18 @@ def test_a_posterior_alone_varies_about_its_medians():
 
 def test_the_commands_write_what_they_say(tmp_path, capsys):
     target, page = tmp_path / "f.parquet", tmp_path / "f.html"
-    fleet_command(kit="ideal", samples=50, vary=["com_height=±10%"], push=["impulse:0.05"], seconds=2.0, output=target,
-                  report=page, as_json=True)  # fmt: skip
+    few = f"fleet --kit ideal -n 50 --vary com_height=±10% --push impulse:0.05 -s 2 -o {target} --report {page} --json"
+    assert main(few.split()) == 0
     said = json.loads(capsys.readouterr().out)
     assert said["result"]["n"] == 50
     assert said["origin"]["scenario"]["push"][0]["kind"] == "Impulse"
     assert load(target).sizes["robot"] == 50
     assert page.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
-    basin_command(kit="ideal", points=5, seconds=1.0)
+    assert main(["basin", "--kit", "ideal", "--points", "5", "--watch", "1"]) == 0
     assert "nxtway-gs recovers from a pitch of" in capsys.readouterr().out
-    with pytest.raises(UprightError, match="mkdir"):
-        fleet_command(kit="ideal", samples=1, output=tmp_path / "none" / "f.parquet")
-    with pytest.raises(InvalidScenario, match="0 robots in a fleet"):
-        fleet_command(kit="ideal", samples=0)
+    for wrong, named in ((f"-n 1 -o {tmp_path}/none/f.parquet", "mkdir"), ("-n 0", "0 robots in a fleet")):
+        assert main(["fleet", "--kit", "ideal", *wrong.split()]) == 2
+        assert named in capsys.readouterr().err
 
 
 def test_a_fleet_draws_every_outcome_of_those_that_stood():

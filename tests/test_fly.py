@@ -65,7 +65,7 @@ def flown(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
 def fly(designed: tuple[str, Path, Path, str], *options: str) -> int:
     _, program, controller, port = designed
-    return main(["fly", str(program), str(controller), "--port", port, *options])
+    return main(["fly", str(program), str(controller), "--link", port, *options])
 
 
 @pytest.mark.parametrize(("answer", "flights"), [("n\n", 0), ("", 0), ("y\n", 1)])

@@ -123,7 +123,7 @@ class Red:
 @pytest.mark.parametrize("kit", ["ideal", "nxt"])
 @pytest.mark.parametrize("name", ["nxt", "pybricks"])
 def test_the_command_that_simulates_drives_no_hardware(name: str, kit: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["simulate", "--body", name, "--kit", kit, "--gains", "1,1,1,1,1,1"]) != 0
+    assert main(["simulate", "--body", name, "--kit", kit, "--feedback", "1,1,1,1,1,1"]) != 0
     said = capsys.readouterr().err
     assert len(said.strip().splitlines()) == 1
 

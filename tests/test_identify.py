@@ -398,7 +398,7 @@ def test_the_command_writes_a_model_like_linearise_and_a_controller(
     log, model, plain, law_file = (tmp_path / n for n in ("run.parquet", "model.json", "linear.json", "law.json"))
     sensed().save(log)
     common = [str(log), "--robot", "nxtway-gs-measured", "--repeats", "0"]
-    assert main(["identify", *common, "-o", str(model), "--controller", str(law_file)]) == 0
+    assert main(["identify", *common, "-o", str(model), "--regulator", str(law_file)]) == 0
     assert re.search(r"7\.\d+ 1/s +unstable pole", capsys.readouterr().out)
     assert main(["linearise", "--robot", "nxtway-gs-measured", "--period", "0.01", "-o", str(plain)]) == 0
     assert set(json.loads(plain.read_text())) <= set(json.loads(model.read_text()))

@@ -374,12 +374,12 @@ def test_other_files_of_the_folder_stay(tmp_path, monkeypatch):
     [
         (("--export", "{}/page.html"), "names a page"),
         (("--export", "{}/file"), "is no folder"),
-        (("--export", "{}/site", "-r", "nobody"), "nobody"),
-        (("--export", "{}/site", "-c", "nothing"), "nothing"),
-        (("--export", "{}/site", "-r", "twipr", "-r", "twipr"), "two robots are called twipr"),
-        (("--export", "{}/site", "-r", "twipr", "-c", "lqr-complementary"), "no controller"),
+        (("--export", "{}/site", "--robots", "nobody"), "nobody"),
+        (("--export", "{}/site", "--controllers", "nothing"), "nothing"),
+        (("--export", "{}/site", "--robots", "twipr,twipr"), "two robots are called twipr"),
+        (("--export", "{}/site", "--robots", "twipr", "--controllers", "lqr-complementary"), "no controller"),
         (("--export", "{}/site", "--class"), "--export with --class"),
-        (("-r", "twipr"), "--robot without --export"),
+        (("--robots", "twipr"), "--robots without --export"),
     ],
 )
 def test_what_cannot_be_exported_is_refused_in_a_line(tmp_path, capsys, arguments, words):

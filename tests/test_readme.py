@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from conftest import PATIENCE
-from upright.cli import options
+from upright.cli import notation
 from upright.cli.main import main
 from upright.signals import Log
 
@@ -87,7 +87,7 @@ def test_a_fleet_is_pushed_and_a_log_has_all_its_pushes() -> None:
 
     assert all("--push" in line for line in lines_of("fleet"))
     (own,) = lines_of("reproduce --log pushed.csv")
-    given = [options.push(text) for text in re.findall(r"--push[ =](\S+)", own)]
+    given = [notation.push(text) for text in re.findall(r"--push[ =](\S+)", own)]
     assert given == list(EXAMPLES["pushed"].pushes)
 
 

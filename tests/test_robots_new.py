@@ -22,7 +22,7 @@ TOLD = {
     "wheel": "80", "wheel-mass": "40", "body-mass": "900", "track": "160", "com": "70", "height": "180", "depth": "50",
     "gear": "34", "motor-voltage": "12", "no-load": "250", "stall-current": "1.5", "stall-torque": "4", "battery": "11",
     "full-duty": "1023", "driver": "L298N", "encoder": "374", "decoding": "4", "gyro": "500", "accelerometer": "4",
-    "fused": "0.49", "mounting": "-2", "divider": "3.2", "period": "5",
+    "fused": "0.49", "mounting": "-2", "divider": "3.2", "loop-period": "5",
 }  # fmt: skip
 
 
@@ -108,8 +108,8 @@ def test_it_runs_and_is_never_written_over(capsys: pytest.CaptureFixture[str]) -
         ({"fused": "0.5", "accelerometer": "none"}, "--fused without accelerometer"),
         ({"driver": "L29N"}, "did you mean 'L298N'"),
         ({"decoding": "3"}, "one of 1, 2, 4"),
-        ({"drive": "servo"}, "one of speed, torque, voltage"),
-        ({"drive": "speed", "stall-torque": "1"}, "--stall-torque with a speed drive; try: --drive voltage"),
+        ({"motors": "servo"}, "one of speed, torque, voltage"),
+        ({"motors": "speed", "stall-torque": "1"}, "--stall-torque with a speed drive; try: --motors voltage"),
         ({"wheel": "65 g"}, "expected a number in mm, "),
         ({"body-mass": "1,500"}, "expected 1500, or 1.500"),
     ],
@@ -129,7 +129,7 @@ def test_an_answer_that_cannot_be_is_named_and_nothing_is_written(
         ({"wheel": "0.065"}, "10 to 1000 mm; try: did you mean 0.065 m?"),
         ({"body-mass": "0.9"}, "did you mean 0.9 kg?"),
         ({"com": "7 m"}, "did you mean 7 cm?"),
-        ({"period": "0.01"}, "0.1 to 200 ms; try: did you mean 0.01 s?"),
+        ({"loop-period": "0.01"}, "0.1 to 200 ms; try: did you mean 0.01 s?"),
         ({"battery": "7400"}, "did you mean 7400 mV?"),
         ({"stall-current": "750"}, "did you mean 750 mA?"),
         ({"gyro": "4.36"}, "did you mean 4.36 rad/s?"),
@@ -152,7 +152,8 @@ WRITTEN = [
     ("body_mass", "2 lb", "body_mass", 0.9072), ("gear", "1:48", "gear_ratio", 48), ("gear", "48:1", "gear_ratio", 48),
     ("gear", "1/48", "gear_ratio", 48), ("gear", "9,7 : 1", "gear_ratio", 9.7), ("gear", "1:1", "gear_ratio", 1),
     ("battery", "7.4 V", "battery.voltage", 7.4), ("battery", "7400mV", "battery.voltage", 7.4),
-    ("period", "20 ms", "period", 0.02), ("period", "0.02 s", "period", 0.02), ("period", "2000 µs", "period", 0.002),
+    ("loop_period", "20 ms", "period", 0.02), ("loop_period", "0.02 s", "period", 0.02),
+    ("loop_period", "2000 µs", "period", 0.002),
     ("gyro", "±250 °/s", "sensors.gyro.range", 4.36332), ("gyro", "250dps", "sensors.gyro.range", 4.36332),
     ("accelerometer", "19.62 m/s^2", "sensors.accel_up.range", 19.62), ("stall_current", "750 mA", "motor_resistance",
     7.4 / 0.75),
@@ -180,7 +181,7 @@ def test_a_torque_has_the_units_of_data_sheets(unit: str) -> None:
 
 @pytest.mark.parametrize("drive", COMMAND_UNITS)
 def test_every_drive_makes_a_robot_that_stands_and_has_only_its_own_numbers(drive: str) -> None:
-    assert new("mine", drive=drive) == 0
+    assert new("mine", motors=drive) == 0
     robot = Robot.load("mine.toml")
     assert robot.drive == drive
     assert not set(UNUSED[drive]) & set(numbers("mine.toml"))
@@ -191,7 +192,7 @@ def test_every_drive_makes_a_robot_that_stands_and_has_only_its_own_numbers(driv
 def test_a_stepper_is_told_by_its_steps_its_speed_and_its_ramp() -> None:
     """By hand: 3200 steps a turn, 2 turns a second; without a ramp the wheels take any step of speed."""
     told = {"steps": "3200", "top-speed": "120 rpm", "ramp": "none", "slip-torque": "25 N cm"}
-    assert new("mine", drive="speed", **told) == 0
+    assert new("mine", motors="speed", **told) == 0
     robot, kit = Robot.load("mine.toml"), Kit.load("mine-kit.toml")
     assert robot.slip_torque == 0.25
     assert robot.acceleration_limit == Robot.acceleration_limit
@@ -220,7 +221,7 @@ def test_at_a_terminal_it_asks_one_question_a_line(
 ) -> None:
     """Enter takes the guess; what cannot be is asked again; what hangs on an absent part is not asked."""
     told = {"wheel": "abc\n70", "encoder": "none"}
-    asked = ["drive", *(name for name in questions("voltage") if name not in ("gear", "decoding", "mounting"))]
+    asked = ["motors", *(name for name in questions("voltage") if name not in ("gear", "decoding", "mounting"))]
     lines = [told.get(name, "") for name in asked]
     monkeypatch.setattr("sys.stdin", Terminal("\n".join(lines) + "\n"))
     assert new("mine", gear="20") == 0

@@ -79,7 +79,7 @@ def recorded(log: Log, delay: int) -> tuple[Array, Array]:
     steps = np.diff(log.t)
     if np.mean(np.abs(steps - log.period) > log.period / 2) > UNEVEN:
         raise InvalidLog("the log is uneven", expected=f"steps near {log.period:g} s", likely="dropped samples",
-                         hint="cut the log with --start and --until, or ask `upright doctor`")  # fmt: skip
+                         hint="cut the log with --from and --until, or ask `upright doctor`")  # fmt: skip
     if log.t[-1] - log.t[0] < SETTLED + LEAST:
         raise InvalidLog(f"what can be followed of the log lasts {log.t[-1] - log.t[0]:.1f} s",
                          expected=f"{SETTLED + LEAST:g} s or more with the robot on its wheels")  # fmt: skip

@@ -8,44 +8,24 @@ from typing import Annotated
 
 import typer
 
-from upright.cli.options import (
-    AfterOption,
-    BeforeOption,
-    HeldOutOption,
-    JsonOption,
-    KitOption,
-    KnownOption,
-    MappingOption,
-    ReportOption,
-    RobotOption,
-    part_of_log,
-)
-from upright.cli.output import AGAINST, check_targets, finish, progress
+from upright.cli.destination import AGAINST, Destination
+from upright.cli.logs import LogPart
+from upright.cli.output import progress
 from upright.cli.typed import GIVEN
 
 
 def calibrate(
-    logs: Annotated[list[Path], typer.Argument(help="Logs of one robot: .csv, .txt, .json, .mat, .parquet, .mcap.")],
+    logs: list[Path],
     *,
-    robot: RobotOption = "nxtway-gs",
-    kit: KitOption = None,
-    mapping: MappingOption = None,
-    start: AfterOption = None,
-    until: BeforeOption = None,
-    known: KnownOption = None,
-    held_out: HeldOutOption = 0.25,
-    between_knocks: Annotated[
-        bool, typer.Option("--between-knocks", help="Leave out the times at which somebody pushed the robot.")
-    ] = False,
-    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the calibrated robot as TOML.")] = None,
-    report: ReportOption = None,
-    save: Annotated[
-        Path | None, typer.Option(help="Write all estimates with their covariance as JSON (a posterior).")
-    ] = None,
-    force: Annotated[
-        bool, typer.Option("--force", help="Write the robot also where the fit is refused, or the log cannot tell it.")
-    ] = False,
-    as_json: JsonOption = False,
+    robot: str = "nxtway-gs",
+    kit: str | None = None,
+    part: LogPart,
+    known: list[str] | None = None,
+    held_out: float = 0.25,
+    between_knocks: bool = False,
+    output: Annotated[Path | None, "Write the calibrated robot as TOML."] = None,
+    force: bool = False,
+    out: Destination,
 ) -> None:
     """Estimate a robot's parameters from its raw logs.
 
@@ -53,15 +33,19 @@ def calibrate(
     robot is refused, and a log may be unable to tell it (too quiet, or pushed by hand): no robot is then written. A
     calibration that is refused, unknown or doubtful ends with exit code 3.
     """
-    from upright.atomic import write_json
     from upright.calibration.calibrate import calibrate as estimate
 
-    check_targets(output, report, save, logs=logs)
+    out.check(output, logs=logs)
     with progress("calibrating") as show:
         result = estimate(
-            [part_of_log(path, mapping, start, until) for path in logs], robot, kit,
-            known=known or (), held_out=held_out, between_knocks=between_knocks, progress=show,
-        )  # fmt: skip
+            part.read(logs),
+            robot,
+            kit,
+            known=known or (),
+            held_out=held_out,
+            between_knocks=between_knocks,
+            progress=show,
+        )
     decision = result.decision
     withheld = decision.withheld and not force
     if output and not withheld:
@@ -69,9 +53,7 @@ def calibrate(
         result = replace(result, saved=str(output))
         if not decision.next:  # what follows is for the robot that was written, which has its own kit
             GIVEN.set({**GIVEN.get(), "robot": output, "kit": None})
-    if save:
-        write_json(save, result.to_json())
-    finish(result, as_json, page=report, written=(None if withheld else output, save))
+    out.finish(result, None if withheld else output)
     if output and withheld:
         typer.echo(f"{output} is not written. {decision.why} Try: {decision.hint}; or --force", err=True)
     if decision.against:

@@ -7,41 +7,24 @@ from typing import Annotated
 
 import typer
 
-from upright.cli.options import (
-    ControllerArgument,
-    JsonOption,
-    KitOption,
-    MappingOption,
-    OutputOption,
-    PeriodOption,
-    PosteriorOption,
-    ReportOption,
-    RobotOption,
-    SamplesOption,
-    SeedOption,
-)
-from upright.cli.output import AGAINST, check_targets, finish, progress
+from upright.cli.destination import AGAINST, Destination
+from upright.cli.output import progress
 
 
 def certify(
-    controller: ControllerArgument,
+    controller: str,
     *,
-    robot: RobotOption = "nxtway-gs",
-    kit: KitOption = None,
-    log: Annotated[
-        Path | None, typer.Option(help="Raw log of this robot: calibrates it first and tests the assumptions.")
-    ] = None,
-    mapping: MappingOption = None,
-    posterior: PosteriorOption = None,
-    weighed: Annotated[
-        float | None, typer.Option(help="What the robot weighs on a scale [kg]: no log is asked the mass then.")
-    ] = None,
-    period: PeriodOption = None,
-    samples: SamplesOption = 1000,
-    seed: SeedOption = 0,
-    output: OutputOption = None,
-    report: ReportOption = None,
-    as_json: JsonOption = False,
+    robot: str = "nxtway-gs",
+    kit: str | None = None,
+    log: Annotated[Path | None, "Log of this robot: calibrates it first and tests the assumptions."] = None,
+    mapping: str | None = None,
+    posterior: Path | None = None,
+    weighed: float | None = None,
+    period: float | None = None,
+    samples: int = 1000,
+    seed: int = 0,
+    output: Annotated[Path | None, "Write the certificate as JSON."] = None,
+    out: Destination,
 ) -> None:
     """Certify a controller for a robot: green, amber, red or unknown.
 
@@ -50,12 +33,21 @@ def certify(
     """
     from upright.certification.certificate import certify as examine
 
-    check_targets(output, report)
+    out.check(output)
     with progress("certifying") as show:
         certificate = examine(
-            controller, robot, kit, log=log, mapping=mapping, posterior=posterior, weighed=weighed, period=period,
-            samples=samples, seed=seed, progress=show,
-        )  # fmt: skip
-    finish(certificate, as_json, output=output, page=report)
+            controller,
+            robot,
+            kit,
+            log=log,
+            mapping=mapping,
+            posterior=posterior,
+            weighed=weighed,
+            period=period,
+            samples=samples,
+            seed=seed,
+            progress=show,
+        )
+    out.finish(certificate, output and certificate.save(output))
     if certificate.light in ("red", "unknown"):
         raise typer.Exit(AGAINST)

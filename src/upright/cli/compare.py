@@ -2,24 +2,18 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
-import typer
-
-from upright.cli.options import JsonOption, OutputOption, ReportOption
-from upright.cli.output import check_targets, finish
-from upright.errors import InvalidLog
+from upright.cli.destination import Destination
+from upright.cli.logs import labelled
 
 
 def compare(
-    logs: Annotated[list[str], typer.Argument(metavar="LOG", help="Logs (.parquet, .csv, .mcap), or LABEL=FILE.")],
+    logs: Annotated[list[str], "Logs (.parquet, .csv, .mcap), or LABEL=FILE."],
     *,
-    reference: Annotated[str | None, typer.Option(help="Label of the reference log (default: the first).")] = None,
-    release: Annotated[float | None, typer.Option(help="End of the push [s] (default: from each log).")] = None,
-    output: OutputOption = None,
-    report: ReportOption = None,
-    as_json: JsonOption = False,
+    reference: str | None = None,
+    release: float | None = None,
+    out: Destination,
 ) -> None:
     """Compare logs of the same push.
 
@@ -28,21 +22,6 @@ def compare(
     from upright.comparison import compare as compare_logs
     from upright.signals import Log
 
-    check_targets(output, report)
-    comparison = compare_logs(
-        {label: Log.load(path) for label, path in labelled(logs).items()}, reference=reference, release=release
-    )
-    facts: dict[str, Any] = {"report": str(report)} if report else {}
-    finish(comparison, as_json, output=output, page=report, **facts)
-
-
-def labelled(arguments: list[str]) -> dict[str, Path]:
-    labelled: dict[str, Path] = {}
-    for argument in arguments:
-        label, equals, file = argument.partition("=")
-        path = Path(file if equals else argument)
-        name = label if equals else path.stem
-        if name in labelled:
-            raise InvalidLog(f"two logs are called '{name}'", expected="one label each", hint=f"write OTHER={path}")
-        labelled[name] = path
-    return labelled
+    out.check()
+    loaded = {label: Log.load(path) for label, path in labelled(logs).items()}
+    out.finish(compare_logs(loaded, reference=reference, release=release))

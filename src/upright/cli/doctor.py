@@ -3,39 +3,24 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
-from upright.cli.options import (
-    ROBOT_HELP,
-    JsonOption,
-    LogArgument,
-    MappingOption,
-    OutputOption,
-    ReportOption,
-    complete_robot,
-)
-from upright.cli.output import check_targets, finish, print_json, progress
+from upright.cli.destination import Destination
+from upright.cli.output import print_json, progress
 
 
 def doctor(
-    log: LogArgument,
+    log: Path,
     *,
-    mapping: MappingOption = None,
+    mapping: str | None = None,
     robot: Annotated[
-        str | None,
-        typer.Option(
-            "--robot", "-r", help=f"{ROBOT_HELP}; improves the checks of units.", autocompletion=complete_robot
-        ),
+        str | None, "Robot by name (see `upright robots`) or TOML file; improves the checks of units."
     ] = None,
-    fix: Annotated[Path | None, typer.Option(help="Write the repaired log: .parquet, .csv or .mcap.")] = None,
-    write_mapping: Annotated[
-        Path | None, typer.Option(help="Write the mapping as TOML, or a draft of one, for editing.")
-    ] = None,
-    output: OutputOption = None,
-    report: ReportOption = None,
-    as_json: JsonOption = False,
+    fix: Path | None = None,
+    write_mapping: Path | None = None,
+    out: Destination,
 ) -> None:
     """Find faults of a log: units, signs, delays, bias, …
 
@@ -49,7 +34,7 @@ def doctor(
     from upright.errors import InvalidLog
     from upright.logs.readers import read_table
 
-    check_targets(fix, write_mapping, output, report, logs=[log])
+    out.check(fix, write_mapping, logs=[log])
     table = read_table(log)
     try:
         with progress("examining") as show:
@@ -58,14 +43,12 @@ def doctor(
         if not write_mapping or mapping:
             raise
         write_text(write_mapping, drafted(table))
-        if as_json:
+        if out.json:
             print_json({"draft": str(write_mapping)})
         else:
             typer.echo(f"{error}\na draft is in {write_mapping}")
         return
     diagnosis = replace(diagnosis, source=str(log))  # as it was typed, for what to run next
     repaired = diagnosis.repaired().save(fix) if fix else None
-    if write_mapping:
-        write_text(write_mapping, diagnosis.mapping.to_toml())
-    facts: dict[str, Any] = {"repaired": str(repaired)} if repaired else {}
-    finish(diagnosis, as_json, output=output, page=report, written=(repaired, write_mapping), **facts)
+    mapped = write_text(write_mapping, diagnosis.mapping.to_toml()) if write_mapping else None
+    out.finish(diagnosis, repaired, mapped)

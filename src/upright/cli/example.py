@@ -8,8 +8,8 @@ from typing import Annotated
 
 import typer
 
-from upright.cli.options import JsonOption, completed
 from upright.cli.output import check_targets, print_json, print_page
+from upright.cli.vocabulary import completed
 from upright.languages import ENGLISH, speaking
 from upright.pages import Column, Next, Page, Say, Table
 
@@ -32,12 +32,9 @@ def example(
     ] = None,
     *,
     output: Annotated[
-        Path | None,
-        typer.Option(
-            "--output", "-o", help="Write a log as .csv, .parquet or .mcap (default: NAME.csv), or another place."
-        ),
+        Path | None, "Write the log: .csv, .parquet or .mcap (default: NAME.csv), or the other file."
     ] = None,
-    as_json: JsonOption = False,
+    json: bool = False,
 ) -> None:
     """Write an example log of the twin, or list them.
 
@@ -50,7 +47,7 @@ def example(
 
     every = {key: one.about for key, one in EXAMPLES.items()} | FILES
     if name is None:
-        if as_json:
+        if json:
             with speaking(ENGLISH):
                 print_json({key: str(about) for key, about in every.items()})
         else:
@@ -67,7 +64,7 @@ def example(
         written = simulate(name).save(target)
         kind = "log"
         about = Say("a twin, {about}", about=EXAMPLES[name].about)
-    if as_json:
+    if json:
         print_json({"example": name, kind: str(written)})
     else:
         typer.echo(str(Say("wrote {file}: {about}", file=str(written), about=about)))

@@ -3,47 +3,31 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 from typing import Annotated
 
-import typer
-
-from upright.cli.options import (
-    JsonOption,
-    KernelOption,
-    KitOption,
-    KnownOption,
-    OutputOption,
-    PosteriorOption,
-    ReportOption,
-    RobotOption,
-    SamplesOption,
-    SeedOption,
-)
-from upright.cli.output import check_targets, finish, progress
+from upright.atomic import write_json
+from upright.cli.destination import Destination
+from upright.cli.output import progress
 
 
 def excite(
     *,
-    robot: RobotOption = "nxtway-gs",
-    kit: KitOption = None,
-    controller: KernelOption = "lqg",
-    seconds: Annotated[float, typer.Option("--seconds", "-s", help="Length of the run [s].")] = 20.0,
-    focus: Annotated[
-        str | None, typer.Option(metavar="NAME,…", help="Parameters to identify, such as com_height (default: all).")
-    ] = None,
-    known: KnownOption = None,
-    posterior: PosteriorOption = None,
-    falls: Annotated[float, typer.Option(help="Largest probability of a fall, with 95 % confidence.")] = 0.01,
-    saturated: Annotated[float, typer.Option(help="Largest fraction of periods with a saturated motor.")] = 0.05,
-    travel: Annotated[float, typer.Option(help="Largest distance from the start [m].")] = 0.5,
-    enough: Annotated[
-        float, typer.Option(help="Factor on the narrowest intervals, in exchange for less energy; 1: the narrowest.")
-    ] = 1.1,
-    samples: SamplesOption = 600,
-    seed: SeedOption = 0,
-    output: OutputOption = None,
-    report: ReportOption = None,
-    as_json: JsonOption = False,
+    robot: str = "nxtway-gs",
+    kit: str | None = None,
+    controller: str = "lqg",
+    seconds: float = 20.0,
+    focus: str | None = None,
+    known: list[str] | None = None,
+    posterior: Path | None = None,
+    falls: float = 0.01,
+    saturated: float = 0.05,
+    travel: float = 0.5,
+    enough: float = 1.1,
+    samples: int = 600,
+    seed: int = 0,
+    output: Annotated[Path | None, "Write the plan as JSON."] = None,
+    out: Destination,
 ) -> None:
     """Design an excitation for the most informative log.
 
@@ -53,11 +37,21 @@ def excite(
     from upright.excitation import excite as design
     from upright.excitation.planned import Limits
 
-    check_targets(output, report)
-    names = [name.strip() for name in focus.split(",")] if focus else []
+    out.check(output)
     with progress("designing") as show:
         plan = design(
-            controller, robot, kit, seconds=seconds, focus=names, limits=Limits(falls, saturated, travel),
-            enough=enough, known=known or (), posterior=posterior, samples=samples, seed=seed, progress=show,
-        )  # fmt: skip
-    finish(replace(plan, saved=str(output or "")), as_json, output=output, page=report)
+            controller,
+            robot,
+            kit,
+            seconds=seconds,
+            focus=[name.strip() for name in focus.split(",")] if focus else [],
+            limits=Limits(falls, saturated, travel),
+            enough=enough,
+            known=known or (),
+            posterior=posterior,
+            samples=samples,
+            seed=seed,
+            progress=show,
+        )
+    written = output and write_json(output, plan.to_json())
+    out.finish(replace(plan, saved=str(output or "")), written)

@@ -8,57 +8,26 @@ from typing import Annotated
 import typer
 
 from upright.atomic import place_of
-from upright.cli.options import (
-    AnywayOption,
-    CertificateOption,
-    ControllerArgument,
-    JsonOption,
-    KitOption,
-    RobotOption,
-    completed,
-    registered,
-)
 from upright.cli.output import print_json
-
-TargetOption = Annotated[
-    str,
-    typer.Option(
-        "--target",
-        "-t",
-        help="Language: pybricks, nxc, c, arduino or ev3dev.",
-        autocompletion=completed(registered("upright.firmware.targets", "TARGETS")),
-    ),
-]
 
 
 def firmware(
-    controller: ControllerArgument,
+    controller: str,
     *,
-    target: TargetOption,
-    output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="Write the program (.py, .nxc, .c with its .h, .ino).")
-    ] = None,
-    robot: RobotOption = "nxtway-gs",
-    kit: KitOption = None,
-    number: Annotated[
-        str, typer.Option("--number", help="Arithmetic of c (float, double, fixed) and arduino (float, fixed).")
-    ] = "",
-    hub: Annotated[
-        str,
-        typer.Option(
-            help="Hub of pybricks: prime, technic, ev3 or nxt.",
-            autocompletion=completed(registered("upright.firmware.generate", "GYROS")),
-        ),
-    ] = "prime",
-    reference: Annotated[bool, typer.Option("--reference", help="For c: the reference state as inputs.")] = False,
+    target: str,
+    output: Annotated[Path | None, "Write the program (.py, .nxc, .c with its .h, .ino)."] = None,
+    robot: str = "nxtway-gs",
+    kit: str | None = None,
+    number: str = "",
+    hub: str = "prime",
+    reference_inputs: bool = False,
     seconds: Annotated[
-        int | None,
-        typer.Option("--seconds", "-s", help="Time after which the program stops [s]; 0: no limit (default: 60)."),
+        int | None, "Length of the run [s], after which the program stops; 0: no limit (default: 60)."
     ] = None,
-    certificate: CertificateOption = None,
-    anyway: AnywayOption = False,
-    listing: Annotated[bool, typer.Option("--listing", help="Print the statements, in no language.")] = False,
-    as_json: JsonOption = False,
+    certificate: Path | None = None,
+    anyway: bool = False,
+    listing: bool = False,
+    json: bool = False,
 ) -> None:
     """Turn a controller into a program for a brick.
 
@@ -76,11 +45,11 @@ def firmware(
     chosen = refuse_energy(find_robot(robot))
     parts = find_kit(kit or chosen.kit)
     design = find_controller(controller, chosen, parts, parts.period)
-    made = generate(design, chosen, parts, target, number=number, hub=hub, reference=reference, seconds=seconds)
+    made = generate(design, chosen, parts, target, number=number, hub=hub, reference=reference_inputs, seconds=seconds)
     permit = permitted(design, read_certificate(certificate), chosen, parts, anyway=anyway) if certificate else ""
     warning = permit if permit != "certified" else ""
     written = made.write(output) if output else []
-    if as_json:
+    if json:
         print_json(made.to_json() | {"warning": warning, "files": [str(path) for path in written]})
         return
     if not output:

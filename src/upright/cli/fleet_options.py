@@ -1,87 +1,79 @@
-"""Options that `fleet`, `push-map` and `basin` share: robots, controller and where the result goes."""
+"""Options that `fleet`, `push-map` and `basin` share: robots, controller and the data."""
 
 from __future__ import annotations
 
-import dataclasses
-import functools
-import inspect
-from collections.abc import Callable, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, get_type_hints
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from upright.cli.options import (
-    IdealKitOption,
-    JsonOption,
-    KernelOption,
-    PosteriorOption,
-    ReportOption,
-    RobotOption,
-    SeedOption,
-)
-from upright.cli.output import check_targets
+from upright.cli.destination import Destination
 
 if TYPE_CHECKING:
     from upright.fleets.ensemble import Ensemble
 
-VARY_HELP = (
-    "Varied number, repeatable: com_height=±10%, com_height=0.06..0.08, com_height=normal:5%, com_height=normal (the "
-    "spread of the robot's file); also delay, motor.limit, sensors.gyro.noise; 'spread': all parameters; "
-    "'conditions': the battery."
-)
-
 
 @dataclass(frozen=True, kw_only=True)
 class Asked:
-    """The options, in the order of `--help`."""
+    """Which robots under which controller; the data may go to a file."""
 
-    robot: RobotOption = "nxtway-gs"
-    controller: KernelOption = "lqr"
-    kit: IdealKitOption = None
-    vary: Annotated[list[str] | None, typer.Option("--vary", metavar="NAME=...", help=VARY_HELP)] = None
-    posterior: PosteriorOption = None
-    seed: SeedOption = 0
-    threads: Annotated[
-        int | None, typer.Option("--threads", min=1, max=1024, help="Threads (default: all processors).")
-    ] = None
-    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the result: .parquet or .zarr.")] = None
-    report: ReportOption = None
-    as_json: JsonOption = False
+    robot: str = "nxtway-gs"
+    controller: Annotated[
+        str, "Controller by name, controller.json or my.py:Name; what is not compiled takes long."
+    ] = "lqg"
+    kit: Annotated[str | None, "Electronics by name or TOML file; ideal for none (default: the robot's)."] = None
+    vary: list[str] | None = None
+    posterior: Path | None = None
+    seed: int = 0
+    threads: int | None = None
+    output: Annotated[Path | None, "Write the data: .parquet or .zarr."] = None
 
-    def check(self) -> None:
+    def check(self, out: Destination) -> None:
         """Refuse, before the work, what could not be written after it."""
-        if self.output:
-            from upright.fleets.results import check_target
+        from upright.fleets.results import check_target
 
+        if self.output:
             check_target(self.output)
-        check_targets(self.report)
+        out.check()
 
     def ensemble(self, vary: Sequence[str] = (), **scenario: Any) -> Ensemble:
         """The fleet; without --vary, `vary` differs."""
         from upright.fleets.fleet import ensemble_of
 
         return ensemble_of(
-            self.robot, self.controller, self.kit, vary=self.vary or vary, posterior=self.posterior, seed=self.seed,
+            self.robot,
+            self.controller,
+            self.kit,
+            vary=self.vary or vary,
+            posterior=self.posterior,
+            seed=self.seed,
             **scenario,
-        )  # fmt: skip
+        )
+
+    def finish(self, result: Any, out: Destination) -> None:
+        """Write the data of a fleet, a map or a basin, and print its page."""
+        from upright.fleets.results import save
+
+        out.finish(result, self.output and save(result.data, self.output))
 
 
-def asked_alike(command: Callable[..., None]) -> Callable[..., None]:
-    """The command with every option of `Asked` in place of its argument `asked`."""
-    hints = get_type_hints(Asked, include_extras=True)
-    kind = inspect.Parameter.KEYWORD_ONLY
-    shared = [
-        inspect.Parameter(f.name, kind, default=f.default, annotation=hints[f.name]) for f in dataclasses.fields(Asked)
-    ]
-    own = [p for p in inspect.signature(command, eval_str=True).parameters.values() if p.name != "asked"]
-    middle = [parameter.name for parameter in shared].index("seed")
+def say_how_long(asked: Asked, ensemble: Ensemble, work: Mapping[str, float]) -> None:
+    """Before a controller is called in Python: how long what is asked takes on this machine, and the usual sizes.
 
-    @functools.wraps(command)
-    def asking(**given: Any) -> None:
-        known = {parameter.name: given.pop(parameter.name) for parameter in shared if parameter.name in given}
-        command(asked=Asked(**known), **given)
+    `work` has the options of each size and its robot seconds, what is asked first.
+    """
+    if not ensemble.called:
+        return
+    pace = ensemble.pace()
+    (chosen, own), *others = ((options, _clock(pace * seconds)) for options, seconds in work.items())
+    instead = "".join(f"; {options}: {time}" for options, time in others)
+    typer.echo(f"{asked.controller} is called in Python, not compiled. {chosen}: {own}{instead}", err=True)
 
-    setattr(asking, "__signature__", inspect.Signature([*shared[:middle], *own, *shared[middle:]]))  # noqa: B010
-    return asking
+
+def _clock(seconds: float) -> str:
+    for unit, length in (("h", 3600.0), ("min", 60.0)):
+        if seconds >= 2 * length:
+            return f"about {seconds / length:.0f} {unit}"
+    return f"about {max(1.0, seconds):.0f} s"

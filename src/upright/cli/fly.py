@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from upright.cli import options
+from upright.cli.destination import AGAINST
 from upright.cli.keep import check_log_target, save_log
-from upright.cli.output import AGAINST, print_json, progress
+from upright.cli.notation import push as push_of
+from upright.cli.output import print_json, progress
 from upright.errors import UprightError
 
 if TYPE_CHECKING:
@@ -18,43 +19,29 @@ if TYPE_CHECKING:
 
 
 def fly(
-    program: Annotated[Path, typer.Argument(help="A program by upright firmware for nxc (.nxc) or pybricks (.py).")],
-    controller: options.DesignArgument,
+    program: Annotated[Path, "Program by `upright firmware` for nxc (.nxc) or pybricks (.py)."],
+    controller: Annotated[str, "The controller.json of its design."],
     *,
     robot: Annotated[
         str | None,
-        typer.Option(
-            "--robot",
-            "-r",
-            help="Robot (name, TOML file) or brick (nxt, spike, ev3) it must be made for.",
-            autocompletion=options.complete_robot,
-        ),
+        "Robot by name (see `upright robots`) or TOML file, or brick (nxt, spike, ev3), that it must be made for.",
     ] = None,
-    kit: options.ProgramKitOption = None,
-    port: Annotated[
-        str,
-        typer.Option(help="NXT: usb or a device such as /dev/rfcomm0. Hub: ble or ble:NAME. virtual: a simulated one."),
-    ] = "virtual",
-    certificate: options.CertificateOption = None,
-    anyway: options.AnywayOption = False,
-    yes: Annotated[bool, typer.Option("--yes", "-y", help="Start without asking.")] = False,
-    seconds: Annotated[float, typer.Option("--seconds", "-s", help="Duration with the calibration [s].")] = 20.0,
-    push: Annotated[
-        list[str] | None,
-        typer.Option("--push", "-p", metavar="KIND:NUMBER,...", help="Only with --port virtual. " + options.PUSH_HELP),
-    ] = None,
-    seed: options.SeedOption = 0,
-    output: options.LogOutputOption = None,
-    fetch: Annotated[
-        bool,
-        typer.Option("--fetch", help="Start nothing; stop the running program and fetch its log."),
-    ] = False,
-    as_json: options.JsonOption = False,
+    kit: Annotated[str | None, "Electronics by name or TOML file (default: the program's)."] = None,
+    link: str = "virtual",
+    certificate: Path | None = None,
+    anyway: bool = False,
+    yes: bool = False,
+    seconds: Annotated[float, "Length of the run [s], with its calibration."] = 20.0,
+    push: list[str] | None = None,
+    seed: int = 0,
+    output: Annotated[Path | None, "Write the log: .parquet, .csv or .mcap."] = None,
+    fetch: bool = False,
+    json: bool = False,
 ) -> None:
     """Upload a program, start it, and fetch its log.
 
-    Shows robot, controller and certificate, and asks before the start. The motors are off when this ends, Ctrl-C
-    included. Exit code 3 where the connection was lost.
+    Shows robot, controller and certificate, and asks before the start. Only a virtual robot can be pushed. The motors
+    are off when this ends, Ctrl-C included. Exit code 3 where the connection was lost.
     """
     from upright.flight import fetch as fetch_log
     from upright.flight import fly as run_flight
@@ -62,25 +49,25 @@ def fly(
     if output:
         check_log_target(output)
     if fetch:
-        flight = fetch_log(program, controller, robot=robot, kit=kit, port=port)
+        flight = fetch_log(program, controller, robot=robot, kit=kit, port=link)
     else:
-        pushes = [options.push(p) for p in push or []]
+        pushes = [push_of(p) for p in push or []]
         with progress("flying") as show:
             flight = run_flight(
-                program, controller, robot=robot, kit=kit, port=port, certificate=certificate, anyway=anyway,
-                seconds=seconds, pushes=pushes, seed=seed, confirm=None if yes or as_json else _ask, progress=show,
+                program, controller, robot=robot, kit=kit, port=link, certificate=certificate, anyway=anyway,
+                seconds=seconds, pushes=pushes, seed=seed, confirm=None if yes or json else _ask, progress=show,
             )  # fmt: skip
     path, wrong = save_log(flight.log.log, output) if flight.log and output else (None, "")
-    _print(flight, path, as_json)
+    _print(flight, path, json=json)
     if flight.lost:
         raise typer.Exit(AGAINST)  # nobody knows: the program runs on without the connection
     if wrong:
         raise UprightError(f"cannot write {output} ({wrong}); the log is in {path}")
 
 
-def _print(flight: Flight, path: Path | None, as_json: bool) -> None:
-    if as_json:
-        print_json(flight.to_json() | {"log": str(path) if path else None})
+def _print(flight: Flight, path: Path | None, *, json: bool) -> None:
+    if json:
+        print_json(flight.to_json() | {"files": [str(path)] if path else []})
     else:
         typer.echo(f"{flight}\n\nwrote {path}" if path else str(flight))
 

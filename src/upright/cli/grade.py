@@ -7,38 +7,26 @@ from typing import Annotated
 
 import typer
 
-from upright.cli.options import JsonOption, ReportOption, completed, registered
-from upright.cli.output import check_targets, finish, progress
+from upright.cli.destination import Destination
+from upright.cli.output import progress
 from upright.errors import UprightError
 
 
 def grade(
-    folder: Annotated[Path | None, typer.Argument(help="Folder with the hand-ins (.json) that the lab saved.")] = None,
+    folder: Annotated[Path | None, "Folder with the hand-ins (.json) that the lab saved."] = None,
     *,
-    output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="Write the table as CSV, or the worksheet as Markdown.")
-    ] = None,
-    report: ReportOption = None,
-    workers: Annotated[int, typer.Option(min=0, max=64, help="Processes; 0: one for each processor.")] = 0,
-    worksheet: Annotated[
-        str | None,
-        typer.Option(
-            metavar="LANGUAGE",
-            help="Write the worksheet instead: es or en.",
-            autocompletion=completed(registered("upright.classwork.worksheet", "LANGUAGES")),
-        ),
-    ] = None,
-    lab: Annotated[
-        str, typer.Option(metavar="ADDRESS", help="Address of the class's lab, for the links of the worksheet.")
-    ] = "",
-    as_json: JsonOption = False,
+    output: Annotated[Path | None, "Write the table as CSV, or the worksheet as Markdown."] = None,
+    workers: int | None = None,
+    worksheet: str | None = None,
+    lab: str = "",
+    out: Destination,
 ) -> None:
     """Grade the hand-ins of a class, by running them again.
 
     Prints what each student claimed, what comes of it on this machine, and a verdict: ok, not reached, differs, edited,
     copied, other set-up or broken.
     """
-    check_targets(output, report)
+    out.check(output)
     if (folder is None) == (worksheet is None):
         raise UprightError("grade needs a folder of hand-ins, or --worksheet", hint="upright grade FOLDER")
     if worksheet is not None:
@@ -47,9 +35,12 @@ def grade(
     from upright.classwork.grading import grade as run_again
 
     assert folder is not None
+    each = 0  # one for each processor
+    if workers is not None:
+        each = max(1, workers)
     with progress("grading") as show:
-        grades = run_again(folder, workers=workers, progress=show)
-    finish(grades, as_json, page=report, written=(output and grades.save(output),))
+        grades = run_again(folder, workers=each, progress=show)
+    out.finish(grades, output and grades.save(output))
 
 
 def _write_worksheet(language: str, lab: str, output: Path | None) -> None:

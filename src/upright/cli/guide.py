@@ -14,9 +14,9 @@ from typing import Annotated, Any
 import typer
 
 from upright.atomic import make_folder, write_json
-from upright.cli.options import MOST_ROBOTS, complete_robot
-from upright.cli.output import AGAINST
-from upright.errors import UnknownName, UprightError
+from upright.cli.destination import AGAINST
+from upright.cli.vocabulary import MOST_ROBOTS, controllers
+from upright.errors import UnknownName, UprightError, check_within
 from upright.reading import expanded, read_json, understood
 
 STATE = "upright-start.json"
@@ -97,21 +97,18 @@ class EndOfAnswers(Exception):
 
 
 def start(
-    folder: Annotated[Path, typer.Argument(help="Folder of the study, made if there is none.")] = Path(),
+    folder: Path = Path(),
     *,
-    robot: Annotated[
-        str | None, typer.Option("--robot", "-r", help="Answer to the first question.", autocompletion=complete_robot)
-    ] = None,
-    samples: Annotated[
-        int, typer.Option("--samples", "-n", min=FEWEST, max=MOST_ROBOTS, help="Robots that the certificate draws.")
-    ] = 1000,
-    again: Annotated[bool, typer.Option("--again", help="Forget all answers and begin anew.")] = False,
+    robot: str | None = None,
+    samples: Annotated[int, "Robots drawn for the certificate."] = 1000,
+    again: bool = False,
 ) -> None:
     """Go from nothing to a verdict, one question at a time.
 
     Prints every command that it runs. Enter takes the answer in brackets. Stop at any question or step: the next call
     goes on there. Answers may come from a file or a pipe.
     """
+    check_within("robots of a certificate", samples, FEWEST, MOST_ROBOTS)
     make_folder(folder)
     study = GuidedStudy(folder) if again else GuidedStudy.of(folder)
     if robot is not None:
@@ -298,8 +295,6 @@ def _check_robot(answer: str) -> None:
 
 
 def _check_method(answer: str) -> None:
-    from upright.cli.options import controllers
-
     if answer not in (known := list(controllers())):
         raise UnknownName("controller", answer, known)
 

@@ -11,14 +11,14 @@ from typing import Any
 import typer
 from typer.core import TyperCommand, TyperGroup
 from typer.main import get_command
-from typer.models import ArgumentInfo
 
+from upright.cli.command import parameters, spoken
 from upright.cli.typed import GIVEN
 
 GROUPS = {
     "Begin": {
         "start": ("upright start", "upright start study --robot ev3way"),
-        "lab": ("upright lab", "upright lab --class", "upright lab --export site -r herrera2015 -r mine.toml"),
+        "lab": ("upright lab", "upright lab --class", "upright lab --export site --robots herrera2015,mine.toml"),
         "simulate": ("upright simulate --push hold:0.1,until=1", "upright simulate -r ev3way -b twin -o run.parquet"),
         "compare": ("upright compare run.csv twin.parquet", "upright compare a=run1.csv b=run2.csv --report page.html"),
         "doctor": ("upright doctor run.csv", "upright doctor run.csv --robot ev3way --fix repaired.csv"),
@@ -96,26 +96,17 @@ def option_meant(error: typer.TyperException) -> str:
     return ""
 
 
-HOMES = {"start": "guide", "bench-controllers": "design", "push-map": "fleet", "basin": "fleet", "sweep": "fleet"}
-"""Modules of commands that have no module of their own name."""
-
-
 def _part(name: str) -> Any:
-    """The function of a command, or the `typer.Typer` of several."""
+    """The function of a command, or the `typer.Typer` of several; each stands in the module of its name."""
     function = name.replace("-", "_")
-    return getattr(import_module(f"upright.cli.{HOMES.get(name, function)}"), function)
+    return getattr(import_module(f"upright.cli.{'guide' if name == 'start' else function}"), function)
 
 
 def parameters_of(verb: str) -> Mapping[str, bool]:
     """The names of what a command takes, as Python writes them, and whether each is an argument, not an option."""
     part = _part(verb.replace("_", "-"))
-    if isinstance(part, typer.Typer):
-        return {}
-    known = inspect.signature(part, eval_str=True).parameters
-    return {
-        name: any(isinstance(mark, ArgumentInfo) for mark in getattr(parameter.annotation, "__metadata__", ()))
-        for name, parameter in known.items()
-    }
+    known = () if isinstance(part, typer.Typer) else parameters(part)
+    return {one.name: one.kind is not one.KEYWORD_ONLY for one in known}
 
 
 class _Remembered(TyperCommand):
@@ -131,7 +122,7 @@ def _command(name: str) -> Any:
     whole = part = _part(name)
     if not isinstance(part, typer.Typer):
         whole = typer.Typer(add_completion=False, rich_markup_mode=None)
-        whole.command(name, cls=_Remembered)(part)
+        whole.command(name, cls=_Remembered)(spoken(part))
     made = get_command(whole)
     made.name, made.epilog = name, epilog(name)
     return made

@@ -7,63 +7,35 @@ from typing import Annotated
 
 import typer
 
-from upright.cli.options import (
-    AfterOption,
-    BeforeOption,
-    HeldOutOption,
-    JsonOption,
-    KitOption,
-    LogArgument,
-    MappingOption,
-    ModelOutputOption,
-    ReportOption,
-    RobotOption,
-    SeedOption,
-    completed,
-    part_of_log,
-)
-from upright.cli.output import check_targets, finish, progress
+from upright.cli.destination import Destination
+from upright.cli.logs import LogPart
+from upright.cli.output import progress
+from upright.cli.vocabulary import complete_identifier
 from upright.errors import UprightError
 
 
-def _methods() -> list[str]:
-    from upright.identification.methods import IDENTIFIERS
-
-    return [*IDENTIFIERS, "all"]
-
-
-MethodOption = Annotated[
-    str,
-    typer.Option(
-        help="least-squares, total-least-squares, instrumental, subspace, calibrate, or all.",
-        autocompletion=completed(_methods),
-    ),
-]
-
-
 def identify(
-    log: LogArgument,
+    log: Path,
     *,
-    method: MethodOption = "subspace",
-    robot: RobotOption = "nxtway-gs",
-    kit: KitOption = None,
-    mapping: MappingOption = None,
-    start: AfterOption = None,
-    until: BeforeOption = None,
-    states: Annotated[bool, typer.Option("--states", help="Use the true states of a twin's log.")] = False,
-    delay: Annotated[float | None, typer.Option(help="Delay from command to sensors [s] (default: estimated).")] = None,
-    order: Annotated[
-        int | None, typer.Option(max=50, help="States of pitch and wheels, 4 or more (default: chosen).")
-    ] = None,
-    held_out: HeldOutOption = 0.25,
-    repeats: Annotated[int, typer.Option(min=0, max=10_000, help="Simulated logs for intervals and bias.")] = 40,
-    seed: SeedOption = 0,
-    output: ModelOutputOption = None,
-    controller: Annotated[
-        Path | None, typer.Option("--controller", "-c", help="Write a regulator of the model as JSON.")
-    ] = None,
-    report: ReportOption = None,
-    as_json: JsonOption = False,
+    method: Annotated[
+        str,
+        typer.Option(
+            help="Method: least-squares, total-least-squares, instrumental, subspace, calibrate, or all.",
+            autocompletion=complete_identifier,
+        ),
+    ] = "subspace",
+    robot: str = "nxtway-gs",
+    kit: str | None = None,
+    part: LogPart,
+    states: bool = False,
+    delay: float | None = None,
+    order: int | None = None,
+    held_out: float = 0.25,
+    repeats: int = 40,
+    seed: int = 0,
+    output: Annotated[Path | None, "Write the model as JSON."] = None,
+    regulator: Path | None = None,
+    out: Destination,
 ) -> None:
     """Identify a linear model from a log.
 
@@ -73,23 +45,31 @@ def identify(
     from upright.control import write_controller
     from upright.identification.identified import Identified
     from upright.identification.identify import ALL, identify_all, identify_one, study_of
-    from upright.identification.judge import regulator
+    from upright.identification.judge import regulator as designed
     from upright.robots import find_kit, find_robot
 
-    _check_method(method, output or controller)
-    check_targets(output, controller, report, logs=[log])
+    _check_method(method, output or regulator)
+    out.check(output, regulator, logs=[log])
+    (read,) = part.read([log])
     study = study_of(
-        part_of_log(log, mapping, start, until), find_robot(robot), find_kit(kit) if kit else None,
-        source="states" if states else "sensors", delay=delay, order=order, held_out=held_out, runs=repeats, seed=seed,
-    )  # fmt: skip
+        read,
+        find_robot(robot),
+        find_kit(kit) if kit else None,
+        source="states" if states else "sensors",
+        delay=delay,
+        order=order,
+        held_out=held_out,
+        runs=repeats,
+        seed=seed,
+    )
     with progress("identifying") as show:
         result = identify_all(study, progress=show) if method == ALL else identify_one(study, method)
     if isinstance(result, Identified):
-        if controller:  # designed before any file is written, so that its failure leaves none
-            write_controller(regulator(study.samples, result.halves), controller)
+        if regulator:  # designed before any file is written, so that its failure leaves none
+            write_controller(designed(study.samples, result.halves), regulator)
         if output:
             result.save(output)
-    finish(result, as_json, page=report, written=(output, controller))
+    out.finish(result, output, regulator)
 
 
 def _check_method(method: str, target: Path | None) -> None:

@@ -3,38 +3,22 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
 
 import typer
 
-from upright.cli.options import ROBOT_HELP, complete_method, complete_robot
 from upright.errors import UprightError
 
 
 def lab(
     *,
-    port: Annotated[int, typer.Option(help="Port of the server; 0: any free one.")] = 8765,
-    browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open the page in a browser.")] = True,
-    class_: Annotated[
-        bool, typer.Option("--class", help="Serve up to 30 students, each with a robot, at the address of --host.")
-    ] = False,
-    host: Annotated[
-        str | None, typer.Option(help="Address of this machine, with --class (default: its own in the network).")
-    ] = None,
-    export: Annotated[
-        Path | None, typer.Option(help="Write the page alone into this folder: it runs anywhere, without Python.")
-    ] = None,
-    robot: Annotated[
-        list[str] | None,
-        typer.Option("--robot", "-r", metavar="ROBOT", autocompletion=complete_robot,
-                     help=f"{ROBOT_HELP}, with --export (repeatable; default: every preset)."),
-    ] = None,
-    controller: Annotated[
-        list[str] | None,
-        typer.Option("--controller", "-c", metavar="METHOD", autocompletion=complete_method,
-                     help="Method of design, with --export (repeatable; default: all quick ones)."),
-    ] = None,
-) -> None:  # fmt: skip
+    port: int = 8765,
+    browser: bool = True,
+    class_: bool = False,
+    host: str | None = None,
+    export: Path | None = None,
+    robots: str | None = None,
+    controllers: str | None = None,
+) -> None:
     """Open the lab: push a simulated robot with the mouse.
 
     The page works offline and is for this machine only; --class opens it to the network. Ctrl-C ends it.
@@ -43,9 +27,9 @@ def lab(
     if export is not None:
         if class_:
             raise UprightError("--export with --class", expected="one of both", hint="leave out --class")
-        _export(export, robot or [], controller or [])
-    elif robot or controller:
-        given = "--robot" if robot else "--controller"
+        _export(export, robots, controllers)
+    elif robots or controllers:
+        given = "--robots" if robots else "--controllers"
         raise UprightError(f"{given} without --export", expected="--export FOLDER", hint="choose it in the page")
     else:
         _serve(host, port, browser=browser, class_=class_)
@@ -79,10 +63,11 @@ def _serve(host: str | None, port: int, *, browser: bool, class_: bool) -> None:
     serve(served, socket, ready)
 
 
-def _export(folder: Path, robots: list[str], controllers: list[str]) -> None:
+def _export(folder: Path, robots: str | None, controllers: str | None) -> None:
     from upright.cli.output import progress
     from upright.lab.export import export
 
+    asked = [[name.strip() for name in names.split(",")] if names else [] for names in (robots, controllers)]
     with progress("designing and printing") as show:
-        page = export(folder, robots, controllers, say=lambda line: typer.echo(line, err=True), progress=show)
+        page = export(folder, *asked, say=lambda line: typer.echo(line, err=True), progress=show)
     typer.echo(f"wrote {page}: open it in a browser, or put it on any web host")

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from upright.cli.options import JsonOption, ModelOutputOption, ReportOption, RobotOption, complete_model, vector
-from upright.cli.output import check_targets, finish, warn_of
+from upright.atomic import write_json
+from upright.cli.destination import Destination
+from upright.cli.notation import vector
+from upright.cli.output import warn_of
 from upright.errors import UnknownName
 
 DRIFT = 1e-9
@@ -19,18 +22,12 @@ STEADY = ("wheel", "yaw")
 
 def linearise(
     *,
-    robot: RobotOption = "nxtway-gs",
-    at: Annotated[
-        str, typer.Option(help="Operating point, such as wheel_rate=4,left=1,right=1; the others are zero.")
-    ] = "",
-    period: Annotated[float | None, typer.Option(help="Period [s] of a discrete model with held commands.")] = None,
-    model: Annotated[
-        str,
-        typer.Option(help="Equations: complete (rolling without slip) or published.", autocompletion=complete_model),
-    ] = "complete",
-    output: ModelOutputOption = None,
-    report: ReportOption = None,
-    as_json: JsonOption = False,
+    robot: str = "nxtway-gs",
+    at: str = "",
+    period: Annotated[float | None, "Period of the controller [s]: a discrete model with held commands."] = None,
+    model: str = "complete",
+    output: Annotated[Path | None, "Write the model as JSON."] = None,
+    out: Destination,
 ) -> None:
     """Linearise a robot: A, B and poles.
 
@@ -42,7 +39,7 @@ def linearise(
     from upright.robots import find_robot
     from upright.signals import STATE_NAMES
 
-    check_targets(output, report)
+    out.check(output)
     if model not in MODELS:
         raise UnknownName("model", model, MODELS)
     point = vector(at, [*STATE_NAMES, *INPUTS], "--at")
@@ -52,7 +49,7 @@ def linearise(
     rates = zip(linear.states, linear.f0.tolist(), strict=True)
     drift = {name: rate for name, rate in rates if abs(rate) > DRIFT and name not in STEADY}
     linear = linear if period is None else linear.c2d(period)
-    finish(linear, as_json, output=output, page=report)
-    if drift and not as_json:
+    out.finish(linear, output and write_json(output, linear.to_json()))
+    if drift and not out.json:
         rates = ", ".join(f"{name} {rate:+.4g}" for name, rate in drift.items())
         typer.echo(f"\nnot an equilibrium: the state drifts, per second: {rates}")

@@ -13,6 +13,7 @@ from typer.main import get_command
 from upright import interrupts
 from upright.atomic import together
 from upright.cli.help import EXAMPLES, Commands, Grouped, option_meant
+from upright.cli.retired import instead
 from upright.cli.typed import TYPED
 from upright.errors import UprightError
 from upright.plugins import where
@@ -26,7 +27,7 @@ INTERRUPTED = 130  # into which typer turns a `KeyboardInterrupt`, whatever the 
 LASTING = ("fly", "monitor", "lab")
 """Commands that Ctrl-C ends as they usually end: they stop motors then, and write what they have."""
 
-PROPOSALS = ("; try: ", "Did you mean", "Possible options")
+PROPOSALS = ("; try: ", "Did you mean", "Possible options", ": pip install ")
 """Words before what a message says to type; to one without them the help of the command is added."""
 
 app = typer.Typer(
@@ -98,7 +99,7 @@ def _code_of(error: Exception, arguments: Sequence[str]) -> int:
     """Print the error as one line on stderr, which ends with what to try, and return the exit code."""
     code = USER_ERROR
     if isinstance(error, typer.TyperException):
-        message = error.format_message().rstrip(".") + option_meant(error)
+        message = instead(error) or error.format_message().rstrip(".") + option_meant(error)
     elif isinstance(error, UprightError):
         message = str(error)
     elif isinstance(error, OSError) and error.filename is not None:

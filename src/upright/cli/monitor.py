@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from pathlib import Path
 from typing import Annotated
@@ -9,24 +10,17 @@ from typing import Annotated
 import typer
 
 from upright.cli.keep import check_log_target, save_log
-from upright.cli.options import LogOutputOption
 from upright.errors import InvalidLog
 
 FASTEST = 20.0  # [Hz] of telemetry on the screen: faster is not readable
 
 
 def monitor(
-    source: Annotated[
-        str,
-        typer.Argument(help="Hub: ble or ble:NAME. A file, a serial device, or - for stdin. virtual: a simulated hub."),
-    ] = "-",
+    source: str = "-",
     *,
-    program: Annotated[Path | None, typer.Option(help="Program (.py) that the virtual hub runs.")] = None,
-    seconds: Annotated[
-        float,
-        typer.Option("--seconds", "-s", show_default=False, help="Time to follow a hub [s] (default: to its end)."),
-    ] = float("inf"),
-    output: LogOutputOption = None,
+    program: Annotated[Path | None, "Program by `upright firmware` (.py) that the virtual hub runs."] = None,
+    seconds: Annotated[float | None, "Length of the run [s] that is followed (default: to its end)."] = None,
+    output: Annotated[Path | None, "Write the log: .parquet, .csv or .mcap."] = None,
 ) -> None:
     """Show the telemetry of a running program, then its log.
 
@@ -37,9 +31,9 @@ def monitor(
 
     if output:
         check_log_target(output)
-    shown = Screen(FASTEST if is_live(source) else float("inf"))
+    shown = Screen(FASTEST if is_live(source) else math.inf)
     try:
-        follow(source, shown.receive, program=program, seconds=seconds)
+        follow(source, shown.receive, program=program, seconds=math.inf if seconds is None else seconds)
     finally:
         if shown.damaged:
             typer.secho(f"{shown.damaged} damaged lines were left out", err=True)

@@ -32,10 +32,6 @@ def print_json(data: Any) -> None:
     typer.echo(json_text(data, sys.stdout.encoding))
 
 
-AGAINST = 3
-"""Exit code of a verdict against, or unknown, so that a script stops before the robot moves."""
-
-
 def finish(
     result: Result, as_json: bool, *,
     output: Path | None = None, page: Path | None = None, written: Iterable[Path | None] = (), **facts: Any,
@@ -126,7 +122,7 @@ def _bare(word: str, before: str) -> str:
     return f"{name}={Path(file).name}" if equals and (name in _WRITTEN or Path(file).exists()) else word
 
 
-_WRITTEN = ("--report", "-o", "--output")  # what these name may not be there yet
+_WRITTEN = ("--report", "-o", "--output", "--save")  # what these name may not be there yet
 
 
 def check_targets(*targets: Path | None, logs: Iterable[Path] = ()) -> None:

@@ -154,7 +154,7 @@ _BOARD = {
     "mounting": OwnerQuestion(
         "What that angle reads where the robot is balanced", "0", "deg", "rad", (-45, 45), needs="fused"
     ),
-    "period": OwnerQuestion("Period of the control loop", "10", "ms", "s", (0.1, 200)),
+    "loop_period": OwnerQuestion("Period of the control loop", "10", "ms", "s", (0.1, 200)),
 }
 
 
@@ -215,7 +215,7 @@ _OF_ALL = {
     "body_height": FileNumber(lambda a: a.height / 1000),
     "body_depth": FileNumber(lambda a: a.depth / 1000),
     "gear_ratio": FileNumber(lambda a: a.gear, 0.0),
-    "period": FileNumber(lambda a: a.period / 1000, 0.0),
+    "period": FileNumber(lambda a: a.loop_period / 1000, 0.0),
     "delay": FileNumber(0.002, why="from reading the sensors to the new duty"),
     "sensors.gyro.range": FileNumber(lambda a: math.radians(a.gyro), 0.0),
     "sensors.gyro.quantum": FileNumber(lambda a: math.radians(a.gyro) / 2**15, 0.0, "16 bits with sign"),

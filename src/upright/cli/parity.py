@@ -7,31 +7,19 @@ from typing import Annotated
 
 import typer
 
-from upright.cli.options import (
-    BodyOption,
-    DesignArgument,
-    JsonOption,
-    OutputOption,
-    ProgramKitOption,
-    ProgramRobotOption,
-    ReportOption,
-)
-from upright.cli.output import AGAINST, check_targets, finish, progress
+from upright.cli.destination import AGAINST, Destination
+from upright.cli.output import progress
 
 
 def parity(
-    program: Annotated[Path, typer.Argument(help="A program by upright firmware: .py, .c, .ino or .nxc.")],
-    controller: DesignArgument,
+    program: Path,
+    controller: Annotated[str, "The controller.json of its design."],
     *,
-    robot: ProgramRobotOption = None,
-    kit: ProgramKitOption = None,
-    chip: Annotated[
-        str, typer.Option(help="For c: host, arm7 or avr; for pybricks: micropython or mpy (default: the first).")
-    ] = "",
-    body: BodyOption = "twin",
-    output: OutputOption = None,
-    report: ReportOption = None,
-    as_json: JsonOption = False,
+    robot: Annotated[str | None, "Robot by name (see `upright robots`) or TOML file (default: the program's)."] = None,
+    kit: Annotated[str | None, "Electronics by name or TOML file (default: the program's)."] = None,
+    chip: str = "",
+    body: str = "twin",
+    out: Destination,
 ) -> None:
     """Execute a program and compare it with its design.
 
@@ -40,9 +28,9 @@ def parity(
     """
     from upright.execution import parity as run_parity
 
-    check_targets(output, report)
+    out.check()
     with progress("running") as show:
         result = run_parity(program, controller, robot=robot, kit=kit, chip=chip, body=body, progress=show)
-    finish(result, as_json, output=output, page=report)
+    out.finish(result)
     if not result.passed:
         raise typer.Exit(AGAINST)

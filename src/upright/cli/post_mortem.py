@@ -2,40 +2,22 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Annotated
 
-import typer
-
-from upright.cli.options import (
-    KIT_HELP,
-    JsonOption,
-    LawOption,
-    LogArgument,
-    LogRobotOption,
-    MappingOption,
-    OutputOption,
-    ReportOption,
-    complete_kit,
-)
-from upright.cli.output import check_targets, finish, progress
+from upright.cli.destination import Destination
+from upright.cli.output import progress
 
 
 def post_mortem(
-    log: LogArgument,
+    log: Path,
     *,
-    robot: LogRobotOption = None,
-    kit: Annotated[
-        str | None,
-        typer.Option(help=f"{KIT_HELP} (default: the log's, else the robot's).", autocompletion=complete_kit),
-    ] = None,
-    controller: LawOption = None,
-    mapping: MappingOption = None,
-    seconds: Annotated[
-        float, typer.Option(min=0.0, help="Longest search [s of processor time]; then what is known is said.")
-    ] = 60.0,
-    output: OutputOption = None,
-    report: ReportOption = None,
-    as_json: JsonOption = False,
+    robot: Annotated[str | None, "Robot by name (see `upright robots`) or TOML file (default: the log's)."] = None,
+    kit: Annotated[str | None, "Electronics by name or TOML file (default: the log's, else the robot's)."] = None,
+    controller: str | None = None,
+    mapping: str | None = None,
+    time_limit: Annotated[float, "Stop the search after this time [s]; then what is known is said."] = 60.0,
+    out: Destination,
 ) -> None:
     """Diagnose a fall from the last seconds of a log.
 
@@ -44,7 +26,7 @@ def post_mortem(
     """
     from upright.diagnose import post_mortem as examine
 
-    check_targets(output, report, logs=[log])
+    out.check(logs=[log])
     with progress("examining the last seconds") as show:
-        result = examine(log, robot, kit, controller, mapping=mapping, seconds=seconds, progress=show)
-    finish(result, as_json, output=output, page=report)
+        result = examine(log, robot, kit, controller, mapping=mapping, seconds=time_limit, progress=show)
+    out.finish(result)

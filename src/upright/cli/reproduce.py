@@ -5,37 +5,27 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Annotated
 
-import typer
-
 from upright.atomic import make_folder
-from upright.cli import options
+from upright.cli.logs import LogPart
+from upright.cli.notation import push as push_of
 from upright.cli.output import finish, progress
 from upright.errors import InvalidScenario
 
 
 def reproduce(
     *,
-    output: Annotated[
-        Path, typer.Option("--output", "-o", help="Folder for the page, the logs and the numbers.")
-    ] = Path("herrera2015"),
-    log: Annotated[Path | None, typer.Option(help="Log of your own robot, put into the paper's figures.")] = None,
-    robot: Annotated[
-        str | None,
-        typer.Option("--robot", "-r", help=f"{options.ROBOT_HELP}, of the log.", autocompletion=options.complete_robot),
+    output: Annotated[Path, "Write the page, the logs and the numbers into this folder."] = Path("herrera2015"),
+    log: Annotated[Path | None, "Log of this robot, put into the paper's figures."] = None,
+    robot: Annotated[str | None, "Robot by name (see `upright robots`) or TOML file, of the log."] = None,
+    calibrated: str | None = None,
+    kit: str | None = None,
+    controller: Annotated[
+        str | None, "Controller by name, controller.json or my.py:Name, of the log (default: read from it)."
     ] = None,
-    calibrated: Annotated[
-        str | None,
-        typer.Option(help="The same robot as another log calibrated it (default: from this log).",
-                     autocompletion=options.complete_robot),
-    ] = None,
-    kit: options.KitOption = None,
-    controller: options.LawOption = None,
-    push: options.PushOption = None,
-    mapping: options.MappingOption = None,
-    start: options.AfterOption = None,
-    until: options.BeforeOption = None,
-    as_json: options.JsonOption = False,
-) -> None:  # fmt: skip
+    push: list[str] | None = None,
+    part: LogPart,
+    json: bool = False,
+) -> None:
     """Reproduce the paper of Herrera and others (2015).
 
     Its model, fit, regulator and pushes beside the printed numbers, and the errata of the text. With --log and --robot:
@@ -43,26 +33,27 @@ def reproduce(
     """
     if log is None:
         given = {"--robot": robot, "--calibrated": calibrated, "--kit": kit, "--controller": controller, "--push": push,
-                 "--mapping": mapping, "--start": start, "--until": until}  # fmt: skip
+                 "--mapping": part.mapping, "--from": part.from_, "--until": part.until}  # fmt: skip
         if named := [name for name, value in given.items() if value is not None]:
             raise InvalidScenario(f"{', '.join(named)} without a log", expected="--log FILE --robot ROBOT")
         from upright.paper.reproduce import reproduce as reproduce_paper
 
         with progress("reproducing") as show:
             done = reproduce_paper(output, show)
-        finish(done, as_json, written=[output / "report.html", output / "results.json", output / "logs"])
+        finish(done, json, written=[output / "report.html", output / "results.json", output / "logs"])
         return
     if robot is None:
         raise InvalidScenario("--log without a robot", expected="--robot NAME or FILE", hint="upright robots")
     from upright.paper.own_log import compare_own
 
-    pushes = [options.push(text) for text in push or ()]
+    pushes = [push_of(text) for text in push or ()]
+    (read,) = part.read([log])
     logs = make_folder(output / "logs")
     with progress("reproducing") as show:
         result = compare_own(
-            options.part_of_log(log, mapping, start, until), robot, kit,
+            read, robot, kit,
             controller=controller, push=pushes, learnt=calibrated, progress=show,
         )  # fmt: skip
     for label, one in result.comparison.logs.items():
         one.save(logs / f"{label.replace(' ', '-')}.parquet")
-    finish(result, as_json, output=output / "results.json", page=output / "report.html", written=[logs])
+    finish(result, json, output=output / "results.json", page=output / "report.html", written=[logs])

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from upright.cli.options import ROBOT_HELP, JsonOption, ReportOption, complete_robot
-from upright.cli.output import check_targets, finish, print_json, print_page
+from upright.cli.command import spoken
+from upright.cli.destination import Destination
+from upright.cli.output import print_json, print_page
 from upright.cli.robots_new import new
 
 if TYPE_CHECKING:
@@ -16,23 +17,25 @@ if TYPE_CHECKING:
     from upright.robots import Robot
 
 robots = typer.Typer(add_completion=False, rich_markup_mode=None)
-robots.command()(new)
+robots.command("new")(new)
 
 
 @robots.callback(invoke_without_command=True)
-def every(context: typer.Context, *, as_json: JsonOption = False) -> None:
+@spoken
+def every(context: typer.Context, *, json: bool = False) -> None:
     """List the robots, `show` the parameters of one, or write a `new` one."""
     if context.invoked_subcommand is None:
-        listing(as_json=as_json)
+        listing(json=json)
 
 
 @robots.command("list")
-def listing(*, as_json: JsonOption = False) -> None:
+@spoken
+def listing(*, json: bool = False) -> None:
     """List the robots, as `upright robots` does."""
     from upright.robots import Robot, preset_names
 
     entries = [_summary(Robot.preset(name)) for name in preset_names()]
-    if as_json:
+    if json:
         print_json(entries)
     else:
         print_page(_page(entries))
@@ -54,27 +57,25 @@ def _page(entries: list[dict[str, Any]]) -> Page:
     )  # fmt: skip
 
 
-@robots.command()
+@robots.command("show")
+@spoken
 def show(
-    name: Annotated[str, typer.Argument(help=f"{ROBOT_HELP}.", autocompletion=complete_robot)],
+    robot: str,
     *,
-    output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="Write the robot as a file (.toml), to be changed.")
-    ] = None,
-    report: ReportOption = None,
-    as_json: JsonOption = False,
+    output: Annotated[Path | None, "Write the robot as a file (.toml), to be changed."] = None,
+    out: Destination,
 ) -> None:
     """Print every parameter of a robot, with source and spread."""
     from upright.pages import Say
     from upright.physics.linear import unstable_pole
     from upright.robots import find_robot
 
-    robot = find_robot(name)
-    check_targets(output, report)
+    chosen = find_robot(robot)
+    out.check(output)
     if output:
-        robot.replace(name=output.stem).save(output)
-    finish(robot, as_json, page=report, unstable_pole=unstable_pole(robot))
-    if output and not as_json:
+        chosen.replace(name=output.stem).save(output)
+    out.finish(chosen, unstable_pole=unstable_pole(chosen))
+    if output and not out.json:
         typer.echo(str(Say("wrote {file}: change its numbers, and use it as --robot {file}", file=str(output))))
 
 

@@ -10,6 +10,7 @@ from typing import Annotated
 
 import typer
 
+from upright.cli.command import flag
 from upright.cli.guide import EndOfAnswers, Question, answered
 from upright.cli.owner import A_GUESS, DRIVE, DRIVES, NONE, Answers, FileNumber, OwnerQuestion, file_numbers, questions
 from upright.errors import InvalidRobot, UprightError
@@ -29,11 +30,11 @@ def new(name: Annotated[str, typer.Argument(help="Name of the robot, and of its 
     from upright.robots.robot import robot_of
 
     path, kit_path = _files(name)
-    drive = _plain(_answer("drive", DRIVE, given["drive"], lacks=False))
+    drive = _plain(_answer("motors", DRIVE, given["motors"], lacks=False))
     asked = questions(drive)
-    if foreign := [key for key, text in given.items() if text is not None and key not in ("drive", *asked)]:
+    if foreign := [key for key, text in given.items() if text is not None and key not in ("motors", *asked)]:
         others = [other for other in DRIVES if foreign[0] in questions(other)]
-        raise UprightError(f"{_flag(foreign[0])} with a {drive} drive", hint=f"--drive {' or '.join(others)}")
+        raise UprightError(f"{flag(foreign[0])} with a {drive} drive", hint=f"--motors {' or '.join(others)}")
     answers: dict[str, str] = {}
     for key, question in asked.items():
         lacks = _plain(answers.get(question.needs, "")) == NONE
@@ -72,15 +73,11 @@ def _files(name: str) -> tuple[Path, Path]:
     return path, kit_path
 
 
-def _flag(name: str) -> str:
-    return f"--{name.replace('_', '-')}"
-
-
 def _option(name: str, question: OwnerQuestion) -> inspect.Parameter:
-    asking = [drive for drive in DRIVES if name == "drive" or name in questions(drive)]
-    only = "" if len(asking) == len(DRIVES) else f"; --drive {' or '.join(asking)}"
+    asking = [drive for drive in DRIVES if name == "motors" or name in questions(drive)]
+    only = "" if len(asking) == len(DRIVES) else f"; --motors {' or '.join(asking)}"
     text = f"{question.asked} (default: {question.usual}{A_GUESS}{only})."
-    option = typer.Option(_flag(name), help=text, metavar="ANSWER")
+    option = typer.Option(flag(name), help=text, metavar="ANSWER")
     return inspect.Parameter(
         name, inspect.Parameter.KEYWORD_ONLY, default=None, annotation=Annotated[str | None, option]
     )
@@ -88,7 +85,7 @@ def _option(name: str, question: OwnerQuestion) -> inspect.Parameter:
 
 # typer makes one option of each parameter, so each question is one
 _NAME = inspect.signature(new, eval_str=True).parameters["name"]
-_ALL = {"drive": DRIVE, **questions("speed"), **questions("torque"), **questions("voltage")}
+_ALL = {"motors": DRIVE, **questions("speed"), **questions("torque"), **questions("voltage")}
 _OPTIONS = [_option(name, question) for name, question in _ALL.items()]
 new.__signature__ = inspect.Signature([_NAME, *_OPTIONS])  # type: ignore[attr-defined]
 
@@ -103,7 +100,7 @@ def _answer(name: str, question: OwnerQuestion, given: str | None, *, lacks: boo
     guess = question.usual + A_GUESS
     if lacks:
         if given not in (None, NONE):
-            raise UprightError(f"{_flag(name)} without {question.needs}", hint=f"{_flag(question.needs)} as well")
+            raise UprightError(f"{flag(name)} without {question.needs}", hint=f"{flag(question.needs)} as well")
         return NONE
     if given is not None:
         question.check(given)

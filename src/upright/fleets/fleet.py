@@ -59,7 +59,7 @@ class Fleet(Result):
 
 def ensemble_of(
     robot: Robot | str,
-    controller: Controller | str = "lqr",
+    controller: Controller | str = "lqg",
     kit: Kit | str | None = None,
     *,
     vary: Vary = (),

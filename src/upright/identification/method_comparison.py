@@ -121,7 +121,7 @@ class MethodComparison(Result):
         if self.best:
             verdict = Verdict(Say("take {method}", method=self.best), "good")
             following = [
-                Next("identify", named(data.log), method=self.best, output="model.json", controller="regulator.json")
+                Next("identify", named(data.log), method=self.best, output="model.json", regulator="regulator.json")
             ]
             other = self._surest([name for name in holding if name != PRIOR])
             if self.best == PRIOR and other:

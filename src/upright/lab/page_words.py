@@ -24,7 +24,7 @@ _RULES: tuple[tuple[str, str], ...] = (
      "{0}. The terminal's “upright doctor LOG --write-mapping m.toml” drafts names for its columns."),
     (r"(.*); try: (?:upright doctor LOG )?--write-mapping \S+, (?:and|which) .*",
      "{0}. The terminal's “upright doctor LOG --write-mapping m.toml” drafts names for its columns."),
-    (r"(.*); try: (?:upright doctor (?:LOG )?--fix|cut the log with --start).*",
+    (r"(.*); try: (?:upright doctor (?:LOG )?--fix|cut the log with --from).*",
      "{0}. The terminal's “upright doctor LOG --fix NEW.csv” repairs what it can."),
 )  # fmt: skip
 """A pattern for all of a text, and what the page says; `{job}` is the button to press again."""

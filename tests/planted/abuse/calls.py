@@ -62,12 +62,13 @@ BASES = {
     "simulate": "-s 0.3", "compare": "run.csv", "linearise": "", "design": "lqr", "certify": "lqr -n 100",
     "post-mortem": "run.csv -r nxtway-gs", "doctor": "run.csv",
     "identify": "run.csv --method least-squares --repeats 2",
-    "fleet": "-n 20 -s 0.3", "push-map": "--points 2 -n 0 --watch 0.3 --tolerance 0.5", "basin": "--points 3 -s 0.3",
+    "fleet": "-n 20 -s 0.3", "push-map": "--points 2 -n 0 --watch 0.3 --tolerance 0.5",
+    "basin": "--points 3 --watch 0.3",
     "firmware": "lqr -t c", "monitor": "lines.txt", "robots": "", "sweep": "campaign.toml --workers 0",
     "bench-controllers": "", "calibrate": "run.csv", "excite": "-n 100 -s 2", "parity": "program.py controller.json",
     "fly": "program.py controller.json -y -s 5", "reproduce": "", "lab": "--no-browser",
     "validate": "nxtway-gs run.csv", "example": "standing", "film": "run.csv -r nxtway-gs -o f.gif --width 160",
-    "grade": "folder --workers 1", "tune": "lqr --budget 8 -n 20 -s 1", "start": "study -n 100",
+    "grade": "folder --workers 1", "tune": "lqr --budget 8 -n 20 --time-limit 1", "start": "study -n 100",
 }  # fmt: skip
 """What is right in a call of each command, and quick."""
 

@@ -42,11 +42,11 @@ COMMANDS = {
     "sweep": "sweep {spec} -o campaign --workers 2",
     "sweep, alone": "sweep {spec} -o campaign --workers 0",
     "excite": "excite -o plan.json --report r.html",
-    "post-mortem": "post-mortem {fall} -o p.json --report r.html",
+    "post-mortem": "post-mortem {fall} --save p.json --report r.html",
     "reproduce": "reproduce -o paper",
-    "bench-controllers": "bench-controllers -o b.json",
+    "bench-controllers": "bench-controllers --save b.json",
     "design hinf": "design hinf -o h.json --report r.html",
-    "doctor": "doctor {log} --fix fixed.csv -o d.json",
+    "doctor": "doctor {log} --fix fixed.csv --save d.json",
     "parity": "parity {program} {controller} --body nonlinear",
 }
 """What is run; a name in braces is a file that is made first."""

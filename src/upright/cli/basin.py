@@ -1,0 +1,50 @@
+"""`upright basin`: the states from which a robot recovers."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated
+
+from upright.cli.destination import Destination
+from upright.cli.fleet_options import Asked, say_how_long
+from upright.cli.notation import limits, vector
+from upright.cli.output import progress
+from upright.fleets.usual import BASIN_POINTS
+
+if TYPE_CHECKING:
+    from upright.fleets.basin import Axis
+
+
+def basin(
+    *,
+    asked: Asked,
+    across: str = "pitch=-1..1",
+    up: str = "pitch_rate=-10..10",
+    points: Annotated[int | None, "Values along each axis (default: 101; 41 of a controller called in Python)."] = None,
+    samples: Annotated[int, "Robots drawn at each point; 1: nominal."] = 1,
+    start: str = "",
+    watch: float = 5.0,
+    out: Destination,
+) -> None:
+    """Find the states from which a robot recovers.
+
+    On a grid of any two of the six states; with samples, the fraction of the robots that recover.
+    """
+    from upright.fleets.basin import basin as cut
+    from upright.signals import STATE_NAMES
+
+    asked.check(out)
+    first = tuple(vector(start, STATE_NAMES, "--start"))
+    ensemble = asked.ensemble(start=first, seconds=watch)
+    number = BASIN_POINTS[ensemble.called] if points is None else points
+    axes = _axis(across, "--across", number), _axis(up, "--up", number)
+    say_how_long(asked, ensemble, {f"--points {p}": p * p * samples * watch for p in (number, *BASIN_POINTS)})
+    with progress("simulating") as show:
+        result = cut(ensemble, *axes, samples=samples, threads=asked.threads, progress=show)
+    asked.finish(result, out)
+
+
+def _axis(text: str, option: str, points: int) -> Axis:
+    from upright.fleets.basin import Axis
+
+    name, _, ends = (part.strip() for part in text.partition("="))
+    return Axis(name, *limits(ends, option), points)

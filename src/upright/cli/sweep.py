@@ -1,0 +1,34 @@
+"""`upright sweep`: a campaign of robots, controllers and scenarios."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+from upright.cli.destination import Destination
+from upright.cli.output import progress
+
+
+def sweep(
+    spec: Path,
+    *,
+    output: Annotated[Path | None, "Write the results into this folder (default: the file's name)."] = None,
+    cluster: str | None = None,
+    workers: int | None = None,
+    out: Destination,
+) -> None:
+    """Run a campaign of robots, controllers and scenarios.
+
+    Runs in chunks, in several processes. A stopped campaign goes on from its finished chunks when it is started again.
+    """
+    from upright.fleets.campaign import run_campaign
+    from upright.fleets.sweep import read_campaign
+
+    out.check()
+    campaign = read_campaign(spec)
+    place = output or spec.with_suffix("")
+    with progress("campaign") as show:
+        cases = run_campaign(
+            campaign, place, workers=workers, cluster=cluster, progress=lambda done, total, _: show(done / total)
+        )
+    out.finish(cases, place)
