@@ -19,12 +19,13 @@ from upright.atomic import write_json
 from upright.cli import main as cli
 from upright.cli.help import EXAMPLES
 from upright.cli.main import BUG, USER_ERROR, group, main
-from upright.cli.output import finish, progress
+from upright.cli.output import finish
 from upright.cli.retired import RETIRED
 from upright.cli.vocabulary import complete_controller, complete_kit, complete_robot
 from upright.control import CONTROLLERS, make_controller, write_controller
 from upright.errors import InvalidLog
 from upright.pages import Page, Result, Say, Verdict
+from upright.progress import progress
 from upright.robots import PARAMETERS, Kit, Robot, kit_names
 from upright.robots.drives import UNUSED
 

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
-from upright.cli.notation import push as push_of
 from upright.control import Estimated, StateFeedback, kalman, lqr_state
 from upright.errors import InvalidScenario, SpecMismatch
 from upright.experiment import Drive, Hold, Impulse, Push, Slope, Turn, run
+from upright.experiment.notation import push as push_of
 from upright.experiment.pushes import combined
 from upright.physics.dynamics import derivative, motor_gain
 from upright.robots import Kit, Robot

@@ -13,8 +13,8 @@ from typing import Any
 import pytest
 
 from conftest import PATIENCE
-from upright.cli import notation
 from upright.cli.main import main
+from upright.experiment import notation
 from upright.signals import Log
 
 ROOT = Path(__file__).resolve().parents[1]

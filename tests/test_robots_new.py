@@ -11,11 +11,11 @@ from typing import Any
 import pytest
 
 from upright.cli.main import main
-from upright.cli.owner import Answers, file_numbers, questions
 from upright.errors import InvalidRobot
 from upright.robots import Kit, Robot, find_robot
 from upright.robots.drives import COMMAND_UNITS, UNUSED
 from upright.robots.motor import makes_energy
+from upright.robots.owner import Answers, file_numbers, questions
 from upright.signals import Log
 
 TOLD = {

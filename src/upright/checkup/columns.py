@@ -22,8 +22,8 @@ from upright.logs.draft import clock_of, draft, looks, rate_of, still_to_name
 from upright.logs.mapping import COMMANDS, GUESS, Mapping, Source, by_names, channels_of, in_volts, named_unit
 from upright.logs.names import pairs
 from upright.logs.readers import RawTable
-from upright.logs.units import UNITS
 from upright.pages import Say, english
+from upright.signals.units import UNITS
 
 TRUSTED = 0.95
 """[1] R² of the pendulum equation from which columns are taken for encoders and gyro. Other triples of columns reach

@@ -8,9 +8,9 @@ import numpy as np
 
 from upright.checkup.duty import counted
 from upright.checkup.finding import GYRO, LEFT, RIGHT, Finding, Fix, Record, error
-from upright.logs.units import UNITS
 from upright.pages import Quantity, Say
 from upright.robots import Robot
+from upright.signals.units import UNITS
 
 DEGREE = math.pi / 180
 LENGTHS = [unit for unit, (_, si) in UNITS.items() if si in ("m", "m/s")]

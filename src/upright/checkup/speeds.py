@@ -10,8 +10,8 @@ from upright.checkup.finding import LEFT, PITCH, RIGHT, STATE, Array, Finding, e
 from upright.logs.draft import is_clock, rate_of
 from upright.logs.mapping import Mapping, Source, channels_of, named_unit
 from upright.logs.readers import RawTable
-from upright.logs.units import UNITS
 from upright.pages import Say
+from upright.signals.units import UNITS
 
 _FOLLOWS = 0.98  # [1] correlation of an angle with the sum of a speed, each without its line, if the wheel is the same
 _APART = 1.3  # ratio of two units of one reading, below which filters and periods explain it; units differ by 6 or more

@@ -37,10 +37,10 @@ from upright.checkup.physics import Resampled, gyro_by_gravity, motion, pitch_sl
 from upright.checkup.poses import LARGEST_OFFSET
 from upright.checkup.swings import rests
 from upright.logs.outliers import grain_of
-from upright.logs.units import UNITS
 from upright.pages import Quantity, Say
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.robots import Robot, find_kit
+from upright.signals.units import UNITS
 
 
 @dataclass(frozen=True)

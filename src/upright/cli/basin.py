@@ -6,9 +6,8 @@ from typing import TYPE_CHECKING, Annotated
 
 from upright.cli.destination import Destination
 from upright.cli.fleet_options import Asked, say_how_long
-from upright.cli.notation import limits, vector
-from upright.cli.output import progress
 from upright.fleets.usual import BASIN_POINTS
+from upright.progress import progress
 
 if TYPE_CHECKING:
     from upright.fleets.basin import Axis
@@ -29,6 +28,7 @@ def basin(
 
     On a grid of any two of the six states; with samples, the fraction of the robots that recover.
     """
+    from upright.experiment.notation import vector
     from upright.fleets.basin import basin as cut
     from upright.signals import STATE_NAMES
 
@@ -44,6 +44,7 @@ def basin(
 
 
 def _axis(text: str, option: str, points: int) -> Axis:
+    from upright.experiment.notation import limits
     from upright.fleets.basin import Axis
 
     name, _, ends = (part.strip() for part in text.partition("="))

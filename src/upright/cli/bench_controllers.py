@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from upright.cli.destination import Destination
-from upright.cli.output import progress
+from upright.progress import progress
 
 
 def bench_controllers(

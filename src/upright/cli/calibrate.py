@@ -10,8 +10,8 @@ import typer
 
 from upright.cli.destination import AGAINST, Destination
 from upright.cli.logs import LogPart
-from upright.cli.output import progress
 from upright.cli.typed import GIVEN
+from upright.progress import progress
 
 
 def calibrate(

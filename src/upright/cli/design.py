@@ -25,7 +25,7 @@ def design(
     Prints its inputs, the residual of its equations, and the margins of its loop.
     """
     from upright.certification.design import design as design_controller
-    from upright.cli.notation import named_values
+    from upright.experiment.notation import named_values
     from upright.robots import find_robot
 
     out.check(output)

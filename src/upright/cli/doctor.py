@@ -8,7 +8,8 @@ from typing import Annotated
 import typer
 
 from upright.cli.destination import Destination
-from upright.cli.output import print_json, progress
+from upright.cli.output import print_json
+from upright.progress import progress
 
 
 def doctor(

@@ -8,7 +8,7 @@ from typing import Annotated
 
 from upright.atomic import write_json
 from upright.cli.destination import Destination
-from upright.cli.output import progress
+from upright.progress import progress
 
 
 def excite(

@@ -8,7 +8,8 @@ from typing import Annotated
 import typer
 
 from upright.cli.logs import LogPart, labelled
-from upright.cli.output import check_targets, print_json, progress
+from upright.cli.output import check_targets, print_json
+from upright.progress import progress
 
 
 def film(

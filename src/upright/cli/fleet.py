@@ -6,9 +6,8 @@ from typing import Annotated
 
 from upright.cli.destination import Destination
 from upright.cli.fleet_options import Asked, say_how_long
-from upright.cli.notation import pushes_and_references, vector
-from upright.cli.output import progress
 from upright.fleets.usual import FLEET
+from upright.progress import progress
 
 
 def fleet(
@@ -26,6 +25,7 @@ def fleet(
 
     Prints the probability of a fall with its 95 % interval, and quantiles of pitch, settling, effort and travel.
     """
+    from upright.experiment.notation import pushes_and_references, vector
     from upright.fleets.fleet import fleet as simulate
     from upright.signals import STATE_NAMES
 

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from upright.cli.destination import AGAINST
-from upright.cli.keep import check_log_target, save_log
-from upright.cli.notation import push as push_of
-from upright.cli.output import print_json, progress
+from upright.cli.output import print_json
 from upright.errors import UprightError
+from upright.flight.keep import check_log_target, save_log
+from upright.progress import progress
 
 if TYPE_CHECKING:
     from upright.flight import Flight
@@ -43,6 +43,7 @@ def fly(
     Shows robot, controller and certificate, and asks before the start. Only a virtual robot can be pushed. The motors
     are off when this ends, Ctrl-C included. Exit code 3 where the connection was lost.
     """
+    from upright.experiment.notation import push as push_of
     from upright.flight import fetch as fetch_log
     from upright.flight import fly as run_flight
 

@@ -8,8 +8,8 @@ from typing import Annotated
 import typer
 
 from upright.cli.destination import Destination
-from upright.cli.output import progress
 from upright.errors import UprightError
+from upright.progress import progress
 
 
 def grade(

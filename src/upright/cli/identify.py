@@ -9,9 +9,9 @@ import typer
 
 from upright.cli.destination import Destination
 from upright.cli.logs import LogPart
-from upright.cli.output import progress
 from upright.cli.vocabulary import complete_identifier
 from upright.errors import UprightError
+from upright.progress import progress
 
 
 def identify(

@@ -64,8 +64,8 @@ def _serve(host: str | None, port: int, *, browser: bool, class_: bool) -> None:
 
 
 def _export(folder: Path, robots: str | None, controllers: str | None) -> None:
-    from upright.cli.output import progress
     from upright.lab.export import export
+    from upright.progress import progress
 
     asked = [[name.strip() for name in names.split(",")] if names else [] for names in (robots, controllers)]
     with progress("designing and printing") as show:

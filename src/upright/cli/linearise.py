@@ -9,7 +9,6 @@ import typer
 
 from upright.atomic import write_json
 from upright.cli.destination import Destination
-from upright.cli.notation import vector
 from upright.cli.output import warn_of
 from upright.errors import UnknownName
 
@@ -33,6 +32,7 @@ def linearise(
 
     Continuous, or discrete with --period. Warns where the operating point is not an equilibrium.
     """
+    from upright.experiment.notation import vector
     from upright.physics.dynamics import MODELS
     from upright.physics.linear import INPUTS
     from upright.physics.linear import linearise as tangent

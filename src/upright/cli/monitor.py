@@ -9,8 +9,8 @@ from typing import Annotated
 
 import typer
 
-from upright.cli.keep import check_log_target, save_log
 from upright.errors import InvalidLog
+from upright.flight.keep import check_log_target, save_log
 
 FASTEST = 20.0  # [Hz] of telemetry on the screen: faster is not readable
 

@@ -6,9 +6,7 @@ import os
 import shlex
 import shutil
 import sys
-import time
-from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -101,10 +99,6 @@ def write_page(result: Result, path: Path | None) -> None:
         write(continued(result.page()), path, _command())
 
 
-QUIET = 10.0
-"""[s] in which nobody asks whether a command still runs."""
-
-
 def _command() -> str:
     """The command as it was typed, with files and its page without their folders."""
     words = list(TYPED.get())
@@ -145,40 +139,3 @@ def check_targets(*targets: Path | None, logs: Iterable[Path] = ()) -> None:
 def _often(path: Path, among: Sequence[Path]) -> bool:
     """Whether a file is named more than once."""
     return sum(os.path.realpath(path) == os.path.realpath(other) for other in among) > 1
-
-
-def _in_lines(label: str) -> Callable[[float], None]:
-    begin = time.monotonic()
-    shown = 0
-
-    def show(fraction: float) -> None:
-        nonlocal shown
-        spent = time.monotonic() - begin
-        if spent > QUIET and shown < int(10 * fraction) < 10:
-            shown = int(10 * fraction)
-            typer.echo(f"{label}: {10 * shown} %, about {spent * (1 / fraction - 1):.0f} s left", err=True)
-
-    return show
-
-
-@contextmanager
-def progress(label: str) -> Generator[Callable[[float], None]]:
-    """A bar on stderr in a terminal, else a line for each tenth of what takes long: yields what takes the fraction
-    done."""
-    if not sys.stderr.isatty():
-        yield _in_lines(label)
-        return
-    from rich.console import Console
-    from rich.progress import Progress
-
-    bar = Progress(console=Console(stderr=True), transient=True)
-    task = bar.add_task(label, total=1.0)
-
-    def show(fraction: float) -> None:
-        bar.start()  # with the first fraction, since a command may ask before its work begins
-        bar.update(task, completed=fraction)
-
-    try:
-        yield show
-    finally:
-        bar.stop()

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from upright.cli.destination import AGAINST, Destination
-from upright.cli.output import progress
+from upright.progress import progress
 
 
 def parity(

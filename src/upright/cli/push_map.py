@@ -6,10 +6,9 @@ from typing import Annotated
 
 from upright.cli.destination import Destination
 from upright.cli.fleet_options import Asked, say_how_long
-from upright.cli.notation import limits
-from upright.cli.output import progress
 from upright.errors import InvalidScenario
 from upright.fleets.usual import MAP_POINTS, MAP_ROBOTS
+from upright.progress import progress
 
 WAYS = {"forward": (1,), "backward": (-1,), "both": (1, -1)}
 """Direction of a push → its signs."""
@@ -36,6 +35,7 @@ def push_map(
     """
     import numpy as np
 
+    from upright.experiment.notation import limits
     from upright.fleets.push_map import PushGrid, robot_seconds
     from upright.fleets.push_map import push_map as search
 

@@ -7,9 +7,9 @@ from typing import Annotated
 
 from upright.atomic import make_folder
 from upright.cli.logs import LogPart
-from upright.cli.notation import push as push_of
-from upright.cli.output import finish, progress
+from upright.cli.output import finish
 from upright.errors import InvalidScenario
+from upright.progress import progress
 
 
 def reproduce(
@@ -32,8 +32,16 @@ def reproduce(
     your robot in its figures, beside both models under the same push and law, and what must be adjusted.
     """
     if log is None:
-        given = {"--robot": robot, "--calibrated": calibrated, "--kit": kit, "--controller": controller, "--push": push,
-                 "--mapping": part.mapping, "--from": part.from_, "--until": part.until}  # fmt: skip
+        given = {
+            "--robot": robot,
+            "--calibrated": calibrated,
+            "--kit": kit,
+            "--controller": controller,
+            "--push": push,
+            "--mapping": part.mapping,
+            "--from": part.from_,
+            "--until": part.until,
+        }
         if named := [name for name, value in given.items() if value is not None]:
             raise InvalidScenario(f"{', '.join(named)} without a log", expected="--log FILE --robot ROBOT")
         from upright.paper.reproduce import reproduce as reproduce_paper
@@ -44,16 +52,21 @@ def reproduce(
         return
     if robot is None:
         raise InvalidScenario("--log without a robot", expected="--robot NAME or FILE", hint="upright robots")
+    from upright.experiment.notation import push as push_of
     from upright.paper.own_log import compare_own
 
-    pushes = [push_of(text) for text in push or ()]
     (read,) = part.read([log])
     logs = make_folder(output / "logs")
     with progress("reproducing") as show:
         result = compare_own(
-            read, robot, kit,
-            controller=controller, push=pushes, learnt=calibrated, progress=show,
-        )  # fmt: skip
+            read,
+            robot,
+            kit,
+            controller=controller,
+            push=[push_of(text) for text in push or ()],
+            learnt=calibrated,
+            progress=show,
+        )
     for label, one in result.comparison.logs.items():
         one.save(logs / f"{label.replace(' ', '-')}.parquet")
     finish(result, json, output=output / "results.json", page=output / "report.html", written=[logs])

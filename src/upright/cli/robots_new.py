@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import inspect
 import sys
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated
 
@@ -12,8 +11,8 @@ import typer
 
 from upright.cli.command import flag
 from upright.cli.guide import EndOfAnswers, Question, answered
-from upright.cli.owner import A_GUESS, DRIVE, DRIVES, NONE, Answers, FileNumber, OwnerQuestion, file_numbers, questions
-from upright.errors import InvalidRobot, UprightError
+from upright.errors import UprightError
+from upright.robots.owner import A_GUESS, DRIVE, DRIVES, NONE, OwnerQuestion, owners_files, plain, questions
 
 
 def new(name: Annotated[str, typer.Argument(help="Name of the robot, and of its file.")], **given: str | None) -> None:
@@ -24,32 +23,18 @@ def new(name: Annotated[str, typer.Argument(help="Name of the robot, and of its 
     """
     from upright.atomic import write_text
     from upright.physics.linear import unstable_pole
-    from upright.reading import parse_toml
-    from upright.robots import PARAMETERS, toml
-    from upright.robots.kit import kit_of
-    from upright.robots.robot import robot_of
 
     path, kit_path = _files(name)
-    drive = _plain(_answer("motors", DRIVE, given["motors"], lacks=False))
+    drive = plain(_answer("motors", DRIVE, given["motors"], lacks=False))
     asked = questions(drive)
     if foreign := [key for key, text in given.items() if text is not None and key not in ("motors", *asked)]:
         others = [other for other in DRIVES if foreign[0] in questions(other)]
         raise UprightError(f"{flag(foreign[0])} with a {drive} drive", hint=f"--motors {' or '.join(others)}")
     answers: dict[str, str] = {}
     for key, question in asked.items():
-        lacks = _plain(answers.get(question.needs, "")) == NONE
+        lacks = plain(answers.get(question.needs, "")) == NONE
         answers[key] = _answer(key, question, given[key], lacks=lacks)
-    head = {"name": path.stem, "title": "As its owner says.", "drive": drive, "kit": kit_path.name}
-    robot = toml.rows("", head)
-    kit = toml.rows("", {"name": path.stem, "drive": drive})
-    for number, row in file_numbers(drive).items():
-        entry = _entry(number, row, answers, drive)
-        if number in PARAMETERS:
-            robot += entry
-        else:
-            kit += entry
-    kit_of(parse_toml(kit, str(kit_path), InvalidRobot, "a kit"), str(kit_path))
-    made = robot_of(parse_toml(robot, str(path), InvalidRobot, "a robot"), str(path))
+    robot, kit, made = owners_files(path, kit_path, drive, answers)
     write_text(kit_path, kit)
     write_text(path, robot)
     guesses = (robot + kit).count('spread = "guess"')
@@ -90,10 +75,6 @@ _OPTIONS = [_option(name, question) for name, question in _ALL.items()]
 new.__signature__ = inspect.Signature([_NAME, *_OPTIONS])  # type: ignore[attr-defined]
 
 
-def _plain(answer: str) -> str:
-    return answer.removesuffix(A_GUESS)
-
-
 def _answer(name: str, question: OwnerQuestion, given: str | None, *, lacks: bool) -> str:
     """What an option or the terminal says; the usual answer, marked as a guess, where neither does; none where the
     robot lacks what the question is about."""
@@ -111,31 +92,3 @@ def _answer(name: str, question: OwnerQuestion, given: str | None, *, lacks: boo
         return answered(Question(name, question.asked, guess, question.check))
     except EndOfAnswers:
         raise UprightError("no more answers", hint="options, such as --gear 30") from None
-
-
-def _entry(number: str, row: FileNumber, answers: Mapping[str, str], drive: str) -> str:
-    """The number as its file has it, under the questions that it is from; nothing where the robot lacks the part."""
-    from upright.robots import PARAMETERS, toml
-    from upright.robots.drives import COMMAND_UNITS
-    from upright.robots.kit import quantity_of
-
-    asked = questions(drive)
-    used = Answers(answers, asked)
-    value = row.formula(used) if callable(row.formula) else row.formula
-    if NONE in map(_plain, (*used.read.values(), answers.get(row.needs, ""))):
-        return ""
-    comments = [f"{asked[key].asked}: {answer}" for key, answer in used.read.items()] or [f"A guess: {row.why}"]
-    if isinstance(value, str):
-        table, _, key = number.rpartition(".")
-        return f"\n# {comments[0]}" + toml.rows(f"[{table}]", {key: value}) if value else ""
-    if number in PARAMETERS:
-        unit = PARAMETERS[number][0]
-    else:
-        units, meaning = quantity_of(number)
-        unit = COMMAND_UNITS[drive] if COMMAND_UNITS[drive] in units else units[0]
-        comments.insert(0, f"{number}: {meaning}")
-    guessed = not used.read or any(answer.endswith(A_GUESS) for answer in used.read.values())
-    source = ": ".join(filter(None, ("a guess" if guessed else "as its owner says", row.why)))
-    spread = None if guessed else float(f"{row.error * abs(value):.2g}")
-    entry = toml.number_text(number, float(f"{value:.6g}"), unit, toml.Provenance(source, spread))
-    return "".join(f"\n# {comment}" for comment in comments) + entry

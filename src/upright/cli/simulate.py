@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from upright.cli.destination import Destination
-from upright.cli.notation import pushes_and_references, vector
-from upright.cli.output import progress, warn_of
+from upright.cli.output import warn_of
 from upright.errors import InvalidController
+from upright.progress import progress
 
 if TYPE_CHECKING:
     from upright.control import Controller
@@ -45,6 +45,7 @@ def simulate(
     """
     from upright.comparison.simulate import controller_for
     from upright.comparison.simulate import simulate as simulated
+    from upright.experiment.notation import pushes_and_references, vector
     from upright.experiment.standup import standing_up
     from upright.robots import find_kit, find_robot
     from upright.signals import STATE_NAMES

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Annotated
 
 from upright.cli.destination import Destination
-from upright.cli.output import progress
+from upright.progress import progress
 
 
 def sweep(

@@ -8,8 +8,8 @@ from typing import Annotated
 import typer
 
 from upright.cli.destination import Destination
-from upright.cli.output import progress
 from upright.cli.vocabulary import complete_tunable
+from upright.progress import progress
 
 
 def tune(

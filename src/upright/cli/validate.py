@@ -7,7 +7,7 @@ from typing import Annotated
 
 from upright.cli.destination import Destination
 from upright.cli.logs import LogPart
-from upright.cli.output import progress
+from upright.progress import progress
 
 
 def validate(

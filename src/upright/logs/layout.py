@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from upright.errors import InvalidLog
-from upright.logs.units import unit_of
+from upright.signals.units import unit_of
 
 SAMPLE = 200  # lines from which a layout is read
 

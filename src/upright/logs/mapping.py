@@ -29,11 +29,11 @@ from upright.logs.names import (
 )
 from upright.logs.readers import DECIMATION, GAINS, RawTable
 from upright.logs.timers import unwrapped
-from upright.logs.units import UNITS
 from upright.reading import check_types, parse_toml, read_text, understood
 from upright.signals import SIDES, Log
 from upright.signals.header import TIME
 from upright.signals.signal import KNOWN
+from upright.signals.units import UNITS
 
 
 @dataclass(frozen=True, kw_only=True)

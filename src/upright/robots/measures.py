@@ -6,7 +6,7 @@ import math
 import re
 
 from upright.errors import InvalidRobot
-from upright.logs.units import ALIASES, UNITS
+from upright.signals.units import ALIASES, UNITS
 
 G = 9.81  # [m/s²], with which scales and motors' data sheets make kilograms of newtons
 RATIO = ":1"

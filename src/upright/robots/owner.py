@@ -5,10 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import KW_ONLY, dataclass
+from pathlib import Path
 from typing import Any
 
-from upright.cli.measures import RATIO, G, meant_unit, number_of, units_like
 from upright.errors import InvalidRobot, UnknownName
+from upright.reading import parse_toml
+from upright.robots import toml
+from upright.robots.drives import COMMAND_UNITS
+from upright.robots.kit import kit_of, quantity_of
+from upright.robots.measures import RATIO, G, meant_unit, number_of, units_like
+from upright.robots.robot import PARAMETERS, Robot, robot_of
 
 NONE = "none"
 A_GUESS = ", a guess"
@@ -278,3 +284,50 @@ _OF_DRIVE: dict[str, dict[str, FileNumber]] = {
 def file_numbers(drive: str) -> dict[str, FileNumber]:
     """Where the answers go: the numbers of the files of a robot with this drive."""
     return _OF_ALL | _OF_DRIVE[drive]
+
+
+def plain(answer: str) -> str:
+    """An answer without the mark of a guess."""
+    return answer.removesuffix(A_GUESS)
+
+
+def owners_files(path: Path, kit_path: Path, drive: str, answers: Mapping[str, str]) -> tuple[str, str, Robot]:
+    """The texts of the files of a robot and its kit, every number under the question that it is from, and the robot.
+
+    Raises `InvalidRobot` for answers that make no robot.
+    """
+    robot = toml.rows("", {"name": path.stem, "title": "As its owner says.", "drive": drive, "kit": kit_path.name})
+    kit = toml.rows("", {"name": path.stem, "drive": drive})
+    for number, row in file_numbers(drive).items():
+        entry = _entry(number, row, answers, drive)
+        if number in PARAMETERS:
+            robot += entry
+        else:
+            kit += entry
+    kit_of(parse_toml(kit, str(kit_path), InvalidRobot, "a kit"), str(kit_path))
+    made = robot_of(parse_toml(robot, str(path), InvalidRobot, "a robot"), str(path))
+    return robot, kit, made
+
+
+def _entry(number: str, row: FileNumber, answers: Mapping[str, str], drive: str) -> str:
+    """The number as its file has it, under the questions that it is from; nothing where the robot lacks the part."""
+    asked = questions(drive)
+    used = Answers(answers, asked)
+    value = row.formula(used) if callable(row.formula) else row.formula
+    if NONE in map(plain, (*used.read.values(), answers.get(row.needs, ""))):
+        return ""
+    comments = [f"{asked[key].asked}: {answer}" for key, answer in used.read.items()] or [f"A guess: {row.why}"]
+    if isinstance(value, str):
+        table, _, key = number.rpartition(".")
+        return f"\n# {comments[0]}" + toml.rows(f"[{table}]", {key: value}) if value else ""
+    if number in PARAMETERS:
+        unit = PARAMETERS[number][0]
+    else:
+        units, meaning = quantity_of(number)
+        unit = COMMAND_UNITS[drive] if COMMAND_UNITS[drive] in units else units[0]
+        comments.insert(0, f"{number}: {meaning}")
+    guessed = not used.read or any(answer.endswith(A_GUESS) for answer in used.read.values())
+    source = ": ".join(filter(None, ("a guess" if guessed else "as its owner says", row.why)))
+    spread = None if guessed else float(f"{row.error * abs(value):.2g}")
+    entry = toml.number_text(number, float(f"{value:.6g}"), unit, toml.Provenance(source, spread))
+    return "".join(f"\n# {comment}" for comment in comments) + entry

@@ -8,6 +8,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from upright.errors import InvalidScenario, UnknownName
+from upright.experiment.pushes import Hold, Impulse, Push, Slope
+from upright.experiment.references import Drive, Turn
 
 
 def number(text: str, where: str) -> float:
@@ -74,8 +76,6 @@ def pushes_and_references(
     pushed: Sequence[str] | None, drive: str | None, turn: str | None, slope: str | None = None
 ) -> tuple[list[Any], list[Any]]:
     """The pushes and references of a command's options."""
-    from upright.experiment import Drive, Slope, Turn
-
     pushes = [push(text) for text in pushed or ()] + ([programme(Slope, slope, "--slope")] if slope else [])
     asked = ((Drive, drive, "--drive"), (Turn, turn, "--turn"))
     return pushes, [programme(kind, text, option) for kind, text, option in asked if text]
@@ -83,8 +83,6 @@ def pushes_and_references(
 
 def push(text: str) -> Any:
     """A push from `KIND:NUMBER,name=NUMBER,…`, where KIND is hold, force or impulse."""
-    from upright.experiment import Hold, Impulse, Push
-
     kinds = {"hold": Hold, "force": Push, "impulse": Impulse}
     kind, colon, rest = text.partition(":")
     if not colon:
