@@ -23,7 +23,7 @@ CHECKOUT = Path(__file__).resolve().parents[1]
 SOURCE = CHECKOUT / "src" / "upright"
 
 WINGS = {
-    "base": ("arrays", "errors", "interrupts", "atomic", "progress", "reading", "languages", "decimate",
+    "base": ("arrays", "errors", "interrupts", "streams", "atomic", "progress", "reading", "languages", "decimate",
              "ticks", "plotting", "pages", "plugins"),
     "description": ("signals", "robots"),
     "model": ("physics", "compiled", "bodies", "control", "loops"),

@@ -30,7 +30,7 @@ def run(arguments: list[str], **options: Any) -> subprocess.CompletedProcess[byt
 
 
 PRINTED = """
-from upright.cli.streams import guard
+from upright.streams import guard
 from upright.cli.output import print_json
 guard()
 print_json({"angle": "ψ"})

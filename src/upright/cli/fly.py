@@ -10,7 +10,6 @@ import typer
 from upright.cli.destination import AGAINST
 from upright.cli.output import print_json
 from upright.errors import UprightError
-from upright.flight.keep import check_log_target, save_log
 from upright.progress import progress
 
 if TYPE_CHECKING:
@@ -46,6 +45,7 @@ def fly(
     from upright.experiment.notation import push as push_of
     from upright.flight import fetch as fetch_log
     from upright.flight import fly as run_flight
+    from upright.flight.keep import check_log_target, save_log
 
     if output:
         check_log_target(output)

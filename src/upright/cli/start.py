@@ -6,7 +6,7 @@ import sys
 from typing import NoReturn
 
 from upright import interrupts
-from upright.cli.streams import guard
+from upright.streams import guard
 
 
 def run() -> NoReturn:

@@ -151,7 +151,7 @@ WORDS = {
     "output": Word("Write the result.", "-o"),
     "period": Word("Period of the controller [s] (default: the kit's)."),
     "points": Word("Values along each axis.", least=2, most=3000),
-    "port": Word("Port of the server; 0: any free one."),
+    "port": Word("Port of the server; 0: any free one.", least=0, most=65535),
     "posterior": Word("Posterior by `upright calibrate --save` (default: the robot's spreads)."),
     "program": Word("Program by `upright firmware`: .py, .c, .ino or .nxc."),
     "push": Word(
