@@ -58,7 +58,7 @@ BAD = {
     "unknown command": ("simulat", "Did you mean 'simulate'"),
     "command unlike any": ("campaign", "'campaign'; try: upright --help"),
     "unknown option": ("simulate --xyz 1", "--xyz; try: upright simulate --help"),
-    "missing argument": ("compare", "LOG'; try: upright compare --help"),
+    "missing argument": ("compare", "LOG'; try: upright compare run.csv"),
     "missing value": ("simulate --seconds", "--seconds"),
     "a word for a number": ("simulate --seconds long", "--seconds"),
     "unknown robot": ("simulate --robot nxtway", "nxtway-gs"),
@@ -308,7 +308,7 @@ def test_json_of_a_result_is_never_the_artefact() -> None:
 
 
 @pytest.mark.parametrize("line", [
-    f"{'robots new' if command == 'new' else command} {flag}" for flags, commands, _ in RETIRED
+    f"{command} {flag}" for flags, commands, _ in RETIRED
     for command in commands for flag in flags.split()
 ])  # fmt: skip
 def test_an_old_spelling_is_answered_with_what_to_type_now(line: str, capsys: pytest.CaptureFixture[str]) -> None:

@@ -110,8 +110,8 @@ def _code_of(error: Exception, arguments: Sequence[str]) -> int:
         code = BUG
         message = f"unexpected {type(error).__name__}: {error}; try: UPRIGHT_DEBUG=1, and report the traceback"
     if not any(proposal in message for proposal in PROPOSALS):
-        verb = arguments[0] + " " if arguments[0] in EXAMPLES else ""
-        message += f"; try: upright {verb}--help"
+        usual = f"upright {arguments[0]} --help" if arguments[0] in EXAMPLES else "upright --help"
+        message += f"; try: {EXAMPLES[arguments[0]][0] if message.startswith('Missing argument') else usual}"
     complain(message)
     return code
 

@@ -16,8 +16,8 @@ RETIRED = (
     ("--gains", ("simulate",), "--feedback GAINS"),
     ("--reference", ("firmware",), "--reference-inputs"),
     ("--port", ("fly",), "--link LINK"),
-    ("--drive", ("new",), "--motors voltage, torque or speed"),
-    ("--period", ("new",), "--loop-period TIME"),
+    ("--drive", ("robots new",), "--motors voltage, torque or speed"),
+    ("--period", ("robots new",), "--loop-period TIME"),
 )
 """Old spellings, the commands that had them, and what each is called now."""
 
@@ -25,8 +25,8 @@ RETIRED = (
 def instead(error: Any) -> str:
     """What to type in place of the option that a command does not have; "" where it never had it."""
     typed = getattr(error, "option_name", "")
-    command = error.ctx.info_name if getattr(error, "ctx", None) else ""
+    path = error.ctx.command_path if getattr(error, "ctx", None) else ""
     for spellings, commands, now in RETIRED:
-        if typed in spellings.split() and command in commands:
-            return f"{typed} of upright {command} has another name; try: {now}"
+        if typed in spellings.split() and path.removeprefix("upright ") in commands:
+            return f"{typed} of {path} has another name; try: {now}"
     return ""
