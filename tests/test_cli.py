@@ -399,14 +399,14 @@ def test_linearise_prints_the_yaw_pole_of_the_closed_form(files: Path, capsys: p
     rows = said.partition("pole, real part")[2].splitlines()[1:7]
     printed = [float(line.split()[0].replace("−", "-")) for line in rows]
     assert min(abs(other - pole) for other in printed) < 1e-5 * abs(pole)  # six digits are printed
-    assert "not an equilibrium" not in said
+    assert "Not an equilibrium" not in said
     model = json.loads((files / "model.json").read_text(encoding="utf-8"))
     assert model["A"][5][5] == pytest.approx(pole, rel=1e-12)  # rounding
 
 
 def test_linearise_says_that_driving_against_friction_is_no_equilibrium(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["linearise", "--at", "wheel_rate=4"]) == 0  # the motors' back-EMF brakes at once
-    assert "not an equilibrium" in capsys.readouterr().out
+    assert "Not an equilibrium: θ̇ changes by itself" in capsys.readouterr().out
 
 
 def test_simulate_stands_and_writes_its_log(files: Path, capsys: pytest.CaptureFixture[str]) -> None:

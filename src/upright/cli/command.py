@@ -32,7 +32,7 @@ def parameters(function: Callable[..., Any]) -> list[inspect.Parameter]:
 def spoken(function: Callable[..., Any]) -> Callable[..., Any]:
     """The command as typer reads it: every parameter with its words; a call puts the groups together again."""
     own = inspect.signature(function, eval_str=True).parameters.values()
-    groups = {one.name: one.annotation for one in own if dataclasses.is_dataclass(one.annotation)}
+    groups: dict[str, Any] = {one.name: one.annotation for one in own if dataclasses.is_dataclass(one.annotation)}
 
     def called(**given: Any) -> Any:
         for name, group in groups.items():

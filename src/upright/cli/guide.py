@@ -22,7 +22,6 @@ from upright.reading import expanded, read_json, understood
 STATE = "upright-start.json"
 """Where the answers and the steps that are done are kept, in the folder of the study."""
 
-KIND, VERSION = "upright start", 1
 FEWEST = 100  # robots of a certificate
 PATIENCE = 5  # answers to one question that cannot be taken, before it is given up
 JUDGES = ("certify", "calibrate")
@@ -67,16 +66,11 @@ class GuidedStudy:
         expected = f"a file that `upright start` wrote; delete {path} to begin anew"
         data = read_json(path, UprightError, expected)
         with understood(str(path), UprightError, expected):
-            if (data["kind"], data["version"]) != (KIND, VERSION):
-                raise ValueError("another version")
-            answers = {str(name): str(text) for name, text in data["answers"].items()}
-            done = [[str(word) for word in line] for line in data["done"]]
-        return cls(folder, answers, done)
+            return cls(folder, dict(data["answers"]), list(data["done"]))
 
     def save(self) -> None:
         """Keep it at once: an interruption loses nothing."""
-        data = {"kind": KIND, "version": VERSION, "answers": self.answers, "done": self.done}
-        write_json(self.folder / STATE, data, at_once=True)
+        write_json(self.folder / STATE, {"answers": self.answers, "done": self.done}, at_once=True)
 
     def named(self, file: str) -> str:
         """A file's name as the commands need it, which run in the folder; other answers as they are."""
@@ -137,12 +131,17 @@ def _parts(study: GuidedStudy, samples: int) -> Iterator[Question | GuidedStep]:
     tested: tuple[str, ...] = ()
     if answers["where"] == "log":
         yield from _from_log(answers)
+        mapping = _mapping(answers)
         if (study.folder / "mine.toml").exists():
             robot = "mine.toml"
         else:
-            tested = ("--log", _log(answers), *_mapping(answers))
+            tested = ("--log", answers["log"], *mapping)
             typer.echo("\nThe log does not tell this robot: the numbers of its file go on, and the log tests them.")
-        yield from _judged(answers, robot)
+        yield SECOND
+        if answers["second"] != "none":
+            validate = ("validate", robot, answers["second"], *mapping, "--report", "validation.html")
+            why = "What is known of the robot has to predict a log that it was not learnt from."
+            yield GuidedStep(why, validate, ("second",))
     yield METHOD
     chosen = ("--robot", robot)
     design = ("design", answers["method"], *chosen, "-o", "controller.json")
@@ -161,34 +160,22 @@ def _parts(study: GuidedStudy, samples: int) -> Iterator[Question | GuidedStep]:
 
 def _from_log(answers: dict[str, str]) -> Iterator[Question | GuidedStep]:
     yield LOG
-    log = _log(answers)
-    chosen = ("--robot", answers["robot"])
     if answers["log"] == "example":
-        yield GuidedStep("A log of a twin, as a robot would write it.", ("example", "excited", "-o", log))
-    else:
-        yield MAPPING
+        yield GuidedStep("A log of a twin, as a robot would write it.", ("example", "excited", "-o", "example.csv"))
+        answers |= {"log": "example.csv", "mapping": "none"}
+    yield MAPPING
+    log = answers["log"]
+    chosen = ("--robot", answers["robot"])
     mapping = _mapping(answers)
     examine = ("doctor", log, *chosen, *(mapping or ("--write-mapping", "mapping.toml")))
-    yield GuidedStep("First: is anything wrong with the log?", examine, ("mapping",) if mapping else ("log", "mapping"))
+    again = ("mapping",) if mapping else ("log", "mapping")
+    yield GuidedStep("First: is anything wrong with the log?", examine, again)
     calibrate = ("calibrate", log, *chosen, *mapping, "-o", "mine.toml", "--report", "calibration.html")
     yield GuidedStep("The robot's parameters are estimated from it.", calibrate, ("mapping",))
 
 
-def _log(answers: dict[str, str]) -> str:
-    return "example.csv" if answers["log"] == "example" else answers["log"]
-
-
 def _mapping(answers: dict[str, str]) -> tuple[str, ...]:
-    mapping = answers.get("mapping", "none")
-    return () if mapping == "none" else ("--mapping", mapping)
-
-
-def _judged(answers: dict[str, str], robot: str) -> Iterator[Question | GuidedStep]:
-    yield SECOND
-    if answers["second"] != "none":
-        validate = ("validate", robot, answers["second"], *_mapping(answers), "--report", "validation.html")
-        why = "What is known of the robot has to predict a log that it was not learnt from."
-        yield GuidedStep(why, validate, ("second",))
+    return () if answers["mapping"] == "none" else ("--mapping", answers["mapping"])
 
 
 def _onto_a_brick(answers: dict[str, str], chosen: tuple[str, str]) -> Iterator[Question | GuidedStep]:

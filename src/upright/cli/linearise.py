@@ -5,18 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Annotated
 
-import typer
-
 from upright.atomic import write_json
 from upright.cli.destination import Destination
 from upright.cli.output import warn_of
 from upright.errors import UnknownName
-
-DRIFT = 1e-9
-"""Rates of change up to this [rad/s, rad/s²] are rounding, since those that matter are of order 1 to 1000."""
-
-STEADY = ("wheel", "yaw")
-"""What may move by itself in a steady motion: nothing on a level floor depends on it."""
 
 
 def linearise(
@@ -46,10 +38,5 @@ def linearise(
     chosen = find_robot(robot)
     warn_of(chosen)
     linear = tangent(chosen, point[:6], point[6:], model)
-    rates = zip(linear.states, linear.f0.tolist(), strict=True)
-    drift = {name: rate for name, rate in rates if abs(rate) > DRIFT and name not in STEADY}
     linear = linear if period is None else linear.c2d(period)
     out.finish(linear, output and write_json(output, linear.to_json()))
-    if drift and not out.json:
-        rates = ", ".join(f"{name} {rate:+.4g}" for name, rate in drift.items())
-        typer.echo(f"\nnot an equilibrium: the state drifts, per second: {rates}")

@@ -78,7 +78,7 @@ def compare_own(
     log = _from_zero(log)
     nominal = find_robot(robot)
     parts = find_kit(kit or nominal.kit)
-    law = _law(log, controller and find_controller(controller, nominal, parts, parts.period))
+    law = _law(log, find_controller(controller, nominal, parts, parts.period) if controller else None)
     pushes = tuple(push) or _logged(log)
     if learnt:
         best = find_robot(learnt)

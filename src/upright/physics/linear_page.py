@@ -23,6 +23,11 @@ TURNING = ("yaw", "yaw_rate")
 STILL = 1e-9  # [1/s, or 1 from z = 1] a pole nearer is at rest but for rounding
 
 
+DRIFT = 1e-9  # [rad/s, rad/s²] of a state by itself: less is rounding, since what matters is of order 1 to 1000
+STEADY = ("wheel", "yaw")
+"""What may move by itself in a steady motion: nothing on a level floor depends on it."""
+
+
 def linear_page(model: LinearModel) -> Page:
     """The page of a linear model."""
     rates = growth(model)
@@ -43,10 +48,24 @@ def linear_page(model: LinearModel) -> Page:
     return Page(
         _title(rate, unstable, upright),
         verdict=Verdict(Say("unstable without control") if unstable else Say("no pole is unstable")),
-        lead=[law], numbers=facts, picture=poles_picture(model),
+        lead=[law, *_drift(model)], numbers=facts, picture=poles_picture(model),
         next=[Next("design", "lqg", output="lqg.json", why=why)] if upright and unstable else [],
         blocks=[_poles(model), _matrices(model)],
     )  # fmt: skip
+
+
+def _drift(model: LinearModel) -> list[Say]:
+    """That the operating point is no equilibrium, and which state leaves it fastest."""
+    rates = model.f0 if model.continuous else model.f0 / model.dt
+    moves = zip(model.states, rates.tolist(), strict=True)
+    own = {name: rate for name, rate in moves if name not in STEADY and abs(rate) > DRIFT}
+    if not own:
+        return []
+    state = max(own, key=lambda name: abs(own[name]))
+    rate = Quantity(own[state], "rad/s²" if state.endswith("_rate") else "rad/s")
+    return [
+        Say("Not an equilibrium: {state} changes by itself, by {rate}.", state=SYMBOLS.get(state, state), rate=rate)
+    ]
 
 
 def growth(model: LinearModel) -> Array:

@@ -75,7 +75,7 @@ def validate(
     several = [logs] if isinstance(logs, Log | str | os.PathLike) else list(logs)
     if not several:
         raise InvalidLog("no log is given", expected="at least one")
-    given = controller and find_controller(controller, nominal, parts, parts.period)
+    given = find_controller(controller, nominal, parts, parts.period) if controller else None
     judged: list[LogJudged] = []
     for i, source in enumerate(several):
         judged.append(_judged(raw_log(source, mapping), nominal, parts, given))
