@@ -52,7 +52,7 @@ def started(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.Capt
 
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(guide, "_executed", here)
-    monkeypatch.setattr(guide, "PUSH", ("--push", "hold:0.1,until=1", "--seconds", "2"))
+    monkeypatch.setattr(guide, "PUSH", "--push hold:0.1,until=1 --seconds 2")
     monkeypatch.setattr(certificate, "certify", partial(certificate.certify, sweeps=False))
     return started
 
@@ -134,7 +134,7 @@ def test_a_log_whose_columns_nobody_knows_asks_for_a_mapping_and_goes_on(started
     with pytest.raises(UprightError):
         started("done.toml\n")
     state = json.loads((tmp_path / STATE).read_text())
-    assert ["doctor", "own.csv", "--robot", "nxtway-gs", "--write-mapping", "mapping.toml"] in state["done"]
+    assert "doctor own.csv --robot nxtway-gs --write-mapping mapping.toml" in state["done"]
     assert state["answers"]["log"] == "own.csv"
 
 

@@ -8,6 +8,7 @@ import shlex
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -27,7 +28,7 @@ PATIENCE = 5  # answers to one question that cannot be taken, before it is given
 JUDGES = ("certify", "calibrate")
 """Commands whose verdict against does not end the study: the first is its end, after the second it goes on without."""
 BRICKS = {"nxt": ("nxc", "balance.nxc"), "spike": ("pybricks", "balance.py"), "ev3": ("ev3dev", "balance.py")}
-PUSH = ("--push", "hold:0.1,until=4", "--seconds", "8")
+PUSH = "--push hold:0.1,until=4 --seconds 8"
 
 
 @dataclass(frozen=True)
@@ -42,10 +43,10 @@ class Question:
 
 @dataclass(frozen=True)
 class GuidedStep:
-    """A command and why it is run; `of` names the answers to ask again where it fails."""
+    """A command, as typed after `upright`, and why it is run; `of` names the answers to ask again where it fails."""
 
     why: str
-    command: tuple[str, ...]
+    line: str
     of: tuple[str, ...] = ()
 
 
@@ -55,7 +56,7 @@ class GuidedStudy:
 
     folder: Path
     answers: dict[str, str] = field(default_factory=dict[str, str])
-    done: list[list[str]] = field(default_factory=list[list[str]])
+    done: list[str] = field(default_factory=list[str])
 
     @classmethod
     def of(cls, folder: Path) -> GuidedStudy:
@@ -71,6 +72,10 @@ class GuidedStudy:
     def save(self) -> None:
         """Keep it at once: an interruption loses nothing."""
         write_json(self.folder / STATE, {"answers": self.answers, "done": self.done}, at_once=True)
+
+    def given(self, name: str) -> str:
+        """An answer as a word of a command."""
+        return shlex.quote(self.answers[name])
 
     def named(self, file: str) -> str:
         """A file's name as the commands need it, which run in the folder; other answers as they are."""
@@ -124,67 +129,61 @@ def start(
 
 def _parts(study: GuidedStudy, samples: int) -> Iterator[Question | GuidedStep]:
     """What to ask and to run in turn; what comes later depends on what was answered."""
-    answers = study.answers
+    given = study.given
     yield ROBOT
     yield PLACE
-    robot = answers["robot"]
-    tested: tuple[str, ...] = ()
-    if answers["where"] == "log":
-        yield from _from_log(answers)
-        mapping = _mapping(answers)
+    robot = given("robot")
+    tests = ""
+    if given("where") == "log":
+        yield from _from_log(study)
         if (study.folder / "mine.toml").exists():
             robot = "mine.toml"
         else:
-            tested = ("--log", answers["log"], *mapping)
+            tests = f" --log {given('log')}{_mapping(study)}"
             typer.echo("\nThe log does not tell this robot: the numbers of its file go on, and the log tests them.")
         yield SECOND
-        if answers["second"] != "none":
-            validate = ("validate", robot, answers["second"], *mapping, "--report", "validation.html")
+        if given("second") != "none":
+            line = f"validate {robot} {given('second')}{_mapping(study)} --report validation.html"
             why = "What is known of the robot has to predict a log that it was not learnt from."
-            yield GuidedStep(why, validate, ("second",))
+            yield GuidedStep(why, line, ("second",))
     yield METHOD
-    chosen = ("--robot", robot)
-    design = ("design", answers["method"], *chosen, "-o", "controller.json")
-    yield GuidedStep("The controller is designed for this robot.", design, ("method",))
-    if answers["where"] == "simulated":
+    line = f"design {given('method')} --robot {robot} -o controller.json"
+    yield GuidedStep("The controller is designed for this robot.", line, ("method",))
+    if given("where") == "simulated":
         yield BODY
-        run = ("simulate", *chosen, "--controller", "controller.json", "--body", answers["body"], *PUSH)
+        line = f"simulate --robot {robot} --controller controller.json --body {given('body')} {PUSH}"
         why = "It is pushed for four seconds, and let go."
-        yield GuidedStep(why, (*run, "-o", "run.csv", "--report", "run.html"), ("body", "method"))
-    certify = ("certify", "controller.json", *chosen, *tested, "--samples", str(samples), "-o", "certificate.json")
+        yield GuidedStep(why, f"{line} -o run.csv --report run.html", ("body", "method"))
+    line = f"certify controller.json --robot {robot}{tests} --samples {samples}"
     why = "Many robots, as uncertain as this one, are pushed: may the controller drive?"
-    yield GuidedStep(why, (*certify, "--report", "certificate.html"), ("method",))
-    if answers["where"] == "here" and _light(study) not in ("red", "unknown"):
-        yield from _onto_a_brick(answers, chosen)
+    yield GuidedStep(why, f"{line} -o certificate.json --report certificate.html", ("method",))
+    if given("where") == "here" and _light(study) not in ("red", "unknown"):
+        yield BRICK
+        target, program = BRICKS[given("brick")]
+        line = f"firmware controller.json --robot {robot} --target {target} --certificate certificate.json -o {program}"
+        yield GuidedStep("The controller becomes a program.", line, ("brick",))
+        why = "The program is executed on a virtual brick, and compared with its design."
+        yield GuidedStep(why, f"parity {program} controller.json", ("brick",))
 
 
-def _from_log(answers: dict[str, str]) -> Iterator[Question | GuidedStep]:
+def _from_log(study: GuidedStudy) -> Iterator[Question | GuidedStep]:
     yield LOG
-    if answers["log"] == "example":
-        yield GuidedStep("A log of a twin, as a robot would write it.", ("example", "excited", "-o", "example.csv"))
-        answers |= {"log": "example.csv", "mapping": "none"}
+    if study.given("log") == "example":
+        yield GuidedStep("A log of a twin, as a robot would write it.", "example excited -o example.csv")
+        study.answers |= {"log": "example.csv", "mapping": "none"}
     yield MAPPING
-    log = answers["log"]
-    chosen = ("--robot", answers["robot"])
-    mapping = _mapping(answers)
-    examine = ("doctor", log, *chosen, *(mapping or ("--write-mapping", "mapping.toml")))
+    mapping = _mapping(study)
+    log = f"{study.given('log')} --robot {study.given('robot')}"
+    line = f"doctor {log}{mapping or ' --write-mapping mapping.toml'}"
     again = ("mapping",) if mapping else ("log", "mapping")
-    yield GuidedStep("First: is anything wrong with the log?", examine, again)
-    calibrate = ("calibrate", log, *chosen, *mapping, "-o", "mine.toml", "--report", "calibration.html")
-    yield GuidedStep("The robot's parameters are estimated from it.", calibrate, ("mapping",))
+    yield GuidedStep("First: is anything wrong with the log?", line, again)
+    line = f"calibrate {log}{mapping} -o mine.toml --report calibration.html"
+    yield GuidedStep("The robot's parameters are estimated from it.", line, ("mapping",))
 
 
-def _mapping(answers: dict[str, str]) -> tuple[str, ...]:
-    return () if answers["mapping"] == "none" else ("--mapping", answers["mapping"])
-
-
-def _onto_a_brick(answers: dict[str, str], chosen: tuple[str, str]) -> Iterator[Question | GuidedStep]:
-    yield BRICK
-    target, program = BRICKS[answers["brick"]]
-    firmware = ("firmware", "controller.json", *chosen, "--target", target, "--certificate", "certificate.json")
-    yield GuidedStep("The controller becomes a program.", (*firmware, "-o", program), ("brick",))
-    why = "The program is executed on a virtual brick, and compared with its design."
-    yield GuidedStep(why, ("parity", program, "controller.json"), ("brick",))
+def _mapping(study: GuidedStudy) -> str:
+    mapping = study.given("mapping")
+    return "" if mapping == "none" else f" --mapping {mapping}"
 
 
 def _ask(question: Question, study: GuidedStudy) -> None:
@@ -218,19 +217,18 @@ def answered(question: Question) -> str:
 
 def _run(step: GuidedStep, study: GuidedStudy) -> None:
     """Run the command in the folder, unless it is done."""
-    line = shlex.join(("upright", *step.command))
-    verb = step.command[0]
-    if list(step.command) in study.done and _complete(step, study.folder):
-        typer.echo(f"\n{step.why}\n$ {line}   (done before)")
+    done = step.line in study.done and _complete(step, study.folder)
+    typer.echo(f"\n{step.why}\n$ upright {step.line}{'   (done before)' * done}")
+    if done:
         return
-    typer.echo(f"\n{step.why}\n$ {line}")
+    verb = step.line.split()[0]
     try:
-        code = _executed(step.command, study.folder)
+        code = _executed(shlex.split(step.line), study.folder)
     except (UprightError, typer.TyperException) as error:
         raise _failed(step, study, str(error)) from None
     if code != 0 and not (code == AGAINST and verb in JUDGES):
         raise _failed(step, study, f"`upright {verb}` has a verdict against, or unknown: see above")
-    study.done.append(list(step.command))
+    study.done.append(step.line)
     study.save()
 
 
@@ -254,7 +252,8 @@ def _failed(step: GuidedStep, study: GuidedStudy, why: str) -> UprightError:
 
 def _complete(step: GuidedStep, folder: Path) -> bool:
     """Whether the files that the step wrote are still there; a robot is not written where it cannot be told."""
-    named = zip(step.command, step.command[1:], strict=False)
+    words = shlex.split(step.line)
+    named = pairwise(words)
     files = [name for flag, name in named if flag in ("-o", "--report") and name != "mine.toml"]
     return all((folder / name).exists() for name in files)
 
