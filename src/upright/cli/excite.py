@@ -36,6 +36,7 @@ def excite(
     """
     from upright.excitation import excite as design
     from upright.excitation.planned import Limits
+    from upright.experiment.notation import listed
 
     out.check(output)
     with progress("designing") as show:
@@ -44,7 +45,7 @@ def excite(
             robot,
             kit,
             seconds=seconds,
-            focus=[name.strip() for name in focus.split(",")] if focus else [],
+            focus=listed(focus),
             limits=Limits(falls, saturated, travel),
             enough=enough,
             known=known or (),

@@ -62,10 +62,12 @@ def _serve(host: str | None, port: int, *, browser: bool, class_: bool) -> None:
 
 
 def _export(folder: Path, robots: str | None, controllers: str | None) -> None:
+    from upright.experiment.notation import listed
     from upright.lab.export import export
     from upright.progress import progress
 
-    asked = [[name.strip() for name in names.split(",")] if names else [] for names in (robots, controllers)]
     with progress("designing and printing") as show:
-        page = export(folder, *asked, say=lambda line: typer.echo(line, err=True), progress=show)
+        page = export(
+            folder, listed(robots), listed(controllers), say=lambda line: typer.echo(line, err=True), progress=show
+        )
     typer.echo(f"wrote {page}: open it in a browser, or put it on any web host")

@@ -104,8 +104,8 @@ def _code_of(error: Exception, arguments: Sequence[str]) -> int:
         message = str(error)
     elif isinstance(error, OSError) and error.filename is not None:
         message = f"{error.filename}: {error.strerror}"
-    elif own := where(error):
-        message = f"{own}: {type(error).__name__}: {error}; try: correct it there; UPRIGHT_DEBUG=1 shows the traceback"
+    elif where(error):
+        message = f"{where(error)}: {type(error).__name__}: {error}; try: correct it there; UPRIGHT_DEBUG=1 shows the traceback"
     else:
         code = BUG
         message = f"unexpected {type(error).__name__}: {error}; try: UPRIGHT_DEBUG=1, and report the traceback"

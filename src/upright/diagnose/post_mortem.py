@@ -81,8 +81,7 @@ def post_mortem(
     log = raw_log(source, mapping)
     nominal = find_robot(robot) if robot else robot_of(log)
     parts = find_kit(kit) if kit else kit_of(log, nominal)
-    if controller is not None:
-        controller = find_controller(controller, nominal, parts, parts.period)
+    controller = find_controller(controller, nominal, parts, parts.period) if controller else None
     head: dict[str, Any] = {"robot": nominal.name, "kit": parts.name, "rows": len(log)}
     head |= {"controller": controller.spec.kind if controller else ""}
     head |= {"hash": controller_hash(controller) if controller else ""}

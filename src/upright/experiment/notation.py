@@ -12,6 +12,11 @@ from upright.experiment.pushes import Hold, Impulse, Push, Slope
 from upright.experiment.references import Drive, Turn
 
 
+def listed(text: str | None) -> list[str]:
+    """The names of `NAME,NAME`, without spaces; none of nothing."""
+    return [name.strip() for name in text.split(",")] if text else []
+
+
 def number(text: str, where: str) -> float:
     """A finite number, or `InvalidScenario` naming the option."""
     try:
