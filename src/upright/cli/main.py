@@ -105,7 +105,7 @@ def _code_of(error: Exception, arguments: Sequence[str]) -> int:
     elif isinstance(error, OSError) and error.filename is not None:
         message = f"{error.filename}: {error.strerror}"
     elif where(error):
-        message = f"{where(error)}: {type(error).__name__}: {error}; try: correct it there; UPRIGHT_DEBUG=1 shows the traceback"
+        message = f"{where(error)}: {type(error).__name__}: {error}; try: correct it, or UPRIGHT_DEBUG=1 for more"
     else:
         code = BUG
         message = f"unexpected {type(error).__name__}: {error}; try: UPRIGHT_DEBUG=1, and report the traceback"
