@@ -110,8 +110,9 @@ def _code_of(error: Exception, arguments: Sequence[str]) -> int:
         code = BUG
         message = f"unexpected {type(error).__name__}: {error}; try: UPRIGHT_DEBUG=1, and report the traceback"
     if not any(proposal in message for proposal in PROPOSALS):
-        usual = f"upright {arguments[0]} --help" if arguments[0] in EXAMPLES else "upright --help"
-        message += f"; try: {EXAMPLES[arguments[0]][0] if message.startswith('Missing argument') else usual}"
+        verb = next((word for word in arguments if word in EXAMPLES), "")
+        lacks = verb and message.startswith("Missing argument")
+        message += f"; try: {EXAMPLES[verb][0]}" if lacks else f"; try: upright {verb} --help".replace("  ", " ")
     complain(message)
     return code
 

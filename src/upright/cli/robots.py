@@ -23,7 +23,7 @@ robots.command("new")(new)
 @robots.callback(invoke_without_command=True)
 @spoken
 def every(context: typer.Context, *, json: bool = False) -> None:
-    """List the robots, `show` the parameters of one, or write a `new` one."""
+    """List the robots, `show` every number of one, or write a `new` one."""
     if context.invoked_subcommand is None:
         listing(json=json)
 
