@@ -90,6 +90,9 @@ WRONG = (
     "run.csv/x",
 )
 
+OUTPUT = {"--output", "--report", "--fix", "--write-mapping", "--save", "--export", "--regulator"}
+"""Options of what is written."""
+
 Row = tuple[str, str, str, bool]
 
 
@@ -222,9 +225,7 @@ def calls() -> Iterator[Call]:
             if parameter.is_flag if hasattr(parameter, "is_flag") else False:
                 continue
             option = next((o for o in parameter.opts if o.startswith("--")), "")
-            output = option in ("--output", "--report", "--fix", "--write-mapping", "--save", "--export") or (
-                name == "identify" and option == "--controller"
-            )
+            output = option in OUTPUT
             for value in values(kind, output=output, file=not option or "Path" in kind, slow=name in SLOW):
                 outputs = (*always, value) if output else always
                 if option:
