@@ -129,7 +129,7 @@ def test_a_bench_where_nothing_has_a_design_says_why_in_a_line(methods, tmp_path
     """A PID commands no speed, and half a plug-in nothing: a table without a run has no figure to show."""
     (tmp_path / "none.py").write_text(ROD, encoding="utf-8")
     monkeypatch.chdir(tmp_path)
-    assert main(["bench-controllers", "-r", "stepper", *(word for name in methods for word in ("-c", name))]) == 2
+    assert main(["bench-controllers", "-r", "stepper", *methods]) == 2
     error = capsys.readouterr().err
     assert error.startswith("upright: nothing to compare for stepper: ")
     assert all(f"{name}: no design: " in error for name in methods)

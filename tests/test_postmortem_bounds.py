@@ -122,4 +122,4 @@ def test_a_bank_is_kept_by_its_run(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_a_time_that_is_none_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["post-mortem", "log.csv", "--time-limit", "-1"]) == 2
-    assert "--seconds" in capsys.readouterr().err
+    assert "--time-limit" in capsys.readouterr().err

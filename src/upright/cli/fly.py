@@ -63,7 +63,7 @@ def fly(
     if flight.lost:
         raise typer.Exit(AGAINST)  # nobody knows: the program runs on without the connection
     if wrong:
-        raise UprightError(f"cannot write {output} ({wrong}); the log is in {path}")
+        raise UprightError(f"cannot write {output} ({wrong})", hint=f"the log is in {path}")
 
 
 def _print(flight: Flight, path: Path | None, *, json: bool) -> None:

@@ -220,7 +220,7 @@ def _next(counted: Sequence[CaseSummary]) -> list[Next]:
         why = Say("It finds the largest push that the worst case survives.")
         return [Next("push_map", robot=robot, controller=controller, why=why)]
     why = Say("It tries what a campaign leaves out.")
-    return [Next("certify", controller or "lqr", robot=robot, why=why)]
+    return [Next("certify", controller or "lqg", robot=robot, why=why)]
 
 
 def _made_of(cases: Tally) -> dict[str, str]:

@@ -58,7 +58,7 @@ def campaign_of(table: Table, folder: Path = Path(), where: str = "the campaign"
     for name, values in grid.items():
         if not (isinstance(cast(Any, values), list) and values and all(_number(v) for v in values)):
             raise InvalidScenario(f"{where}: grid.{name} is {values!r}", expected="a list of numbers")
-    robots, controllers = table.get("robots", ["nxtway-gs"]), table.get("controllers", ["lqr"])
+    robots, controllers = table.get("robots", ["nxtway-gs"]), table.get("controllers", ["lqg"])
     points = [dict(zip(grid, values, strict=True)) for values in itertools.product(*grid.values())]
     cases = [
         _case(table, folder, where, *choice) for choice in itertools.product(robots, controllers, scenarios, points)
