@@ -8,8 +8,9 @@ from typing import Annotated
 
 import typer
 
-from upright.cli.destination import AGAINST, Destination
+from upright.cli.destination import Destination
 from upright.cli.logs import LogPart
+from upright.cli.output import AGAINST
 from upright.cli.typed import GIVEN
 from upright.progress import progress
 

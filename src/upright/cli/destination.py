@@ -11,9 +11,6 @@ from upright.cli.output import check_targets, finish
 from upright.errors import UprightError
 from upright.pages.result import PICTURES
 
-AGAINST = 3
-"""Exit code of a verdict against, or unknown, so that a script stops before the robot moves."""
-
 
 @dataclass(frozen=True, kw_only=True)
 class Destination:

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from upright.cli.destination import AGAINST
-from upright.cli.output import print_json
+from upright.cli.output import AGAINST, print_json
 from upright.errors import UprightError
 from upright.progress import progress
 

@@ -15,7 +15,7 @@ from typing import Annotated, Any
 import typer
 
 from upright.atomic import make_folder, write_json
-from upright.cli.destination import AGAINST
+from upright.cli.output import AGAINST
 from upright.cli.vocabulary import MOST_ROBOTS, controllers
 from upright.errors import UnknownName, UprightError, check_within
 from upright.reading import expanded, read_json, understood

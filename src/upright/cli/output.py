@@ -30,6 +30,10 @@ def print_json(data: Any) -> None:
     typer.echo(json_text(data, sys.stdout.encoding))
 
 
+AGAINST = 3
+"""Exit code of a verdict against, or unknown, so that a script stops before the robot moves."""
+
+
 def finish(
     result: Result, as_json: bool, *,
     output: Path | None = None, page: Path | None = None, written: Iterable[Path | None] = (), **facts: Any,

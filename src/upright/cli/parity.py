@@ -7,7 +7,8 @@ from typing import Annotated
 
 import typer
 
-from upright.cli.destination import AGAINST, Destination
+from upright.cli.destination import Destination
+from upright.cli.output import AGAINST
 from upright.progress import progress
 
 
