@@ -29,8 +29,8 @@ class Destination:
         """Refuse, before the work, what could not be written after it: `files`, and what the options name."""
         check_targets(*files, self.report, self.save, logs=logs)
 
-    def finish(self, result: Any, *written: Path | None) -> None:
-        """Write the result's page and data, and print it; `written` are its other files."""
+    def finish(self, result: Any, *written: Path | None, **facts: Any) -> None:
+        """Write the result's page and data, with further `facts`, and print it; `written` are its other files."""
         files = [str(path) for path in written if path]
-        facts = {"files": files} if files else {}
+        facts |= {"files": files} if files else {}
         finish(result, self.json, output=self.save, page=self.report, written=written, **facts)

@@ -82,10 +82,9 @@ def post_mortem(
     nominal = find_robot(robot) if robot else robot_of(log)
     parts = find_kit(kit) if kit else kit_of(log, nominal)
     controller = find_controller(controller, nominal, parts, parts.period) if controller else None
-    head: dict[str, Any] = {"robot": nominal.name, "kit": parts.name, "rows": len(log)}
-    head |= {"controller": controller.spec.kind if controller else ""}
-    head |= {"hash": controller_hash(controller) if controller else ""}
-    head |= {"source": fspath(source) if isinstance(source, str | PathLike) else ""}
+    kind, mark = (controller.spec.kind, controller_hash(controller)) if controller else ("", "")
+    head: dict[str, Any] = {"robot": nominal.name, "kit": parts.name, "rows": len(log), "controller": kind}
+    head |= {"hash": mark, "source": fspath(source) if isinstance(source, str | PathLike) else ""}
     if missing := missing_channels(log):
         return PostMortem(
             verdict=CANNOT_TELL, causes=(), fell_at=math.nan, onset=math.nan, missing=missing, notes=(),
