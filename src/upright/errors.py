@@ -20,14 +20,16 @@ EXTRAS = {
 class UprightError(Exception):
     """Root of all errors of this package.
 
-    The message is one line: what came, what was expected, the likely cause and what to try.
+    The message is one line: what came, what was expected, the likely cause and what to try. `parts` has them one by
+    one, for whoever shows them otherwise; a part may be a sentence that knows its translation.
 
     >>> str(UprightError("period is -1 s", expected="a positive number", hint="use 0.01"))
     'period is -1 s; expected a positive number; try: use 0.01'
     """
 
-    def __init__(self, came: str, *, expected: str = "", likely: str = "", hint: str = "") -> None:
-        parts = [came]
+    def __init__(self, came: object, *, expected: object = "", likely: object = "", hint: object = "") -> None:
+        self.parts = {"came": came, "expected": expected, "likely": likely, "hint": hint}
+        parts = [str(came)]
         parts += [f"expected {expected}"] if expected else []
         parts += [f"likely {likely}"] if likely else []
         parts += [f"try: {hint}"] if hint else []

@@ -40,11 +40,9 @@ def design_page(designed: Designed) -> Page:
     picture = _let_go(run) if run else None
     controller = Fold(Say("The controller"), _controller(designed))
     if not designed.analysis:
-        return Page(
-            Say("No linear margins are known: the certificate tries it by simulation"), picture=picture,
-            verdict=Verdict(Say("no margins known"), "unknown"), lead=[Say("Why: {reason}", reason=designed.remark)],
-            numbers=[_number(run)] if run else [], blocks=[controller],
-            next=[Next("certify", designed.method, robot=designed.robot.name)],
+        return replace(
+            unknown_margins(designed.remark), picture=picture, numbers=[_number(run)] if run else [],
+            blocks=[controller], next=[Next("certify", designed.method, robot=designed.robot.name)],
         )  # fmt: skip
     page = analysis_page(designed.analysis, picture)
     stands = designed.analysis.stable or designed.analysis.free
@@ -63,6 +61,14 @@ def design_page(designed: Designed) -> Page:
         assert picture
         return replace(page, title=picture.claim, verdict=Verdict(Say("falls when let go"), "bad"))
     return page
+
+
+def unknown_margins(reason: object) -> Page:
+    """The first screen of a controller without margins, for this `reason`."""
+    return Page(
+        Say("No linear margins are known: the certificate tries it by simulation"),
+        verdict=Verdict(Say("no margins known"), "unknown"), lead=[Say("Why: {reason}", reason=str(reason))],
+    )  # fmt: skip
 
 
 def _lean(run: Release) -> Quantity:

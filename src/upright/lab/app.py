@@ -13,11 +13,15 @@ from fastapi.responses import FileResponse, HTMLResponse, JSONResponse
 
 from upright.errors import UprightError
 from upright.lab import connections, uploads
+from upright.lab.codec import plain
 from upright.lab.connections import FINE, Address, Book
 from upright.lab.hub import Client, Hub
 from upright.lab.mailbox import Mailbox
 from upright.lab.messages import Uploaded
 from upright.lab.recording import FILES, page_text, static
+from upright.lab.spoken import troubles_of
+from upright.lab.uploads import TooLarge, UploadRefused
+from upright.pages import Say
 
 Foreign = Callable[[str | None, str | None], bool]
 
@@ -126,11 +130,12 @@ def _download(hub: Hub, session: str, name: str) -> Response:
 async def _upload(hub: Hub, session: str, request: Request, what: str, name: str) -> Response:
     folder = hub.folder(session)
     if folder is None:
-        return JSONResponse({"error": "there is no such session; try: reload the page"}, 404)
+        gone = UploadRefused(Say("there is no such session"), hint=Say("reload the page"))
+        return JSONResponse({"error": plain(troubles_of(gone))}, 404)
     try:
         path = await uploads.receive(request.stream(), folder, name, what)
     except UprightError as error:
-        return JSONResponse({"error": str(error)}, 413 if "larger" in str(error) else 400)
+        return JSONResponse({"error": plain(troubles_of(error))}, 413 if isinstance(error, TooLarge) else 400)
     hub.pass_on(session, Uploaded("robot" if what == "robot" else "log", str(path), path.name))
     return JSONResponse({"name": path.name})
 

@@ -9,6 +9,7 @@ from typing import Any, Literal
 
 from upright.errors import UprightError
 from upright.lab.messages import Board, Hello, Setup, Student
+from upright.pages import Say
 
 Role = Literal["alone", "student", "teacher"]
 
@@ -55,9 +56,10 @@ class Door:
         if hmac.compare_digest(given, self.teacher.encode()):
             return "teacher"
         if not hmac.compare_digest(given, self.students.encode()):
-            raise NotAdmitted("the token is missing or wrong", hint="open the address that your teacher shows")
+            hint = Say("open the address that your teacher shows")
+            raise NotAdmitted(Say("the token is missing or wrong"), hint=hint)
         if not hello.name.strip():
-            raise NotAdmitted("your name is missing", hint="write a name, so that the board can show it")
+            raise NotAdmitted(Say("your name is missing"), hint=Say("write a name, so that the board can show it"))
         return "student"
 
 

@@ -24,6 +24,8 @@ from typing import Any, Protocol
 
 from upright.errors import UprightError
 from upright.interrupts import without_ctrl_c
+from upright.lab.spoken import troubles_of
+from upright.pages import Quantity, Say
 from upright.reading import limit_memory
 
 Key = tuple[str, str]
@@ -213,11 +215,12 @@ class _Clerk:
         while self._words and not self.idle:
             status, result = self._words.popleft()
             if status == "gone":
-                return [*words, self._gone("the process that computed it died, perhaps of too large a file")]
+                return [*words, self._gone(Say("the process that computed it died, perhaps of too large a file"))]
             words.append((self._key, status, result))
             self.idle = status != "progress"
         if not self.idle and self._overdue(patience):
-            return [*words, self._gone(f"it took longer than {patience:g} s and was stopped")]
+            late = Say("it took longer than {time} and was stopped", time=Quantity(patience, "s"))
+            return [*words, self._gone(late)]
         return words
 
     def kill(self) -> None:
@@ -266,10 +269,10 @@ class _Clerk:
             return time.monotonic()
         return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")  # its own time, and the kernel's for it
 
-    def _gone(self, why: str) -> Word:
+    def _gone(self, why: Say) -> Word:
         self.kill()
         self.idle = self.dead = True
-        return (self._key, "failed", f"{self._key[1]}: {why}")
+        return (self._key, "failed", troubles_of(why))
 
 
 def _work(pipe: Connection) -> None:
@@ -300,6 +303,6 @@ def _done(task: str, args: tuple[Any, ...], report: Callable[..., None]) -> tupl
     try:
         return "done", TASKS[task](report, *args)
     except UprightError as error:
-        return "failed", str(error)
+        return "failed", troubles_of(error)
     except Exception as error:  # whatever a file or a design did, the session goes on
-        return "failed", f"{task}: unexpected {type(error).__name__}: {str(error)[:200]}"
+        return "failed", troubles_of(Say("unexpected {kind}: {text}", kind=type(error).__name__, text=str(error)[:200]))

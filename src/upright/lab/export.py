@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any
 
 from upright.atomic import make_folder, place_of, write_text
-from upright.certification.verdict import linear_margins
 from upright.compiled.print_javascript import JavaScriptPrinter, functions
 from upright.control import CONTROLLERS, gain_of
 from upright.control.delay import RAW
@@ -22,8 +21,8 @@ from upright.lab.messages import VERSION, Setup, Welcome
 from upright.lab.plant import BY_HAND, EXPORTED, LOAD, OFF, Plant, behind, body_of, families, is_bare, loaded
 from upright.lab.printed import linear_plant, printed_law, printed_robot, reading
 from upright.lab.recording import MARK, inlined, page_text
-from upright.lab.tasks import analysed, smallest
-from upright.lab.views import catalogue, equations, look_of, robot_info
+from upright.lab.tasks import analysed
+from upright.lab.views import catalogue, equations, look_of, robot_info, titles_of
 from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot, kit_names, preset_names
 
@@ -131,7 +130,7 @@ def printed(
         own = {"kind": "gains by hand", "truth": False, "gains": gains, "plant": linear_plant(robot, kit)}
         controllers[BY_HAND] = {**reading(RAW, kit.period, kit), **own}
     facts = {
-        "title": robot.title, "kit_name": kit.name, "setup": _setup_part(robot, kit), "every": kit.period,
+        "title": titles_of(robot), "kit_name": kit.name, "setup": _setup_part(robot, kit), "every": kit.period,
         "delay_own": kit.delay, **numbers, **_shown(robot, kit), "controllers": controllers,
     }  # fmt: skip
     return PrintedRobot(robot, motion, laden, laws, facts)
@@ -142,12 +141,8 @@ def _designed(robot: Robot, kit: Kit, name: str) -> tuple[str, dict[str, Any]]:
     text, facts = printed_law(controller, kit)
     analysis = analysed(controller, robot, kit)
     analysis = replace(analysis, L=tuple(row[::KEPT] for row in analysis.L[1:]))
-    least = linear_margins(controller, robot, kit, usual=True) if analysis.stable else None
     gain = gain_of(controller)
     own: dict[str, Any] = {"truth": controller.spec.reads_truth, "gains": [] if gain is None else gain[0, :6].tolist()}
-    if least and least.stable:
-        rounded = {k: round(v, 6) if isinstance(v, float) else v for k, v in smallest(least).items()}
-        own["least"] = rounded
     return text, {**facts, **own, "analysed": plain(analysis)}
 
 

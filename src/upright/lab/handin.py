@@ -14,6 +14,7 @@ from upright.errors import InvalidScenario, UprightError, one_line
 from upright.lab.codec import InvalidMessage, decode, plain
 from upright.lab.messages import Change, Drag, Setup, Steer, Strike
 from upright.lab.plant import COARSE, EXPORTED, FINE
+from upright.pages import Say
 from upright.reading import parse_json, read_text
 from upright.robots import Robot
 from upright.signals import Log
@@ -202,13 +203,13 @@ class Recorder:
         seconds = round(t - self._since, 6)
         if self._since < 0 or not 0 < seconds <= LONGEST or setup.bodies[0] == "calibrated":
             raise InvalidScenario(
-                "there is no run to hand in", expected=f"one of at most {LONGEST:g} s, with no change since Stand up",
-                hint="press Stand up, push the robot, then hand in",
-            )  # fmt: skip
+                Say("there is no run to hand in"),
+                hint=Say("press Stand up, push the robot, then hand in within a minute"),
+            )
         try:
             name = _student(student)
         except ValueError as error:
-            raise InvalidScenario(str(error), hint="write your name") from None
+            raise InvalidScenario(str(error), hint=Say("write your name")) from None
         return HandIn(
             student=name, setup=setup, step=self._step, lean=self._lean, seconds=seconds,
             actions=tuple(self._actions), claimed=claimed,

@@ -20,7 +20,9 @@ from upright.lab.codec import InvalidMessage, decode, encode
 from upright.lab.connections import Bucket
 from upright.lab.mailbox import Mailbox
 from upright.lab.messages import VERSION, Ack, Board, Broadcast, Change, Hello, Notice, Refused, Setup, Welcome
+from upright.lab.spoken import troubles_of
 from upright.lab.stage_process import StageLink, Words
+from upright.pages import Say
 from upright.reading import give_back
 
 BURST, STEADY = 300.0, 130.0  # messages of `SHORT` characters at once, and a second, from one client
@@ -30,8 +32,8 @@ OPENING = 0.2
 SHORT = 1000  # characters: a longer message counts as several
 MOST_PAGES = 6  # that show one robot
 PATIENCE = 100  # messages that are none, after which a client is let go
-RESTARTED = Notice("error", "the simulation stopped and was started again: all robots stand upright", "restarted")
-ENDED = Notice("error", "this robot stopped the simulation for all; the usual one stands here instead", "ended")
+RESTARTED = Notice("error", key="restarted")
+ENDED = Notice("error", key="ended")
 SOON, FORGOTTEN = 60.0, 900.0  # [s] that a session is kept at least, and at most, without anybody watching it
 
 
@@ -101,14 +103,15 @@ class Hub:
         if client.closed:
             return
         if not client.pace.take(1 + len(text) // SHORT):
-            self._let_go(client, "too many messages; try: wait a moment and reload the page")
+            why = Say("too many messages")
+            self._let_go(client, NotAdmitted(why, hint=Say("wait a moment and reload the page")))
             return
         try:
             self._act(client, decode(text))
         except (InvalidMessage, NotAdmitted) as error:
             self._wrong(client, error)
         except UprightError as error:
-            client.box.event(encode(Notice("error", str(error))))
+            client.box.event(encode(Notice("error", troubles_of(error))))
 
     def leave(self, client: Client) -> None:
         """The page is gone; its session is kept for a while."""
@@ -172,11 +175,15 @@ class Hub:
         client.role = self.door.role(hello)
         known = hello.session in self.entries
         if not known and not self._opened.setdefault(client.host, Bucket(OPENED, OPENING)).take(1.0):
-            raise NotAdmitted("too many new robots from this address", hint="wait a minute and reload the page")
+            raise NotAdmitted(
+                Say("too many new robots from this address"), hint=Say("wait a minute and reload the page")
+            )
         client.session = hello.session if known else self._open(client.role, hello)
         entry = self.entries[client.session]
         if len(entry.clients) >= MOST_PAGES:
-            raise NotAdmitted(f"this robot is shown on {MOST_PAGES} pages already", hint="close one of them")
+            raise NotAdmitted(
+                Say("this robot is shown on {n} pages already", n=MOST_PAGES), hint=Say("close one of them")
+            )
         entry.clients[client.key] = client
         if client.role == "student":
             self.scores.names[client.session] = hello.name.strip()[:40]
@@ -202,7 +209,7 @@ class Hub:
         while self._full(role) and idle:
             self._end(idle.pop(0)[1])
         if self._full(role):
-            raise NotAdmitted("every place is taken", hint="close another page of the lab first")
+            raise NotAdmitted(Say("every place is taken"), hint=Say("close another page of the lab first"))
 
     def _full(self, role: Role) -> bool:
         students = sum(name in self.scores.names for name in self.entries)
@@ -226,13 +233,13 @@ class Hub:
     def _wrong(self, client: Client, error: UprightError) -> None:
         client.wrong += 1
         if isinstance(error, NotAdmitted) or client.wrong > PATIENCE:
-            self._let_go(client, str(error))
+            self._let_go(client, error)
         else:
-            client.box.event(encode(Notice("error", str(error))))
+            client.box.event(encode(Notice("error", troubles_of(error))))
 
-    def _let_go(self, client: Client, why: str) -> None:
-        client.closed = why
-        client.box.event(encode(Refused(why)))
+    def _let_go(self, client: Client, why: UprightError) -> None:
+        client.closed = str(why)
+        client.box.event(encode(Refused(client.closed, troubles_of(why))))
 
     def on_words(self, words: Words) -> None:
         """What a stage reports."""

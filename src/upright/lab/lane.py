@@ -39,7 +39,7 @@ class Lane:
     ) -> None:
         self.name, self.body, self.controller, self._inner = name, body, controller, inner
         self._seed = seed
-        self.trouble = ""
+        self.trouble: UprightError | None = None
         self._start = (start[0], start[1], 0.0, start[3], 0.0, start[5])
         self.offset = (0.0, 0.0, start[2], 0.0, start[4], 0.0)
         self._loop = Stepper(body, controller, self._start, seed)
@@ -61,7 +61,7 @@ class Lane:
             self.fallen = self._loop.now.fallen
         except UprightError as error:
             self.fallen = True
-            self.trouble = f"{self.name}: {error}"
+            self.trouble = error
 
     def state(self) -> list[float]:
         """The true state (6,), with the wheel's and the heading's whole way."""

@@ -7,6 +7,8 @@ from typing import Annotated, Any, Literal, TypeVar, dataclass_transform
 
 from annotated_types import Interval, MaxLen, Predicate
 
+from upright.pages.blocks import Level
+
 LONGEST_TEXT = 200
 MOST_ITEMS = 64
 
@@ -53,6 +55,28 @@ class Progress:
 
 
 @dataclass(frozen=True)
+class Head:
+    """The first screen of a page in one language: its title, its verdict and that one's level, the sentences of its
+    lead, and its numbers, each with what it is."""
+
+    title: str
+    verdict: str = ""
+    level: Level = "info"
+    lead: tuple[str, ...] = ()
+    numbers: tuple[tuple[str, str], ...] = ()
+
+
+@dataclass(frozen=True)
+class Trouble:
+    """An error in one language by its parts: what came, what was expected, what is likely, and what to try."""
+
+    came: str
+    expected: str = ""
+    likely: str = ""
+    hint: str = ""
+
+
+@dataclass(frozen=True)
 class FamilyInfo:
     """A controller family: whether `largest` and `gains` mean anything to it."""
 
@@ -63,10 +87,10 @@ class FamilyInfo:
 
 @dataclass(frozen=True)
 class RobotInfo:
-    """A robot to choose: its numbers with unit and symbol, and its own kit."""
+    """A robot to choose: its title by language, its numbers with unit and symbol, and its own kit."""
 
     name: str
-    title: str
+    title: dict[str, str]
     kit: str
     drive: str
     numbers: dict[str, float]

@@ -17,6 +17,7 @@ from upright.lab.message_types import (
     STRICT,
     Acted,
     FamilyInfo,
+    Head,
     Job,
     NamedNumbers,
     Numbers,
@@ -24,15 +25,17 @@ from upright.lab.message_types import (
     RobotInfo,
     Student,
     Text,
+    Trouble,
     Whole,
     message,
 )  # fmt: skip
 
-VERSION = 8
+VERSION = 9
 """Raised whenever a message changes; a page of another version is refused with a sentence that says what to do."""
 
 BodyName = Literal["twin", "nonlinear", "linear", "published", "calibrated"]
 Keep = Literal["csv", "parquet", "report", "compare", "replay", "controller", "robot", "handin"]
+Language = Literal["en", "es"]
 PushName = Literal["front", "back", "impulse", "pull_left", "pull_right"]
 
 
@@ -163,10 +166,11 @@ class Cancel:
 @message
 class Save:
     """Make a file of the run, to be downloaded: `name` is of the uploaded log that a report also compares, or the
-    student's who hands in."""
+    student's who hands in. A report is in `language`."""
 
     what: Keep
     name: Text = ""
+    language: Language = "en"
 
 
 @message
@@ -200,13 +204,14 @@ ClientMessage = (
 
 @message
 class Catalogue:
-    """What there is to choose."""
+    """What there is to choose; `names` are those of parameters, by language."""
 
     robots: tuple[RobotInfo, ...]
     kits: tuple[str, ...]
     families: tuple[FamilyInfo, ...]
     units: dict[str, str]
     symbols: dict[str, str]
+    names: dict[str, dict[str, str]]
     largest: tuple[float, ...]
     command: dict[str, float]
 
@@ -224,9 +229,11 @@ class Welcome:
 
 @message
 class Refused:
-    """Why this page cannot go on, and what to do; the connection is closed after it."""
+    """Why this page cannot go on, and what to do; the connection is closed after it. `reason` is for pages of before,
+    which know no parts."""
 
     reason: str
+    said: dict[str, Trouble]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -262,17 +269,13 @@ class Changed:
 
 @message
 class Analysed:
-    """The present loop: `gain` (2, 6) where it has one, margins, closed-loop poles, and `L` broken at both motors: ω
-    [rad/s], Re and Im in three rows."""
+    """The present loop: what a design's page says of it, by language; `gain` (2, 6) where it has one, closed-loop
+    poles, and `L` broken at both motors: ω [rad/s], Re and Im in three rows."""
 
     _: KW_ONLY
     stable: bool
-    words: str
+    said: dict[str, Head]
     gain: tuple[tuple[float, ...], ...]
-    gain_low: float | None = None
-    gain_high: float | None = None
-    phase: float | None = None
-    delay: float | None = None
     poles: tuple[tuple[float, ...], ...] = ()
     L: tuple[tuple[float, ...], ...] = ()
 
@@ -297,31 +300,20 @@ class Equations:
 
 @message
 class Light:
-    """The certificate's light: "green", "amber", "red", or "none" while it is computed, with its reasons, and the
-    smallest `delay` [s] that makes the loop unstable, with the channel where it does; so the gain factors [1], too. A
-    channel is empty where no smallest margin is known. So many of the five usual targets are `met`."""
+    """What the certificate's page says, by language; nothing while it is computed. The `light` is "none" then, and
+    where there is no certificate."""
 
-    light: Literal["green", "amber", "red", "none"]
-    reasons: tuple[str, ...]
-    delay: float | None = None
-    delay_at: str = ""
-    gain_low: float | None = None
-    low_at: str = ""
-    gain_high: float | None = None
-    high_at: str = ""
-    met: int | None = None
+    light: Literal["green", "amber", "red", "unknown", "none"] = "none"
+    said: dict[str, Head] = field(default_factory=dict[str, Head])
 
 
 @message
 class JobResult:
-    """What came of a job, as text for people, and the rows of its table."""
+    """What came of a job: the page of its result as HTML, and its first screen, by language."""
 
     job: Job
-    title: str
-    text: str
-    header: tuple[str, ...]
-    rows: tuple[tuple[str, ...], ...]
-    ok: bool
+    said: dict[str, Head]
+    html: dict[str, str]
 
 
 @message
@@ -335,11 +327,11 @@ class Made:
 
 @message
 class Notice:
-    """A sentence for the user: what went wrong, or what was done. `key` names the page's own words for it, `job` what
-    failed, if any."""
+    """What went wrong, by language, or was done: in words of the page, which `key` names. `job` is what failed, or was
+    stopped where nothing is said."""
 
     level: Literal["info", "error"]
-    text: str
+    said: dict[str, Trouble] = field(default_factory=dict[str, Trouble])
     key: str = ""
     job: str = ""
 

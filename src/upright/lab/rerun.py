@@ -12,6 +12,7 @@ from upright.lab.handin import HandIn, RunResult
 from upright.lab.messages import StandUp, Step
 from upright.lab.plant import EXPORTED, is_slow, plant_of
 from upright.lab.session import Session
+from upright.languages import ENGLISH
 
 AT_ONCE = 1000  # periods that one message may ask for
 
@@ -46,7 +47,7 @@ def _designed(session: Session, desk: InlineDesk) -> None:
     """A controller that takes long is designed at the desk."""
     for (_, job), status, result in desk.poll():
         if status == "failed":
-            raise InvalidScenario(str(result))
+            raise InvalidScenario(result[ENGLISH].came)
         if job == "design":
             _install(session, result)
 

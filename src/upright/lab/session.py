@@ -21,7 +21,7 @@ from upright.lab.desk import Desk
 from upright.lab.display import KEPT, Display
 from upright.lab.handin import Recorder, RunResult, result_of
 from upright.lab.lane import Lane
-from upright.lab.message_types import Acted
+from upright.lab.message_types import Acted, Trouble
 from upright.lab.messages import (
     VERSION,
     Analysed,
@@ -48,10 +48,11 @@ from upright.lab.messages import (
     Uploaded,
     Welcome,
 )  # fmt: skip
-from upright.lab.page_words import for_page
 from upright.lab.plant import FINE, Plant, behind, body_of, design, design_part, is_slow, plant_of, setup_of, stand_in
 from upright.lab.pushing import Pushing, Score
 from upright.lab.recording import FILES, MOMENT
+from upright.lab.spoken import heads_of, troubles_of
+from upright.pages import Page, Quantity, Say
 from upright.physics.dynamics import CALM
 from upright.robots import Robot
 from upright.signals import Log
@@ -88,7 +89,7 @@ class Session:
             self._handlers()[type(message)](message)
             self._recorder.note(message, self.t)
         except UprightError as error:
-            self._events.append(Notice("error", for_page(str(error))))
+            self._events.append(Notice("error", troubles_of(error)))
 
     def advance(self, seconds: float) -> None:
         """Let `seconds` of simulated time pass, unless paused."""
@@ -105,7 +106,7 @@ class Session:
         if status == "progress":
             self._events.append(Progress(job, *result))  # type: ignore[arg-type]
         elif status == "failed":
-            self._failed(job, str(result))
+            self._failed(job, result)
         else:
             answer = self._answer(job, result)
             self._known |= {type(event): event for event in answer if isinstance(event, Analysed | Light)}
@@ -168,7 +169,7 @@ class Session:
             stood = not lane.fallen
             lane.step(self._target, disturbance, pull)
             if stood and lane.fallen and lane.trouble:
-                self._events.append(Notice("error", lane.trouble))
+                self._events.append(Notice("error", troubles_of(lane.trouble)))
         self._periods += 1
         main = self.lanes[0]
         ended = self.score.watch(dt, 0.0 if pull else disturbance.force, main.state(), main.applied, main.fallen)
@@ -225,7 +226,7 @@ class Session:
     def follow(self) -> list[Any]:
         """Have the certificate's light computed for the controller that was designed last, or say that it is not."""
         if not self._certified:
-            return [Light("none", ("in a class, the certificate is computed on request",))]
+            return [Light(said=heads_of(Page(Say("In a class the certificate is computed on request"))))]
         self._desk.submit((self.name, "light"), "light", (design_part(self.setup),), alone=True)
         return []
 
@@ -233,7 +234,7 @@ class Session:
         """The uploaded file of that name, which lies in this session's folder and nowhere else."""
         path = self.folder / Path(name).name
         if not path.is_file():
-            raise InvalidLog(f"there is no file '{path.name[:60]}' here", hint="upload it again")
+            raise InvalidLog(Say("there is no file {name} here", name=path.name[:60]), hint=Say("open it again"))
         return path
 
     def _handlers(self) -> dict[type, Callable[[Any], None]]:
@@ -272,7 +273,7 @@ class Session:
             raise
         self._events += [self.changed(), views.equations(self.plant.robot)]
         if redesign:
-            self._events += [Light("none", ()), Progress("certify", 1.0)]
+            self._events += [Light(), Progress("certify", 1.0)]
             self._known.clear()
 
     def _stand(self, message: StandUp) -> None:
@@ -292,7 +293,8 @@ class Session:
 
     def _strike(self, message: Strike) -> None:
         if message.what in ("front", "back") and abs(message.size) > 1.0:
-            raise InvalidScenario(f"a hold at {message.size:g} rad", expected="at most 1 rad", likely="degrees")
+            lean = Quantity(message.size, "rad")
+            raise InvalidScenario(Say("a hold at {lean}", lean=lean), expected=Quantity(None, "rad", high=1.0))
         self._pushing.strike(message, self.t, self.plant.kit.period)
         self.score.push()
         self._events.append(Acted(self.t))
@@ -319,7 +321,7 @@ class Session:
 
     def _cancel(self, message: Cancel) -> None:
         self._desk.cancel((self.name, message.job))
-        self._events += [Progress(message.job, 1.0), Notice("info", f"{message.job}: stopped")]
+        self._events += [Progress(message.job, 1.0), Notice("info", job=message.job)]
 
     def _save(self, message: Save) -> None:
         self._desk.submit((self.name, f"keep {message.what}"), *self._keeping(message))
@@ -330,9 +332,9 @@ class Session:
         else:
             self._start(Start("doctor", message.path))
 
-    def _failed(self, job: str, reason: str) -> None:
+    def _failed(self, job: str, said: dict[str, Trouble]) -> None:
         self._busy = "" if job == "design" else self._busy
-        self._events += [Notice("error", for_page(reason, job), job=job), Progress(job, 1.0)]  # type: ignore[arg-type]
+        self._events += [Notice("error", said, job=job), Progress(job, 1.0)]  # type: ignore[arg-type]
 
     # What the desk is given, and what comes of it
 
@@ -349,13 +351,14 @@ class Session:
         what = message.what
         if what in ("report", "compare") and message.name:
             opened = (self.upload(message.name), self.plant.nominal, self.plant.kit)
-            return "keep comparison", (opened, self.logs(), self.folder / FILES[what])
+            return "keep comparison", (opened, self.logs(), message.language, self.folder / FILES[what])
+        if what in ("report", "compare"):
+            return "keep report", (self._recorded(), message.language, self.folder / FILES[what])
         content: dict[str, Callable[[], Any]] = {
             "controller": lambda: self.setup,
             "robot": lambda: self.calibrated or self.plant.nominal,
             "replay": lambda: ([Welcome(VERSION, "", "alone", ""), views.catalogue(), *self.standing_events()],
                                self._display.view(), self._display.rows(MOMENT)),
-            "report": self._recorded, "compare": self._recorded,
             "handin": lambda: self._recorder.hand_in(message.name, self.setup, self.t, self.result()),
         }  # fmt: skip
         given = content[what]() if what in content else next(iter(self._recorded().values()))
@@ -364,7 +367,7 @@ class Session:
     def _recorded(self) -> dict[str, Log]:
         logs = self.logs()
         if not logs:
-            raise InvalidLog("nothing was recorded yet", hint="let it run for a moment")
+            raise InvalidLog(Say("nothing was recorded yet"), hint=Say("let it run for a moment"))
         return logs
 
     def _answer(self, job: str, result: Any) -> list[Any]:
@@ -390,9 +393,9 @@ class Session:
         try:
             self.designed(controller)
         except UprightError as error:
-            return [Notice("error", str(error))]
+            return [Notice("error", troubles_of(error))]
         return [analysis, self.changed(), *self.follow()]
 
     def _read(self, robot: Robot) -> list[Any]:
         self.handle(Change(setup_of(robot, self.setup)))
-        return [Notice("info", f"{robot.name}: read")]
+        return [Notice("info", troubles_of(Say("Robot {name} is read", name=robot.name)))]

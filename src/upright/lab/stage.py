@@ -25,6 +25,7 @@ from upright.lab.codec import encode
 from upright.lab.desk import ProcessDesk
 from upright.lab.messages import Notice, Setup, Step
 from upright.lab.seat import AWHILE, Seat, paid, within
+from upright.lab.spoken import troubles_of
 from upright.reading import give_back
 
 if TYPE_CHECKING:
@@ -145,7 +146,7 @@ class Stage:
             if client:
                 seat.put("welcome", client)
         elif not seat.put(kind, rest[0]):
-            self._say(name, Notice("error", "too much at once: some of it was left out; try: wait a moment", "tooMany"))
+            self._say(name, Notice("error", key="tooMany"))
 
     def _turn(self, name: str, seat: Seat, payer: Seat, now: float, most: float) -> None:
         """A session's turn, of at most so much computing time [s] but for the last thing that it does."""
@@ -216,11 +217,9 @@ class Stage:
         failed = seat.session and seat.session.setup
         seat.close()
         if isinstance(error, UprightError):
-            self._say(name, Notice("error", str(error)))
+            self._say(name, Notice("error", troubles_of(error)))
         else:
-            what = f"{type(error).__name__}: {str(error)[:200]}"
-            text = f"this robot cannot be simulated ({what}); the one before it stands here again"
-            self._say(name, Notice("error", text, "setBack"))
+            self._say(name, Notice("error", key="setBack"))
         if failed == seat.good:
             seat.good = CLASS_SETUP
         with contextlib.suppress(Exception):

@@ -7,24 +7,24 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
-from upright.atomic import finite
 from upright.control import Controller, gain_of
 from upright.errors import InvalidController, SpecMismatch
 from upright.lab.codec import encode
 from upright.lab.display import View
 from upright.lab.handin import HandIn, write_hand_in
+from upright.lab.message_types import Job
 from upright.lab.messages import Analysed, JobResult, Light, Setup
-from upright.lab.page_words import for_page
 from upright.lab.plant import design as design_of
 from upright.lab.plant import design_part, plant_of
-from upright.languages import ENGLISH, speaking
-from upright.pages import english
+from upright.lab.recording import FILES
+from upright.lab.spoken import heads_of, in_each
+from upright.languages import speaking
+from upright.pages import Page, Result, Say, html
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
 if TYPE_CHECKING:
     from upright.certification import Certificate
-    from upright.certification.verdict import LinearMargins
     from upright.loops.loop import Loop
 
 
@@ -63,27 +63,21 @@ def design(report: Report, setup: Setup, keep: bool) -> tuple[Controller | None,
 
 
 def analysed(controller: Controller, robot: Robot, kit: Kit) -> Analysed:
-    """Gains, margins, poles and the broken loop; only the gains where the controller is not linear."""
-    from upright.loops.analysis import INPUTS
-    from upright.loops.loop import robot_loop
-    from upright.loops.margins import margins
+    """What a design's page says of the loop, its poles, and the broken loop; only the gains where the controller is not
+    linear."""
+    from upright.certification.design_page import unknown_margins
+    from upright.loops.analysis import analyse
 
     K = gain_of(controller)
     gain = () if K is None else tuple(tuple(row) for row in K.tolist())
     try:
-        loop = robot_loop(controller, robot, kit)
+        analysis = analyse(controller, robot, kit, robots=())
     except (InvalidController, SpecMismatch) as error:
-        return Analysed(stable=False, words=str(error).split(";")[0], gain=gain)
-    poles = tuple((round(float(p.real), 5), round(float(p.imag), 5)) for p in loop.poles())
-    curve = _curve(loop)
-    if not loop.stable:
-        words = f"The loop is unstable: its largest pole is at |z| = {abs(loop.poles()[0]):.4f}."
-        return Analysed(stable=False, words=words, gain=gain, poles=poles, L=curve)
-    m = margins(loop.at_input, INPUTS["both motors"], "both motors")
-    m = replace(m, delay=min(m.delay, loop.delay_margin()))  # one number in table and sentence
+        return Analysed(stable=False, said=heads_of(unknown_margins(error.parts["came"])), gain=gain)
     return Analysed(
-        stable=True, words=m.words(), gain=gain, gain_low=m.gain_low, gain_high=finite(m.gain_high),
-        phase=finite(m.phase), delay=finite(m.delay), poles=poles, L=curve,
+        stable=analysis.loop.stable, said=heads_of(replace(analysis.page(), lead=())), gain=gain,
+        poles=tuple((round(float(p.real), 5), round(float(p.imag), 5)) for p in analysis.poles),
+        L=_curve(analysis.loop),
     )  # fmt: skip
 
 
@@ -113,23 +107,18 @@ def light(report: Report, setup: Setup) -> Light:
             controller, plant.nominal, plant.kit, samples=QUICK, sweeps=False, threads=1, progress=show
         )
     except SpecMismatch as error:
-        return Light("none", (str(error).split(";")[0],))
+        return Light(said=heads_of(Page(Say("{reason}", reason=error.parts["came"]))))
     return _lit(certificate)
 
 
 def _lit(certificate: Certificate) -> Light:
-    light = "amber" if certificate.light == "unknown" else certificate.light  # the page's lamp has three colours
-    return Light(light, tuple(map(str, certificate.reasons)), **smallest(certificate.linear))  # type: ignore[arg-type]
+    return Light(certificate.light, heads_of(certificate.page()))  # type: ignore[arg-type]
 
 
-def smallest(linear: LinearMargins | None) -> dict[str, Any]:
-    """What a `Light` says of the smallest margins of all places; nothing where there are none."""
-    if linear is None or not linear.stable:
-        return {}
-    return {
-        "delay": finite(linear.delay), "delay_at": linear.delay_at, "gain_low": linear.gain_low,
-        "low_at": linear.low_at, "gain_high": finite(linear.gain_high), "high_at": linear.high_at, "met": linear.met,
-    }  # fmt: skip
+def _found(job: Job, result: Result) -> JobResult:
+    """The result's page, as it is."""
+    page = result.page()
+    return JobResult(job, heads_of(page), in_each(lambda: html.shadow(page)))
 
 
 def certify(report: Report, setup: Setup) -> tuple[Light, JobResult]:
@@ -140,35 +129,14 @@ def certify(report: Report, setup: Setup) -> tuple[Light, JobResult]:
     report(0.02)
     controller = design_of(setup, plant.nominal, plant.kit)
     certificate = certified(controller, plant.nominal, plant.kit, threads=1, progress=report)
-    rows = tuple(
-        (t.push, t.battery, f"{t.fell}/{t.runs}", f"{t.saturated:.0%}", f"{t.travel:.2f}", f"{t.peak:.3f}")
-        for t in certificate.trials
-    )
-    header = ("push", "battery", "fell", "saturated", "travel [m]", "peak [rad]")
-    title = f"{certificate.controller} on {certificate.robot}: {certificate.light}"
-    return _lit(certificate), JobResult(
-        "certify",
-        title,
-        "\n".join(map(str, certificate.reasons)),
-        header,
-        rows,
-        certificate.light not in ("red", "unknown"),
-    )
+    return _lit(certificate), _found("certify", certificate)
 
 
 def doctor(report: Report, source: Path | Log, robot: Robot) -> tuple[JobResult]:
     """What is wrong with a log."""
     from upright.checkup.doctor import doctor as examine
 
-    diagnosis = examine(source, robot=robot, progress=report)
-    rows = tuple(
-        (f.severity, f.code, f.channel, english(f.evidence), for_page(english(f.repair) if f.repair else "", "doctor"))
-        for f in diagnosis.findings
-    )
-    name = Path(diagnosis.source).name if diagnosis.source else "this run"
-    title = f"{name}: {diagnosis.rows} rows, {diagnosis.seconds:.1f} s, every {1e3 * diagnosis.period:.3g} ms"
-    text = "" if rows else "Nothing found: this log can be used as it is."
-    return (JobResult("doctor", title, text, ("", "what", "channel", "evidence", "repair"), rows, diagnosis.healthy),)
+    return (_found("doctor", replace(examine(source, robot=robot, progress=report), source=_shown(source))),)
 
 
 def calibrate(report: Report, source: Path | Log, robot: Robot, kit: Kit) -> tuple[Robot, JobResult]:
@@ -178,15 +146,12 @@ def calibrate(report: Report, source: Path | Log, robot: Robot, kit: Kit) -> tup
 
     log = source if isinstance(source, Log) else raw_log(source)
     calibration = learn(_raw(log), robot, kit, progress=report)
-    estimates = (*calibration.parameters, *calibration.combinations)
-    rows = tuple((e.name, f"{e.value:.4g}", f"{e.low:.4g} … {e.high:.4g}", f"{e.prior:.4g}", e.unit, e.verdict)
-                 for e in estimates)  # fmt: skip
-    header = ("parameter", "value", "95 %", "prior", "unit", "what the log tells")
-    with speaking(ENGLISH):  # the page translates
-        remarks = [str(one) for one in (*calibration.check(), *calibration.notes, *calibration.unseen)]
-    text = "\n".join(map(for_page, remarks))
-    title = f"{robot.name} from {calibration.samples} samples"
-    return calibration.robot, JobResult("calibrate", title, text, header, rows, not calibration.check())
+    return calibration.robot, _found("calibrate", replace(calibration, sources=(_shown(source),)))
+
+
+def _shown(source: Path | Log) -> str:
+    """The name of an opened log as its owner knows it, or of the run as it is kept."""
+    return FILES["csv"] if isinstance(source, Log) else source.name.removeprefix("in-")
 
 
 def _raw(log: Log) -> Log:
@@ -205,23 +170,26 @@ def keep_log(report: Report, log: Log, path: Path) -> Path:  # noqa: ARG001
     return log.save(path)
 
 
-def keep_report(report: Report, logs: dict[str, Log], path: Path) -> Path:  # noqa: ARG001
+def keep_report(report: Report, logs: dict[str, Log], language: str, path: Path) -> Path:  # noqa: ARG001
     """All bodies compared, as a page."""
     from upright.comparison import compare
     from upright.reports import report as write_report
 
-    return write_report(compare(logs), path)
+    with speaking(language):
+        return write_report(compare(logs), path)
 
 
-def keep_comparison(report: Report, opened: tuple[Path, Robot, Kit], logs: dict[str, Log], path: Path) -> Path:
+def keep_comparison(
+    report: Report, opened: tuple[Path, Robot, Kit], logs: dict[str, Log], language: str, path: Path
+) -> Path:
     """An opened log compared with the run of every body, as a page; times count from the first push of each."""
     from upright.logs.raw import raw_log
 
     source, robot, kit = opened
     log = _with_states(raw_log(source), robot, kit)
     report(0.5)
-    name = source.stem.removeprefix("in-")
-    return keep_report(report, {label: _from_push(one) for label, one in {name: log, **logs}.items()}, path)
+    name = Path(_shown(source)).stem
+    return keep_report(report, {label: _from_push(one) for label, one in {name: log, **logs}.items()}, language, path)
 
 
 def _from_push(log: Log) -> Log:

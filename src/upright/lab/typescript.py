@@ -1,6 +1,7 @@
-"""The page's types, generated from the dataclasses of `lab.messages`.
+"""What the page has from Python: types from the dataclasses of `lab.messages`, limits of margins, and its Spanish from
+the catalogue of all pages.
 
-Run `python -m upright.lab.typescript` after a change of a message.
+Run `python -m upright.lab.typescript` after a change of a message, of `texts/en.json` or of a translation.
 """
 
 from __future__ import annotations
@@ -14,10 +15,15 @@ from typing import Any, Literal, get_args, get_origin, get_type_hints
 from upright.atomic import write_text
 from upright.lab import message_types, messages
 from upright.lab.codec import plain
+from upright.languages import ENGLISH, LANGUAGES
+from upright.loops.targets import LEAST_DELAY, LEAST_GAIN
+from upright.pages.words import catalogue
 
-TARGET = Path(__file__).parent / "web" / "src" / "messages.ts"
+SOURCE = Path(__file__).parent / "web" / "src"
+TARGET = SOURCE / "messages.ts"
+TEXTS = SOURCE / "texts"
 
-NAMES = ("BodyName", "Job", "Keep", "PushName", "Work")
+NAMES = ("BodyName", "Job", "Keep", "Language", "PushName", "Work")
 
 _SCALARS: dict[Any, str] = {str: "string", float: "number", int: "number", bool: "boolean", type(None): "null"}
 
@@ -30,6 +36,8 @@ def generate() -> str:
     parts = [
         "// Generated from src/upright/lab/messages.py by python -m upright.lab.typescript; do not edit.",
         f"export const VERSION = {messages.VERSION};",
+        f"export const LEAST_GAIN = {LEAST_GAIN}; // [1] below which a margin is thin, as in designs and certificates",
+        f"export const LEAST_DELAY = {LEAST_DELAY}; // [periods]",
         *(f"export type {name} = {_type(known[name])};" for name in NAMES),
         *map(_interface, kinds),
         f"export const DEFAULT_SETUP: Setup = {json.dumps(plain(messages.Setup()))};",
@@ -39,10 +47,23 @@ def generate() -> str:
     return "\n\n".join(parts) + "\n"
 
 
-def write() -> Path:
-    """Write `messages.ts` and return its path."""
-    write_text(TARGET, generate())
-    return TARGET
+def spoken(language: str) -> str:
+    """The page's texts in another language, in the places of the English ones."""
+    words = catalogue(language)
+
+    def other(value: Any) -> Any:
+        if isinstance(value, dict):
+            return {key: other(item) for key, item in value.items()}
+        return [other(item) for item in value] if isinstance(value, list) else words.get(value, value)
+
+    english = json.loads((TEXTS / "en.json").read_text("utf-8"))
+    return json.dumps(other(english), ensure_ascii=False, indent=2) + "\n"
+
+
+def write() -> list[Path]:
+    """Write `messages.ts` and the texts of each language, and return their paths."""
+    made = {TARGET: generate()} | {TEXTS / f"{name}.json": spoken(name) for name in LANGUAGES if name != ENGLISH}
+    return [write_text(path, text) for path, text in made.items()]
 
 
 def _interface(kind: type) -> str:
@@ -71,4 +92,4 @@ def _union(name: str, hint: Any) -> str:
 
 
 if __name__ == "__main__":
-    print(f"wrote {write()}")
+    print("wrote", *write())

@@ -13,6 +13,7 @@ from typing import BinaryIO
 
 from upright.atomic import writing
 from upright.errors import UprightError
+from upright.pages import Quantity, Say
 
 LARGEST = 32 * 1024 * 1024
 """Bytes of a file: an hour of raw sensors at 100 Hz is a third of it."""
@@ -35,17 +36,22 @@ SUFFIXES = {
 
 
 class UploadRefused(UprightError):
-    """A file that is too large, of a wrong kind, or one too many."""
+    """A file of a wrong kind, or one too many."""
+
+
+class TooLarge(UploadRefused):
+    """A file that is too large."""
 
 
 def safe_name(name: str, what: str) -> str:
     """The last part of `name`, of letters, digits, dots and dashes; raises `UploadRefused` for a wrong kind."""
     if what not in SUFFIXES:
-        raise UploadRefused(f"a file of kind '{what[:20]}'", expected="one of " + ", ".join(SUFFIXES))
+        raise UploadRefused(f"a file of kind '{what[:20]}'", expected=", ".join(SUFFIXES))
     last = re.sub(r"[^A-Za-z0-9._-]+", "_", name.replace("\\", "/").rpartition("/")[2]).lstrip("._-")[-60:]
     stem, dot, suffix = last.rpartition(".")
     if not (stem and dot) or f".{suffix.lower()}" not in SUFFIXES[what]:
-        raise UploadRefused(f"the file '{last}'", expected="one that ends in " + " ".join(sorted(SUFFIXES[what])))
+        endings = Say("one that ends in {endings}", endings=sorted(SUFFIXES[what]))
+        raise UploadRefused(Say("the file {name}", name=last), expected=endings)
     return f"in-{stem}.{suffix.lower()}"
 
 
@@ -61,16 +67,17 @@ async def receive(chunks: AsyncIterator[bytes], folder: Path, name: str, what: s
             async for chunk in chunks:
                 size += len(chunk)
                 if size > LARGEST:
-                    most = f"{name[:60]} is larger than {LARGEST >> 20} MB"
-                    raise UploadRefused(most, hint="cut it, or use the CLI")
+                    most = Say("{name} is larger than {size} MB", name=name[:60], size=LARGEST >> 20)
+                    raise TooLarge(most, hint=Say("cut it, or use the terminal"))
                 await asyncio.to_thread(stream.write, chunk)
     except TimeoutError:
-        raise UploadRefused(f"{name[:60]} did not arrive within {PATIENCE:g} s", hint="send it again") from None
+        late = Say("{name} did not arrive within {time}", name=name[:60], time=Quantity(PATIENCE, "s"))
+        raise UploadRefused(late, hint=Say("send it again")) from None
     except UploadRefused:
         raise
     except (OSError, UprightError):
-        why = f"{name[:60]} could not be kept"
-        raise UploadRefused(why, likely="a session that has ended, or a full disk") from None
+        why = Say("{name} could not be kept", name=name[:60])
+        raise UploadRefused(why, likely=Say("a session that has ended, or a full disk")) from None
     return target
 
 
@@ -81,9 +88,10 @@ def _admitted(target: Path) -> Generator[BinaryIO]:
     with ExitStack() as stack:
         with _COUNTING:
             if len(list(target.parent.iterdir())) - target.exists() >= MOST_FILES:
-                raise UploadRefused(f"{MOST_FILES} files lie here already", hint="reload the page without its session")
+                many = Say("{n} files lie here already", n=MOST_FILES)
+                raise UploadRefused(many, hint=Say("reload the page without its session"))
             if shutil.disk_usage(target.parent).free < SPARED + LARGEST:
-                raise UploadRefused("the disk of this lab is nearly full", hint="tell whoever started it")
+                raise UploadRefused(Say("the disk of this lab is nearly full"), hint=Say("tell whoever started it"))
             stream = stack.enter_context(writing(target))
         yield stream
 

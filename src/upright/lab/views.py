@@ -10,6 +10,9 @@ from upright.atomic import finite
 from upright.lab.lane import Lane
 from upright.lab.messages import Catalogue, Changed, Equations, Look, RobotInfo, Setup
 from upright.lab.plant import Plant, families
+from upright.lab.spoken import in_each
+from upright.pages.terms import term
+from upright.pages.words import translated
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain, turn_ratio, yaw_swing
 from upright.physics.linear import linearise_rolling
 from upright.robots import PARAMETERS, Robot, kit_names, preset_names
@@ -23,12 +26,18 @@ def catalogue() -> Catalogue:
     robots = tuple(robot_info(Robot.preset(name)) for name in preset_names())
     units = {name: unit for name, (unit, _) in PARAMETERS.items()}
     symbols = {name: symbol for name, (_, symbol) in PARAMETERS.items()}
-    return Catalogue(robots, kit_names(), families(), units, symbols, LARGEST_STATE, dict(LARGEST_COMMAND))
+    names = in_each(lambda: {name: str(term(name)) for name in PARAMETERS})
+    return Catalogue(robots, kit_names(), families(), units, symbols, names, LARGEST_STATE, dict(LARGEST_COMMAND))
 
 
 def robot_info(robot: Robot) -> RobotInfo:
     """A robot to choose."""
-    return RobotInfo(robot.name, robot.title, robot.kit_name, robot.drive, robot.numbers())
+    return RobotInfo(robot.name, titles_of(robot), robot.kit_name, robot.drive, robot.numbers())
+
+
+def titles_of(robot: Robot) -> dict[str, str]:
+    """A robot's title by language: of the presets there are translations."""
+    return in_each(lambda: translated(robot.title))
 
 
 def changed(setup: Setup, plant: Plant, lanes: Sequence[Lane], busy: bool) -> Changed:

@@ -5,7 +5,7 @@ import { button, h, keepingFocus, replace } from "./dom";
 import { Marks, ROOM } from "./marks";
 import { ink, laneColour, laneDash } from "./palette";
 import { ticks } from "./plots";
-import { STATES, SYMBOLS, UNITS, store } from "./store";
+import { DEGREES, SHOWN_UNITS, STATES, SYMBOLS, store } from "./store";
 import { remembered } from "./remember";
 import { local, named, t } from "./texts";
 
@@ -81,7 +81,7 @@ export function around(low: number, high: number, floor: number): [number, numbe
 }
 
 const FIRST = [0, 2]; // pitch and wheel angle, which tell the story; the others are shown when they are asked for
-const FLOORS = [0.05, 0.3, 0.5, 1, 0.05, 0.2]; // half heights below which noise would fill the chart
+const FLOORS = [3, 20, 30, 60, 3, 12]; // [°, °/s] half heights below which noise would fill the chart
 
 /** A phone, upright or on its side: the pitch stands by itself, right below the robot. */
 export const small = matchMedia("(max-width: 40rem), (max-width: 62rem) and (max-height: 32rem)");
@@ -106,7 +106,7 @@ export class Charts {
     const lines = bodies.map((name) => ({ label: named(name), colour: laneColour(name), dash: laneDash(name, bodies) }));
     const more = remembered.getItem("curves") === "all";
     if (!narrow.matches) this.large = null;
-    this.strips = STATES.map((name, i) => (more || FIRST.includes(i) ? new Strip(`${SYMBOLS[i]}  ${named(name)}`, UNITS[i], lines, 104, FLOORS[i], i ? undefined : () => store.ceiling ?? Infinity) : null));
+    this.strips = STATES.map((name, i) => (more || FIRST.includes(i) ? new Strip(`${SYMBOLS[i]}  ${named(name)}`, SHOWN_UNITS[i], lines, 104, FLOORS[i], i ? undefined : () => DEGREES * (store.ceiling ?? Infinity)) : null));
     replace(this.legend, ...bodies.map((name) => legendEntry(name)));
     const first = small.matches ? (sideways.matches ? FIRST.slice(0, 1) : FIRST) : [];
     const near = this.strips.filter((_, i) => first.includes(i)).map((strip) => strip?.root);
@@ -165,7 +165,7 @@ export class Charts {
     const counted = x.map((_, b) => lies.every(Boolean) || !lies[b]); // by those that stand, where any does
     const clip = this.clipped(t, x[0] && x.map((body) => body[0].slice(first)));
     this.strips.forEach((strip, i) => {
-      const lines = x.map((body) => body[i].slice(first));
+      const lines = x.map((body) => inDegrees(body[i].slice(first)));
       const scaled = from < 0 ? lines : lines.filter((_, b) => counted[b]).map((line) => line.slice(from));
       const shown: [number, number] = clip && i === 0 && i === this.large ? clip : [start, end];
       strip?.show(t, lines, ...shown, scaled);
@@ -179,6 +179,10 @@ export class Charts {
     const last = Math.max(...pitch.map((line) => line.findIndex((v) => Math.abs(v) > ceiling) + 1 || Infinity));
     return last <= t.length && last > 1 ? [t[0], t[last - 1]] : null;
   }
+}
+
+export function inDegrees(angles: number[]): number[] {
+  return angles.map((angle) => DEGREES * angle);
 }
 
 export function legendEntry(name: string): HTMLElement {

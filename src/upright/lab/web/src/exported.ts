@@ -2,7 +2,7 @@
 // lab/session.py does, as far as that needs no Python.
 import { Recorder, micro } from "./handin";
 import type { RunResult } from "./handin";
-import type { Analysed, Catalogue, Changed, ClientMessage, Equations, Light, Look, Setup, Snapshot, Welcome } from "./messages";
+import type { Analysed, Catalogue, Changed, ClientMessage, Equations, Look, Setup, Snapshot, Welcome } from "./messages";
 import { DEFAULT_SETUP } from "./messages";
 import type { Offer } from "./link";
 import { analysed, shown } from "./margins";
@@ -11,6 +11,8 @@ import { Score } from "./score";
 import { Loop, combined, linearMotion } from "./simulator";
 import type { Kit, Law, Motion, Push } from "./simulator";
 import { STATES, UNITS, UNLIT, store } from "./store";
+import { inEach } from "./texts";
+import { headOf } from "./verdict";
 
 export interface Controller {
   kind: string;
@@ -19,7 +21,6 @@ export interface Controller {
   stride: number;
   gains: number[];
   analysed?: Analysed;
-  least?: Partial<Light>; // the smallest margins of all places, and where
   plant?: Plant; // of gains by hand, which are analysed here
   S?: number[][];
   Sy?: number[][];
@@ -33,7 +34,7 @@ interface Shown {
 }
 
 export interface Facts extends Shown {
-  title: string;
+  title: Record<string, string>;
   kit_name: string;
   period: number;
   gravity: number;
@@ -214,13 +215,14 @@ export class LocalSession {
     if (another) store.hear(facts.equations);
     store.analysed = null;
     window.clearTimeout(this.thinking);
-    store.hear({ ...UNLIT, ...controller?.least });
+    store.hear(UNLIT);
     if (!controller) return;
     const { plant } = controller;
     if (controller.analysed) store.hear({ ...controller.analysed, L: [shown(facts.every), ...controller.analysed.L] });
     else if (plant) this.thinking = window.setTimeout(() => {
       const found = analysed(plant, this.data.laws[setup.robot][setup.controller], setup.gains);
-      store.hear({ kind: "Analysed", gain: [setup.gains], ...found });
+      const { stable, poles, L } = found;
+      store.hear({ kind: "Analysed", stable, said: inEach(() => headOf(found, plant.period)), gain: [setup.gains], poles, L });
     }, SETTLED);
   }
 
@@ -277,7 +279,7 @@ export class LocalSession {
     const { facts } = this;
     const setup = { ...this.setup, ...facts.setup, gains: this.setup.controller === "gains" ? this.setup.gains : [] };
     const text = facts.setup && this.recorder.handIn(student, setup, facts.period, this.t, this.result());
-    if (!text) return store.hear({ kind: "Notice", level: "error", text: "", key: facts.setup ? "noRun" : "noReplay", job: "" });
+    if (!text) return store.hear({ kind: "Notice", level: "error", said: {}, key: facts.setup ? "noRun" : "noReplay", job: "" });
     const url = URL.createObjectURL(new Blob([text], { type: "application/json" }));
     store.hear({ kind: "Made", what: "json", name: "hand-in.json", url });
   }

@@ -5,7 +5,7 @@ import type { LocalSession } from "./exported";
 import type { Setup } from "./messages";
 import { address } from "./opening";
 import { store } from "./store";
-import { t, translate, texts } from "./texts";
+import { spoken, t, texts } from "./texts";
 
 const change = throttled(60, (part: Partial<Setup>) => store.change(part));
 
@@ -57,7 +57,7 @@ export class ExportedRobotPanel {
     const laden = facts?.laden?.look;
     replace(this.carried, ...(laden && this.load ? [this.load, t("carries", { mass: digits(laden.payload * 1000, 3), height: digits(laden.payload_height * 100, 3) })] : []));
     if (this.load) this.load.checked = store.setup.payload > 0;
-    this.title.textContent = facts ? `${translate(facts.title)} (${t("kit")}: ${facts.kit_name})` : "";
+    this.title.textContent = facts ? `${spoken(facts.title)} (${t("kit")}: ${facts.kit_name})` : "";
     const longest = this.sliders.find(([name]) => name === "delay")?.[1].root.querySelector("input");
     if (longest) longest.max = String(Math.max(0.05, 2 * (facts?.delay_own ?? 0))); // there is room on both sides of the kit's own
     for (const [name, s] of this.sliders) s.set(name === "delay" ? (store.changed?.kit.delay ?? 0) : store.setup[name]);

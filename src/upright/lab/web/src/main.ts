@@ -5,11 +5,11 @@ import { ExportedRobotPanel, PythonPanel, linkButton } from "./exported_panels";
 import { button, degrees, digits, h, keepingFocus, replace, said, sayAgain, select, slider, throttled } from "./dom";
 import type { Slider } from "./dom";
 import { isLink, tokenIn } from "./link";
-import type { Recovered, ServerMessage } from "./messages";
+import type { Notice, Recovered, ServerMessage } from "./messages";
 import { Line } from "./net";
 import type { State } from "./net";
 import { address, open as openLink } from "./opening";
-import { certificate, changedRobot, COMPARISON, ControllerPanel, IdentifyPanel, KeepPanel, KitPanel, lamplight, latestLog, RobotPanel } from "./panels";
+import { COMPARISON, ControllerPanel, IdentifyPanel, KeepPanel, KitPanel, lamplight, latestLog, lightWords, RobotPanel } from "./panels";
 import { QUIET } from "./marks";
 import { Replay } from "./replay";
 import { Room } from "./scene";
@@ -21,7 +21,7 @@ import { Steering } from "./steering";
 import { LEAN, store } from "./store";
 import { ClassPanel } from "./board";
 import "./style.css";
-import { LANGUAGES, choose, fixed, language, named, noticed, stopped, t, texts, translate } from "./texts";
+import { LANGUAGES, NAMES, choose, fixed, language, named, sentence, spoken, t, texts, told } from "./texts";
 import { Tour } from "./tour";
 
 const TABS = ["Tour", "Controller", "Robot", "Kit", "See", "Identify", "Keep", "Class", "Python"] as const;
@@ -32,6 +32,7 @@ const PINNED = 0.19; // of the window's height that the room takes while it is p
 const SIZES = [0.01, 0.5]; // [N s] of a knock by its button
 const SHOWN = 10; // [s] of the clock that the curves show: in slow motion less of the robot's time, and more of what is quick
 const SAME = 1e-6; // a record larger by less is the same one: sums of forces
+const LEVELS = { good: "info", info: "info", unknown: "info", warn: "warn", bad: "error" } as const; // of a verdict, and of what the corner says
 const SILENT = 1500; // [ms] without the lab before it is said what helps
 const SEEN = 400; // [ms] from the first picture to the work on another one
 
@@ -161,13 +162,12 @@ class Page {
   }
 
   private build(): void {
-    const languages = Object.entries(LANGUAGES).map(([key, text]): [string, string] => [key, text.language]);
     const header = h("header", {},
       h("a", { className: "skip", href: "#panel", onclick: () => this.panel.focus() }, t("skip")),
       h("h1", {}, h("span", { className: "mark", "aria-hidden": "true" }), t("title")),
       h("p", { className: "what" }, t("what")), this.light, h("span", { className: "grow" }), this.clock, this.status,
       exported ? linkButton((words) => this.toast(words, "info")) : null,
-      select("", languages, language(), (key) => this.speak(key), "language"),
+      select("", NAMES, language(), (key) => this.speak(key), "language"),
       button("◐", () => this.theme(document.documentElement.dataset.theme === "dark" ? "light" : "dark"), { "aria-label": t("theme"), title: t("theme"), "data-key": "theme" }),
       button("?", () => this.help(), { "aria-label": t("help"), title: t("help"), "data-key": "help" }));
     header.querySelector("select")?.setAttribute("aria-label", "Language / Idioma");
@@ -407,9 +407,9 @@ class Page {
       case "Equations": if (this.tab === "See") this.see.show(); break;
       case "Snapshot": this.transported(); break;
       case "Progress": if (message.job === "light") { this.lamp(); this.update(); break; } this.identify.progress(message.job, message.fraction); if (message.job === "certify") this.controller.certifying(message.fraction); break;
-      case "JobResult": this.identify.found(); if (message === store.certified) this.controller.certify(); if (message !== store.certified || this.tab !== "Controller") this.toast(() => `${t(message.job as "doctor" | "calibrate" | "certify")}: ${translate(message.title)}`, message.ok ? "info" : message.job === "certify" ? "error" : "warn"); if (latestLog && this.tab === "Identify") keepingFocus(() => this.identify.build()); break;
+      case "JobResult": this.identify.found(); if (message === store.certified) this.controller.certify(); if (message !== store.certified || this.tab !== "Controller") this.toast(() => `${named(message.job)}: ${spoken(message.said).verdict}`, LEVELS[message.said.en.level]); if (latestLog && this.tab === "Identify") keepingFocus(() => this.identify.build()); break;
       case "Made": if (message.name === COMPARISON) { this.compared(store.files + message.url); break; } this.keep.made(message.name, message.url.startsWith("blob:") ? message.url : store.files + message.url); this.toast(() => t("made", { name: message.name }), "info"); break;
-      case "Notice": message.key === "lies" ? this.lie(() => t("lies")) : message.job ? this.failed(message.job, message.text) : this.toast(() => (message.key ? named(message.key) : noticed(message.text)), message.level); break;
+      case "Notice": message.key === "lies" ? this.lie(() => t("lies")) : message.job ? this.failed(message) : this.toast(() => (message.key ? named(message.key) : told(message.said)), message.level); break;
       case "Recovered": this.recovered(message); break;
       case "Board": if (this.tab === "Class") this.classes.update(); break;
     }
@@ -425,10 +425,9 @@ class Page {
     const light = lamplight();
     this.app.classList.toggle("loose", store.falls || (store.changed?.busy ?? false)); // nothing balances it
     if (store.recorded && (store.lit?.light ?? "none") === "none") return replace(this.light);
-    const whole = certificate()[1]?.textContent ?? "";
-    this.light.title = `${whole[0].toUpperCase()}${whole.slice(1)}. ${t("lightNote")}`;
-    const short = store.setup.controller === "off" ? whole : whole.split(",")[0] + changedRobot().split(",").slice(0, 2).join(); // its colour, and what it is not of
-    replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span", { className: "word", "aria-hidden": "true" }, light === "none" ? "…" : t(light).split(",")[0]), h("span", {}, `${t("certificate")}:`), h("span", {}, short));
+    const words = lightWords();
+    this.light.title = `${sentence(words)}. ${t("lightNote")}`;
+    replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span", { className: "word", "aria-hidden": "true" }, light === "none" ? "…" : t(light)), h("span", {}, `${t("certificate")}:`), h("span", {}, words));
   }
 
   /** Above the robot: what became of a push, for a while; that it fell, until it stands. */
@@ -454,12 +453,13 @@ class Page {
   }
 
   /** A job has stopped: said in Identify where it was begun there, and to whoever looks elsewhere. */
-  private failed(job: string, why: string): void {
+  private failed({ job, said, level }: Notice): void {
     const button = job.startsWith("keep compar") ? "compare" : job;
     const known = ["doctor", "calibrate", "compare"].includes(button);
-    const words = () => (known || job === "certify" ? stopped(button, why) : noticed(why));
-    if (known) this.identify.fail(words);
-    if (!known || this.tab !== "Identify") this.toast(words, "error");
+    const why = () => (known || job === "certify" ? t("jobStopped", { job: named(button), why: told(said) }) : told(said));
+    const words = () => (said.en ? why() : t("wasStopped", { job: named(button) }));
+    if (known && said.en) this.identify.fail(words);
+    if (!known || !said.en || this.tab !== "Identify") this.toast(words, level);
   }
 
   private driven(): string {
@@ -542,7 +542,7 @@ class Page {
     store.send({ kind: "Play", paused: !store.snapshot?.paused, speed: this.speed });
   }
 
-  private says(state: State, reason = ""): void {
+  private says(state: State, reason = () => ""): void {
     if (state === "lost" && this.state !== "lost") this.waits = window.setTimeout(() => this.tell(said(() => t("gone"))), SILENT);
     if (state === "connected" && this.state === "lost") this.back();
     this.state = state;
@@ -551,7 +551,7 @@ class Page {
     this.status.textContent = words[state];
     if (state !== "refused") return;
     session.removeItem("name");
-    replace(this.app, h("main", { className: "refused", role: "alert" }, h("h1", {}, t("refused")), h("p", {}, translate(reason)), button("↻", () => location.reload())));
+    replace(this.app, h("main", { className: "refused", role: "alert" }, h("h1", {}, t("refused")), h("p", {}, reason()), button("↻", () => location.reload())));
   }
 
   /** The lab answers again. */

@@ -22,7 +22,6 @@
  * @property {number | null} phase
  * @property {number | null} delay
  * @property {number[][]} L frequencies, real and imaginary parts
- * @property {string} words
  */
 
 const SAME = 1e-9; // of a period: equal times may differ by rounding
@@ -318,20 +317,6 @@ function delayMargin(stable, latest) {
 const finite = (value) => (Number.isFinite(value) ? value : null);
 
 /**
- * As the sentence of certify/margins.py.
- * @param {Omit<Analysis, "words">} a
- * @returns {Analysis}
- */
-function said(a) {
-  if (!a.stable) return { ...a, words: `The loop is unstable: its largest pole is at |z| = ${Math.hypot(...a.poles[0]).toFixed(4)}.` };
-  const percent = (/** @type {number} */ k) => `${Math.round(100 * k)} %`;
-  const low = a.gain_low > 0 ? `as weak as ${percent(a.gain_low)}` : "however weak";
-  const high = (a.gain_high ?? Infinity) < 1e3 ? `as strong as ${percent(a.gain_high ?? 0)}` : "however strong";
-  const delay = a.delay === null ? "any delay" : `${Math.round(1000 * a.delay)} ms more delay`;
-  return { ...a, words: `both motors: survives ${delay}, and ${low} or ${high} of its gain.` };
-}
-
-/**
  * @param {Plant} plant
  * @param {import("./simulator").Law} law
  * @param {ArrayLike<number>} gains
@@ -356,7 +341,7 @@ export function analysed(plant, law, gains) {
   const drawn = shown(plant.period);
   const L = drawn.map(loop);
   const result = { stable: Math.hypot(...poles[0]) < BORDER, poles, gain_low: 1, gain_high: 1, phase: 0, delay: 0, L: [drawn, L.map(([x]) => x), L.map(([, y]) => y)] };
-  if (!result.stable) return said(result);
+  if (!result.stable) return result;
   const linear = Array.from({ length: 300 }, (_, k) => ((k + 1) * top) / 300);
   const grid = [...spaced(Math.min(1e-3, top / 1e6), top, GRID), ...linear].sort((a, b) => a - b);
   const there = grid.map(loop);
@@ -372,8 +357,8 @@ export function analysed(plant, law, gains) {
   });
   const waits = lags.map((lag, i) => lag / crossings[i]);
   const dead = delayMargin((more) => decays(loopMatrix(plant, law, gains, more)), Math.min(LATEST, ...waits));
-  return said({
+  return {
     ...result, gain_low: border(factors.filter((k) => k < 1).reverse()) ?? 0, gain_high: border(factors.filter((k) => k > 1)) ?? null,
     phase: finite(Math.min(...lags.map((lag) => Math.min(lag, 2 * Math.PI - lag)))), delay: finite(Math.min(dead, ...waits)),
-  });
+  };
 }

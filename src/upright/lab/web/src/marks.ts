@@ -2,7 +2,7 @@
 import type uPlot from "uplot";
 import { digits, h } from "./dom";
 import { ink } from "./palette";
-import { store } from "./store";
+import { DEGREES, store } from "./store";
 import type { Mark } from "./store";
 import { named } from "./texts";
 
@@ -16,7 +16,8 @@ const NEAR = 2; // [px] between a label and the line of another push
 function words({ what, size }: Mark): string[] {
   const text = named(size || what !== "hand" ? `mark_${what}` : "mark_held");
   const short = text.replace(/(?<=\{size\}).*/, "");
-  return [...new Set([text, short])].map((one) => one.replace("{size}", digits(Math.abs(size), 2)));
+  const shown = Math.abs(what === "tilt" ? DEGREES * size : size);
+  return [...new Set([text, short])].map((one) => one.replace("{size}", digits(shown, 2)));
 }
 
 export class Marks {

@@ -1,12 +1,18 @@
 // Generated from src/upright/lab/messages.py by python -m upright.lab.typescript; do not edit.
 
-export const VERSION = 8;
+export const VERSION = 9;
+
+export const LEAST_GAIN = 0.04; // [1] below which a margin is thin, as in designs and certificates
+
+export const LEAST_DELAY = 0.25; // [periods]
 
 export type BodyName = "twin" | "nonlinear" | "linear" | "published" | "calibrated";
 
 export type Job = "certify" | "doctor" | "calibrate" | "design";
 
 export type Keep = "csv" | "parquet" | "report" | "compare" | "replay" | "controller" | "robot" | "handin";
+
+export type Language = "en" | "es";
 
 export type PushName = "front" | "back" | "impulse" | "pull_left" | "pull_right";
 
@@ -23,6 +29,14 @@ export interface FamilyInfo {
   truth: boolean;
 }
 
+export interface Head {
+  title: string;
+  verdict: string;
+  level: "good" | "warn" | "bad" | "unknown" | "info";
+  lead: string[];
+  numbers: string[][];
+}
+
 export interface Progress {
   kind: "Progress";
   job: "certify" | "doctor" | "calibrate" | "design" | "light";
@@ -32,7 +46,7 @@ export interface Progress {
 
 export interface RobotInfo {
   name: string;
-  title: string;
+  title: Record<string, string>;
   kit: string;
   drive: string;
   numbers: Record<string, number>;
@@ -46,6 +60,13 @@ export interface Student {
   effort: number;
   here: boolean;
   controller: string;
+}
+
+export interface Trouble {
+  came: string;
+  expected: string;
+  likely: string;
+  hint: string;
 }
 
 export interface Setup {
@@ -141,6 +162,7 @@ export interface Save {
   kind: "Save";
   what: "csv" | "parquet" | "report" | "compare" | "replay" | "controller" | "robot" | "handin";
   name: string;
+  language: "en" | "es";
 }
 
 export interface Recall {
@@ -167,6 +189,7 @@ export interface Catalogue {
   families: FamilyInfo[];
   units: Record<string, string>;
   symbols: Record<string, string>;
+  names: Record<string, Record<string, string>>;
   largest: number[];
   command: Record<string, number>;
 }
@@ -183,6 +206,7 @@ export interface Welcome {
 export interface Refused {
   kind: "Refused";
   reason: string;
+  said: Record<string, Trouble>;
 }
 
 export interface Look {
@@ -213,12 +237,8 @@ export interface Changed {
 export interface Analysed {
   kind: "Analysed";
   stable: boolean;
-  words: string;
+  said: Record<string, Head>;
   gain: number[][];
-  gain_low: number | null;
-  gain_high: number | null;
-  phase: number | null;
-  delay: number | null;
   poles: number[][];
   L: number[][];
 }
@@ -239,25 +259,15 @@ export interface Equations {
 
 export interface Light {
   kind: "Light";
-  light: "green" | "amber" | "red" | "none";
-  reasons: string[];
-  delay: number | null;
-  delay_at: string;
-  gain_low: number | null;
-  low_at: string;
-  gain_high: number | null;
-  high_at: string;
-  met: number | null;
+  light: "green" | "amber" | "red" | "unknown" | "none";
+  said: Record<string, Head>;
 }
 
 export interface JobResult {
   kind: "JobResult";
   job: "certify" | "doctor" | "calibrate" | "design";
-  title: string;
-  text: string;
-  header: string[];
-  rows: string[][];
-  ok: boolean;
+  said: Record<string, Head>;
+  html: Record<string, string>;
 }
 
 export interface Made {
@@ -270,7 +280,7 @@ export interface Made {
 export interface Notice {
   kind: "Notice";
   level: "info" | "error";
-  text: string;
+  said: Record<string, Trouble>;
   key: string;
   job: string;
 }

@@ -4,6 +4,7 @@ import type { ClientMessage, ServerMessage } from "./messages";
 import { isLink } from "./link";
 import { session } from "./remember";
 import { store } from "./store";
+import { told } from "./texts";
 
 export type State = "connecting" | "connected" | "lost" | "refused" | "replaying";
 
@@ -20,7 +21,7 @@ export class Line {
 
   constructor(
     private credentials: Credentials,
-    private say: (state: State, reason?: string) => void,
+    private say: (state: State, reason?: () => string) => void,
   ) {
     store.send = (message) => this.send(message);
     this.open();
@@ -61,7 +62,7 @@ export class Line {
     }
     if (message.kind === "Refused") {
       this.closed = true;
-      this.say("refused", message.reason);
+      this.say("refused", () => told(message.said));
     }
     store.hear(message);
   }

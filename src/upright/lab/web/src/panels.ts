@@ -1,17 +1,16 @@
 // The panels below: controller, robot, kit, what was found, what is kept. Each builds itself from the store.
-import { button, degrees, digits, fresh, h, keepingFocus, numberField, plainNumbers, replace, said, sayAgain, select, slider, table, throttled } from "./dom";
+import { button, degrees, digits, fresh, h, keepingFocus, numberField, replace, said, sayAgain, select, slider, table, throttled } from "./dom";
 import type { Slider } from "./dom";
-import type { BodyName, Job, JobResult, Keep, Setup } from "./messages";
+import type { BodyName, Job, JobResult, Keep, Light, Setup, Trouble } from "./messages";
 import { exported } from "./exported";
-import { reported } from "./found";
+import { first, whole } from "./found";
 import { JobBar } from "./job_bar";
 import { address } from "./opening";
 import { session } from "./remember";
-import { LEAN, STATES, SYMBOLS, UNITS, store } from "./store";
-import { named, noticed, t, translate } from "./texts";
+import { DEGREES, LEAN, SHOWN_UNITS, STATES, SYMBOLS, store } from "./store";
+import { language, named, spoken, t, told } from "./texts";
 import { legendEntry } from "./charts";
-import { sentence } from "./see";
-import { atMotors, leastMargins, unstable } from "./verdict";
+import { judged, unstable } from "./verdict";
 
 const HERE = ["127.0.0.1", "localhost", "[::1]"]; // an address that no other computer reaches
 
@@ -102,7 +101,7 @@ export class ControllerPanel extends Panel {
     this.noCertificate.textContent = t(["gains", "off"].includes(store.setup.controller) ? "noCertificateByHand" : "noCertificateHere");
     if (this.reported === store.certified) return;
     this.reported = store.certified;
-    replace(this.certified, ...(this.reported ? [h("p", {}, t("certified")), ...reported(this.reported)] : []));
+    replace(this.certified, ...(this.reported ? [h("p", {}, t("certified")), whole(this.reported)] : []));
   }
 
   private byHand(): number[] {
@@ -142,9 +141,10 @@ export class ControllerPanel extends Panel {
   }
 
   private weight(size: number, i: number): Slider {
-    const unit = i < 6 ? UNITS[i] : (store.changed?.look.command_unit ?? "V");
+    const unit = i < 6 ? SHOWN_UNITS[i] : ` ${store.changed?.look.command_unit ?? "V"}`;
+    const scale = i < 6 ? DEGREES : 1;
     const label = i < 6 ? `${SYMBOLS[i]} ${named(STATES[i])}` : t("command");
-    return slider(label, { low: size / 10, high: size * 10, log: true, show: (v) => `${digits(v, 2)} ${unit}`, key: `weight-${i}` }, (v) => {
+    return slider(label, { low: size / 10, high: size * 10, log: true, show: (v) => `${digits(scale * v, 2)}${unit}`, key: `weight-${i}` }, (v) => {
       const largest = [...this.sizes()];
       largest[i] = v;
       later({ largest });
@@ -161,46 +161,34 @@ export class ControllerPanel extends Panel {
     const a = store.analysed;
     if (store.setup.controller === "off") return [h("p", { className: "note" }, t("noLoop"))];
     if (!a) return [h("p", { className: "note" }, t("designing") + (store.setup.controller === "robust" ? " " + t("robustTakes") : ""))];
-    const parts: Node[] = [];
-    const range = (low: number | null, high: number | null) => `${low === null ? "0" : digits(low, 2)} … ${high === null ? "∞" : digits(high, 3)}`;
-    const rows = [
-      [t("gainMargin"), range(a.gain_low, a.gain_high)],
-      [t("phaseMargin"), a.phase === null ? t("unlimited") : `${digits((a.phase * 180) / Math.PI, 2)}°`],
-      [t("delayMargin"), a.delay === null ? t("unlimited") : `${digits(a.delay * 1000, 3)} ms`],
-    ];
-    const words = sentence(translate(a.words));
-    if (unstable(a)) parts.push(h("p", { className: "verdict bad" }, h("b", {}, words)));
-    else if (!a.stable) parts.push(h("p", { className: "note" }, words));
-    else parts.push(...leastMargins(a), atMotors(), table([], rows, "margins"));
-    return parts;
+    return judged(a);
   }
 }
 
-/** What the certificate does not know of: it is for the robot as its controller was designed. */
-export function changedRobot(): string {
-  if (store.setup.controller === "off" || (store.lit?.light ?? "none") === "none") return "";
-  return (store.setup.payload > 0 ? t("butPayload") : "") + (store.setup.slope ? t("butSlope") : "");
-}
-
 /** The light's colour: without a controller, or with an unstable loop, it waits for no certificate. */
-export function lamplight(): "green" | "amber" | "red" | "none" {
+export function lamplight(): Light["light"] {
   const light = store.lit?.light ?? "none";
   return store.setup.controller === "off" || (light === "none" && store.analysed !== null && unstable(store.analysed)) ? "red" : light;
 }
 
+/** The light in words, and of which robot: it is for the robot as its controller was designed. */
+export function lightWords(): string {
+  const { setup, lit, trying, jobs } = store;
+  if (setup.controller === "off") return t("unlitOff");
+  if (!lit?.said.en) return trying ? t("tried", { n: Math.round(trying.fraction * trying.runs), all: trying.runs }) : t(jobs.size ? "queued" : "none");
+  if (lit.light === "none") return t("noCertificate");
+  const light = spoken(lit.said).verdict;
+  if (setup.payload > 0) return t(setup.slope ? "litBoth" : "litPayload", { light });
+  return setup.slope ? t("litSlope", { light }) : light;
+}
+
 export function certificate(): (Node | null)[] {
-  const off = store.setup.controller === "off";
-  const lit = off ? null : store.lit;
-  const light = lamplight();
-  const waits = light === "none" && !lit?.reasons.length;
-  const { trying } = store;
-  const tried = waits && trying ? t("tried", { n: Math.round(trying.fraction * trying.runs), all: trying.runs }) : waits && store.jobs.size ? t("queued") : t(light);
-  const words = off ? t("noneRed") : light === "none" && !waits ? t("noCertificate") : tried;
-  const lamp = h("span", { className: `lamp ${light}`, "aria-hidden": "true" });
+  const said = store.setup.controller !== "off" && store.lit?.said.en ? spoken(store.lit.said) : null;
+  const waits = store.setup.controller !== "off" && !said && !store.jobs.size;
+  const lamp = h("span", { className: `lamp ${lamplight()}`, "aria-hidden": "true" });
   return [
-    h("h4", {}, t("certificate")), h("p", { className: "lit" }, lamp, h("b", {}, words + changedRobot())),
-    waits && !store.jobs.size ? h("p", { className: "note" }, t("lightNote")) : null,
-    ...(lit?.reasons ?? []).map((reason) => h("p", { className: "note" }, plainNumbers(sentence(translate(reason))) + (light === "green" && /robots fell/.test(reason) ? ` ${t("allowed")}` : ""))),
+    h("h4", {}, t("certificate")), h("p", { className: "lit" }, lamp, h("b", {}, lightWords())),
+    waits ? h("p", { className: "note" }, t("lightNote")) : null, said && first({ ...said, verdict: "" }),
   ];
 }
 
@@ -260,7 +248,8 @@ export class RobotPanel extends Panel {
 
   override update(): void {
     for (const [name, s] of this.sliders) s.set(store.setup[name] as number);
-    this.title.textContent = translate(store.catalogue?.robots.find((r) => r.name === store.setup.robot)?.title ?? "");
+    const info = store.catalogue?.robots.find((r) => r.name === store.setup.robot);
+    this.title.textContent = info ? spoken(info.title) : "";
     const shown = JSON.stringify([store.setup.robot, store.setup.numbers, store.changed?.bodies]);
     if (shown === this.shown) return;
     const again = this.shown !== "";
@@ -279,7 +268,7 @@ export class RobotPanel extends Panel {
       const field = numberField((v) => store.change({ numbers: { ...store.setup.numbers, [name]: v } }), { id, "data-key": `number-${name}` });
       this.fields.set(name, field);
       const symbol = store.catalogue?.symbols[name] ?? "";
-      return h("div", { className: "parameter" }, h("label", { "for": id }, `${translate(name.replaceAll("_", " "))} ${symbol}`), field.root, h("span", {}, (store.catalogue?.units[name] ?? "").replace(/^1$/, "")));
+      return h("div", { className: "parameter" }, h("label", { "for": id }, `${spoken(store.catalogue?.names ?? {})?.[name] ?? name} ${symbol}`), field.root, h("span", {}, (store.catalogue?.units[name] ?? "").replace(/^1$/, "")));
     });
     this.fields.forEach((field, name) => field.set(values[name]));
     replace(this.table, ...rows, button(t("ownNumbers"), () => store.change({ numbers: {}, drive: "" }), { className: "quiet", "data-key": "own-numbers" }));
@@ -314,6 +303,11 @@ export class KitPanel extends Panel {
   }
 }
 
+/** Have a file made, which is downloaded then. */
+function save(what: Keep, name = ""): void {
+  store.send({ kind: "Save", what, name, language: language() });
+}
+
 /** A file to be sent to the session's folder. */
 function upload(label: string, accept: string, what: "log" | "robot"): HTMLElement {
   const id = fresh("file");
@@ -333,8 +327,8 @@ async function send(file: File, what: "log" | "robot"): Promise<void> {
   store.say(() => t("uploaded", { name: file.name }));
   try {
     const answer = await fetch(address, { method: "POST", body: file });
-    const { name, error } = (await answer.json()) as { name?: string; error?: string };
-    if (error) store.say(() => noticed(error), "error");
+    const { name, error } = (await answer.json()) as { name?: string; error?: Record<string, Trouble> };
+    if (error) store.say(() => told(error), "error");
     else if (what === "log") {
       latestLog = name ?? "";
       opened();
@@ -367,15 +361,10 @@ export class IdentifyPanel extends Panel {
     if (latestLog) choices.push([latestLog, latestLog.replace(/^in-/, "")]);
     if (latestLog) this.source = latestLog;
     const source = select(t("source"), choices, this.source, (v) => (this.source = v), "source");
-    const start = (job: Job) => {
-      replace(this.failed);
-      this.load = this.source ? 0 : store.setup.payload;
-      store.send({ kind: "Start", job, file: this.source });
-    };
     const row = h(
       "div", { className: "row" },
-      button(t("doctor"), () => start("doctor"), { title: t("doctorTip"), "data-key": "doctor" }),
-      button(t("calibrate"), () => start("calibrate"), { title: t("calibrateTip"), "data-key": "calibrate" }),
+      button(t("doctor"), () => this.start("doctor"), { title: t("doctorTip"), "data-key": "doctor" }),
+      button(t("calibrate"), () => this.start("calibrate"), { title: t("calibrateTip"), "data-key": "calibrate" }),
       button(t("compare"), () => this.compare(), { title: t("compareTip"), "data-key": "compare" }),
     );
     const logs = ".csv,.txt,.log,.tsv,.dat,.json,.mat,.parquet,.mcap";
@@ -387,6 +376,12 @@ export class IdentifyPanel extends Panel {
       h("div", { className: "column wide" }, this.result),
     );
     this.found();
+  }
+
+  private start(job: Job): void {
+    replace(this.failed);
+    this.load = this.source ? 0 : store.setup.payload;
+    store.send({ kind: "Start", job, file: this.source });
   }
 
   /** A job has stopped; it is said under its button until another one begins. */
@@ -404,7 +399,7 @@ export class IdentifyPanel extends Panel {
   private compare(): void {
     this.robot = store.setup.robot;
     replace(this.failed);
-    store.send({ kind: "Save", what: "compare", name: this.source });
+    save("compare", this.source);
     const key = [...this.shares.keys()].some((job) => job !== "design") ? "compareWaits" : "comparing";
     replace(this.comparison, said(() => t(key)));
   }
@@ -433,11 +428,17 @@ export class IdentifyPanel extends Panel {
     else this.running.set(job, bar);
   }
 
+  /** What a page may name next and the lab has a button for: a calibration that is to be written is there already. */
+  private next(job: Job): Record<string, [string, () => void]> {
+    const again: [string, () => void] = [t("calibrate"), () => this.start("calibrate")];
+    return { calibrate: job === "calibrate" ? [t("robotFile"), () => save("robot")] : again, ...(job === "doctor" ? {} : { doctor: [t("doctor"), () => this.start("doctor")] }) };
+  }
+
   found(): void {
     const f = store.found;
     if (!f) return;
     const laden = f.job === "calibrate" && this.load > 0;
-    replace(this.result, laden && h("p", { className: "verdict bad" }, h("b", {}, t("calibratedLaden", { mass: digits(this.load * 1000, 3) }))), ...reported(f));
+    replace(this.result, laden && h("p", { className: "verdict bad" }, h("b", {}, t("calibratedLaden", { mass: digits(this.load * 1000, 3) }))), whole(f, this.next(f.job)));
   }
 }
 
@@ -454,7 +455,7 @@ export class KeepPanel extends Panel {
   /** Without Python there are the traces, the picture and the hand-in to keep. */
   buildExported(): void {
     sayAgain(this.links);
-    const csv = button(t("csv"), () => store.send({ kind: "Save", what: "csv", name: "" }), { "data-key": "keep-csv" });
+    const csv = button(t("csv"), () => save("csv"), { "data-key": "keep-csv" });
     replace(this.root, h("div", { className: "column wide" },
       h("p", { className: "note" }, t("csvNote")), h("div", { className: "row" }, csv, this.pictureButton()), h("p", { className: "note" }, t("keepLive")),
       h("p", { className: "note" }, t("handInNote")), this.handIn(), this.links));
@@ -466,11 +467,11 @@ export class KeepPanel extends Panel {
       [t("keepData"), [["csv", t("csv")], ["parquet", t("parquet")]]], [t("keepPages"), [["report", t("report")], ["replay", t("replay")]]],
       [t("keepFiles"), [["controller", t("controllerFile")], ["robot", t("robotFile")]]],
     ];
-    const save = ([what, text]: [Keep, string]) => button(text, () => store.send({ kind: "Save", what, name: "" }), { "data-key": `keep-${what}` });
+    const kept = ([what, text]: [Keep, string]) => button(text, () => save(what), { "data-key": `keep-${what}` });
     const group = (title: string, ...buttons: Node[]) => h("div", {}, h("h4", {}, title), h("div", { className: "row" }, ...buttons));
     const link = button(t("link"), () => void this.copy(), { "data-key": "link" });
     replace(this.root, h("div", { className: "column wide" },
-      h("p", { className: "note" }, t("keepNote")), ...kinds.map(([title, some]) => group(title, ...some.map(save))), group(t("keepShow"), this.pictureButton(), link),
+      h("p", { className: "note" }, t("keepNote")), ...kinds.map(([title, some]) => group(title, ...some.map(kept))), group(t("keepShow"), this.pictureButton(), link),
       h("p", { className: "note" }, t("handInNote")), this.handIn(), this.links));
   }
 
@@ -479,7 +480,7 @@ export class KeepPanel extends Panel {
     const id = fresh("student");
     const name = h("input", { type: "text", id, maxLength: 40, autocomplete: "name", value: session.getItem("name") ?? "", "data-key": "student" });
     const send = () => {
-      if (name.value.trim()) store.send({ kind: "Save", what: "handin", name: name.value.trim() });
+      if (name.value.trim()) save("handin", name.value.trim());
       else {
         name.focus();
         store.say(() => t("nameMissing"));

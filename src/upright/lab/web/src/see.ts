@@ -1,11 +1,11 @@
 // What can be looked at: the loop, the phase portrait, voltages, the estimate, and the equations with their numbers.
-import { Strip, around } from "./charts";
+import { Strip, around, inDegrees } from "./charts";
 import { digits, h, replace, select, table } from "./dom";
 import { ink, laneColour, laneDash } from "./palette";
 import { drawing } from "./plots";
 import { STATES, SYMBOLS, store } from "./store";
-import { named, t, translate } from "./texts";
-import { leastMargins, unstable } from "./verdict";
+import { named, t } from "./texts";
+import { judged } from "./verdict";
 
 type View = "loop" | "portrait" | "voltages" | "estimate" | "equations";
 const VIEWS: View[] = ["loop", "portrait", "voltages", "estimate", "equations"];
@@ -49,7 +49,7 @@ export class See {
     const time = traces.t.slice(first);
     const cut = (line: number[]) => line.slice(first);
     if (this.view === "estimate") {
-      this.strips[0].show(time, [cut(traces.x[0]?.[0] ?? []), cut(traces.estimate)], end - SECONDS, end);
+      this.strips[0].show(time, [traces.x[0]?.[0] ?? [], traces.estimate].map((line) => inDegrees(cut(line))), end - SECONDS, end);
     } else {
       const marks = [1, 2].map((bit, i) => cut(traces.saturated).map((s, k) => (s & bit ? traces.volts[i][first + k] : NaN)));
       this.strips.forEach((strip, i) => strip.show(time, [cut(traces.volts[i]), marks[i]], end - SECONDS, end));
@@ -76,7 +76,7 @@ export class See {
       { label: t("truth"), colour: laneColour(store.changed?.bodies[0] ?? "twin"), dash: [] },
       { label: t("opinion"), colour: push, dash: [4, 3] },
     ];
-    this.strips = [new Strip(`ψ: ${t("truth")} ──  ${t("opinion")} ╌╌`, "rad", lines, 190, 0.02)];
+    this.strips = [new Strip(`ψ: ${t("truth")} ──  ${t("opinion")} ╌╌`, "°", lines, 190, 1)];
     replace(this.stage, h("p", { className: "note" }, t("estimateNote")), this.strips[0].root);
   }
 
@@ -88,7 +88,7 @@ export class See {
     const plane = (state: number, least: [number, number]) => {
       const lines = x.map((body, i) => {
         const name = store.changed?.bodies[i] ?? "";
-        return { x: body[state].slice(first), y: body[state + 1].slice(first), colour: laneColour(name), dash: laneDash(name, store.changed?.bodies ?? []) };
+        return { x: inDegrees(body[state].slice(first)), y: inDegrees(body[state + 1].slice(first)), colour: laneColour(name), dash: laneDash(name, store.changed?.bodies ?? []) };
       });
       const span = (axis: "x" | "y", floor: number): [number, number] => {
         const all = lines.flatMap((l) => l[axis]);
@@ -97,19 +97,17 @@ export class See {
       };
       const ends = lines.map((l) => ({ x: l.x.at(-1) ?? 0, y: l.y.at(-1) ?? 0, colour: l.colour }));
       const label = named(STATES[state]);
-      return titled(label, drawing({ title: `${t("portrait")}: ${label}`, xLabel: `${SYMBOLS[state]} [rad]`, yLabel: `${SYMBOLS[state + 1]} [rad/s]`, lines, points: ends, x: span("x", least[0]), y: span("y", least[1]), square: true }));
+      return titled(label, drawing({ title: `${t("portrait")}: ${label}`, xLabel: `${SYMBOLS[state]} [°]`, yLabel: `${SYMBOLS[state + 1]} [°/s]`, lines, points: ends, x: span("x", least[0]), y: span("y", least[1]), square: true }));
     };
-    replace(this.stage, plane(0, [0.03, 0.4]), plane(2, [0.5, 1]), plane(4, [0.05, 0.2]));
+    replace(this.stage, plane(0, [2, 20]), plane(2, [30, 60]), plane(4, [3, 12]));
   }
 
   private loop(): Node[] {
     const found = store.analysed;
     if (store.setup.controller === "off") return [h("p", { className: "note" }, t("noLoop"))];
     if (!found) return [h("p", { className: "note" }, t("designing"))];
-    const bad = unstable(found);
-    const words = h("p", { className: bad ? "verdict bad" : "note" }, h(bad ? "b" : "span", {}, sentence(translate(found.words))));
     const colour = laneColour("twin");
-    const drawings: Node[] = found.stable ? leastMargins(found) : [words];
+    const drawings: Node[] = judged(found);
     if (found.L.length === 3) drawings.push(...frequency(found.L, colour));
     if (found.poles.length) drawings.push(poles(found.poles, colour));
     return drawings;
@@ -138,11 +136,6 @@ function poles(all: number[][], colour: string): HTMLElement {
   const reach = Math.max(1.15, ...all.map(([x, y]) => Math.max(Math.abs(x), Math.abs(y)) * 1.1));
   const wide = reach * 1.2;
   return titled(t("poles"), drawing({ title: t("poles"), xLabel: "Re z", yLabel: "Im z", points, x: [-wide, wide], y: [-reach, reach], square: true, circle: true }));
-}
-
-/** With a capital. */
-export function sentence(words: string): string {
-  return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
 function titled(title: string, ...drawings: Node[]): HTMLElement {

@@ -5,6 +5,8 @@ import type { Analysed, Board, Catalogue, Changed, ClientMessage, Drag, Equation
 
 export const STATES = ["pitch", "pitch_rate", "wheel", "wheel_rate", "yaw", "yaw_rate"] as const;
 export const UNITS = ["rad", "rad/s", "rad", "rad/s", "rad", "rad/s"];
+export const SHOWN_UNITS = ["°", "°/s", "°", "°/s", "°", "°/s"];
+export const DEGREES = 180 / Math.PI; // of a radian: data are in radians, and people read degrees
 export const SYMBOLS = ["ψ", "ψ̇", "θ", "θ̇", "φ", "φ̇"];
 
 export const LEAN = 0.02; // [rad] from which a robot without a controller starts: upright it would stand for seconds
@@ -149,7 +151,7 @@ export class Traces {
 }
 
 /** What is known of a loop before its certificate. */
-export const UNLIT: Light = { kind: "Light", light: "none", reasons: [], delay: null, delay_at: "", gain_low: null, low_at: "", gain_high: null, high_at: "", met: null };
+export const UNLIT: Light = { kind: "Light", light: "none", said: {} };
 
 type Listener = (message: ServerMessage) => void;
 
@@ -244,7 +246,7 @@ export class Store {
   /** Push the robot, unless it lies: then say what helps. */
   push(message: Drag | Strike): void {
     const begins = message.kind === "Strike" || message.force !== 0;
-    if (begins && this.snapshot?.x[0][8]) this.hear({ kind: "Notice", level: "info", text: "", key: "lies", job: "" });
+    if (begins && this.snapshot?.x[0][8]) this.hear({ kind: "Notice", level: "info", said: {}, key: "lies", job: "" });
     else this.send(message);
   }
 
@@ -326,7 +328,7 @@ export class Store {
       case "Board": this.board = message; break;
       case "JobResult":
         this.found = message;
-        if (message.job === "certify" && message.rows.length) this.certified = message;
+        if (message.job === "certify") this.certified = message;
         break;
       case "Notice":
         if (message.key === "tooMany" && this.changed) { // what was left out may be a set-up: the one that is known stands

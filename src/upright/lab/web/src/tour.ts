@@ -2,12 +2,11 @@
 // need neither the twin nor a design.
 import { small } from "./charts";
 import { button, h, replace } from "./dom";
-import { sentence } from "./see";
 import { exported } from "./exported";
 import { DEFAULT_SETUP } from "./messages";
 import type { Setup } from "./messages";
 import { LEAN, store } from "./store";
-import { t, texts } from "./texts";
+import { sentence, t, texts } from "./texts";
 
 /** A knock of so many N s, or a control by its name. */
 type Act = number | "size" | "tilt" | "curves" | "identify";

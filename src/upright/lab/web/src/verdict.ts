@@ -1,78 +1,64 @@
-// Whether the smallest margins are enough, in plain words: once every place is known where the loop can be broken.
+// What is said of the margins: in the live lab by the server, and of gains by hand in a page without Python here, in the
+// same words and by the same limits.
 import { digits, h } from "./dom";
 import { exported } from "./exported";
-import type { Analysed, Light } from "./messages";
+import { first } from "./found";
+import type { Analysis } from "./margins";
+import { LEAST_DELAY, LEAST_GAIN } from "./messages";
+import type { Analysed, Head } from "./messages";
 import { store } from "./store";
-import { t, translate } from "./texts";
+import { filled, spoken, t, texts } from "./texts";
 
-const [LEAST_GAIN, LEAST_DELAY] = [0.04, 0.25]; // below which a margin is thin [1, periods], as certify/verdict.py
+const ROUNDED = 1e-6; // an integrator's pole is at 1 but for rounding
+const MOST_GAIN = 11; // from here on it is not said how large a gain may be
 
 /** Whether the loop is known to be unstable: a controller that is not linear has no poles. */
 export function unstable({ stable, poles }: Analysed): boolean {
   return !stable && poles.length > 0;
 }
 
-/** The smallest margins in plain words and with a verdict: how much later, stronger or weaker the loop bears. */
-export function leastMargins(a: Analysed): Node[] {
-  const lit = store.lit;
-  const known = Boolean(lit?.delay_at);
-  const thin = tight(known && lit ? lit : a); // no smallest margin is larger than one
-  if (!known || !lit) {
-    const exceeded = exceedsMargin(a);
-    const places = thin || exceeded ? "" : t(exported ? "placesPython" : lit?.reasons.length ? "placesCertificate" : store.jobs.size ? "placesQueued" : "placesPending");
-    return [h("p", { className: `verdict ${thin || exceeded ? "bad" : "open"}` }, exceeded ? h("b", {}, moreDelay(a)) : thin && h("b", {}, `${t("thinMotors")} `), places, exceeded ? "" : ` ${moreDelay(a)}`.trimEnd())];
+/** What is known of the loop; in a page without Python, whose controllers stay as they were designed, for which dead time. */
+export function judged(a: Analysed): HTMLElement[] {
+  const own = exported?.facts.robots[store.setup.robot]?.delay_own ?? 0;
+  const { delay } = store.setup;
+  const other = exported && delay >= 0 && Math.abs(delay - own) > 5e-4;
+  const note = h("p", { className: "note" }, t("delayOwn", { own: digits(1000 * own, 2), now: digits(1000 * delay, 2) }));
+  return [first(spoken(a.said)), ...(other ? [note] : [])];
+}
+
+/** The first screen for a loop that was broken at both motors, of a controller with this period [s]. */
+export function headOf(a: Analysis, period: number): Head {
+  const words = texts().loopSaid;
+  const radius = Math.hypot(...a.poles[0]);
+  if (radius > 1 + ROUNDED) {
+    const time = seconds((period * Math.log(2)) / Math.log(radius), 2);
+    return { verdict: words.unstable, level: "bad", title: filled(words.doubles, { time }), lead: [], numbers: [] };
   }
-  const red = lit.light === "red" || lit.light === "amber" ? lit.light : null;
-  const own = (store.setup.payload > 0 ? t("butPayload") : "") + (addedDelay() ? t("butDelay") : ""); // the margins are those of the robot alone
-  const words = thin ? t("thin") : lit.met !== 5 ? t("targetsMet", { met: lit.met ?? 0 }).replace(/\.$/, `${own}.`) : t(red === "red" ? "enoughRed" : red ? "enoughAmber" : "enough").replace(/\.$/, `${own}.`);
-  const exceeded = exceedsMargin(a);
-  return [h("p", { className: `verdict ${thin || exceeded ? "bad" : red || addedDelay() || lit.met !== 5 ? "open" : "good"}` }, h("b", {}, exceeded ? moreDelay(a) : words), ` ${delayed(lit)} ${scaled(lit)} ${exceeded ? "" : moreDelay(a)}`.trimEnd())];
+  if (radius > 1 - ROUNDED) return { verdict: words.free, level: "warn", title: words.unheld, lead: [], numbers: [] };
+  const place = words.both;
+  const high = a.gain_high ?? Infinity;
+  const delay = a.delay === null ? Infinity : Math.floor(1e4 * a.delay) / 1e4;
+  const kinds: [number, string][] = [
+    [(a.delay ?? Infinity) / (LEAST_DELAY * period), delay < Infinity ? filled(words.upToDelay, { delay: seconds(delay, 3), place }) : words.anyDelay],
+    [(high - 1) / LEAST_GAIN, filled(words.untilStronger, { change: percent(high - 1), place })],
+    [(1 - a.gain_low) / LEAST_GAIN, filled(words.untilWeaker, { change: percent(1 - a.gain_low), place })],
+  ];
+  const [part, title] = kinds.reduce((least, kind) => (kind[0] < least[0] ? kind : least));
+  const low = String(Math.ceil(100 * a.gain_low));
+  const range = high < MOST_GAIN ? filled(words.range, { low, high: String(Math.floor(100 * high)) }) : filled(words.atLeast, { low });
+  return {
+    verdict: part < 1 ? words.thin : words.stable, level: part < 1 ? "warn" : "good", title, lead: [],
+    numbers: [
+      [seconds(delay, 3), filled(words.delay, { place })], [`${range}\u00a0%`, words.strength],
+      [a.phase === null ? "∞" : `${digits((180 * a.phase) / Math.PI, 2)}°`, words.phase],
+    ],
+  };
 }
 
-/** By how much the dead time [s] was changed since the margins were computed: only in a page without Python, whose
- *  controllers stay as they were designed. */
-function addedDelay(): number {
-  const own = exported?.facts.robots[store.setup.robot]?.delay_own;
-  const by = own === undefined || store.setup.delay < 0 ? 0 : store.setup.delay - own;
-  return Math.abs(by) < 5e-4 ? 0 : by;
+function seconds(time: number, count: number): string {
+  return time < 0.1 ? `${digits(1000 * time, count)}\u00a0ms` : `${digits(time, count)}\u00a0s`;
 }
 
-/** Whether the dead time grew by more than the loop bears: it is one of both motors. */
-function exceedsMargin({ delay }: Analysed): boolean {
-  return addedDelay() > (delay ?? Infinity);
-}
-
-/** What the changed dead time is of these margins; "" where it is as it was. */
-function moreDelay(a: Analysed): string {
-  const by = addedDelay();
-  if (!by) return "";
-  const values = { by: digits(Math.abs(1000 * by), 2), own: digits(1000 * (store.setup.delay - by), 2), bears: digits(1000 * (a.delay ?? 0), 2) };
-  return t(exceedsMargin(a) ? "delayLost" : by < 0 ? "delayLess" : a.delay === null ? "delayMore" : "delayUsed", values);
-}
-
-function tight({ delay, gain_low, gain_high }: Pick<Light, "delay" | "gain_low" | "gain_high">): boolean {
-  return (delay ?? Infinity) < least() || Math.min(1 - (gain_low ?? 0), (gain_high ?? Infinity) - 1) < LEAST_GAIN;
-}
-
-/** The shortest delay margin that is enough [s]. */
-function least(): number {
-  return LEAST_DELAY * (store.changed?.period ?? 0.01);
-}
-
-function delayed({ delay, delay_at }: Light): string {
-  if (delay === null) return t("anyDelay");
-  return t("leastDelay", { delay: digits(delay * 1000, 2), place: translate(delay_at), least: digits(least() * 1000, 2) });
-}
-
-function scaled({ gain_low, low_at, gain_high, high_at }: Light): string {
-  const percent = (part: number) => digits(100 * part, 2);
-  const down = { down: percent(1 - (gain_low ?? 0)), low: translate(low_at) };
-  return gain_high === null ? t("leastGainLow", down) : t("leastGain", { ...down, up: percent(gain_high - 1), high: translate(high_at) });
-}
-
-/** The heading of the margins at the motors, of which none may be the smallest. */
-export function atMotors(): Node {
-  const { delay_at, low_at, high_at } = store.lit ?? { delay_at: "", low_at: "", high_at: "" };
-  const elsewhere = [delay_at, low_at, high_at].every((place) => place && place !== "both motors");
-  return h("h4", {}, t("margins"), elsewhere ? ` ${t("notWeakest")}` : "");
+function percent(part: number): string {
+  return `${digits(100 * part, 2)}\u00a0%`;
 }
