@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gzip
 import hashlib
+import inspect
 import json
 import os
 import re
@@ -11,7 +12,10 @@ from pathlib import Path
 
 import pytest
 
+from upright import pages
+from upright.lab import typescript
 from upright.lab.recording import MARK, inlined, page_text
+from upright.loops import analysis_page, places
 
 LAB = Path(__file__).resolve().parents[1] / "src" / "upright" / "lab"
 WEB, STATIC = LAB / "web", LAB / "static"
@@ -78,11 +82,24 @@ def shape(value: object) -> object:
 SHARED = {"hinf", "tabRobot", "preset", "doctor", "title", "tabPython", "install", "robotIs"}
 
 
+def test_the_page_s_spanish_is_that_of_the_catalogue():
+    """After a change of either: python -m upright.lab.typescript."""
+    assert (typescript.TEXTS / "es.json").read_text("utf-8") == typescript.spoken("es")
+
+
+def test_gains_by_hand_are_judged_in_the_words_of_every_design():
+    """A page without Python computes their margins itself, but says what the page of a design says."""
+    words = json.loads((WEB / "src" / "texts" / "en.json").read_text("utf-8"))["loopSaid"]
+    sources = [inspect.getsource(module) for module in (analysis_page, places, pages.words)]
+    assert [text for text in words.values() if not any(f'"{text}"' in source for source in sources)] == []
+
+
 def test_both_languages_say_the_same_things():
     english, spanish = (json.loads((WEB / "src" / "texts" / f"{key}.json").read_text("utf-8")) for key in ("en", "es"))
     assert shape(english) == shape(spanish)
     assert len(english["tour"]) == 9
     same = [key for key in english if isinstance(english[key], str) and english[key] == spanish[key]]
+    same += [a for one, other in zip(english["tour"], spanish["tour"], strict=True) for a in one if one[a] == other[a]]
     assert set(same) <= SHARED  # words that both languages share
 
 

@@ -12,6 +12,7 @@ from annotated_types import Interval
 
 from upright.lab import messages
 from upright.lab.codec import KINDS, InvalidMessage, decode, encode, plain
+from upright.lab.message_types import ErrorParts
 from upright.lab.messages import (
     Ack,
     Change,
@@ -94,8 +95,11 @@ def test_numbers_that_json_lacks_become_null():
 
 
 def test_a_message_is_plain_data_whatever_it_holds():
-    assert plain(Notice("info", "π ψ")) == {"level": "info", "text": "π ψ", "key": "", "job": "", "kind": "Notice"}
-    assert "π" in encode(Notice("info", "π"))
+    assert plain(Notice("info", {"en": ErrorParts("π ψ")})) == {
+        "level": "info", "parts": {"en": {"came": "π ψ", "expected": "", "likely": "", "hint": "", "verb": ""}}, "key": "",
+        "job": "", "kind": "Notice",
+    }  # fmt: skip
+    assert "π" in encode(Notice("info", {"en": ErrorParts("π")}))
 
 
 def hostile(rng: random.Random) -> str:

@@ -256,7 +256,7 @@ def heard_history(room: Room, client: Client) -> list[dict[str, Any]]:
 def test_a_setup_that_cannot_be_is_reported_and_another_stands_there(room):
     client = room.page("a", setup=Setup(robot="nobody"))
     said = heard(client)
-    assert any(m["kind"] == "Notice" and "nobody" in m["text"] for m in said)
+    assert any(m["kind"] == "Notice" and "nobody" in m["parts"]["en"]["came"] for m in said)
     assert "Changed" in kinds(said)
 
 
@@ -459,7 +459,7 @@ def test_the_light_of_a_certificate_follows_over_the_wire():
     with _started("-m", "upright") as address, _page(address) as (socket, _):
         lit = _until(socket, lambda m: m["kind"] == "Light" and m["light"] != "none")
     assert lit["light"] == "green"
-    assert lit["reasons"]
+    assert lit["heads"]["es"]["verdict"]
 
 
 def test_huge_binary_and_broken_frames_close_only_their_own_line(served):

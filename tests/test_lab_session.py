@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import ast
 import math
-import re
 import time
 from dataclasses import replace
 from functools import cache
@@ -13,8 +11,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import upright
 from upright.bodies import Electronics, NonlinearBody
+from upright.calibration.annealing import lost
+from upright.certification.design import design
 from upright.control import CONTROLLERS, ControllerSpec, lqg
 from upright.errors import InvalidLog
 from upright.experiment import Hold, run
@@ -45,13 +44,14 @@ from upright.lab.messages import (
     Strike,
     Uploaded,
 )  # fmt: skip
-from upright.lab.page_words import for_page
 from upright.lab.plant import COARSE, FINE, Pulled, families, is_slow, loaded
 from upright.lab.pushing import Pushing
 from upright.lab.ring import Ring
 from upright.lab.session import Session
+from upright.lab.spoken import parts_of
 from upright.lab.tasks import TASKS
 from upright.lab.views import catalogue
+from upright.languages import speaking
 from upright.logs.recording import check_unit
 from upright.physics.dynamics import Disturbance, derivative, mass_matrix
 from upright.physics.linear import unstable_pole
@@ -209,7 +209,19 @@ def test_weights_and_gains_reach_the_controller(tmp_path):
     hand, desk = a_session(tmp_path, by_hand, certified=False)
     analysed = only(Analysed, attended(hand, desk))[0]
     assert analysed.gain[0] == by_hand.gains
-    assert f" {analysed.delay * 1e3:.0f} ms more delay" in analysed.words  # the table's number and the sentence's
+    assert analysed.heads["en"].verdict.startswith("stable")
+
+
+def test_margins_are_judged_as_the_page_of_a_design_does(tmp_path):
+    """One judgement: the same title, verdict and numbers, in both languages."""
+    session, desk = a_session(tmp_path, replace(MODEL, controller="lqg"), certified=False)
+    heads = only(Analysed, attended(session, desk))[-1].heads
+    page = design("lqg", ROBOT, kit=KIT).page()
+    assert page.verdict
+    for language, head in heads.items():
+        with speaking(language):
+            assert (head.title, head.verdict) == (str(page.title), str(page.verdict.text))
+            assert head.numbers[:2] == tuple((str(one.value), str(one.meaning)) for one in page.numbers[:2])
 
 
 @cache
@@ -224,8 +236,9 @@ def test_the_light_follows_and_a_spoilt_gain_is_red(tmp_path, monkeypatch):
     session, desk = a_session(tmp_path)
     lit = only(Light, attended(session, desk))[-1]
     assert lit.light == "green"
-    more = f"{1e3 * (lit.delay or 0):.3g}\u00a0ms more delay at the {lit.delay_at}"
-    assert any(more in reason for reason in lit.reasons)
+    assert {language: head.verdict.partition(":")[0] for language, head in lit.heads.items()} == {
+        "en": "Green", "es": "Verde",
+    }  # fmt: skip
     session.handle(Change(replace(MODEL, controller="gains", gains=(-3.0, 0.0, 0.0, 0.0, 0.0, 0.0))))
     events = attended(session, desk)
     assert [lit.light for lit in only(Light, events)] == ["none", "red"]  # gravity alone asks for more than 3 V/rad
@@ -473,7 +486,7 @@ def test_what_cannot_be_is_reported_and_changes_nothing(tmp_path, setup):
     session.handle(Change(setup))
     (said,) = only(Notice, session.events())
     assert said.level == "error"
-    assert "\n" not in said.text
+    assert "\n" not in said.parts["en"].came
     assert session.setup == MODEL
     assert session.lanes is before
     session.advance(0.1)
@@ -507,7 +520,9 @@ def test_the_doctor_examines_the_run_and_an_uploaded_file(tmp_path):
     (tmp_path / "run.csv").rename(tmp_path / "in-mine.csv")
     session.handle(Uploaded("log", str(tmp_path / "in-mine.csv"), "in-mine.csv"))
     (again,) = only(JobResult, attended(session, desk))
-    assert {row[1] for row in again.rows} == {row[1] for row in found.rows}
+    assert again.heads["en"].verdict == found.heads["en"].verdict
+    assert str(tmp_path) not in again.html["en"]  # where a server keeps its files is nobody's business
+    assert "mine.csv" in again.heads["es"].title
     for path in ("../../etc/passwd", "/etc/passwd", "nothing.csv"):
         session.handle(Start("doctor", path))
         assert only(Notice, attended(session, desk))[0].level == "error"
@@ -527,46 +542,31 @@ def test_an_uploaded_robot_stands_there_with_its_numbers(tmp_path):
 def test_a_calibrated_model_joins_as_a_further_trace(tmp_path):
     session, _ = a_session(tmp_path)
     learnt = ROBOT.replace(com_height=0.08)
-    session.reported("calibrate", "done", (learnt, JobResult("calibrate", "", "", (), (), True)))
+    session.reported("calibrate", "done", (learnt, JobResult("calibrate", {}, {})))
     assert [lane.name for lane in session.lanes] == ["nonlinear", "calibrated"]
     assert session.lanes[1].body.spec.robot == learnt
 
 
-def test_a_job_that_failed_is_told_in_the_page_s_own_words(tmp_path):
-    """A log in volts opened for TWIPR, whose motors take torques: the page has a tab for what the terminal has an
-    option for."""
+def test_a_job_that_failed_says_why_part_by_part_in_each_language(tmp_path):
+    """A log in volts opened for TWIPR, whose motors take torques."""
     session, _ = a_session(tmp_path)
     session.advance(1.0)
     with pytest.raises(InvalidLog) as wrong:
         check_unit(session.logs()["nonlinear"], "applied", Robot.preset("twipr"))
-    session.reported("calibrate", "failed", str(wrong.value))
-    told = only(Notice, session.events())[-1]
-    assert (told.job, told.level) == ("calibrate", "error")
-    assert told.text == (
-        "this log is of a robot whose commands are in V; twipr takes N m. "
-        "Choose the log's robot in the tab Robot, then press Calibrate again."
-    )
+    session.reported("calibrate", "failed", parts_of(wrong.value))
+    notice = only(Notice, session.events())[-1]
+    assert (notice.job, notice.level) == ("calibrate", "error")
+    english, spanish = notice.parts["en"], notice.parts["es"]
+    assert english.expected == "N m, as those of twipr"
+    assert all(part in str(wrong.value) for part in (english.came, english.expected, english.likely, english.hint))
+    assert "twipr" in spanish.expected
+    assert not {spanish.came, spanish.likely, spanish.hint} & {english.came, english.likely, english.hint}
 
 
-FOR_THE_TERMINAL = (
-    (src := Path(upright.__file__).parent) / "logs" / "recording.py", src / "logs" / "mapping.py",
-    src / "checkup" / "wheels.py", src / "checkup" / "doctor.py", src / "checkup" / "columns.py",
-    src / "checkup" / "speeds.py", src / "calibration" / "knocks.py", src / "calibration" / "annealing.py",
-)  # fmt: skip
-
-
-@pytest.mark.parametrize("path", FOR_THE_TERMINAL, ids=lambda path: path.name)
-def test_no_option_of_the_terminal_reaches_the_page_by_itself(path):
-    """Every hint in the source that has one, as an error would say it: it stands in a command quoted as one."""
-    texts = [
-        node.value
-        for node in ast.walk(ast.parse(path.read_text("utf-8")))
-        if isinstance(node, ast.Constant) and isinstance(node.value, str) and "\n" not in node.value
-    ]
-    for text in (one for one in texts if re.search(r"--[a-z]|`upright", one)):
-        said = for_page(f"it failed; try: {text}")
-        bare = re.sub(r"“upright [^”]*”|In a terminal: .*", "", said)
-        assert not re.search(r"--[a-z]", bare), said
+def test_a_command_that_an_error_names_is_known_by_its_verb():
+    """So the page can put its own button beside it."""
+    parts = parts_of(lost())["es"]
+    assert (parts.verb, parts.hint) == ("doctor", "`upright doctor LOG`")
 
 
 def test_a_calibration_sees_no_truth(tmp_path):
@@ -637,7 +637,7 @@ def test_a_registered_plug_in_is_a_family_like_ours(tmp_path, monkeypatch):
     assert session.logs()["nonlinear"]["command/left"][-1] == 0.5
     assert only(Analysed, attended(session, desk))[-1].gain == ()  # it has no known linear form, and says so
     session.handle(Change(replace(MODEL, controller="bent")))
-    assert "ZeroDivisionError" in only(Notice, session.events())[-1].text
+    assert "ZeroDivisionError" in only(Notice, session.events())[-1].parts["en"].came
     assert session.setup.controller == "rod"
 
 
@@ -645,7 +645,7 @@ def test_a_page_cannot_have_a_file_s_code_run(tmp_path):
     (tmp_path / "evil.py").write_text("from pathlib import Path\nPath(__file__).with_suffix('.ran').touch()\nX = print")
     session, _ = a_session(tmp_path)
     session.handle(Change(replace(MODEL, controller=f"{tmp_path}/evil.py:X")))
-    assert "expected one of" in only(Notice, session.events())[-1].text
+    assert only(Notice, session.events())[-1].parts["en"].expected.startswith("one of")
     assert not (tmp_path / "evil.ran").exists()
 
 
@@ -669,7 +669,7 @@ def test_a_job_in_a_process_reports_and_can_be_killed(tmp_path):
             words = desk.poll()
             time.sleep(0.02)
         assert words[0][1] == "failed"
-        assert "none.toml" in words[0][2]
+        assert "none.toml" in words[0][2]["en"].came
     finally:
         desk.close()
 

@@ -21,7 +21,7 @@ class UprightError(Exception):
     """Root of all errors of this package.
 
     The message is one line: what came, what was expected, the likely cause and what to try. `parts` has them one by
-    one, for whoever shows them otherwise; a part may be a sentence that knows its translation.
+    one, for whoever shows them otherwise; a part may be a sentence that knows its translation, or a command to run.
 
     >>> str(UprightError("period is -1 s", expected="a positive number", hint="use 0.01"))
     'period is -1 s; expected a positive number; try: use 0.01'

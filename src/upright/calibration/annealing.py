@@ -17,6 +17,7 @@ from upright.calibration.process_noise import with_process
 from upright.calibration.threads import in_threads
 from upright.errors import DesignFailed
 from upright.logs.recording import Recording, head
+from upright.pages import Next, Say
 
 ANNEALING_NOISE = (0.3, 0.1, 0.03)
 """[1] Process noise of the first fits, as a fraction of the commands (rms). Much noise makes a filter that forgets fast
@@ -59,8 +60,8 @@ def from_likeliest_delays(problem: Problem, z: Array, limits: Mapping[str, float
 
 def lost() -> DesignFailed:
     return DesignFailed(
-        "the filter loses the robot from every start", expected="a log of the named robot, balancing",
-        likely="another robot, a flipped sign or a wrong unit", hint="run `upright doctor` on the log",
+        Say("the filter loses the robot from every start"), expected=Say("a log of the named robot, balancing"),
+        likely=Say("another robot, a flipped sign or a wrong unit"), hint=Next("doctor", "LOG"),
     )  # fmt: skip
 
 

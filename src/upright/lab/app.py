@@ -19,7 +19,7 @@ from upright.lab.hub import Client, Hub
 from upright.lab.mailbox import Mailbox
 from upright.lab.messages import Uploaded
 from upright.lab.recording import FILES, page_text, static
-from upright.lab.spoken import troubles_of
+from upright.lab.spoken import parts_of
 from upright.lab.uploads import TooLarge, UploadRefused
 from upright.pages import Say
 
@@ -131,11 +131,11 @@ async def _upload(hub: Hub, session: str, request: Request, what: str, name: str
     folder = hub.folder(session)
     if folder is None:
         gone = UploadRefused(Say("there is no such session"), hint=Say("reload the page"))
-        return JSONResponse({"error": plain(troubles_of(gone))}, 404)
+        return JSONResponse({"error": plain(parts_of(gone))}, 404)
     try:
         path = await uploads.receive(request.stream(), folder, name, what)
     except UprightError as error:
-        return JSONResponse({"error": plain(troubles_of(error))}, 413 if isinstance(error, TooLarge) else 400)
+        return JSONResponse({"error": plain(parts_of(error))}, 413 if isinstance(error, TooLarge) else 400)
     hub.pass_on(session, Uploaded("robot" if what == "robot" else "log", str(path), path.name))
     return JSONResponse({"name": path.name})
 

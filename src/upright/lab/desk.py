@@ -24,7 +24,7 @@ from typing import Any, Protocol
 
 from upright.errors import UprightError
 from upright.interrupts import without_ctrl_c
-from upright.lab.spoken import troubles_of
+from upright.lab.spoken import parts_of
 from upright.pages import Quantity, Say
 from upright.reading import limit_memory
 
@@ -219,8 +219,8 @@ class _Clerk:
             words.append((self._key, status, result))
             self.idle = status != "progress"
         if not self.idle and self._overdue(patience):
-            late = Say("it took longer than {time} and was stopped", time=Quantity(patience, "s"))
-            return [*words, self._gone(late)]
+            overdue = Say("it took longer than {time} and was stopped", time=Quantity(patience, "s"))
+            return [*words, self._gone(overdue)]
         return words
 
     def kill(self) -> None:
@@ -272,7 +272,7 @@ class _Clerk:
     def _gone(self, why: Say) -> Word:
         self.kill()
         self.idle = self.dead = True
-        return (self._key, "failed", troubles_of(why))
+        return (self._key, "failed", parts_of(why))
 
 
 def _work(pipe: Connection) -> None:
@@ -303,6 +303,6 @@ def _done(task: str, args: tuple[Any, ...], report: Callable[..., None]) -> tupl
     try:
         return "done", TASKS[task](report, *args)
     except UprightError as error:
-        return "failed", troubles_of(error)
+        return "failed", parts_of(error)
     except Exception as error:  # whatever a file or a design did, the session goes on
-        return "failed", troubles_of(Say("unexpected {kind}: {text}", kind=type(error).__name__, text=str(error)[:200]))
+        return "failed", parts_of(Say("unexpected {kind}: {text}", kind=type(error).__name__, text=str(error)[:200]))

@@ -20,7 +20,7 @@ from upright.lab.codec import InvalidMessage, decode, encode
 from upright.lab.connections import Bucket
 from upright.lab.mailbox import Mailbox
 from upright.lab.messages import VERSION, Ack, Board, Broadcast, Change, Hello, Notice, Refused, Setup, Welcome
-from upright.lab.spoken import troubles_of
+from upright.lab.spoken import parts_of
 from upright.lab.stage_process import StageLink, Words
 from upright.pages import Say
 from upright.reading import give_back
@@ -111,7 +111,7 @@ class Hub:
         except (InvalidMessage, NotAdmitted) as error:
             self._wrong(client, error)
         except UprightError as error:
-            client.box.event(encode(Notice("error", troubles_of(error))))
+            client.box.event(encode(Notice("error", parts_of(error))))
 
     def leave(self, client: Client) -> None:
         """The page is gone; its session is kept for a while."""
@@ -235,11 +235,11 @@ class Hub:
         if isinstance(error, NotAdmitted) or client.wrong > PATIENCE:
             self._let_go(client, error)
         else:
-            client.box.event(encode(Notice("error", troubles_of(error))))
+            client.box.event(encode(Notice("error", parts_of(error))))
 
     def _let_go(self, client: Client, why: UprightError) -> None:
         client.closed = str(why)
-        client.box.event(encode(Refused(client.closed, troubles_of(why))))
+        client.box.event(encode(Refused(client.closed, parts_of(why))))
 
     def on_words(self, words: Words) -> None:
         """What a stage reports."""

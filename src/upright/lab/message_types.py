@@ -67,13 +67,15 @@ class Head:
 
 
 @dataclass(frozen=True)
-class Trouble:
-    """An error in one language by its parts: what came, what was expected, what is likely, and what to try."""
+class ErrorParts:
+    """An error in one language by its parts: what came, what was expected, what is likely, and what to try, a command
+    of this `verb` or words."""
 
     came: str
     expected: str = ""
     likely: str = ""
     hint: str = ""
+    verb: str = ""
 
 
 @dataclass(frozen=True)

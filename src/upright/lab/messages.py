@@ -16,6 +16,7 @@ from upright.lab.message_types import (
     MOST_ITEMS,
     STRICT,
     Acted,
+    ErrorParts,
     FamilyInfo,
     Head,
     Job,
@@ -25,7 +26,6 @@ from upright.lab.message_types import (
     RobotInfo,
     Student,
     Text,
-    Trouble,
     Whole,
     message,
 )  # fmt: skip
@@ -233,7 +233,7 @@ class Refused:
     which know no parts."""
 
     reason: str
-    said: dict[str, Trouble]
+    parts: dict[str, ErrorParts]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -274,7 +274,7 @@ class Analysed:
 
     _: KW_ONLY
     stable: bool
-    said: dict[str, Head]
+    heads: dict[str, Head]
     gain: tuple[tuple[float, ...], ...]
     poles: tuple[tuple[float, ...], ...] = ()
     L: tuple[tuple[float, ...], ...] = ()
@@ -304,7 +304,7 @@ class Light:
     where there is no certificate."""
 
     light: Literal["green", "amber", "red", "unknown", "none"] = "none"
-    said: dict[str, Head] = field(default_factory=dict[str, Head])
+    heads: dict[str, Head] = field(default_factory=dict[str, Head])
 
 
 @message
@@ -312,7 +312,7 @@ class JobResult:
     """What came of a job: the page of its result as HTML, and its first screen, by language."""
 
     job: Job
-    said: dict[str, Head]
+    heads: dict[str, Head]
     html: dict[str, str]
 
 
@@ -331,7 +331,7 @@ class Notice:
     stopped where nothing is said."""
 
     level: Literal["info", "error"]
-    said: dict[str, Trouble] = field(default_factory=dict[str, Trouble])
+    parts: dict[str, ErrorParts] = field(default_factory=dict[str, ErrorParts])
     key: str = ""
     job: str = ""
 

@@ -21,7 +21,7 @@ from upright.lab.desk import Desk
 from upright.lab.display import KEPT, Display
 from upright.lab.handin import Recorder, RunResult, result_of
 from upright.lab.lane import Lane
-from upright.lab.message_types import Acted, Trouble
+from upright.lab.message_types import Acted, ErrorParts
 from upright.lab.messages import (
     VERSION,
     Analysed,
@@ -51,7 +51,7 @@ from upright.lab.messages import (
 from upright.lab.plant import FINE, Plant, behind, body_of, design, design_part, is_slow, plant_of, setup_of, stand_in
 from upright.lab.pushing import Pushing, Score
 from upright.lab.recording import FILES, MOMENT
-from upright.lab.spoken import heads_of, troubles_of
+from upright.lab.spoken import heads_of, parts_of
 from upright.pages import Page, Quantity, Say
 from upright.physics.dynamics import CALM
 from upright.robots import Robot
@@ -89,7 +89,7 @@ class Session:
             self._handlers()[type(message)](message)
             self._recorder.note(message, self.t)
         except UprightError as error:
-            self._events.append(Notice("error", troubles_of(error)))
+            self._events.append(Notice("error", parts_of(error)))
 
     def advance(self, seconds: float) -> None:
         """Let `seconds` of simulated time pass, unless paused."""
@@ -169,7 +169,7 @@ class Session:
             stood = not lane.fallen
             lane.step(self._target, disturbance, pull)
             if stood and lane.fallen and lane.trouble:
-                self._events.append(Notice("error", troubles_of(lane.trouble)))
+                self._events.append(Notice("error", parts_of(lane.trouble)))
         self._periods += 1
         main = self.lanes[0]
         ended = self.score.watch(dt, 0.0 if pull else disturbance.force, main.state(), main.applied, main.fallen)
@@ -226,7 +226,7 @@ class Session:
     def follow(self) -> list[Any]:
         """Have the certificate's light computed for the controller that was designed last, or say that it is not."""
         if not self._certified:
-            return [Light(said=heads_of(Page(Say("In a class the certificate is computed on request"))))]
+            return [Light(heads=heads_of(Page(Say("In a class the certificate is computed on request"))))]
         self._desk.submit((self.name, "light"), "light", (design_part(self.setup),), alone=True)
         return []
 
@@ -332,9 +332,9 @@ class Session:
         else:
             self._start(Start("doctor", message.path))
 
-    def _failed(self, job: str, said: dict[str, Trouble]) -> None:
+    def _failed(self, job: str, parts: dict[str, ErrorParts]) -> None:
         self._busy = "" if job == "design" else self._busy
-        self._events += [Notice("error", said, job=job), Progress(job, 1.0)]  # type: ignore[arg-type]
+        self._events += [Notice("error", parts, job=job), Progress(job, 1.0)]  # type: ignore[arg-type]
 
     # What the desk is given, and what comes of it
 
@@ -349,20 +349,21 @@ class Session:
     def _keeping(self, message: Save) -> tuple[str, tuple[Any, ...]]:
         """The task and its arguments for a file to be downloaded."""
         what = message.what
+        path = self.folder / FILES[what]
         if what in ("report", "compare") and message.name:
             opened = (self.upload(message.name), self.plant.nominal, self.plant.kit)
-            return "keep comparison", (opened, self.logs(), message.language, self.folder / FILES[what])
-        if what in ("report", "compare"):
-            return "keep report", (self._recorded(), message.language, self.folder / FILES[what])
-        content: dict[str, Callable[[], Any]] = {
-            "controller": lambda: self.setup,
-            "robot": lambda: self.calibrated or self.plant.nominal,
-            "replay": lambda: ([Welcome(VERSION, "", "alone", ""), views.catalogue(), *self.standing_events()],
-                               self._display.view(), self._display.rows(MOMENT)),
-            "handin": lambda: self._recorder.hand_in(message.name, self.setup, self.t, self.result()),
+            return "keep comparison", (opened, self.logs(), message.language, path)
+        content: dict[str, Callable[[], tuple[Any, ...]]] = {
+            "controller": lambda: (self.setup,),
+            "robot": lambda: (self.calibrated or self.plant.nominal,),
+            "replay": lambda: (([Welcome(VERSION, "", "alone", ""), views.catalogue(), *self.standing_events()],
+                                self._display.view(), self._display.rows(MOMENT)),),
+            "report": lambda: (self._recorded(), message.language),
+            "compare": lambda: (self._recorded(), message.language),
+            "handin": lambda: (self._recorder.hand_in(message.name, self.setup, self.t, self.result()),),
         }  # fmt: skip
-        given = content[what]() if what in content else next(iter(self._recorded().values()))
-        return f"keep {what}", (given, self.folder / FILES[what])
+        given = content[what]() if what in content else (next(iter(self._recorded().values())),)
+        return f"keep {what}", (*given, path)
 
     def _recorded(self) -> dict[str, Log]:
         logs = self.logs()
@@ -383,7 +384,8 @@ class Session:
             self.handle(Change(replace(self.setup, bodies=tuple(dict.fromkeys((*self.setup.bodies, "calibrated"))))))
             return [table, Progress(job, 1.0)]
         if job == "robot":
-            return self._read(result)
+            self.handle(Change(setup_of(result, self.setup)))
+            return [Notice("info", parts_of(Say("Robot {name} is read", name=result.name)))]
         name = Path(result).name
         return [Made(name.rpartition(".")[2], name, name), Progress(job, 1.0)]  # type: ignore[arg-type]
 
@@ -393,9 +395,5 @@ class Session:
         try:
             self.designed(controller)
         except UprightError as error:
-            return [Notice("error", troubles_of(error))]
+            return [Notice("error", parts_of(error))]
         return [analysis, self.changed(), *self.follow()]
-
-    def _read(self, robot: Robot) -> list[Any]:
-        self.handle(Change(setup_of(robot, self.setup)))
-        return [Notice("info", troubles_of(Say("Robot {name} is read", name=robot.name)))]

@@ -6,9 +6,9 @@ from collections.abc import Callable
 from typing import TypeVar
 
 from upright.errors import UprightError
-from upright.lab.message_types import Head, Trouble
+from upright.lab.message_types import ErrorParts, Head
 from upright.languages import LANGUAGES, speaking
-from upright.pages import Page, Say
+from upright.pages import Next, Page, Say
 
 T = TypeVar("T")
 
@@ -36,7 +36,9 @@ def heads_of(page: Page) -> dict[str, Head]:
     return in_each(head)
 
 
-def troubles_of(error: UprightError | Say) -> dict[str, Trouble]:
+def parts_of(error: UprightError | Say) -> dict[str, ErrorParts]:
     """An error by its parts; those that are a `Say` are translated."""
     parts = error.parts if isinstance(error, UprightError) else {"came": error}
-    return in_each(lambda: Trouble(**{name: str(part) for name, part in parts.items()}))
+    hint = parts.get("hint")
+    verb = hint.verb if isinstance(hint, Next) else ""
+    return in_each(lambda: ErrorParts(**{name: str(part) for name, part in parts.items()}, verb=verb))

@@ -25,7 +25,7 @@ from upright.lab.codec import encode
 from upright.lab.desk import ProcessDesk
 from upright.lab.messages import Notice, Setup, Step
 from upright.lab.seat import AWHILE, Seat, paid, within
-from upright.lab.spoken import troubles_of
+from upright.lab.spoken import parts_of
 from upright.reading import give_back
 
 if TYPE_CHECKING:
@@ -217,7 +217,7 @@ class Stage:
         failed = seat.session and seat.session.setup
         seat.close()
         if isinstance(error, UprightError):
-            self._say(name, Notice("error", troubles_of(error)))
+            self._say(name, Notice("error", parts_of(error)))
         else:
             self._say(name, Notice("error", key="setBack"))
         if failed == seat.good:

@@ -73,9 +73,9 @@ def analysed(controller: Controller, robot: Robot, kit: Kit) -> Analysed:
     try:
         analysis = analyse(controller, robot, kit, robots=())
     except (InvalidController, SpecMismatch) as error:
-        return Analysed(stable=False, said=heads_of(unknown_margins(error.parts["came"])), gain=gain)
+        return Analysed(stable=False, heads=heads_of(unknown_margins(error.parts["came"])), gain=gain)
     return Analysed(
-        stable=analysis.loop.stable, said=heads_of(replace(analysis.page(), lead=())), gain=gain,
+        stable=analysis.loop.stable, heads=heads_of(replace(analysis.page(), lead=())), gain=gain,
         poles=tuple((round(float(p.real), 5), round(float(p.imag), 5)) for p in analysis.poles),
         L=_curve(analysis.loop),
     )  # fmt: skip
@@ -107,7 +107,7 @@ def light(report: Report, setup: Setup) -> Light:
             controller, plant.nominal, plant.kit, samples=QUICK, sweeps=False, threads=1, progress=show
         )
     except SpecMismatch as error:
-        return Light(said=heads_of(Page(Say("{reason}", reason=error.parts["came"]))))
+        return Light(heads=heads_of(Page(Say("{reason}", reason=error.parts["came"]))))
     return _lit(certificate)
 
 
@@ -115,7 +115,7 @@ def _lit(certificate: Certificate) -> Light:
     return Light(certificate.light, heads_of(certificate.page()))  # type: ignore[arg-type]
 
 
-def _found(job: Job, result: Result) -> JobResult:
+def _page_of(job: Job, result: Result) -> JobResult:
     """The result's page, as it is."""
     page = result.page()
     return JobResult(job, heads_of(page), in_each(lambda: html.shadow(page)))
@@ -129,14 +129,14 @@ def certify(report: Report, setup: Setup) -> tuple[Light, JobResult]:
     report(0.02)
     controller = design_of(setup, plant.nominal, plant.kit)
     certificate = certified(controller, plant.nominal, plant.kit, threads=1, progress=report)
-    return _lit(certificate), _found("certify", certificate)
+    return _lit(certificate), _page_of("certify", certificate)
 
 
 def doctor(report: Report, source: Path | Log, robot: Robot) -> tuple[JobResult]:
     """What is wrong with a log."""
     from upright.checkup.doctor import doctor as examine
 
-    return (_found("doctor", replace(examine(source, robot=robot, progress=report), source=_shown(source))),)
+    return (_page_of("doctor", replace(examine(source, robot=robot, progress=report), source=_shown(source))),)
 
 
 def calibrate(report: Report, source: Path | Log, robot: Robot, kit: Kit) -> tuple[Robot, JobResult]:
@@ -146,7 +146,7 @@ def calibrate(report: Report, source: Path | Log, robot: Robot, kit: Kit) -> tup
 
     log = source if isinstance(source, Log) else raw_log(source)
     calibration = learn(_raw(log), robot, kit, progress=report)
-    return calibration.robot, _found("calibrate", replace(calibration, sources=(_shown(source),)))
+    return calibration.robot, _page_of("calibrate", replace(calibration, sources=(_shown(source),)))
 
 
 def _shown(source: Path | Log) -> str:

@@ -71,8 +71,8 @@ async def receive(chunks: AsyncIterator[bytes], folder: Path, name: str, what: s
                     raise TooLarge(most, hint=Say("cut it, or use the terminal"))
                 await asyncio.to_thread(stream.write, chunk)
     except TimeoutError:
-        late = Say("{name} did not arrive within {time}", name=name[:60], time=Quantity(PATIENCE, "s"))
-        raise UploadRefused(late, hint=Say("send it again")) from None
+        overdue = Say("{name} did not arrive within {time}", name=name[:60], time=Quantity(PATIENCE, "s"))
+        raise UploadRefused(overdue, hint=Say("send it again")) from None
     except UploadRefused:
         raise
     except (OSError, UprightError):

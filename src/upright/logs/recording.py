@@ -11,6 +11,7 @@ import numpy as np
 from upright.arrays import Array, Mask, Whole
 from upright.errors import InvalidLog
 from upright.logs.outliers import left_out
+from upright.pages import Say
 from upright.physics.dynamics import turn_ratio
 from upright.physics.sensing import sensor_matrix
 from upright.robots import Kit, Robot, Sensor
@@ -140,8 +141,9 @@ def check_unit(log: Log, prefix: str, robot: Robot) -> None:
         )  # fmt: skip
     if unit in COMMAND_UNITS.values() and unit != robot.command_unit:
         raise InvalidLog(
-            f"the log's commands are in {unit}", expected=f"{robot.command_unit}, as those of '{robot.name}'",
-            likely="another robot", hint="name the robot with --robot",
+            Say("the log's commands are in {unit}", unit=unit),
+            expected=Say("{unit}, as those of {robot}", unit=robot.command_unit, robot=robot.name),
+            likely=Say("another robot"), hint=Say("choose the robot of the log (`--robot`)"),
         )  # fmt: skip
 
 

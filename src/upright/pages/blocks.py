@@ -115,6 +115,9 @@ class Next:
         object.__setattr__(self, "options", {name: str(value) for name, value in options.items() if value is not None})
         object.__setattr__(self, "why", why)
 
+    def __str__(self) -> str:
+        return f"`{self.command}`"
+
     @property
     def command(self) -> str:
         """The line to type."""

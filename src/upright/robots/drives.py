@@ -1,7 +1,11 @@
 """What a robot's two commands are: the motors' voltage, their torque, or the speed of the wheels."""
 
+from upright.pages import Say
+
 COMMAND_UNITS = {"voltage": "V", "torque": "N m", "speed": "rad/s"}
 """Drive → unit of the command."""
+DRIVES = {"voltage": Say("voltage"), "torque": Say("torque"), "speed": Say("speed")}
+"""Drive → what it is called."""
 
 EFFORT_UNITS = {"V": "V² s", "N m": "N² m² s", "rad/s": "rad²/s"}
 """Unit of a command → that of the integral of its square."""

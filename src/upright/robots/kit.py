@@ -8,8 +8,9 @@ from dataclasses import dataclass, field, fields
 from pathlib import Path
 
 from upright.errors import InvalidRobot, SpecMismatch
+from upright.pages import Say
 from upright.robots import toml
-from upright.robots.drives import COMMAND_UNITS
+from upright.robots.drives import COMMAND_UNITS, DRIVES
 from upright.robots.toml import quantity
 from upright.robots.wiring import BoardWiring
 from upright.signals.signal import FUSED, SENSORS
@@ -155,7 +156,8 @@ class Kit:
     def check_drive(self, drive: str) -> None:
         """Raise `SpecMismatch` for a robot whose motors are driven by something else: a key of `COMMAND_UNITS`."""
         if self.drive and self.drive != drive:
-            raise SpecMismatch(f"kit '{self.name}' drives by {self.drive}", expected=f"{drive}, as the robot")
+            came = Say("kit {name} drives by {drive}", name=self.name, drive=DRIVES[self.drive])
+            raise SpecMismatch(came, expected=Say("{drive}, as the robot", drive=DRIVES[drive]))
         if self.motor.drop and drive != "voltage":
             raise SpecMismatch(f"kit '{self.name}' has a drop of {self.motor.drop:g} V", expected="a voltage drive",
                                hint="a kit without motor.drop")  # fmt: skip

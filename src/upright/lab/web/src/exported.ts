@@ -222,7 +222,7 @@ export class LocalSession {
     else if (plant) this.thinking = window.setTimeout(() => {
       const found = analysed(plant, this.data.laws[setup.robot][setup.controller], setup.gains);
       const { stable, poles, L } = found;
-      store.hear({ kind: "Analysed", stable, said: inEach(() => headOf(found, plant.period)), gain: [setup.gains], poles, L });
+      store.hear({ kind: "Analysed", stable, heads: inEach(() => headOf(found, plant.period)), gain: [setup.gains], poles, L });
     }, SETTLED);
   }
 
@@ -279,7 +279,7 @@ export class LocalSession {
     const { facts } = this;
     const setup = { ...this.setup, ...facts.setup, gains: this.setup.controller === "gains" ? this.setup.gains : [] };
     const text = facts.setup && this.recorder.handIn(student, setup, facts.period, this.t, this.result());
-    if (!text) return store.hear({ kind: "Notice", level: "error", said: {}, key: facts.setup ? "noRun" : "noReplay", job: "" });
+    if (!text) return store.hear({ kind: "Notice", level: "error", parts: {}, key: facts.setup ? "noRun" : "noReplay", job: "" });
     const url = URL.createObjectURL(new Blob([text], { type: "application/json" }));
     store.hear({ kind: "Made", what: "json", name: "hand-in.json", url });
   }

@@ -8,7 +8,7 @@ export function first({ verdict, level, title, lead, numbers }: Head): HTMLEleme
   return h("div", { className: "first" },
     verdict && h("p", { className: `badge ${level}` }, verdict), title && h("p", {}, h("b", {}, title)),
     ...lead.map((one) => h("p", { className: "note" }, one)),
-    numbers.length > 0 && h("dl", { className: "numbers" }, ...numbers.flatMap(([value, meaning]) => [h("dt", {}, value), h("dd", {}, meaning)])));
+    numbers.length > 0 && h("dl", { className: "facts" }, ...numbers.flatMap(([value, meaning]) => [h("dt", {}, value), h("dd", {}, meaning)])));
 }
 
 /** The whole page of a result, in the colours of this one; what it names next is at hand where the lab has a button for it. */

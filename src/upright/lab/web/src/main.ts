@@ -407,9 +407,9 @@ class Page {
       case "Equations": if (this.tab === "See") this.see.show(); break;
       case "Snapshot": this.transported(); break;
       case "Progress": if (message.job === "light") { this.lamp(); this.update(); break; } this.identify.progress(message.job, message.fraction); if (message.job === "certify") this.controller.certifying(message.fraction); break;
-      case "JobResult": this.identify.found(); if (message === store.certified) this.controller.certify(); if (message !== store.certified || this.tab !== "Controller") this.toast(() => `${named(message.job)}: ${spoken(message.said).verdict}`, LEVELS[message.said.en.level]); if (latestLog && this.tab === "Identify") keepingFocus(() => this.identify.build()); break;
+      case "JobResult": this.identify.found(); if (message === store.certified) this.controller.certify(); if (message !== store.certified || this.tab !== "Controller") this.toast(() => `${named(message.job)}: ${spoken(message.heads).verdict}`, LEVELS[message.heads.en.level]); if (latestLog && this.tab === "Identify") keepingFocus(() => this.identify.build()); break;
       case "Made": if (message.name === COMPARISON) { this.compared(store.files + message.url); break; } this.keep.made(message.name, message.url.startsWith("blob:") ? message.url : store.files + message.url); this.toast(() => t("made", { name: message.name }), "info"); break;
-      case "Notice": message.key === "lies" ? this.lie(() => t("lies")) : message.job ? this.failed(message) : this.toast(() => (message.key ? named(message.key) : told(message.said)), message.level); break;
+      case "Notice": message.key === "lies" ? this.lie(() => t("lies")) : message.job ? this.failed(message) : this.toast(() => (message.key ? named(message.key) : told(message.parts)), message.level); break;
       case "Recovered": this.recovered(message); break;
       case "Board": if (this.tab === "Class") this.classes.update(); break;
     }
@@ -425,9 +425,8 @@ class Page {
     const light = lamplight();
     this.app.classList.toggle("loose", store.falls || (store.changed?.busy ?? false)); // nothing balances it
     if (store.recorded && (store.lit?.light ?? "none") === "none") return replace(this.light);
-    const words = lightWords();
-    this.light.title = `${sentence(words)}. ${t("lightNote")}`;
-    replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span", { className: "word", "aria-hidden": "true" }, light === "none" ? "…" : t(light)), h("span", {}, `${t("certificate")}:`), h("span", {}, words));
+    this.light.title = `${sentence(lightWords())}. ${t("lightNote")}`;
+    replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span", { className: "word", "aria-hidden": "true" }, light === "none" ? "…" : t(light)), h("span", {}, `${t("certificate")}:`), h("span", {}, lightWords(true)));
   }
 
   /** Above the robot: what became of a push, for a while; that it fell, until it stands. */
@@ -453,13 +452,13 @@ class Page {
   }
 
   /** A job has stopped: said in Identify where it was begun there, and to whoever looks elsewhere. */
-  private failed({ job, said, level }: Notice): void {
+  private failed({ job, parts, level }: Notice): void {
     const button = job.startsWith("keep compar") ? "compare" : job;
     const known = ["doctor", "calibrate", "compare"].includes(button);
-    const why = () => (known || job === "certify" ? t("jobStopped", { job: named(button), why: told(said) }) : told(said));
-    const words = () => (said.en ? why() : t("wasStopped", { job: named(button) }));
-    if (known && said.en) this.identify.fail(words);
-    if (!known || !said.en || this.tab !== "Identify") this.toast(words, level);
+    const why = () => (known || job === "certify" ? t("jobStopped", { job: named(button), why: told(parts) }) : told(parts));
+    const words = () => (parts.en ? why() : t("wasStopped", { job: named(button) }));
+    if (known && parts.en) this.identify.fail(words, parts.en.verb);
+    if (!known || !parts.en || this.tab !== "Identify") this.toast(words, level);
   }
 
   private driven(): string {

@@ -23,6 +23,14 @@ export interface Acted {
   t: number;
 }
 
+export interface ErrorParts {
+  came: string;
+  expected: string;
+  likely: string;
+  hint: string;
+  verb: string;
+}
+
 export interface FamilyInfo {
   name: string;
   weights: boolean;
@@ -60,13 +68,6 @@ export interface Student {
   effort: number;
   here: boolean;
   controller: string;
-}
-
-export interface Trouble {
-  came: string;
-  expected: string;
-  likely: string;
-  hint: string;
 }
 
 export interface Setup {
@@ -206,7 +207,7 @@ export interface Welcome {
 export interface Refused {
   kind: "Refused";
   reason: string;
-  said: Record<string, Trouble>;
+  parts: Record<string, ErrorParts>;
 }
 
 export interface Look {
@@ -237,7 +238,7 @@ export interface Changed {
 export interface Analysed {
   kind: "Analysed";
   stable: boolean;
-  said: Record<string, Head>;
+  heads: Record<string, Head>;
   gain: number[][];
   poles: number[][];
   L: number[][];
@@ -260,13 +261,13 @@ export interface Equations {
 export interface Light {
   kind: "Light";
   light: "green" | "amber" | "red" | "unknown" | "none";
-  said: Record<string, Head>;
+  heads: Record<string, Head>;
 }
 
 export interface JobResult {
   kind: "JobResult";
   job: "certify" | "doctor" | "calibrate" | "design";
-  said: Record<string, Head>;
+  heads: Record<string, Head>;
   html: Record<string, string>;
 }
 
@@ -280,7 +281,7 @@ export interface Made {
 export interface Notice {
   kind: "Notice";
   level: "info" | "error";
-  said: Record<string, Trouble>;
+  parts: Record<string, ErrorParts>;
   key: string;
   job: string;
 }

@@ -62,7 +62,7 @@ export class Line {
     }
     if (message.kind === "Refused") {
       this.closed = true;
-      this.say("refused", () => told(message.said));
+      this.say("refused", () => told(message.parts));
     }
     store.hear(message);
   }

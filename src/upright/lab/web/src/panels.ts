@@ -1,7 +1,7 @@
 // The panels below: controller, robot, kit, what was found, what is kept. Each builds itself from the store.
 import { button, degrees, digits, fresh, h, keepingFocus, numberField, replace, said, sayAgain, select, slider, table, throttled } from "./dom";
 import type { Slider } from "./dom";
-import type { BodyName, Job, JobResult, Keep, Light, Setup, Trouble } from "./messages";
+import type { BodyName, Job, JobResult, Keep, Light, Setup, ErrorParts } from "./messages";
 import { exported } from "./exported";
 import { first, whole } from "./found";
 import { JobBar } from "./job_bar";
@@ -57,8 +57,8 @@ export class ControllerPanel extends Panel {
       this.root,
       h("div", { className: "column" }, choice, this.weights),
       h("div", { className: "column full" }, this.gain),
-      h("div", { className: exported ? "column full" : "column" }, this.numbers),
-      exported ? this.noCertificate : h("div", { className: "column" }, this.light, certify, this.working),
+      h("div", { className: "column full" }, this.numbers),
+      exported ? this.noCertificate : h("div", { className: "column full" }, this.light, certify, this.working),
       this.certified,
     );
     this.update();
@@ -171,19 +171,19 @@ export function lamplight(): Light["light"] {
   return store.setup.controller === "off" || (light === "none" && store.analysed !== null && unstable(store.analysed)) ? "red" : light;
 }
 
-/** The light in words, and of which robot: it is for the robot as its controller was designed. */
-export function lightWords(): string {
+/** The light in words, or its colour alone, and of which robot: it is for the robot as its controller was designed. */
+export function lightWords(colour = false): string {
   const { setup, lit, trying, jobs } = store;
   if (setup.controller === "off") return t("unlitOff");
-  if (!lit?.said.en) return trying ? t("tried", { n: Math.round(trying.fraction * trying.runs), all: trying.runs }) : t(jobs.size ? "queued" : "none");
+  if (!lit?.heads.en) return trying ? t("tried", { n: Math.round(trying.fraction * trying.runs), all: trying.runs }) : t(jobs.size ? "queued" : "none");
   if (lit.light === "none") return t("noCertificate");
-  const light = spoken(lit.said).verdict;
+  const light = colour ? t(lit.light) : spoken(lit.heads).verdict;
   if (setup.payload > 0) return t(setup.slope ? "litBoth" : "litPayload", { light });
   return setup.slope ? t("litSlope", { light }) : light;
 }
 
 export function certificate(): (Node | null)[] {
-  const said = store.setup.controller !== "off" && store.lit?.said.en ? spoken(store.lit.said) : null;
+  const said = store.setup.controller !== "off" && store.lit?.heads.en ? spoken(store.lit.heads) : null;
   const waits = store.setup.controller !== "off" && !said && !store.jobs.size;
   const lamp = h("span", { className: `lamp ${lamplight()}`, "aria-hidden": "true" });
   return [
@@ -327,7 +327,7 @@ async function send(file: File, what: "log" | "robot"): Promise<void> {
   store.say(() => t("uploaded", { name: file.name }));
   try {
     const answer = await fetch(address, { method: "POST", body: file });
-    const { name, error } = (await answer.json()) as { name?: string; error?: Record<string, Trouble> };
+    const { name, error } = (await answer.json()) as { name?: string; error?: Record<string, ErrorParts> };
     if (error) store.say(() => told(error), "error");
     else if (what === "log") {
       latestLog = name ?? "";
@@ -385,9 +385,9 @@ export class IdentifyPanel extends Panel {
   }
 
   /** A job has stopped; it is said under its button until another one begins. */
-  fail(words: () => string): void {
+  fail(words: () => string, verb: string): void {
     this.robot = store.setup.robot;
-    replace(this.failed, said(words));
+    replace(this.failed, said(words), verb === "doctor" && button(t("doctor"), () => this.start("doctor"), { "data-key": "next-doctor" }));
     this.failed.scrollIntoView({ block: "nearest" });
   }
 

@@ -151,7 +151,7 @@ export class Traces {
 }
 
 /** What is known of a loop before its certificate. */
-export const UNLIT: Light = { kind: "Light", light: "none", said: {} };
+export const UNLIT: Light = { kind: "Light", light: "none", heads: {} };
 
 type Listener = (message: ServerMessage) => void;
 
@@ -246,7 +246,7 @@ export class Store {
   /** Push the robot, unless it lies: then say what helps. */
   push(message: Drag | Strike): void {
     const begins = message.kind === "Strike" || message.force !== 0;
-    if (begins && this.snapshot?.x[0][8]) this.hear({ kind: "Notice", level: "info", said: {}, key: "lies", job: "" });
+    if (begins && this.snapshot?.x[0][8]) this.hear({ kind: "Notice", level: "info", parts: {}, key: "lies", job: "" });
     else this.send(message);
   }
 

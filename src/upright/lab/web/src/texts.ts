@@ -2,7 +2,7 @@
 // lab/typescript.py makes texts/es.json.
 import en from "./texts/en.json";
 import es from "./texts/es.json";
-import type { Language, Trouble } from "./messages";
+import type { Language, ErrorParts } from "./messages";
 
 export type Texts = typeof en;
 type Plain = { [K in keyof Texts]: Texts[K] extends string ? K : never }[keyof Texts];
@@ -69,8 +69,8 @@ export function inEach<T>(say: () => T): Record<string, T> {
 }
 
 /** What was said in each language, in the chosen one. */
-export function spoken<T>(said: Record<string, T>): T {
-  return said[language()] ?? said.en;
+export function spoken<T>(each: Record<string, T>): T {
+  return each[language()] ?? each.en;
 }
 
 /** With a capital. */
@@ -79,8 +79,8 @@ export function sentence(words: string): string {
 }
 
 /** An error by its parts, each a sentence. */
-export function told(said: Record<string, Trouble>): string {
-  const { came, expected, likely, hint } = spoken(said);
+export function told(parts: Record<string, ErrorParts>): string {
+  const { came, expected, likely, hint } = spoken(parts);
   const ended = /[.!?…]$/.test(came) ? came : `${came}.`;
   return [sentence(ended), expected && t("expected", { what: expected }), likely && t("likely", { what: likely }), hint && t("tryThis", { what: hint })].filter(Boolean).join(" ");
 }

@@ -23,7 +23,7 @@ export function judged(a: Analysed): HTMLElement[] {
   const { delay } = store.setup;
   const other = exported && delay >= 0 && Math.abs(delay - own) > 5e-4;
   const note = h("p", { className: "note" }, t("delayOwn", { own: digits(1000 * own, 2), now: digits(1000 * delay, 2) }));
-  return [first(spoken(a.said)), ...(other ? [note] : [])];
+  return [first(spoken(a.heads)), ...(other ? [note] : [])];
 }
 
 /** The first screen for a loop that was broken at both motors, of a controller with this period [s]. */
