@@ -95,9 +95,9 @@ def test_numbers_that_json_lacks_become_null():
 
 
 def test_a_message_is_plain_data_whatever_it_holds():
+    parts = {"came": "π ψ", "expected": "", "likely": "", "hint": "", "verb": ""}
     assert plain(Notice("info", {"en": ErrorParts("π ψ")})) == {
-        "level": "info", "parts": {"en": {"came": "π ψ", "expected": "", "likely": "", "hint": "", "verb": ""}}, "key": "",
-        "job": "", "kind": "Notice",
+        "level": "info", "parts": {"en": parts}, "key": "", "job": "", "kind": "Notice",
     }  # fmt: skip
     assert "π" in encode(Notice("info", {"en": ErrorParts("π")}))
 
