@@ -301,8 +301,8 @@ EXPORTED = ("nxtway-gs", "twipr")
 @pytest.fixture(scope="session")
 def exported_lab(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The page that `upright lab --export site` writes, with a robot in volts and one in newton metres: once for all
-    processes. Only the margins that a test reads are computed, and one analysis for all controllers of the second
-    robot: with its delays of five periods they are half of the work."""
+    processes. There is one analysis for all controllers of the second robot: with its delays of five periods they are
+    half of the work."""
     from upright.cli.main import main
     from upright.lab import export
 
@@ -315,11 +315,7 @@ def exported_lab(tmp_path_factory: pytest.TempPathFactory) -> Path:
             assert not failed.exists()
             time.sleep(0.2)
         return page
-    margins_of, analysed, kept = export.linear_margins, export.analysed, dict[str, Any]()
-
-    def margins(controller: Any, robot: Any, *kit: Any, **usual: Any) -> Any:
-        read = robot.name == EXPORTED[0] and controller.spec.kind == "lqg"
-        return margins_of(controller, robot, *kit, **usual) if read else None
+    analysed, kept = export.analysed, dict[str, Any]()
 
     def analysis(controller: Any, robot: Any, kit: Any) -> Any:
         if robot.name == EXPORTED[0]:
@@ -329,7 +325,6 @@ def exported_lab(tmp_path_factory: pytest.TempPathFactory) -> Path:
         return kept[robot.name]
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(export, "linear_margins", margins)
         patch.setattr(export, "analysed", analysis)
         if main(["lab", "--export", str(page.parent), f"--robots={','.join(EXPORTED)}"]) != 0:
             failed.touch()

@@ -360,8 +360,7 @@ def test_another_page_is_never_written_over(tmp_path, capsys):
     assert (tmp_path / "index.html").read_text("utf-8") == "<h1>mine</h1>"
 
 
-def test_other_files_of_the_folder_stay(tmp_path, monkeypatch):
-    monkeypatch.setattr("upright.lab.export.linear_margins", lambda *_, **__: None)  # whatever stands in the page
+def test_other_files_of_the_folder_stay(tmp_path):
     (tmp_path / "notes.txt").write_text("mine", "utf-8")
     said, done = list[str](), list[float]()
     export(tmp_path, ["nxtway-gs", "ev3way"], ["lqr"], say=said.append, progress=done.append)

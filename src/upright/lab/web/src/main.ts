@@ -32,7 +32,7 @@ const PINNED = 0.19; // of the window's height that the room takes while it is p
 const SIZES = [0.01, 0.5]; // [N s] of a knock by its button
 const SHOWN = 10; // [s] of the clock that the curves show: in slow motion less of the robot's time, and more of what is quick
 const SAME = 1e-6; // a record larger by less is the same one: sums of forces
-const LEVELS = { good: "info", info: "info", unknown: "info", warn: "warn", bad: "error" } as const; // of a verdict, and of what the corner says
+const LEVELS = { good: "info", info: "info", unknown: "info", warn: "warn", bad: "warn" } as const; // of a verdict, and of what the corner says: red is for what went wrong
 const SILENT = 1500; // [ms] without the lab before it is said what helps
 const SEEN = 400; // [ms] from the first picture to the work on another one
 

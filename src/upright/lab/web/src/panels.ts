@@ -178,7 +178,7 @@ export function lightWords(colour = false): string {
   if (!lit?.heads.en) return trying ? t("tried", { n: Math.round(trying.fraction * trying.runs), all: trying.runs }) : t(jobs.size ? "queued" : "none");
   if (lit.light === "none") return t("noCertificate");
   const light = colour ? t(lit.light) : spoken(lit.heads).verdict;
-  if (setup.payload > 0) return t(setup.slope ? "litBoth" : "litPayload", { light });
+  if (setup.payload > 0) return t(setup.slope && !colour ? "litBoth" : "litPayload", { light });
   return setup.slope ? t("litSlope", { light }) : light;
 }
 
