@@ -75,7 +75,7 @@ def analysed(controller: Controller, robot: Robot, kit: Kit) -> Analysed:
     except (InvalidController, SpecMismatch) as error:
         return Analysed(stable=False, heads=heads_of(unknown_margins(error.parts["came"])), gain=gain)
     return Analysed(
-        stable=analysis.loop.stable, heads=heads_of(replace(analysis.page(), lead=())), gain=gain,
+        stable=analysis.loop.stable, heads=heads_of(analysis.page()), gain=gain,
         poles=tuple((round(float(p.real), 5), round(float(p.imag), 5)) for p in analysis.poles),
         L=_curve(analysis.loop),
     )  # fmt: skip

@@ -39,15 +39,16 @@ export function headOf(a: Analysis, period: number): Head {
   const high = a.gain_high ?? Infinity;
   const delay = a.delay === null ? Infinity : Math.floor(1e4 * a.delay) / 1e4;
   const kinds: [number, string][] = [
-    [(a.delay ?? Infinity) / (LEAST_DELAY * period), delay < Infinity ? filled(words.upToDelay, { delay: seconds(delay, 3), place }) : words.anyDelay],
-    [(high - 1) / LEAST_GAIN, filled(words.untilStronger, { change: percent(high - 1), place })],
-    [(1 - a.gain_low) / LEAST_GAIN, filled(words.untilWeaker, { change: percent(1 - a.gain_low), place })],
+    [(a.delay ?? Infinity) / (LEAST_DELAY * period), delay < Infinity ? "" : words.anyDelay], // a delay is the first number
+    [(high - 1) / LEAST_GAIN, filled(words.stronger, { change: percent(high - 1), place })],
+    [(1 - a.gain_low) / LEAST_GAIN, filled(words.weaker, { change: percent(1 - a.gain_low), place })],
   ];
-  const [part, title] = kinds.reduce((least, kind) => (kind[0] < least[0] ? kind : least));
+  const [part, margin] = kinds.reduce((least, kind) => (kind[0] < least[0] ? kind : least));
   const low = String(Math.ceil(100 * a.gain_low));
   const range = high < MOST_GAIN ? filled(words.range, { low, high: String(Math.floor(100 * high)) }) : filled(words.atLeast, { low });
   return {
-    verdict: part < 1 ? words.thin : words.stable, level: part < 1 ? "warn" : "good", title, lead: [],
+    verdict: part < 1 ? words.thin : words.stable, level: part < 1 ? "warn" : "good",
+    title: filled(words.holds, { controller: "u = −K x", robot: store.setup.robot }), lead: margin ? [margin] : [],
     numbers: [
       [seconds(delay, 3), filled(words.delay, { place })], [`${range}\u00a0%`, words.strength],
       [a.phase === null ? "∞" : `${digits((180 * a.phase) / Math.PI, 2)}°`, words.phase],
