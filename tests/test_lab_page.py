@@ -713,7 +713,7 @@ def test_a_log_of_another_robot_is_refused_under_the_button_with_what_to_do(page
     page.click("[data-key=calibrate]")
     until(page, "document.querySelector('.failed').textContent")
     words = page.inner_text(".failed")
-    assert words.startswith("Calibrate stopped: The log's commands are in V. Expected: N m, as those of twipr.")
+    assert words.startswith("Calibrate stopped: The log's commands are in V. Expected: N m, as those of 'twipr'.")
     assert "Try: choose the robot of the log" in words
     assert page.locator(".toast.error").count() == 0  # it is said where one looks
     page.select_option("[data-key=language]", "es")

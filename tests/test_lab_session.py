@@ -557,7 +557,7 @@ def test_a_job_that_failed_says_why_part_by_part_in_each_language(tmp_path):
     notice = only(Notice, session.events())[-1]
     assert (notice.job, notice.level) == ("calibrate", "error")
     english, spanish = notice.parts["en"], notice.parts["es"]
-    assert english.expected == "N m, as those of twipr"
+    assert english.expected == "N m, as those of 'twipr'"
     assert all(part in str(wrong.value) for part in (english.came, english.expected, english.likely, english.hint))
     assert "twipr" in spanish.expected
     assert not {spanish.came, spanish.likely, spanish.hint} & {english.came, english.likely, english.hint}

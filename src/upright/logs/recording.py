@@ -142,7 +142,7 @@ def check_unit(log: Log, prefix: str, robot: Robot) -> None:
     if unit in COMMAND_UNITS.values() and unit != robot.command_unit:
         raise InvalidLog(
             Say("the log's commands are in {unit}", unit=unit),
-            expected=Say("{unit}, as those of {robot}", unit=robot.command_unit, robot=robot.name),
+            expected=Say("{unit}, as those of '{robot}'", unit=robot.command_unit, robot=robot.name),
             likely=Say("another robot"), hint=Say("choose the robot of the log (`--robot`)"),
         )  # fmt: skip
 
