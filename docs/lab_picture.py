@@ -120,7 +120,7 @@ def tabs(language: str, names: list[str]) -> None:
             page.click(f"#tab-{tab.capitalize()}")
             if tab == "identify":
                 page.click("[data-key=doctor]")
-                page.wait_for_selector(".result .findings, .result h4", timeout=120_000)
+                page.wait_for_selector(".result h1", timeout=120_000)
             page.wait_for_timeout(1500)
             page.evaluate("document.querySelector('.toasts').replaceChildren()")
             name = f"tab-{tab}{'.es' if language == 'es' else ''}.webp"
