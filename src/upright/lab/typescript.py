@@ -15,9 +15,8 @@ from typing import Any, Literal, get_args, get_origin, get_type_hints
 from upright.atomic import write_text
 from upright.lab import message_types, messages
 from upright.lab.codec import plain
-from upright.languages import ENGLISH, LANGUAGES
+from upright.languages import ENGLISH, LANGUAGES, catalogue
 from upright.loops.targets import LEAST_DELAY, LEAST_GAIN
-from upright.pages.words import catalogue
 
 SOURCE = Path(__file__).parent / "web" / "src"
 TARGET = SOURCE / "messages.ts"

@@ -11,8 +11,8 @@ from upright.lab.lane import Lane
 from upright.lab.messages import Catalogue, Changed, Equations, Look, RobotInfo, Setup
 from upright.lab.plant import Plant, families
 from upright.lab.spoken import in_each
+from upright.languages import translated
 from upright.pages.terms import term
-from upright.pages.words import translated
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain, turn_ratio, yaw_swing
 from upright.physics.linear import linearise_rolling
 from upright.robots import PARAMETERS, Robot, kit_names, preset_names
