@@ -25,6 +25,8 @@ class UprightError(Exception):
 
     >>> str(UprightError("period is -1 s", expected="a positive number", hint="use 0.01"))
     'period is -1 s; expected a positive number; try: use 0.01'
+
+    Its `parts` are `came`, `expected`, `likely` and `hint`, each empty where nothing is said.
     """
 
     def __init__(self, came: object, *, expected: object = "", likely: object = "", hint: object = "") -> None:

@@ -20,10 +20,17 @@ _own: dict[str, str] = {}
 _language: ContextVar[str | None] = ContextVar("language", default=None)
 
 
+_SYSTEM = ("LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG")
+"""What states the language of a system; of these gettext, too, asks the first that states one."""
+
+
 def chosen() -> str:
-    """The language of all text: that of `language` or `speaking`, else of UPRIGHT_LANG, else English."""
-    asked = _language.get() or os.environ.get("UPRIGHT_LANG", "")[:2]
-    return asked if asked in LANGUAGES else ENGLISH
+    """The language of all text: that of `language` or `speaking`, else of UPRIGHT_LANG, of the system, else English."""
+    if asked := _language.get():
+        return asked
+    stated = next(filter(None, map(os.environ.get, ("UPRIGHT_LANG", *_SYSTEM))), "")
+    languages = [one[:2] for one in stated.split(":")]  # LANGUAGE may list several
+    return next((one for one in languages if one in LANGUAGES), ENGLISH)
 
 
 @contextmanager

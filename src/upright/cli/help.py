@@ -14,6 +14,7 @@ from typer.main import get_command
 
 from upright.cli.command import parameters, spoken
 from upright.cli.typed import GIVEN
+from upright.pages.messages import said
 
 GROUPS = {
     "Begin": {
@@ -155,6 +156,44 @@ def summary(name: str) -> str:
         return str(_command(name).get_short_help_str(limit=200))
     first = " ".join((inspect.getdoc(part) or "").partition("\n\n")[0].split())
     return first.partition(". ")[0] + "." * (". " in first)
+
+
+_Formatter: Any = typer.Context.formatter_class
+
+
+class SpokenHelp(_Formatter):
+    """Help in the chosen language, which is found sentence by sentence."""
+
+    def write_usage(self, prog: str, args: str = "", prefix: str | None = None) -> None:
+        super().write_usage(prog, _words(args), said(prefix or "Usage:") + " ")
+
+    def write_heading(self, heading: str) -> None:
+        super().write_heading(said(heading))
+
+    def write_text(self, text: str) -> None:
+        super().write_text("\n\n".join(map(_paragraph, text.split("\n\n"))))
+
+    def write_dl(self, rows: Any, col_max: int = 30, col_spacing: int = 2) -> None:
+        super().write_dl([(_words(name), _described(text)) for name, text in rows], col_max, col_spacing)
+
+
+def _words(text: str) -> str:
+    """Options and the kinds of their values, word by word."""
+    return " ".join(map(said, text.split(" ")))
+
+
+def _described(text: str) -> str:
+    """What an option is, and what is written behind it in brackets: its default, its range."""
+    about, bracket, notes = text.partition("  [")
+    return _sentences(about) + bracket + "; ".join(map(said, notes.split("; ")))
+
+
+def _paragraph(text: str) -> str:
+    return said(text) if text.startswith("\b") else _sentences(" ".join(text.split()))
+
+
+def _sentences(text: str) -> str:
+    return " ".join(map(said, re.split(r"(?<=\.) (?=[A-Z])", text)))
 
 
 class Grouped(TyperGroup):

@@ -12,10 +12,11 @@ from typer.main import get_command
 
 from upright import interrupts
 from upright.atomic import together
-from upright.cli.help import EXAMPLES, Commands, Grouped, option_meant
+from upright.cli.help import EXAMPLES, Commands, Grouped, SpokenHelp, option_meant
 from upright.cli.retired import instead
 from upright.cli.typed import TYPED
 from upright.errors import UprightError
+from upright.pages.messages import said
 from upright.plugins import where
 
 USER_ERROR, BUG = 2, 1
@@ -40,6 +41,7 @@ def group() -> Grouped:
     whole = get_command(app)
     assert isinstance(whole, Grouped)
     whole.commands = Commands()  # type: ignore[assignment] (it only reads them)
+    whole.context_class.formatter_class = SpokenHelp  # of each command: they share the class
     return whole
 
 
@@ -120,7 +122,7 @@ def _code_of(error: Exception, arguments: Sequence[str]) -> int:
 def complain(message: str) -> None:
     """Print one line on stderr."""
     colour = None if "NO_COLOR" not in os.environ else False
-    typer.secho(f"upright: {' '.join(message.split())}", fg="red", err=True, color=colour)
+    typer.secho(f"upright: {said(' '.join(message.split()))}", fg="red", err=True, color=colour)
 
 
 def _debugging(arguments: Sequence[str]) -> bool:

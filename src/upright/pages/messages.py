@@ -1,0 +1,85 @@
+"""What is said in one line outside of pages, such as errors and help, in the chosen language.
+
+Such a text is English until somebody reads it. `messages.es.json` holds each as a template, `{}` standing for a fact;
+the line that is shown is found among these templates whole, the most literal one first. A line that none fits, as of a
+plug-in, stays English.
+"""
+
+from __future__ import annotations
+
+import functools
+import json
+import re
+from importlib import resources
+
+from upright.languages import ENGLISH, chosen
+
+HOLE = "{}"
+TELLING = 8
+"""Letters of a template that a fact must fit to be taken for a message: fewer may stand in a name or a path."""
+_PART = re.compile(r"; (expected|likely|try:) ")
+
+
+class _Template:
+    """An English text with holes, and what it is in another language."""
+
+    def __init__(self, english: str, other: str) -> None:
+        self.other = other
+        self.letters = len(re.findall("[A-Za-z]", english))
+        self._english = english
+        self._pieces = [piece.strip() for piece in english.split(HOLE)]
+
+    def facts(self, text: str) -> list[str] | None:
+        """What stands in the holes, where the text fits."""
+        pieces = self._pieces
+        if not (text.startswith(pieces[0]) and text.endswith(pieces[-1]) and all(piece in text for piece in pieces)):
+            return None  # before a pattern is compiled, which takes longer than all of this
+        pattern = re.escape(self._english).replace(r"\ \{\}", r"(?:\ (.*?))?")  # a fact may be empty
+        pattern = re.sub(r"^\\{\\}\\ ", r"(?:(.*?)\\ )?", pattern).replace(r"\{\}", "(.*?)")
+        match = re.fullmatch(pattern, text)
+        return [fact or "" for fact in match.groups()] if match else None
+
+    def filled(self, facts: list[str]) -> str:
+        """The text of the other language with these facts, of which those in quotation marks are names."""
+        quoted = [piece.endswith(("'", "`")) for piece in self._pieces]
+        said_facts = [fact if name else _whole(fact, TELLING) for fact, name in zip(facts, quoted, strict=False)]
+        return " ".join(self.other.format(*said_facts).split())
+
+
+@functools.cache
+def catalogue(language: str) -> dict[str, str]:
+    """English text → text in another language."""
+    return json.loads(resources.files("upright.pages").joinpath(f"messages.{language}.json").read_text("utf-8"))
+
+
+@functools.cache
+def _templates(language: str) -> list[_Template]:
+    made = [_Template(english, other) for english, other in catalogue(language).items() if HOLE in english]
+    return sorted(made, key=lambda template: -template.letters)
+
+
+def said(text: str) -> str:
+    """A text of one or more lines in the chosen language."""
+    return text if chosen() == ENGLISH else "\n".join(map(_line, text.split("\n")))
+
+
+def _line(line: str) -> str:
+    """A line whose parts, as an error has them, are found one by one."""
+    shown, *parts = _PART.split(line)
+    shown = _whole(shown)
+    for heading, part in zip(parts[::2], parts[1::2], strict=True):
+        shown += f"; {_whole(heading)} {_whole(part)}"
+    return shown
+
+
+def _whole(text: str, least_letters: int = 0) -> str:
+    known = catalogue(chosen())
+    if text in known:
+        return known[text]
+    for template in _templates(chosen()):
+        if 0 < template.letters < least_letters:
+            continue  # one without letters says nothing by itself
+        facts = template.facts(text)
+        if facts is not None:
+            return template.filled(facts)
+    return text
