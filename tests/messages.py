@@ -33,9 +33,15 @@ Texts = frozenset[str]
 FACT: Texts = frozenset({HOLE})
 
 
+NO_WORDS = re.compile(
+    r"upright:? \{\}|\{\}|(?:pip|apt) install [\w ]+(?:-\w+)*|(?:upright|mkdir) [\w-]+|`[^`]*`|--?[\w-]+|\[[\w\[\].]+\]"  # commands, options, tables
+    r"|[\w./:<-]*[\d_./:=<][\w./:<>-]*[\w/>]|\b[A-Z]\w*[A-Z]\w*\b"  # files, names, units, abbreviations
+)
+
+
 def worded(template: str) -> bool:
-    """Whether anything in a template is a word."""
-    return bool(re.search(r"[A-Za-z]{2}", template.replace(HOLE, "")))
+    """Whether anything in a template is a word: what is typed has no translation."""
+    return bool(re.search(r"[a-z]{2}", NO_WORDS.sub("", template)))
 
 
 class Package:
@@ -181,7 +187,8 @@ class Reader:
         if path == used:
             return True
         module = path.relative_to(PACKAGE).with_suffix("").as_posix().replace("/", ".")
-        return f"from upright.{module.removesuffix('.__init__')} import" in used.read_text("utf-8")
+        module = module.removesuffix(".__init__")
+        return bool(re.search(rf"from upright(\.{module} import|\b.* import .*\b{module}\b)", used.read_text("utf-8")))
 
     def _named(self, name: str, node: ast.AST) -> Texts:
         function = self.package.function_of[id(node)]
@@ -292,8 +299,8 @@ class Reader:
             texts |= self.read(defaults[name])
         alone = len(self.package.functions[function.name]) == 1 or function.name == "__init__"
         for call in self.package.calls[called]:
-            if not alone and self.package.path_of[id(call)] != self.package.path_of[id(function)]:
-                continue
+            if not alone and not self._near(function, call):
+                continue  # of another function with this name
             found = [keyword.value for keyword in call.keywords if keyword.arg == name]
             if not found and name in names:
                 index = names.index(name) - method
@@ -304,6 +311,8 @@ class Reader:
 
     def _returned(self, call: ast.Call) -> Texts:
         name = _called(call)
+        if name == "join" and ast.unparse(call.func).startswith("'\\n") and call.args:
+            return self._lines(call.args[0])
         if name == "Say":
             return FACT  # which is translated where it is said
         if name in ("str", "join", "strip", "format", "replace") or name not in self.package.functions:
@@ -320,6 +329,33 @@ class Reader:
         return frozenset().union(*texts) if texts else FACT
 
 
+    def _lines(self, node: ast.AST) -> Texts:
+        """The texts of a list whose elements become lines."""
+        match node:
+            case ast.List(elts=elements) | ast.Tuple(elts=elements):
+                return frozenset().union(*map(self._lines, elements))
+            case ast.ListComp(elt=element) | ast.GeneratorExp(elt=element):
+                return self.read(element)
+            case ast.Starred(value=inside):
+                return self._lines(inside)
+            case ast.Call(func=ast.Name(id="filter"), args=[_, inside]):
+                return self._lines(inside)
+            case ast.Name(id=name):
+                function = self.package.function_of[id(node)]
+                values = [
+                    each.value
+                    for each in ast.walk(function)
+                    if isinstance(each, ast.Assign) and ast.unparse(each.targets[0]) == name
+                ]
+                return frozenset().union(*map(self._lines, values)) if values else FACT
+        return self.read(node)
+
+
+def _is_class(package: Package, name: str) -> bool:
+    """Whether what is raised is a class under another name, such as `refused`, and neither a function nor a bug."""
+    return name not in package.functions and name not in ("TypeError", "ValueError", "KeyError", "IndexError")
+
+
 def _class_of(package: Package, node: ast.AST) -> str:
     """The class in whose method a node stands."""
     function = package.function_of[id(node)]
@@ -332,7 +368,7 @@ def _shown(package: Package) -> Iterator[ast.AST]:
         for call in calls:
             if name == "__init__" and _class_of(package, call) in package.errors or name == "UnknownName":
                 yield from call.args[:1]
-            elif name in package.errors or id(call) in package.raised and name not in ("TypeError", "ValueError"):
+            elif name in package.errors or id(call) in package.raised and _is_class(package, name):
                 yield from call.args[:1]
             if name in SAID and "/cli/" in package.path_of[id(call)].as_posix():
                 yield from call.args[SAID[name] : SAID[name] + 1]

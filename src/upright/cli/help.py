@@ -165,7 +165,7 @@ class SpokenHelp(_Formatter):
     """Help in the chosen language, which is found sentence by sentence."""
 
     def write_usage(self, prog: str, args: str = "", prefix: str | None = None) -> None:
-        super().write_usage(prog, _words(args), said(prefix or "Usage:") + " ")
+        super().write_usage(prog, " ".join(map(said, args.split(" "))), said(prefix or "Usage:") + " ")
 
     def write_heading(self, heading: str) -> None:
         super().write_heading(said(heading))
@@ -174,12 +174,12 @@ class SpokenHelp(_Formatter):
         super().write_text("\n\n".join(map(_paragraph, text.split("\n\n"))))
 
     def write_dl(self, rows: Any, col_max: int = 30, col_spacing: int = 2) -> None:
-        super().write_dl([(_words(name), _described(text)) for name, text in rows], col_max, col_spacing)
+        super().write_dl([(_kind(name), _described(text)) for name, text in rows], col_max, col_spacing)
 
 
-def _words(text: str) -> str:
-    """Options and the kinds of their values, word by word."""
-    return " ".join(map(said, text.split(" ")))
+def _kind(name: str) -> str:
+    """An option or an argument, with the kind of its values behind it."""
+    return re.sub("<.+>", lambda kind: said(kind[0]), name)
 
 
 def _described(text: str) -> str:

@@ -15,8 +15,8 @@ from importlib import resources
 from upright.languages import ENGLISH, chosen
 
 HOLE = "{}"
-TELLING = 8
-"""Letters of a template that a fact must fit to be taken for a message: fewer may stand in a name or a path."""
+TELLING = 7
+"""Letters of a template that say something by themselves: fewer, as in "{} is {}", fit what is no message, too."""
 _PART = re.compile(r"; (expected|likely|try:) ")
 
 
@@ -26,6 +26,7 @@ class _Template:
     def __init__(self, english: str, other: str) -> None:
         self.other = other
         self.letters = len(re.findall("[A-Za-z]", english))
+        self.begins = not english.startswith(HOLE)
         self._english = english
         self._pieces = [piece.strip() for piece in english.split(HOLE)]
 
@@ -42,8 +43,8 @@ class _Template:
     def filled(self, facts: list[str]) -> str:
         """The text of the other language with these facts, of which those in quotation marks are names."""
         quoted = [piece.endswith(("'", "`")) for piece in self._pieces]
-        said_facts = [fact if name else _whole(fact, TELLING) for fact, name in zip(facts, quoted, strict=False)]
-        return " ".join(self.other.format(*said_facts).split())
+        shown = [fact if name else _fact(fact) for fact, name in zip(facts, quoted, strict=False)]
+        return " ".join(self.other.format(*shown).split())
 
 
 @functools.cache
@@ -72,14 +73,28 @@ def _line(line: str) -> str:
     return shown
 
 
-def _whole(text: str, least_letters: int = 0) -> str:
-    known = catalogue(chosen())
-    if text in known:
-        return known[text]
-    for template in _templates(chosen()):
-        if 0 < template.letters < least_letters:
-            continue  # one without letters says nothing by itself
+def _whole(text: str) -> str:
+    """A part of a message: behind the name of a file stands another message, unless a template holds both."""
+    known = _found(text, [one for one in _templates(chosen()) if one.letters >= TELLING])
+    if known is None:
+        head, colon, tail = text.partition(": ")
+        if colon and (behind := _whole(tail)) != tail:
+            return f"{_fact(head)}: {behind}"
+        known = _found(text, _templates(chosen()))
+    return text if known is None else known
+
+
+def _fact(text: str) -> str:
+    """A fact, which is a message itself or the name of something."""
+    known = _found(text, [one for one in _templates(chosen()) if one.letters >= TELLING or one.begins])
+    return text if known is None else known
+
+
+def _found(text: str, templates: list[_Template]) -> str | None:
+    if text in catalogue(chosen()):
+        return catalogue(chosen())[text]
+    for template in templates:
         facts = template.facts(text)
         if facts is not None:
             return template.filled(facts)
-    return text
+    return None
