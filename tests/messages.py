@@ -1,31 +1,32 @@
 """What the package says in one line, found in its source: `python tests/messages.py` prints what has no Spanish yet.
 
 A message is an f-string of an error, of the command line or of its help. Here it becomes a template: what is literal,
-and `{}` for each fact. Names are followed through assignments, constants, parameters (to all calls) and returned values;
-what cannot be followed is a fact.
+and `{}` for each fact. Names are followed through assignments, constants, parameters (to all calls) and returned
+values; what cannot be followed is a fact.
 """
 
 from __future__ import annotations
 
 import ast
-import inspect
 import itertools
-import json
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
-from functools import cache, cached_property
+from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import budget
+from upright.messages import HOLE, PART
 
-HOLE = "{}"
 PARTS = ("expected", "likely", "hint")
 SAID = {
-    "tell": 0, "complain": 0, "said": 0, "progress": 0, "confirm": 0, "echo":0, "secho":0,
-    "Question": 1, "OwnerQuestion": 0, "GuidedStep": 0,
+    "tell": 0, "complain": 0, "said": 0, "progress": 0, "Question": 1, "OwnerQuestion": 0, "GuidedStep": 0, "Example": 0,
 }  # fmt: skip
-"""What of the command line shows one of its arguments: its place."""
+"""What shows one of its arguments: its place."""
+LISTED = ("Firmware", "FlightPlan", "Flight")
+"""Classes whose text the command line shows."""
+TABLES = ("STOPPED", "FILES")
+"""Constants that it shows."""
 MOST = 64  # templates of one expression
 FEW = 6  # cases of one place in a sentence that make a template each
 PACKAGE = budget.PACKAGE
@@ -34,7 +35,8 @@ FACT: Texts = frozenset({HOLE})
 
 
 NO_WORDS = re.compile(
-    r"upright:? \{\}|\{\}|(?:pip|apt) install [\w ]+(?:-\w+)*|(?:upright|mkdir) [\w-]+|`[^`]*`|--?[\w-]+|\[[\w\[\].]+\]"  # commands, options, tables
+    r"upright:? \{\}|\{\}|(?:pip|apt) install [\w ]+(?:-\w+)*|(?:upright|mkdir) [\w-]+"  # commands
+    r"|`[^`]*`|--?[\w-]+|\[[\w\[\].]+\]"  # code, options, tables
     r"|[\w./:<-]*[\d_./:=<][\w./:<>-]*[\w/>]|\b[A-Z]\w*[A-Z]\w*\b"  # files, names, units, abbreviations
 )
 
@@ -328,7 +330,6 @@ class Reader:
         ]
         return frozenset().union(*texts) if texts else FACT
 
-
     def _lines(self, node: ast.AST) -> Texts:
         """The texts of a list whose elements become lines."""
         match node:
@@ -364,13 +365,18 @@ def _class_of(package: Package, node: ast.AST) -> str:
 
 def _shown(package: Package) -> Iterator[ast.AST]:
     """The expressions that become messages."""
+    for name in LISTED:
+        for node in ast.walk(package.classes[name]):
+            if isinstance(node, ast.Return) and getattr(package.function_of[id(node)], "name", "") == "__str__":
+                yield node.value
+    for table in itertools.chain(*map(package.constants.__getitem__, TABLES)):
+        yield from table.values if isinstance(table, ast.Dict) else [table]
     for name, calls in list(package.calls.items()):
         for call in calls:
-            if name == "__init__" and _class_of(package, call) in package.errors or name == "UnknownName":
+            inherited = name == "__init__" and _class_of(package, call) in package.errors
+            if inherited or name in package.errors or (id(call) in package.raised and _is_class(package, name)):
                 yield from call.args[:1]
-            elif name in package.errors or id(call) in package.raised and _is_class(package, name):
-                yield from call.args[:1]
-            if name in SAID and "/cli/" in package.path_of[id(call)].as_posix():
+            if name in SAID:
                 yield from call.args[SAID[name] : SAID[name] + 1]
             yield from (keyword.value for keyword in call.keywords if keyword.arg in PARTS)
 
@@ -389,15 +395,15 @@ def found() -> dict[str, str]:
         " ".join(part.split()): place
         for text, place in (reader.nested | texts).items()
         for line in text.split("\n")
-        for part in re.split("; (?:expected|likely|try:) ", line)
+        for part in PART.split(line)[::2]
     }
     return {part: place for part, place in parts.items() if worded(part)}
 
 
 def helped() -> Iterator[tuple[str, str]]:
     """Every sentence and word of the help of a command, and the command."""
-    from upright.cli.main import group
     from upright.cli.help import GROUPS
+    from upright.cli.main import group
 
     yield from ((heading, "upright") for heading in GROUPS)
     commands = group()

@@ -23,8 +23,8 @@ CHECKOUT = Path(__file__).resolve().parents[1]
 SOURCE = CHECKOUT / "src" / "upright"
 
 WINGS = {
-    "base": ("arrays", "errors", "interrupts", "streams", "atomic", "progress", "reading", "languages", "decimate",
-             "ticks", "plotting", "pages", "plugins"),
+    "base": ("arrays", "errors", "interrupts", "streams", "atomic", "reading", "languages", "messages", "progress",
+             "decimate", "ticks", "plotting", "pages", "plugins"),
     "description": ("signals", "robots"),
     "model": ("physics", "compiled", "bodies", "control", "loops"),
     "simulation": ("experiment", "kernel", "fleets", "gym"),

@@ -10,7 +10,7 @@ import typer
 
 from upright.cli.destination import Destination
 from upright.cli.logs import LogPart
-from upright.cli.output import AGAINST
+from upright.cli.output import AGAINST, tell
 from upright.cli.typed import GIVEN
 from upright.progress import progress
 
@@ -56,6 +56,6 @@ def calibrate(
             GIVEN.set({**GIVEN.get(), "robot": output, "kit": None})
     out.finish(result, None if withheld else output)
     if output and withheld:
-        typer.echo(f"{output} is not written. {decision.why} Try: {decision.hint}; or --force", err=True)
+        tell(f"{output} is not written. {decision.why} Try: {decision.hint}; or --force", err=True)
     if decision.against:
         raise typer.Exit(AGAINST)

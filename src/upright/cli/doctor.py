@@ -5,10 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Annotated
 
-import typer
-
 from upright.cli.destination import Destination
-from upright.cli.output import print_json
+from upright.cli.output import print_json, tell
 from upright.progress import progress
 
 
@@ -47,7 +45,7 @@ def doctor(
         if out.json:
             print_json({"draft": str(write_mapping)})
         else:
-            typer.echo(f"{error}\na draft is in {write_mapping}")
+            tell(f"{error}\na draft is in {write_mapping}")
         return
     diagnosis = replace(diagnosis, source=str(log))  # as it was typed, for what to run next
     repaired = diagnosis.repaired().save(fix) if fix else None

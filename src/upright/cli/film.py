@@ -5,10 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Annotated
 
-import typer
-
 from upright.cli.logs import LogPart, labelled
-from upright.cli.output import check_targets, print_json
+from upright.cli.output import check_targets, print_json, tell
 from upright.progress import progress
 
 
@@ -48,4 +46,4 @@ def film(
     if json:
         print_json({"film": str(written)})
     else:
-        typer.echo(f"wrote {written}")
+        tell(f"wrote {written}")

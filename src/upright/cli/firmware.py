@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from upright.atomic import place_of
-from upright.cli.output import print_json
+from upright.cli.output import print_json, tell
 
 
 def firmware(
@@ -56,4 +56,4 @@ def firmware(
         typer.echo(str(made.program) if listing else made.text)
         return
     notes = [warning, str(made.program) * listing, made.wiring, *(f"wrote {path}" for path in written), str(made)]
-    typer.echo("\n".join(filter(None, notes)))
+    tell("\n".join(filter(None, notes)))

@@ -7,9 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
-import typer
-
 from upright.cli.destination import Destination
+from upright.cli.output import tell
 
 if TYPE_CHECKING:
     from upright.fleets.ensemble import Ensemble
@@ -69,7 +68,7 @@ def say_how_long(asked: Asked, ensemble: Ensemble, work: Mapping[str, float]) ->
     pace = ensemble.pace()
     (chosen, own), *others = ((options, _clock(pace * seconds)) for options, seconds in work.items())
     instead = "".join(f"; {options}: {time}" for options, time in others)
-    typer.echo(f"{asked.controller} is called in Python, not compiled. {chosen}: {own}{instead}", err=True)
+    tell(f"{asked.controller} is called in Python, not compiled. {chosen}: {own}{instead}", err=True)
 
 
 def _clock(seconds: float) -> str:

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from upright.cli.output import AGAINST, print_json
+from upright.cli.output import AGAINST, print_json, tell
 from upright.errors import UprightError
+from upright.messages import said
 from upright.progress import progress
 
 if TYPE_CHECKING:
@@ -69,13 +70,13 @@ def _print(flight: Flight, path: Path | None, *, json: bool) -> None:
     if json:
         print_json(flight.to_json() | {"files": [str(path)] if path else []})
     else:
-        typer.echo(f"{flight}\n\nwrote {path}" if path else str(flight))
+        tell(f"{flight}\n\nwrote {path}" if path else str(flight))
 
 
 def _ask(plan: FlightPlan) -> None:
-    typer.echo(str(plan), err=True)
+    tell(str(plan), err=True)
     try:
-        typer.confirm("Hold it upright and still. Start?", abort=True, err=True)
+        typer.confirm(said("Hold it upright and still. Start?"), abort=True, err=True)
     except typer.Abort as stop:
         if not isinstance(stop.__context__, EOFError):
             raise

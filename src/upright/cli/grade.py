@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from upright.cli.destination import Destination
+from upright.cli.output import tell
 from upright.errors import UprightError
 from upright.progress import progress
 
@@ -48,4 +49,7 @@ def _write_worksheet(language: str, lab: str, output: Path | None) -> None:
     from upright.classwork.worksheet import LAB, worksheet
 
     text = worksheet(language, lab or LAB)
-    typer.echo(f"wrote {write_text(output, text)}" if output else text, nl=bool(output))
+    if output:
+        tell(f"wrote {write_text(output, text)}")
+    else:
+        typer.echo(text, nl=False)

@@ -15,9 +15,10 @@ from typing import Annotated, Any
 import typer
 
 from upright.atomic import make_folder, write_json
-from upright.cli.output import AGAINST
+from upright.cli.output import AGAINST, tell
 from upright.cli.vocabulary import MOST_ROBOTS, controllers
 from upright.errors import UnknownName, UprightError, check_within
+from upright.messages import said
 from upright.reading import expanded, read_json, understood
 
 STATE = "upright-start.json"
@@ -114,7 +115,7 @@ def start(
         _check_robot(robot)
         study.answers["robot"] = study.named(robot)
     if folder != Path():
-        typer.echo(f"$ cd {shlex.quote(str(folder))}")
+        tell(f"$ cd {shlex.quote(str(folder))}")
     try:
         for part in _parts(study, samples):
             if isinstance(part, Question):
@@ -122,7 +123,7 @@ def start(
             else:
                 _run(part, study)
     except EndOfAnswers:
-        typer.echo(f"\nno more answers; `{study.again}` goes on from here")
+        tell(f"\nno more answers; `{study.again}` goes on from here")
         return
     _conclude(study)
 
@@ -140,7 +141,7 @@ def _parts(study: GuidedStudy, samples: int) -> Iterator[Question | GuidedStep]:
             robot = "mine.toml"
         else:
             tests = f" --log {given('log')}{_mapping(study)}"
-            typer.echo("\nThe log does not tell this robot: the numbers of its file go on, and the log tests them.")
+            tell("\nThe log does not tell this robot: the numbers of its file go on, and the log tests them.")
         yield SECOND
         if given("second") != "none":
             line = f"validate {robot} {given('second')}{_mapping(study)} --report validation.html"
@@ -189,7 +190,7 @@ def _mapping(study: GuidedStudy) -> str:
 def _ask(question: Question, study: GuidedStudy) -> None:
     """The answer, from an earlier call or from stdin."""
     if question.name in study.answers:
-        typer.echo(f"{question.text}: {study.answers[question.name]} (answered before)")
+        tell(f"{question.text}: {study.answers[question.name]} (answered before)")
         return
     study.answers[question.name] = study.named(answered(question))
     study.save()
@@ -198,7 +199,7 @@ def _ask(question: Question, study: GuidedStudy) -> None:
 def answered(question: Question) -> str:
     """What stdin answers, for an empty line the usual answer; raises `UprightError` after too many that cannot be."""
     for _ in range(PATIENCE):
-        typer.echo(f"{question.text} [{question.usual}]: ", nl=False)
+        typer.echo(f"{said(question.text)} [{question.usual}]: ", nl=False)
         sys.stdout.flush()
         line = sys.stdin.readline(1000)
         if not line:
@@ -209,7 +210,7 @@ def answered(question: Question) -> str:
         try:
             question.check(answer)
         except UprightError as error:
-            typer.echo(f"  {error}")
+            tell(f"  {error}")
             continue
         return answer
     raise UprightError(f"no answer to '{question.name}' after {PATIENCE} attempts", hint="the same command, once more")
@@ -218,7 +219,7 @@ def answered(question: Question) -> str:
 def _run(step: GuidedStep, study: GuidedStudy) -> None:
     """Run the command in the folder, unless it is done."""
     done = step.line in study.done and _complete(step, study.folder)
-    typer.echo(f"\n{step.why}\n$ upright {step.line}{'   (done before)' * done}")
+    tell(f"\n{step.why}\n$ upright {step.line}{'   (done before)' * done}")
     if done:
         return
     verb = step.line.split()[0]
@@ -266,12 +267,12 @@ def _light(study: GuidedStudy) -> str:
 def _conclude(study: GuidedStudy) -> None:
     """The verdict once more, where its pages are, and what is next where the certificate has not said it."""
     light = _light(study)
-    typer.echo(f"\nVerdict: {light}. The pages (.html) in {study.folder.resolve()} show why.")
+    tell(f"\nVerdict: {light}. The pages (.html) in {study.folder.resolve()} show why.")
     if study.answers["where"] == "here" and light not in ("red", "unknown"):
         program = BRICKS[study.answers["brick"]][1]
-        typer.echo(f"Next: connect the brick, hold the robot upright, and: upright fly {program} controller.json")
+        tell(f"Next: connect the brick, hold the robot upright, and: upright fly {program} controller.json")
     else:
-        typer.echo(f"Another answer: {study.again} --again")
+        tell(f"Another answer: {study.again} --again")
 
 
 def _check_robot(answer: str) -> None:

@@ -14,7 +14,7 @@ from typer.main import get_command
 
 from upright.cli.command import parameters, spoken
 from upright.cli.typed import GIVEN
-from upright.pages.messages import said
+from upright.messages import said
 
 GROUPS = {
     "Begin": {

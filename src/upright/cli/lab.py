@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import typer
-
+from upright.cli.output import tell
 from upright.errors import UprightError
 
 
@@ -50,9 +49,9 @@ def _serve(host: str | None, port: int, *, browser: bool, class_: bool) -> None:
     def ready() -> None:
         if class_:
             alone = "\nno network was found, so only this machine can open them: --host ADDRESS" * (host == LOOPBACK)
-            typer.echo(f"students: {served.url}\nteacher:  {served.teacher_url}{alone}\nCtrl-C ends the class")
+            tell(f"students: {served.url}\nteacher:  {served.teacher_url}{alone}\nCtrl-C ends the class")
         else:
-            typer.echo(f"the lab is at {served.url}\nCtrl-C ends it")
+            tell(f"the lab is at {served.url}\nCtrl-C ends it")
         if browser:
             import webbrowser
 
@@ -68,6 +67,6 @@ def _export(folder: Path, robots: str | None, controllers: str | None) -> None:
 
     with progress("designing and printing") as show:
         page = export(
-            folder, listed(robots), listed(controllers), say=lambda line: typer.echo(line, err=True), progress=show
+            folder, listed(robots), listed(controllers), say=lambda line: tell(line, err=True), progress=show
         )
-    typer.echo(f"wrote {page}: open it in a browser, or put it on any web host")
+    tell(f"wrote {page}: open it in a browser, or put it on any web host")

@@ -16,7 +16,7 @@ from upright.cli.help import EXAMPLES, Commands, Grouped, SpokenHelp, option_mea
 from upright.cli.retired import instead
 from upright.cli.typed import TYPED
 from upright.errors import UprightError
-from upright.pages.messages import said
+from upright.messages import said
 from upright.plugins import where
 
 USER_ERROR, BUG = 2, 1
@@ -83,7 +83,7 @@ def main(argv: Sequence[str] | None = None) -> int:
             if _debugging(arguments):
                 raise
             return _code_of(error, arguments)
-    typer.echo(interrupts.STOPPED, err=True, nl=False)
+    typer.echo(said(interrupts.STOPPED), err=True, nl=False)
     return interrupts.exit_code()
 
 

@@ -6,8 +6,7 @@ import math
 from pathlib import Path
 from typing import Annotated
 
-import typer
-
+from upright.cli.output import tell
 from upright.errors import InvalidLog
 
 FASTEST = 20.0  # [Hz] of telemetry on the screen: faster is not readable
@@ -36,10 +35,10 @@ def monitor(
         follow(source, shown.receive, program=program, seconds=math.inf if seconds is None else seconds)
     finally:
         if shown.damaged:
-            typer.secho(f"{shown.damaged} damaged lines were left out", err=True)
+            tell(f"{shown.damaged} damaged lines were left out", err=True)
         if output and shown.kept:
             result = read_lines(shown.kept)
             path, wrong = save_log(result.log, output)
-            typer.echo("\n".join([*result.flaws, wrong, f"wrote {path}: {len(result.log)} rows"]).replace("\n\n", "\n"))
+            tell("\n".join([*result.flaws, wrong, f"wrote {path}: {len(result.log)} rows"]).replace("\n\n", "\n"))
     if output and not shown.kept:
         raise InvalidLog(f"{source} held no log", expected="the program's lines from H to E", likely="it still runs")

@@ -17,12 +17,18 @@ from upright.atomic import json_text, place_of, write_json
 from upright.cli.typed import GIVEN, TYPED
 from upright.errors import UprightError, require
 from upright.languages import ENGLISH, speaking
+from upright.messages import said
 from upright.pages import Next, Page, Result, Say
 from upright.pages.terminal import WIDTH
 from upright.pages.terminal import text as page_text
 
 if TYPE_CHECKING:
     from upright.robots import Robot
+
+
+def tell(text: str, *, err: bool = False, nl: bool = True) -> None:
+    """Print in the chosen language what is said beside a result, on stderr where `err`."""
+    typer.echo(said(text), err=err, nl=nl)
 
 
 def print_json(data: Any) -> None:
@@ -92,7 +98,7 @@ def warn_of(robot: Robot) -> None:
     from upright.robots.motor import makes_energy
 
     if wrong := makes_energy(robot):
-        typer.echo(f"warning: {wrong}", err=True)
+        tell(f"warning: {wrong}", err=True)
 
 
 def write_page(result: Result, path: Path | None) -> None:

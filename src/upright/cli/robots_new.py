@@ -11,6 +11,7 @@ import typer
 
 from upright.cli.command import flag
 from upright.cli.guide import EndOfAnswers, Question, answered
+from upright.cli.output import tell
 from upright.errors import UprightError
 from upright.robots.owner import A_GUESS, DRIVE, DRIVES, NONE, OwnerQuestion, owners_files, plain, questions
 
@@ -38,8 +39,8 @@ def new(name: Annotated[str, typer.Argument(help="Name of the robot, and of its 
     write_text(kit_path, kit)
     write_text(path, robot)
     guesses = (robot + kit).count('spread = "guess"')
-    typer.echo(f"wrote {path} and {kit_path}: {guesses} numbers are guesses, marked so; each says what it is")
-    typer.echo(f"{path.stem} falls at {unstable_pole(made):.3g} 1/s; try: upright simulate --robot {path}")
+    tell(f"wrote {path} and {kit_path}: {guesses} numbers are guesses, marked so; each says what it is")
+    tell(f"{path.stem} falls at {unstable_pole(made):.3g} 1/s; try: upright simulate --robot {path}")
 
 
 def _files(name: str) -> tuple[Path, Path]:

@@ -5,10 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
-import typer
-
 from upright.cli.destination import Destination
-from upright.cli.output import warn_of
+from upright.cli.output import tell, warn_of
 from upright.errors import InvalidController
 from upright.progress import progress
 
@@ -79,5 +77,5 @@ def _excited(controller: Controller, path: Path) -> tuple[Controller, float]:
 
     plan = read_plan(path)
     if why := plan.differs(controller):
-        typer.echo(f"{path} was checked with {why}; its limits do not hold for this run", err=True)
+        tell(f"{path} was checked with {why}; its limits do not hold for this run", err=True)
     return plan.excited(controller), plan.seconds

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from upright.cli.destination import Destination
+from upright.cli.output import tell
 from upright.cli.vocabulary import complete_tunable
 from upright.progress import progress
 
@@ -53,6 +54,6 @@ def tune(
             )
     except KeyboardInterrupt:
         if state and state.exists():
-            typer.echo(f"the search is kept in {state}: the same command with --resume goes on", err=True)
+            tell(f"the search is kept in {state}: the same command with --resume goes on", err=True)
         raise
     out.finish(result, output and result.save(output))

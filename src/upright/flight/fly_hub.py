@@ -99,7 +99,7 @@ def check_ready(hub: HubLink) -> None:
         raise FlightRefused(f"the battery of {hub.name} is low", hint="charge it")
     if hub.running:
         raise FlightRefused(
-            f"a program runs on {hub.name} already", expected="none",
+            f"a program runs on {hub.name} already", expected="no program",
             hint="stop it with its button, or fetch its log with --fetch",
         )  # fmt: skip
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 import functools
 import json
 import re
+from collections.abc import Callable
 from importlib import resources
 
 from upright.languages import ENGLISH, chosen
@@ -17,7 +18,9 @@ from upright.languages import ENGLISH, chosen
 HOLE = "{}"
 TELLING = 7
 """Letters of a template that say something by themselves: fewer, as in "{} is {}", fit what is no message, too."""
-_PART = re.compile(r"; (expected|likely|try:) ")
+NAMES = 2  # words of a name, as in "wheel radius"
+PART = re.compile(r"; (expected|likely|try:|or) ")
+"""What begins another part of an error."""
 
 
 class _Template:
@@ -48,9 +51,15 @@ class _Template:
 
 
 @functools.cache
+def sections(language: str) -> dict[str, dict[str, str]]:
+    """English text → text in another language, of messages that are said `here` and `elsewhere`, by libraries."""
+    return json.loads(resources.files("upright").joinpath(f"messages.{language}.json").read_text("utf-8"))
+
+
+@functools.cache
 def catalogue(language: str) -> dict[str, str]:
-    """English text → text in another language."""
-    return json.loads(resources.files("upright.pages").joinpath(f"messages.{language}.json").read_text("utf-8"))
+    """English text → text in another language, of all messages."""
+    return sections(language)["elsewhere"] | sections(language)["here"]
 
 
 @functools.cache
@@ -66,35 +75,44 @@ def said(text: str) -> str:
 
 def _line(line: str) -> str:
     """A line whose parts, as an error has them, are found one by one."""
-    shown, *parts = _PART.split(line)
-    shown = _whole(shown)
+    first, *parts = PART.split(" ".join(line.split()))
+    shown = _whole(first)
     for heading, part in zip(parts[::2], parts[1::2], strict=True):
         shown += f"; {_whole(heading)} {_whole(part)}"
-    return shown
+    return line[: len(line) - len(line.lstrip())] + shown
 
 
 def _whole(text: str) -> str:
     """A part of a message: behind the name of a file stands another message, unless a template holds both."""
-    known = _found(text, [one for one in _templates(chosen()) if one.letters >= TELLING])
+    known = _found(text, _telling)
     if known is None:
         head, colon, tail = text.partition(": ")
         if colon and (behind := _whole(tail)) != tail:
             return f"{_fact(head)}: {behind}"
-        known = _found(text, _templates(chosen()))
+        known = _found(text, _short)
     return text if known is None else known
 
 
 def _fact(text: str) -> str:
     """A fact, which is a message itself or the name of something."""
-    known = _found(text, [one for one in _templates(chosen()) if one.letters >= TELLING or one.begins])
+    known = _found(text, lambda one, facts: _telling(one, facts) or one.begins or one.letters == 0)
     return text if known is None else known
 
 
-def _found(text: str, templates: list[_Template]) -> str | None:
+def _telling(template: _Template, _: list[str]) -> bool:
+    return template.letters >= TELLING
+
+
+def _short(_: _Template, facts: list[str]) -> bool:
+    """Whether facts may be names and numbers: around few letters longer ones are another message."""
+    return all(len(fact.split()) <= NAMES or _fact(fact) != fact for fact in facts)
+
+
+def _found(text: str, meant: Callable[[_Template, list[str]], bool]) -> str | None:
     if text in catalogue(chosen()):
         return catalogue(chosen())[text]
-    for template in templates:
+    for template in _templates(chosen()):
         facts = template.facts(text)
-        if facts is not None:
+        if facts is not None and meant(template, facts):
             return template.filled(facts)
     return None
