@@ -10,6 +10,7 @@ from __future__ import annotations
 import ast
 import itertools
 import re
+import string
 from collections import defaultdict
 from collections.abc import Iterator
 from functools import cache
@@ -20,12 +21,13 @@ from upright.messages import HOLE, PART
 
 PARTS = ("expected", "likely", "hint")
 SAID = {
-    "tell": 0, "complain": 0, "said": 0, "progress": 0, "Question": 1, "OwnerQuestion": 0, "GuidedStep": 0, "Example": 0,
+    "tell": 0, "complain": 0, "in_language": 0, "progress": 0, "Question": 1, "OwnerQuestion": 0, "GuidedStep": 0,
+    "Example": 0,
 }  # fmt: skip
 """What shows one of its arguments: its place."""
 LISTED = ("Firmware", "FlightPlan", "Flight")
 """Classes whose text the command line shows."""
-TABLES = ("STOPPED", "FILES")
+TABLES = ("STOPPED", "FILES", "TWINS")
 """Constants that it shows."""
 MOST = 64  # templates of one expression
 FEW = 6  # cases of one place in a sentence that make a template each
@@ -44,6 +46,16 @@ NO_WORDS = re.compile(
 def worded(template: str) -> bool:
     """Whether anything in a template is a word: what is typed has no translation."""
     return bool(re.search(r"[a-z]{2}", NO_WORDS.sub("", template)))
+
+
+def pattern(template: str) -> re.Pattern[str]:
+    """What a template fits."""
+    return re.compile(re.escape(template).replace(re.escape(HOLE), ".*"))
+
+
+def holes(translation: str) -> list[str]:
+    """The places of facts in a translation."""
+    return [name for _, name, _, _ in string.Formatter().parse(translation) if name is not None]
 
 
 class Package:
@@ -122,28 +134,29 @@ class Reader:
         return self._known[id(node)]
 
     def _read(self, node: ast.AST) -> Texts:
+        texts = FACT
         match node:
             case ast.Constant(value=str(text)):
-                return frozenset({text})
+                texts = frozenset({text})
             case ast.JoinedStr(values=values):
-                return self._product([self._piece(value) for value in values])
+                texts = self._product([self._piece(value) for value in values])
             case ast.IfExp(body=one, orelse=other):
-                return self.read(one) | self.read(other)
+                texts = self.read(one) | self.read(other)
             case ast.BoolOp(values=values):
-                return frozenset().union(*map(self.read, values))
+                texts = frozenset().union(*map(self.read, values))
             case ast.BinOp(left=left, op=ast.Add(), right=right):
-                return self._product([self.read(left), self.read(right)])
+                texts = self._product([self.read(left), self.read(right)])
             case ast.BinOp(left=left, op=ast.Mult()):
-                return self.read(left) | {""}
+                texts = self.read(left) | {""}
             case ast.NamedExpr(value=value) | ast.Starred(value=value):
-                return self.read(value)
+                texts = self.read(value)
             case ast.Subscript(value=held):
-                return self._elements(held)
+                texts = self._elements(held)
             case ast.Name(id=name):
-                return self._named(name, node)
+                texts = self._named(name, node)
             case ast.Call():
-                return self._returned(node)
-        return FACT
+                texts = self._returned(node)
+        return texts
 
     def _piece(self, value: ast.AST) -> Texts:
         """Of an f-string. Words that are whole stay facts, which are translated by themselves; parts of a sentence
@@ -210,6 +223,15 @@ class Reader:
         return frozenset().union(*map(self.read, own)) if own else FACT
 
     def _assigned(self, name: str, function: ast.AST) -> Iterator[Texts]:
+        """What is assigned to a name; also with what is added to it later."""
+        first = list(self._set(name, function))
+        yield from first
+        for node in ast.walk(function):
+            match node:
+                case ast.AugAssign(target=ast.Name(id=found), value=value) if found == name and first:
+                    yield self._product([frozenset().union(*first), self.read(value)])
+
+    def _set(self, name: str, function: ast.AST) -> Iterator[Texts]:
         for node in ast.walk(function):
             match node:
                 case ast.Assign(targets=targets, value=value):
@@ -218,8 +240,6 @@ class Reader:
                 case ast.AnnAssign(target=ast.Name(id=found), value=ast.expr() as value) if found == name:
                     yield self.read(value)
                 case ast.NamedExpr(target=ast.Name(id=found), value=value) if found == name:
-                    yield self.read(value)
-                case ast.AugAssign(target=ast.Name(id=found), value=value) if found == name:
                     yield self.read(value)
                 case ast.For(target=target, iter=held) | ast.comprehension(target=target, iter=held):
                     yield from self._iterated(target, held, name)

@@ -29,8 +29,9 @@ def chosen() -> str:
     if asked := _language.get():
         return asked
     stated = next(filter(None, map(os.environ.get, ("UPRIGHT_LANG", *_SYSTEM))), "")
-    languages = [one[:2] for one in stated.split(":")]  # LANGUAGE may list several
-    return next((one for one in languages if one in LANGUAGES), ENGLISH)
+    languages = [re.split("[_.@-]", one)[0] for one in stated.split(":")]  # LANGUAGE may list several
+    first = next((one for one in languages if one in (*LANGUAGES, "C")), ENGLISH)
+    return first if first in LANGUAGES else ENGLISH
 
 
 @contextmanager

@@ -18,7 +18,7 @@ from upright.languages import ENGLISH, chosen
 HOLE = "{}"
 TELLING = 7
 """Letters of a template that say something by themselves: fewer, as in "{} is {}", fit what is no message, too."""
-NAMES = 2  # words of a name, as in "wheel radius"
+ARTICLES = ("a", "an", "no", "the")
 PART = re.compile(r"; (expected|likely|try:|or) ")
 """What begins another part of an error."""
 
@@ -28,14 +28,15 @@ class _Template:
 
     def __init__(self, english: str, other: str) -> None:
         self.other = other
+        self.pieces = [piece.strip() for piece in english.split(HOLE)]
         self.letters = len(re.findall("[A-Za-z]", english))
+        self.signs = len("".join(self.pieces).replace(" ", ""))
         self.begins = not english.startswith(HOLE)
         self._english = english
-        self._pieces = [piece.strip() for piece in english.split(HOLE)]
 
     def facts(self, text: str) -> list[str] | None:
         """What stands in the holes, where the text fits."""
-        pieces = self._pieces
+        pieces = self.pieces
         if not (text.startswith(pieces[0]) and text.endswith(pieces[-1]) and all(piece in text for piece in pieces)):
             return None  # before a pattern is compiled, which takes longer than all of this
         pattern = re.escape(self._english).replace(r"\ \{\}", r"(?:\ (.*?))?")  # a fact may be empty
@@ -44,9 +45,8 @@ class _Template:
         return [fact or "" for fact in match.groups()] if match else None
 
     def filled(self, facts: list[str]) -> str:
-        """The text of the other language with these facts, of which those in quotation marks are names."""
-        quoted = [piece.endswith(("'", "`")) for piece in self._pieces]
-        shown = [fact if name else _fact(fact) for fact, name in zip(facts, quoted, strict=False)]
+        """The text of the other language with these facts."""
+        shown = [_shown(fact, before) for fact, before in zip(facts, self.pieces, strict=False)]
         return " ".join(self.other.format(*shown).split())
 
 
@@ -65,17 +65,20 @@ def catalogue(language: str) -> dict[str, str]:
 @functools.cache
 def _templates(language: str) -> list[_Template]:
     made = [_Template(english, other) for english, other in catalogue(language).items() if HOLE in english]
-    return sorted(made, key=lambda template: -template.letters)
+    return sorted(made, key=lambda one: (-one.letters, -one.signs, len(one.pieces)))
 
 
-def said(text: str) -> str:
+def in_language(text: str) -> str:
     """A text of one or more lines in the chosen language."""
     return text if chosen() == ENGLISH else "\n".join(map(_line, text.split("\n")))
 
 
 def _line(line: str) -> str:
     """A line whose parts, as an error has them, are found one by one."""
-    first, *parts = PART.split(" ".join(line.split()))
+    words = " ".join(line.split())
+    if words in catalogue(chosen()):
+        return catalogue(chosen())[words]
+    first, *parts = PART.split(words)
     shown = _whole(first)
     for heading, part in zip(parts[::2], parts[1::2], strict=True):
         shown += f"; {_whole(heading)} {_whole(part)}"
@@ -83,32 +86,41 @@ def _line(line: str) -> str:
 
 
 def _whole(text: str) -> str:
-    """A part of a message: behind the name of a file stands another message, unless a template holds both."""
-    known = _found(text, _telling)
-    if known is None:
-        head, colon, tail = text.partition(": ")
-        if colon and (behind := _whole(tail)) != tail:
-            return f"{_fact(head)}: {behind}"
-        known = _found(text, _short)
-    return text if known is None else known
+    """A part of a message; behind the name of a file stands another message."""
+    known = _matched(text, _telling) or _matched(text, _short)
+    if known is not None:
+        return known
+    head, colon, tail = text.partition(": ")
+    return f"{_fact(head)}: {_whole(tail)}" if colon else text
+
+
+def _shown(fact: str, before: str) -> str:
+    """A fact behind these words: a single one is a name, which stays, unless an article makes it a noun."""
+    noun = before.rpartition(" ")[2] in ARTICLES
+    name = before.endswith(("'", "`")) or not (noun or " " in fact)
+    return fact if name else _fact(fact)
 
 
 def _fact(text: str) -> str:
     """A fact, which is a message itself or the name of something."""
-    known = _found(text, lambda one, facts: _telling(one, facts) or one.begins or one.letters == 0)
-    return text if known is None else known
+    return _matched(text, _certain) or text
 
 
 def _telling(template: _Template, _: list[str]) -> bool:
     return template.letters >= TELLING
 
 
-def _short(_: _Template, facts: list[str]) -> bool:
-    """Whether facts may be names and numbers: around few letters longer ones are another message."""
-    return all(len(fact.split()) <= NAMES or _fact(fact) != fact for fact in facts)
+def _certain(template: _Template, facts: list[str]) -> bool:
+    """Whether what fits is no name: one that begins so, or in which brackets stand, is none."""
+    return template.begins or _telling(template, facts) or (not template.letters and any(template.pieces))
 
 
-def _found(text: str, meant: Callable[[_Template, list[str]], bool]) -> str | None:
+def _short(template: _Template, facts: list[str]) -> bool:
+    """Whether facts may be names and numbers: between few letters words are another message."""
+    return template.begins or not any(" " in name and _fact(name) == name for f in facts for name in f.split(", "))
+
+
+def _matched(text: str, meant: Callable[[_Template, list[str]], bool]) -> str | None:
     if text in catalogue(chosen()):
         return catalogue(chosen())[text]
     for template in _templates(chosen()):

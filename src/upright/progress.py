@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
 
-from upright.messages import said
+from upright.messages import in_language
 
 Progress = Callable[[float], None]
 """Called with the fraction done [1], from 0 to 1."""
@@ -31,7 +31,7 @@ def _in_lines(label: str) -> Callable[[float], None]:
         if spent > QUIET and shown < int(10 * fraction) < 10:
             shown = int(10 * fraction)
             left = spent * (1 / fraction - 1)
-            print(said(f"{label}: {10 * shown} %, about {left:.0f} s left"), file=sys.stderr)
+            print(in_language(f"{label}: {10 * shown} %, about {left:.0f} s left"), file=sys.stderr)
 
     return show
 
@@ -47,7 +47,7 @@ def progress(label: str) -> Generator[Callable[[float], None]]:
     from rich.console import Console
 
     bar = rich.Progress(console=Console(stderr=True), transient=True)
-    task = bar.add_task(said(label), total=1.0)
+    task = bar.add_task(in_language(label), total=1.0)
 
     def show(fraction: float) -> None:
         bar.start()  # with the first fraction, since a command may ask before its work begins

@@ -9,7 +9,7 @@ import typer
 
 from upright.cli.output import AGAINST, print_json, tell
 from upright.errors import UprightError
-from upright.messages import said
+from upright.messages import in_language
 from upright.progress import progress
 
 if TYPE_CHECKING:
@@ -76,7 +76,7 @@ def _print(flight: Flight, path: Path | None, *, json: bool) -> None:
 def _ask(plan: FlightPlan) -> None:
     tell(str(plan), err=True)
     try:
-        typer.confirm(said("Hold it upright and still. Start?"), abort=True, err=True)
+        typer.confirm(in_language("Hold it upright and still. Start?"), abort=True, err=True)
     except typer.Abort as stop:
         if not isinstance(stop.__context__, EOFError):
             raise

@@ -18,7 +18,7 @@ from upright.atomic import make_folder, write_json
 from upright.cli.output import AGAINST, tell
 from upright.cli.vocabulary import MOST_ROBOTS, controllers
 from upright.errors import UnknownName, UprightError, check_within
-from upright.messages import said
+from upright.messages import in_language
 from upright.reading import expanded, read_json, understood
 
 STATE = "upright-start.json"
@@ -199,7 +199,7 @@ def _ask(question: Question, study: GuidedStudy) -> None:
 def answered(question: Question) -> str:
     """What stdin answers, for an empty line the usual answer; raises `UprightError` after too many that cannot be."""
     for _ in range(PATIENCE):
-        typer.echo(f"{said(question.text)} [{question.usual}]: ", nl=False)
+        typer.echo(f"{in_language(question.text)} [{question.usual}]: ", nl=False)
         sys.stdout.flush()
         line = sys.stdin.readline(1000)
         if not line:

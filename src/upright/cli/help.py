@@ -14,7 +14,7 @@ from typer.main import get_command
 
 from upright.cli.command import parameters, spoken
 from upright.cli.typed import GIVEN
-from upright.messages import said
+from upright.messages import in_language
 
 GROUPS = {
     "Begin": {
@@ -165,10 +165,10 @@ class SpokenHelp(_Formatter):
     """Help in the chosen language, which is found sentence by sentence."""
 
     def write_usage(self, prog: str, args: str = "", prefix: str | None = None) -> None:
-        super().write_usage(prog, " ".join(map(said, args.split(" "))), said(prefix or "Usage:") + " ")
+        super().write_usage(prog, " ".join(map(in_language, args.split(" "))), in_language(prefix or "Usage:") + " ")
 
     def write_heading(self, heading: str) -> None:
-        super().write_heading(said(heading))
+        super().write_heading(in_language(heading))
 
     def write_text(self, text: str) -> None:
         super().write_text("\n\n".join(map(_paragraph, text.split("\n\n"))))
@@ -179,21 +179,21 @@ class SpokenHelp(_Formatter):
 
 def _kind(name: str) -> str:
     """An option or an argument, with the kind of its values behind it."""
-    return re.sub("<.+>", lambda kind: said(kind[0]), name)
+    return re.sub("<.+>", lambda kind: in_language(kind[0]), name)
 
 
 def _described(text: str) -> str:
     """What an option is, and what is written behind it in brackets: its default, its range."""
     about, bracket, notes = text.partition("  [")
-    return _sentences(about) + bracket + "; ".join(map(said, notes.split("; ")))
+    return _sentences(about) + bracket + "; ".join(map(in_language, notes.split("; ")))
 
 
 def _paragraph(text: str) -> str:
-    return said(text) if text.startswith("\b") else _sentences(" ".join(text.split()))
+    return in_language(text) if text.startswith("\b") else _sentences(" ".join(text.split()))
 
 
 def _sentences(text: str) -> str:
-    return " ".join(map(said, re.split(r"(?<=\.) (?=[A-Z])", text)))
+    return " ".join(map(in_language, re.split(r"(?<=\.) (?=[A-Z])", text)))
 
 
 class Grouped(TyperGroup):

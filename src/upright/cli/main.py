@@ -16,7 +16,7 @@ from upright.cli.help import EXAMPLES, Commands, Grouped, SpokenHelp, option_mea
 from upright.cli.retired import instead
 from upright.cli.typed import TYPED
 from upright.errors import UprightError
-from upright.messages import said
+from upright.messages import in_language
 from upright.plugins import where
 
 USER_ERROR, BUG = 2, 1
@@ -83,7 +83,7 @@ def main(argv: Sequence[str] | None = None) -> int:
             if _debugging(arguments):
                 raise
             return _code_of(error, arguments)
-    typer.echo(said(interrupts.STOPPED), err=True, nl=False)
+    typer.echo(in_language(interrupts.STOPPED), err=True, nl=False)
     return interrupts.exit_code()
 
 
@@ -122,7 +122,7 @@ def _code_of(error: Exception, arguments: Sequence[str]) -> int:
 def complain(message: str) -> None:
     """Print one line on stderr."""
     colour = None if "NO_COLOR" not in os.environ else False
-    typer.secho(f"upright: {said(' '.join(message.split()))}", fg="red", err=True, color=colour)
+    typer.secho(f"upright: {in_language(' '.join(message.split()))}", fg="red", err=True, color=colour)
 
 
 def _debugging(arguments: Sequence[str]) -> bool:

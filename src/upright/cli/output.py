@@ -17,7 +17,7 @@ from upright.atomic import json_text, place_of, write_json
 from upright.cli.typed import GIVEN, TYPED
 from upright.errors import UprightError, require
 from upright.languages import ENGLISH, speaking
-from upright.messages import said
+from upright.messages import in_language
 from upright.pages import Next, Page, Result, Say
 from upright.pages.terminal import WIDTH
 from upright.pages.terminal import text as page_text
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 def tell(text: str, *, err: bool = False, nl: bool = True) -> None:
     """Print in the chosen language what is said beside a result, on stderr where `err`."""
-    typer.echo(said(text), err=err, nl=nl)
+    typer.echo(in_language(text), err=err, nl=nl)
 
 
 def print_json(data: Any) -> None:

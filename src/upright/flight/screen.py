@@ -6,7 +6,7 @@ import time
 
 from upright.errors import InvalidLog
 from upright.flight.program_logs import TELEMETRY, checked_line, is_signed, status_text
-from upright.messages import said
+from upright.messages import in_language
 
 
 class Screen:
@@ -28,12 +28,12 @@ class Screen:
             self.damaged += 1
             return
         if signed.kind == "S":
-            _show(said(f"the program stopped by itself: {status_text(signed.text)}; its button gives its log"))
+            _show(in_language(f"the program stopped by itself: {status_text(signed.text)}; its button gives its log"))
         elif signed.kind != "T":
             self.kept.append(line)
         elif (now := time.monotonic()) >= self._next:
             self._next = now + self._pause
-            _show(said(_telemetry(signed.text)))
+            _show(in_language(_telemetry(signed.text)))
 
 
 def _telemetry(text: str) -> str:
