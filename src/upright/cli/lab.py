@@ -66,7 +66,5 @@ def _export(folder: Path, robots: str | None, controllers: str | None) -> None:
     from upright.progress import progress
 
     with progress("designing and printing") as show:
-        page = export(
-            folder, listed(robots), listed(controllers), say=lambda line: tell(line, err=True), progress=show
-        )
+        page = export(folder, listed(robots), listed(controllers), say=lambda line: tell(line, err=True), progress=show)
     tell(f"wrote {page}: open it in a browser, or put it on any web host")

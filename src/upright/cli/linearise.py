@@ -7,7 +7,7 @@ from typing import Annotated
 
 from upright.atomic import write_json
 from upright.cli.destination import Destination
-from upright.cli.output import tell, warn_of
+from upright.cli.output import warn_of
 from upright.errors import UnknownName
 
 
