@@ -7,6 +7,7 @@ import json
 import os
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the tests themselves run side by side; set before numpy loads
+os.environ.setdefault("UPRIGHT_LANG", "en")  # where the system speaks Spanish, too
 
 import shutil
 import signal
