@@ -1,4 +1,5 @@
-"""What the package says in one line, found in its source: `python tests/messages.py` prints what has no Spanish yet.
+"""What the package says in one line, found in its source: `python tests/messages.py` prints what has no Spanish
+yet, and Spanish that nothing says.
 
 A message is an f-string of an error, of the command line or of its help. Here it becomes a template: what is literal,
 and `{}` for each fact. Names are followed through assignments, constants, parameters (to all calls) and returned
@@ -12,12 +13,13 @@ import itertools
 import re
 import string
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cache
 from pathlib import Path
 
 import budget
-from upright.messages import HOLE, PART
+from upright.languages import ENGLISH, LANGUAGES, speaking
+from upright.messages import HOLE, PART, in_language, sections
 
 PARTS = ("expected", "likely", "hint")
 SAID = {
@@ -437,6 +439,23 @@ def helped() -> Iterator[tuple[str, str]]:
                         yield sentence, own
 
 
+def missing(here: Mapping[str, str]) -> dict[str, str]:
+    """Every message that a catalogue lacks, and where it is said."""
+    return {text: place for text, place in found().items() if text not in here}
+
+
+def left_over(here: Mapping[str, str]) -> list[str]:
+    """What a catalogue has and nothing says; a sentence of help may have a template, for its numbers."""
+    helped_by = {sentence for sentence, _ in helped()}
+    others = here.keys() - found().keys() - helped_by
+    return sorted(text for text in others if not any(map(pattern(text).fullmatch, helped_by)))
+
+
 if __name__ == "__main__":
-    for text, place in sorted((found() | dict(helped())).items(), key=lambda one: one[1]):
-        print(f"{place}\t{text}")
+    for language in LANGUAGES.keys() - {ENGLISH}:
+        own = sections(language)["here"]
+        print(*(f"missing {place}\t{text}" for text, place in missing(own).items()), sep="\n")
+        with speaking(language):
+            unsaid = [text for text, _ in helped() if worded(text) and in_language(text) == text]
+        print(*(f"missing in help\t{text}" for text in unsaid), sep="\n")
+        print(*(f"left over\t{text}" for text in left_over(own)), sep="\n")

@@ -33,11 +33,8 @@ def filled(template: str) -> str:
 
 def test_every_message_has_a_translation_and_none_is_left_over() -> None:
     here = sections("es")["here"]
-    found = messages.found()
-    assert {text: place for text, place in found.items() if text not in here} == {}
-    helped = {sentence for sentence, _ in messages.helped()}
-    others = here.keys() - found.keys() - helped
-    assert sorted(text for text in others if not any(map(messages.pattern(text).fullmatch, helped))) == []
+    assert messages.missing(here) == {}
+    assert messages.left_over(here) == []
 
 
 def test_a_translation_has_the_facts_of_its_message() -> None:
