@@ -26,9 +26,8 @@ _SYSTEM = ("LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG")
 
 def chosen() -> str:
     """The language of all text: that of `language` or `speaking`, else of UPRIGHT_LANG, of the system, else English."""
-    if asked := _language.get():
-        return asked
-    stated = next(filter(None, map(os.environ.get, ("UPRIGHT_LANG", *_SYSTEM))), "")
+    asked = _language.get()
+    stated = asked or next(filter(None, map(os.environ.get, ("UPRIGHT_LANG", *_SYSTEM))), "")
     languages = [re.split("[_.@-]", one)[0] for one in stated.split(":")]  # LANGUAGE may list several
     first = next((one for one in languages if one in (*LANGUAGES, "C")), ENGLISH)
     return first if first in LANGUAGES else ENGLISH

@@ -76,11 +76,9 @@ def in_language(text: str) -> str:
 def _line(line: str) -> str:
     """A line whose parts, as an error has them, are found one by one."""
     words = " ".join(line.split())
-    if words in catalogue(chosen()):
-        return catalogue(chosen())[words]
-    first, *parts = PART.split(words)
-    shown = _whole(first)
-    for heading, part in zip(parts[::2], parts[1::2], strict=True):
+    parts = [words] if words in catalogue(chosen()) else PART.split(words)
+    shown = _whole(parts[0])
+    for heading, part in zip(parts[1::2], parts[2::2], strict=True):
         shown += f"; {_whole(heading)} {_whole(part)}"
     return line[: len(line) - len(line.lstrip())] + shown
 
@@ -121,8 +119,9 @@ def _short(template: _Template, facts: list[str]) -> bool:
 
 
 def _matched(text: str, meant: Callable[[_Template, list[str]], bool]) -> str | None:
-    if text in catalogue(chosen()):
-        return catalogue(chosen())[text]
+    known = catalogue(chosen())
+    if text in known:
+        return known[text]
     for template in _templates(chosen()):
         facts = template.facts(text)
         if facts is not None and meant(template, facts):
