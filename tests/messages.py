@@ -24,12 +24,12 @@ from upright.messages import HOLE, PART, in_language, sections
 PARTS = ("expected", "likely", "hint")
 SAID = {
     "tell": 0, "complain": 0, "in_language": 0, "progress": 0, "Question": 1, "OwnerQuestion": 0, "GuidedStep": 0,
-    "Example": 0,
+   
 }  # fmt: skip
 """What shows one of its arguments: its place."""
 LISTED = ("Firmware", "FlightPlan", "Flight")
 """Classes whose text the command line shows."""
-TABLES = ("STOPPED", "FILES", "TWINS")
+TABLES = ("STOPPED", "TWINS")
 """Constants that it shows."""
 MOST = 64  # templates of one expression
 FEW = 6  # cases of one place in a sentence that make a template each
@@ -452,7 +452,7 @@ def left_over(here: Mapping[str, str]) -> list[str]:
 
 
 if __name__ == "__main__":
-    for language in LANGUAGES.keys() - {ENGLISH}:
+    for language in set(LANGUAGES) - {ENGLISH}:
         own = sections(language)["here"]
         print(*(f"missing {place}\t{text}" for text, place in missing(own).items()), sep="\n")
         with speaking(language):
