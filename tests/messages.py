@@ -24,7 +24,6 @@ from upright.messages import HOLE, PART, in_language, sections
 PARTS = ("expected", "likely", "hint")
 SAID = {
     "tell": 0, "complain": 0, "in_language": 0, "progress": 0, "Question": 1, "OwnerQuestion": 0, "GuidedStep": 0,
-   
 }  # fmt: skip
 """What shows one of its arguments: its place."""
 LISTED = ("Firmware", "FlightPlan", "Flight")
