@@ -173,5 +173,5 @@ def test_data_stay_english(monkeypatch: pytest.MonkeyPatch, capsys: pytest.Captu
 
 def test_an_error_has_its_parts() -> None:
     error = errors.InvalidLog("no time", expected="a column", likely="another file", hint="name it")
-    assert (error.came, error.expected, error.likely, error.hint) == ("no time", "a column", "another file", "name it")
+    assert error.parts == {"came": "no time", "expected": "a column", "likely": "another file", "hint": "name it"}
     assert str(error) == "no time; expected a column; likely another file; try: name it"
