@@ -19,6 +19,7 @@ class Destination:
     report: Path | None = None
     save: Path | None = None
     json: bool = False
+    wide: bool = False
 
     def __post_init__(self) -> None:
         if self.report and self.report.suffix not in (".html", *PICTURES):
@@ -33,4 +34,4 @@ class Destination:
         """Write the result's page and data, with further `facts`, and print it; `written` are its other files."""
         files = [str(path) for path in written if path]
         facts |= {"files": files} if files else {}
-        finish(result, self.json, output=self.save, page=self.report, written=written, **facts)
+        finish(result, self.json, output=self.save, page=self.report, written=written, wide=self.wide, **facts)

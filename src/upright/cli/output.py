@@ -42,18 +42,21 @@ AGAINST = 3
 
 def finish(
     result: Result, as_json: bool, *,
-    output: Path | None = None, page: Path | None = None, written: Iterable[Path | None] = (), **facts: Any,
+    output: Path | None = None, page: Path | None = None, written: Iterable[Path | None] = (), wide: bool = False,
+    **facts: Any,
 ) -> None:  # fmt: skip
-    """Write the result to `output` and its page to `page`, print it as its page or as JSON with further `facts`, and
-    name these files and those already `written`."""
+    """Write the result to `output` and its page to `page`, print it as its page, with all columns where `wide`, or as
+    JSON with further `facts`, and name these files and those already `written`."""
     data = result.to_json() | facts
     write_page(result, page)
     if output:
         write_json(output, data)
-    print_page(result.page(), data if as_json else None, (output, *written, page))
+    print_page(result.page(), data if as_json else None, (output, *written, page), wide=wide)
 
 
-def print_page(page: Page, data: dict[str, Any] | None = None, written: Iterable[Path | None] = ()) -> None:
+def print_page(
+    page: Page, data: dict[str, Any] | None = None, written: Iterable[Path | None] = (), *, wide: bool = False
+) -> None:
     """Print a page for people, or its head as JSON beside the `data`; the files `written` end it."""
     page = continued(page)
     if data is not None:
@@ -64,7 +67,7 @@ def print_page(page: Page, data: dict[str, Any] | None = None, written: Iterable
     width = shutil.get_terminal_size().columns if terminal else WIDTH
     colour = terminal and not os.environ.get("NO_COLOR")
     files = "\n".join(str(Say("wrote {file}", file=str(path))) for path in written if path)
-    typer.echo("\n\n".join(filter(None, [page_text(page, width, colour=colour), files])))
+    typer.echo("\n\n".join(filter(None, [page_text(page, width, colour=colour, wide=wide), files])))
 
 
 CARRIED = ("robot", "kit", "controller", "mapping", "posterior")

@@ -201,6 +201,7 @@ WORDS = {
     "watch": Word("Time to stand [s], to count as recovered."),
     "weighed": Word("What the robot weighs on a scale [kg]: no log is asked the mass then."),
     "width": Word("Width [pixels]; the height is 9/16 of it.", least=160, most=3840),
+    "wide": Word("Print tables with all their columns."),
     "workers": Word("Processes (default: one for each processor); 0: none beside this one.", least=0, most=1024),
     "worksheet": Word(
         "Write the worksheet instead: es or en.",

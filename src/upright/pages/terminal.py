@@ -65,12 +65,13 @@ def table_text(table: Table, width: int = WIDTH, *, wide: bool = False) -> str:
     columns = [[Text(name, all(cell.is_number for cell in cells)), *cells] for name, cells in columns_of(table)]
     sizes = [max(length(cell.text) for cell in column) for column in columns]
     shown = len(columns) if wide else _fitting(sizes, width)
-    sizes[shown - 1] = min(sizes[shown - 1], max(width - sum(sizes[: shown - 1]) - 2 * (shown - 1), 12))
+    if not wide:
+        sizes[shown - 1] = min(sizes[shown - 1], max(width - sum(sizes[: shown - 1]) - 2 * (shown - 1), 12))
     lines = [wrapped(str(table.caption), width)] if table.caption else []
     for row in zip(*columns[:shown], strict=True):
         lines += _row(row, sizes[:shown])
     if hidden := len(columns) - shown:
-        lines.append(str(Say("Columns left out: {n}. The page (--report) has them.", n=hidden)))
+        lines.append(str(Say("Columns left out: {n}; --wide shows them.", n=hidden)))
     return "\n".join(lines)
 
 
