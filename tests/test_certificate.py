@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
-from upright.certification.certificate import VERSION, Certificate, certify, read_certificate
+from upright.certification.certificate import Certificate, certify, read_certificate
 from upright.certification.checks import PushTrial, TrialSetup, kernel_controller, trials
 from upright.certification.pushes import RELEASE, standard_pushes
 from upright.certification.recovery import means, recoverable
@@ -95,7 +95,7 @@ def test_an_unstable_loop_is_red() -> None:
     assert certificate.fell == 100  # positive feedback of an unstable body holds nobody
     assert certificate.bound == 1.0
     assert certificate.refuses().startswith("red: The nominal loop is unstable")
-    assert certificate.standing.fell is not None
+    assert certificate.standing.fell_at is not None
     assert [reason.kind for reason in certificate.reasons] == ["loop", "alone"]
 
 
@@ -109,6 +109,23 @@ def test_an_unstable_loop_whose_robots_still_stand_is_red() -> None:
     trial = dataclasses.replace(_trial(fell=1000), beyond=900)
     _, reasons = judge(Examined(1000, 1000, LinearMargins(1.01, 1.0, 1.0, 0.0), [trial], 0.01, beyond=900))
     assert reasons[0].kind == "loop"
+
+
+def test_a_robot_that_an_unstable_loop_does_not_fell_stands_in_a_limit_cycle() -> None:
+    """Friction and the motors' limit stop what linear theory says grows for ever; the page says so, and how far."""
+    certificate = certify(scaled(designed("pid"), 2.5), ROBOT, KIT, samples=100, sweeps=False)
+    assert certificate.light == RED
+    assert certificate.reasons[0].kind == "loop"
+    # a lean of a degree that doubles so often in 20 s is beyond every lean
+    assert math.radians(1.0) * certificate.linear.radius ** (20.0 / certificate.period) > 1e6
+    assert certificate.standing.fell_at is None
+    sway = math.degrees(max(trial.cycle for trial in certificate.trials))
+    answers = str(certificate)
+    assert f"in a limit cycle of ±{sway:.2g}°" in " ".join(answers.split())
+    # at this growth a degree is no fall after 20 s, and nothing is said of a cycle
+    slow = dataclasses.replace(certificate, linear=LinearMargins(1.0005, 1.0, 1.0, 0.0))
+    assert math.radians(1.0) * 1.0005 ** (20.0 / slow.period) < 0.8
+    assert "limit cycle" not in str(slow)
 
 
 def gyro_alone(kp: float, ki: float, kd: float) -> LinearController:
@@ -213,9 +230,13 @@ def test_file_brings_the_certificate_back() -> None:
 
 def test_a_file_of_before_is_refused_with_what_to_do() -> None:
     # its pushes were the same for every robot, so that its light means something else
-    older = {name: value for name, value in green().to_json().items() if name != "beyond"} | {"version": VERSION - 1}
-    with pytest.raises(InvalidController, match=r"version 6.*version 7.*certify it again"):
-        Certificate.from_json(older)
+    older = {name: value for name, value in green().to_json().items() if name != "beyond"}
+    with pytest.raises(InvalidController, match=r"certify/7; expected upright/certify/8; try: .*upright certify"):
+        Certificate.from_json(older | {"schema": "upright/certify/7"})
+    # the first versions named themselves otherwise
+    named = {"file": "upright certificate", "version": 7}
+    with pytest.raises(InvalidController, match=r"JSON without a schema; expected upright/certify/8"):
+        Certificate.from_json({name: value for name, value in older.items() if name != "schema"} | named)
 
 
 def test_what_no_controller_could_do_is_no_fault_of_this_one() -> None:

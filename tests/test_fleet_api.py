@@ -345,7 +345,7 @@ def test_falls_that_chance_explains_have_no_cause(results):
     assert [follows.outcome for follows in found] == ["fell", "peak_pitch", "fell"]  # one fall is too few
     assert found[0].strongest is None
     assert found[2].strongest == "com_height"
-    assert "com_height" in str(Fleet(clear, summarise(clear)).to_json()["result"]["influence"])
+    assert "com_height" in str(Fleet(clear, summarise(clear)).to_json()["influence"])
 
 
 def test_without_a_push_there_is_no_settling_and_one_limit(results):
@@ -503,12 +503,12 @@ def test_pages_of_maps_hold_what_is_in_their_json_and_come_back_from_a_file(smal
     json.dumps(found, allow_nan=False)
     for way in ("forward", "backward"):
         part = data.sel(direction=way)
-        place = found["result"][way]
+        place = found["weakest"][way]
         assert place["impulse"] == part["impulse"].values.min()
         assert part["impulse"].sel(height=place["height"], duration=place["duration"]) == place["impulse"]
     # ROBOT's centre of mass is between the heights, and the shortest push lasts as long as a knock: linear between two
     at = np.interp(ROBOT.com_height, data["height"], data["impulse"].min("direction").sel(duration=0.02))
-    assert found["result"]["at_centre"] == pytest.approx(at)
+    assert found["at_centre"] == pytest.approx(at)
     page = PushMap(saved).page()
     assert f"at least {1e-3 * math.floor(1e3 * data['impulse'].values.min()):.3g}" in str(page.title)
     assert page.next[0].command == "upright certify lqr --robot nxtway-gs"
@@ -538,7 +538,7 @@ def test_a_basin_says_from_where_it_recovers_round_rest():
     recovered[6, 2] = 1.0  # apart from rest
     recovered[3, 1:3] = 1.0  # −1 to 0 rad/s upright
     found = planted_basin(recovered, able=0.25)
-    assert found.to_json()["result"]["ranges"] == {"pitch": pytest.approx((-0.1, 0.1)), "pitch_rate": (-1.0, 0.0)}
+    assert found.to_json()["ranges"] == {"pitch": pytest.approx((-0.1, 0.1)), "pitch_rate": (-1.0, 0.0)}
     page = found.page()
     assert "−5.73° to 5.73°" in str(page.title)  # 0.1 rad
     assert [str(number.value) for number in page.numbers] == ["−57.3°/s to 0°/s", "5.73°"]
@@ -552,9 +552,9 @@ def test_a_basin_knows_what_any_controller_could_save():
 
     kit = Kit.preset("nxt")
     found = basin(ensemble_of("nxtway-gs", seconds=0.2), Axis("pitch", -0.1, 0.1, 3), Axis("pitch_rate", -1, 1, 3))
-    assert found.to_json()["result"]["saved_by_any"] == largest_pitch(ROBOT, kit)
+    assert found.to_json()["saved_by_any"] == largest_pitch(ROBOT, kit)
     other = basin(bare(seconds=0.2), Axis("yaw", -0.1, 0.1, 3), Axis("pitch_rate", -1, 1, 3))
-    assert other.to_json()["result"]["saved_by_any"] is None
+    assert other.to_json()["saved_by_any"] is None
 
 
 # The verbs
@@ -612,7 +612,7 @@ def test_the_commands_write_what_they_say(tmp_path, capsys):
     few = f"fleet --kit ideal -n 50 --vary com_height=±10% --push impulse:0.05 -s 2 -o {target} --report {page} --json"
     assert main(few.split()) == 0
     said = json.loads(capsys.readouterr().out)
-    assert said["result"]["n"] == 50
+    assert said["n"] == 50
     assert said["origin"]["scenario"]["push"][0]["kind"] == "Impulse"
     assert load(target).sizes["robot"] == 50
     assert page.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")

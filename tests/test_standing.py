@@ -55,7 +55,7 @@ def test_what_hangs_on_guesses_is_unknown(tmp_path: Path) -> None:
     """A factor of two in the height of its mass is more than any controller bears; the file's robot stands."""
     certificate = certify("lqr", str(guessed_robot(tmp_path)), samples=200)
     assert certificate.light == UNKNOWN
-    assert certificate.standing.fell is None
+    assert certificate.standing.fell_at is None
     assert certificate.guessed is not None
     assert set(certificate.guessed.names) == {name for name, (_, spread) in NUMBERS.items() if spread is None}
     assert certificate.guessed.fell <= 0.05 * certificate.guessed.runs

@@ -110,6 +110,16 @@ def understood(where: str, refused: Refused, expected: str) -> Generator[None]:
         raise refused(f"{where} is broken ({why})", expected=expected) from None
 
 
+def check_schema(given: dict[str, Any], schema: str, refused: Refused) -> None:
+    """Take the name of its schema, and what a command prints first, off the JSON of a result; raises `refused` for
+    another schema."""
+    given.pop("head", None)
+    named = given.pop("schema", "without a schema")
+    if named != schema:
+        verb = schema.split("/")[1]
+        raise refused(f"JSON {str(named)[:60]}", expected=schema, hint=f"make it anew with upright {verb}")
+
+
 def limit_memory(size: int) -> None:
     """Let this process take at most `size` [bytes] of addresses and leave no core file, where the system has such
     limits: Windows has none, and macOS may refuse one below what is mapped already."""

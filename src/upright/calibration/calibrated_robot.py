@@ -287,6 +287,7 @@ class CalibratedRobot(Result):
 
         decision = self.decision
         return {
+            "schema": "upright/calibrate/1",
             "robot": {"name": self.robot.name, "drive": self.robot.drive, **self.robot.numbers()},
             "prior": {"name": self.prior.name, **self.prior.numbers()},
             "parameters": plain(self.parameters),
@@ -312,7 +313,7 @@ class CalibratedRobot(Result):
             "likelier": dict(self.likelier),
             "unfitted": {k: finite(v) for k, v in self.unfitted.items()},
             "decision": {"verdict": decision.verdict, "why": str(decision.why or ""), "hint": decision.hint},
-            "file": self.known_robot().to_toml(),
+            "toml": self.known_robot().to_toml(),
         }
 
     def plot(self) -> Figure:

@@ -57,7 +57,7 @@ from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
 from upright.pages import Result
 from upright.progress import Progress
-from upright.reading import check_types, read_json, understood
+from upright.reading import check_schema, check_types, read_json, understood
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.facts import Facts, differences, kit_facts, robot_facts
 from upright.robots.motor import refuse_energy
@@ -69,9 +69,8 @@ if TYPE_CHECKING:
 
     from upright.pages import Page
 
-KIND = "upright certificate"
-VERSION = 7
-"""7: its pushes have a kind and a slope, and its reasons say their limit;
+SCHEMA = "upright/certify/8"
+"""8: its file says so by this name; 7: its pushes have a kind and a slope, and its reasons say their limit;
 6: it answers whether the robot stands, how hard it may be pushed, and which guess decides;
 5: a log that shows what was not assumed, or leaves it open, is amber at most;
 4: an unstable loop is the first reason, a free position none for red;
@@ -141,7 +140,7 @@ class Certificate(Result, Measurements):
             reasons = [str(reason) for reason in self.reasons]
             by_hand = {name: str(BY_HAND[name]) for name in self.to_measure() if name in BY_HAND}
         numbers = asdict(self) | {"linear": linear}
-        return {"file": KIND, "version": VERSION} | numbers | {"reasons": reasons, "by_hand": by_hand}
+        return {"schema": SCHEMA} | numbers | {"reasons": reasons, "by_hand": by_hand}
 
     def save(self, path: str | Path) -> Path:
         """Write it as JSON, as `upright firmware` and `upright fly` ask for it. Returns the path."""
@@ -252,12 +251,7 @@ def read_certificate(path: str | Path) -> Certificate:
 
 def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
     given = dict(data)
-    kind, version = given.pop("file"), given.pop("version")
-    if kind == KIND and version != VERSION:
-        raise InvalidController(f"a certificate of version {version}", expected=f"version {VERSION}",
-                                hint="certify it again")  # fmt: skip
-    if kind != KIND:
-        raise ValueError(f"it is no '{KIND}'")
+    check_schema(given, SCHEMA, InvalidController)
     sentences = {name: given.pop(name) for name in ("reasons", "by_hand")}
     given["subject"] = {what: dict(given["subject"][what]) for what in ("robot", "kit")}
     certificate = _made(cls, given)

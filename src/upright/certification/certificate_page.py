@@ -209,7 +209,7 @@ def _stands(c: Measurements) -> Say:
     alone = c.standing
     sways = [trial.cycle for trial in c.trials if trial.fell < trial.runs]
     growth = math.log(c.linear.radius) * ALONE / c.period if c.linear else 0.0
-    if alone.fell is not None or not alone.runs or not sways or growth < math.log(FALLEN / LEAN):
+    if alone.fell_at is not None or not alone.runs or not sways or growth < math.log(FALLEN / LEAN):
         return alone.message(c.period)
     sway = Quantity(max(sways), "rad", digits=2)
     return Say("yes, for {time}, in a limit cycle of ±{sway}; left alone, {lost} of {runs} similar robots fall",

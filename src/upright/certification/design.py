@@ -58,7 +58,7 @@ class Release:
     band: float = UPRIGHT
 
     @property
-    def fell(self) -> float | None:
+    def fell_at(self) -> float | None:
         """When it fell [s]; None where it did not."""
         outcome = outcome_of(self.log)
         return outcome.seconds if outcome.fell else None
@@ -69,7 +69,7 @@ class Release:
         t = self.log.t
         outside = np.flatnonzero(np.abs(self.log["truth/pitch"]) > self.band)
         first = int(outside[-1]) + 1 if len(outside) else 0
-        return math.inf if self.fell is not None or first > last_part(len(t)) else float(t[first])
+        return math.inf if self.fell_at is not None or first > last_part(len(t)) else float(t[first])
 
     @property
     def largest(self) -> float:
@@ -84,7 +84,7 @@ class Release:
     def to_json(self) -> dict[str, Any]:
         """Plain numbers in SI; None for what did not happen."""
         return {
-            "lean": self.lean, "fell": self.fell, "upright": finite(self.upright), "largest": self.largest,
+            "lean": self.lean, "fell_at": self.fell_at, "upright": finite(self.upright), "largest": self.largest,
             "travel": self.travel,
         }  # fmt: skip
 
@@ -177,13 +177,18 @@ class Designed(Result):
 
     def to_json(self) -> dict[str, Any]:
         """The facts, what the method says of its design, its weights, the run in which the robot is let go, and the
-        analysis or the reason for none."""
-        return self.facts() | {
-            "design": self.record.to_json() if self.record else None,
-            "weights": [asdict(weight) for weight in self.weights],
-            "let_go": self.release.to_json() if self.release else None,
-            "analysis": self.analysis.to_json() if self.analysis else self.remark,
-        }
+        analysis or, as a `remark`, the reason for none."""
+        return (
+            {"schema": "upright/design/1"}
+            | self.facts()
+            | {
+                "design": self.record.to_json() if self.record else None,
+                "weights": [asdict(weight) for weight in self.weights],
+                "let_go": self.release.to_json() if self.release else None,
+                "analysis": self.analysis.to_json() if self.analysis else None,
+                "remark": self.remark,
+            }
+        )
 
 
 def design(

@@ -57,7 +57,7 @@ def design_page(designed: Designed) -> Page:
     page = replace(page, blocks=[*words, *page.blocks, controller], origin={**page.origin, "kit": designed.kit.name})
     if run and stands:
         page = replace(page, numbers=[*page.numbers[:2], _number(run)])
-    if run and run.fell is not None and stands:
+    if run and run.fell_at is not None and stands:
         assert picture
         return replace(page, title=picture.claim, verdict=Verdict(Say("falls when let go"), "bad"))
     return page
@@ -79,8 +79,10 @@ def _let_go(run: Release) -> Picture:
     """Pitch and travel of the run."""
     claim = Say("Let go at {lean}, it is upright again after {time} and rolls {travel}", lean=_lean(run),
                 time=Quantity(run.upright, "s", digits=2), travel=Quantity(run.travel, "m", digits=2))  # fmt: skip
-    if run.fell is not None:
-        claim = Say("Let go at {lean}, it falls after {time}", lean=_lean(run), time=Quantity(run.fell, "s", digits=2))
+    if run.fell_at is not None:
+        claim = Say(
+            "Let go at {lean}, it falls after {time}", lean=_lean(run), time=Quantity(run.fell_at, "s", digits=2)
+        )
     elif not math.isfinite(run.upright):
         band = Quantity(run.band, "rad")
         claim = Say("Let go at {lean}, it stands, but keeps swinging beyond ±{band}", lean=_lean(run), band=band)
@@ -88,8 +90,8 @@ def _let_go(run: Release) -> Picture:
 
 
 def _number(run: Release) -> KeyNumber:
-    if run.fell is not None:
-        return KeyNumber(Quantity(run.fell, "s", digits=2), Say("until it falls, let go at {lean}", lean=_lean(run)))
+    if run.fell_at is not None:
+        return KeyNumber(Quantity(run.fell_at, "s", digits=2), Say("until it falls, let go at {lean}", lean=_lean(run)))
     if not math.isfinite(run.upright):
         return KeyNumber(Say("swings"), Say("let go at {lean}, beyond ±{band}", lean=_lean(run),
                                             band=Quantity(run.band, "rad")))  # fmt: skip

@@ -63,11 +63,11 @@ class Swept:
 
 @dataclass(frozen=True)
 class Standing:
-    """Robots left alone for `ALONE` seconds: the one in the file `fell` after so many seconds (None: it stands) and
-    rolled so far [m]; of `runs` that were drawn, `lost` fell. The file's robot stands at periods up to `longest` [s]
+    """Robots left alone for `ALONE` seconds: the one in the file fell at `fell_at` [s] (None: it stands) and `rolled`
+    so far [m]; of `runs` that were drawn, `lost` fell. The file's robot stands at periods up to `longest` [s]
     (None: not examined, or not at its own)."""
 
-    fell: float | None
+    fell_at: float | None
     rolled: float
     runs: int
     lost: int
@@ -75,8 +75,8 @@ class Standing:
 
     def message(self, period: float) -> Say:
         """Whether it stands, under a controller of this `period` [s]."""
-        if self.fell is not None:
-            return Say("no: left alone it falls after {time}", time=Quantity(self.fell, "s", digits=2))
+        if self.fell_at is not None:
+            return Say("no: left alone it falls after {time}", time=Quantity(self.fell_at, "s", digits=2))
         if not self.runs:
             return Say("not tried")
         alone = Quantity(ALONE, "s")

@@ -232,9 +232,9 @@ def _disagrees(a: Agreement, limit: float) -> Reason:
 
 def _file(standing: Standing) -> list[Reason]:
     """That the file's robot falls by itself."""
-    if standing.fell is None:
+    if standing.fell_at is None:
         return []
-    time = Quantity(standing.fell, "s", digits=2)
+    time = Quantity(standing.fell_at, "s", digits=2)
     message = Say("Left alone, the robot of the file falls after {time}.", time=time)
     return [Reason("alone", message, Say("it falls after {time}", time=time))]
 
@@ -243,7 +243,7 @@ def _drawn(e: Examined) -> list[Reason]:
     """The falls of drawn robots that the controller could have avoided."""
     alone = e.standing
     lost: list[Reason] = []
-    if alone.runs and alone.fell is None and red(alone.lost, alone.runs):
+    if alone.runs and alone.fell_at is None and red(alone.lost, alone.runs):
         message = Say("Left alone, {lost} of {runs} robots within the uncertainty of the file fall.", lost=alone.lost,
                    runs=alone.runs)  # fmt: skip
         lost = [Reason("spread", message, Say("{lost} of {runs} fall alone", lost=alone.lost, runs=alone.runs))]

@@ -78,6 +78,7 @@ class LogExamined:
         """As plain data for programs."""
         columns = {name: source.column for name, source in self.mapping.channels.items()}
         return {
+            "schema": "upright/doctor/1",
             "source": self.source,
             "rows": self.rows,
             "seconds": self.seconds,

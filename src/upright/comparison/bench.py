@@ -54,7 +54,7 @@ class BenchRow:
     stands `WATCHED` later, to `TOLERANCE`.
     `spread` is the fraction of `DRAWN` robots over the spreads of this one's sources that fall under the same push, in
     the nonlinear model; only of linear controllers. `products` counts multiplications and divisions of its program in
-    a period; None where there is no program of it. It `fell` at that time [s].
+    a period; None where there is no program of it. `fell_at` is when it fell [s].
     """
 
     controller: str
@@ -68,7 +68,7 @@ class BenchRow:
     impulse: float | None = None
     spread: float | None = None
     products: int | None = None
-    fell: float | None = None
+    fell_at: float | None = None
 
     @property
     def holds(self) -> bool:
@@ -98,7 +98,13 @@ class Bench(Result):
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers, without the logs."""
-        where = {"robot": self.robot, "kit": self.kit, "body": self.body, "seed": self.seed}
+        where = {
+            "schema": "upright/bench-controllers/1",
+            "robot": self.robot,
+            "kit": self.kit,
+            "body": self.body,
+            "seed": self.seed,
+        }
         where |= {"left_out": self.left_out} if self.left_out else {}
         rows = [asdict(row) | {"rest": finite(self.rest(row.push).get(row.controller, math.nan))} for row in self.rows]
         times = {name: self.computing_time(name) for name in self.ranked()}
@@ -284,7 +290,7 @@ def bench_one(
     numbers = {n: measured[names.get(n, n)] for n in ("peak", "settling", "travel", "effort", "saturated")}
     row = BenchRow(
         controller=method, push=push, outcome=outcome, **numbers, impulse=impulse, spread=spread,
-        products=_products(controller, robot, kit), fell=end.seconds if end.fell else None,
+        products=_products(controller, robot, kit), fell_at=end.seconds if end.fell else None,
     )  # fmt: skip
     return row, log
 

@@ -134,8 +134,8 @@ def push_table(bench: Bench, push: str) -> Table:
 def _holds(row: BenchRow) -> Verdict | Say:
     if row.holds:
         return Verdict(Say("yes"), "good")
-    if row.fell is not None:
-        return Verdict(Say("fell after {time}", time=Quantity(row.fell, "s", digits=2)), "bad")
+    if row.fell_at is not None:
+        return Verdict(Say("fell after {time}", time=Quantity(row.fell_at, "s", digits=2)), "bad")
     return Say("{why}", why=row.outcome)
 
 

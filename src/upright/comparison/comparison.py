@@ -40,6 +40,7 @@ class Comparison(Compared, Result):
     def to_json(self) -> dict[str, Any]:
         """Everything but the logs as plain values, None for what is not a finite number."""
         return {
+            "schema": "upright/compare/1",
             "reference": self.reference,
             "signals": list(self.signals),
             "release": self.release,

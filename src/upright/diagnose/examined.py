@@ -11,7 +11,7 @@ from upright.diagnose.causes import CANNOT_TELL, NO_FALL, Cause
 from upright.diagnose.series import Series
 from upright.pages import Say, english, facts_of
 
-KIND, VERSION = "upright post-mortem", 1
+SCHEMA = "upright/post-mortem/2"
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
@@ -59,12 +59,7 @@ class FallExamined:
         numbers = {f.name: finite(getattr(self, f.name)) for f in fields(self) if f.name not in _SENTENCES}
         sentences = {"missing": [*map(english, self.missing)], "notes": [*map(english, self.notes)]}
         causes = [_cause(cause) for cause in self.causes]
-        return (
-            {"file": KIND, "version": VERSION}
-            | numbers
-            | sentences
-            | {"causes": causes, "series": self.series.to_json()}
-        )
+        return {"schema": SCHEMA} | numbers | sentences | {"causes": causes, "series": self.series.to_json()}
 
 
 _SENTENCES = ("causes", "series", "missing", "notes")

@@ -16,11 +16,11 @@ from upright.control.excited import Excited
 from upright.control.identity import Identity, identity
 from upright.errors import InvalidScenario, SpecMismatch
 from upright.fleets.binomial import upper_bound
-from upright.reading import check_types, understood
+from upright.reading import check_schema, check_types, understood
 from upright.robots import PARAMETERS
 
 CONFIDENCE = 0.95
-KIND, VERSION = "upright excitation", 2
+SCHEMA = "upright/excite/3"
 
 
 @dataclass(frozen=True)
@@ -208,7 +208,7 @@ class PlannedRun:
         parts |= {name: list(parts[name]) for name in ("focus", "notes", "response")}
         parts["excitation"] = self.excitation.tolist()
         derived = {"bound": self.checked.bound, "shrinks": self.shrinks}
-        return {"file": KIND, "version": VERSION} | parts | {"shares": dict(self.division)} | derived
+        return {"schema": SCHEMA} | parts | {"shares": dict(self.division)} | derived
 
     @classmethod
     def from_json(cls, data: Mapping[str, Any]) -> Self:
@@ -228,8 +228,7 @@ P = TypeVar("P", bound=PlannedRun)
 
 def _read(cls: type[P], data: Mapping[str, Any]) -> P:
     given = dict(data)
-    if (given.pop("file"), given.pop("version")) != (KIND, VERSION):
-        raise ValueError(f"it is no '{KIND}' of version {VERSION}")
+    check_schema(given, SCHEMA, InvalidScenario)
     given["division"] = given.pop("shares")
     for name in ("bound", "shrinks"):
         given.pop(name, None)

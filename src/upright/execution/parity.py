@@ -75,7 +75,7 @@ class Parity(Result):
         return self.worst <= self.tolerance and not self.duties and all(p.stood for p in self.pushes)
 
     def to_json(self) -> dict[str, Any]:
-        return {**asdict(self), "passed": self.passed}
+        return {"schema": "upright/parity/1", **asdict(self), "passed": self.passed}
 
     def page(self) -> Page:
         """The parity for people."""

@@ -24,7 +24,7 @@ class Cases(Result, Tally):
 
     def to_json(self) -> dict[str, Any]:
         """Each case, what each label does to the falls, and the drawn numbers that decide them."""
-        return self.numbers()
+        return {"schema": "upright/sweep/1"} | self.numbers()
 
     def page(self) -> Page:
         """The campaign for people."""

@@ -48,7 +48,7 @@ class Fleet(Result):
 
     def to_json(self) -> dict[str, Any]:
         """The summary, and where it comes from."""
-        return {"result": self.summary.to_json(), "origin": origin_of(self.data)}
+        return {"schema": "upright/fleet/1", **self.summary.to_json(), "origin": origin_of(self.data)}
 
     def page(self) -> Page:
         """The fleet for people."""

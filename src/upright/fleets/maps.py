@@ -32,10 +32,10 @@ class PushMap(Result):
     def to_json(self) -> dict[str, Any]:
         """The weakest place by direction, a knock at the centre of mass, the longest pushes, and the origin."""
         numbers = {
-            **limits.weakest(self.data), "at_centre": limits.at_centre(self.data),
+            "weakest": limits.weakest(self.data), "at_centre": limits.at_centre(self.data),
             "longest": limits.longest(self.data),
         }  # fmt: skip
-        return {"result": numbers, "origin": origin_of(self.data)}
+        return {"schema": "upright/push-map/1", **numbers, "origin": origin_of(self.data)}
 
     def page(self) -> Page:
         """The map for people."""
@@ -64,7 +64,7 @@ class Basin(Result):
             "islands": float(self.data["island"].values.mean()), "ranges": limits.ranges(self.data),
             "saved_by_any": limits.saved_by_any(self.data), "sees_lean": limits.sees_lean(self.data),
         }  # fmt: skip
-        return {"result": numbers, "origin": origin_of(self.data)}
+        return {"schema": "upright/basin/1", **numbers, "origin": origin_of(self.data)}
 
     def page(self) -> Page:
         """The basin for people."""

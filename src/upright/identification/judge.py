@@ -50,11 +50,11 @@ class Judge:
 
 @dataclass(frozen=True)
 class LoopTrial:
-    """The result of one regulator: whether it `holds`, when it `fell` [s], the `largest` pitch [rad] after the release,
+    """The result of one regulator: whether it `holds`, when it fell (`fell_at` [s]), the `largest` pitch [rad] after the release,
     its rms [rad] in the last two seconds (`restless`); or `why` there is no regulator."""
 
     holds: bool
-    fell: float | None = None
+    fell_at: float | None = None
     largest: float | None = None
     restless: float | None = None
     why: str = ""
@@ -70,7 +70,7 @@ class LoopTrial:
             return Verdict(Say("no regulator"), "bad")
         if self.holds:
             return Verdict(Say("holds"), "good")
-        return Verdict(Say("falls after {time}", time=Quantity(self.fell, "s", digits=2)), "bad")
+        return Verdict(Say("falls after {time}", time=Quantity(self.fell_at, "s", digits=2)), "bad")
 
 
 def judge_of(samples: Samples, calibration: Calibration | None = None) -> Judge:

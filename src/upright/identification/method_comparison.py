@@ -88,6 +88,7 @@ class MethodComparison(Result):
     def to_json(self) -> dict[str, Any]:
         """Plain numbers."""
         return {
+            "schema": "upright/identify-all/1",
             "models": {name: model.to_json() for name, model in self.models.items()},
             "in_the_loop": {name: trial.to_json() for name, trial in self.trials.items()},
             "best": self.best, "alike": self.alike, "failed": dict(self.failed), "judge": str(self.judge.who),

@@ -196,7 +196,8 @@ class Analysis(Result):
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers."""
-        numbers = {
+        numbers: dict[str, Any] = {"schema": "upright/analyse/1"}
+        numbers |= {
             key: getattr(self, key) for key in ("robot", "controller", "hash", "period", "disk", "coprime", "gap")
         }
         return (

@@ -270,7 +270,9 @@ class LinearModel(Result):
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers, for JSON, the poles with real and imaginary part."""
-        return {name: getattr(self, name).tolist() for name in _ARRAYS} | {
+        return {
+            "schema": "upright/linearise/1",
+            **{name: getattr(self, name).tolist() for name in _ARRAYS},
             **{name: list(getattr(self, name)) for name in _NAMES},
             "dt": self.dt,
             "poles": [[float(p.real), float(p.imag)] for p in self.poles()],

@@ -130,6 +130,7 @@ class Tuned(Result):
             for p in self.front
         ]
         return {
+            "schema": "upright/tune/1",
             "method": self.method, "robot": self.robot, "kit": self.kit, "seed": self.seed, "budget": self.budget,
             "evaluated": self.evaluated, "kept": self.kept, "defaults": dict(self.defaults),
             "weights": dict(self.weights), "units": {name: UNITS.get(name, "1") for name in self.weights},

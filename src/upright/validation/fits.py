@@ -97,7 +97,7 @@ class LogJudged:
             "closed_loop": {
                 "law": str(self.law) if self.law else None, "explained": finite(self.explained),
                 "estimates": list(self.estimates), "channels": loop,
-                "fell": self.simulated.fell if self.simulated else None,
+                "fell_at": self.simulated.fell_at if self.simulated else None,
             },
             "shifts": plain(self.shifts), "notes": list(self.notes),
         }  # fmt: skip
@@ -146,7 +146,9 @@ class RobotJudged:
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; what is not finite is null."""
-        return {"robot": self.robot, "kit": self.kit, "verdict": self.verdict, "logs": [x.to_json() for x in self.logs]}
+        logs = [log.to_json() for log in self.logs]
+        names = {"robot": self.robot, "kit": self.kit, "verdict": self.verdict}
+        return {"schema": "upright/validate/1"} | names | {"logs": logs}
 
 
 def channels_of(parts: Segments) -> tuple[ChannelFit, ...]:

@@ -33,14 +33,14 @@ FIRST = 0.5  # [s] of readings to which the first state is fitted
 @dataclass(frozen=True, eq=False)
 class FreeLoop:
     """Readings of the sensor rows `names`, `measured` and `simulated` (rows, names), NaN after a simulated fall, at the
-    log's times `t` (rows,) [s]; the last is the pitch, where the log estimates it. It `fell` at this time [s], or None;
+    log's times `t` (rows,) [s]; the last is the pitch, where the log estimates it. `fell_at` is when it fell [s], or None;
     `pushes` are from when to when [s] the log says that it was pushed, which the simulation does not get."""
 
     names: tuple[str, ...]
     t: Array
     measured: Array
     simulated: Array
-    fell: float | None = None
+    fell_at: float | None = None
     pushes: tuple[tuple[float, float], ...] = ()
 
 

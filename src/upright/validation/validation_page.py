@@ -153,8 +153,8 @@ def _whole_run(log: LogJudged) -> list[Block]:
     if log.estimates:
         remarks.append(Say("The program's filter is unknown, so this does not judge the robot: {estimates}.",
                         estimates=[reading(name) for name in log.estimates]))  # fmt: skip
-    if loop.fell is not None:
-        remarks.append(Say("The simulated robot falls at {time}.", time=Quantity(loop.fell, "s")))
+    if loop.fell_at is not None:
+        remarks.append(Say("The simulated robot falls at {time}.", time=Quantity(loop.fell_at, "s")))
     columns = [Column(Say("sensor")), Column(Say("R²")), Column(Say("lost after"), "s")]
     claim = Say("The closed loop, simulated from the first row of {log}", log=Path(log.source).name)
     return [

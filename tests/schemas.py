@@ -1,0 +1,352 @@
+"""The schemas of results, made from real runs and the types of their classes: `python tests/schemas.py` writes them.
+
+What a key of the JSON is called like, an attribute of the result has its type, its unit and its sentence; where what
+was written does not fit the type, what was written counts. A file of the same version is never changed.
+"""
+
+from __future__ import annotations
+
+import inspect
+import json
+import re
+import sys
+import types
+import typing
+from collections.abc import Mapping, Sequence
+from dataclasses import fields, is_dataclass
+from functools import cache, reduce
+from pathlib import Path
+from typing import Any, Literal, Union, get_args, get_origin
+
+from jsonschema import Draft202012Validator
+
+from upright.certification.verdict import AMBER, GREEN, RED, UNKNOWN
+from upright.checkup.finding import SEVERITIES
+from upright.pages import Say
+
+FOLDER = Path(__file__).resolve().parents[1] / "src" / "upright" / "pages" / "schemas"
+Schema = dict[str, Any]
+
+PLAIN: dict[Any, Schema] = {
+    str: {"type": "string"}, Say: {"type": "string"}, int: {"type": "integer"}, bool: {"type": "boolean"},
+    type(None): {"type": "null"}, float: {"type": ["null", "number"]},
+}  # fmt: skip
+"""A float that JSON does not have, infinite or not known, is null."""
+
+OPEN = {"origin", "subject"}
+"""What says where a result comes from: as much as is known."""
+
+NAMED = {
+    "logs", "in_the_loop", "effects", "drawn", "outcomes", "changes", "columns", "fit", "fit_answered", "units",
+    "computing_time", "by_hand", "labels", "shares", "correlations", "ranges", "likelier", "noise",
+}  # fmt: skip
+"""Objects whose keys are names of robots, logs, methods, parameters or signals."""
+
+TEXT = {"log", "file", "folder", "repaired", "law"}
+"""What is text where it is not null; whatever else is null, and has no type, may be a number."""
+
+CHOICES = {"light": [GREEN, AMBER, RED, UNKNOWN], "severity": list(SEVERITIES)}
+"""Words of which there are no others."""
+
+VARIED = {"design"}
+"""What each method says in its own words."""
+
+HEAD: Schema = {
+    "type": "object",
+    "description": "What the page begins with, in words; of a command's --json alone.",
+    "properties": {
+        "title": {"type": "string"},
+        "verdict": {
+            "type": ["null", "object"],
+            "properties": {"text": {"type": "string"}, "level": {"enum": ["good", "warn", "bad", "unknown", "info"]}},
+            "required": ["text", "level"],
+        },
+        "numbers": {"type": "array", "items": {"type": "array", "items": {"type": "string"}}},
+        "next": {"type": "array", "items": {"type": "string"}, "description": "Commands to run next."},
+    },
+    "required": ["title", "verdict", "numbers", "next"],
+}
+
+
+def fits(schema: Schema, value: Any) -> bool:
+    return Draft202012Validator(schema).is_valid(value)
+
+
+def merged(one: Schema | None, other: Schema | None) -> Schema | None:
+    """What is one or the other."""
+    if one is None or other is None or one == other:
+        return one if other is None or one == other else other
+    kinds = sorted({kind for schema in (one, other) for kind in _kinds(schema)})
+    both: Schema = {"type": kinds[0] if len(kinds) == 1 else kinds}
+    if "number" in kinds and "integer" in kinds:
+        both["type"] = [kind for kind in kinds if kind != "integer"]
+    for schema in (one, other):
+        both |= {key: value for key, value in schema.items() if key == "description"}
+    if items := merged(one.get("items"), other.get("items")):
+        both["items"] = items
+    more = merged(*(_object(schema.get("additionalProperties")) for schema in (one, other)))
+    if more:
+        both["additionalProperties"] = more
+    if "properties" in one or "properties" in other:
+        first, second = one.get("properties", {}), other.get("properties", {})
+        both["properties"] = {name: merged(first.get(name), second.get(name)) for name in {**first, **second}}
+        needed = [schema.get("required", []) for schema in (one, other) if "properties" in schema]
+        both["required"] = [name for name in needed[0] if all(name in some for some in needed)]
+        both["additionalProperties"] = more or False
+    return both
+
+
+def _object(schema: Any) -> Schema | None:
+    return schema if isinstance(schema, dict) else None
+
+
+def _kinds(schema: Schema) -> list[str]:
+    kinds = schema.get("type", [])
+    return [kinds] if isinstance(kinds, str) else kinds
+
+
+def of_type(kind: Any) -> Schema | None:
+    """The schema of a type; None of one whose JSON does not follow from it."""
+    origin, inner = get_origin(kind), get_args(kind)
+    if kind in PLAIN:
+        return dict(PLAIN[kind])
+    if origin in (Union, types.UnionType):
+        parts = [of_type(part) for part in inner]
+        return None if None in parts else reduce(merged, parts)
+    if origin is Literal:
+        return {"type": "string", "enum": list(inner)}
+    if isinstance(origin, type) and issubclass(origin, Mapping) and len(inner) == 2:
+        values = of_type(inner[1])
+        return values and {"type": "object", "additionalProperties": values}
+    if isinstance(origin, type) and issubclass(origin, Sequence):
+        items = [of_type(part) for part in inner if part is not Ellipsis]
+        return None if None in items or not items else {"type": "array", "items": reduce(merged, items)}
+    if is_dataclass(kind) and not hasattr(kind, "to_json"):
+        parts = {field.name: attribute(kind, field.name) for field in fields(kind)}
+        return None if None in parts.values() else record(kind, parts)
+    return None
+
+
+def record(kind: Any, properties: Mapping[str, Schema | None]) -> Schema:
+    about = {"description": sentence(kind.__doc__)} if is_dataclass(kind) and kind.__doc__ else {}
+    return {
+        "type": "object", **about, "properties": dict(properties), "required": list(properties),
+        "additionalProperties": False,
+    }  # fmt: skip
+
+
+@cache
+def hint(kind: type, name: str) -> Any:
+    """The type of a class's attribute, property or method without arguments; None where it has none."""
+    for base in kind.__mro__:
+        found = base.__dict__.get(name)
+        found = getattr(found, "func", getattr(found, "fget", found))
+        written = (
+            found.__annotations__.get("return")
+            if inspect.isfunction(found)
+            else inspect.get_annotations(base).get(name)
+        )
+        if written is not None:
+            try:
+                return (
+                    eval(str(written), vars(sys.modules[base.__module__]), vars(typing))
+                    if isinstance(written, str)
+                    else written
+                )
+            except (NameError, AttributeError, TypeError):
+                return None
+    return None
+
+
+def attribute(kind: type, name: str) -> Schema | None:
+    """The schema of an attribute by its type, with its unit and sentence."""
+    schema = of_type(hint(kind, name)) if hint(kind, name) is not None else None
+    return schema and described(schema, kind, name)
+
+
+def described(schema: Schema, kind: type, name: str) -> Schema:
+    if words := about(kind, name):
+        return {"type": schema.get("type"), "description": words} | schema | {"description": words}
+    return schema
+
+
+def sentence(text: str | None) -> str:
+    """The first sentence of a docstring."""
+    plain = " ".join((text or "").split()).replace("`", "")
+    return re.split(r"(?<=[.:;]) ", plain)[0].rstrip(":;")
+
+
+@cache
+def about(kind: type, name: str) -> str:
+    """What the class says of an attribute: a property's own sentence, or the unit in brackets behind a field's name."""
+    for base in kind.__mro__:
+        found = base.__dict__.get(name)
+        if isinstance(found, property) or hasattr(found, "func") or inspect.isfunction(found):
+            return sentence(found.__doc__)
+        unit = re.search(rf"`{name}`[^`\[\],;.]{{0,40}}\[(?!unit)([^\]`]{{1,12}})\]", base.__doc__ or "")
+        if not unit and is_dataclass(base) and base.__module__.startswith("upright"):
+            unit = re.search(rf"^    {name}: .*# \[([^\]]+)\]", inspect.getsource(base), re.MULTILINE)
+        if unit:
+            return f"[{unit[1]}]"
+    return ""
+
+
+def of_value(value: Any, thing: Any = None, name: str = "") -> Schema:
+    """The schema of a value in JSON, which was made of a `thing`."""
+    if isinstance(value, dict):
+        return of_object(value, thing, name)
+    if isinstance(value, list | tuple):
+        same = isinstance(thing, Sequence) and not isinstance(thing, str) and len(thing) == len(value)
+        items = [of_value(v, t, name) for v, t in zip(value, thing if same else [None] * len(value), strict=True)]
+        return {"type": "array", "items": reduce(merged, items)} if items else {"type": "array"}
+    if value is None:
+        return {"type": ["null", "string"] if name in TEXT else ["null", "number"]}
+    return dict(PLAIN[type(value)])
+
+
+def of_object(value: Mapping[str, Any], thing: Any, name: str) -> Schema:
+    if name in OPEN or name in VARIED:
+        return {"type": "object"}
+    if name in NAMED or (isinstance(thing, Mapping) and {str(k) for k in thing} == set(value)):
+        things = {str(k): v for k, v in thing.items()} if isinstance(thing, Mapping) else {}
+        parts = [of_value(v, things.get(k)) for k, v in value.items()]
+        return {"type": "object", "additionalProperties": reduce(merged, parts)} if parts else {"type": "object"}
+    if not value:
+        return {"type": "object"}
+    same = sum(hasattr(thing, key) for key in value) > len(value) / 2
+    return record(type(thing) if same else dict, {key: of_key(key, v, thing) for key, v in value.items()})
+
+
+def of_key(key: str, value: Any, thing: Any) -> Schema:
+    if key == "schema":
+        return {"const": value}
+    if key in CHOICES:
+        return {"type": "string", "enum": CHOICES[key]}
+    kind = type(thing)
+    declared = attribute(kind, key)
+    if declared and fits(declared, value):
+        if not value and "object" in _kinds(declared.get("items", {})):
+            declared.pop("items")  # of which nothing was written to compare with
+        return declared
+    owned = getattr(thing, key, None)
+    if inspect.ismethod(owned) and not inspect.signature(owned).parameters:
+        owned = owned()
+    schema = of_value(value, owned, key)
+    if value is None and hint(kind, key) is not None and not declared:
+        schema = {"type": ["null", "object"]}
+    if declared and "null" in _kinds(declared):
+        schema = merged(schema, {"type": "null"}) or schema
+    return described(schema, kind, key)
+
+
+def schema_of(data: Mapping[str, Any], result: Any) -> Schema:
+    """The schema of what a command printed as JSON of its result."""
+    return record(type(result), {key: of_key(key, value, result) for key, value in data.items() if key != "head"})
+
+
+def written(schema: Schema) -> Schema:
+    """The file of a schema, which may begin with the head of a command's JSON."""
+    named = schema["properties"]["schema"]["const"]
+    first = {"$schema": "https://json-schema.org/draft/2020-12/schema", "$id": named, "title": named}
+    return first | schema | {"properties": {"head": HEAD} | schema["properties"]}
+
+
+MADE = (
+    "example excited -o run.csv", "example standing -o standing.csv", "example fall -o fall.csv",
+    "example handed-in -o handed-in", "design lqg -o lqg.json", "firmware lqg.json --target c -o balance.c",
+)  # fmt: skip
+"""The files that the runs read; two logs come from runs themselves."""
+
+RUNS = (
+    "simulate -s 1", "simulate --push impulse:0.1 -s 2 -o a.csv", "simulate --push impulse:1 -s 2 -o b.csv",
+    "compare a.csv b.csv", "compare a.csv run.csv", "linearise",
+    "design lqr", "design lqg", "design pid-angle --robot balrob", "design sliding", "design mpc", "design lqg --kit ideal",
+    "tune lqr --budget 8 -n 100 --seconds 2", "bench-controllers -c lqg -c sliding",
+    "certify lqg -n 100", "certify pid-angle -n 100 --robot balrob", "certify lqg -n 100 --log standing.csv",
+    "calibrate run.csv --save posterior.json", "calibrate standing.csv",
+    "validate nxtway-gs run.csv", "identify run.csv --repeats 2", "identify run.csv --method all --repeats 2",
+    "excite -s 2 -n 300", "doctor run.csv", "doctor fall.csv", "post-mortem fall.csv", "post-mortem run.csv",
+    "parity balance.c lqg.json",
+    "fleet -n 40 -s 1", "fleet -n 40 -s 1 --vary com_height=±10% --push impulse:0.3",
+    "push-map --points 3 -n 0", "push-map --points 3 -n 2 --watch 1", "basin --points 5 -s 1", "sweep sweep.toml --workers 0",
+    "sweep kept.toml --workers 0", "grade handed-in",
+)  # fmt: skip
+"""Commands that together write every key of every result."""
+
+SWEEP = """
+robots = ["nxtway-gs"]
+controllers = ["lqr", "lqg"]
+n = 40
+seconds = 1.0
+vary = ["spread"]
+
+[grid]
+"motor.dead_zone" = [0.0, 0.4]
+
+[[scenario]]
+name = "knock"
+push = [{ kind = "impulse", impulse = 0.3, start = 0.1 }]
+"""
+
+
+def ran(command: str) -> tuple[dict[str, Any], Any]:
+    """The JSON that a command prints in this folder, and the result that it is of."""
+    import contextlib
+    import io
+
+    from upright.cli import output
+    from upright.cli.main import main
+
+    results: list[Any] = []
+    write_page = output.write_page
+    output.write_page = lambda result, path, title="": results.append(result)
+    raw = io.BytesIO()
+    out = io.TextIOWrapper(raw, "utf-8")
+    try:
+        with contextlib.redirect_stdout(out):
+            code = main([*command.split(), "--json"])
+    finally:
+        output.write_page = write_page
+    assert code in (0, output.AGAINST), (command, code)
+    out.flush()
+    return json.loads(raw.getvalue()), results[0]
+
+
+def prepare() -> None:
+    """Write the files that the runs read into this folder."""
+    from upright.cli.main import main
+
+    Path("sweep.toml").write_text(SWEEP, "utf-8")
+    Path("kept.toml").write_text(f'keep = ["peak_pitch"]\n{SWEEP}', "utf-8")
+    for command in MADE:
+        assert main(command.split()) == 0, command
+
+
+def main_() -> None:
+    import os
+    import tempfile
+    import time
+
+    found: dict[str, Schema] = {}
+    os.chdir(tempfile.mkdtemp())
+    prepare()
+    for command in RUNS:
+        begin = time.time()
+        data, result = ran(command)
+        schema = schema_of(data, result)
+        named = data["schema"]
+        found[named] = merged(found.get(named), schema) or schema
+        print(f"{time.time() - begin:5.1f} s {command}", file=sys.stderr)
+    FOLDER.mkdir(exist_ok=True)
+    for named, schema in found.items():
+        target = FOLDER / f"{named.split('/')[1]}.json"
+        text = json.dumps(written(schema), indent=1, ensure_ascii=False) + "\n"
+        if target.exists() and json.loads(target.read_text("utf-8"))["$id"] == named and "--again" not in sys.argv:
+            if target.read_text("utf-8") != text:
+                print(f"{named} has changed: give it another version", file=sys.stderr)
+            continue
+        target.write_text(text, "utf-8")
+
+
+if __name__ == "__main__":
+    main_()
