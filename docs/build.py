@@ -33,7 +33,7 @@ PARTS = {
         "Concepts": "model logs calibrate identify excite certificate post-mortem fleet firmware",
         "Studies": "studies/coarse-counts studies/dead-zone studies/resonance studies/gain studies/optima studies/mass "
         "studies/outside studies/falls studies/likelihood studies/hypotheses",
-        "Reference": "api conventions benchmarks/index",
+        "Reference": "api schemas conventions benchmarks/index",
         "The project": "architecture contributing changes",
     },
     "es": {"En español": "lab lesson notebooks/index"},
@@ -97,6 +97,7 @@ def build(site: Path, *, draft: bool = False) -> int:
                 _gallery(source / "how-to.md", draft)
             options = ["-Wq", "-c", str(HERE), "-D", f"language={language}", "-d", f"{source}.trees"]
             status = status or build_main([*options, str(source), str(folder)])
+        shutil.copytree(ROOT / "src" / "upright" / "pages" / "schemas", site / "schemas")
         _archive(site / "upright.zip")
         if status == 0 and not draft:
             from upright.lab.export import export
@@ -136,7 +137,7 @@ def _pages(source: Path, language: str) -> None:
         text = text.replace("](../", "](") if page.parent == HERE else text
         text = re.sub(r"\]\((notebooks|examples|benchmarks)/README\.md", r"](\1/index.md", text)
         _write(source / f"{name}.md", LINK.sub(linked, text).replace(f".{language}.md", ".md"))
-        for file in re.findall(r"\]\(([\w/]+\.py)\)", text):  # to be taken away
+        for file in re.findall(r"\]\(([\w/-]+\.(?:py|json))\)", text):  # to be taken away
             taken = (source / f"{name}.md").parent / file
             taken.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy((ROOT if page.parent == HERE else page.parent) / file, taken)

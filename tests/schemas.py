@@ -6,10 +6,14 @@ was written does not fit the type, what was written counts. A file of the same v
 
 from __future__ import annotations
 
+import contextlib
 import inspect
+import io
 import json
+import os
 import re
 import sys
+import tempfile
 import types
 import typing
 from collections.abc import Mapping, Sequence
@@ -38,7 +42,7 @@ OPEN = {"origin", "subject"}
 
 NAMED = {
     "logs", "in_the_loop", "effects", "drawn", "outcomes", "changes", "columns", "fit", "fit_answered", "units",
-    "computing_time", "by_hand", "labels", "shares", "correlations", "ranges", "likelier", "noise",
+    "computing_time", "by_hand", "labels", "shares", "correlations", "ranges", "likelier", "noise", "counts",
 }  # fmt: skip
 """Objects whose keys are names of robots, logs, methods, parameters or signals."""
 
@@ -105,7 +109,7 @@ def _kinds(schema: Schema) -> list[str]:
     return [kinds] if isinstance(kinds, str) else kinds
 
 
-def of_type(kind: Any) -> Schema | None:
+def of_type(kind: Any) -> Schema | None:  # noqa: PLR0911
     """The schema of a type; None of one whose JSON does not follow from it."""
     origin, inner = get_origin(kind), get_args(kind)
     if kind in PLAIN:
@@ -128,7 +132,8 @@ def of_type(kind: Any) -> Schema | None:
 
 
 def record(kind: Any, properties: Mapping[str, Schema | None]) -> Schema:
-    about = {"description": sentence(kind.__doc__)} if is_dataclass(kind) and kind.__doc__ else {}
+    known = kind.__module__.startswith("upright") and kind.__doc__
+    about = {"description": sentence(kind.__doc__)} if known else {}
     return {
         "type": "object", **about, "properties": dict(properties), "required": list(properties),
         "additionalProperties": False,
@@ -141,19 +146,12 @@ def hint(kind: type, name: str) -> Any:
     for base in kind.__mro__:
         found = base.__dict__.get(name)
         found = getattr(found, "func", getattr(found, "fget", found))
-        written = (
-            found.__annotations__.get("return")
-            if inspect.isfunction(found)
-            else inspect.get_annotations(base).get(name)
-        )
-        if written is not None:
+        annotated = found.__annotations__.get("return") if inspect.isfunction(found) else None
+        text = annotated or inspect.get_annotations(base).get(name)
+        if text:
             try:
-                return (
-                    eval(str(written), vars(sys.modules[base.__module__]), vars(typing))
-                    if isinstance(written, str)
-                    else written
-                )
-            except (NameError, AttributeError, TypeError):
+                return eval(str(text), vars(sys.modules[base.__module__]), vars(typing))
+            except (NameError, AttributeError, TypeError, SyntaxError):  # of a module that only type checkers import
                 return None
     return None
 
@@ -251,27 +249,12 @@ def written(schema: Schema) -> Schema:
     return first | schema | {"properties": {"head": HEAD} | schema["properties"]}
 
 
-MADE = (
-    "example excited -o run.csv", "example standing -o standing.csv", "example fall -o fall.csv",
-    "example handed-in -o handed-in", "design lqg -o lqg.json", "firmware lqg.json --target c -o balance.c",
-)  # fmt: skip
-"""The files that the runs read; two logs come from runs themselves."""
-
-RUNS = (
-    "simulate -s 1", "simulate --push impulse:0.1 -s 2 -o a.csv", "simulate --push impulse:1 -s 2 -o b.csv",
-    "compare a.csv b.csv", "compare a.csv run.csv", "linearise",
-    "design lqr", "design lqg", "design pid-angle --robot balrob", "design sliding", "design mpc", "design lqg --kit ideal",
-    "tune lqr --budget 8 -n 100 --seconds 2", "bench-controllers -c lqg -c sliding",
-    "certify lqg -n 100", "certify pid-angle -n 100 --robot balrob", "certify lqg -n 100 --log standing.csv",
-    "calibrate run.csv --save posterior.json", "calibrate standing.csv",
-    "validate nxtway-gs run.csv", "identify run.csv --repeats 2", "identify run.csv --method all --repeats 2",
-    "excite -s 2 -n 300", "doctor run.csv", "doctor fall.csv", "post-mortem fall.csv", "post-mortem run.csv",
-    "parity balance.c lqg.json",
-    "fleet -n 40 -s 1", "fleet -n 40 -s 1 --vary com_height=±10% --push impulse:0.3",
-    "push-map --points 3 -n 0", "push-map --points 3 -n 2 --watch 1", "basin --points 5 -s 1", "sweep sweep.toml --workers 0",
-    "sweep kept.toml --workers 0", "grade handed-in",
-)  # fmt: skip
-"""Commands that together write every key of every result."""
+MADE = {
+    "run.csv": "example excited", "standing.csv": "example standing", "fall.csv": "example fall",
+    "handed-in": "example handed-in", "lqg.json": "design lqg", "balance.c": "firmware lqg.json --target c",
+    "a.csv": "simulate --push impulse:0.1 -s 2", "b.csv": "simulate --push impulse:1 -s 2",
+}  # fmt: skip
+"""File that a run reads → the command that writes it, with -o."""
 
 SWEEP = """
 robots = ["nxtway-gs"]
@@ -288,65 +271,80 @@ name = "knock"
 push = [{ kind = "impulse", impulse = 0.3, start = 0.1 }]
 """
 
+WRITTEN = {"sweep.toml": SWEEP, "kept.toml": f'keep = ["peak_pitch"]\n{SWEEP}'}
+
+QUICK = (
+    "simulate -s 1", "simulate --push impulse:0.1 -s 2", "simulate --push impulse:1 -s 2 -o log.csv",
+    "compare a.csv b.csv", "compare a.csv run.csv", "linearise", "doctor run.csv", "doctor fall.csv --fix fixed.csv",
+    "fleet -n 40 -s 1", "fleet -n 40 -s 1 --vary com_height=±10% --push impulse:0.3", "push-map --points 3 -n 0",
+    "push-map --points 3 -n 2 --watch 1", "basin --points 5 -s 1", "sweep sweep.toml --workers 0",
+    "sweep kept.toml --workers 0", "certify lqg -n 100",
+)  # fmt: skip
+LONG = (
+    "design lqr -o lqr.json", "design lqg", "design pid-angle --robot balrob", "design sliding", "design mpc",
+    "design lqg --kit ideal", "tune lqr --budget 8 -n 100 --seconds 2", "bench-controllers -c lqg -c sliding",
+    "certify pid-angle -n 100 --robot balrob", "certify lqg -n 100 --log standing.csv",
+    "calibrate run.csv", "calibrate standing.csv", "validate nxtway-gs run.csv", "identify run.csv --repeats 2",
+    "identify run.csv --method all --repeats 2", "excite -s 2 -n 300", "post-mortem fall.csv", "post-mortem run.csv",
+    "parity balance.c lqg.json", "grade handed-in",
+)  # fmt: skip
+"""Commands that together write every key of every result, those of a second or two apart."""
+
+
+def make(file: str) -> None:
+    """Write a file that a run reads into this folder, unless it is there."""
+    from upright.cli.main import main
+
+    if Path(file).exists() or file not in MADE | WRITTEN:
+        return
+    if file in WRITTEN:
+        Path(file).write_text(WRITTEN[file], "utf-8")
+        return
+    command = MADE[file].split()
+    for word in command:
+        make(word)
+    assert main([*command, "-o", file]) == 0
+
 
 def ran(command: str) -> tuple[dict[str, Any], Any]:
     """The JSON that a command prints in this folder, and the result that it is of."""
-    import contextlib
-    import io
-
     from upright.cli import output
     from upright.cli.main import main
 
     results: list[Any] = []
     write_page = output.write_page
-    output.write_page = lambda result, path, title="": results.append(result)
     raw = io.BytesIO()
-    out = io.TextIOWrapper(raw, "utf-8")
+    with contextlib.redirect_stdout(io.StringIO()):
+        for word in command.split():
+            make(word)
+    output.write_page = lambda result, path, title="": results.append(result)
     try:
-        with contextlib.redirect_stdout(out):
+        with contextlib.redirect_stdout(io.TextIOWrapper(raw, "utf-8", write_through=True)):
             code = main([*command.split(), "--json"])
     finally:
         output.write_page = write_page
     assert code in (0, output.AGAINST), (command, code)
-    out.flush()
     return json.loads(raw.getvalue()), results[0]
 
 
-def prepare() -> None:
-    """Write the files that the runs read into this folder."""
-    from upright.cli.main import main
-
-    Path("sweep.toml").write_text(SWEEP, "utf-8")
-    Path("kept.toml").write_text(f'keep = ["peak_pitch"]\n{SWEEP}', "utf-8")
-    for command in MADE:
-        assert main(command.split()) == 0, command
-
-
-def main_() -> None:
-    import os
-    import tempfile
-    import time
-
+def write_all() -> None:
+    """Write the schema of every kind; one of the same version stays, but for --again."""
     found: dict[str, Schema] = {}
     os.chdir(tempfile.mkdtemp())
-    prepare()
-    for command in RUNS:
-        begin = time.time()
+    for command in (*QUICK, *LONG):
+        print(command, file=sys.stderr)
         data, result = ran(command)
         schema = schema_of(data, result)
-        named = data["schema"]
-        found[named] = merged(found.get(named), schema) or schema
-        print(f"{time.time() - begin:5.1f} s {command}", file=sys.stderr)
-    FOLDER.mkdir(exist_ok=True)
+        found[data["schema"]] = merged(found.get(data["schema"]), schema) or schema
     for named, schema in found.items():
         target = FOLDER / f"{named.split('/')[1]}.json"
         text = json.dumps(written(schema), indent=1, ensure_ascii=False) + "\n"
-        if target.exists() and json.loads(target.read_text("utf-8"))["$id"] == named and "--again" not in sys.argv:
-            if target.read_text("utf-8") != text:
-                print(f"{named} has changed: give it another version", file=sys.stderr)
+        old = target.read_text("utf-8") if target.exists() else ""
+        if old and json.loads(old)["$id"] == named and "--again" not in sys.argv:
+            print(f"{named}: {'as it was' if old == text else 'has changed, and needs another version'}")
             continue
         target.write_text(text, "utf-8")
 
 
 if __name__ == "__main__":
-    main_()
+    write_all()

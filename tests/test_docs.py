@@ -50,7 +50,9 @@ def blocks(page: Path, language: str) -> list[str]:
 def commands(page: Path) -> list[list[str]]:
     """Every command line of a page's shell examples as words, lines joined and comments dropped."""
     lines = [line for block in blocks(page, "sh") for line in block.replace("\\\n", " ").splitlines()]
-    return [shlex.split(part, comments=True) for line in lines for part in line.split(" && ") if part.strip()]
+    typed = [shlex.split(part, comments=True) for line in lines for part in line.split(" && ") if part.strip()]
+    # what stands behind a pipe is another program's
+    return [words[: words.index("|")] if "|" in words else words for words in typed]
 
 
 def with_(language: str) -> list[Path]:

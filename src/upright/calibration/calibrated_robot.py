@@ -304,7 +304,7 @@ class CalibratedRobot(Result):
             "widening": self.widening,
             "supported": self.supported,
             "samples": self.samples,
-            "seconds": self.seconds,
+            "computing_time": self.seconds,
             "sources": list(self.sources),
             **{name: list(map(str, getattr(self, name))) for name in ("notes", "unseen", "refused", "apart", "missed")},
             "quiet": str(self.quiet or ""),

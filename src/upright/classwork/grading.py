@@ -62,7 +62,8 @@ class Grades(Result):
     def to_json(self) -> dict[str, Any]:
         """Plain values: how many have each verdict, and every hand-in."""
         counts = Counter(one.verdict for one in self.rows)
-        return {"folder": self.folder, "counts": dict(counts), "grades": [one.to_json() for one in self.rows]}
+        grades = [one.to_json() for one in self.rows]
+        return {"schema": "upright/grade/1", "folder": self.folder, "counts": dict(counts), "grades": grades}
 
     def save(self, path: Path) -> Path:
         """Write CSV (RFC 4180); what a spreadsheet would take for a formula gets an apostrophe."""

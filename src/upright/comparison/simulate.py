@@ -43,9 +43,8 @@ class Simulation(Result):
     def to_json(self) -> dict[str, Any]:
         """The metrics, how the run ended, and where it comes from."""
         outcome = outcome_of(self.log).to_json()
-        return {
-            **self.numbers.to_json(), "schema": "upright/simulate/1", "outcome": outcome, "origin": self.log.origin,
-        }  # fmt: skip
+        own = {"schema": "upright/simulate/1", "outcome": outcome, "origin": self.log.origin}
+        return self.numbers.to_json() | own
 
 
 def simulate(

@@ -64,7 +64,8 @@ class Identified(Result):
         deviations = {"A": _plain(self.a_deviation), "B": _plain(self.b_deviation)}
         fits = {h: {n: finite(v) for n, v in row.items()} for h, row in self.fits.items()}
         return {
-            **self.model.to_json(), "schema": "upright/identify/1", "method": self.method, "source": self.source, "samples": self.samples,
+            **self.model.to_json(), "schema": "upright/identify/1",
+            "method": self.method, "source": self.source, "samples": self.samples,
             "unstable_pole": self.pole.to_json(), "deviations": deviations, "delays": dict(self.delays),
             "orders": {name: order.to_json() for name, order in self.orders.items()}, "fits": fits,
             "notes": list(self.notes),

@@ -50,8 +50,8 @@ class Judge:
 
 @dataclass(frozen=True)
 class LoopTrial:
-    """The result of one regulator: whether it `holds`, when it fell (`fell_at` [s]), the `largest` pitch [rad] after the release,
-    its rms [rad] in the last two seconds (`restless`); or `why` there is no regulator."""
+    """The result of one regulator: whether it `holds`, and fell at `fell_at` [s]; the `largest` pitch [rad] after the
+    release, its rms [rad] in the last two seconds (`restless`); or `why` there is no regulator."""
 
     holds: bool
     fell_at: float | None = None

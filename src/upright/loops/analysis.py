@@ -196,12 +196,12 @@ class Analysis(Result):
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers."""
-        numbers: dict[str, Any] = {"schema": "upright/analyse/1"}
-        numbers |= {
+        numbers = {
             key: getattr(self, key) for key in ("robot", "controller", "hash", "period", "disk", "coprime", "gap")
         }
         return (
-            numbers
+            {"schema": "upright/analyse/1"}
+            | numbers
             | {
                 "stable": self.stable,
                 "delay": self.delay if math.isfinite(self.delay) else None,

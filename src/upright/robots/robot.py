@@ -237,7 +237,7 @@ def _calibrated(path: Path) -> Robot:
     data = read_json(path, InvalidRobot, expected)
     with understood(f"the posterior {path}", InvalidRobot, expected):
         refuse_misfit(data, path)
-        text = data["file"]
+        text = data["toml"]
     return robot_of(toml.parse_toml(text, str(path), InvalidRobot, expected), str(path))
 
 

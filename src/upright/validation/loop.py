@@ -33,7 +33,7 @@ FIRST = 0.5  # [s] of readings to which the first state is fitted
 @dataclass(frozen=True, eq=False)
 class FreeLoop:
     """Readings of the sensor rows `names`, `measured` and `simulated` (rows, names), NaN after a simulated fall, at the
-    log's times `t` (rows,) [s]; the last is the pitch, where the log estimates it. `fell_at` is when it fell [s], or None;
+    log's times `t` (rows,) [s]; the last is the pitch, where the log estimates it. It fell at `fell_at` [s], or None;
     `pushes` are from when to when [s] the log says that it was pushed, which the simulation does not get."""
 
     names: tuple[str, ...]
