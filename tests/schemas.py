@@ -27,6 +27,7 @@ from jsonschema import Draft202012Validator
 from upright.certification.verdict import AMBER, GREEN, RED, UNKNOWN
 from upright.checkup.finding import SEVERITIES
 from upright.pages import Say
+from upright.signals import Log
 
 FOLDER = Path(__file__).resolve().parents[1] / "src" / "upright" / "pages" / "schemas"
 Schema = dict[str, Any]
@@ -43,11 +44,15 @@ OPEN = {"origin", "subject"}
 NAMED = {
     "logs", "in_the_loop", "effects", "drawn", "outcomes", "changes", "columns", "fit", "fit_answered", "units",
     "computing_time", "by_hand", "labels", "shares", "correlations", "ranges", "likelier", "noise", "counts",
+    "weakest",
 }  # fmt: skip
 """Objects whose keys are names of robots, logs, methods, parameters or signals."""
 
 TEXT = {"log", "file", "folder", "repaired", "law"}
-"""What is text where it is not null; whatever else is null, and has no type, may be a number."""
+"""What is text where it is not null."""
+
+ATTRIBUTES = {"unstable_pole": "pole", "in_the_loop": "trials", "let_go": "release"}
+"""Key → the attribute that it shows, where that has another name."""
 
 CHOICES = {"light": [GREEN, AMBER, RED, UNKNOWN], "severity": list(SEVERITIES)}
 """Words of which there are no others."""
@@ -181,6 +186,9 @@ def about(kind: type, name: str) -> str:
         found = base.__dict__.get(name)
         if isinstance(found, property) or hasattr(found, "func") or inspect.isfunction(found):
             return sentence(found.__doc__)
+        own = [f for f in fields(base) if f.name == name and "unit" in f.metadata] if is_dataclass(base) else []
+        if own:
+            return f"[{own[0].metadata['unit']}]"
         unit = re.search(rf"`{name}`[^`\[\],;.]{{0,40}}\[(?!unit)([^\]`]{{1,12}})\]", base.__doc__ or "")
         if not unit and is_dataclass(base) and base.__module__.startswith("upright"):
             unit = re.search(rf"^    {name}: .*# \[([^\]]+)\]", inspect.getsource(base), re.MULTILINE)
@@ -198,7 +206,7 @@ def of_value(value: Any, thing: Any = None, name: str = "") -> Schema:
         items = [of_value(v, t, name) for v, t in zip(value, thing if same else [None] * len(value), strict=True)]
         return {"type": "array", "items": reduce(merged, items)} if items else {"type": "array"}
     if value is None:
-        return {"type": ["null", "string"] if name in TEXT else ["null", "number"]}
+        return {"type": ["null", "string"]} if name in TEXT else {"type": "null"}
     return dict(PLAIN[type(value)])
 
 
@@ -220,7 +228,10 @@ def of_key(key: str, value: Any, thing: Any) -> Schema:
         return {"const": value}
     if key in CHOICES:
         return {"type": "string", "enum": CHOICES[key]}
+    if key in TEXT and not isinstance(value, dict):
+        return {"type": ["null", "string"]}
     kind = type(thing)
+    key = ATTRIBUTES.get(key, key)
     declared = attribute(kind, key)
     if declared and fits(declared, value):
         if not value and "object" in _kinds(declared.get("items", {})):
@@ -232,29 +243,44 @@ def of_key(key: str, value: Any, thing: Any) -> Schema:
     schema = of_value(value, owned, key)
     if value is None and hint(kind, key) is not None and not declared:
         schema = {"type": ["null", "object"]}
-    if declared and "null" in _kinds(declared):
+    if type(None) in get_args(hint(kind, key)):
         schema = merged(schema, {"type": "null"}) or schema
     return described(schema, kind, key)
 
 
 def schema_of(data: Mapping[str, Any], result: Any) -> Schema:
     """The schema of what a command printed as JSON of its result."""
-    return record(type(result), {key: of_key(key, value, result) for key, value in data.items() if key != "head"})
+    made = record(type(result), {key: of_key(key, value, result) for key, value in data.items() if key != "head"})
+    # a command adds what it wrote
+    return made | {"required": [key for key in made["required"] if key in result.to_json()]}
+
+
+def numbers_too(schema: Any) -> Any:
+    """With numbers where nothing but null was written, and no type is known."""
+    if isinstance(schema, list):
+        return [numbers_too(part) for part in schema]
+    if not isinstance(schema, dict):
+        return schema
+    if schema.get("type") == "null":
+        return schema | {"type": ["null", "number"]}
+    return {key: numbers_too(part) for key, part in schema.items()}
 
 
 def written(schema: Schema) -> Schema:
     """The file of a schema, which may begin with the head of a command's JSON."""
     named = schema["properties"]["schema"]["const"]
+    schema = numbers_too(schema)
     first = {"$schema": "https://json-schema.org/draft/2020-12/schema", "$id": named, "title": named}
     return first | schema | {"properties": {"head": HEAD} | schema["properties"]}
 
 
 MADE = {
     "run.csv": "example excited", "standing.csv": "example standing", "fall.csv": "example fall",
-    "handed-in": "example handed-in", "lqg.json": "design lqg", "balance.c": "firmware lqg.json --target c",
-    "a.csv": "simulate --push impulse:0.1 -s 2", "b.csv": "simulate --push impulse:1 -s 2",
+    "handed-in": "example handed-in", "lqg.json": "design lqg", "balance.c": "firmware --target c lqg.json",
+    "a.csv": "simulate --push impulse:0.1 --seconds 2", "b.csv": "simulate --push impulse:1 --seconds 2",
+    "foreign.csv": "",
 }  # fmt: skip
-"""File that a run reads → the command that writes it, with -o."""
+"""File that a run reads → the command that writes it, with -o; a foreign log says nothing of where it comes from."""
 
 SWEEP = """
 robots = ["nxtway-gs"]
@@ -273,21 +299,53 @@ push = [{ kind = "impulse", impulse = 0.3, start = 0.1 }]
 
 WRITTEN = {"sweep.toml": SWEEP, "kept.toml": f'keep = ["peak_pitch"]\n{SWEEP}'}
 
-QUICK = (
-    "simulate -s 1", "simulate --push impulse:0.1 -s 2", "simulate --push impulse:1 -s 2 -o log.csv",
-    "compare a.csv b.csv", "compare a.csv run.csv", "linearise", "doctor run.csv", "doctor fall.csv --fix fixed.csv",
-    "fleet -n 40 -s 1", "fleet -n 40 -s 1 --vary com_height=±10% --push impulse:0.3", "push-map --points 3 -n 0",
-    "push-map --points 3 -n 2 --watch 1", "basin --points 5 -s 1", "sweep sweep.toml --workers 0",
-    "sweep kept.toml --workers 0", "certify lqg -n 100",
-)  # fmt: skip
-LONG = (
-    "design lqr -o lqr.json", "design lqg", "design pid-angle --robot balrob", "design sliding", "design mpc",
-    "design lqg --kit ideal", "tune lqr --budget 8 -n 100 --seconds 2", "bench-controllers -c lqg -c sliding",
-    "certify pid-angle -n 100 --robot balrob", "certify lqg -n 100 --log standing.csv",
-    "calibrate run.csv", "calibrate standing.csv", "validate nxtway-gs run.csv", "identify run.csv --repeats 2",
-    "identify run.csv --method all --repeats 2", "excite -s 2 -n 300", "post-mortem fall.csv", "post-mortem run.csv",
-    "parity balance.c lqg.json", "grade handed-in",
-)  # fmt: skip
+QUICK = """
+simulate --seconds 1
+simulate --push impulse:0.1 --seconds 2
+simulate --push impulse:1 --seconds 2 -o log.csv
+compare a.csv b.csv
+compare a.csv run.csv
+linearise
+doctor run.csv
+doctor fall.csv --fix fixed.csv
+fleet --samples 40 --seconds 1
+fleet --samples 40 --seconds 1 --vary com_height=±10% --push impulse:0.3
+push-map --points 3 --samples 0
+push-map --points 3 --samples 2 --watch 1
+basin --points 5 --seconds 1
+basin --points 5 --seconds 1 --across pitch=0.5..1
+simulate --robot stepper --push impulse:2 --seconds 2
+compare a.csv foreign.csv
+push-map --points 3 --samples 0 --direction forward
+fleet --samples 40 --seconds 1 --push impulse:9
+sweep sweep.toml --workers 0
+sweep kept.toml --workers 0
+certify lqg --samples 100
+""".strip().splitlines()
+
+LONG = """
+design lqr -o lqr.json
+design lqg
+design pid-angle --robot balrob
+design sliding
+design mpc
+design lqg --kit ideal
+design pid-angle --robot balrob --gains kp=5,ki=1,kd=0.1
+tune lqr --budget 8 --samples 100 --seconds 2
+bench-controllers --controller lqg --controller sliding
+certify pid-angle --samples 100 --robot balrob
+certify lqg --samples 100 --log standing.csv
+calibrate run.csv
+calibrate standing.csv
+validate nxtway-gs run.csv
+identify run.csv --repeats 2
+identify run.csv --method all --repeats 2
+excite --seconds 2 --samples 300
+post-mortem fall.csv
+post-mortem run.csv
+parity balance.c lqg.json
+grade handed-in
+""".strip().splitlines()
 """Commands that together write every key of every result, those of a second or two apart."""
 
 
@@ -300,8 +358,13 @@ def make(file: str) -> None:
     if file in WRITTEN:
         Path(file).write_text(WRITTEN[file], "utf-8")
         return
+    if file == "foreign.csv":
+        make("a.csv")
+        log = Log.load("a.csv")
+        Log(log.t, log.channels, log.units).save(file)
+        return
     command = MADE[file].split()
-    for word in command:
+    for word in command[2:]:
         make(word)
     assert main([*command, "-o", file]) == 0
 

@@ -91,12 +91,12 @@ def test_a_name_is_no_difference() -> None:
 
 
 def test_a_certificate_that_names_no_robot_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    data = {k: v for k, v in certificate().to_json().items() if k != "subject"} | {"version": 1}
+    data = {k: v for k, v in certificate().to_json().items() if k != "subject"} | {"schema": "upright/certify/1"}
     write_json(tmp_path / "old.json", data)
     write_controller(frozen(), tmp_path / "controller.json")
     call = ["firmware", str(tmp_path / "controller.json"), "-t", "nxc", "--certificate", str(tmp_path / "old.json")]
     assert main(call) == USER_ERROR
-    assert "certify it again" in capsys.readouterr().err
+    assert "make it anew with upright certify" in capsys.readouterr().err
 
 
 def on_kernel(kernel: str, *arguments: str) -> None:

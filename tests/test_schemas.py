@@ -82,7 +82,9 @@ def changed(data: Any, way: tuple[Any, ...], change: Any) -> Any:
     return copy
 
 
-@pytest.mark.parametrize("command", ["certify lqg -n 100", "simulate --push impulse:0.1 -s 2", "doctor run.csv"])
+@pytest.mark.parametrize(
+    "command", ["certify lqg --samples 100", "simulate --push impulse:0.1 --seconds 2", "doctor run.csv"]
+)
 def test_a_key_that_is_added_lost_or_of_another_type_breaks_the_schema(
     command: str, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -7,12 +7,11 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from upright.bodies.body import FALLEN
 from upright.certification.measured import Measurements
 from upright.certification.narrowing import BY_HAND, by_run
 from upright.certification.pushes import RELEASE
 from upright.certification.recovery import KNOCK_DURATION
-from upright.certification.standing import ALONE, LEAN, Swept
+from upright.certification.standing import LEAN, Swept, stands
 from upright.certification.verdict import AMBER, GREEN, MOST_FALLS, RED, UNKNOWN, LinearMargins
 from upright.control.tunable import TUNABLE
 from upright.languages import number
@@ -192,7 +191,8 @@ WEIGHTS = {
 
 
 def _questions(c: Measurements) -> Table:
-    rows: list[list[Say]] = [[Say("Does it stand?"), _stands(c)]]
+    radius = c.linear.radius if c.linear else 1.0
+    rows: list[list[Say]] = [[Say("Does it stand?"), stands(c.standing, radius, c.period, c.trials)]]
     if c.endured:
         pushes = [endured.message for endured in c.endured]
         rows.append([Say("How hard may I push it?"), Say("{pushes}", pushes=pushes)])
@@ -202,18 +202,6 @@ def _questions(c: Measurements) -> Table:
         rows.append([Say("Are its motors strong enough?"), weak])
     rows.append([Say("Which numbers of the file are guesses?"), _guesses(c)])
     return Table([Column(Say("question")), Column(Say("answer"))], rows)
-
-
-def _stands(c: Measurements) -> Say:
-    """Whether it stands, and what bounds an unstable loop by which it would have fallen in that time."""
-    alone = c.standing
-    sways = [trial.cycle for trial in c.trials if trial.fell < trial.runs]
-    growth = math.log(c.linear.radius) * ALONE / c.period if c.linear else 0.0
-    if alone.fell_at is not None or not alone.runs or not sways or growth < math.log(FALLEN / LEAN):
-        return alone.message(c.period)
-    sway = Quantity(max(sways), "rad", digits=2)
-    return Say("yes, for {time}, in a limit cycle of ±{sway}; left alone, {lost} of {runs} similar robots fall",
-               time=Quantity(ALONE, "s"), sway=sway, runs=alone.runs, lost=alone.lost)  # fmt: skip
 
 
 def _guesses(c: Measurements) -> Say:

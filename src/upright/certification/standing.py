@@ -10,12 +10,14 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from upright.bodies.body import FALLEN
 from upright.certification.checks import (
     MOST_CYCLE,
     MOST_FALLS,
     STEP,
     KernelController,
     PlannedPush,
+    PushTrial,
     TrialSetup,
     simulated,
 )
@@ -93,6 +95,18 @@ class Standing:
 
 
 UNTRIED = Standing(None, 0.0, 0, 0)
+
+
+def stands(alone: Standing, radius: float, period: float, trials: Sequence[PushTrial]) -> Say:
+    """Whether the file's robot stands. Where its loop, of a largest |pole| `radius` every `period` [s], would by itself
+    have made a fall of the lean, what bounds it is a limit cycle, as wide as the robots of the `trials` sway."""
+    sways = [trial.cycle for trial in trials if trial.fell < trial.runs]
+    growth = math.log(radius) * ALONE / period
+    if alone.fell_at is not None or not alone.runs or not sways or growth < math.log(FALLEN / LEAN):
+        return alone.message(period)
+    sway = Quantity(max(sways), "rad", digits=2)
+    return Say("yes, for {time}, in a limit cycle of ±{sway}; left alone, {lost} of {runs} similar robots fall",
+               time=Quantity(ALONE, "s"), sway=sway, runs=alone.runs, lost=alone.lost)  # fmt: skip
 
 
 @dataclass(frozen=True)

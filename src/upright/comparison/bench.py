@@ -98,17 +98,20 @@ class Bench(Result):
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers, without the logs."""
-        where = {
+        rows = [asdict(row) | {"rest": finite(self.rest(row.push).get(row.controller, math.nan))} for row in self.rows]
+        times = {name: self.computing_time(name) for name in self.ranked()}
+        return {
             "schema": "upright/bench-controllers/1",
             "robot": self.robot,
             "kit": self.kit,
             "body": self.body,
             "seed": self.seed,
+            "left_out": self.left_out,
+            "rows": rows,
+            "take": self.take,
+            "places": self.places(),
+            "computing_time": times,
         }
-        where |= {"left_out": self.left_out} if self.left_out else {}
-        rows = [asdict(row) | {"rest": finite(self.rest(row.push).get(row.controller, math.nan))} for row in self.rows]
-        times = {name: self.computing_time(name) for name in self.ranked()}
-        return where | {"rows": rows, "take": self.take, "places": self.places(), "computing_time": times}
 
     def ranked(self) -> dict[str, float]:
         """Controllers by the largest impulse [N s] that they survive from the worse side; NaN where there is none."""

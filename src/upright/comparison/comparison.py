@@ -52,13 +52,17 @@ class Comparison(Compared, Result):
         numbers = {name: finite(value) for name, value in dataclasses.asdict(self.metrics[label]).items()}
         fits = {name: finite(value) for name, value in self.fits.get(label, {}).items()}
         seconds, within = self.at_rest(label)
-        numbers |= {"settled": finite(seconds), "settled_within": finite(within)} if self.pushed else {}
-        where = {"kind": self.kinds[label], "source": self.sources[label], "release": finite(self.releases[label])}
-        if label in self.answered:
-            where["fit_answered"] = {name: finite(value) for name, value in self.answered[label].items()}
-        if fits and "pitch" in fits:
-            where["pitch_apart"] = finite(self.apart(label))
-        return where | {"metrics": numbers, "fit": fits}
+        numbers["settled"] = finite(seconds) if self.pushed else None
+        numbers["settled_within"] = finite(within) if self.pushed else None
+        return {
+            "kind": self.kinds[label],
+            "source": self.sources[label],
+            "release": finite(self.releases[label]),
+            "metrics": numbers,
+            "fit": fits,
+            "fit_answered": {name: finite(value) for name, value in self.answered.get(label, {}).items()},
+            "pitch_apart": finite(self.apart(label)) if "pitch" in fits else None,
+        }
 
     def page(self) -> Page:
         """The comparison for people; of a single log what its robot did."""
