@@ -85,10 +85,10 @@ def merged(one: Schema | None, other: Schema | None) -> Schema | None:
     """What is one or the other."""
     if one is None or other is None or one == other:
         return one if other is None or one == other else other
-    kinds = sorted({kind for schema in (one, other) for kind in _kinds(schema)})
-    both: Schema = {"type": kinds[0] if len(kinds) == 1 else kinds}
-    if "number" in kinds and "integer" in kinds:
-        both["type"] = [kind for kind in kinds if kind != "integer"]
+    known = sorted({*kinds(one), *kinds(other)})
+    both: Schema = {"type": known[0] if len(known) == 1 else known}
+    if "number" in known and "integer" in known:
+        both["type"] = [kind for kind in known if kind != "integer"]
     for schema in (one, other):
         both |= {key: value for key, value in schema.items() if key == "description"}
     if items := merged(one.get("items"), other.get("items")):
@@ -109,9 +109,9 @@ def _object(schema: Any) -> Schema | None:
     return schema if isinstance(schema, dict) else None
 
 
-def _kinds(schema: Schema) -> list[str]:
-    kinds = schema.get("type", [])
-    return [kinds] if isinstance(kinds, str) else kinds
+def kinds(schema: Schema) -> list[str]:
+    found = schema.get("type", [])
+    return [found] if isinstance(found, str) else found
 
 
 def of_type(kind: Any) -> Schema | None:  # noqa: PLR0911
@@ -234,7 +234,7 @@ def of_key(key: str, value: Any, thing: Any) -> Schema:
     key = ATTRIBUTES.get(key, key)
     declared = attribute(kind, key)
     if declared and fits(declared, value):
-        if not value and "object" in _kinds(declared.get("items", {})):
+        if not value and "object" in kinds(declared.get("items", {})):
             declared.pop("items")  # of which nothing was written to compare with
         return declared
     owned = getattr(thing, key, None)
