@@ -251,7 +251,7 @@ def test_a_plan_survives_a_file(tmp_path: Path) -> None:
     assert np.array_equal(again.sequence, plan().sequence)
     assert not again.excitation.flags.writeable
     path.write_text("{}", encoding="utf-8")
-    with pytest.raises(InvalidScenario, match="no plan"):
+    with pytest.raises(InvalidScenario, match="without a schema; expected upright/excite"):
         read_plan(path)
     with pytest.raises(InvalidScenario, match="cannot read"):
         read_plan(tmp_path / "none.json")

@@ -137,10 +137,10 @@ def test_six_renderings_have_the_numbers_of_the_json(
     for name, (text, decimal) in (texts | heads).items():
         for value, unit in facts + ([] if name in heads else below(data)):
             assert shows(text, value, unit, decimal), (name, value, unit)
-    # and no text has every number: of these, changed by a tenth, most are nowhere
+    # and no text has every number: of these, changed by a tenth, at least half are nowhere
     others = [(1.1 * value, unit) for value, unit in facts]
     for name, (text, decimal) in (texts | heads).items():
-        assert sum(shows(text, value, unit, decimal) for value, unit in others) <= len(others) / 3, name
+        assert sum(shows(text, value, unit, decimal) for value, unit in others) <= len(others) / 2, name
 
 
 def in_lab(result: Result) -> dict[str, tuple[str, str]]:

@@ -112,7 +112,7 @@ def test_the_free_loop_reads_nothing_of_the_log_where_one_encoder_stands_for_bot
     result = up.validate(log, ROBOT, KIT, controller)
     loop = result.logs[0].simulated
     assert loop is not None
-    assert loop.fell is None  # without noise and push a designed loop stands
+    assert loop.fell_at is None  # without noise and push a designed loop stands
     assert [start for start, _ in loop.pushes] == [3.0]
     gyro = loop.simulated[:, loop.names.index("sensor/gyro")]
     before, after = (np.nanmax(np.abs(gyro[rows])) for rows in (loop.t < 2.9, loop.t > 3.0))
@@ -278,7 +278,7 @@ def test_a_law_reads_an_estimate_as_late_as_the_sensors_that_it_is_made_of() -> 
     log = up.validate(log_of_late_estimates(), ROBOT, kit).logs[0]
     assert "estimate/pitch" in str(log.law)
     assert log.simulated is not None
-    assert log.simulated.fell is None
+    assert log.simulated.fell_at is None
     r2 = {c.name: c.r2 for c in log.loop}
     assert min(r2["sensor/gyro"], r2["estimate/pitch"]) > 0.99  # the first state is fitted to half a second, not known
 
