@@ -415,7 +415,7 @@ def test_let_go_the_robot_moves_as_its_linear_loop_does(method: str, robot: str)
     for _ in range(len(run.log.t) - 1):
         states.append(closed.A @ states[-1])
     pitch, wheel = np.abs(np.array(states)[:, 0]), np.abs(np.array(states)[:, 2])
-    assert run.fell is None
+    assert run.fell_at is None
     assert run.largest == pytest.approx(pitch.max(), rel=0.02)
     assert run.travel == pytest.approx(wheel.max() * run.radius, rel=0.02)
     assert run.upright == pytest.approx((np.flatnonzero(pitch > UPRIGHT)[-1] + 1) * 0.01, abs=0.05)

@@ -290,7 +290,7 @@ def test_a_design_of_any_period_is_let_go(period):
     run_ = designed("lqg", period).let_go()
     assert np.diff(run_.log.t) == pytest.approx(period)
     assert run_.upright < 3.0  # as every 10 ms, 1.3 s, but for noise
-    assert run_.fell is None
+    assert run_.fell_at is None
 
 
 @pytest.mark.parametrize("method", ["lqr", "lqi", "pid", "hinf", "sliding", "mpc"])
