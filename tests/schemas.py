@@ -38,13 +38,13 @@ PLAIN: dict[Any, Schema] = {
 }  # fmt: skip
 """A float that JSON does not have, infinite or not known, is null."""
 
-OPEN = {"origin", "subject"}
-"""What says where a result comes from: as much as is known."""
+OPEN = {"origin", "subject", "numbers"}
+"""What says where a result comes from, as much as is known, and what each claim on the paper has of its own."""
 
 NAMED = {
     "logs", "in_the_loop", "effects", "drawn", "outcomes", "changes", "columns", "fit", "fit_answered", "units",
     "computing_time", "by_hand", "labels", "shares", "correlations", "ranges", "likelier", "noise", "counts",
-    "weakest",
+    "weakest", "settling", "fits", "versions",
 }  # fmt: skip
 """Objects whose keys are names of robots, logs, methods, parameters or signals."""
 
@@ -276,6 +276,7 @@ def written(schema: Schema) -> Schema:
 
 MADE = {
     "run.csv": "example excited", "standing.csv": "example standing", "fall.csv": "example fall",
+    "pushed.csv": "example pushed",
     "handed-in": "example handed-in", "lqg.json": "design lqg", "balance.c": "firmware --target c lqg.json",
     "a.csv": "simulate --push impulse:0.1 --seconds 2", "b.csv": "simulate --push impulse:1 --seconds 2",
     "foreign.csv": "",
@@ -345,6 +346,7 @@ post-mortem fall.csv
 post-mortem run.csv
 parity balance.c lqg.json
 grade handed-in
+reproduce --log pushed.csv --robot nxtway-gs --push impulse:0.06,start=3 --push impulse:-0.06,start=7 -o mine
 """.strip().splitlines()
 """Commands that together write every key of every result, those of a second or two apart."""
 

@@ -18,10 +18,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from jsonschema import Draft202012Validator
 from matplotlib.figure import Figure as Drawing
 from scipy.linalg import solve_discrete_are
 
 from heads import shown_alike
+from schemas import FOLDER
 from upright.bodies import Electronics
 from upright.bodies.models import NonlinearBody
 from upright.comparison import compare
@@ -112,6 +114,8 @@ def test_results_are_json_without_nan(done: Reproduction) -> None:
     results = json.loads((done.folder / "results.json").read_text("utf-8"), parse_constant=refuse)
     assert [f["part"] for f in results["findings"]] == [*VERDICTS, "5e", "5f", "6"]
     assert results["versions"]["upright"]
+    schema = json.loads((FOLDER / "reproduce.json").read_text("utf-8"))
+    Draft202012Validator(schema).validate(results)
 
 
 def test_logs_are_written_whole(done: Reproduction) -> None:

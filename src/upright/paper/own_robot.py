@@ -87,6 +87,7 @@ class OwnRobot(Result):
         """Plain numbers."""
         with speaking(ENGLISH):
             return {
+                "schema": "upright/reproduce-log/1",
                 "robot": self.robot.name,
                 "law": str(self.law),
                 "push": str(self.push),

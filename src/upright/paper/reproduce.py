@@ -83,7 +83,8 @@ class Reproduction(Result):
     def to_json(self) -> dict[str, Any]:
         """All numbers, as written to results.json."""
         with speaking(ENGLISH):
-            return {"versions": _versions(), "findings": [claim.to_json() for claim in self.claims]}
+            findings = [claim.to_json() for claim in self.claims]
+            return {"schema": "upright/reproduce/1", "versions": _versions(), "findings": findings}
 
 
 def reproduce(folder: str | Path = "herrera2015", progress: Progress = unwatched) -> Reproduction:
