@@ -313,8 +313,8 @@ fleet --samples 40 --seconds 1
 fleet --samples 40 --seconds 1 --vary com_height=±10% --push impulse:0.3
 push-map --points 3 --samples 0
 push-map --points 3 --samples 2 --watch 1
-basin --points 5 --seconds 1
-basin --points 5 --seconds 1 --across pitch=0.5..1
+basin --points 5 --watch 1
+basin --points 5 --watch 1 --across pitch=0.5..1
 simulate --robot stepper --push impulse:2 --seconds 2
 compare a.csv foreign.csv
 push-map --points 3 --samples 0 --direction forward
@@ -333,7 +333,7 @@ design mpc
 design lqg --kit ideal
 design pid-angle --robot balrob --gains kp=5,ki=1,kd=0.1
 tune lqr --budget 8 --samples 100 --seconds 2
-bench-controllers --controller lqg --controller sliding
+bench-controllers lqg sliding
 certify pid-angle --samples 100 --robot balrob
 certify lqg --samples 100 --log standing.csv
 calibrate run.csv
