@@ -332,7 +332,7 @@ design sliding
 design mpc
 design lqg --kit ideal
 design pid-angle --robot balrob --gains kp=5,ki=1,kd=0.1
-tune lqr --budget 8 --samples 100 --seconds 2
+tune lqr --budget 8 --samples 100 --time-limit 2
 bench-controllers lqg sliding
 certify pid-angle --samples 100 --robot balrob
 certify lqg --samples 100 --log standing.csv
