@@ -50,7 +50,7 @@ def a_run(folder: Path, setup: Setup = MODEL, student: str = "Ana", seconds: flo
     for (_, job), status, result in desk.poll():
         session.reported(job, status, result)
     events = session.events()
-    assert [event.text for event in events if isinstance(event, Notice)] == []
+    assert [event.parts for event in events if isinstance(event, Notice)] == []
     made = [event for event in events if isinstance(event, Made)]
     return (folder / made[-1].name).rename(folder / f"{student}.json")
 
@@ -76,7 +76,7 @@ def test_after_a_change_there_is_nothing_to_hand_in(tmp_path):
     session.advance(0.5)
     session.handle(Save("handin", "Ana"))
     (notice,) = [event for event in session.events() if isinstance(event, Notice)]
-    assert "Stand up" in notice.text
+    assert "Stand up" in notice.parts["en"].hint
 
 
 @pytest.fixture(scope="module")

@@ -28,9 +28,9 @@ SAME = {"robots [%]", *IDENTIFIERS, "calibrate"}
 
 @pytest.fixture
 def in_spanish() -> Iterator[None]:
-    language("es")
-    yield
-    language()
+    """As `language` would set it, whose choice would outlast the test and count more than UPRIGHT_LANG."""
+    with speaking("es"):
+        yield
 
 
 def texts(figure: Figure) -> list[str]:
@@ -102,10 +102,9 @@ def test_names_of_ones_own_and_another_language() -> None:
 def test_a_log_and_a_robot_are_tables_in_both_languages() -> None:
     log = up.Log([0.0, 0.5], {"truth/pitch": [0.0, 0.25]})
     assert '<th scope="col" class="number">largest</th>' in log._repr_html_()
-    language("es")
-    spanish = log._repr_html_()
-    robot = NXT._repr_html_()
-    language()
+    with speaking("es"):
+        spanish = log._repr_html_()
+        robot = NXT._repr_html_()
     assert "Registro de 2 muestras" in spanish
     assert "0,25" in spanish
     assert "radio de la rueda" in robot

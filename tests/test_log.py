@@ -159,4 +159,5 @@ def test_a_plot_has_a_panel_for_each_quantity() -> None:
 def test_a_log_is_short_in_a_notebook() -> None:
     log = run_of_two_units()
     assert repr(log) == "Log(3 samples, 0.03 s, 3 channels)"
-    assert "<td>sensor/gyro</td><td>rad/s</td><td>1</td><td>3</td>" in log._repr_html_()
+    row = '<code>sensor/gyro</code></td><td>rad/s</td><td class="number">1</td><td class="number">3</td>'
+    assert row in log._repr_html_()

@@ -63,7 +63,7 @@ def test_a_notebook_asks_with_names_and_reads_a_short_answer() -> None:
     fleet = up.fleet("nxtway-gs", 8, controller="lqr", kit="ideal", seconds=0.5, vary=["com_height=±10%"])
     assert fleet.data.sizes["robot"] == 8
     assert fleet.summary.fell == 0  # the regulator of the true state holds a robot that nobody pushes
-    assert "of 8 robots" in fleet._repr_html_()
+    assert "0 of 8 runs" in fleet._repr_html_()
 
 
 def test_robot_and_model_are_short_at_a_prompt_and_tables_in_a_notebook() -> None:

@@ -19,7 +19,7 @@ from upright.diagnose.causes import LOW, PUSH, Blow, Cause
 from upright.diagnose.post_mortem import PostMortem
 from upright.diagnose.series import Series
 from upright.languages import speaking
-from upright.pages import Result
+from upright.pages import Result, Say
 from upright.pages.result import write_page
 
 SI = {
@@ -107,7 +107,7 @@ def a_calibration() -> Result:
 
 def a_post_mortem() -> Result:
     push = Blow(impulse=0.38, start=5.0, duration=0.01, height=0.07, counts=0.65, largest=0.63, most=0.29, explained=1)
-    causes = Cause(PUSH, 0.67, 5.0, "a push", push), Cause(LOW, 0.33, 4.5, "the motors had torque left")
+    causes = Cause(PUSH, 0.67, 5.0, Say("a push"), push), Cause(LOW, 0.33, 4.5, Say("the motors had torque left"))
     return PostMortem(
         verdict=PUSH, causes=causes, robot="a", kit="b", controller="", hash="", fell_at=5.43, onset=5.0, rows=600,
         missing=(), notes=(), series=Series.none(),

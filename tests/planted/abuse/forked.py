@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from upright.cli.streams import guard
+from upright.streams import guard
 
 SECONDS = 30.0
 """[s] of a processor's time after which a call hangs; on the wall eight times as long, for a busy machine."""
