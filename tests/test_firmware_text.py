@@ -293,7 +293,7 @@ def test_the_command_writes_what_it_says(tmp_path: Path, capsys, monkeypatch):
         ("firmware controller.json -t nxc -o balance.c", "ending"),
         ("firmware mpc -t nxc", "ms a period on nxc"),
         ("firmware controller.json -t c -o there/balance.c", "no folder"),
-        ("firmware controller.json -t c --certificate controller.json", "JSON without a schema; expected upright/certify"),
+        ("firmware controller.json -t c --certificate controller.json", "JSON without a schema; expected"),
         ("firmware controller.json -t c --seconds 9", "no loop of its own"),
         ("firmware controller.json -t nxc --seconds 3601", "0 (no end) to 3600"),
         ("firmware controller.json -t nxc --seconds -1", "0 (no end) to 3600"),
