@@ -83,7 +83,8 @@ def _swallowed(m: Resampled) -> list[Finding]:
         part=Quantity(max(fraction, 0), "fraction", digits=2),
         error=Quantity(2 * spread, "fraction", digits=2),
     )
-    return [note("samples/controller", "command", evidence, Say("If the controller is faster, log at its rate."))]
+    repair = Say("If the controller is faster, log at its rate: one-step regression on this log is biased.")
+    return [note("samples/controller", "command", evidence, repair)]
 
 
 def held(m: Resampled) -> tuple[float, float] | None:

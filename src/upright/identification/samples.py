@@ -317,17 +317,12 @@ def _whole_periods(periods: float) -> int:
 
 
 def _faster(log: Log) -> list[str]:
-    """The doctor's finding of a controller that is faster than the log, and what it does to a regression."""
+    """The doctor's finding of a controller that is faster than the log."""
     from upright.checkup.finding import Record
-    from upright.checkup.rates import AT_ITS_RATE, faster_controller
+    from upright.checkup.rates import faster_controller
 
-    notes: list[str] = []
-    for found in faster_controller(Record(log.t, _measured(log), dict(log.units))):
-        note = english(Say("{one} {other}", one=found.evidence, other=found.repair))
-        if found.repair != AT_ITS_RATE:  # which says it
-            note += " One-step regression on this log is biased."
-        notes.append(note)
-    return notes
+    findings = faster_controller(Record(log.t, _measured(log), dict(log.units)))
+    return [english(Say("{one} {other}", one=f.evidence, other=f.repair)) for f in findings]
 
 
 def _measured(log: Log) -> dict[str, Array]:
