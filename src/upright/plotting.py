@@ -63,6 +63,7 @@ SCREEN, LEAST = 4.7, 0.7  # [inches] of all panels that a screen shows below a t
 CIRCLE = "unit circle: inside it a motion fades"
 BELOW: dict[str, Any] = {"linewidth": 4.0, "alpha": 0.35}
 ROWS = "rows"  # id of axes with a row for each name
+CLOUD = 500  # points: so many are a picture on a page, not each an element of it
 MANY = 12  # rows of names: more are closer together
 COLUMNS = 1000  # of a line that is thinned: two for each column of pixels at the width of a page
 
@@ -174,7 +175,7 @@ def points(ax: Axes, name: str, values: Sequence[complex], style: int | None = N
     z = z[np.isfinite(z)]
     ax.plot(
         z.real, z.imag, label=translated(name), linestyle="", marker=MARKERS[place % len(MARKERS)], fillstyle="none",
-        markersize=size, color=COLOURS[place % len(COLOURS)],
+        markersize=size, color=COLOURS[place % len(COLOURS)], rasterized=z.size > CLOUD,
     )  # fmt: skip
 
 

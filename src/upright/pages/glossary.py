@@ -15,7 +15,7 @@ GLOSSARY: dict[str, tuple[Say, Say]] = {
     r"(?<![\w)²] )R²": (Say("R²"), Say("1: predicted exactly. 0: no better than the mean of the readings.")),
     "fit": (Say("fit"), Say("100 %: both curves are equal. 0 %: no better than a constant.")),
     "knock": (Say("knock"), Say("A blow so short that only its impulse counts, force times duration [N s].")),
-    "hold": (Say("hold"), Say("A constant force leans the robot, and then lets go.")),
+    "hold at": (Say("hold"), Say("A constant force leans the robot, and then lets go.")),
     "impulse": (Say("impulse"), Say("Force times duration: 0.2 N s is 10 N for 20 ms.")),
     "unstable pole": (Say("unstable pole"), Say("The rate at which a small lean grows. It doubles in 0.69 / pole.")),
     "gain margin": (Say("gain margin"), Say("How much weaker or stronger the motors may be in a stable loop.")),
