@@ -18,12 +18,13 @@ def identify(
     log: Path,
     *,
     method: Annotated[
-        str,
+        str | None,
         typer.Option(
-            help="Method: least-squares, total-least-squares, instrumental, subspace, calibrate, or all.",
+            help="Method: least-squares, total-least-squares, instrumental, subspace, calibrate, or all (default: all; "
+            "of a file subspace).",
             autocompletion=complete_identifier,
         ),
-    ] = "subspace",
+    ] = None,
     robot: str = "nxtway-gs",
     kit: str | None = None,
     part: LogPart,
@@ -39,8 +40,8 @@ def identify(
 ) -> None:
     """Identify a linear model from a log.
 
-    Prints the unstable pole with its interval and the bias of the method. --method all compares the methods, and tests
-    a regulator designed on each model.
+    Prints the unstable pole with its interval. Compares all methods, and tests a regulator designed on each model,
+    unless one is named, or one model is to be written.
     """
     from upright.control import write_controller
     from upright.identification.identified import Identified
@@ -48,6 +49,7 @@ def identify(
     from upright.identification.judge import regulator as designed
     from upright.robots import find_kit, find_robot
 
+    method = method or ("subspace" if output or regulator else ALL)
     _check_method(method, output or regulator)
     out.check(output, regulator, logs=[log])
     (read,) = part.read([log])

@@ -7,7 +7,7 @@ import math
 from typing import Any
 
 from upright.fleets.binomial import upper_bound
-from upright.pages import Block, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
+from upright.pages import Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.blocks import Cell
 
 Bench = Any  # these are those of `bench.py`, which imports this file
@@ -37,8 +37,8 @@ def bench_page(bench: Bench) -> Page:
     take = bench.take if knocked else ""
     held = Say("{n} of {m} hold the robot", n=len(bench.held), m=len(ranked))
     lead = [
-        Say("Tried: {n} controllers on {robot}, body {body}, held and let go.", n=len(ranked), robot=bench.robot,
-            body=bench.body),
+        Say("Each of {n} controllers drove {robot} ({body}), which was leaned, let go and knocked.", n=len(ranked),
+            robot=bench.robot, body=bench.body),
     ]  # fmt: skip
     if take and len(bench.tied) > 1:
         lead.append(Say("{n} quick ones are equal within {tolerance}; of these {take} needs the least effort.",
@@ -49,9 +49,7 @@ def bench_page(bench: Bench) -> Page:
     )  # fmt: skip
     left_out = [Items([Say("Left out: {why}", why=bench.left_out)])] if bench.left_out else []
     pushes = [push_table(bench, push) for push in dict.fromkeys(row.push for row in bench.rows)]
-    folds: list[Block] = [Fold(Say("Numbers under each push"), pushes)]
-    if knocked:
-        folds.insert(0, Fold(Say("Responses"), [responses(bench)]))
+    shown = [responses(bench)] if knocked else []
     verdict = Verdict(held, "good" if bench.held else "bad")
     if take:
         verdict = Verdict(Say("take {name}", name=take), "good")
@@ -61,7 +59,7 @@ def bench_page(bench: Bench) -> Page:
         verdict=verdict,
         lead=lead, numbers=_numbers(bench, take) if take else [], picture=ranking if knocked else responses(bench),
         next=[Next("certify", best, robot=bench.robot, why=Say("It pushes robots that differ, and counts falls."))],
-        blocks=[_summary(bench), *left_out, *folds],
+        blocks=[_summary(bench), *shown, *left_out, Fold(Say("Numbers under each push"), pushes)],
         origin={"robot": bench.robot, "kit": bench.kit, "body": bench.body, "seed": str(bench.seed)},
     )  # fmt: skip
 
@@ -81,7 +79,12 @@ def _title(bench: Bench, take: str) -> Say:
 
 def _numbers(bench: Bench, take: str) -> list[KeyNumber]:
     """The knock that the controller to take survives, its falls, and its time on the brick or its effort."""
-    numbers = [KeyNumber(Quantity(bench.ranked()[take], "N s", digits=2), Say("largest knock survived"))]
+    best, size = next(iter(bench.ranked().items()))
+    meaning = Say("largest knock that {take} survives", take=take)
+    if best != take:
+        meaning = Say("largest knock that {take} survives; {best} {size}", take=take, best=best,
+                      size=Quantity(size, "N s", digits=2))  # fmt: skip
+    numbers = [KeyNumber(Quantity(bench.ranked()[take], "N s", digits=2), meaning)]
     falls = bench.worse(take, "spread")
     time = bench.computing_time(take)
     effort = bench.worse(take, "effort")
@@ -89,8 +92,8 @@ def _numbers(bench: Bench, take: str) -> list[KeyNumber]:
         most = Quantity(None, "fraction", high=upper_bound(round(falls * bench.drawn), bench.drawn), digits=2)
         numbers.append(KeyNumber(most, Say("of similar robots fall (95 % confidence)")))
     if time is not None:
-        period = Quantity(bench.period, "s")
-        numbers.append(KeyNumber(Quantity(time, "s", digits=2), Say("computing time, of {period}", period=period)))
+        meaning = Say("of computing in each period of {period}", period=Quantity(bench.period, "s"))
+        numbers.append(KeyNumber(Quantity(time, "s", digits=2), meaning))
     elif effort is not None:
         numbers.append(KeyNumber(Quantity(effort, bench.effort_unit, digits=2), Say("effort")))
     return numbers

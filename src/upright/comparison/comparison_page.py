@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Mapping
 
 import numpy as np
 
-from upright.comparison.drawing import state_words
+from upright.comparison.drawing import draw_apart, state_words, unit_of
 from upright.comparison.parts import (
     certify_next,
+    cut_note,
     folds,
     measured,
     pushes_of,
-    states_picture,
 )
 from upright.comparison.runs import CLOSE, DIVERGED, FAIR, Compared
 from upright.experiment import outcome_of
@@ -88,10 +89,10 @@ def _agreement(comparison: Compared, first: str, fits: Mapping[str, float]) -> S
     if comparison.answered:
         return Say("From {one} the runs differ by sway at rest only", one=one)
     if fits[worst] < FAIR:
-        return Say("In {state}, {other} does not follow {one}", state=state, other=worst, one=one)
+        return Say("The {state} of {other} does not follow that of {one}", state=state, other=worst, one=one)
     if len(fits) == 1:
-        return Say("In {state}, {other} follows {one}", state=state, other=worst, one=one)
-    return Say("In {state}, all runs follow {one}", state=state, one=one)
+        return Say("The {state} of {other} follows that of {one}", state=state, other=worst, one=one)
+    return Say("The {state} of all runs follows that of {one}", state=state, one=one)
 
 
 def _verdict(comparison: Compared, first: str, fits: Mapping[str, float]) -> Verdict:
@@ -129,19 +130,15 @@ def _numbers(comparison: Compared, first: str, fits: Mapping[str, float]) -> lis
     if len(settled) == 2 and comparison.pushed and all(map(math.isfinite, settled)):
         value = Say("{one} and {other}", one=Quantity(settled[0], "s"), other=Quantity(settled[1], "s"))
         band = Quantity(comparison.at_rest(comparison.reference)[1], "rad")
-        runs = list(comparison.logs)
-        meaning = Say("after the last push until pitch stays within ±{band}: {runs}", band=band, runs=runs)
+        one, other = comparison.logs
+        meaning = Say("until {one} and {other} settled within ±{band} after the last push", one=one, other=other,
+                      band=band)  # fmt: skip
         numbers.append(KeyNumber(value, meaning))
     return numbers[:MOST_NUMBERS]
 
 
 def _percent(fit: float) -> Quantity:
     return Quantity(fit / 100, "fraction")
-
-
-def _unit(comparison: Compared, name: str) -> str:
-    source = comparison.sources[comparison.reference]
-    return comparison.logs[comparison.reference].unit(f"{source}/{name}")
 
 
 def _furthest(comparison: Compared, name: str) -> tuple[str, float]:
@@ -155,9 +152,9 @@ def _picture(comparison: Compared, first: str) -> Picture:
     label, size = _furthest(comparison, first)
     claim = Say(
         "In {state}, {run} differs from {one} by {size} at most", one=comparison.reference, run=label,
-        state=state_words(first), size=Quantity(size, _unit(comparison, first)),
+        state=state_words(first), size=Quantity(size, unit_of(comparison, first)),
     )  # fmt: skip
-    return states_picture(comparison, claim, first)
+    return Picture(claim, functools.partial(draw_apart, comparison, first), cut_note(comparison, first))
 
 
 def _fit_table(comparison: Compared) -> Table:

@@ -33,27 +33,68 @@ def state_words(name: str) -> Say:
 def draw_states(comparison: Compared, names: Sequence[str]) -> Figure:
     """One panel for each state, angles in degrees; the reference lies wide and pale below the others. Dotted lines hold
     the pitch of a run that has settled."""
-    from upright.plotting import AXIS, legend, line, panels
+    from upright.plotting import panels
 
-    source = comparison.sources[comparison.reference]
-    units = [comparison.logs[comparison.reference].unit(f"{source}/{name}") for name in names]
-    labels = [f"{state_words(name)} [{unit.replace('rad', '°')}]" for name, unit in zip(names, units, strict=True)]
-    figure, axes = panels(labels)
+    _, axes = panels([_named(comparison, name) for name in names])
+    for ax, name in zip(axes, names, strict=True):
+        _draw_state(comparison, ax, name)
+    return _finished(comparison, axes)
+
+
+def _draw_state(comparison: Compared, ax: Axes, name: str) -> None:
+    from upright.plotting import AXIS, line
+
+    factor = _factor(comparison, name)
     several = len(comparison.logs) > 1
-    for ax, name, unit in zip(axes, names, units, strict=True):
-        factor = float(np.degrees(1.0)) if unit.startswith("rad") else 1.0
-        for style, (label, log) in enumerate(comparison.logs.items()):
-            below = several and label == comparison.reference
-            line(ax, label, log.t, factor * comparison.state(label, name), style=style, below=below)
-        if name == "pitch" and comparison.pushed:
-            seconds, within = comparison.at_rest(comparison.reference)
-            for side in (-1, 1) if np.isfinite(seconds) else ():
-                ax.axhline(side * factor * within, linestyle=":", color=AXIS, label=str(Say("settled")))
-        if dwarfing(comparison, name):
-            low, high = _range(comparison, name)
-            ax.set_ylim(factor * (2 * low - high), factor * (2 * high - low))
+    for style, (label, log) in enumerate(comparison.logs.items()):
+        below = several and label == comparison.reference
+        line(ax, label, log.t, factor * comparison.state(label, name), style=style, below=below)
+    if name == "pitch" and comparison.pushed:
+        seconds, within = comparison.at_rest(comparison.reference)
+        for side in (-1, 1) if np.isfinite(seconds) else ():
+            ax.axhline(side * factor * within, linestyle=":", color=AXIS, label=str(Say("settled")))
+    if dwarfing(comparison, name):
+        low, high = _range(comparison, name)
+        ax.set_ylim(factor * (2 * low - high), factor * (2 * high - low))
+
+
+def _finished(comparison: Compared, axes: Sequence[Axes]) -> Figure:
+    from upright.plotting import legend
+
     _shade(comparison, axes)
+    figure = axes[0].get_figure(root=True)
+    assert figure
     return legend(figure)
+
+
+def unit_of(comparison: Compared, name: str) -> str:
+    """The unit of a state."""
+    source = comparison.sources[comparison.reference]
+    return comparison.logs[comparison.reference].unit(f"{source}/{name}")
+
+
+def _factor(comparison: Compared, name: str) -> float:
+    """What a state is multiplied by to be read: degrees for radians."""
+    return float(np.degrees(1.0)) if unit_of(comparison, name).startswith("rad") else 1.0
+
+
+def _named(comparison: Compared, name: str) -> str:
+    return f"{state_words(name)} [{unit_of(comparison, name).replace('rad', '°')}]"
+
+
+def draw_apart(comparison: Compared, name: str) -> Figure:
+    """A state of all runs, and below it how far each is from the reference, angles in degrees."""
+    from upright.plotting import line, panels
+
+    unit = unit_of(comparison, name).replace("rad", "°")
+    apart = str(Say("difference from {one} [{unit}]", one=comparison.reference, unit=unit))
+    _, axes = panels([_named(comparison, name), apart])
+    _draw_state(comparison, axes[0], name)
+    for style, label in enumerate(comparison.logs):
+        if label != comparison.reference:
+            t, one, other = comparison.both(label, name)
+            line(axes[1], label, t, _factor(comparison, name) * (other - one), style=style)
+    return _finished(comparison, axes)
 
 
 def dwarfing(comparison: Compared, name: str) -> list[str]:

@@ -60,9 +60,13 @@ def _known(value: Cell) -> bool:
 
 def states_picture(comparison: Compared, claim: Say, *names: str) -> Picture:
     """Some states over the whole of the runs; which runs are cut stands below."""
+    return Picture(claim, functools.partial(draw_states, comparison, names), cut_note(comparison, *names))
+
+
+def cut_note(comparison: Compared, *names: str) -> Say | None:
+    """Which runs are cut."""
     cut = sorted({label for name in names for label in dwarfing(comparison, name)})
-    note = Say("Cut at the frame: {runs}.", runs=cut) if cut else None
-    return Picture(claim, functools.partial(draw_states, comparison, names), note)
+    return Say("Cut at the frame: {runs}.", runs=cut) if cut else None
 
 
 def folds(comparison: Compared) -> list[Fold]:

@@ -180,7 +180,7 @@ def _causes(result: FallExamined) -> Table:
     columns = [
         Column(Say("cause")),
         Column(Say("probability"), "fraction", digits=2),
-        Column(Say("what speaks for it")),
+        Column(Say("evidence")),
     ]
     return Table(columns, [[cause.title, cause.likelihood, cause.evidence] for cause in _likely(result)])
 

@@ -22,10 +22,10 @@ KINDS = {
     NOT_VISIBLE: Verdict(Say("not improved"), "unknown"),
 }
 WAYS = {
-    "combination": Say("sines, random steps, drives and turns"),
-    "multisine": Say("sines"),
-    "random binary dither": Say("random steps"),
-    "drive and turn": Say("drives and turns"),
+    "combination": Say("Sines, random steps, drives and turns"),
+    "multisine": Say("Sines"),
+    "random binary dither": Say("Random steps"),
+    "drive and turn": Say("Drives and turns"),
 }
 NAMED = 4  # parameters that the first screen names
 
@@ -39,7 +39,10 @@ def plan_page(plan: PlannedRun) -> Page:
         time=Quantity(plan.seconds, "s"), n=len(measured), all=len(own), robot=plan.robot,
     )  # fmt: skip
     law = plan.controller
-    lead = [Say("While {controller} balances the robot, this plan is added to its commands.", controller=law)]
+    lead = [
+        Say("{way}, added to the commands while {controller} balances the robot.",
+            way=WAYS.get(plan.way) or Say("A signal"), controller=law)
+    ]  # fmt: skip
     if len(measured) > NAMED:
         more = Say("{n} more", n=len(measured) - NAMED)
         lead.append(Say("To be measured: {names}.", names=[*(_name(p) for p in measured[:NAMED]), more]))
@@ -48,14 +51,13 @@ def plan_page(plan: PlannedRun) -> Page:
     halved = sum(p.kind != NOT_VISIBLE for p in own)
     claim = Say("The run should halve the uncertainty of {n} of {all} parameters, or better", n=halved, all=len(own))
     folds = [
-        Fold(Say("The excitation"), [_over_time(plan), *_notes(plan)]),
         Fold(Say("Beside random steps"), [_dithers(plan)]),
         Fold(Say("Other ways of exciting"), [_tried(plan)]),
     ]
     return Page(
         title, verdict=_verdict(plan), lead=lead, numbers=_numbers(plan),
         picture=Picture(claim, functools.partial(uncertainty_left, plan)), next=_next(plan),
-        blocks=[_parameters(own), *folds],
+        blocks=[_parameters(own), _over_time(plan), *_notes(plan), *folds],
         origin={
             "robot": plan.robot, "kit": plan.kit, "controller": f"{plan.controller} {plan.hash[:12]}".strip(),
             "seed": str(plan.seed),
@@ -82,11 +84,11 @@ def _numbers(plan: PlannedRun) -> list[KeyNumber]:
         "fall (95 % confidence): {fell} of {n} did; allowed {limit}",
         fell=c.fell, n=c.samples, limit=Quantity(limits.falls, "fraction", digits=2),
     )  # fmt: skip
-    travel = Say("95 % of the robots roll no further; allowed {limit}", limit=Quantity(limits.travel, "m", digits=2))
+    travel = Say("how far 95 % of robots roll at most; allowed {limit}", limit=Quantity(limits.travel, "m", digits=2))
     return [
         KeyNumber(Quantity(None, "fraction", high=c.bound, digits=2), falls),
         KeyNumber(Quantity(c.travel, "m", digits=2), travel),
-        KeyNumber(Quantity(c.peak, "rad", digits=2), Say("95 % of the robots lean no more")),
+        KeyNumber(Quantity(c.peak, "rad", digits=2), Say("how far 95 % of the robots lean at most")),
     ]
 
 
@@ -127,7 +129,8 @@ def _name(p: Predicted) -> Say:
 
 def uncertainty_left(plan: PlannedRun) -> Figure:
     """Widths of the intervals over those before, a bar for each parameter of the robot."""
-    from upright.plotting import AXIS, COLOURS, INK, legend, rows_of
+    from upright.pages.drawing import PAPER
+    from upright.plotting import AXIS, COLOURS, INK, SMALL, legend, rows_of
 
     own = _best_first(plan)
     figure, ax = rows_of([str(_name(p)) for p in own], str(Say("uncertainty left after the run [%]")), "")
@@ -137,7 +140,13 @@ def uncertainty_left(plan: PlannedRun) -> Figure:
         kept = np.array([p.kind == kind for p in own])
         if kept.any():
             ax.barh(rows[kept], left[kept], height=0.6, color=colour, label=str(KINDS[kind].text))
-    ax.axvline(100 * VISIBLE, linestyle="--", linewidth=1, color=AXIS, label=str(Say("half")))
+    for row, p in enumerate(own):
+        if p.kind == MEASURED:
+            change = Say("{before} → {after}", before=_uncertain(p, p.before), after=_uncertain(p, p.after))
+            ax.annotate(str(change), (left[row], row), (4, 0), textcoords="offset points", va="center", fontsize=SMALL,
+                        bbox={"facecolor": PAPER, "edgecolor": "none", "pad": 0.5})  # fmt: skip
+    ax.axvline(100 * VISIBLE, linestyle="--", linewidth=1, color=AXIS, zorder=0)
+    ax.annotate(str(Say("half")), (100 * VISIBLE, -0.6), (0, 3), textcoords="offset points", ha="center")
     ax.set(xlim=(0, 103), xticks=range(0, 101, 25))
     return legend(figure)
 

@@ -52,19 +52,20 @@ def basin_page(data: Dataset) -> Page:
         title = Say("Let go at rest but for its {across}, {robot} recovers from {range}", robot=robot,
                     across=STATES[across], range=span)  # fmt: skip
         if not across.endswith("rate"):
-            title = Say("Let go at rest, {robot} recovers from a {across} of {range}", robot=robot,
-                        across=STATES[across], range=span)  # fmt: skip
+            title = Say("Hold {robot} within {range} when it starts: from there it recovers", robot=robot, range=span)
         verdict = Verdict(Say("it recovers"))
     lead = [
-        Say("In a simulation under {controller}, it recovers if it stands {time} later.",
+        Say("Simulated under {controller}: who still stands after {time} has recovered.",
             controller=kind or Say("a controller of one's own"),
             time=Quantity(float(origin["scenario"]["seconds"]), "s"))
     ]  # fmt: skip
     best = saved_by_any(data)
     if known and best and max(known) < best:
-        verdict = Verdict(Say("its motors could save {best}", best=Quantity(best, "rad", digits=2)))
+        verdict = Verdict(Say("recovers from {range}", range=span))
+        facts = {"best": Quantity(best, "rad", digits=2)}
+        lead.insert(0, Say("Its motors could save {best}.", **facts))
         if not sees_lean(data):
-            lead.insert(0, Say("It reads no sensor that shows a lean at rest, so it notices the fall late."))
+            lead[0] = Say("Its motors could save {best}, but no sensor shows a lean at rest: it notices late.", **facts)
     return Page(
         title, verdict=verdict, lead=lead, numbers=_numbers(data), picture=_picture(data),
         next=[Next("push_map", robot=robot, controller=kind or None, why=Say("It does the same for pushes."))],
@@ -88,8 +89,10 @@ def _numbers(data: Dataset) -> list[KeyNumber]:
     if ranges(data)[across]:
         meaning = Say("{up} from which it recovers at zero {across}", up=STATES[up], across=STATES[across])
         numbers.append(KeyNumber(_range(data, up), meaning))
-    meaning = Say("between two values of the {across} that were tried", across=STATES[across])
-    return [*numbers, KeyNumber(_step(data, across), meaning)]
+    if best := saved_by_any(data):
+        meaning = Say("largest pitch at rest that any controller saves, by a linear model")
+        numbers.append(KeyNumber(Quantity(best, "rad", digits=2), meaning))
+    return numbers
 
 
 def _step(data: Dataset, name: str) -> Quantity:
@@ -120,9 +123,9 @@ def _tried(data: Dataset) -> Items:
 
 def _picture(data: Dataset) -> Picture:
     up = STATES[states(data)[1]]
-    claim = Say("It recovers from the green states; the white line has no {up}", up=up)
+    claim = Say("It recovers from the green states; on the white line its {up} is zero", up=up)
     if samples(data) > 1:
-        claim = Say("The lighter, the more robots recover; the black line has no {up}", up=up)
+        claim = Say("The lighter, the more robots recover; on the black line their {up} is zero", up=up)
     note = (
         Say("Marks: the largest pitch at rest that any controller saves, by a linear model.")
         if saved_by_any(data)

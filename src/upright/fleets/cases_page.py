@@ -35,8 +35,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 DRAWN = 40  # cases at most in a figure
-FEW = 4  # cases, which are shown one by one
-LISTED = 12  # cases at most in the open table
+LISTED = 12  # cases at most that are shown one by one
 MATTER = 8  # drawn numbers in a table
 
 LABELS = {"robot": Say("robot"), "controller": Say("controller"), "scenario": Say("scenario")}
@@ -45,7 +44,7 @@ LABELS = {"robot": Say("robot"), "controller": Say("controller"), "scenario": Sa
 def cases_page(cases: Tally) -> Page:
     """The page of a campaign."""
     counted = cases.worst_first()
-    alike = cases.alike() if len(cases) > FEW else []
+    alike = cases.alike() if len(cases) > LISTED else []
     shown = cases.merged(alike) if alike and counted else cases
     blocks: list[Block] = [_table(shown, _order(shown)[:LISTED])]
     if shown is not cases or len(cases) > LISTED:
@@ -113,18 +112,23 @@ def _part(case: CaseSummary) -> Quantity | None:
 
 def _numbers(counted: Sequence[CaseSummary], shown: Tally) -> list[KeyNumber]:
     worst, *_ = shown.worst_first()
+    decides: list[KeyNumber] = []
+    for name, (_, least, most) in [*shown.drawn().items()][:1]:
+        ends = Say("{small} and {large}", small=Quantity(least, "fraction", digits=2),
+                   large=Quantity(most, "fraction", digits=2))  # fmt: skip
+        decides.append(KeyNumber(ends, Say("fall with small and with large {name}", name=term(name))))
     numbers = [KeyNumber(falls_of(worst.fell or 0, worst.n), Say("fall in the worst case (95 % confidence)"))]
     if len(counted) > 1:
         safe = sum(not case.fell for case in counted)
         numbers.append(KeyNumber(Say("{n} of {all}", n=safe, all=len(counted)), Say("cases in which no robot fell")))
-    return numbers
+    return [*numbers, *decides]
 
 
 def _picture(shown: Tally, alike: Sequence[str]) -> Picture:
     note = None
     if alike:
         labels = [LABELS.get(name, term(name)) for name in alike]
-        note = Say("Cases that differ in {labels} alone are counted together: chance explains it.", labels=labels)
+        note = Say("Counted together, since chance explains their difference: {labels}.", labels=labels)
     draw = functools.partial(draw_cases, shown)
     return Picture(Say("Robots that fell in each case, the worst on top"), draw, note)
 
@@ -217,7 +221,7 @@ def _next(counted: Sequence[CaseSummary]) -> list[Next]:
     worst = counted[0]
     robot, controller = (str(worst.labels.get(name, "")) or None for name in ("robot", "controller"))
     if (worst.fell or 0) > MOST_FALLS * worst.n:
-        why = Say("It finds the largest push that the worst case survives.")
+        why = Say("It finds the largest push that this robot and controller survive.")
         return [Next("push_map", robot=robot, controller=controller, why=why)]
     why = Say("It tries what a campaign leaves out.")
     return [Next("certify", controller or "lqg", robot=robot, why=why)]

@@ -122,7 +122,14 @@ class MethodComparison(Result):
         if self.best:
             verdict = Verdict(Say("take {method}", method=self.best), "good")
             following = [
-                Next("identify", named(data.log), method=self.best, output="model.json", regulator="regulator.json")
+                Next(
+                    "identify",
+                    named(data.log),
+                    method=self.best,
+                    output="model.json",
+                    regulator="regulator.json",
+                    why=Say("It writes that model and a regulator for it."),
+                )
             ]
             other = self._surest([name for name in holding if name != PRIOR])
             if self.best == PRIOR and other:

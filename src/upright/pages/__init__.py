@@ -5,7 +5,6 @@ from upright.pages.blocks import Block as Block
 from upright.pages.blocks import Cell as Cell
 from upright.pages.blocks import Column as Column
 from upright.pages.blocks import Fold as Fold
-from upright.pages.blocks import Formula as Formula
 from upright.pages.blocks import Items as Items
 from upright.pages.blocks import KeyNumber as KeyNumber
 from upright.pages.blocks import Next as Next

@@ -82,14 +82,6 @@ class Items:
 
 
 @dataclass(frozen=True)
-class Formula:
-    """A formula: MathML for pages, plain text for terminals."""
-
-    mathml: str
-    text: str
-
-
-@dataclass(frozen=True)
 class Fold:
     """Blocks behind a `heading` that is pressed to show them; a terminal leaves them out."""
 
@@ -127,7 +119,7 @@ class Next:
         return " ".join(words)
 
 
-Block = Say | Table | Picture | Items | Formula | Fold
+Block = Say | Table | Picture | Items | Fold
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ import textwrap
 import unicodedata
 from collections.abc import Iterator, Sequence
 
-from upright.pages.blocks import Block, Fold, Formula, Items, KeyNumber, Page, Picture, Table
+from upright.pages.blocks import Block, Fold, Items, KeyNumber, Page, Picture, Table
 from upright.pages.cells import Text, columns_of
 from upright.pages.words import Say
 
@@ -54,8 +54,6 @@ def _blocks(blocks: Sequence[Block], width: int, wide: bool) -> Iterator[str]:
             yield "\n".join(wrapped(f"- {item}", width, indent=2) for item in block.items)
         elif isinstance(block, Table):
             yield table_text(block, width, wide=wide)
-        elif isinstance(block, Formula):
-            yield block.text
         else:
             assert isinstance(block, Fold | Picture)  # these are for a screen with a pointer
 

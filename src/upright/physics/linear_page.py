@@ -4,21 +4,25 @@ from __future__ import annotations
 
 import functools
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from upright.arrays import Array, Complex
+from upright.languages import number
 from upright.pages import Column, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.blocks import Cell
 from upright.signals.signal import STATE
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 LinearModel = Any  # that of `linear.py`, which imports this file
 
 SYMBOLS = {signal.name: signal.symbol for signal in STATE}
+PERIOD = 0.01  # [s] of the controllers of most kits, where the model has none
 TURNING = ("yaw", "yaw_rate")
 STILL = 1e-9  # [1/s, or 1 from z = 1] a pole nearer is at rest but for rounding
 
@@ -36,11 +40,14 @@ def linear_page(model: LinearModel) -> Page:
     upright = set(model.states) <= set(SYMBOLS)
     facts = [_pole(model)] if unstable else []
     if unstable:
-        facts.append(KeyNumber(_grown(rate, 10), Say("until a small lean is ten times as large")))
+        period = PERIOD if model.continuous else model.dt
+        meaning = Say("times a controller with a period of {period} acts before a lean doubles",
+                      period=Quantity(period, "s"))  # fmt: skip
+        facts.append(KeyNumber(int(math.log(2) / rate / period), meaning))
     if still := int((np.abs(rates) <= STILL).sum()):
         value = Say("{n} of {all}", n=still, all=len(rates))
-        facts.append(KeyNumber(value, Say("poles neither grow nor fade: where it has rolled or turned, it stays")))
-    law = Say("Near its operating point the state changes by ẋ = A x + B u.")
+        facts.append(KeyNumber(value, Say("motions neither grow nor fade: where it has rolled or turned, it stays")))
+    law = Say("For small motions the state follows ẋ = A x + B u.")
     if not model.continuous:
         law = Say("Near its operating point the state changes every {period} to x⁺ = A x + B u.",
                   period=Quantity(model.dt, "s"))  # fmt: skip
@@ -50,7 +57,7 @@ def linear_page(model: LinearModel) -> Page:
         verdict=Verdict(Say("unstable without control") if unstable else Say("no pole is unstable")),
         lead=[law, *_drift(model)], numbers=facts, picture=poles_picture(model),
         next=[Next("design", "lqg", output="lqg.json", why=why)] if upright and unstable else [],
-        blocks=[_poles(model), _matrices(model)],
+        blocks=[_poles(model), *_matrices(model)],
     )  # fmt: skip
 
 
@@ -116,18 +123,21 @@ def _pole(model: LinearModel) -> KeyNumber:
     return KeyNumber(Quantity(pole, "1", digits=4), Say("unstable pole: what a lean grows by each period"))
 
 
-def _matrices(model: LinearModel) -> Table:
-    """A and B side by side: a row for each rate of change, or next state."""
+def _matrices(model: LinearModel) -> list[Table]:
+    """A and B: a row for each rate of change, or next state."""
     states = [SYMBOLS.get(name, name) for name in model.states]
-    heads = [Column(Say("x")), *(Column(Say("A: {name}", name=name), digits=4) for name in states)]
-    heads += [Column(Say("B: {name}", name=name), digits=4) for name in model.inputs]
-    values = np.hstack([model.A, model.B])
+    known = set(model.states) <= set(SYMBOLS)
+    caption = Say("A; ψ: pitch, θ: wheel angle, φ: yaw [rad]; with a dot: their rates [rad/s]") if known else Say("A")
+    command = Say("B, for the commands of both motors") if known else Say("B")
+    return [_matrix(model.A, states, states, caption), _matrix(model.B, states, model.inputs, command)]
+
+
+def _matrix(values: Array, states: Sequence[str], names: Sequence[str], caption: Say) -> Table:
     rounded = np.where(np.abs(values) < 1e-14 * np.abs(values).max(initial=0.0), 0.0, values)
-    caption = Say("ψ: pitch, θ: wheel angle, φ: yaw [rad]; with a dot: their rates [rad/s]")
     rows: list[list[Cell]] = []
-    for row, values in zip(states, rounded.tolist(), strict=True):
-        rows.append([row, *(value or 0 for value in values)])  # a zero is one without decimals
-    return Table(heads, rows, caption if set(model.states) <= set(SYMBOLS) else None)
+    for state, row in zip(states, rounded.tolist(), strict=True):
+        rows.append([state, *(value or 0 for value in row)])  # a zero is one without decimals
+    return Table([Column(Say("x")), *(Column(Say("{name}", name=name), digits=4) for name in names)], rows, caption)
 
 
 def _poles(model: LinearModel) -> Table:
@@ -147,7 +157,8 @@ def poles_picture(model: LinearModel) -> Picture:
     of = len(model.A)
     if model.continuous:
         claim = Say("Unstable poles lie right of the line: {n} of {of}", n=unstable, of=of)
-        return Picture(claim, functools.partial(_draw_continuous, model))
+        note = Say("The real axis has powers of ten on both sides of zero.")
+        return Picture(claim, functools.partial(_draw_continuous, model), note)
     return Picture(Say("Unstable poles lie outside of the circle: {n} of {of}", n=unstable, of=of),
                    functools.partial(_draw_discrete, model))  # fmt: skip
 
@@ -167,7 +178,7 @@ def _draw_continuous(model: LinearModel) -> Figure:
     poles: Complex = model.poles()
     real = not poles.imag.any()
     figure, (ax,) = panels(
-        [str(Say("imaginary part [1/s]"))], str(Say("real part [1/s], in powers of ten on both sides of zero")),
+        [str(Say("imaginary part [1/s]"))], str(Say("real part [1/s]")),
         height=0.9 if real else PANEL,
     )  # fmt: skip
     high = 1.5 * (float(np.abs(poles.imag).max(initial=0.0)) or 1.0)
@@ -183,4 +194,13 @@ def _draw_continuous(model: LinearModel) -> Figure:
     for words, those, colour in kinds:
         ax.scatter(poles.real[those], poles.imag[those], 80, COLOURS[colour], marker="x", linewidths=2.2, zorder=3,
                    label=str(words))  # fmt: skip
+    _name_poles(ax, poles)
     return legend(figure)
+
+
+def _name_poles(ax: Axes, poles: Complex) -> None:
+    """The real part beside each pole, once where several are equal; above and below by turns, so that none overlap."""
+    for place, pole in enumerate(sorted(set(np.round(poles, 6).tolist()), key=lambda p: p.real)):
+        beside = 6 if abs(pole.real) <= STILL else 0  # not over the line
+        ax.annotate(number(pole.real), (pole.real, pole.imag), (beside, -20 if place % 2 else 9),
+                    textcoords="offset points", ha="left" if beside else "center")  # fmt: skip

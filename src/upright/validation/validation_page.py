@@ -68,7 +68,7 @@ def _tested(result: RobotJudged) -> Say:
     """Whether these logs test the robot: only what it was not fitted to does."""
     facts = {"robot": result.robot, "seconds": Quantity(sum(log.seconds for log in result.logs), "s")}
     if any(log.fitted is None for log in result.logs):
-        return Say("A test only if {robot} was not fitted to these {seconds}; its file does not say.", **facts)
+        return Say("Nobody knows whether {robot} was fitted to these {seconds}; another log is a test.", **facts)
     used = [log for log in result.logs if log.fitted]
     if not used:
         return Say("A test: none of these {seconds} served to fit {robot}.", **facts)
@@ -95,6 +95,10 @@ def _numbers(result: RobotJudged) -> list[KeyNumber]:
         if any(log.simulated and log.simulated.pushes for log in result.logs):
             meaning = Say("until the closed loop, simulated without pushes, leaves the log")
         numbers.append(KeyNumber(Quantity(lost.breaks, "s", digits=2), meaning))
+    elif loop := result.worst.loop:
+        numbers.append(KeyNumber(r2_of(least(loop).r2), Say("the same, the whole run simulated without readings")))
+    if not result.doubted:
+        numbers.append(KeyNumber(Say("none"), Say("of the parameters, changed alone, predicts much better")))
     return numbers[:3]
 
 
@@ -107,15 +111,14 @@ def _picture(log: LogJudged) -> Picture:
 
 
 def _next(result: RobotJudged, used: bool) -> list[Next]:
-    again = Next("validate", result.robot, "LOG", why=Say("A log of another run is a test."))
     if used:
-        return [again]
+        return [Next("validate", result.robot, "LOG", why=Say("A log of another run is a test."))]
     if result.worst.worst.r2 < GOOD:
         return [
             Next("calibrate", result.worst.source, robot=result.robot, why=Say("It moves all parameters together."))
         ]
-    design = Next("design", "lqg", robot=result.robot, output="lqg.json")
-    return [design, again] if any(log.fitted is None for log in result.logs) else [design]
+    why = Say("It designs a controller for these numbers.")
+    return [Next("design", "lqg", robot=result.robot, output="lqg.json", why=why)]
 
 
 def _half_seconds(logs: Sequence[LogJudged]) -> Table:
