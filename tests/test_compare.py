@@ -236,7 +236,7 @@ def test_page_text_and_json_tell_one_settling_time_within_one_band():
     )
     assert {log["settled_within"] for log in told.values()} == {0.02}
     seconds = " and ".join(f"{told[label]['settled']:.3g} s" for label in ("slow", "fast"))
-    meaning = "after the last push until pitch stays within ±1.15°: slow, fast"
+    meaning = "until slow and fast settled within ±1.15° after the last push"
     assert numbers_of(result.page())[meaning] == seconds
 
 
