@@ -16,7 +16,7 @@ from upright.atomic import write_text
 from upright.lab import message_types, messages
 from upright.lab.codec import plain
 from upright.languages import ENGLISH, LANGUAGES, catalogue
-from upright.loops.targets import LEAST_DELAY, LEAST_GAIN
+from upright.loops.targets import LEAST_DELAY, LEAST_GAIN, PHASE, STRONG, WEAK
 
 SOURCE = Path(__file__).parent / "web" / "src"
 TARGET = SOURCE / "messages.ts"
@@ -37,6 +37,7 @@ def generate() -> str:
         f"export const VERSION = {messages.VERSION};",
         f"export const LEAST_GAIN = {LEAST_GAIN}; // [1] below which a margin is thin, as in designs and certificates",
         f"export const LEAST_DELAY = {LEAST_DELAY}; // [periods]",
+        f"export const [WEAK, STRONG, PHASE] = [{WEAK}, {STRONG}, {PHASE}]; // usual: factors of the motors, [°]",
         *(f"export type {name} = {_type(known[name])};" for name in NAMES),
         *map(_interface, kinds),
         f"export const DEFAULT_SETUP: Setup = {json.dumps(plain(messages.Setup()))};",

@@ -6,6 +6,8 @@ export const LEAST_GAIN = 0.04; // [1] below which a margin is thin, as in desig
 
 export const LEAST_DELAY = 0.25; // [periods]
 
+export const [WEAK, STRONG, PHASE] = [0.5, 2.0, 30.0]; // usual: factors of the motors, [°]
+
 export type BodyName = "twin" | "nonlinear" | "linear" | "published" | "calibrated";
 
 export type Job = "certify" | "doctor" | "calibrate" | "design";

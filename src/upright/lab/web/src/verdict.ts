@@ -4,7 +4,7 @@ import { digits, h } from "./dom";
 import { exported } from "./exported";
 import { first } from "./found";
 import type { Analysis } from "./margins";
-import { LEAST_DELAY, LEAST_GAIN } from "./messages";
+import { LEAST_DELAY, LEAST_GAIN, PHASE, STRONG, WEAK } from "./messages";
 import type { Analysed, Head } from "./messages";
 import { store } from "./store";
 import { filled, spoken, t, texts } from "./texts";
@@ -46,12 +46,15 @@ export function headOf(a: Analysis, period: number): Head {
   const [part, margin] = kinds.reduce((least, kind) => (kind[0] < least[0] ? kind : least));
   const low = String(Math.ceil(100 * a.gain_low));
   const range = high < MOST_GAIN ? filled(words.range, { low, high: String(Math.floor(100 * high)) }) : filled(words.atLeast, { low });
+  const phase = a.phase === null ? Infinity : (180 * a.phase) / Math.PI;
+  const usual = high >= STRONG && a.gain_low <= WEAK && phase >= PHASE && (a.delay ?? Infinity) >= period;
+  const [verdict, level] = part < 1 ? [words.thin, "warn"] : usual ? [words.usual, "good"] : [words.small, "info"];
   return {
-    verdict: part < 1 ? words.thin : words.stable, level: part < 1 ? "warn" : "good",
+    verdict, level: level as Head["level"],
     title: filled(words.holds, { controller: "u = −K x", robot: store.setup.robot }), lead: margin ? [margin] : [],
     numbers: [
       [seconds(delay, 3), filled(words.delay, { place })], [`${range}\u00a0%`, words.strength],
-      [a.phase === null ? "∞" : `${digits((180 * a.phase) / Math.PI, 2)}°`, words.phase],
+      [phase < Infinity ? `${digits(phase, 2)}°` : "∞", words.phase],
     ],
   };
 }
