@@ -339,8 +339,8 @@ certify lqg --samples 100 --log standing.csv
 calibrate run.csv
 calibrate standing.csv
 validate nxtway-gs run.csv
+identify run.csv --method subspace --repeats 2
 identify run.csv --repeats 2
-identify run.csv --method all --repeats 2
 excite --seconds 2 --samples 300
 post-mortem fall.csv
 post-mortem run.csv
