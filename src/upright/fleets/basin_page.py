@@ -51,7 +51,7 @@ def basin_page(data: Dataset) -> Page:
     else:
         title = Say("Let go at rest but for its {across}, {robot} recovers from {range}", robot=robot,
                     across=STATES[across], range=span)  # fmt: skip
-        if not across.endswith("rate"):
+        if across == "pitch":
             title = Say("Hold {robot} within {range} when it starts: from there it recovers", robot=robot, range=span)
         verdict = Verdict(Say("it recovers"))
     lead = [

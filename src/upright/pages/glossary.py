@@ -67,5 +67,5 @@ def _of_blocks(blocks: Sequence[Block]) -> Iterator[str]:
             yield f"{block.claim}\n{block.note or ''}"
         elif isinstance(block, Items):
             yield from map(str, block.items)
-        elif isinstance(block, Say):
+        else:
             yield str(block)

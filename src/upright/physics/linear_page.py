@@ -125,7 +125,7 @@ def _pole(model: LinearModel) -> KeyNumber:
 
 def _matrices(model: LinearModel) -> list[Table]:
     """A and B: a row for each rate of change, or next state."""
-    states = [SYMBOLS.get(name, name) for name in model.states]
+    states = [SYMBOLS.get(name) or name for name in model.states]
     known = set(model.states) <= set(SYMBOLS)
     caption = Say("A; ψ: pitch, θ: wheel angle, φ: yaw [rad]; with a dot: their rates [rad/s]") if known else Say("A")
     command = Say("B, for the commands of both motors") if known else Say("B")
