@@ -190,7 +190,7 @@ class CalibratedRobot(Result):
             sensors = [channel(sensor) for sensor in uneven]
             wrong.append(
                 Say(
-                    "The model misses something small: {sensors}. Another log shows whether it matters.",
+                    "The model misses something small in: {sensors}. Another log shows whether it matters.",
                     sensors=sensors,
                 )
             )

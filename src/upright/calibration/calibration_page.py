@@ -57,7 +57,7 @@ def _verdict(c: CalibratedRobot) -> Verdict:
     if verdict == DOUBTFUL:
         return Verdict(Say("do not use it yet"), "warn")
     if c.check() or not c.least_score >= GOOD:
-        return Verdict(Say("usable; validate it first"), "warn")
+        return Verdict(Say("usable, with a doubt"), "warn")
     return Verdict(Say("ready for a design"), "good")
 
 

@@ -209,7 +209,7 @@ def _guesses(c: Measurements) -> Say:
         return Say("none")
     first, *others = [term(name) for name in c.guessed.names]
     if c.light != UNKNOWN:
-        return Say("{names}; none of them decides the light", names=[first, *others])
+        return Say("{names}; none of them decides", names=[first, *others])
     if others:
         return Say("{first} decides most; then {others}", first=first, others=others)
     return Say("{first}, which decides", first=first)

@@ -92,7 +92,11 @@ def _numbers(bench: Bench, take: str) -> list[KeyNumber]:
         most = Quantity(None, "fraction", high=upper_bound(round(falls * bench.drawn), bench.drawn), digits=2)
         numbers.append(KeyNumber(most, Say("of similar robots fall (95 % confidence)")))
     if time is not None:
-        meaning = Say("of computing in each period of {period}", period=Quantity(bench.period, "s"))
+        period = Quantity(bench.period, "s")
+        meaning = Say("of computing in each period of {period}", period=period)
+        if best != take and (slow := bench.computing_time(best)):
+            meaning = Say("of computing in each period of {period}; {best} {slow}", period=period, best=best,
+                          slow=Quantity(slow, "s", digits=2))  # fmt: skip
         numbers.append(KeyNumber(Quantity(time, "s", digits=2), meaning))
     elif effort is not None:
         numbers.append(KeyNumber(Quantity(effort, bench.effort_unit, digits=2), Say("effort")))

@@ -126,6 +126,11 @@ def _numbers(comparison: Compared, first: str, fits: Mapping[str, float]) -> lis
         if comparison.answered:
             meaning = Say("fit of {state}, {run}, until both are calm", state=state, run=label)
         numbers.append(KeyNumber(_percent(fit) if fit > DIVERGED else Say("diverges"), meaning))
+    if len(fits) == 1 and not fell:
+        label, size = _furthest(comparison, first)
+        meaning = Say("largest difference of {run} from {one} in {state}", run=label, one=comparison.reference,
+                      state=state)  # fmt: skip
+        numbers.append(KeyNumber(Quantity(size, unit_of(comparison, first), digits=2), meaning))
     settled = [comparison.at_rest(label)[0] for label in comparison.logs]
     if len(settled) == 2 and comparison.pushed and all(map(math.isfinite, settled)):
         value = Say("{one} and {other}", one=Quantity(settled[0], "s"), other=Quantity(settled[1], "s"))
@@ -149,11 +154,8 @@ def _furthest(comparison: Compared, name: str) -> tuple[str, float]:
 
 
 def _picture(comparison: Compared, first: str) -> Picture:
-    label, size = _furthest(comparison, first)
-    claim = Say(
-        "In {state}, {run} differs from {one} by {size} at most", one=comparison.reference, run=label,
-        state=state_words(first), size=Quantity(size, unit_of(comparison, first)),
-    )  # fmt: skip
+    claim = Say("The {state} of the runs, and how far each is from {one}", state=state_words(first),
+                one=comparison.reference)  # fmt: skip
     return Picture(claim, functools.partial(draw_apart, comparison, first), cut_note(comparison, first))
 
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 KINDS = {
     MEASURED: Verdict(Say("measured"), "good"),
     BOUNDED: Verdict(Say("bounded"), "info"),
-    NOT_VISIBLE: Verdict(Say("not improved"), "unknown"),
+    NOT_VISIBLE: Verdict(Say("little better"), "unknown"),
 }
 WAYS = {
     "combination": Say("Sines, random steps, drives and turns"),
@@ -105,7 +105,13 @@ def _next(plan: PlannedRun) -> list[Next]:
 def _parameters(own: list[Predicted]) -> Table:
     """The parameters of the robot, with half of each interval in per cent of the value."""
     rows = [
-        [_name(p), KINDS[p.kind], _uncertain(p, p.after), _uncertain(p, p.before), Quantity(p.value, p.unit)]
+        [
+            _name(p),
+            KINDS[p.kind].text if p.kind == NOT_VISIBLE else KINDS[p.kind],
+            _uncertain(p, p.after),
+            _uncertain(p, p.before),
+            Quantity(p.value, p.unit),
+        ]
         for p in own
     ]
     columns = [
@@ -146,7 +152,7 @@ def uncertainty_left(plan: PlannedRun) -> Figure:
             ax.annotate(str(change), (left[row], row), (4, 0), textcoords="offset points", va="center", fontsize=SMALL,
                         bbox={"facecolor": PAPER, "edgecolor": "none", "pad": 0.5})  # fmt: skip
     ax.axvline(100 * VISIBLE, linestyle="--", linewidth=1, color=AXIS, zorder=0)
-    ax.annotate(str(Say("half")), (100 * VISIBLE, -0.6), (0, 3), textcoords="offset points", ha="center")
+    ax.annotate(str(Say("half")), (100 * VISIBLE, len(own) - 0.4), (3, 3), textcoords="offset points")
     ax.set(xlim=(0, 103), xticks=range(0, 101, 25))
     return legend(figure)
 

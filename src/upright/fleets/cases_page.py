@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 DRAWN = 40  # cases at most in a figure
+FEW = 4  # cases, which are told apart in any case
 LISTED = 12  # cases at most that are shown one by one
 MATTER = 8  # drawn numbers in a table
 
@@ -44,8 +45,9 @@ LABELS = {"robot": Say("robot"), "controller": Say("controller"), "scenario": Sa
 def cases_page(cases: Tally) -> Page:
     """The page of a campaign."""
     counted = cases.worst_first()
-    alike = cases.alike() if len(cases) > LISTED else []
-    shown = cases.merged(alike) if alike and counted else cases
+    alike = cases.alike() if len(cases) > FEW else []
+    together = cases.merged(alike) if alike and counted else cases
+    shown = cases if len(cases) <= LISTED else together
     blocks: list[Block] = [_table(shown, _order(shown)[:LISTED])]
     if shown is not cases or len(cases) > LISTED:
         blocks.append(Fold(Say("All cases"), [_table(cases, _order(cases))]))
@@ -59,8 +61,9 @@ def cases_page(cases: Tally) -> Page:
         title = Say("{n} cases; who fell is not kept", n=len(cases))
         return Page(title, blocks=blocks, origin=_made_of(cases))
     return Page(
-        _title(shown), verdict=_verdict(cases, counted), lead=_lead(cases), numbers=_numbers(counted, shown),
-        picture=_picture(shown, alike), next=_next(counted), blocks=blocks, origin=_made_of(cases),
+        _title(together), verdict=_verdict(cases, counted), lead=_lead(cases, alike),
+        numbers=_numbers(counted, together), picture=_picture(shown), next=_next(counted), blocks=blocks,
+        origin=_made_of(cases),
     )  # fmt: skip
 
 
@@ -71,7 +74,7 @@ def _title(shown: Tally) -> Say:
     if not others:
         return Say("{fell} of {n} robots fell", fell=worst.fell, n=worst.n)
     name = shown.names()[shown.index(worst)]
-    return Say("Worst case ({case}): {part} of {n} robots fall", case=name, part=_part(worst), n=worst.n)
+    return Say("Worst: {case}, {part} of the robots fall", case=name, part=_part(worst))
 
 
 def _verdict(cases: Tally, counted: Sequence[CaseSummary]) -> Verdict:
@@ -89,17 +92,21 @@ def _verdict(cases: Tally, counted: Sequence[CaseSummary]) -> Verdict:
     return Verdict(Say("too few robots to tell: {most} fall", most=most), "warn")
 
 
-def _lead(cases: Tally) -> list[Say]:
+def _lead(cases: Tally, alike: Sequence[str]) -> list[Say]:
     lead = [Say("{n} cases were simulated, and nobody pushed the robots.", n=len(cases))]
     if pushes := _pushes(cases.origins[cases.index(cases.worst_first()[0])]) if cases.origins else ():
         lead = [Say("{n} cases were simulated; the worst has {pushes}.", n=len(cases), pushes=pushes_in_words(pushes))]
+    labels = [LABELS.get(name, term(name)) for name in alike]
     if decisive := cases.decisive():
         name, levels = decisive
         *_, last = levels
-        lead.append(
-            Say("Most depends on the {label}: with {best} {least} fall.", label=LABELS.get(name, term(name)),
-                best=cases.labelled(name, last), least=Quantity(levels[last].value, "fraction", digits=2))
-        )  # fmt: skip
+        label = LABELS.get(name, term(name))
+        if alike:
+            lead.append(Say("Most depends on the {label}; what may be chance: {alike}.", label=label, alike=labels))
+        else:
+            least = Quantity(levels[last].value, "fraction", digits=2)
+            lead.append(Say("Most depends on the {label}: with {best} {least} fall.", label=label,
+                            best=cases.labelled(name, last), least=least))  # fmt: skip
     elif len(cases) > 1:
         lead.append(Say("No difference between the cases is clear."))
     return lead
@@ -124,13 +131,8 @@ def _numbers(counted: Sequence[CaseSummary], shown: Tally) -> list[KeyNumber]:
     return [*numbers, *decides]
 
 
-def _picture(shown: Tally, alike: Sequence[str]) -> Picture:
-    note = None
-    if alike:
-        labels = [LABELS.get(name, term(name)) for name in alike]
-        note = Say("Counted together, since chance explains their difference: {labels}.", labels=labels)
-    draw = functools.partial(draw_cases, shown)
-    return Picture(Say("Robots that fell in each case, the worst on top"), draw, note)
+def _picture(shown: Tally) -> Picture:
+    return Picture(Say("Robots that fell in each case, the worst on top"), functools.partial(draw_cases, shown))
 
 
 def draw_cases(cases: Tally) -> Figure:

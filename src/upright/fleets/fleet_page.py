@@ -100,7 +100,7 @@ def _numbers(summary: Summary) -> list[KeyNumber]:
     numbers = [KeyNumber(falls_of(summary.fell, summary.n), allowed)]
     meanings = {
         "peak_pitch": Say("95 % of those that stood leaned less than this"),
-        "settling": Say("95 % were calm so long after the last push"),
+        "settling": Say("after the last push: by then 95 % were calm"),
         "travel": Say("95 % of those that stood stayed this near to the start"),
     }
     for name, meaning in meanings.items():

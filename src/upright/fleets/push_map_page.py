@@ -34,12 +34,11 @@ def push_map_page(data: Dataset) -> Page:
     kind = str(controller.get("kind") or "")
     weak, *_ = weakest(data).values()
     lows = [place["low"] for place in weakest(data).values() if "low" in place]
-    verdict = Verdict(Say("one robot alone was tried"))
-    if lows:
-        verdict = Verdict(Say("similar robots: {size}", size=_survived(min(lows))))
+    verdict = Verdict(Say("survives {size}", size=_survived(weak["impulse"])))
     lead = [
-        Say("In a simulation under {controller}, each push grows until the robot falls.",
-            controller=kind or Say("a controller of one's own"))
+        Say("Simulated under {controller}: it is weakest {height} above the axle, for {time}.",
+            controller=kind or Say("a controller of one's own"), height=Quantity(weak["height"], "m"),
+            time=Quantity(weak["duration"], "s"))
     ]  # fmt: skip
     title = Say(
         "{robot} survives {size} at every height and duration tried", robot=robot, size=_survived(weak["impulse"])
@@ -51,6 +50,7 @@ def push_map_page(data: Dataset) -> Page:
     else:
         title = Say("The smallest push tried fells {robot}", robot=robot)
         verdict = Verdict(Say("no push is survived"), "bad")
+    similar = [KeyNumber(_survived(min(lows)), Say("survived everywhere by 97.5 % of similar robots"))] if lows else []
     first, *others = [_map(data, way) for way in weakest(data)]
     slices = [_slices(data.sel(direction=way), way) for way in weakest(data)]
     folds = [
@@ -58,7 +58,7 @@ def push_map_page(data: Dataset) -> Page:
         Fold(Say("How this was tried"), [_tried(data)]),
     ]
     return Page(
-        title, verdict=verdict, lead=lead, numbers=_numbers(data), picture=first,
+        title, verdict=verdict, lead=lead, numbers=[*_numbers(data), *similar], picture=first,
         next=[Next("certify", kind or "lqg", robot=robot, why=Say("It counts how many similar robots fall."))],
         blocks=[_table(data), *folds], origin=made_of(data),
     )  # fmt: skip

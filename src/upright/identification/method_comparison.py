@@ -131,10 +131,6 @@ class MethodComparison(Result):
                     why=Say("It writes that model and a regulator for it."),
                 )
             ]
-            other = self._surest([name for name in holding if name != PRIOR])
-            if self.best == PRIOR and other:
-                why = Say("It needs no file of the robot, which may be wrong.")
-                following.append(Next("identify", named(data.log), method=other, why=why))
         title = Say(
             "{n} of {all} methods give a model that balances {robot}",
             n=len(holding), all=len(self.models), robot=data.robot.name,

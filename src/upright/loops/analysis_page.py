@@ -14,6 +14,8 @@ from upright.loops.targets import CLOSE, LEAST_DELAY, LEAST_GAIN, PHASE, STRONG,
 from upright.pages import Block, Column, Fold, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from upright.loops.margins import Margins
 
 Analysis = Any  # that of `analysis.py`, which imports this file
@@ -28,7 +30,7 @@ SLOW = 6  # poles near 1 that are drawn enlarged: as many as the robot has state
 
 
 def analysis_page(analysis: Analysis, first: Picture | None = None) -> Page:
-    """The page of a controller's loop; with another picture `first` the Bode diagram is folded."""
+    """The page of a controller's loop, with a picture of the robot let go where there is one, `first`."""
     facts = {"controller": analysis.controller, "robot": analysis.robot, "hash": analysis.hash[:12]}
     if not analysis.stable:
         return Page(
@@ -36,14 +38,15 @@ def analysis_page(analysis: Analysis, first: Picture | None = None) -> Page:
             next=[_next(analysis)], blocks=[Fold(Say("All margins"), [_whole(analysis)])], origin=facts,
         )  # fmt: skip
     bode = _bode(analysis)
-    frequency = Fold(Say("Frequency response"), [*([bode] if first else []), _nyquist(analysis), *_alone(analysis)])
+    frequency = Fold(Say("Frequency response"), [bode, _nyquist(analysis), *_alone(analysis)])
     near = Picture(Say("The {n} slowest poles, near 1", n=SLOW), functools.partial(analysis.plot_poles, slow=SLOW))
     return Page(
         Say("{controller} holds {robot} near rest", controller=analysis.controller, robot=analysis.robot),
         verdict=_verdict(analysis), lead=[_margins(analysis), *_drawn(analysis)], numbers=_numbers(analysis),
-        picture=first or bode, next=[_next(analysis)],
+        picture=_reached(analysis), next=[_next(analysis)],
         blocks=[
-            _targets(analysis), frequency, Fold(Say("All margins"), [_places(analysis), _whole(analysis)]),
+            *([first] if first else []), _targets(analysis), frequency,
+            Fold(Say("All margins"), [_places(analysis), _whole(analysis)]),
             Fold(Say("Closed-loop poles"), [_poles(analysis), near]),
         ],
         origin=facts,
@@ -99,7 +102,7 @@ def _verdict(analysis: Analysis) -> Verdict:  # noqa: PLR0911
     if analysis.thinnest.thin:
         return Verdict(Say("stable, a margin is thin"), "warn")
     if _met(analysis) < TARGETS:
-        return Verdict(Say("stable, with small margins"))
+        return Verdict(Say("stable, with small margins"), "warn")
     return Verdict(Say("stable, with usual margins"), "good")
 
 
@@ -132,6 +135,30 @@ def _numbers(analysis: Analysis) -> list[KeyNumber]:
         KeyNumber(_gains(both.gain_low, both.gain_high), Say("of the motors' strength keep it stable")),
         KeyNumber(Quantity(both.phase, "rad", digits=2), Say("phase margin at both motors")),
     ]
+
+
+def _reached(analysis: Analysis) -> Picture:
+    """Each margin over what textbooks ask of it."""
+    claim = Say("{met} of 5 margins reach what textbooks ask", met=_met(analysis))
+    note = Say("A stable loop with less is easily upset; a certificate counts how often.")
+    return Picture(claim, functools.partial(_draw_reached, analysis), note)
+
+
+def _draw_reached(analysis: Analysis) -> Figure:
+    from upright.plotting import bars
+
+    parts = reached(analysis.both(), analysis.weakest.delay, analysis.period)
+    most = [100 * min(part, FAR) for part in parts.values()]
+    return bars([str(REACHED[name]) for name in parts], most, str(Say("of what textbooks ask [%]")), str(Say("margin")),
+                limit=100.0, digits=2)  # fmt: skip
+
+
+FAR = 3.0  # times a target: how far beyond matters no more
+REACHED = {
+    "distance from −1": Say("distance from −1"), "phase margin": Say("phase margin"),
+    "motors stronger": Say("motors stronger"), "motors weaker": Say("motors weaker"),
+    "delay margin": Say("delay margin"),
+}  # fmt: skip
 
 
 def _targets(analysis: Analysis) -> Table:

@@ -16,7 +16,7 @@ GLOSSARY: dict[str, tuple[Say, Say]] = {
     "fit": (Say("fit"), Say("100 %: both curves are equal. 0 %: no better than a constant.")),
     "knock": (Say("knock"), Say("A blow so short that only its impulse counts, force times duration [N s].")),
     "hold at": (Say("hold"), Say("A constant force leans the robot, and then lets go.")),
-    "impulse": (Say("impulse"), Say("Force times duration: 0.2 N s is 10 N for 20 ms.")),
+    "N s": (Say("N s"), Say("Force times duration: 0.2 N s is 10 N for 20 ms.")),
     "unstable pole": (Say("unstable pole"), Say("The rate at which a small lean grows. It doubles in 0.69 / pole.")),
     "gain margin": (Say("gain margin"), Say("How much weaker or stronger the motors may be in a stable loop.")),
     "phase margin": (Say("phase margin"), Say("By how much the loop's phase may turn until it is unstable.")),
@@ -29,8 +29,8 @@ GLOSSARY: dict[str, tuple[Say, Say]] = {
     "innovation": (Say("innovation"), Say("What a sensor reads, less what the filter expected.")),
     "Coulomb friction": (Say("Coulomb friction"), Say("Dry friction: as large at every speed, against the motion.")),
     "lqr": (Say("lqr"), Say("State feedback that is optimal for a quadratic cost.")),
-    "lqi": (Say("lqi"), Say("An lqr with an integrator, which brings the robot back to its place.")),
-    "lqg": (Say("lqg"), Say("An lqr of the state that a Kalman filter estimates.")),
+    "lqi": (Say("lqi"), Say("State feedback with an integrator, which brings the robot back to its place.")),
+    "lqg": (Say("lqg"), Say("State feedback, optimal for a quadratic cost, of a Kalman filter's estimate.")),
     "pid": (Say("pid"), Say("Proportional, integral and derivative gains.")),
     "hinf": (Say("hinf"), Say("H∞ control: it keeps the largest gain from disturbances to errors small.")),
     "mpc": (Say("mpc"), Say("Model predictive control: it plans some commands ahead, within the motors' limits.")),
@@ -42,7 +42,7 @@ GLOSSARY: dict[str, tuple[Say, Say]] = {
 def explained(page: Page) -> list[tuple[Say, Say]]:
     """The words of the glossary that a page uses, with their meanings."""
     with speaking(ENGLISH):
-        text = "\n".join(_texts(page))
+        text = "\n".join(_texts(page)).replace("\u00a0", " ")
     return [entry for word, entry in GLOSSARY.items() if re.search(rf"(?<![\w-]){word}s?(?![\w-])", text)]
 
 

@@ -28,7 +28,7 @@ WORSE = {
     "falls": Say("falls"), "knock": Say("knock"), "stability": Say("stability"), "gain margin": Say("gain margin"),
     "delay margin": Say("delay margin"),
 }  # fmt: skip
-CHANGES = {"won": Verdict(Say("won"), "good"), "paid": Verdict(Say("paid"), "warn"), "": Say("alike")}
+CHANGES = {"won": Verdict(Say("better"), "good"), "paid": Verdict(Say("worse"), "warn"), "": Say("alike")}
 
 
 def tune_page(tuned: Tuned) -> Page:
@@ -36,7 +36,7 @@ def tune_page(tuned: Tuned) -> Page:
     lead = [
         Say("Of {n} candidates for {robot} the best was judged on {new} robots that the search never saw.",
             robot=tuned.robot, n=tuned.evaluated, new=tuned.default.samples),
-        Say("The rule allows no more falls, no smaller knock and no smaller margin."),
+        Say("The rule allows not one more fall, no smaller knock and no smaller margin."),
     ]  # fmt: skip
     others = len(tuned.front) - 1
     compared = bool(tuned.refused) or not tuned.kept

@@ -96,7 +96,7 @@ def _numbers(result: RobotJudged) -> list[KeyNumber]:
             meaning = Say("until the closed loop, simulated without pushes, leaves the log")
         numbers.append(KeyNumber(Quantity(lost.breaks, "s", digits=2), meaning))
     elif loop := result.worst.loop:
-        numbers.append(KeyNumber(r2_of(least(loop).r2), Say("the same, the whole run simulated without readings")))
+        numbers.append(KeyNumber(r2_of(least(loop).r2), Say("R² of the whole run, simulated without its readings")))
     if not result.doubted:
         numbers.append(KeyNumber(Say("none"), Say("of the parameters, changed alone, predicts much better")))
     return numbers[:3]
@@ -117,6 +117,8 @@ def _next(result: RobotJudged, used: bool) -> list[Next]:
         return [
             Next("calibrate", result.worst.source, robot=result.robot, why=Say("It moves all parameters together."))
         ]
+    if any(log.fitted is None for log in result.logs):
+        return [Next("validate", result.robot, "LOG", why=Say("A log that was not fitted is a test; then design."))]
     why = Say("It designs a controller for these numbers.")
     return [Next("design", "lqg", robot=result.robot, output="lqg.json", why=why)]
 

@@ -48,7 +48,7 @@ export function headOf(a: Analysis, period: number): Head {
   const range = high < MOST_GAIN ? filled(words.range, { low, high: String(Math.floor(100 * high)) }) : filled(words.atLeast, { low });
   const phase = a.phase === null ? Infinity : (180 * a.phase) / Math.PI;
   const usual = high >= STRONG && a.gain_low <= WEAK && phase >= PHASE && (a.delay ?? Infinity) >= period;
-  const [verdict, level] = part < 1 ? [words.thin, "warn"] : usual ? [words.usual, "good"] : [words.small, "info"];
+  const [verdict, level] = part < 1 ? [words.thin, "warn"] : usual ? [words.usual, "good"] : [words.small, "warn"];
   return {
     verdict, level: level as Head["level"],
     title: filled(words.holds, { controller: "u = −K x", robot: store.setup.robot }), lead: margin ? [margin] : [],
