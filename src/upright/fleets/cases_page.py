@@ -62,7 +62,7 @@ def cases_page(cases: Tally) -> Page:
         return Page(title, blocks=blocks, origin=_made_of(cases))
     return Page(
         _title(together), verdict=_verdict(cases, counted), lead=_lead(cases, alike),
-        numbers=_numbers(counted, together), picture=_picture(shown), next=_next(counted), blocks=blocks,
+        numbers=_numbers(cases, counted, together), picture=_picture(shown), next=_next(counted), blocks=blocks,
         origin=_made_of(cases),
     )  # fmt: skip
 
@@ -117,10 +117,10 @@ def _part(case: CaseSummary) -> Quantity | None:
     return Quantity(case.chance.value, "fraction", digits=2) if case.chance else None
 
 
-def _numbers(counted: Sequence[CaseSummary], shown: Tally) -> list[KeyNumber]:
+def _numbers(cases: Tally, counted: Sequence[CaseSummary], shown: Tally) -> list[KeyNumber]:
     worst, *_ = shown.worst_first()
     decides: list[KeyNumber] = []
-    for name, (_, least, most) in [*shown.drawn().items()][:1]:
+    for name, (_, least, most) in [*cases.drawn().items()][:1]:
         ends = Say("{small} and {large}", small=Quantity(least, "fraction", digits=2),
                    large=Quantity(most, "fraction", digits=2))  # fmt: skip
         decides.append(KeyNumber(ends, Say("fall with small and with large {name}", name=term(name))))

@@ -149,8 +149,10 @@ def _draw_reached(analysis: Analysis) -> Figure:
 
     parts = reached(analysis.both(), analysis.weakest.delay, analysis.period)
     most = [100 * min(part, FAR) for part in parts.values()]
-    return bars([str(REACHED[name]) for name in parts], most, str(Say("of what textbooks ask [%]")), str(Say("margin")),
-                limit=100.0, digits=2)  # fmt: skip
+    names = [str(REACHED[name]) for name in parts]
+    figure = bars(names, most, str(Say("of what textbooks ask [%]")), str(Say("margin")), limit=100.0, digits=2)
+    figure.axes[0].texts[-1].set_text(str(Say("textbooks")))
+    return figure
 
 
 FAR = 3.0  # times a target: how far beyond matters no more
