@@ -152,7 +152,8 @@ def test_a_pointer_over_a_figure_reads_its_lines(pages: dict[str, Path], browser
     text = page.evaluate("document.querySelector('output').textContent")
     time, *values = re.findall(r"-?\d+\.?\d*", text)
     assert float(time) == pytest.approx(0.5, abs=0.02)
-    assert [float(value) for value in values] == pytest.approx([math.degrees(0.1)] * 3, abs=0.1)  # angles in degrees
+    # angles in degrees of three runs; how far two of them are from the first follows
+    assert [float(value) for value in values[:3]] == pytest.approx([math.degrees(0.1)] * 3, abs=0.1)
 
 
 @pytest.mark.parametrize("left_out", ["design", pytest.param("", marks=pytest.mark.evidence)])

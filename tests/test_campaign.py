@@ -313,7 +313,7 @@ def test_a_campaign_names_the_case_that_falls_and_not_its_mean_with_those_that_s
     """All of b fall when knocked and 3 % on a slope: 51 % is what no case has."""
     fell = {("a", "x", "knock"): 0, ("a", "x", "slope"): 0, ("b", "x", "knock"): 100, ("b", "x", "slope"): 3}
     page = campaign_with(fell.items(), 100).page()
-    assert str(page.title) == "Worst case (b, knock): 100\u00a0% of 100 robots fall"
+    assert str(page.title) == "Worst: b, knock, 100\u00a0% of the robots fall"
     low = math.floor(100 * clopper_pearson(100, 100).low)
     assert [str(number.value) for number in page.numbers] == [f"{low} to 100\u00a0%", "2 of 4"]
     assert (str(page.verdict.text), page.verdict.level) == ("too many fall in 1 of 4 cases", "bad")
@@ -424,5 +424,5 @@ def test_only_what_is_asked_for_is_kept(tmp_path, capsys):
     path = tmp_path / "c.toml"
     path.write_text(SPEC.replace("n = 24", "n = 20").replace("seed = 3", "seed = 3\nkeep = ['fell', 'effort']"))
     assert main(["sweep", str(path), "--workers", "0"]) == 0
-    assert "Worst case" in capsys.readouterr().out
+    assert "Worst: " in capsys.readouterr().out
     assert set(collect(tmp_path / "c").data_vars) == {"fell", "effort", "case"}

@@ -1274,7 +1274,9 @@ def test_spanish_is_spanish_to_the_last_decimal(page):
         upright.store.hear({ kind: 'Recovered', impulse, effort: 1, best: 0.2, fell: false, single: true });
         return [...document.querySelectorAll('.fell span, .most')].map(e => e.innerText.replaceAll('\\u00a0', ' '));
     })""")
-    for (fell, most), words in zip(said, ("0,2 N s, el mayor", "0,05 N s; el mayor hasta ahora 0,2 N s"), strict=True):
+    for (fell, most), words in zip(
+        said, ("0,2 N s, el mayor hasta ahora", "0,05 N s; el mayor hasta ahora 0,2 N s"), strict=True
+    ):
         assert (fell, most) == (f"Se recuperó de un empujón de {words}", "mejor golpe 0,2 N s")  # which stays there
     page.evaluate("upright.store.change({ robot: 'twipr', numbers: {} })")  # under the kit of a LEGO robot
     page.wait_for_selector("text=La electrónica nxt actúa por tensión. Se esperaba: par, como en el robot.")
@@ -1569,7 +1571,8 @@ def test_what_is_said_follows_the_language(open_page):
     page.select_option("[data-key=language]", "es")
     texts = json.loads((WEB / "src" / "texts" / "es.json").read_text("utf-8"))
     assert (
-        page.inner_text(".fell").replace("\N{NO-BREAK SPACE}", " ") == "Se recuperó de un empujón de 0,2 N s, el mayor"
+        page.inner_text(".fell").replace("\N{NO-BREAK SPACE}", " ")
+        == "Se recuperó de un empujón de 0,2 N s, el mayor hasta ahora"
     )
     assert texts["tooMany"] in page.locator(".toast").all_inner_texts()[-1]
     tab(page, "Keep")
