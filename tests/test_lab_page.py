@@ -453,8 +453,9 @@ def test_a_log_is_uploaded_and_a_report_downloaded(page, tmp_path):
     tab(page, "Identify")
     page.set_input_files("[data-key=open-log]", str(tmp_path / "mine.csv"))
     until(page, "upright.store.found?.job === 'doctor'")
-    until(page, "document.querySelector('.result')?.textContent.includes('mine.csv')")
-    assert "in-mine" not in page.inner_text(".result")  # the name that the user gave
+    until(page, "document.querySelector('.result .page')?.shadowRoot.textContent.includes('mine.csv')")
+    shown = page.evaluate("document.querySelector('.result .page').shadowRoot.textContent")
+    assert "in-mine" not in shown  # the name that the user gave
     report = compared(page).read_text("utf-8")
     assert all(body in report for body in ("twin", "nonlinear", "linear"))
     assert "ready: Open · Save compare.html" in page.inner_text(".comparison").replace("\N{NO-BREAK SPACE}", " ")
@@ -717,7 +718,7 @@ def test_a_log_of_another_robot_is_refused_under_the_button_with_what_to_do(page
     assert "Try: choose the robot of the log" in words
     assert page.locator(".toast.error").count() == 0  # it is said where one looks
     page.select_option("[data-key=language]", "es")
-    assert page.inner_text(".failed").startswith("Calibrar se detuvo: Las órdenes del registro están en V.")
+    assert page.inner_text(".failed").startswith("Calibrar se detuvo: Los mandos del registro están en V.")
     assert not re.search(ENGLISH, page.inner_text(".failed"))
     page.evaluate("upright.store.change({ robot: 'nxtway-gs', kit: 'nxt' })")
     until(page, "!document.querySelector('.failed').textContent")

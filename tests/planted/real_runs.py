@@ -122,7 +122,7 @@ def loops(one: Run, found: Calibration) -> dict[str, tuple[float, float, float |
         free = closed_loop(problem, recording, z, log, kit, ReadLaw(law, error, simulated))
         column = {name: free.simulated[:, i] for i, name in enumerate(free.names)}
         measured, rate = (np.mean([of[name] for name in wheels], axis=0) for of in (log, column))
-        scores[words] = r_squared(true, column[PITCH]), r_squared(measured, rate), free.fell
+        scores[words] = r_squared(true, column[PITCH]), r_squared(measured, rate), free.fell_at
     return scores
 
 

@@ -152,7 +152,7 @@ def uncertainty_left(plan: PlannedRun) -> Figure:
             ax.annotate(str(change), (left[row], row), (4, 0), textcoords="offset points", va="center", fontsize=SMALL,
                         bbox={"facecolor": PAPER, "edgecolor": "none", "pad": 0.5})  # fmt: skip
     ax.axvline(100 * VISIBLE, linestyle="--", linewidth=1, color=AXIS, zorder=0)
-    ax.annotate(str(Say("half")), (100 * VISIBLE, len(own) - 0.4), (3, 3), textcoords="offset points")
+    ax.annotate(str(Say("half")), (100 * VISIBLE, -0.6), (3, -3), textcoords="offset points", fontsize=SMALL)
     ax.set(xlim=(0, 103), xticks=range(0, 101, 25))
     return legend(figure)
 

@@ -72,7 +72,7 @@ def _margins(analysis: Analysis) -> Say:
     if least.kind == "delay":
         if _met(analysis) == TARGETS:
             return Say("All margins reach what textbooks ask.")
-        return Say("{met} of 5 margins reach what textbooks ask; a certificate asks less, and counts falls.",
+        return Say("{met} of 5 margins reach what textbooks ask. A certificate asks less: it decides by falls.",
                    met=_met(analysis))  # fmt: skip
     change = Quantity(least.size, "fraction", digits=2)
     if least.kind == "stronger":

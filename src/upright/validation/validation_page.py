@@ -68,7 +68,7 @@ def _tested(result: RobotJudged) -> Say:
     """Whether these logs test the robot: only what it was not fitted to does."""
     facts = {"robot": result.robot, "seconds": Quantity(sum(log.seconds for log in result.logs), "s")}
     if any(log.fitted is None for log in result.logs):
-        return Say("Nobody knows whether {robot} was fitted to these {seconds}; another log is a test.", **facts)
+        return Say("The file of {robot} does not say whether it was fitted to these {seconds}.", **facts)
     used = [log for log in result.logs if log.fitted]
     if not used:
         return Say("A test: none of these {seconds} served to fit {robot}.", **facts)
@@ -118,7 +118,14 @@ def _next(result: RobotJudged, used: bool) -> list[Next]:
             Next("calibrate", result.worst.source, robot=result.robot, why=Say("It moves all parameters together."))
         ]
     if any(log.fitted is None for log in result.logs):
-        return [Next("validate", result.robot, "LOG", why=Say("A log that was not fitted is a test; then design."))]
+        return [
+            Next(
+                "validate",
+                result.robot,
+                "LOG",
+                why=Say("A log that was not used for the fit tests the robot. After that, design."),
+            )
+        ]
     why = Say("It designs a controller for these numbers.")
     return [Next("design", "lqg", robot=result.robot, output="lqg.json", why=why)]
 
