@@ -333,7 +333,7 @@ class Page {
   /** Where the light's colour comes from: its heading comes into sight. */
   private certificate(): void {
     this.open("Controller");
-    this.panel.querySelector(".light h4")?.scrollIntoView({ block: small.matches ? "start" : "nearest" });
+    this.panel.querySelector(".light h4")?.scrollIntoView({ block: small.matches ? "start" : "center" });
   }
 
   /** Whoever has found the tabs, or is on the tour, needs no invitation. */
