@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from upright.cli.destination import Destination
 from upright.cli.fleet_options import Asked, say_how_long
+from upright.errors import InvalidScenario
 from upright.fleets.usual import BASIN_POINTS
 from upright.progress import progress
 
@@ -47,5 +48,7 @@ def _axis(text: str, option: str, points: int) -> Axis:
     from upright.experiment.notation import limits
     from upright.fleets.basin import Axis
 
-    name, _, ends = (part.strip() for part in text.partition("="))
+    name, equals, ends = (part.strip() for part in text.partition("="))
+    if not equals:
+        raise InvalidScenario(f"{option} '{text}'", expected="STATE=LOW..HIGH, such as pitch=-1..1")
     return Axis(name, *limits(ends, option), points)
