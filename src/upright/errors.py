@@ -20,13 +20,12 @@ EXTRAS = {
 class UprightError(Exception):
     """Root of all errors of this package.
 
-    The message is one line: what came, what was expected, the likely cause and what to try. `parts` has them one by
-    one, for whoever shows them otherwise; a part may be a sentence that knows its translation, or a command to run.
+    The message is one line: what came, what was expected, the likely cause and what to try. Its `parts` are these,
+    `came`, `expected`, `likely` and `hint`, each empty where nothing is said; one may be a sentence that knows its
+    translation, or a command to run.
 
     >>> str(UprightError("period is -1 s", expected="a positive number", hint="use 0.01"))
     'period is -1 s; expected a positive number; try: use 0.01'
-
-    Its `parts` are `came`, `expected`, `likely` and `hint`, each empty where nothing is said.
     """
 
     def __init__(self, came: object, *, expected: object = "", likely: object = "", hint: object = "") -> None:

@@ -71,8 +71,9 @@ def catalogue(name: str) -> Mapping[str, str]:
 
 def translated(template: str) -> str:
     """A template or a name in the chosen language; one that is in no catalogue, as of a plug-in, stays as it is."""
-    own = {} if chosen() == ENGLISH else _own
-    return own.get(template) or catalogue(chosen()).get(template, template)
+    name = chosen()
+    own = {} if name == ENGLISH else _own
+    return own.get(template) or catalogue(name).get(template, template)
 
 
 HALF_UP = 1 + 1e-12

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -75,10 +75,7 @@ class MethodComparison(Result):
     def best(self) -> str:
         """Of those that lean alike the one with the surest pole, since their order is chance; empty where none holds
         the robot."""
-        return self._surest(self.alike)
-
-    def _surest(self, methods: Sequence[str]) -> str:
-        widths = {name: self.models[name].pole.high - self.models[name].pole.low for name in methods}
+        widths = {name: self.models[name].pole.high - self.models[name].pole.low for name in self.alike}
         return min(widths, key=lambda name: widths[name] if math.isfinite(widths[name]) else math.inf, default="")
 
     def check(self) -> tuple[str, ...]:

@@ -10,7 +10,7 @@ import numpy as np
 
 from upright.loops.margins import disk_gain, disk_phase
 from upright.loops.places import delay_of, place_of
-from upright.loops.targets import CLOSE, LEAST_DELAY, LEAST_GAIN, PHASE, STRONG, WEAK, reached
+from upright.loops.targets import CLOSE, LEAST_DELAY, LEAST_GAIN, PHASE, STRONG, WEAK
 from upright.pages import Block, Column, Fold, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 
 if TYPE_CHECKING:
@@ -147,7 +147,7 @@ def _reached(analysis: Analysis) -> Picture:
 def _draw_reached(analysis: Analysis) -> Figure:
     from upright.plotting import bars
 
-    parts = reached(analysis.both(), analysis.weakest.delay, analysis.period)
+    parts: dict[str, float] = analysis.reached
     most = [100 * min(part, FAR) for part in parts.values()]
     names = [str(REACHED[name]) for name in parts]
     figure = bars(names, most, str(Say("of what textbooks ask [%]")), str(Say("margin")), limit=100.0, digits=2)
@@ -187,8 +187,7 @@ def _targets(analysis: Analysis) -> Table:
 
 
 def _met(analysis: Analysis) -> int:
-    parts = reached(analysis.both(), analysis.weakest.delay, analysis.period)
-    return sum(part >= 1 for part in parts.values())
+    return sum(part >= 1 for part in analysis.reached.values())
 
 
 def _change(size: float) -> Quantity:

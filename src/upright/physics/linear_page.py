@@ -107,13 +107,13 @@ def _title(rate: float, unstable: int, upright: bool) -> Say:
     if not unstable:
         return Say("No pole is unstable: without a controller nothing grows")
     if upright:
-        return Say("Without a controller the robot falls: a lean doubles every {time}", time=_grown(rate, 2))
-    return Say("Unstable: a small deviation doubles every {time}", time=_grown(rate, 2))
+        return Say("Without a controller the robot falls: a lean doubles every {time}", time=_doubled(rate))
+    return Say("Unstable: a small deviation doubles every {time}", time=_doubled(rate))
 
 
-def _grown(rate: float, times: int) -> Quantity:
-    """The time until a deviation that grows at a rate is so many times as large."""
-    return Quantity(math.log(times) / rate, "s", digits=2)
+def _doubled(rate: float) -> Quantity:
+    """The time until a deviation that grows at a rate is twice as large."""
+    return Quantity(math.log(2) / rate, "s", digits=2)
 
 
 def _pole(model: LinearModel) -> KeyNumber:
