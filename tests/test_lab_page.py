@@ -215,6 +215,7 @@ def test_a_mouse_drags_the_robot_and_it_leans_the_right_way(seen):
         until(seen, "upright.store.snapshot.paused")
         seen.evaluate("upright.store.send({ kind: 'StandUp', pitch: 0 })")  # it may have swayed until it was paused
         until(seen, "upright.store.snapshot.paused && Math.abs(upright.store.snapshot.x[0][0]) < 0.004")
+        until(seen, "upright.store.settled && upright.store.analysed && upright.store.lit?.heads.en")  # nothing moves then
         box, at = seen.locator(".room").bounding_box(), seen.evaluate("upright.page.grasp()")
         x, y = box["x"] + at["x"], box["y"] + at["y"]
         before = seen.evaluate("upright.store.snapshot.x[0][0]")
@@ -258,11 +259,12 @@ def _colours(page: Any) -> int:
 def test_the_side_view_of_a_browser_without_3d_can_be_pushed_too(page):
     page.click("[data-key=pause]")
     until(page, "upright.store.snapshot.paused")
-    box, at = page.locator(".flat").bounding_box(), page.evaluate("upright.page.grasp()")
-    x, y = box["x"] + at["x"], box["y"] + at["y"]
-    page.mouse.move(x, y)
+    until(page, "upright.store.settled && upright.store.analysed && upright.store.lit?.heads.en")  # nothing moves then
+    body = page.locator(".flat .shell")
+    body.hover()  # waits until it stands still and the mouse would hit it
+    box = body.bounding_box()
     page.mouse.down()
-    page.mouse.move(x - 30, y)
+    page.mouse.move(box["x"] + box["width"] / 2 - 30, box["y"] + box["height"] / 2)
     stepped(page, "upright.store.snapshot.f[0] < -0.05")
     page.mouse.up()
 
