@@ -137,7 +137,7 @@ def open_page(request: pytest.FixtureRequest, browser: Any, lab: Lab, kept: Kept
         kept.page.emulate_media(color_scheme="light", reduced_motion="reduce")
         kept.page.goto(lab.url)
         ready(kept.page)
-        until(kept.page, "upright.store.settled && upright.store.analysed && upright.store.lit?.heads.en")
+        at_rest(kept.page)
         kept.page.evaluate(BEFORE)
     page = kept.page
     page.asked.clear(), page.wrong.clear()
@@ -188,9 +188,14 @@ def ready(page: Any) -> None:
     page.evaluate("upright.page.open('Controller')")
 
 
+def at_rest(page: Any) -> None:
+    """The lab has said all that it says of a set-up, after which no part of the page moves by itself."""
+    until(page, "upright.store.settled && upright.store.analysed && upright.store.lit?.heads.en")
+
+
 def lit(page: Any, light: Light = GREEN) -> None:
     """The page hears that light of a certificate, after what this lab says of itself: that it computes none."""
-    until(page, "upright.store.settled && upright.store.analysed && upright.store.lit?.heads.en")
+    at_rest(page)
     page.evaluate("(light) => upright.store.hear(light)", {"kind": "Light", **plain(light)})
 
 
@@ -215,7 +220,7 @@ def test_a_mouse_drags_the_robot_and_it_leans_the_right_way(seen):
         until(seen, "upright.store.snapshot.paused")
         seen.evaluate("upright.store.send({ kind: 'StandUp', pitch: 0 })")  # it may have swayed until it was paused
         until(seen, "upright.store.snapshot.paused && Math.abs(upright.store.snapshot.x[0][0]) < 0.004")
-        until(seen, "upright.store.settled && upright.store.analysed && upright.store.lit?.heads.en")  # nothing moves then
+        at_rest(seen)
         box, at = seen.locator(".room").bounding_box(), seen.evaluate("upright.page.grasp()")
         x, y = box["x"] + at["x"], box["y"] + at["y"]
         before = seen.evaluate("upright.store.snapshot.x[0][0]")
@@ -259,7 +264,7 @@ def _colours(page: Any) -> int:
 def test_the_side_view_of_a_browser_without_3d_can_be_pushed_too(page):
     page.click("[data-key=pause]")
     until(page, "upright.store.snapshot.paused")
-    until(page, "upright.store.settled && upright.store.analysed && upright.store.lit?.heads.en")  # nothing moves then
+    at_rest(page)
     body = page.locator(".flat .shell")
     body.hover()  # waits until it stands still and the mouse would hit it
     box = body.bounding_box()
