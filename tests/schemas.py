@@ -76,6 +76,15 @@ HEAD: Schema = {
     "required": ["title", "verdict", "numbers", "next"],
 }
 
+BESIDE = ("head", "files")
+"""What a command adds to its result."""
+
+WRITTEN_BESIDE: Schema = {
+    "type": "array",
+    "items": {"type": "string"},
+    "description": "Files that the command wrote beside, such as that of -o; of --json and --save.",
+}
+
 
 def fits(schema: Schema, value: Any) -> bool:
     return Draft202012Validator(schema).is_valid(value)
@@ -250,7 +259,7 @@ def of_key(key: str, value: Any, thing: Any) -> Schema:
 
 def schema_of(data: Mapping[str, Any], result: Any) -> Schema:
     """The schema of what a command printed as JSON of its result."""
-    made = record(type(result), {key: of_key(key, value, result) for key, value in data.items() if key != "head"})
+    made = record(type(result), {key: of_key(key, value, result) for key, value in data.items() if key not in BESIDE})
     # a command adds what it wrote
     return made | {"required": [key for key in made["required"] if key in result.to_json()]}
 
@@ -271,7 +280,7 @@ def written(schema: Schema) -> Schema:
     named = schema["properties"]["schema"]["const"]
     schema = numbers_too(schema)
     first = {"$schema": "https://json-schema.org/draft/2020-12/schema", "$id": named, "title": named}
-    return first | schema | {"properties": {"head": HEAD} | schema["properties"]}
+    return first | schema | {"properties": {"head": HEAD} | schema["properties"] | {"files": WRITTEN_BESIDE}}
 
 
 MADE = {
@@ -306,7 +315,7 @@ simulate --push impulse:0.1 --seconds 2
 simulate --push impulse:1 --seconds 2 -o log.csv
 compare a.csv b.csv
 compare a.csv run.csv
-linearise
+linearise -o model.json
 doctor run.csv
 doctor fall.csv --fix fixed.csv
 fleet --samples 40 --seconds 1
@@ -373,22 +382,28 @@ def make(file: str) -> None:
 
 def ran(command: str) -> tuple[dict[str, Any], Any]:
     """The JSON that a command prints in this folder, and the result that it is of."""
-    from upright.cli import output
+    from upright.cli.destination import Destination
     from upright.cli.main import main
+    from upright.cli.output import AGAINST
 
     results: list[Any] = []
-    write_page = output.write_page
+    finish = Destination.finish
+
+    def kept(self: Destination, result: Any, *written: Path | None, **facts: Any) -> None:
+        results.append(result)
+        finish(self, result, *written, **facts)
+
     raw = io.BytesIO()
     with contextlib.redirect_stdout(io.StringIO()):
         for word in command.split():
             make(word)
-    output.write_page = lambda result, path, title="": results.append(result)
+    Destination.finish = kept
     try:
         with contextlib.redirect_stdout(io.TextIOWrapper(raw, "utf-8", write_through=True)):
             code = main([*command.split(), "--json"])
     finally:
-        output.write_page = write_page
-    assert code in (0, output.AGAINST), (command, code)
+        Destination.finish = finish
+    assert code in (0, AGAINST), (command, code)
     return json.loads(raw.getvalue()), results[0]
 
 

@@ -17,10 +17,10 @@ import pytest
 from conftest import PATIENCE
 from upright.atomic import write_json
 from upright.cli import main as cli
+from upright.cli.destination import Destination
 from upright.cli.help import EXAMPLES
 from upright.cli.main import BUG, USER_ERROR, group, main
-from upright.cli.output import finish
-from upright.cli.retired import RETIRED
+from upright.cli.mistyped import RETIRED
 from upright.cli.vocabulary import complete_controller, complete_kit, complete_robot
 from upright.control import CONTROLLERS, make_controller, write_controller
 from upright.errors import InvalidLog
@@ -582,7 +582,7 @@ def test_a_verdict_has_its_colour_on_a_terminal(no_color: str, coloured: bool, m
     master, slave = os.openpty()
     with os.fdopen(slave, "w", encoding="utf-8") as screen, monkeypatch.context() as here:
         here.setattr(sys, "stdout", screen)
-        finish(Stood(), as_json=False)
+        Destination().finish(Stood())
     lines = os.read(master, 10_000).decode().splitlines()
     os.close(master)
     assert lines[0].startswith("\x1b[1;32m" if coloured else "stood")
@@ -590,7 +590,7 @@ def test_a_verdict_has_its_colour_on_a_terminal(no_color: str, coloured: bool, m
 
 
 def test_a_verdict_has_no_colour_in_a_file(capsys: pytest.CaptureFixture[str]) -> None:
-    finish(Stood(), as_json=False)
+    Destination().finish(Stood())
     assert capsys.readouterr().out.startswith("stood\n")
 
 

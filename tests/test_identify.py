@@ -21,7 +21,7 @@ from upright.calibration.estimate import Estimate
 from upright.cli.main import USER_ERROR, main
 from upright.control import Estimated, kalman, lqr_state, make_controller, read_controller
 from upright.control.excited import Excited, random_binary
-from upright.errors import InvalidLog, InvalidModel, UnknownName, UprightError
+from upright.errors import InvalidLog, InvalidModel, InvalidScenario, UnknownName, UprightError
 from upright.experiment import run
 from upright.identification.arx import first_response, past_window, regression, split
 from upright.identification.coordinates import physical
@@ -367,7 +367,7 @@ def test_a_log_that_cannot_be_used_is_one_clear_line(what: str) -> None:
 
 def test_wrong_asks_are_one_clear_line() -> None:
     log = sensed()
-    for ask, error in (({"source": "dreams"}, UnknownName), ({"held_out": 1.0}, InvalidLog)):
+    for ask, error in (({"source": "dreams"}, UnknownName), ({"held_out": 1.0}, InvalidScenario)):
         with pytest.raises(error):
             samples(log, ROBOT, facts_kit(), **ask)  # type: ignore[arg-type]
     with pytest.raises(InvalidModel, match="order 3"):

@@ -10,6 +10,7 @@ import pytest
 
 import messages
 from upright import errors
+from upright.cli.help import EXAMPLES
 from upright.cli.main import main
 from upright.languages import chosen, speaking
 from upright.messages import HOLE, catalogue, in_language, sections
@@ -65,9 +66,15 @@ def test_help_is_spanish() -> None:
     [
         ("simulate --robot nxtwai", "no hay robot con el nombre 'nxtwai'; se esperaba uno de balrob, "),
         ("simulate --sedes 1", "no existe la opción --sedes"),
-        ("simulate -s abc", "valor inválido para '--seconds' / '-s': se esperaba un número"),
+        ("simulate -s abc", "--seconds: 'abc'; se esperaba un número"),
+        ("identify a.csv --order 99", "--order: '99'; se esperaba 50 o menos"),
+        ("design", "falta el argumento 'method'; pruebe: upright design lqg -o controller.json"),  # a command stays
+        ("design lqg --gains kp=1", "lqg no recibe números propios; se esperaba un método como pid-angle; "
+         "pruebe: upright design --help"),
+        ("robots new mine --gear x", "Engranaje, vueltas del motor en una de la rueda: 'x'; se esperaba un número"),
+        ("start film", "no se puede escribir film: el archivo ya existe"),
         ("simulat", "no existe el comando 'simulat'. ¿Quiso decir 'simulate'?"),
-        ("doctor film", "no existe el archivo film; pruebe: revise la ruta"),  # a name is no word of ours
+        ("doctor log", "no existe el archivo log; pruebe: revise la ruta"),  # a name is no word of ours
         ("design lqg --save no/k.json", "no existe la carpeta no para k.json; pruebe: mkdir -p no"),
         ("certify broken.json", "broken.json no es JSON (falta un nombre entre comillas dobles: línea 2 columna 1"),
         ("compare empty.csv", "empty.csv: "),
@@ -80,11 +87,23 @@ def test_a_mistake_is_answered_in_spanish(
     monkeypatch.chdir(tmp_path)
     Path("broken.json").write_text("{\n")
     Path("empty.csv").write_text("")
+    Path("film").write_text("")
     monkeypatch.setenv("UPRIGHT_LANG", "es")
     assert main(typed.split()) == 2
     told = capsys.readouterr().err
     assert told.startswith(f"upright: {line}")
     assert not ENGLISH.search(words_of(told))
+
+
+def test_a_command_to_type_stays_and_the_words_beside_it_do_not() -> None:
+    """Every example of the help, behind which a message says more."""
+    with speaking("es"):
+        for line in (line for lines in EXAMPLES.values() for line in lines):
+            assert in_language(f"no; try: {line}") == f"ningún; pruebe: {line}"
+            assert (
+                in_language(f"no; try: {line}, which tries it again")
+                == f"ningún; pruebe: {line}, que lo intenta de nuevo"
+            )
 
 
 def test_help_is_translated_and_names_are_not(

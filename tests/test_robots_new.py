@@ -82,7 +82,7 @@ def test_what_nobody_tells_is_a_guess_and_each_number_is_explained() -> None:
     tables = [i for i, line in enumerate(lines) if line.startswith("[")]
     assert len(tables) > 20
     assert all(lines[i - 1].startswith("# ") for i in tables)
-    assert "# Gear: turns of the motor in one of the wheel: 34" in lines
+    assert "# Gear, turns of the motor in one of the wheel: 34" in lines
 
 
 def test_it_runs_and_is_never_written_over(capsys: pytest.CaptureFixture[str]) -> None:

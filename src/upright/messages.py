@@ -19,6 +19,8 @@ HOLE = "{}"
 TELLING = 7
 """Letters of a template that say something by themselves: fewer, as in "{} is {}", fit what is no message, too."""
 ARTICLES = ("a", "an", "no", "the")
+COMMAND = "upright"
+"""How a command begins, whose words stay as they are typed."""
 PART = re.compile(r"; (expected|likely|try:|or) ")
 """What begins another part of an error."""
 
@@ -114,8 +116,11 @@ def _certain(template: _Template, facts: list[str]) -> bool:
 
 
 def _short(template: _Template, facts: list[str]) -> bool:
-    """Whether facts may be names and numbers: between few letters words are another message."""
-    return template.begins or not any(" " in name and _fact(name) == name for f in facts for name in f.split(", "))
+    """Whether facts may be names, numbers and commands: between few letters words are another message."""
+    if facts[:1] == [COMMAND]:
+        return False  # what follows it is typed, and is no message
+    names = [name for fact in facts for name in fact.split(", ") if not name.startswith(f"{COMMAND} ")]
+    return template.begins or not any(" " in name and _fact(name) == name for name in names)
 
 
 def _matched(text: str, meant: Callable[[_Template, list[str]], bool]) -> str | None:

@@ -38,11 +38,11 @@ from upright.calibration.stated_gain import as_meant
 from upright.checkup.doctor import contradictions, record_of
 from upright.checkup.rates import faster_controller
 from upright.checkup.wheels import on_its_wheels
-from upright.errors import InvalidLog
+from upright.errors import InvalidLog, check_within
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.pace import pace_of
 from upright.logs.raw import LogSource, named, raw_log
-from upright.logs.recording import SENSOR, check_complete, commanded, first_noise, foreign, record
+from upright.logs.recording import MOST_HELD_OUT, SENSOR, check_complete, commanded, first_noise, foreign, record
 from upright.pages import Next, Quantity, Say
 from upright.pages.terms import term
 from upright.progress import Progress, unwatched
@@ -75,6 +75,7 @@ def calibrate(
     from upright.calibration.apart import apart
     from upright.calibration.summary import summarised, untold
 
+    check_within("of a log held out", held_out, 0, MOST_HELD_OUT)
     began, show = time.perf_counter(), progress or unwatched
     given = [raw_log(log, mapping) for log in ([logs] if isinstance(logs, Log | str | os.PathLike) else logs)]
     several, left = zip(*map(on_its_wheels, given), strict=True) if given else ((), ())

@@ -7,9 +7,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from upright.cli.output import check_targets, finish
+from upright.atomic import write_json
+from upright.cli.output import check_targets, continued, print_page, typed_line
 from upright.errors import UprightError
-from upright.pages.result import PICTURES
+from upright.pages import Result
+from upright.pages.result import PICTURES, write_page
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,8 +32,15 @@ class Destination:
         """Refuse, before the work, what could not be written after it: `files`, and what the options name."""
         check_targets(*files, self.report, self.save, logs=logs)
 
-    def finish(self, result: Any, *written: Path | None, **facts: Any) -> None:
+    def finish(self, result: Result, *written: Path | None, **facts: Any) -> None:
         """Write the result's page and data, with further `facts`, and print it; `written` are its other files."""
-        files = [str(path) for path in written if path]
-        facts |= {"files": files} if files else {}
-        finish(result, self.json, output=self.save, page=self.report, written=written, wide=self.wide, **facts)
+        page = continued(result.page())
+        others = [path for path in written if path]
+        data = result.to_json() | facts
+        if others:
+            data["files"] = [str(path) for path in others]
+        if self.report:
+            write_page(page, self.report, typed_line())
+        if self.save:
+            write_json(self.save, data)
+        print_page(page, data if self.json else None, (self.save, *others, self.report), wide=self.wide)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -9,7 +10,6 @@ import typer
 
 from upright.cli.output import AGAINST, print_json, tell
 from upright.errors import UprightError
-from upright.messages import in_language
 from upright.progress import progress
 
 if TYPE_CHECKING:
@@ -56,7 +56,7 @@ def fly(
         with progress("flying") as show:
             flight = run_flight(
                 program, controller, robot=robot, kit=kit, port=link, certificate=certificate, anyway=anyway,
-                seconds=seconds, pushes=pushes, seed=seed, confirm=None if yes or json else _ask, progress=show,
+                seconds=seconds, pushes=pushes, seed=seed, confirm=None if yes else _ask, progress=show,
             )  # fmt: skip
     path, wrong = save_log(flight.log.log, output) if flight.log and output else (None, "")
     _print(flight, path, json=json)
@@ -73,13 +73,15 @@ def _print(flight: Flight, path: Path | None, *, json: bool) -> None:
         tell(f"{flight}\n\nwrote {path}" if path else str(flight))
 
 
+YES = ("y", "yes", "s", "si", "sí")
+"""Answers that start the motors, in any language."""
+
+
 def _ask(plan: FlightPlan) -> None:
-    tell(str(plan), err=True)
-    try:
-        typer.confirm(in_language("Hold it upright and still. Start?"), abort=True, err=True)
-    except typer.Abort as stop:
-        if not isinstance(stop.__context__, EOFError):
-            raise
-        raise UprightError(
-            "nobody answered: the input is no terminal, and has ended", hint="--yes, or a terminal"
-        ) from None
+    tell(f"{plan}\nHold it upright and still. Start? [y/N]:", err=True, nl=False)
+    line = sys.stdin.readline()
+    if not line:
+        tell("", err=True)
+        raise UprightError("nobody answered: the input is no terminal, and has ended", hint="--yes, or a terminal")
+    if line.strip().lower() not in YES:
+        raise typer.Abort

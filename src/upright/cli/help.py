@@ -86,17 +86,6 @@ def epilog(name: str) -> str:
     return "\b\nExamples:\n" + "\n".join(f"  {line}" for line in EXAMPLES[name])
 
 
-def option_meant(error: typer.TyperException) -> str:
-    """What to try after a word too many: the option whose values have such a name, or ""."""
-    context = getattr(error, "ctx", None)
-    extra = re.fullmatch(r"Got unexpected extra arguments?(?:\(s\))? \((\S+).*\)", error.format_message())
-    if context is not None and extra is not None:
-        for option in context.command.params:
-            if extra[1] in (item.value for item in option.shell_complete(context, extra[1])):
-                return f"; try: {max(option.opts, key=len)} {extra[1]}"
-    return ""
-
-
 def _part(name: str) -> Any:
     """The function of a command, or the `typer.Typer` of several; each stands in the module of its name."""
     function = name.replace("-", "_")

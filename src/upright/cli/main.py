@@ -5,15 +5,15 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Sequence
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 from typer.main import get_command
 
 from upright import interrupts
 from upright.atomic import together
-from upright.cli.help import EXAMPLES, Commands, Grouped, SpokenHelp, option_meant
-from upright.cli.retired import instead
+from upright.cli.help import EXAMPLES, Commands, Grouped, SpokenHelp
+from upright.cli.mistyped import mistyped
 from upright.cli.typed import TYPED
 from upright.errors import UprightError
 from upright.messages import in_language
@@ -101,7 +101,7 @@ def _code_of(error: Exception, arguments: Sequence[str]) -> int:
     """Print the error as one line on stderr, which ends with what to try, and return the exit code."""
     code = USER_ERROR
     if isinstance(error, typer.TyperException):
-        message = instead(error) or error.format_message().rstrip(".") + option_meant(error)
+        message = mistyped(error)
     elif isinstance(error, UprightError):
         message = str(error)
     elif isinstance(error, OSError) and error.filename is not None:
@@ -112,11 +112,24 @@ def _code_of(error: Exception, arguments: Sequence[str]) -> int:
         code = BUG
         message = f"unexpected {type(error).__name__}: {error}; try: UPRIGHT_DEBUG=1, and report the traceback"
     if not any(proposal in message for proposal in PROPOSALS):
-        verb = next((word for word in arguments if word in EXAMPLES), "")
-        lacks = verb and message.startswith("Missing argument")
-        message += f"; try: {EXAMPLES[verb][0]}" if lacks else f"; try: upright {verb} --help".replace("  ", " ")
+        called = _called(arguments)
+        examples = [line for lines in EXAMPLES.values() for line in lines if line.startswith(f"{called} ")]
+        lacks = message.startswith("Missing") and examples
+        message += f"; try: {examples[0] if lacks else f'{called} --help'}"
     complain(message)
     return code
+
+
+def _called(arguments: Sequence[str]) -> str:
+    """The command that was called, with its own, such as `upright robots new`."""
+    path = "upright"
+    command: Any = group()
+    for word in arguments:
+        known = getattr(command, "commands", {})
+        if word in known:
+            command = known[word]
+            path += f" {word}"
+    return path
 
 
 def complain(message: str) -> None:

@@ -13,12 +13,12 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from upright.atomic import json_text, place_of, write_json
+from upright.atomic import json_text, place_of
 from upright.cli.typed import GIVEN, TYPED
 from upright.errors import UprightError, require
 from upright.languages import ENGLISH, speaking
 from upright.messages import in_language
-from upright.pages import Next, Page, Result, Say
+from upright.pages import Next, Page, Say
 from upright.pages.terminal import WIDTH
 from upright.pages.terminal import text as page_text
 
@@ -40,25 +40,10 @@ AGAINST = 3
 """Exit code of a verdict against, or unknown, so that a script stops before the robot moves."""
 
 
-def finish(
-    result: Result, as_json: bool, *,
-    output: Path | None = None, page: Path | None = None, written: Iterable[Path | None] = (), wide: bool = False,
-    **facts: Any,
-) -> None:  # fmt: skip
-    """Write the result to `output` and its page to `page`, print it as its page, with all columns where `wide`, or as
-    JSON with further `facts`, and name these files and those already `written`."""
-    data = result.to_json() | facts
-    write_page(result, page)
-    if output:
-        write_json(output, data)
-    print_page(result.page(), data if as_json else None, (output, *written, page), wide=wide)
-
-
 def print_page(
     page: Page, data: dict[str, Any] | None = None, written: Iterable[Path | None] = (), *, wide: bool = False
 ) -> None:
     """Print a page for people, or its head as JSON beside the `data`; the files `written` end it."""
-    page = continued(page)
     if data is not None:
         with speaking(ENGLISH):  # what a program reads is in one language
             print_json({"head": page.head()} | data)
@@ -104,16 +89,8 @@ def warn_of(robot: Robot) -> None:
         tell(f"warning: {wrong}", err=True)
 
 
-def write_page(result: Result, path: Path | None) -> None:
-    """Write the page of a result to `path`, where one is given, with the command at its foot."""
-    if path:
-        from upright.pages.result import write_page as write
-
-        write(continued(result.page()), path, _command())
-
-
-def _command() -> str:
-    """The command as it was typed, with files and its page without their folders."""
+def typed_line() -> str:
+    """The command as it was typed, with files and its page without their folders: what stands at the foot of a page."""
     words = list(TYPED.get())
     kept = (_bare(word, before) for before, word in zip(["", *words], words, strict=False))
     return shlex.join(["upright", *kept]) if words else ""

@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Annotated
 
 from upright.atomic import make_folder
+from upright.cli.destination import Destination
 from upright.cli.logs import LogPart
-from upright.cli.output import finish
 from upright.errors import InvalidScenario
 from upright.progress import progress
 
@@ -48,7 +48,7 @@ def reproduce(
 
         with progress("reproducing") as show:
             done = reproduce_paper(output, show)
-        finish(done, json, written=[output / "report.html", output / "results.json", output / "logs"])
+        Destination(json=json).finish(done, output / "report.html", output / "results.json", output / "logs")
         return
     if robot is None:
         raise InvalidScenario("--log without a robot", expected="--robot NAME or FILE", hint="upright robots")
@@ -69,4 +69,4 @@ def reproduce(
         )
     for label, one in result.comparison.logs.items():
         one.save(logs / f"{label.replace(' ', '-')}.parquet")
-    finish(result, json, output=output / "results.json", page=output / "report.html", written=[logs])
+    Destination(report=output / "report.html", save=output / "results.json", json=json).finish(result, logs)

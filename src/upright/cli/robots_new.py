@@ -48,6 +48,8 @@ def _files(name: str) -> tuple[Path, Path]:
     from upright.robots import preset_names
 
     path = Path(name.removesuffix(".toml") + ".toml")
+    if path.name.startswith("."):
+        raise UprightError(f"'{name}' is no name of a robot", expected="a name, which its file gets", hint="mine")
     if path.stem.lower() in preset_names():
         raise UprightError(
             f"{path.stem} is a robot that comes with upright", expected="another name", hint=f"my-{path.stem}"

@@ -147,7 +147,7 @@ WORDS = {
         completed(registered("upright.physics.dynamics", "MODELS")),
     ),
     "number": Word("Arithmetic of c (float, double, fixed) and arduino (float, fixed)."),
-    "order": Word("States of pitch and wheels, 4 or more (default: chosen).", most=50),
+    "order": Word("States of pitch and wheels (default: chosen).", least=4, most=50),
     "output": Word("Write the result.", "-o"),
     "period": Word("Period of the controller [s] (default: the kit's)."),
     "points": Word("Values along each axis.", least=2, most=3000),

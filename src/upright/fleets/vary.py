@@ -7,6 +7,7 @@ import math
 from collections.abc import Mapping, Sequence
 
 from upright.errors import InvalidScenario, UnknownName
+from upright.experiment.notation import number
 from upright.robots import PARAMETERS, Kit, Robot
 from upright.robots.uncertainty import Spread, Uncertainty
 
@@ -47,7 +48,7 @@ def variation(text: str, robot: Robot, kit: Kit | None = None) -> Uncertainty:
     if range_.startswith("normal:"):
         return Uncertainty((Spread(name, "normal", value, _size(range_[7:].lstrip("±"), value, text)),))
     if ".." in range_:
-        low, high = (_number(part, text) for part in range_.split("..", 1))
+        low, high = (number(part, f"--vary '{text}'") for part in range_.split("..", 1))
         if not low < high:
             raise InvalidScenario(f"--vary '{text}'", expected="a low end below the high one")
         return Uncertainty((Spread(name, "uniform", low, high),))
@@ -93,30 +94,20 @@ def with_number(name: str, value: float, robot: Robot, kit: Kit | None) -> tuple
     if name in PARAMETERS:
         return robot.replace(**{name: value}), kit
     assert kit is not None
-    owner, _, number = name.rpartition(".")
+    owner, _, field = name.rpartition(".")
     if not owner:
-        return robot, dataclasses.replace(kit, **{number: value})
+        return robot, dataclasses.replace(kit, **{field: value})
     if owner in ("motor", "battery"):
-        return robot, dataclasses.replace(kit, **{owner: dataclasses.replace(getattr(kit, owner), **{number: value})})
+        return robot, dataclasses.replace(kit, **{owner: dataclasses.replace(getattr(kit, owner), **{field: value})})
     channel = f"sensor/{owner.removeprefix('sensors.')}"
-    sensor = dataclasses.replace(kit.sensors[channel], **{number: value})
+    sensor = dataclasses.replace(kit.sensors[channel], **{field: value})
     return robot, dataclasses.replace(kit, sensors=kit.sensors | {channel: sensor})
 
 
 def _size(text: str, value: float, option: str) -> float:
     relative = text.endswith("%")
-    size = _number(text.removesuffix("%"), option) * (abs(value) / 100 if relative else 1)
+    size = number(text.removesuffix("%"), f"--vary '{option}'") * (abs(value) / 100 if relative else 1)
     if not (size > 0 and math.isfinite(size)):
         zero = "a percentage of zero or of infinity" if relative else ""
         raise InvalidScenario(f"--vary '{option}' of {value:g}", expected="a size above zero", likely=zero)
     return size
-
-
-def _number(text: str, option: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
-    if not math.isfinite(value):
-        raise InvalidScenario(f"--vary '{option}'", expected=f"a finite number where it says '{text}'")
-    return value

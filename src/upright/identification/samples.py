@@ -16,9 +16,9 @@ import numpy as np
 from upright.arrays import Array
 from upright.checkup.doctor import contradictions
 from upright.checkup.wheels import on_its_wheels
-from upright.errors import InvalidLog, UnknownName
+from upright.errors import InvalidLog, UnknownName, check_within
 from upright.identification.arx import FirstResponse, arx, first_response
-from upright.logs.recording import check_clock, check_complete, check_unit, one_encoder
+from upright.logs.recording import MOST_HELD_OUT, check_clock, check_complete, check_unit, one_encoder
 from upright.pages import Say, english
 from upright.robots import Kit, Robot, Sensor, find_kit
 from upright.signals import Log
@@ -95,8 +95,7 @@ def samples(
     """
     if source not in SOURCES:
         raise UnknownName("source", source, SOURCES)
-    if not 0 <= held_out < 0.9:
-        raise InvalidLog(f"a held-out fraction of {held_out:g}", expected="between 0 and 0.9")
+    check_within("of a log held out", held_out, 0, MOST_HELD_OUT)
     parts_of_robot = kit or find_kit(robot.kit)
     if source == "sensors":
         check_complete(log, robot)

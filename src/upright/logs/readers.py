@@ -17,8 +17,9 @@ import numpy as np
 from upright.arrays import Array, floats_of
 from upright.errors import InvalidLog, one_line
 from upright.logs.layout import Layout, bare, cells_of, is_number, layout, padded
-from upright.reading import expanded, parse_json, read_text
+from upright.reading import parse_json, read_text
 from upright.signals import Log, parquet
+from upright.signals.files import existing
 from upright.signals.header import TIME, check_lines, understand
 
 _NOTE = "# upright-log: "
@@ -89,9 +90,7 @@ def read_table(path: str | PathLike[str]) -> RawTable:
     commas beside semicolons, a row of units, tags or names printed before the numbers, and no header: columns are then
     called c1, c2, …. Raises `InvalidLog`.
     """
-    source = expanded(Path(path), InvalidLog)
-    if not source.is_file():
-        raise InvalidLog(f"there is no file {source}", hint="check the path")
+    source = existing(Path(path))
     try:
         if source.stat().st_size == 0:
             raise InvalidLog("the file is empty", likely="a recording that was never closed")

@@ -29,6 +29,9 @@ LONGEST_PAUSE = 10.0
 """[s] A longer step of a log's time is a clock that jumped, or another recording: nobody knows the motion in it."""
 
 STATES = ("pitch", "pitch_rate", "wheel", "wheel_rate", "yaw", "yaw_rate", "gyro_bias", "compass_offset")
+MOST_HELD_OUT = 0.9
+"""Of a log: the rest has to tell the robot."""
+
 FEWEST = 100
 """Fewest samples for a calibration."""
 

@@ -87,7 +87,7 @@ _BODY = {
     "height": OwnerQuestion("Height of the body", "140", "mm", "m", (10, 3000)),
     "depth": OwnerQuestion("Depth of the body, from front to back", "60", "mm", "m", (5, 2000)),
 }
-_GEAR = "Gear: turns of the motor in one of the wheel"
+_GEAR = "Gear, turns of the motor in one of the wheel"
 _ENCODER = {
     "encoder": OwnerQuestion(
         "Pulses of one encoder channel in a turn of the wheel, the motor's times the gear; or none",

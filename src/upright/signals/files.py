@@ -72,11 +72,7 @@ def read(path: str | Path, make: Callable[[Columns], T]) -> T:
 
     Cells that are empty or say NaN are NaN. Raises `InvalidLog` with the file's name, also for what `make` refuses.
     """
-    source = expanded(path, InvalidLog)
-    if source.is_dir():
-        raise InvalidLog(f"{source} is a folder", expected="one file: " + ", ".join(FORMATS))
-    if not source.exists():
-        raise InvalidLog(f"there is no file {source}", hint=_similar(source))
+    source = existing(path)
     form = _format(source)
     try:
         if source.stat().st_size == 0:
@@ -86,6 +82,16 @@ def read(path: str | Path, make: Callable[[Columns], T]) -> T:
         raise InvalidLog(f"{source} cannot be read: {error.strerror or error}") from None
     except InvalidLog as error:
         raise InvalidLog(f"{source}: {error}") from None
+
+
+def existing(path: str | Path) -> Path:
+    """The file of a log; raises `InvalidLog` for a folder, and where there is none, with the name that may be meant."""
+    source = expanded(path, InvalidLog)
+    if source.is_dir():
+        raise InvalidLog(f"{source} is a folder", expected="the file of a log")
+    if not source.exists():
+        raise InvalidLog(f"there is no file {source}", hint=_similar(source))
+    return source
 
 
 def _format(path: Path) -> _Format:
