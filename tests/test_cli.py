@@ -60,6 +60,16 @@ BAD = {
     "unknown option": ("simulate --xyz 1", "--xyz; try: upright simulate --help"),
     "missing argument": ("compare", "LOG'; try: upright compare run.csv"),
     "missing value": ("simulate --seconds", "--seconds"),
+    "an option in place of a value": ("simulate --robot --seconds 2", "'--robot' requires an argument"),
+    "missing argument of one command of several": ("robots new", "try: upright robots new mine"),
+    "a robot without a name": ("robots new .", "'.' is no name"),
+    "missing option": ("firmware lqg", "try: upright firmware lqg --target nxc"),
+    "more than a number may be": ("identify good.csv --order 99", "--order: '99'; expected 50 or less"),
+    "one wrong name of a hundred": ("fleet --vary com_heigt=±10%", "'com_heigt'; try: did you mean 'com_height'?"),
+    "a varied number that is none": (
+        "fleet --vary com_height=a..b",
+        "--vary 'com_height=a..b': 'a'; expected a finite number",
+    ),
     "a word for a number": ("simulate --seconds long", "--seconds"),
     "unknown robot": ("simulate --robot nxtway", "nxtway-gs"),
     "unknown robot shown": ("robots show segway", "segway"),
@@ -125,7 +135,9 @@ BAD = {
     "broken MCAP": ("compare broken.mcap", "broken.mcap"),
     "no log at all": ("compare log.docx", ".docx"),
     "reproduction into a file": ("reproduce -o good.csv", "good.csv"),
-    "folder for a log": ("compare .", "."),
+    "folder for a log": ("compare .", ". is a folder"),
+    "folder for a foreign log": ("doctor .", ". is a folder"),
+    "foreign log that is not there": ("doctor god.csv", "did you mean 'good.csv'"),
 }
 """Mistake → (the call, what its line must name for the user to find the mistake)."""
 
@@ -592,6 +604,19 @@ def test_a_verdict_has_its_colour_on_a_terminal(no_color: str, coloured: bool, m
 def test_a_verdict_has_no_colour_in_a_file(capsys: pytest.CaptureFixture[str]) -> None:
     Destination().finish(Stood())
     assert capsys.readouterr().out.startswith("stood\n")
+
+
+def test_a_page_is_built_once(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    built: list[Page] = []
+
+    class Counted(Stood):
+        def page(self) -> Page:
+            built.append(super().page())
+            return built[-1]
+
+    Destination(report=tmp_path / "page.html", save=tmp_path / "all.json", json=True).finish(Counted())
+    assert len(built) == 1
+    assert json.loads(capsys.readouterr().out)["head"]["verdict"]["text"] == "stood"
 
 
 def test_a_run_that_nothing_disturbs_says_so(capsys: pytest.CaptureFixture[str]) -> None:

@@ -14,6 +14,7 @@ from upright.cli.help import EXAMPLES
 from upright.cli.main import main
 from upright.languages import chosen, speaking
 from upright.messages import HOLE, catalogue, in_language, sections
+from upright.progress import progress
 
 ENGLISH = re.compile(
     r"\b(the|of|is|are|was|with|for|and|from|at|row|has|have|its|it|this|that|which|but|not|than)\b", re.I
@@ -104,6 +105,13 @@ def test_a_command_to_type_stays_and_the_words_beside_it_do_not() -> None:
                 in_language(f"no; try: {line}, which tries it again")
                 == f"ningún; pruebe: {line}, que lo intenta de nuevo"
             )
+
+
+def test_what_is_waited_for_is_said_in_spanish(monkeypatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setattr("upright.progress.QUIET", -1.0)
+    with speaking("es"), progress("identifying") as show:
+        show(0.5)
+    assert capsys.readouterr().err.startswith("identificando: 50 %, faltan unos")
 
 
 def test_help_is_translated_and_names_are_not(

@@ -77,10 +77,14 @@ def test_a_flight_that_nobody_can_confirm_says_so(tmp_path: Path, capsys, monkey
     monkeypatch.chdir(tmp_path)
     shutil.copy(GOLDEN / "controller.json", "c.json")
     assert main(["firmware", "c.json", "-t", "pybricks", "-o", "p.py"]) == 0
+    capsys.readouterr()
     with Path("/dev/null").open() as nothing:
         monkeypatch.setattr(sys, "stdin", nothing)
-        assert main(["fly", "p.py", "c.json"]) == USER_ERROR
-    assert "--yes" in capsys.readouterr().err
+        assert main(["fly", "p.py", "c.json", "--json"]) == USER_ERROR  # JSON is no permit
+    said = capsys.readouterr()
+    assert said.err.splitlines()[-1].startswith("upright: nobody answered")
+    assert "--yes" in said.err
+    assert said.out == ""
 
 
 SIZES = {
@@ -89,6 +93,7 @@ SIZES = {
     "a long fleet": lambda: up.fleet("nxtway-gs", seconds=1e9, n=10),
     "a certificate": lambda: up.certify("lqr", ROBOT, samples=10**9),
     "an excitation": lambda: up.excite("lqg", "nxtway-gs", seconds=1e9),
+    "what is held out": lambda: up.calibrate(TINY, ROBOT, held_out=2.0),
     "repeats": lambda: study_of(TINY, ROBOT, runs=10**9),
     "a negative seed": lambda: up.fleet("nxtway-gs", n=10, seed=-1),
     "a seed of 400 digits": lambda: up.run(

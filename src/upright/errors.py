@@ -8,6 +8,8 @@ from importlib.util import find_spec
 
 LONGEST_SHOWN = 80
 """Letters of a name that a message repeats."""
+MOST_LISTED = 40
+"""Names that a message lists beside the one that is meant: more fill the screen."""
 LONGEST_REASON = 200
 """Letters of another library's message that ours repeats."""
 EXTRAS = {
@@ -93,14 +95,16 @@ class WrongArguments(UprightError, TypeError):
 
 
 class UnknownName(UprightError):
-    """A name that is in no registry; the message lists what there is."""
+    """A name that is in no registry; the message lists what there is, or says which is meant."""
 
     def __init__(self, kind: str, name: str, known: Iterable[str]) -> None:
         names = sorted(known)
+        hint = meant(name, names)
+        expected = "one of " + ", ".join(names)
+        if hint and len(names) > MOST_LISTED:
+            expected = ""
         shown = name if len(name) <= LONGEST_SHOWN else f"{name[:LONGEST_SHOWN]}…"
-        super().__init__(
-            f"no {kind} is called '{shown}'", expected="one of " + ", ".join(names), hint=meant(name, names)
-        )
+        super().__init__(f"no {kind} is called '{shown}'", expected=expected, hint=hint)
 
 
 def one_line(error: BaseException, longest: int = LONGEST_REASON) -> str:

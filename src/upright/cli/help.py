@@ -6,6 +6,7 @@ import inspect
 import re
 from collections.abc import Iterator, Mapping
 from importlib import import_module
+from itertools import pairwise
 from typing import Any
 
 import typer
@@ -14,6 +15,7 @@ from typer.main import get_command
 
 from upright.cli.command import parameters, spoken
 from upright.cli.typed import GIVEN
+from upright.errors import UprightError
 from upright.messages import in_language
 
 GROUPS = {
@@ -100,7 +102,14 @@ def parameters_of(verb: str) -> Mapping[str, bool]:
 
 
 class _Remembered(TyperCommand):
-    """A command that leaves behind which of its options were typed."""
+    """A command that leaves behind which of its options were typed, and takes none of them for a value."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        options = {flag: option for option in self.get_params(ctx) for flag in option.opts if flag.startswith("-")}
+        for word, following in pairwise(args):
+            if word in options and following in options and not options[word].is_flag:
+                raise UprightError(f"Option '{word}' requires an argument")
+        return super().parse_args(ctx, args)
 
     def invoke(self, ctx: Any) -> Any:
         named = {name for name in ctx.params if ctx.get_parameter_source(name).name == "COMMANDLINE"}
