@@ -28,7 +28,7 @@ SAID = {
 """What shows one of its arguments: its place."""
 LISTED = ("Firmware", "FlightPlan", "Flight")
 """Classes whose text the command line shows."""
-TABLES = ("STOPPED", "TWINS")
+TABLES = ("STOPPED", "TWINS", "INTERRUPTED")
 """Constants that it shows."""
 MOST = 64  # templates of one expression
 FEW = 6  # cases of one place in a sentence that make a template each
@@ -384,6 +384,16 @@ def _class_of(package: Package, node: ast.AST) -> str:
     return next((name for name, made in package.classes.items() if function in made.body), "")
 
 
+def _is_said(call: ast.Call, package: Package) -> bool:
+    """Whether a call notes something of a flight, or says how far an export is."""
+    match call.func:
+        case ast.Name("say"):
+            return bool(call.args)
+        case ast.Attribute(ast.Attribute(attr="notes"), "append" | "insert"):
+            return "flight" in package.path_of[id(call)].parts
+    return False
+
+
 def _shown(package: Package) -> Iterator[ast.AST]:
     """The expressions that become messages."""
     for name in LISTED:
@@ -397,6 +407,8 @@ def _shown(package: Package) -> Iterator[ast.AST]:
             inherited = name == "__init__" and _class_of(package, call) in package.errors
             if inherited or name in package.errors or (id(call) in package.raised and _is_class(package, name)):
                 yield from call.args[:1]
+            if _is_said(call, package):
+                yield call.args[-1]
             if name in SAID:
                 yield from call.args[SAID[name] : SAID[name] + 1]
             yield from (keyword.value for keyword in call.keywords if keyword.arg in PARTS)

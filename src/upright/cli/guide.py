@@ -15,7 +15,7 @@ from typing import Annotated, Any
 import typer
 
 from upright.atomic import make_folder, write_json
-from upright.cli.output import AGAINST, tell
+from upright.cli.output import AGAINST, goes_on_from, tell
 from upright.cli.vocabulary import MOST_ROBOTS, controllers
 from upright.errors import UnknownName, UprightError, check_within
 from upright.messages import in_language
@@ -117,11 +117,12 @@ def start(
     if folder != Path():
         tell(f"$ cd {shlex.quote(str(folder))}")
     try:
-        for part in _parts(study, samples):
-            if isinstance(part, Question):
-                _ask(part, study)
-            else:
-                _run(part, study)
+        with goes_on_from(folder / STATE, f"the answers are kept: `{study.again}` goes on from here"):
+            for part in _parts(study, samples):
+                if isinstance(part, Question):
+                    _ask(part, study)
+                else:
+                    _run(part, study)
     except EndOfAnswers:
         tell(f"\nno more answers; `{study.again}` goes on from here")
         return

@@ -6,7 +6,8 @@ import os
 import shlex
 import shutil
 import sys
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Generator, Iterable, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -29,6 +30,17 @@ if TYPE_CHECKING:
 def tell(text: str, *, err: bool = False, nl: bool = True) -> None:
     """Print in the chosen language what is said beside a result, on stderr where `err`."""
     typer.echo(in_language(text), err=err, nl=nl)
+
+
+@contextmanager
+def goes_on_from(place: Path | None, how: str) -> Generator[None]:
+    """Say, where the run is interrupted, `how` to go on from what it keeps at `place`, if anything is there yet."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        if place and place.exists():
+            tell(how, err=True)
+        raise
 
 
 def print_json(data: Any) -> None:

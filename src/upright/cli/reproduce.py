@@ -6,8 +6,10 @@ from pathlib import Path
 from typing import Annotated
 
 from upright.atomic import make_folder
+from upright.cli.command import flag
 from upright.cli.destination import Destination
 from upright.cli.logs import LogPart
+from upright.cli.typed import GIVEN
 from upright.errors import InvalidScenario
 from upright.progress import progress
 
@@ -32,18 +34,9 @@ def reproduce(
     your robot in its figures, beside both models under the same push and law, and what must be adjusted.
     """
     if log is None:
-        given = {
-            "--robot": robot,
-            "--calibrated": calibrated,
-            "--kit": kit,
-            "--controller": controller,
-            "--push": push,
-            "--mapping": part.mapping,
-            "--from": part.from_,
-            "--until": part.until,
-        }
-        if named := [name for name, value in given.items() if value is not None]:
-            raise InvalidScenario(f"{', '.join(named)} without a log", expected="--log FILE --robot ROBOT")
+        of_a_log = [flag(name) for name in GIVEN.get() if name not in ("output", "json")]
+        if of_a_log:
+            raise InvalidScenario(f"{', '.join(of_a_log)} without a log", expected="--log FILE --robot ROBOT")
         from upright.paper.reproduce import reproduce as reproduce_paper
 
         with progress("reproducing") as show:

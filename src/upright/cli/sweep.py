@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Annotated
 
 from upright.cli.destination import Destination
+from upright.cli.output import goes_on_from
 from upright.progress import progress
 
 
@@ -27,7 +28,8 @@ def sweep(
     out.check()
     campaign = read_campaign(spec)
     place = output or spec.with_suffix("")
-    with progress("campaign") as show:
+    kept = f"finished chunks are kept in {place}: the same command goes on"
+    with goes_on_from(place, kept), progress("campaign") as show:
         cases = run_campaign(
             campaign, place, workers=workers, cluster=cluster, progress=lambda done, total, _: show(done / total)
         )

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from upright.cli.destination import Destination
-from upright.cli.output import tell
+from upright.cli.output import goes_on_from
 from upright.cli.vocabulary import complete_tunable
 from upright.progress import progress
 
@@ -38,22 +38,18 @@ def tune(
 
     out.check(output)
     state = output.with_name(f"{output.name}.search") if output else None
-    try:
-        with progress("tuning") as show:
-            result = search(
-                method,
-                robot,
-                kit,
-                budget=budget,
-                seconds=time_limit,
-                samples=samples,
-                seed=seed,
-                state=state,
-                resume=resume,
-                progress=show,
-            )
-    except KeyboardInterrupt:
-        if state and state.exists():
-            tell(f"the search is kept in {state}: the same command with --resume goes on", err=True)
-        raise
+    kept = f"the search is kept in {state}: the same command with --resume goes on"
+    with goes_on_from(state, kept), progress("tuning") as show:
+        result = search(
+            method,
+            robot,
+            kit,
+            budget=budget,
+            seconds=time_limit,
+            samples=samples,
+            seed=seed,
+            state=state,
+            resume=resume,
+            progress=show,
+        )
     out.finish(result, output and result.save(output))

@@ -85,7 +85,8 @@ def fetch_nxt(source: Path, program: Program, port: str) -> Flight:
     text = source.read_text("utf-8")
     with Connection(port) as brick:
         ran = _stop(brick)
-        flight.notes += ["the program still ran; it was stopped"] if ran else []
+        if ran:
+            flight.notes.append("the program still ran; it was stopped")
         _bring(brick, text, program, flight)
         if ran is None:
             flight.lost = True

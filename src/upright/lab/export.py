@@ -74,7 +74,8 @@ def export(
         def show(fraction: float, k: int = k) -> None:
             progress((k + fraction) / len(chosen))
 
-        say(f"{robot.name}: robot {k + 1} of {len(chosen)}, with {len(methods)} methods of design")
+        number = k + 1
+        say(f"{robot.name}: robot {number} of {len(chosen)}, with {len(methods)} methods of design")
         ready.append(printed(robot, methods, say=say, load=LOAD, progress=show))
     return write_text(path, page.replace(MARK, f"<script>{exported_script(ready)}</script>"))
 
