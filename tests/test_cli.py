@@ -21,6 +21,7 @@ from upright.cli.destination import Destination
 from upright.cli.help import EXAMPLES
 from upright.cli.main import BUG, USER_ERROR, group, main
 from upright.cli.mistyped import RETIRED
+from upright.cli.output import goes_on_from
 from upright.cli.vocabulary import complete_controller, complete_kit, complete_robot
 from upright.control import CONTROLLERS, make_controller, write_controller
 from upright.errors import InvalidLog
@@ -257,6 +258,13 @@ def test_ctrl_c_ends_with_130(monkeypatch: pytest.MonkeyPatch, capsys: pytest.Ca
     monkeypatch.setattr(Robot, "preset", broken(KeyboardInterrupt()))
     assert main(["robots"]) == 128 + 2  # SIGINT is signal 2
     assert capsys.readouterr().err == "stopped; no incomplete file is left\n"
+
+
+def test_an_interrupted_run_says_what_it_keeps(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for place in (tmp_path / "nothing yet", tmp_path):
+        with pytest.raises(KeyboardInterrupt), goes_on_from(place, f"kept in {place.name}"):
+            raise KeyboardInterrupt
+    assert capsys.readouterr().err == f"kept in {tmp_path.name}\n"
 
 
 def test_every_command_has_a_help_page(capsys: pytest.CaptureFixture[str]) -> None:

@@ -183,4 +183,5 @@ def test_ctrl_c_keeps_what_was_answered(tmp_path):
     _, wrong = process.communicate(timeout=PATIENCE)
     assert process.returncode == 130
     assert "Traceback" not in wrong
+    assert "the answers are kept: `upright start` goes on from here" in wrong
     assert json.loads((tmp_path / STATE).read_text())["answers"] == {"robot": "ev3way", "where": "simulated"}
