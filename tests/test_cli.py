@@ -115,6 +115,8 @@ BAD = {
     "unknown state at the start": ("simulate --start lean=0.1", "pitch"),
     "start that is not a number": ("simulate --start pitch=nan", "nan"),
     "log of an unknown kind": ("simulate --seconds 0.1 -o log.docx", ".docx"),
+    "log of an unknown kind before the work": ("simulate --controller pidd -o log.docx", ".docx"),
+    "repair of an unknown kind before the work": ("doctor missing.csv --fix log.docx", ".docx"),
     "log into a missing folder": ("simulate --seconds 0.1 -o nowhere/log.csv", "nowhere"),
     "unknown model": ("linearise --model printed", "published"),
     "unknown state of the operating point": ("linearise --at lean=0.1", "pitch"),
@@ -646,7 +648,7 @@ def test_a_page_is_no_other_kind_of_file(
     assert main([*command.split(), "--report", name]) == USER_ERROR
     said = capsys.readouterr().err
     expected = "a page, .html, or its picture, .svg .pdf .png"
-    assert said == f"upright: --report {name}; expected {expected}; try: --report {Path(name).stem}.html\n"
+    assert said == f"upright: {name} has no known format; expected {expected}; try: {Path(name).stem}.html\n"
     assert not list(tmp_path.iterdir())
 
 

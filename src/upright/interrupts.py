@@ -25,12 +25,12 @@ MOTORS = threading.Lock()
 
 
 class Run:
-    """The state of this process: the `number` of the signal that came (0: none), what is `said` then, whether a signal
+    """The state of this process: the `number` of the signal that came (0: none), the `message` then, whether a signal
     is how this run usually ends (`lasting`: then it takes its time, and writes what it has), whether it is `complete`,
     and what removes unfinished files at its `end`."""
 
     number = 0
-    said = STOPPED
+    message = STOPPED
     lasting = False
     complete = False
     end: tuple[Callable[[], None], ...] = ()
@@ -128,7 +128,7 @@ def _wait(reader: int) -> None:
             if not Run.complete:
                 Run.number = number
                 with suppress(OSError):
-                    os.write(2, Run.said.encode())
+                    os.write(2, Run.message.encode())
                 _end()
 
 

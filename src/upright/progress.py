@@ -24,7 +24,7 @@ QUIET = 10.0
 def _in_lines(label: str) -> Callable[[float], None]:
     begin = time.monotonic()
     shown = 0
-    said = in_language(label)
+    named = in_language(label)
 
     def show(fraction: float) -> None:
         nonlocal shown
@@ -32,7 +32,7 @@ def _in_lines(label: str) -> Callable[[float], None]:
         if spent > QUIET and shown < int(10 * fraction) < 10:
             shown = int(10 * fraction)
             left = spent * (1 / fraction - 1)
-            print(in_language(f"{said}: {10 * shown} %, about {left:.0f} s left"), file=sys.stderr)
+            print(in_language(f"{named}: {10 * shown} %, about {left:.0f} s left"), file=sys.stderr)
 
     return show
 

@@ -75,7 +75,6 @@ def calibrate(
     from upright.calibration.apart import apart
     from upright.calibration.summary import summarised, untold
 
-    check_within("of a log held out", held_out, 0, MOST_HELD_OUT)
     began, show = time.perf_counter(), progress or unwatched
     given = [raw_log(log, mapping) for log in ([logs] if isinstance(logs, Log | str | os.PathLike) else logs)]
     several, left = zip(*map(on_its_wheels, given), strict=True) if given else ((), ())
@@ -166,6 +165,7 @@ def prepared(
     logs: Sequence[Log], robot: Robot, kit: Kit, known: Sequence[str], held_out: float
 ) -> tuple[Problem, dict[str, float]]:
     """The problem at its prior, and each sensor's variance as its kit has it."""
+    check_within("of a log held out", held_out, 0, MOST_HELD_OUT)
     delay = kit.delay + max([0.0, *(s.delay for s in kit.sensors.values())])
     for log in logs:
         check_complete(log, robot)

@@ -9,9 +9,8 @@ from typing import Any
 
 from upright.atomic import write_json
 from upright.cli.output import check_targets, continued, print_page, typed_line
-from upright.errors import UprightError
 from upright.pages import Result
-from upright.pages.result import PICTURES, write_page
+from upright.pages.result import check_page, write_page
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -24,9 +23,8 @@ class Destination:
     wide: bool = False
 
     def __post_init__(self) -> None:
-        if self.report and self.report.suffix not in (".html", *PICTURES):
-            expected = f"a page, .html, or its picture, {' '.join(PICTURES)}"
-            raise UprightError(f"--report {self.report}", expected=expected, hint=f"--report {self.report.stem}.html")
+        if self.report:
+            check_page(self.report)
 
     def check(self, *files: Path | None, logs: Iterable[Path] = ()) -> None:
         """Refuse, before the work, what could not be written after it: `files`, and what the options name."""

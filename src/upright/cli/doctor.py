@@ -32,8 +32,10 @@ def doctor(
     from upright.checkup.doctor import doctor as examine
     from upright.errors import InvalidLog
     from upright.logs.readers import read_table
+    from upright.signals.files import check_format
 
     out.check(fix, write_mapping, logs=[log])
+    check_format(fix)
     table = read_table(log)
     try:
         with progress("examining") as show:

@@ -44,6 +44,7 @@ def example(
     from upright.errors import UnknownName
     from upright.experiment.examples import EXAMPLES
     from upright.experiment.examples import example as simulate
+    from upright.signals.files import check_format
 
     every = {key: one.about for key, one in EXAMPLES.items()} | FILES
     if name is None:
@@ -60,7 +61,9 @@ def example(
         kind = "file"
         about = FILES[name]
     else:
-        check_targets(target := output or Path(f"{name}.csv"))
+        target = output or Path(f"{name}.csv")
+        check_targets(target)
+        check_format(target)
         written = simulate(name).save(target)
         kind = "log"
         about = Say("a twin, {about}", about=EXAMPLES[name].about)
@@ -79,7 +82,8 @@ def _file(name: str, output: Path | None) -> Path:
     if name == "notebook":
         from upright.reports.notebook import starting_notebook
 
-        check_targets(target := output or Path("notebook.ipynb"))
+        target = output or Path("notebook.ipynb")
+        check_targets(target)
         return starting_notebook(target)
     from upright.classwork.examples import hand_ins
 

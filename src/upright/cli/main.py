@@ -74,7 +74,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     """
     arguments = sys.argv[1:] if argv is None else list(argv)
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # matrices here are small: more threads only wait for each other
-    interrupts.Run.said = in_language(interrupts.STOPPED)
+    interrupts.Run.message = in_language(interrupts.STOPPED)
     try:
         return run(arguments)
     except (KeyboardInterrupt, typer.Abort):
@@ -84,7 +84,7 @@ def main(argv: Sequence[str] | None = None) -> int:
             if _debugging(arguments):
                 raise
             return _code_of(error, arguments)
-    typer.echo(interrupts.Run.said, err=True, nl=False)
+    typer.echo(interrupts.Run.message, err=True, nl=False)
     return interrupts.exit_code()
 
 

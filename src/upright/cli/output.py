@@ -16,7 +16,7 @@ import typer
 
 from upright.atomic import json_text, place_of
 from upright.cli.typed import GIVEN, TYPED
-from upright.errors import UprightError, require
+from upright.errors import UprightError
 from upright.languages import ENGLISH, speaking
 from upright.messages import in_language
 from upright.pages import Next, Page, Say
@@ -128,8 +128,6 @@ def check_targets(*targets: Path | None, logs: Iterable[Path] = ()) -> None:
     outputs = [target for target in targets if target]
     for target in outputs:
         place_of(target)  # which refuses it
-        if target.suffix.lower() == ".mcap":
-            require("a log as .mcap", "mcap")
         other = str(target.with_name(f"{target.stem}-new{target.suffix}"))
         if any(target.exists() and log.exists() and target.samefile(log) for log in logs):
             raise UprightError(f"{target} is a log itself", expected="another file, since a log is kept", hint=other)

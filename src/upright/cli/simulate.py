@@ -47,6 +47,7 @@ def simulate(
     from upright.experiment.standup import standing_up
     from upright.robots import find_kit, find_robot
     from upright.signals import STATE_NAMES
+    from upright.signals.files import check_format
 
     if feedback is not None and controller is not None:
         raise InvalidController("both --controller and --feedback", expected="one of them", hint="leave one out")
@@ -55,6 +56,7 @@ def simulate(
     pushes, references = pushes_and_references(push, drive, turn, slope)
     first = vector(start, STATE_NAMES, "--start")
     out.check(output)
+    check_format(output)
     chosen = find_robot(robot)
     warn_of(chosen)
     parts = find_kit(kit or chosen.kit)

@@ -40,6 +40,13 @@ PICTURES = (".svg", ".pdf", ".png")
 """Formats of a page's first picture by itself."""
 
 
+def check_page(path: Path) -> None:
+    """Raise `UprightError` where no page can have that name: for a suffix other than .html and those of `PICTURES`."""
+    if path.suffix not in (".html", *PICTURES):
+        expected = f"a page, .html, or its picture, {' '.join(PICTURES)}"
+        raise UprightError(f"{path.name} has no known format", expected=expected, hint=f"{path.stem}.html")
+
+
 def write_page(page: Page, path: str | Path, command: str = "") -> Path:
     """The page as `.html`, or its picture as `.svg`, `.pdf` or `.png`, by the suffix; returns the path.
 
@@ -48,11 +55,9 @@ def write_page(page: Page, path: str | Path, command: str = "") -> Path:
     from upright.pages.html import document
 
     target = Path(path)
+    check_page(target)
     if target.suffix == ".html":
         return write_text(target, document(page, command))
-    if target.suffix not in PICTURES:
-        expected = f"a name that ends in .html {' '.join(PICTURES)}"
-        raise UprightError(f"{target.name} has no known format", expected=expected)
     if page.picture is None:
         raise UprightError(f"{target.name}: this result has no picture", expected="a name that ends in .html")
     figure = page.picture.draw()

@@ -84,6 +84,12 @@ def read(path: str | Path, make: Callable[[Columns], T]) -> T:
         raise InvalidLog(f"{source}: {error}") from None
 
 
+def check_format(path: Path | None) -> None:
+    """Refuse, before the work, a name by whose suffix no log can be written here: `InvalidLog`, `MissingTool`."""
+    if path:
+        _format(path)
+
+
 def existing(path: str | Path) -> Path:
     """The file of a log; raises `InvalidLog` for a folder, and where there is none, with the name that may be meant."""
     source = expanded(path, InvalidLog)
