@@ -298,7 +298,7 @@ def test_a_missing_file_a_folder_and_a_wrong_suffix(tmp_path: Path) -> None:
     awkward().save(tmp_path / "push.csv")
     assert "did you mean 'push.csv'?" in complaint(lambda: Log.load(tmp_path / "puhs.csv"))
     assert "no folder" in complaint(lambda: Log.load(tmp_path / "none" / "push.csv"))
-    assert "is a folder; expected one file: .parquet, .csv, .mcap" in complaint(lambda: Log.load(tmp_path))
+    assert "is a folder; expected the file of a log" in complaint(lambda: Log.load(tmp_path))
     (tmp_path / "run.xlsx").write_bytes(b"x")
     assert "suffix '.xlsx'; expected one of .parquet, .csv, .mcap" in complaint(lambda: Log.load(tmp_path / "run.xlsx"))
 
