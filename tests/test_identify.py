@@ -437,7 +437,7 @@ def test_the_command_compares_all_methods(
         (["--robot", "twipr"], "N m"),
         (["--until", "1"], "samples"),
         (["-o", "nowhere/m.json"], "no folder"),
-        (["--order", "99", "-o", "m.json"], "'--order'"),
+        (["--order", "99", "-o", "m.json"], "--order: '99'; expected 50 or less"),
     ],
 )
 def test_a_wrong_command_is_one_line_and_leaves_no_file(
