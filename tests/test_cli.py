@@ -24,9 +24,10 @@ from upright.cli.mistyped import RETIRED
 from upright.cli.output import goes_on_from
 from upright.cli.vocabulary import complete_controller, complete_kit, complete_robot
 from upright.control import CONTROLLERS, make_controller, write_controller
-from upright.errors import InvalidLog
+from upright.errors import InvalidLog, UprightError
 from upright.pages import Page, Result, Say, Verdict
 from upright.progress import progress
+from upright.reading import check_schema
 from upright.robots import PARAMETERS, Kit, Robot, kit_names
 from upright.robots.drives import UNUSED
 
@@ -627,6 +628,16 @@ def test_a_page_is_built_once(tmp_path: Path, capsys: pytest.CaptureFixture[str]
     Destination(report=tmp_path / "page.html", save=tmp_path / "all.json", json=True).finish(Counted())
     assert len(built) == 1
     assert json.loads(capsys.readouterr().out)["head"]["verdict"]["text"] == "stood"
+
+
+def test_what_a_command_adds_to_a_result_is_no_part_of_it(capsys: pytest.CaptureFixture[str]) -> None:
+    """So a certificate or a plan is read back as --save and --json wrote it, with what else was written beside."""
+    Destination(json=True).finish(Stood(), Path("controller.json"))
+    printed = json.loads(capsys.readouterr().out)
+    assert printed.keys() - Stood().to_json().keys() == {"head", "files"}
+    given = printed | {"schema": "upright/excite/3", "seconds": 2}
+    check_schema(given, "upright/excite/3", UprightError)
+    assert given == {"seconds": 2}
 
 
 def test_a_run_that_nothing_disturbs_says_so(capsys: pytest.CaptureFixture[str]) -> None:

@@ -111,9 +111,10 @@ def understood(where: str, refused: Refused, expected: str) -> Generator[None]:
 
 
 def check_schema(given: dict[str, Any], schema: str, refused: Refused) -> None:
-    """Take the name of its schema, and what a command prints first, off the JSON of a result; raises `refused` for
-    another schema."""
-    given.pop("head", None)
+    """Take the name of its schema, and what a command adds, off the JSON of a result; raises `refused` for another
+    schema."""
+    for added in ("head", "files"):
+        given.pop(added, None)
     named = given.pop("schema", "without a schema")
     if named != schema:
         verb = schema.split("/")[1]

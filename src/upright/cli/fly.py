@@ -79,6 +79,7 @@ YES = ("y", "yes", "s", "si", "sí")
 
 def _ask(plan: FlightPlan) -> None:
     tell(f"{plan}\nHold it upright and still. Start? [y/N]:", err=True, nl=False)
+    typer.echo(" ", err=True, nl=False)
     line = sys.stdin.readline()
     if not line:
         tell("", err=True)

@@ -105,7 +105,8 @@ class _Remembered(TyperCommand):
     """A command that leaves behind which of its options were typed, and takes none of them for a value."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        options = {flag: option for option in self.get_params(ctx) for flag in option.opts if flag.startswith("-")}
+        every: list[Any] = self.get_params(ctx)
+        options = {flag: option for option in every for flag in option.opts if flag.startswith("-")}
         for word, following in pairwise(args):
             if word in options and following in options and not options[word].is_flag:
                 raise UprightError(f"Option '{word}' requires an argument")
