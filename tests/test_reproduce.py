@@ -32,7 +32,7 @@ from upright.errors import UprightError
 from upright.experiment import Hold, Impulse, run
 from upright.pages import Picture, Say, Table
 from upright.paper import as_built, controllers, equations, printed, pushes, regulator, turning
-from upright.paper.claim import BADGES, BEYOND, IN_PART, NOT_AS_PRINTED, REPRODUCED, Claim, judged
+from upright.paper.claim import BADGES, BEYOND, IN_PART, NOT_AS_PRINTED, REPRODUCED, UNKNOWN, Claim, judged
 from upright.paper.reproduce import Reproduction, reproduce
 from upright.robots import Kit, Robot
 from upright.signals import STATE, Log
@@ -45,6 +45,7 @@ VERDICTS = {
 """What the paper's text allows: known before this program ran. 5e and 5f depend on the twin, and are tested below."""
 
 PUSHED = ("5a", "5b", "5c", "5d")
+FEW_WORDS = 120  # above the folds of a page
 
 
 @pytest.fixture(scope="session")
@@ -150,8 +151,7 @@ def test_what_the_chapters_give_is_written_and_read_whole(tmp_path: Path, monkey
 
 @pytest.mark.parametrize(("part", "verdict"), VERDICTS.items())
 def test_verdicts(parts: dict[str, Claim], part: str, verdict: str) -> None:
-    twin_swings = {IN_PART} if part in PUSHED else set[str]()  # its swing at rest may be wider than the band
-    assert parts[part].verdict in {verdict} | twin_swings
+    assert parts[part].verdict == verdict
     assert len(str(parts[part].summary)) > 20  # it says why
 
 
@@ -165,6 +165,13 @@ def test_the_first_screen_has_the_verdict_three_numbers_and_every_claim_of_the_p
     # of the printed matrices: the gain of their weights, and the printed one; 13 misprints, counted below
     assert [str(number.value) for number in page.numbers[1:]] == ["−65.2", "13"]
     shown_alike(done)
+
+
+def test_few_words_stand_above_the_folds(done: Reproduction) -> None:
+    text = (done.folder / "report.html").read_text("utf-8")
+    text = re.sub(r"<details\b.*</details>", "", text, flags=re.DOTALL)  # folds stand in folds
+    text = re.sub(r"<(head|script|style|svg|footer)\b.*?</\1>", "", text, flags=re.DOTALL)
+    assert len(re.findall(r"[^\W\d_]{2,}", re.sub(r"<[^>]+>", " ", text))) <= FEW_WORDS
 
 
 # Chapter 1
@@ -320,15 +327,24 @@ def test_nothing_falls_and_the_hold_is_reached(parts: dict[str, Claim], part: st
 
 
 def test_claims_follow_from_their_cases(parts: dict[str, Claim]) -> None:
-    cases, claims = parts["5e"].numbers["cases"], parts["5e"].numbers["claims"]
+    numbers = parts["5e"].numbers
+    cases, claims = numbers["cases"], numbers["claims"]
     assert len(cases) == 4
-    times = [{name: math.inf if s is None else s for name, s in case["settling"].items()} for case in cases.values()]
-    fastest = [of["linear"] <= min(of.values()) for of in times]  # None: it swings beyond the band to the end
-    assert claims["the linear model settles fastest"] == all(fastest)
-    assert claims["yaw is negligible"] == all(case["largest_yaw"] <= math.radians(1) for case in cases.values())
-    held = sum(claims.values())
-    # as 5a to 5d: in part where some of what a claim says holds
-    assert parts["5e"].verdict == (REPRODUCED if held == len(claims) else IN_PART if held else NOT_AS_PRINTED)
+    for case in cases.values():
+        assert len(case["correlation"]) == len(case["largest_yaw"]) == len(case["settling"]["twin"]) == 6
+        assert min(case["correlation"]) > 0.99  # two curves of one shape, whatever the noise
+    # the models have the same equations at small angles, and the settling times of both are one to the sample: 0.01 s
+    models = [[case["settling"][name][0] for name in pushes.MODELS] for case in cases.values()]
+    assert all(abs(one - other) < 0.01 for one, other in models)
+    assert claims["the linear model settles fastest"] is False
+    assert claims["shapes are alike"] is True
+    assert claims["yaw is negligible"] is (max(max(case["largest_yaw"]) for case in cases.values()) <= math.radians(1))
+    # a rest that the noise of the sensors reaches later or earlier than the models, by chance, decides nothing
+    twins = [[s is None or s > max(of) for s in case["settling"]["twin"]]
+             for case, of in zip(cases.values(), models, strict=True)]  # fmt: skip
+    assert (claims["settling times differ"] is None) == any(len(set(later)) == 2 for later in twins)
+    assert parts["5e"].verdict == IN_PART
+    held = list(claims.values()).count(True)
     assert str(parts["5e"].summary).startswith(f"{held} of {len(claims)} conclusions hold")
 
 
@@ -347,7 +363,7 @@ def planted(decay: float, yaw: float = 0.0, sign: float = 1.0) -> Log:
 
 def measured(**options: dict[str, float]) -> pushes.Measured:
     logs = {"twin": {"decay": 2.0}, "nonlinear": {"decay": 2.0}, "linear": {"decay": 2.0}} | options
-    return pushes.measure(compare({name: planted(**given) for name, given in logs.items()}))
+    return pushes.measure([compare({name: planted(**given) for name, given in logs.items()})])
 
 
 def test_a_robot_that_falls_has_no_rest_and_never_settles() -> None:
@@ -377,33 +393,51 @@ def test_friction_keeps_a_robot_from_settling_as_fast_as_its_models(parts: dict[
         assert swings
         assert min(swings) > 1.3e-3 > max(case["rest"]["nonlinear"])
         for name in as_built.MODELS:
-            assert case["settling"]["5 %"][name] == [ideal["settling"][name]]
+            assert case["settling"]["5 %"][name] == ideal["settling"][name]
 
 
-@pytest.mark.parametrize(("times", "slower"), [([2.0, 3.0], True), ([2.0, 1.005], False), ([math.inf, 3.0], True)])
-def test_a_robot_is_slower_where_every_seed_is(times: list[float], slower: bool) -> None:
+@pytest.mark.parametrize(
+    ("times", "slower"),
+    [([2.0, 3.0], True), ([2.0, 1.005], None), ([1.0, 1.005], False), ([math.inf, 3.0], True)],
+)
+def test_a_robot_is_slower_where_every_seed_is(times: list[float], slower: bool | None) -> None:
     settling = {as_built.AS_BUILT: times, "nonlinear": [1.0], "linear": [0.9], "twin": [5.0]}
-    assert as_built.Settled({"5 %": settling}, {}).slower == slower  # a sample is 0.01 s
+    assert as_built.Settled({"5 %": settling}, {}).slower is slower  # a sample is 0.01 s
+
+
+@pytest.mark.parametrize(
+    ("twins", "differs"),
+    [
+        ([2.0, 3.0, math.inf], True),  # all later than the models
+        ([0.5, 0.8], True),  # all earlier
+        ([0.8, 1.5], None),  # the noise decides
+        ([1.0, 1.4], None),
+        ([1.0, 1.005], False),  # within a sample of 0.01 s
+    ],
+)
+def test_settling_times_differ_where_the_noise_does_not_decide(twins: list[float], differs: bool | None) -> None:
+    settling = {"twin": twins, "nonlinear": [1.0], "linear": [1.001]}
+    assert pushes.Measured([], settling, []).settling_differs is differs
 
 
 def test_a_planted_decay_settles_when_it_must() -> None:
     claims = measured(linear={"decay": 4.0})
     # 5 % of an exponential: log(20)/decay, to a sample
-    assert claims.settling["twin"] == pytest.approx(math.log(20) / 2, abs=0.011)
-    assert claims.settling["linear"] == pytest.approx(math.log(20) / 4, abs=0.011)
+    assert claims.settling["twin"] == [pytest.approx(math.log(20) / 2, abs=0.011)]
+    assert claims.settling["linear"] == [pytest.approx(math.log(20) / 4, abs=0.011)]
     assert claims.linear_fastest
     assert not measured(twin={"decay": 4.0}).linear_fastest
 
 
 def test_planted_shapes_and_yaw_are_distinguished() -> None:
     same = measured()
-    assert same.correlation == pytest.approx(1)
+    assert same.correlation == [pytest.approx(1)]
     assert same.alike
     assert same.yaw_negligible
-    assert measured(linear={"decay": 2.0, "sign": -1.0}).correlation == pytest.approx(-1)
+    assert measured(linear={"decay": 2.0, "sign": -1.0}).correlation == [pytest.approx(-1)]
     assert not measured(linear={"decay": 2.0, "sign": -1.0}).alike
     assert not measured(nonlinear={"decay": 2.0, "yaw": 0.02}).yaw_negligible  # 1.15°, which a compass shows
-    assert measured(nonlinear={"decay": 2.0, "yaw": -0.02}).largest_yaw == pytest.approx(0.02)
+    assert measured(nonlinear={"decay": 2.0, "yaw": -0.02}).largest_yaw == [pytest.approx(0.02)]
 
 
 def test_a_folder_that_cannot_be_made_is_one_clear_line(tmp_path: Any) -> None:
@@ -420,9 +454,16 @@ def test_a_finding_keeps_its_numbers_as_plain_json(parts: dict[str, Claim]) -> N
 
 @pytest.mark.parametrize(
     ("holds", "says"),
-    [((True, True), REPRODUCED), ((True, False), IN_PART), ((False, False), NOT_AS_PRINTED)],
+    [
+        ((True, True), REPRODUCED),
+        ((True, False), IN_PART),
+        ((True, False, None), IN_PART),  # whatever the unknown one is
+        ((False, False), NOT_AS_PRINTED),
+        ((True, None), UNKNOWN),
+        ((False, None), UNKNOWN),
+    ],
 )
-def test_one_rule_judges_every_claim_that_says_several_things(holds: tuple[bool, ...], says: str) -> None:
+def test_one_rule_judges_every_claim_that_says_several_things(holds: tuple[bool | None, ...], says: str) -> None:
     assert judged(holds) == says
     assert (BADGES[says].level == "good") == all(holds)  # a claim reproduced in part is not green
 

@@ -11,7 +11,7 @@ import numpy as np
 from upright.pages import Cell, Column, Items, Quantity, Say, Table
 from upright.paper.claim import NOT_AS_PRINTED, Claim, judged
 from upright.paper.derivation import Model, derive
-from upright.paper.errata import WITNESS, Erratum, Proof, errata, prove
+from upright.paper.errata import ERRATA, WITNESS, Erratum, Proof, prove
 from upright.physics.dynamics import accelerations
 from upright.progress import Progress, unwatched
 from upright.robots import Robot
@@ -27,7 +27,7 @@ def chapter(progress: Progress = unwatched) -> list[Claim]:
     progress(0.0)
     model = _model()
     progress(0.4)
-    proofs = {erratum: prove(erratum) for erratum in errata()}
+    proofs = {erratum: prove(erratum) for erratum in ERRATA}
     progress(1.0)
     return [model, _misprints(proofs)]
 
@@ -51,9 +51,8 @@ def _model() -> Claim:
     robot = Robot.preset("nxtway-gs")
     models: tuple[Model, Model] = ("published", "complete")
     off = {model: disagreement(model, robot) for model in models}
-    summary = Say(
-        "They equal those derived from the energies, to within {off}.", off=Quantity(max(off.values()), "1", digits=1)
-    )
+    largest = Quantity(max(off.values()), "1", digits=1)
+    summary = Say("They equal those derived from the energies, to within {off}.", off=largest)
     derived = derive("published")
     plain = replace(derived, force=derived.force.subs(derived.loads))  # the paper has no push, slope or dry friction
     lines = [*plain.equations, "α = n K_t / R_m", "β = n K_t K_b / R_m + f_m"]
@@ -63,7 +62,8 @@ def _model() -> Claim:
     ]
     numbers = {"states": STATES, "largest_relative_difference": off}
     verdict = judged(value < ROUNDING for value in off.values())
-    return Claim("1a", Say("Corrected equations"), verdict, summary, numbers, blocks)
+    title = Say("Corrected equations")
+    return Claim("1a", title, verdict, summary, numbers, blocks, found=Say("off by {off}", off=largest))
 
 
 def _misprints(proofs: Mapping[Erratum, Proof | None]) -> Claim:
@@ -81,7 +81,8 @@ def _misprints(proofs: Mapping[Erratum, Proof | None]) -> Claim:
         "provable": len(proved),
         "witness": WITNESS,
     }
-    return Claim("1b", Say("Printed equations"), NOT_AS_PRINTED, summary, numbers, [_table(proofs)])
+    found = Say("{n} misprints", n=len(proofs))
+    return Claim("1b", Say("Printed equations"), NOT_AS_PRINTED, summary, numbers, [_table(proofs)], found=found)
 
 
 def _as_json(erratum: Erratum, proof: Proof | None) -> dict[str, object]:

@@ -61,10 +61,9 @@ def from_sensors(
 def misfits(model: LinearModel) -> tuple[Misfit, ...]:
     """The pitch block and the yaw block of (34) and (35) against `model`, with yaw's input sign
     turned as the errata settle it."""
-    turned = printed.B * np.array([[1], [1], [1], [1], [-1], [-1]])
     return (
-        _misfit(Say("pitch block of A and B"), model, turned, PITCH),
-        _misfit(Say("yaw block of A and B, sign of the inputs turned"), model, turned, YAW),
+        _misfit(Say("pitch block of A and B"), model, printed.B_TURNED, PITCH),
+        _misfit(Say("yaw block of A and B, sign of the inputs turned"), model, printed.B_TURNED, YAW),
         _misfit(Say("yaw block with the inputs as printed"), model, printed.B, YAW),
     )
 
@@ -89,8 +88,10 @@ def _fitted(log: Log, fit: LeastSquares) -> Claim:
         "B": fit.model.B.tolist(),
     }
     summary = Say("Pitch and wheels have the printed numbers; the inputs of yaw have the other sign.")
-    if not blocks[0].agrees:
+    found = Say("all but a sign")
+    if not (blocks[0].agrees and blocks[1].agrees):
         summary = Say("The fit differs from the printed numbers.")
+        found = Say("other numbers")
     columns = [
         Column(Say("part of A and B")),
         Column(Say("entries")),
@@ -101,8 +102,8 @@ def _fitted(log: Log, fit: LeastSquares) -> Claim:
     table = Table(columns, rows, Say("The fit to {n} samples beside (34) and (35)", n=fit.samples))
     # the inputs of yaw as printed are the last block
     verdict = judged([b.agrees and fit.full_rank for b in blocks])
-    title = Say("Linear model, fitted")
-    return Claim("3a", title, verdict, summary, numbers, [table], {"identification": log})
+    title = Say("Linear model")
+    return Claim("3a", title, verdict, summary, numbers, [table], {"identification": log}, found)
 
 
 def _biased(robot: Robot, log: Log, fit: LeastSquares, longer: LeastSquares) -> Claim:

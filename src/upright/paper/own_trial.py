@@ -15,8 +15,9 @@ from upright.comparison.metrics import active_intervals, settling_time
 from upright.control.controller import ControllerSpec
 from upright.experiment import run
 from upright.experiment.pushes import PushProgramme
+from upright.paper.pushes import battery_of
 from upright.physics.dynamics import turn_ratio
-from upright.robots import Kit, Motor, Robot, Sensor
+from upright.robots import Kit, Robot, Sensor
 from upright.signals import STATE_NAMES, TRUE_STATE, Log
 from upright.validation.law import CommandLaw
 
@@ -84,8 +85,7 @@ class Trial:
 
     def simulated(self, robot: Robot, kit: Kit | None = None, body: Body | None = None) -> Log:
         """The log of the nonlinear model, or of `body`, with ideal electronics or those of `kit`."""
-        ideal = replace(self.kit, name="battery", sensors={}, motor=Motor(), delay=0.0, jitter=0.0)
-        chosen = kit or ideal
+        chosen = kit or battery_of(self.kit)
         chosen = replace(chosen, sensors={name: chosen.sensors.get(name, Sensor()) for name in SENSED})
         body = body or NonlinearBody(robot, period=FINE if kit else self.step)
         spec = ControllerSpec("the law of the log", (*TRUE_STATE, *SENSED), self.step, robot.command_unit)

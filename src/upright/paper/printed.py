@@ -35,6 +35,9 @@ B = read_only(
 )
 """Input matrix (6, 2) of the fitted discrete model [per V], eq. (35)."""
 
+B_TURNED = read_only(B * np.array([[1], [1], [1], [1], [-1], [-1]]))
+"""The same with the yaw of (16) and (24), which the right wheel turns to +φ."""
+
 Q = read_only(np.diag([800.0, 1, 1, 80, 1, 1]))
 """State weights (6, 6) of the regulator, eq. (38)."""
 

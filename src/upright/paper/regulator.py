@@ -44,20 +44,18 @@ def chapter(light: Robot) -> Claim:
 
     `light` is the robot of reference [4], on which the printed gains are tried too.
     """
-    as_printed = dlqr(LinearModel(printed.A, printed.B, dt=printed.PERIOD), printed.Q, printed.R)
+    model = LinearModel(printed.A, printed.B, dt=printed.PERIOD)
+    as_printed = dlqr(model, printed.Q, printed.R)
     clean = dlqr(without_noise(printed.A, printed.B), printed.Q, printed.R)
     nearest, permutation, price = nearest_gain()
     feedback = printed_feedback()
     loops = {
-        AS_PRINTED: _radius(LinearModel(printed.A, printed.B, dt=printed.PERIOD), feedback),
-        TURNED: _radius(_turned(), feedback),
+        AS_PRINTED: _radius(model, feedback),
+        TURNED: _radius(LinearModel(printed.A, printed.B_TURNED, dt=printed.PERIOD), feedback),
         light.name: _radius(linearise(light).c2d(printed.PERIOD), feedback),
     }
-    summary = Say(
-        "The printed weights give a pitch gain of {gain}; printed is {printed}.",
-        gain=Quantity(clean.gain[0, 0]),
-        printed=Quantity(printed.KU1[0]),
-    )
+    gains = {"gain": Quantity(clean.gain[0, 0]), "printed": Quantity(printed.KU1[0])}
+    summary = Say("The printed weights give a pitch gain of {gain}; printed is {printed}.", **gains)
     numbers = {
         "dlqr_as_printed": as_printed.gain.tolist(),
         "dlqr_without_noise": clean.gain.tolist(),
@@ -74,7 +72,8 @@ def chapter(light: Robot) -> Claim:
     )
     blocks = [_gains(clean.gain), search, _stability(loops)]
     same = np.abs(np.abs(clean.gain[0] / printed.KU1) - 1) < SAME
-    return Claim("4", Say("Gains of the regulator"), judged(same.tolist()), summary, numbers, blocks)
+    found = Say("{gain}, not {printed}", **gains)
+    return Claim("4", Say("Regulator gains"), judged(same.tolist()), summary, numbers, blocks, found=found)
 
 
 SAME = 0.05  # [1] of a printed gain: closer is the same to two digits, as it was printed
@@ -95,11 +94,6 @@ def nearest_gain() -> tuple[float, list[float], float]:
     return best
 
 
-def _turned() -> LinearModel:
-    signs = np.array([[1], [1], [1], [1], [-1], [-1]])
-    return LinearModel(printed.A, printed.B * signs, dt=printed.PERIOD)
-
-
 def _radius(model: LinearModel, feedback: StateFeedback) -> float:
     return float(np.abs(np.linalg.eigvals(model.A - model.B @ feedback.gain)).max())
 
@@ -108,7 +102,7 @@ def _gains(clean: Array) -> Table:
     columns = [Column(Say("gain of")), Column(Say("printed")), Column(Say("from Q and R, noise removed"))]
     each = zip(STATE_NAMES, printed.KU1.tolist(), clean[0].tolist(), strict=True)
     rows = [[state_words(name), *gains] for name, *gains in each]
-    return Table(columns, rows, Say("The gains of (38), left motor"))
+    return Table(columns, rows, Say("Gains of the left motor, printed below (38)"))
 
 
 def _stability(loops: dict[str, float]) -> Table:

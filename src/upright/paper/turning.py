@@ -37,7 +37,7 @@ SECONDS = 3.0
 JOLT = 0.1  # [s] the start from rest is a jolt of a few milliseconds, whose torques would dwarf all others
 PERIOD = 0.001  # [s] a fast loop, so that the models alone differ and not how long a command is held
 CONTACTS = (0.001, 0.0005, 0.00025)  # [s] contact times of the twin, its own step half of each
-JUDGED = {"ψ": "pitch", "θ̇": "wheel_rate"}
+JUDGED = ("pitch", "wheel_rate")
 MODELS = ("complete", "published")
 
 
@@ -72,7 +72,8 @@ def chapter(progress: Progress = unwatched) -> list[Claim]:
     for rate in RATES:
         logs[rate] = {name: drive(body, feedback, rate) for name, body in bodies(robot).items()}
         progress(len(logs) / (len(RATES) + 1))
-    stiffened = {contact: drive(_twin(robot, contact), feedback, SHOWN) for contact in CONTACTS}
+    twins = {contact: Twin(robot, PERIOD, contact_time=contact, timestep=contact / 2) for contact in CONTACTS}
+    stiffened = {contact: drive(twin, feedback, SHOWN) for contact, twin in twins.items()}
     progress(1.0)
     return [_sizes(robot, logs), _judged(logs, stiffened)]
 
@@ -144,10 +145,6 @@ def deviation(log: Log, twin: Log, state: str) -> Deviation:
     return Deviation(float(np.sqrt(np.mean(difference**2)) / peak), float(difference.max() / peak))
 
 
-def _twin(robot: Robot, contact: float) -> Twin:
-    return Twin(robot, PERIOD, contact_time=contact, timestep=contact / 2)
-
-
 def _sizes(robot: Robot, logs: Mapping[float, Mapping[str, Log]]) -> Claim:
     listed = {rate: terms(robot, runs["complete"]) for rate, runs in logs.items()}
     left_out = {
@@ -165,14 +162,15 @@ def _sizes(robot: Robot, logs: Mapping[float, Mapping[str, Log]]) -> Claim:
         *(Column(Say("{rate}", rate=_rate(rate)), "fraction") for rate in RATES),
     ]
     caption = Say("RMS over that of the largest kept term, by the rate of turning")
-    numbers = {"share_of_largest_kept_term": {text: _keyed(fractions) for text, fractions in left_out.items()}}
+    shares = {text: {f"{rate:g}": share for rate, share in of.items()} for text, of in left_out.items()}
+    numbers = {"share_of_largest_kept_term": shares}
     return Claim("2a", Say("Terms left out by the paper"), BEYOND, summary, numbers, [Table(columns, rows, caption)])
 
 
 def _judged(logs: Mapping[float, Mapping[str, Log]], stiffened: Mapping[float, Log]) -> Claim:
     errors = {
         rate: {
-            name: {state: deviation(log, runs["twin"], state) for state in JUDGED.values()}
+            name: {state: deviation(log, runs["twin"], state) for state in JUDGED}
             for name, log in runs.items()
             if name != "twin"
         }
@@ -214,7 +212,3 @@ def _draw(logs: Mapping[float, Mapping[str, Log]]) -> Figure:
 
 def _rate(rate: float) -> Quantity:
     return Quantity(rate, "rad/s")
-
-
-def _keyed(fractions: Mapping[float, float]) -> dict[str, float]:
-    return {f"{rate:g}": value for rate, value in fractions.items()}
