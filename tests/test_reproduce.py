@@ -208,12 +208,12 @@ def test_terms_of_each_equation_add_up_to_nothing() -> None:
     # the terms are written out a second time here, and must balance with the accelerations of physics.dynamics
     robot = Robot.preset("nxtway-gs")
     log = turning.drive(NonlinearBody(robot), lqr_state(robot, turning.PERIOD), 6.0)
-    listed = turning.terms(robot, log)
-    for equation in "θψφ":
-        mine = [term for term in listed if term.equation == equation]
-        largest = max(np.abs(term.values).max() for term in mine)
-        assert np.abs(sum(term.values for term in mine)).max() < 1e-12 * largest  # rounding of some 10 terms
-        assert any(not term.kept for term in mine)
+    equations = turning.terms(robot, log)
+    assert set(equations) == set("θψφ")
+    for equation in equations.values():
+        assert equation.left_out
+        listed = [*equation.kept, *equation.left_out.values()]
+        assert np.abs(np.sum(listed, axis=0)).max() < 1e-12 * np.abs(listed).max()  # rounding of some 10 terms
 
 
 def test_left_out_terms_grow_with_the_yaw_rate(parts: dict[str, Claim]) -> None:

@@ -25,20 +25,21 @@ def grade_page(folder: str, grades: Sequence[Grade]) -> Page:
     """The page of the hand-ins of a folder."""
     wrong = [one for one in grades if one.level in ("bad", "unknown")]
     genuine = [one for one in grades if one not in wrong]
-    tables = [(Say("To look at"), wrong), (Say("As claimed"), genuine)]
     return Page(
         Say("{ok} of {n} hand-ins reach their goal", ok=_count(grades, "good"), n=len(grades)),
-        verdict=Verdict(Say("some to look at"), "warn") if wrong else Verdict(Say("all genuine"), "good"),
+        verdict=Verdict(Say("{n} to look at", n=len(wrong)), "warn") if wrong else Verdict(Say("all genuine"), "good"),
         lead=[Say("Every hand-in was run again on this computer.")],
         numbers=[
-            KeyNumber(_count(grades, "warn"), Say("run as claimed, but miss their goal")),
-            KeyNumber(_count(grades, "bad"), Say("are not genuine")),
+            KeyNumber(_count(grades, "warn"), Say("as claimed, but not at the goal")),
+            KeyNumber(_count(grades, "bad"), Say("not genuine")),
             KeyNumber(_count(grades, "unknown"), Say("cannot be run")),
         ],
         picture=Picture(Say("What came of the hand-ins of each task"), lambda: draw_tasks(grades)),
         next=[Next("grade", folder, output="grades.csv", why=Say("A table for a spreadsheet."))],
-        blocks=[*(_verdicts(some, caption) for caption, some in tables if some),
-                Fold(Say("What was claimed, and what came of it"), [_results(grades)])],
+        blocks=[
+            _verdicts([*wrong, *genuine]),
+            Fold(Say("What was claimed, and what came of it"), [_results(grades)]),
+        ],
         origin={"folder": folder},
     )  # fmt: skip
 
@@ -47,9 +48,9 @@ def _count(grades: Sequence[Grade], *levels: str) -> int:
     return sum(one.level in levels for one in grades)
 
 
-def _verdicts(grades: Sequence[Grade], caption: Say) -> Table:
+def _verdicts(grades: Sequence[Grade]) -> Table:
     rows = [[one.student or one.file, _title(one.task), SHOWN[one.verdict], one.why or ""] for one in grades]
-    return Table([_STUDENT, _TASK, Column(Say("verdict")), Column(Say("why"))], rows, caption)
+    return Table([_STUDENT, _TASK, Column(Say("verdict")), Column(Say("why"))], rows)
 
 
 def _results(grades: Sequence[Grade]) -> Table:

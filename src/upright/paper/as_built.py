@@ -106,11 +106,11 @@ def chapter(trial: RegulatedRobot, kit: Kit, logs: Mapping[str, Log], progress: 
         kept[f"{name}-{side}-as-built"] = runs[0]
         others = {other: logs[f"{name}-{side}-{other}"] for other in OTHERS}
         cases[f"{side} push"] = settled({AS_BUILT: runs, **{other: [log] for other, log in others.items()}})
-    later = {"n": sum(c.slower is True for c in cases.values()), "all": len(cases)}
+    counts = {"n": sum(c.slower is True for c in cases.values()), "all": len(cases)}
     summary = Say(
         "With guessed friction and backlash, {robot} settles later than both models under {n} of {all} pushes.",
         robot=name,
-        **later,
+        **counts,
     )
     friction = calibration["coulomb_friction"]
     guess = Say(
@@ -139,5 +139,5 @@ def chapter(trial: RegulatedRobot, kit: Kit, logs: Mapping[str, Log], progress: 
     table = settling_table({name: case.settling["5 %"] for name, case in cases.items()})
     verdict = judged(case.slower for case in cases.values())
     blocks = [picture, guess, table]
-    found = Say("later in {n} of {all}", **later)
-    return Claim("5f", Say("Settling with friction"), verdict, summary, numbers, blocks, kept, found)
+    result = Say("later in {n} of {all}", **counts)
+    return Claim("5f", Say("Settling with friction"), verdict, summary, numbers, blocks, kept, result=result)

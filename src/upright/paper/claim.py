@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import KW_ONLY, dataclass, field
 from typing import Any
 
 from upright.pages import Block, Cell, Fold, Result, Say, Verdict
@@ -49,7 +49,7 @@ class Claim:
     """One claim: `part` of the paper, `title`, `verdict`, a `summary`, and the evidence.
 
     `numbers` are plain JSON; `blocks` what the page shows of them; `logs` the runs behind it, by file name without
-    suffix; `found` stands beside the verdict in the table of claims, in two or three words.
+    suffix; `result` stands beside the verdict in the table of claims, in two or three words.
     """
 
     part: str
@@ -59,7 +59,8 @@ class Claim:
     numbers: Mapping[str, Any]
     blocks: Sequence[Block] = ()
     logs: Mapping[str, Log] = field(default_factory=dict[str, Log])
-    found: Cell = None
+    _: KW_ONLY
+    result: Cell = None
 
     def to_json(self) -> dict[str, Any]:
         """Everything but what the page shows; of the logs their names."""

@@ -63,7 +63,7 @@ def _model() -> Claim:
     numbers = {"states": STATES, "largest_relative_difference": off}
     verdict = judged(value < ROUNDING for value in off.values())
     title = Say("Corrected equations")
-    return Claim("1a", title, verdict, summary, numbers, blocks, found=Say("off by {off}", off=largest))
+    return Claim("1a", title, verdict, summary, numbers, blocks, result=Say("off by {off}", off=largest))
 
 
 def _misprints(proofs: Mapping[Erratum, Proof | None]) -> Claim:
@@ -81,8 +81,8 @@ def _misprints(proofs: Mapping[Erratum, Proof | None]) -> Claim:
         "provable": len(proved),
         "witness": WITNESS,
     }
-    found = Say("{n} misprints", n=len(proofs))
-    return Claim("1b", Say("Printed equations"), NOT_AS_PRINTED, summary, numbers, [_table(proofs)], found=found)
+    result = Say("{n} misprints", n=len(proofs))
+    return Claim("1b", Say("Printed equations"), NOT_AS_PRINTED, summary, numbers, [_table(proofs)], result=result)
 
 
 def _as_json(erratum: Erratum, proof: Proof | None) -> dict[str, object]:

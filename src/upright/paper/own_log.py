@@ -31,7 +31,7 @@ from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
 from upright.pages import Quantity, Say
 from upright.paper.own_robot import Adjustment, LearntNumber, OwnRobot
-from upright.paper.own_trial import LINEAR, MEASURED, NONLINEAR, Trial, pushed_in, trial_of
+from upright.paper.own_trial import CALIBRATED, LINEAR, MEASURED, NONLINEAR, Trial, pushed_in, trial_of
 from upright.physics.linear import linearise_rolling
 from upright.progress import Progress, unwatched
 from upright.robots import PARAMETERS, Kit, Robot, find_kit, find_robot
@@ -40,7 +40,6 @@ from upright.signals import STATE_NAMES, Log
 from upright.validation.law import CommandLaw, LinearLaw, law_by, law_of, recorded
 from upright.validation.loop import first_state
 
-CALIBRATED = "calibrated"
 ELECTRONICS = "with electronics"
 DISTURBED = 0.03  # [1] process noise of the filter that rebuilds states, as a fraction of the commands
 MOVED = 0.25  # [deviations] a number that the calibration moved less is not tried

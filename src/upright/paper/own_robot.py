@@ -15,11 +15,26 @@ from upright.comparison.runs import DIVERGED
 from upright.experiment.described import facts_of
 from upright.languages import ENGLISH, speaking
 from upright.logs.raw import named
-from upright.pages import Block, Cell, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Result, Say, Table
+from upright.pages import (
+    Block,
+    Cell,
+    Column,
+    Fold,
+    Items,
+    KeyNumber,
+    Next,
+    Page,
+    Picture,
+    Quantity,
+    Result,
+    Say,
+    Table,
+    Verdict,
+)  # fmt: skip
 from upright.pages.blocks import MOST_NUMBERS
 from upright.pages.terms import term
 from upright.paper.claim import shown_of
-from upright.paper.own_trial import LINEAR, NONLINEAR, WIDEST
+from upright.paper.own_trial import CALIBRATED, LINEAR, NONLINEAR, WIDEST
 from upright.paper.pushes import FIGURES_AGAIN
 from upright.robots import Robot
 
@@ -116,17 +131,43 @@ def _page(result: OwnRobot) -> Page:
         Fold(Say("Numbers of each run"), tables),
         Fold(Say("How this was done"), [Items(_method(result))]),
     ]
-    why = Say("It learns the robot of this log.")
+    verdict = fit_verdict(state_words("pitch"), min(result.fits[NONLINEAR], result.fits[LINEAR]))
+    if not comparison.pushed:
+        verdict = Verdict(Say("push unknown"), "unknown")
     return Page(
-        Say("{robot} in the experiment of Herrera et al. (2015)", robot=result.robot.name),
-        verdict=fit_verdict(state_words("pitch"), min(result.fits[NONLINEAR], result.fits[LINEAR])),
+        _title(result),
+        verdict=verdict,
         lead=[Say("Law: {law}; {push}.", law=result.law, push=result.push), _answer(result)],
-        numbers=_numbers(result),
+        numbers=_numbers(result) if comparison.pushed else [],
         picture=picture,
         blocks=[*blocks, *folds],
-        next=[Next("calibrate", named(log), robot=result.robot.name, output="robot.toml", why=why)],
+        next=[_next(result, named(log))],
         origin=facts_of(log.origin),
     )
+
+
+def _title(result: OwnRobot) -> Say:
+    """When the robot settles, and its model, where both do."""
+    robot = result.robot.name
+    times = [result.settling[run] for run in (result.comparison.reference, NONLINEAR)]
+    if not result.comparison.pushed:
+        return Say("{robot}: the log does not say what pushed it", robot=robot)
+    if any(map(math.isnan, times)):
+        return Say("{robot} beside the models of Herrera et al. (2015)", robot=robot)
+    one, other = (Quantity(time, "s") for time in times)
+    return Say("{robot} settles in {one}, its nonlinear model in {other}", robot=robot, one=one, other=other)
+
+
+def _next(result: OwnRobot, log: str) -> Next:
+    """To say the push, or to learn the robot: from this log, or from one that can tell."""
+    robot = result.robot.name
+    if not result.comparison.pushed:
+        why = Say("Say when your robot was pushed, and how hard.")
+        return Next("reproduce", log=log, robot=robot, push="impulse:0.06,start=3", why=why)
+    if CALIBRATED in result.comparison.logs:
+        why = Say("It learns the robot of this log.")
+        return Next("calibrate", log, robot=robot, output="robot.toml", why=why)
+    return Next("excite", robot=robot, why=Say("It plans a log from which the robot can be learnt."))
 
 
 def _answer(result: OwnRobot) -> Say:

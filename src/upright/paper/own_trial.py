@@ -21,7 +21,7 @@ from upright.robots import Kit, Robot, Sensor
 from upright.signals import STATE_NAMES, TRUE_STATE, Log
 from upright.validation.law import CommandLaw
 
-MEASURED, NONLINEAR, LINEAR = "robot", "nonlinear", "linear"
+MEASURED, NONLINEAR, LINEAR, CALIBRATED = "robot", "nonlinear", "linear", "calibrated"
 SENSED = ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro", "sensor/compass")
 REST = 1.0  # [s] at the end of the log, where the robot rests
 ROUND = 1.5  # [s] after the push, where pitch is compared; the whole log where there is no push

@@ -72,11 +72,11 @@ class Measured:
     def settling_differs(self) -> bool | None:
         """By more than a sample, and not by chance: every twin is later than both models, or every one earlier."""
         models = [self.settling[name][0] for name in MODELS]
-        later = agreed(time > max(models) + printed.PERIOD for time in self.settling["twin"])
-        earlier = agreed(time < min(models) - printed.PERIOD for time in self.settling["twin"])
-        if later or earlier or max(models) - min(models) > printed.PERIOD:
+        after = agreed(time > max(models) + printed.PERIOD for time in self.settling["twin"])
+        before = agreed(time < min(models) - printed.PERIOD for time in self.settling["twin"])
+        if after or before or max(models) - min(models) > printed.PERIOD:
             return True
-        return None if None in (later, earlier) else False
+        return None if None in (after, before) else False
 
     @property
     def linear_fastest(self) -> bool | None:
@@ -183,7 +183,7 @@ def _shown(trial: RegulatedRobot, side: str, comparisons: Sequence[Comparison], 
         {"force": force, "hold": PUSHES[side], **comparison.to_json()},
         [states, strip, *tables],
         {f"{robot.name}-{side}-{name}": log for name, log in comparison.logs.items()},
-        Say("fit {fit}", fit=fit),
+        result=Say("fit {fit}", fit=fit),
     )
 
 
@@ -191,9 +191,9 @@ def _tested(measured: Mapping[str, Measured]) -> Claim:
     verdicts: dict[str, bool | None] = {}
     rows: list[list[Cell]] = []
     for name, (words, quantity) in CONCLUSIONS.items():
-        found: list[bool | None] = [getattr(case, quantity) for case in measured.values()]
-        verdicts[name] = False if False in found else agreed(found)
-        rows.append([words, found.count(True), found.count(False), found.count(None)])
+        holds: list[bool | None] = [getattr(case, quantity) for case in measured.values()]
+        verdicts[name] = False if False in holds else agreed(holds)
+        rows.append([words, holds.count(True), holds.count(False), holds.count(None)])
     held = {"n": sum(map(bool, verdicts.values())), "all": len(verdicts)}
     summary = Say("{n} of {all} conclusions hold under every push.", **held)
     columns = [
@@ -206,8 +206,8 @@ def _tested(measured: Mapping[str, Measured]) -> Claim:
     cases = {name: {**vars(case), "settling": plain(case.settling)} for name, case in measured.items()}
     numbers = {"seeds": list(SEEDS), "claims": verdicts, "cases": cases}
     blocks = [Table(columns, rows, caption), settling_table({name: case.settling for name, case in measured.items()})]
-    found = Say("{n} of {all} hold", **held)
-    return Claim("5e", Say("Conclusions"), judged(verdicts.values()), summary, numbers, blocks, found=found)
+    result = Say("{n} of {all} hold", **held)
+    return Claim("5e", Say("Conclusions"), judged(verdicts.values()), summary, numbers, blocks, result=result)
 
 
 def plain(runs: Mapping[str, Sequence[float]]) -> dict[str, list[float | None]]:

@@ -72,8 +72,8 @@ def chapter(light: Robot) -> Claim:
     )
     blocks = [_gains(clean.gain), search, _stability(loops)]
     same = np.abs(np.abs(clean.gain[0] / printed.KU1) - 1) < SAME
-    found = Say("{gain}, not {printed}", **gains)
-    return Claim("4", Say("Regulator gains"), judged(same.tolist()), summary, numbers, blocks, found=found)
+    result = Say("{gain}, not {printed}", **gains)
+    return Claim("4", Say("Regulator gains"), judged(same.tolist()), summary, numbers, blocks, result=result)
 
 
 SAME = 0.05  # [1] of a printed gain: closer is the same to two digits, as it was printed

@@ -136,7 +136,7 @@ def _picture(claim: Claim) -> Picture:
 def _table(claims: Sequence[Claim]) -> Table:
     """What was found of each claim."""
     columns = [Column(Say("part")), Column(Say("claim")), Column(Say("here")), Column(Say("found"))]
-    return Table(columns, [[claim.part, claim.title, BADGES[claim.verdict], claim.found] for claim in claims])
+    return Table(columns, [[claim.part, claim.title, BADGES[claim.verdict], claim.result] for claim in claims])
 
 
 def _folds(claims: Sequence[Claim]) -> list[Fold]:

@@ -16,6 +16,7 @@ import numpy as np
 from upright.arrays import Array
 from upright.bodies import Body, NonlinearBody
 from upright.bodies.twin import Twin
+from upright.comparison import rms
 from upright.control import StateFeedback, lqr_state
 from upright.experiment import Drive, Turn, run
 from upright.pages import Column, Picture, Quantity, Say, Table
@@ -41,19 +42,18 @@ JUDGED = ("pitch", "wheel_rate")
 MODELS = ("complete", "published")
 
 
-@dataclass(frozen=True)
-class Term:
-    """One term of the equation of θ, ψ or φ along a run: `values` (n,) in N m; `kept` in the published model or not."""
+@dataclass(frozen=True, eq=False)
+class Terms:
+    """The terms of one equation along a run, each (n,) in N m, on one side, so that they add up to zero: those that the
+    published model keeps, and those that it leaves out, by their formulas."""
 
-    equation: str
-    text: str
-    values: Array
-    kept: bool
+    kept: Sequence[Array]
+    left_out: Mapping[str, Array]
 
-    @property
-    def rms(self) -> float:
-        """Root of the mean square [N m]."""
-        return float(np.sqrt(np.mean(self.values**2)))
+    def fractions(self) -> dict[str, float]:
+        """The RMS of each term left out over that of the largest one kept."""
+        largest = max(map(rms, self.kept))
+        return {text: rms(values) / largest for text, values in self.left_out.items()}
 
 
 @dataclass(frozen=True)
@@ -94,10 +94,11 @@ def drive(body: Body, feedback: StateFeedback, rate: float) -> Log:
     return run(body, feedback, reference=reference, seconds=SECONDS)
 
 
-def terms(robot: Robot, log: Log) -> list[Term]:
-    """Every term of the three equations of the complete model along `log`, from `JOLT` on, all on one side, so that
-    they add up to zero. A motor's voltage and back-EMF nearly cancel, so that their net torque is one term.
-    Friction of the floor and dry friction are not among them; NXTway-GS has none."""
+def terms(robot: Robot, log: Log) -> dict[str, Terms]:
+    """The terms of the equations of θ, ψ and φ of the complete model along `log`, from `JOLT` on. A motor's voltage and
+    back-EMF nearly cancel, so that their net torque is one term. Friction of the floor and dry friction are not among
+    them; NXTway-GS has none."""
+    log = log.between(JOLT, SECONDS)
     x = log.state().T
     u = np.array([log["applied/left"], log["applied/right"]])
     pitch, pitch_rate, _, wheel_rate, _, yaw_rate = x
@@ -109,49 +110,44 @@ def terms(robot: Robot, log: Log) -> list[Term]:
     point = robot.body_mass * robot.com_height**2
     half = turn_ratio(robot)
     roll = robot.roll_inertia - robot.yaw_inertia
-    net = alpha * (u[0] + u[1]) - 2 * beta * (wheel_rate - pitch_rate)
+    motors = alpha * (u[0] + u[1]) - 2 * beta * (wheel_rate - pitch_rate)
     turning = half * alpha * (u[1] - u[0]) - 2 * half**2 * beta * yaw_rate
-    listed: list[tuple[str, str, Array, bool]] = [
-        ("θ", "a₁₁ θ̈", a11 * wheel_acc, True),
-        ("θ", "a₁₂ ψ̈", a12 * pitch_acc, True),
-        ("θ", "M L R ψ̇² sin ψ", -lever * pitch_rate**2 * sin, True),
-        ("θ", "motors: α (v_l + v_r) − 2 β (θ̇ − ψ̇)", -net, True),
-        ("θ", "M L R φ̇² sin ψ", -lever * yaw_rate**2 * sin, False),
-        ("ψ", "a₁₂ θ̈", a12 * wheel_acc, True),
-        ("ψ", "a₂₂ ψ̈", a22 * pitch_acc, True),
-        ("ψ", "M g L sin ψ", -robot.body_mass * robot.gravity * robot.com_height * sin, True),
-        ("ψ", "M L² φ̇² sin ψ cos ψ", -point * yaw_rate**2 * sin * cos, True),
-        ("ψ", "motors: α (v_l + v_r) − 2 β (θ̇ − ψ̇)", net, True),
-        ("ψ", "(J_ρ − J_φ) φ̇² sin ψ cos ψ", -roll * yaw_rate**2 * sin * cos, False),
-        ("φ", "a₃₃ φ̈", a33 * yaw_acc, True),
-        ("φ", "2 M L² ψ̇ φ̇ sin ψ cos ψ", 2 * point * pitch_rate * yaw_rate * sin * cos, True),
-        ("φ", "motors: W/(2 R) α (v_r − v_l) − W²/(2 R²) β φ̇", -turning, True),
-        ("φ", "M L R φ̇ θ̇ sin ψ", lever * yaw_rate * wheel_rate * sin, False),
-        ("φ", "(J_ρ − J_φ) sin² ψ φ̈", roll * sin**2 * yaw_acc, False),
-        ("φ", "2 (J_ρ − J_φ) ψ̇ φ̇ sin ψ cos ψ", 2 * roll * pitch_rate * yaw_rate * sin * cos, False),
-    ]
-    return [Term(equation, text, values[log.t >= JOLT], kept) for equation, text, values, kept in listed]
-
-
-def relative_size(term: Term, listed: Sequence[Term]) -> float:
-    """The RMS of `term` over that of the largest term kept in its equation."""
-    return term.rms / max(other.rms for other in listed if other.kept and other.equation == term.equation)
+    weight = robot.body_mass * robot.gravity * robot.com_height * sin
+    centrifugal = point * yaw_rate**2 * sin * cos
+    coriolis = 2 * point * pitch_rate * yaw_rate * sin * cos
+    return {
+        "θ": Terms(
+            [a11 * wheel_acc, a12 * pitch_acc, -lever * pitch_rate**2 * sin, -motors],
+            {"M L R φ̇² sin ψ": -lever * yaw_rate**2 * sin},
+        ),
+        "ψ": Terms(
+            [a12 * wheel_acc, a22 * pitch_acc, -weight, -centrifugal, motors],
+            {"(J_ρ − J_φ) φ̇² sin ψ cos ψ": -roll * yaw_rate**2 * sin * cos},
+        ),
+        "φ": Terms(
+            [a33 * yaw_acc, coriolis, -turning],
+            {
+                "M L R φ̇ θ̇ sin ψ": lever * yaw_rate * wheel_rate * sin,
+                "(J_ρ − J_φ) sin² ψ φ̈": roll * sin**2 * yaw_acc,
+                "2 (J_ρ − J_φ) ψ̇ φ̇ sin ψ cos ψ": 2 * roll * pitch_rate * yaw_rate * sin * cos,
+            },
+        ),
+    }
 
 
 def deviation(log: Log, twin: Log, state: str) -> Deviation:
     """The difference of `log` from the twin's in one state."""
     difference = np.abs(log[f"truth/{state}"] - twin[f"truth/{state}"])
-    peak = np.abs(twin[f"truth/{state}"]).max()
-    return Deviation(float(np.sqrt(np.mean(difference**2)) / peak), float(difference.max() / peak))
+    peak = float(np.abs(twin[f"truth/{state}"]).max())
+    return Deviation(rms(difference) / peak, float(difference.max() / peak))
 
 
 def _sizes(robot: Robot, logs: Mapping[float, Mapping[str, Log]]) -> Claim:
-    listed = {rate: terms(robot, runs["complete"]) for rate, runs in logs.items()}
-    left_out = {
-        term.text: {rate: relative_size(listed[rate][i], listed[rate]) for rate in RATES}
-        for i, term in enumerate(listed[SHOWN])
-        if not term.kept
-    }
+    left_out: dict[str, dict[float, float]] = {}
+    for rate, runs in logs.items():
+        for equation in terms(robot, runs["complete"]).values():
+            for text, fraction in equation.fractions().items():
+                left_out.setdefault(text, {})[rate] = fraction
     size = Quantity(max(of[SHOWN] for of in left_out.values()), "fraction", digits=2)
     summary = Say(
         "Turning at {rate}, one left-out term has {size} of the largest kept one.", rate=_rate(SHOWN), size=size
@@ -162,8 +158,8 @@ def _sizes(robot: Robot, logs: Mapping[float, Mapping[str, Log]]) -> Claim:
         *(Column(Say("{rate}", rate=_rate(rate)), "fraction") for rate in RATES),
     ]
     caption = Say("RMS over that of the largest kept term, by the rate of turning")
-    shares = {text: {f"{rate:g}": share for rate, share in of.items()} for text, of in left_out.items()}
-    numbers = {"share_of_largest_kept_term": shares}
+    fractions = {text: {f"{rate:g}": value for rate, value in of.items()} for text, of in left_out.items()}
+    numbers = {"share_of_largest_kept_term": fractions}
     return Claim("2a", Say("Terms left out by the paper"), BEYOND, summary, numbers, [Table(columns, rows, caption)])
 
 

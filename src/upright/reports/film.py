@@ -24,12 +24,13 @@ from numpy.typing import NDArray
 
 from upright.arrays import Array
 from upright.atomic import TemporaryFolder, write_bytes
+from upright.comparison import active_intervals
 from upright.diagnose.post_mortem import robot_of
 from upright.errors import InvalidLog, UprightError, require
 from upright.languages import localised, translated
 from upright.logs.raw import GYRO, RATES
 from upright.plotting import COLOURS, FOOT, HEAD, INK, LEFT, RIGHT, line, numbered, span, styled
-from upright.progress import Progress
+from upright.progress import Progress, unwatched
 from upright.robots import Robot
 from upright.robots.drawing import FLOOR, height_of, outline
 from upright.signals import Log
@@ -79,7 +80,7 @@ def film(
     speed: float = 1.0,
     frames: float = FRAMES,
     width: int = 960,
-    progress: Progress | None = None,
+    progress: Progress = unwatched,
 ) -> Path:
     """Write a film of `logs` to `path` (.gif, .webp or .mp4): `frames` a second, `width` pixels wide (16:9).
 
@@ -95,8 +96,7 @@ def film(
         raise InvalidLog("there is no log", expected="one or more")
     times = _times(runs, (start, stop), speed, frames)
     drawn = _Drawing(runs, (float(times[0]), float(times[-1])), width)
-    pictures = _shown((drawn.frame(float(time)) for time in times), len(times), progress)
-    return write_bytes(target, _encoded(pictures, target.suffix.lower(), frames))
+    return write_bytes(target, _encoded(drawn.frames(times, progress), target.suffix.lower(), frames))
 
 
 def _times(runs: list[_Run], ends: tuple[float | None, float | None], speed: float, frames: float) -> Array:
@@ -216,8 +216,9 @@ class _Drawing:
             line(traces[1], run.label, run.t[part], run.x[part])
         if any(run.label for run in runs):
             self.figure.legend(*traces[0].get_legend_handles_labels(), loc="upper right", ncols=min(len(runs), 4))
-        for begin, end in _pushed(runs[0]):
-            span(traces, begin, end, "push")
+        self.pushes = active_intervals(runs[0].t, runs[0].force)
+        for begin, end in self.pushes:
+            span(traces, begin, min(end, float(runs[0].t[-1])), "push")
         ghosts = [(run, COLOURS[i % len(COLOURS)], i > 0) for i, run in enumerate(runs)]
         self.robots = [_Artists(self.scene, run, colour, ghost) for run, colour, ghost in reversed(ghosts)]
         (self.marks,) = self.scene.plot([], [], color=INK, linewidth=1, animated=True)
@@ -229,6 +230,12 @@ class _Drawing:
         self.canvas = FigureCanvasAgg(self.figure)
         self.canvas.draw()
         self.still: Any = self.canvas.copy_from_bbox(self.figure.bbox)  # pyright: ignore[reportAttributeAccessIssue]
+
+    def frames(self, times: Array, progress: Progress) -> Generator[Frame]:
+        """The pictures at `times` [s]."""
+        for k, time in enumerate(times.tolist(), start=1):
+            yield self.frame(time)
+            progress(k / len(times))
 
     def frame(self, time: float) -> Frame:
         """The picture at `time` [s], (height, width, 3)."""
@@ -257,7 +264,7 @@ class _Drawing:
         return self.marks
 
     def _push(self, run: _Run, time: float, camera: float) -> list[Artist]:
-        near = [(a, b) for a, b in _pushed(run) if a <= time <= max(b, a + SHOWN_PUSH)]
+        near = [(a, b) for a, b in self.pushes if a <= time <= max(b, a + SHOWN_PUSH)]
         if not near:
             return []
         row = run.at(near[0][0])
@@ -289,22 +296,6 @@ def scene(labels: tuple[str, str], times: tuple[float, float]) -> tuple[Figure, 
         numbered(ax.xaxis, ax.yaxis)
         panels.append(ax)
     return figure, plane, panels
-
-
-def _pushed(run: _Run) -> list[tuple[float, float]]:
-    """From when to when a force acts [s]."""
-    edges = np.flatnonzero(np.diff(run.force != 0, prepend=False, append=False))
-    ends = np.append(run.t, run.t[-1])
-    return [(float(ends[a]), float(ends[b])) for a, b in edges.reshape(-1, 2)]
-
-
-def _shown(
-    pictures: Generator[Frame], count: int, progress: Progress | None
-) -> Generator[Frame]:  # fmt: skip
-    for k, picture in enumerate(pictures):
-        yield picture
-        if progress:
-            progress((k + 1) / count)
 
 
 def _encoded(pictures: Generator[Frame], suffix: str, frames: float) -> bytes:
