@@ -16,11 +16,11 @@ from upright.calibration.calibration import Calibration
 from upright.comparison import compare
 from upright.control import Estimated, StateFeedback, kalman
 from upright.control.excited import Excited, random_binary
-from upright.experiment import Hold, run
+from upright.experiment import run
 from upright.pages import Picture, Quantity, Say
 from upright.paper import printed
 from upright.paper.claim import Claim, agreed, judged
-from upright.paper.pushes import MODELS, PUSHES, RELEASE, SECONDS, RegulatedRobot, never, plain, settling_table
+from upright.paper.pushes import MODELS, PUSHES, SECONDS, RegulatedRobot, never, plain, released, settling_table
 from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot
 from upright.signals import Log
@@ -70,9 +70,7 @@ def calibrated(robot: Robot, kit: Kit, feedback: StateFeedback) -> Calibration:
 def pushed(trial: RegulatedRobot, known: Robot, side: str, kit: Kit, seed: int) -> Log:
     """The robot as it is built, held and released; its filter knows the robot as `known`."""
     real, parts = built(trial.robot, kit)
-    controller = Estimated(trial.feedback, kalman(known, kit))
-    hold = Hold(pitch=PUSHES[side], until=RELEASE)
-    return run(Electronics(Twin(real), parts), controller, hold, seconds=SECONDS, seed=seed)
+    return released(Electronics(Twin(real), parts), Estimated(trial.feedback, kalman(known, kit)), side, seed)
 
 
 def settled(logs: Mapping[str, Sequence[Log]]) -> Settled:
@@ -92,7 +90,7 @@ def _rest(log: Log) -> float:
 
 
 def chapter(trial: RegulatedRobot, kit: Kit, logs: Mapping[str, Log], progress: Progress = unwatched) -> Claim:
-    """The paper's finding, that its models settle faster than its robot, on a robot with losses.
+    """The paper's finding that settling times differ, the linear model's being the shortest, on a robot with losses.
 
     `logs` are the runs of 5a to 5d, by robot, push and run.
     """

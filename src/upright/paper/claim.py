@@ -24,8 +24,9 @@ BADGES = {
 }
 
 
-def agreed(holds: Iterable[bool]) -> bool | None:
-    """Whether something holds in repeated runs: None where it does in some only, so that their noise decides."""
+def agreed(holds: Iterable[bool | None]) -> bool | None:
+    """Whether something holds in repeated runs: None where it does in some only, so that their noise decides, or where
+    that is unknown of one."""
     every = set(holds)
     return every.pop() if len(every) == 1 else None
 

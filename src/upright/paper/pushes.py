@@ -114,18 +114,18 @@ def push(trial: RegulatedRobot, side: str, kit: Kit) -> list[Comparison]:
 
     """
     robot = trial.robot
-    hold = Hold(pitch=PUSHES[side], until=RELEASE)
     supply = battery_of(kit)
-
-    def pushed(body: Body, controller: Controller, seed: int) -> Log:
-        return run(body, controller, hold, seconds=SECONDS, seed=seed)
-
-    models = {
-        "nonlinear": pushed(Electronics(NonlinearBody(robot), supply), trial.feedback, SEEDS[0]),
-        "linear": pushed(Electronics(LinearBody(trial.linear, robot), supply), trial.feedback, SEEDS[0]),
-    }
+    bodies = {"nonlinear": NonlinearBody(robot), "linear": LinearBody(trial.linear, robot)}
+    models = {name: released(Electronics(body, supply), trial.feedback, side) for name, body in bodies.items()}
     sensed = Estimated(trial.feedback, kalman(robot, kit))
-    return [compare({"twin": pushed(Electronics(Twin(robot), kit), sensed, seed), **models}) for seed in SEEDS]
+    twins = [released(Electronics(Twin(robot), kit), sensed, side, seed) for seed in SEEDS]
+    return [compare({"twin": twin, **models}) for twin in twins]
+
+
+def released(body: Body, controller: Controller, side: str, seed: int = SEEDS[0]) -> Log:
+    """A body held at the paper's pitch, and let go."""
+    hold = Hold(pitch=PUSHES[side], until=RELEASE)
+    return run(body, controller, hold, seconds=SECONDS, seed=seed)
 
 
 def battery_of(kit: Kit) -> Kit:
