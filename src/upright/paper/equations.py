@@ -102,5 +102,5 @@ def _table(proofs: Mapping[Erratum, Proof | None]) -> Table:
     rows: list[list[Cell]] = [
         [e.equations, e.printed, e.corrected, e.why, p and p.printed_residual, p and p.holds] for e, p in proofs.items()
     ]
-    caption = Say("Each misprint alone: how far it changes an acceleration of a robot that leans, rolls and turns")
+    caption = Say("Each misprint alone: how far it changes its equation, for a robot that leans, rolls and turns")
     return Table(columns, rows, caption)

@@ -59,9 +59,9 @@ class Reproduction(Result):
         lead = [Say("A twin, simulated by MuJoCo, stands in for the robot.")]
         fails = {claim.part for claim in self.judged if claim.verdict in (NOT_AS_PRINTED, UNKNOWN)}
         if fails == {"1b", "4"}:
-            lead.append(Say("Its equations and gains are not as printed."))
+            lead.append(Say("Equations and gains are not as printed."))
         drawn = next((claim for claim in self.claims if claim.part == DRAWN), None)
-        why = Say("Only the log of a real robot tells how it settles.")
+        why = Say("A real robot's log tells how it settles.")
         versions = ", ".join(f"{name} {number}" for name, number in _versions().items())
         return Page(
             Say("Herrera et al. (2015): {n} of {all} claims reproduced", n=len(reproduced), all=len(self.judged)),
