@@ -16,6 +16,7 @@ from upright.cli.main import main
 from upright.comparison.comparison_page import fit_verdict
 from upright.comparison.drawing import state_words
 from upright.control import Estimated, kalman, lqr_state
+from upright.pages import Say, Verdict
 from upright.paper.own_log import CALIBRATED, compare_own
 from upright.paper.own_trial import LINEAR, NONLINEAR
 from upright.robots import Kit, Robot
@@ -52,6 +53,12 @@ def test_what_was_planted_is_what_must_be_adjusted() -> None:
     assert result.adjusted[-1].settling == pytest.approx(measured, abs=0.01)
     assert result.comparison.fits[CALIBRATED]["pitch"] > 90  # with the file's kit: 2 ms and steps that this log had not
     assert "centre of mass height" in str(result.page().lead[-1])
+    assert result.page().next[0].verb == "calibrate"
+
+
+def test_a_log_that_teaches_nothing_is_followed_by_a_plan_for_one_that_does() -> None:
+    result = compare_own(log_of(FILE), FILE, learnt=FILE)
+    assert result.page().next[0].verb == "excite"
 
 
 def test_a_log_of_another_program_says_neither_law_nor_push() -> None:
@@ -65,6 +72,8 @@ def test_a_log_of_another_program_says_neither_law_nor_push() -> None:
     alone = compare_own(foreign, FILE, learnt=FILE)
     assert "no push" in str(alone.push)
     assert alone.comparison.fits[NONLINEAR]["pitch"] < 50  # a robot at rest that nobody pushes
+    assert alone.page().verdict == Verdict(Say("push unknown"), "unknown")  # so a poor fit is no fault of the model
+    assert alone.page().next[0].options["push"]
 
 
 def test_the_command_writes_page_numbers_and_logs(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

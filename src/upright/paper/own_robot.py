@@ -132,13 +132,17 @@ def _page(result: OwnRobot) -> Page:
         Fold(Say("How this was done"), [Items(_method(result))]),
     ]
     verdict = fit_verdict(state_words("pitch"), min(result.fits[NONLINEAR], result.fits[LINEAR]))
-    if not comparison.pushed:
+    numbers = _numbers(result)
+    answer = [_answer(result)]
+    if not comparison.pushed:  # the models lack what moved the robot: their settling and their fit say nothing
         verdict = Verdict(Say("push unknown"), "unknown")
+        numbers = []
+        answer = []
     return Page(
         _title(result),
         verdict=verdict,
-        lead=[Say("Law: {law}; {push}.", law=result.law, push=result.push), _answer(result)],
-        numbers=_numbers(result) if comparison.pushed else [],
+        lead=[Say("Law: {law}; {push}.", law=result.law, push=result.push), *answer],
+        numbers=numbers,
         picture=picture,
         blocks=[*blocks, *folds],
         next=[_next(result, named(log))],
