@@ -84,6 +84,8 @@ BAD = {
     "a robot without its option": ("certify lqg twipr", "--robot twipr"),
     "a word that no option has": ("basin fast", "upright basin --help"),
     "unknown controller": ("simulate --controller pidd", "pidd"),
+    "a start in degrees": ("simulate --start pitch=9", "--start"),
+    "a mapping that is there": ("doctor good.csv --write-mapping broken.toml", "broken.toml exists already"),
     "negative seconds": ("simulate --seconds -1", "-1 s"),
     "no seconds": ("simulate --seconds 0", "0 s"),
     "seconds that are not a number": ("simulate --seconds nan", "nan"),

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Annotated
 
 from upright.cli.destination import Destination
-from upright.cli.output import print_json, tell
+from upright.cli.output import print_json, refuse_existing, tell
 from upright.progress import progress
 
 
@@ -36,6 +36,7 @@ def doctor(
 
     out.check(fix, write_mapping, logs=[log])
     check_format(fix)
+    refuse_existing(write_mapping)
     table = read_table(log)
     try:
         with progress("examining") as show:

@@ -136,6 +136,13 @@ def check_targets(*targets: Path | None, logs: Iterable[Path] = ()) -> None:
             raise UprightError(f"{target} is named twice", expected="a file for each thing to write", hint=other)
 
 
+def refuse_existing(*targets: Path | None) -> None:
+    """Refuse to write over a file that its owner edits."""
+    for target in targets:
+        if target and target.exists():
+            raise UprightError(f"{target} exists already", hint="another name, or move the file away")
+
+
 def _often(path: Path, among: Sequence[Path]) -> bool:
     """Whether a file is named more than once."""
     return sum(os.path.realpath(path) == os.path.realpath(other) for other in among) > 1

@@ -11,7 +11,7 @@ import typer
 
 from upright.cli.command import flag
 from upright.cli.guide import EndOfAnswers, Question, answered
-from upright.cli.output import tell
+from upright.cli.output import refuse_existing, tell
 from upright.errors import UprightError
 from upright.robots.owner import A_GUESS, DRIVE, DRIVES, NONE, OwnerQuestion, owners_files, plain, questions
 
@@ -55,9 +55,7 @@ def _files(name: str) -> tuple[Path, Path]:
             f"{path.stem} is a robot that comes with upright", expected="another name", hint=f"my-{path.stem}"
         )
     kit_path = path.with_name(f"{path.stem}-kit.toml")
-    for target in (path, kit_path):
-        if target.exists():
-            raise UprightError(f"{target} exists already", hint="another name, or move the file away")
+    refuse_existing(path, kit_path)
     return path, kit_path
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 from upright.cli.destination import Destination
 from upright.cli.output import tell, warn_of
-from upright.errors import InvalidController
+from upright.errors import InvalidController, check_within
 from upright.progress import progress
 
 if TYPE_CHECKING:
@@ -55,6 +56,7 @@ def simulate(
         raise InvalidController("both --start and --lying", expected="one of them: a lift begins at rest")
     pushes, references = pushes_and_references(push, drive, turn, slope)
     first = vector(start, STATE_NAMES, "--start")
+    check_within("rad of pitch in --start", first[0], -math.pi / 2, math.pi / 2)
     out.check(output)
     check_format(output)
     chosen = find_robot(robot)
