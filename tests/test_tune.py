@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import threading
 import time
@@ -12,6 +13,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.stats import binomtest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.certification.checks import TrialSetup, kernel_controller
@@ -28,7 +30,7 @@ from upright.reports import report
 from upright.robots import Robot, Sensor, find_kit
 from upright.robots.uncertainty import draw
 from upright.tuning import tune as room
-from upright.tuning.figures import MEASURES, WATCHED, Figures, knock, slack
+from upright.tuning.figures import MEASURES, WATCHED, Figures, chance_of, fell_once, knock, slack
 from upright.tuning.parallel import working
 from upright.tuning.score import NONE, CandidateScore, Scorer, modulus_and_delay, row_of, score_from
 from upright.tuning.search import SearchRecord, search
@@ -182,8 +184,8 @@ def test_search_rule_and_figures_see_other_robots() -> None:
 def some(**changes: Any) -> Figures:
     linear = LinearMargins(0.99, 0.7, 1.3, 0.01)
     given: dict[str, Any] = {
-        "samples": 1000, "fell": 10, "knock": 0.3, "settling": 1.0, "effort": 9.0, "saturated": 0.1, "travel": 0.5,
-        "sway": 0.01, "linear": linear, "light": "green", "reasons": (),
+        "samples": 1000, "fallen": tuple(range(10)), "knock": 0.3, "settling": 1.0, "effort": 9.0, "saturated": 0.1,
+        "travel": 0.5, "sway": 0.01, "linear": linear, "light": "green", "reasons": (),
     }  # fmt: skip
     return Figures(**given | changes)
 
@@ -191,8 +193,11 @@ def some(**changes: Any) -> Figures:
 @pytest.mark.parametrize(
     ("changes", "worse"),
     [
-        ({"fell": 9, "knock": 0.4, "effort": 99.0}, []),
-        ({"fell": 11}, ["falls"]),
+        ({"fallen": tuple(range(9)), "knock": 0.4, "effort": 99.0}, []),
+        ({"fallen": tuple(range(14))}, []),  # 4 of 4 by chance: 1/16
+        ({"fallen": tuple(range(15))}, ["falls"]),  # 5 of 5: 1/32
+        ({"fallen": tuple(range(10, 20))}, []),  # as many others
+        ({"light": "amber"}, ["light"]),
         ({"knock": 0.29}, ["knock"]),
         ({"knock": 0.297}, []),
         ({"linear": LinearMargins(0.99, 0.72, 1.4, 0.01)}, ["gain margin"]),
@@ -226,9 +231,29 @@ def test_what_is_worse_although_the_rule_does_not_compare_it_is_named(
     assert [m.name for m in MEASURES if m.change(some(**before), some(**after)) == "paid"] == lost
 
 
+def test_falls_are_compared_on_the_same_robots_by_an_exact_test() -> None:
+    """scipy's own sign test of the robots that fell once; how many fell under both tells nothing."""
+    for here, there in itertools.product(range(12), range(12)):
+        one = some(fallen=(*range(5), *range(100, 100 + here)))
+        other = some(fallen=(*range(5), *range(200, 200 + there)))
+        assert fell_once(one, other) == (here, there)
+        exact = binomtest(here, here + there, alternative="greater").pvalue if here + there else 1.0
+        assert chance_of(here, there) == pytest.approx(exact)
+        assert one.falls_more(other) == (exact < 0.05)
+
+
+def test_of_falls_that_cannot_be_told_apart_the_rest_decides() -> None:
+    """7 against 6 falls were refused, though the effort is smaller; 16 against 6 are more falls."""
+    default = Point({}, some(fallen=tuple(range(6))))
+    calm = Point({}, some(fallen=tuple(range(7)), effort=6.0))
+    risky = Point({}, some(fallen=tuple(range(16)), effort=3.0))
+    assert room._picked([default, calm, risky]) is calm
+    assert room._picked([default, risky]) is default
+
+
 def test_what_is_refused_is_told_in_numbers() -> None:
     """25 of 1000 fell where 18 did under the default: the page had said "worse in falls", without either."""
-    default, refused = some(fell=18), some(fell=25, effort=6.0)
+    default, refused = some(fallen=tuple(range(18))), some(fallen=tuple(range(25)), effort=6.0)
     tuned = Tuned(
         method="lqg", robot="nxtway-gs", kit="nxt", seed=0, budget=2, evaluated=2, controller=lqg(NXT, KIT),
         defaults={"pitch": 0.15}, weights={"pitch": 0.15}, default=default, chosen=default,
@@ -236,10 +261,11 @@ def test_what_is_refused_is_told_in_numbers() -> None:
     )  # fmt: skip
     page = tuned.page()
     assert [str(fact) for fact in page.title.facts["worse"]] == ["falls"]
-    assert str(page.numbers[0].value) == "18 of 1000 → 25 of 1000"
+    assert str(page.numbers[0].value) == "18 → 25"
     told = tuned.to_json()
     assert (told["changes"]["falls"], told["changes"]["effort"], told["changes"]["knock"]) == ("paid", "won", "")
     assert told["refused"]["fell"] == 25
+    assert told["paired"]["more_by_chance"] == pytest.approx(1 / 2**7)  # all seven on one side
     assert len(tuned.plot().axes[0].patches) == len(MEASURES)
 
 

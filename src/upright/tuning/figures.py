@@ -13,7 +13,7 @@ from upright.arrays import Array
 from upright.atomic import finite
 from upright.certification.checks import SECONDS, PushTrial, TrialSetup, kernel_controller, tried
 from upright.certification.recovery import KNOCK_DURATION
-from upright.certification.verdict import Examined, LinearMargins, judge
+from upright.certification.verdict import AMBER, GREEN, RED, Examined, LinearMargins, judge
 from upright.control.controller import Controller
 from upright.fleets.ensemble import release
 from upright.kernel.batch import FleetBatch, parameters_of
@@ -27,18 +27,22 @@ COARSE, FINE = 32, 16
 """Sizes that are tried, between both ends and between two of these: 1.2 % from one to the next."""
 ALIKE = 0.02
 """Knocks that differ by less, relatively, count as equal: twice what the sizes that are tried resolve."""
+LEVEL = 0.05
+"""Falls differ where chance alone would show as large a difference less often: the 95 % of a certificate's bound."""
+LIGHTS = (GREEN, AMBER, RED)
+"""The better ones first."""
 STREAMS = 2
 """Times that each size is tried from each side, with other noise: it is survived where all of them are."""
 
 
 @dataclass(frozen=True)
 class Runs:
-    """The standard pushes on a fleet: its `trials`, how many robots `fell` in any of them and how many of these no
-    controller could save (`beyond`), the fraction of the time `down` that the runs of fallen robots lack [1], and the
-    means of those that stood: `settling` [s] after the last push, `effort` [V² s, or N² m² s]."""
+    """The standard pushes on a fleet: its `trials`, the numbers of the robots that fell in any of them (`fallen`), how
+    many of these no controller could save (`beyond`), the fraction of the time `down` that the runs of fallen robots
+    lack [1], and the means of those that stood: `settling` [s] after the last push, `effort` [V² s, or N² m² s]."""
 
     trials: tuple[PushTrial, ...]
-    fell: int
+    fallen: tuple[int, ...]
     beyond: int
     down: float
     settling: float
@@ -65,7 +69,7 @@ def pushed(setup: TrialSetup, *, blamed: bool = False) -> Runs:
     count = len(trials) * len(setup.robots)
     return Runs(
         tuple(trials),
-        int(fell.sum()),
+        tuple(np.flatnonzero(fell).tolist()),
         int(beyond.sum()),
         1 - sum(lived) / (SECONDS * count),
         _mean(settling, SECONDS),
@@ -126,12 +130,13 @@ def slack(linear: LinearMargins) -> float:
 
 @dataclass(frozen=True, kw_only=True)
 class Figures:
-    """Of `samples` robots `fell` in a standard push; the largest `knock` [N s]; means of `settling` [s] and `effort`
-    [V² s, or N² m² s]; 95 % quantiles in the worst trial of `saturated` [1], `travel` [m] and `sway` [rad]; the nominal
-    loop's margins `linear`; the `light` that a certificate gives it, and its `reasons`."""
+    """Of `samples` robots those with the numbers `fallen` fell in a standard push; the largest `knock` [N s]; means of
+    `settling` [s] and `effort` [V² s, or N² m² s]; 95 % quantiles in the worst trial of `saturated` [1], `travel` [m]
+    and `sway` [rad]; the nominal loop's margins `linear`; the `light` that a certificate gives it, and its `reasons`.
+    """
 
     samples: int
-    fell: int
+    fallen: tuple[int, ...]
     knock: float
     settling: float
     effort: float
@@ -141,6 +146,11 @@ class Figures:
     linear: LinearMargins | None
     light: str
     reasons: tuple[str, ...]
+
+    @property
+    def fell(self) -> int:
+        """How many robots fell."""
+        return len(self.fallen)
 
     @property
     def falls(self) -> float:
@@ -157,9 +167,15 @@ class Figures:
         """The smallest delay margin [s] of all loops: infinite where it is not known."""
         return math.inf if self.linear is None else self.linear.delay
 
+    def falls_more(self, other: Figures) -> bool:
+        """Whether more of the same robots fell than in `other`, beyond what chance explains at the `LEVEL`."""
+        return chance_of(*fell_once(self, other)) < LEVEL
+
     def worse(self, other: Figures) -> list[str]:
-        """In which of falls, knock and margins this is worse than `other`, of the knock by more than `ALIKE`."""
-        worse = ["falls"] if self.falls > other.falls else []
+        """In which of falls, light, knock and margins this is worse than `other`, which flew the same robots with the
+        same noise; of the knock by more than `ALIKE`."""
+        worse = ["falls"] if self.falls_more(other) else []
+        worse += ["light"] if LIGHTS.index(self.light) > LIGHTS.index(other.light) else []
         worse += ["knock"] if self.knock < (1 - ALIKE) * other.knock else []
         if other.linear is None:
             return worse
@@ -171,7 +187,23 @@ class Figures:
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is unlimited."""
         linear = {k: finite(v) for k, v in asdict(self.linear).items()} if self.linear else None
-        return asdict(self) | {"linear": linear, "reasons": list(self.reasons)}
+        told = {"fell": self.fell, "fallen": list(self.fallen), "linear": linear, "reasons": list(self.reasons)}
+        return asdict(self) | told
+
+
+def fell_once(one: Figures, other: Figures) -> tuple[int, int]:
+    """How many of the same robots fell in `one` only, and in `other` only."""
+    here = set(one.fallen)
+    there = set(other.fallen)
+    return len(here - there), len(there - here)
+
+
+def chance_of(here: int, there: int) -> float:
+    """How likely [1] at least so many as `here` of `here` + `there` robots that fell once did so on one side, if both
+    were equally likely: the exact test of paired counts (McNemar 1947), one-sided."""
+    from scipy.special import betainc
+
+    return float(betainc(here, there + 1, 0.5)) if here else 1.0  # P(X ≥ here), X binomial with 1/2
 
 
 @dataclass(frozen=True)
@@ -184,10 +216,12 @@ class Measure:
     of: Callable[[Figures], float]
 
     def change(self, before: Figures, after: Figures) -> str:
-        """Whether it is "won" or "paid" by more than `ALIKE`, counted falls by any; else ""."""
+        """Whether it is "won" or "paid" by more than `ALIKE`, falls beyond what chance explains; else ""."""
+        if self.name == "falls":
+            return "paid" if after.falls_more(before) else "won" if before.falls_more(after) else ""
         old = self.of(before)
         new = self.of(after)
-        if old == new or abs(new - old) <= (0.0 if self.name == "falls" else ALIKE * abs(old)):
+        if old == new or abs(new - old) <= ALIKE * abs(old):
             return ""
         return "paid" if self.way * (new - old) > 0 else "won"
 
@@ -217,10 +251,10 @@ def figures(
     setup = TrialSetup(robot, robots, kit, seed, controller=kernel_controller(controller, robot, kit), threads=threads)
     runs = pushed(setup, blamed=True)
     light, reasons = judge(
-        Examined(samples, runs.fell, linear, runs.trials, controller.spec.period, beyond=runs.beyond)
+        Examined(samples, len(runs.fallen), linear, runs.trials, controller.spec.period, beyond=runs.beyond)
     )
     return Figures(
-        samples=samples, fell=runs.fell, knock=knock(setup), settling=runs.settling, effort=runs.effort,
+        samples=samples, fallen=runs.fallen, knock=knock(setup), settling=runs.settling, effort=runs.effort,
         saturated=max(t.saturated for t in runs.trials), travel=max(t.travel for t in runs.trials),
         sway=max(t.cycle for t in runs.trials), linear=linear, light=light, reasons=tuple(map(str, reasons)),
     )  # fmt: skip

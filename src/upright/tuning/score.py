@@ -86,7 +86,7 @@ class Scorer:
             used = (trial.saturated / MOST_SATURATED, trial.travel / MOST_TRAVEL, trial.cycle / MOST_CYCLE)
             over = max(over, *(size - 1 for size in used))
         return CandidateScore(
-            fell=sum(group.fell for group, _ in groups) / count,
+            fell=sum(len(group.fallen) for group, _ in groups) / count,
             down=sum(group.down * n for group, n in groups) / count,
             knock=knock(setup), settling=runs.settling, effort=runs.effort, over=over, modulus=modulus, excess=excess,
         )  # fmt: skip

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from upright.atomic import place_of
 from upright.certification.checks import FEWEST, TrialSetup, kernel_controller
-from upright.certification.verdict import AMBER, GREEN, RED, LinearMargins, linear_margins
+from upright.certification.verdict import LinearMargins, linear_margins
 from upright.control import CONTROLLERS, Controller, controller_hash, write_controller
 from upright.control.identity import request_hash
 from upright.control.methods import Method
@@ -27,7 +27,17 @@ from upright.pages import Result
 from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import draw
-from upright.tuning.figures import ALIKE, MEASURES, Figures, figures, hardest
+from upright.tuning.figures import (
+    ALIKE,
+    LEVEL,
+    LIGHTS,
+    MEASURES,
+    Figures,
+    chance_of,
+    fell_once,
+    figures,
+    hardest,
+)
 from upright.tuning.parallel import working
 from upright.tuning.score import CandidateScore, Scorer
 from upright.tuning.search import Candidate, SearchRecord, search
@@ -46,8 +56,6 @@ CHOICE = 400  # robots on which the rule chooses: a fraction of 1 % shows
 BUDGET = 400
 MOST_BUDGET, MOST_SAMPLES = 100_000, 100_000
 FINALISTS = 10  # whose margins and falls are measured as a certificate does, which takes a second or two each
-
-LIGHTS = (GREEN, AMBER, RED)
 
 
 @dataclass(frozen=True)
@@ -110,6 +118,12 @@ class Tuned(Result):
         """The figures that stand beside the default's: of the refused candidate, or of the chosen one."""
         return self.refused or self.chosen
 
+    def _paired(self) -> dict[str, float]:
+        """The test of falls: robots that fell under one controller only, and how likely chance gives so many more."""
+        here, there = fell_once(self.tried, self.default)
+        return {"only_tried": here, "only_default": there, "level": LEVEL,
+                "more_by_chance": chance_of(here, there), "fewer_by_chance": chance_of(there, here)}  # fmt: skip
+
     def plot(self) -> Figure:
         """By how much each figure of the chosen or refused weights differs from the default's [%]."""
         from upright.tuning.tune_page import draw_changes
@@ -136,7 +150,7 @@ class Tuned(Result):
             "weights": dict(self.weights), "units": {name: UNITS.get(name, "1") for name in self.weights},
             "default": self.default.to_json(), "chosen": self.chosen.to_json(), "front": front,
             "refused": self.refused.to_json() if self.refused else None,
-            "changes": {m.name: m.change(self.default, self.tried) for m in MEASURES},
+            "changes": {m.name: m.change(self.default, self.tried) for m in MEASURES}, "paired": self._paired(),
             "picked": self.picked, "hash": controller_hash(self.controller),
         }  # fmt: skip
 
@@ -157,13 +171,14 @@ def tune(
 ) -> Tuned:
     """The weights of `method` for `robot` with `kit` (None: its own) that the rule picks of `budget` candidates.
 
-    By the rule a candidate may have no more falls than the default, no knock smaller by over `ALIKE`, and no smaller
-    margin; of these the best light counts, then the fewest falls, the largest knock, the least effort.
+    By the rule a candidate may have no worse light than the default, no knock smaller by over `ALIKE`, no smaller
+    margin, and not more falls of the same robots, beyond what chance explains at the `LEVEL`. Of these the best light
+    counts; of those whose falls cannot be told from the fewest then the largest knock, and the least effort.
 
     The search is by CMA-ES, on falls, knock, settling, effort and margins of a fleet drawn from the robot's spreads; it
     ends early after `seconds` (None: never), and is otherwise the same for the same `seed`. Default and chosen
-    controller are compared on `samples` robots that it never saw; where the chosen one is worse in falls, knock or a
-    margin, the default is kept. `state` is a file that holds the search while it runs; with `resume` it goes on from
+    controller are compared on `samples` robots that it never saw; where the chosen one is worse by the same rule, the
+    default is kept. `state` is a file that holds the search while it runs; with `resume` it goes on from
     there. `progress` receives the fraction done. Raises `UnknownName` for a method that is not registered,
     `InvalidController` for one without weights, `InvalidScenario` for a wrong number or file, `MissingTool` without the
     package cma.
@@ -311,20 +326,24 @@ def _level(knock: float) -> int:
 
 
 def _rank(s: CandidateScore) -> tuple[bool, float, int, float]:
-    """As `_order`, of what the search knows of a candidate."""
+    """As the rule picks, by what the search knows of a candidate: the least comes first."""
     return s.over > 0, s.fell, -_level(s.knock), s.effort
 
 
-def _order(f: Figures) -> tuple[int, int, int, float]:
-    """By which the rule picks: the least comes first."""
-    return LIGHTS.index(f.light), f.fell, -_level(f.knock), f.effort
+def _picked(points: Sequence[Point]) -> Point:
+    """What the rule picks among `points` that it allows; the first one where several are equal."""
+    best = min(LIGHTS.index(p.figures.light) for p in points)
+    lit = [p for p in points if LIGHTS.index(p.figures.light) == best]
+    fewest = min(lit, key=lambda p: p.figures.fell).figures
+    alike = [p for p in lit if not p.figures.falls_more(fewest)]
+    return min(alike, key=lambda p: (-_level(p.figures.knock), p.figures.effort))
 
 
 def _result(task: _Task, points: Sequence[Point], evaluated: int, budget: int, samples: int) -> Tuned:
     """The rule's choice among `points`, the default first, and both controllers on fresh robots."""
     default = points[0]
     fit = [p for p in points if p is default or not p.figures.worse(default.figures)]
-    picked = min(fit, key=lambda p: _order(p.figures))
+    picked = _picked(fit)
     front = [default, *(p for p in points[1:] if p is picked or not any(_beats(q, p) for q in points))]
     both = [default.weights] if picked is default else [default.weights, picked.weights]
     judged = task.points(both, samples, JUDGED)

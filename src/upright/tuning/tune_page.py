@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from upright.pages import Column, Fold, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.blocks import Cell
-from upright.tuning.figures import MEASURES, Figures, Measure
+from upright.tuning.figures import MEASURES, Figures, Measure, fell_once
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -19,14 +19,14 @@ LIGHTS = {
     "unknown": Verdict(Say("unknown"), "unknown"),
 }  # fmt: skip
 NAMES = {
-    "falls": Say("robots that fall"), "knock": Say("largest knock survived"), "delay": Say("more delay survived"),
-    "stronger": Say("stronger signals survived"), "weaker": Say("weaker signals survived"),
+    "falls": Say("robots that fall"), "knock": Say("largest knock survived"), "delay": Say("delay margin"),
+    "stronger": Say("gain margin upward"), "weaker": Say("gain margin downward"),
     "settling": Say("settling time"), "effort": Say("effort"), "saturated": Say("time at the motors' limit"),
     "travel": Say("distance rolled"), "sway": Say("sway at rest"),
 }  # fmt: skip
 WORSE = {
-    "falls": Say("falls"), "knock": Say("knock"), "stability": Say("stability"), "gain margin": Say("gain margin"),
-    "delay margin": Say("delay margin"),
+    "falls": Say("falls"), "light": Say("light"), "knock": Say("knock"), "stability": Say("stability"),
+    "gain margin": Say("gain margin"), "delay margin": Say("delay margin"),
 }  # fmt: skip
 CHANGES = {"won": Verdict(Say("better"), "good"), "paid": Verdict(Say("worse"), "warn"), "": Say("alike")}
 
@@ -34,13 +34,13 @@ CHANGES = {"won": Verdict(Say("better"), "good"), "paid": Verdict(Say("worse"), 
 def tune_page(tuned: Tuned) -> Page:
     """The page of a tuning."""
     lead = [
-        Say("Of {n} candidates for {robot} the best was judged on {new} robots that the search never saw.",
+        Say("The best candidate for {robot}, of {n}, was judged on {new} robots that the search never saw.",
             robot=tuned.robot, n=tuned.evaluated, new=tuned.default.samples),
-        Say("The rule allows not one more fall, no smaller knock and no smaller margin."),
+        *_falls(tuned),
     ]  # fmt: skip
     others = len(tuned.front) - 1
-    compared = bool(tuned.refused) or not tuned.kept
-    changes = Say("The candidate beside the default weights: green is better, orange worse")
+    compared = _compared(tuned)
+    changes = Say("The candidate beside the default: green is better, orange worse, grey may be chance")
     folds = [Fold(Say("Candidates"), [_candidates(tuned)])] if others else []
     return Page(
         _title(tuned), verdict=_verdict(tuned), lead=lead, numbers=_numbers(tuned),
@@ -50,10 +50,30 @@ def tune_page(tuned: Tuned) -> Page:
     )  # fmt: skip
 
 
+def _compared(tuned: Tuned) -> bool:
+    """Whether a candidate was judged beside the default."""
+    return bool(tuned.refused) or not tuned.kept
+
+
+def _falls(tuned: Tuned) -> list[Say]:
+    """Whether the falls of the same robots differ beyond what chance explains."""
+    was, now = tuned.default, tuned.tried
+    here, there = fell_once(now, was)
+    if not here + there:
+        return []
+    if now.falls_more(was) or was.falls_more(now):
+        return [Say("Fell with the candidate only: {here}; by default only: {there}. That is more than chance.",
+                    here=here, there=there)]  # fmt: skip
+    return [Say("Fell with the candidate only: {here}; by default only: {there}. That may be chance.",
+                here=here, there=there)]  # fmt: skip
+
+
 def _verdict(tuned: Tuned) -> Verdict:
     if tuned.kept:
         return Verdict(Say("keep the default weights"))
     light = LIGHTS[tuned.chosen.light]
+    if light.level == "bad":
+        return Verdict(Say("better, but still {light}", light=light.text), light.level)
     return Verdict(Say("better weights: {light}", light=light.text), light.level)
 
 
@@ -68,13 +88,14 @@ def _title(tuned: Tuned) -> Say:
         )
     if tuned.kept:
         return Say("No candidate is better without being worse somewhere")
-    if now.fell < was.fell:
-        return Say("Falls: {now} of {n} robots, by default {was}", now=now.fell, n=now.samples, was=was.fell)
+    if was.falls_more(now):
+        return Say("Fewer falls: {now} of {n} robots, by default {was}", now=now.fell, n=now.samples, was=was.fell)
     knock = next(m for m in MEASURES if m.name == "knock")
     if knock.change(was, now) == "won":
         return Say("Largest knock: {now}, by default {was}", now=_value(knock, now), was=_value(knock, was))
     effort = next(m for m in MEASURES if m.name == "effort")
-    return Say("Effort: {now}, by default {was}", now=_value(effort, now), was=_value(effort, was))
+    return Say("Effort {now}, by default {was}; the falls cannot be told apart", now=_value(effort, now),
+               was=_value(effort, was))  # fmt: skip
 
 
 def _value(measure: Measure, figures: Figures) -> Quantity | Say:
@@ -84,23 +105,25 @@ def _value(measure: Measure, figures: Figures) -> Quantity | Say:
 
 
 def _numbers(tuned: Tuned) -> list[KeyNumber]:
-    """The first three figures."""
+    """The three figures by which the rule picks."""
     was, now = tuned.default, tuned.tried
-    numbers: list[KeyNumber] = []
-    for measure in MEASURES[:3]:
-        value = _value(measure, now)
-        if tuned.kept and not tuned.refused:
-            numbers.append(KeyNumber(value, NAMES[measure.name]))
-        else:
-            both = Say("{was} → {now}", was=_value(measure, was), now=value)
-            meaning = Say("{what}: default → candidate", what=NAMES[measure.name])
-            numbers.append(KeyNumber(both, meaning))
+    picks = [m for m in MEASURES if m.name in ("falls", "knock", "effort")]
+    if not _compared(tuned):
+        return [KeyNumber(_value(measure, was), NAMES[measure.name]) for measure in picks]
+    falls = Say("of {n} robots fall, default → candidate", n=now.samples)
+    numbers = [KeyNumber(Say("{was} → {now}", was=was.fell, now=now.fell), falls)]
+    for measure in picks[1:]:
+        before = Quantity(measure.of(was), "1", digits=2)
+        after = Quantity(measure.of(now), measure.unit, digits=2)
+        numbers.append(KeyNumber(Say("{was} → {now}", was=before, now=after), NAMES[measure.name]))
     return numbers
 
 
 def _next(tuned: Tuned) -> Next:
     if tuned.kept:
         return Next("certify", tuned.method, robot=tuned.robot, why=Say("It pushes similar robots, and counts falls."))
+    if LIGHTS[tuned.chosen.light].level == "bad":
+        return Next("bench_controllers", robot=tuned.robot, why=Say("It compares the methods on this robot."))
     file = f"{tuned.method}-tuned.json"
     why = Say("First save it: add `-o {file}` to this command.", file=file)
     return Next("certify", file, robot=tuned.robot, why=why)
@@ -114,15 +137,22 @@ def _beside(tuned: Tuned) -> Table:
         [Say("light"), LIGHTS[was.light]],
         *([NAMES[m.name], _value(m, was)] for m in MEASURES),
     ]  # fmt: skip
-    if tuned.kept and not tuned.refused:
+    if not _compared(tuned):
         return Table(columns, rows)
     now = tuned.tried
-    columns += [Column(Say("refused") if tuned.refused else Say("chosen")), Column(Say("change"))]
+    columns += [Column(Say("candidate")), Column(Say("change"))]
     beside: list[list[Cell]] = [
-        [LIGHTS[now.light], None],
-        *([_value(m, now), CHANGES[m.change(was, now)]] for m in MEASURES),
+        [LIGHTS[now.light], CHANGES["" if now.light == was.light else "won"]],
+        *([_value(m, now), _changed(m, was, now)] for m in MEASURES),
     ]  # fmt: skip
     return Table(columns, [[*row, *other] for row, other in zip(rows, beside, strict=True)])
+
+
+def _changed(measure: Measure, was: Figures, now: Figures) -> Verdict | Say:
+    change = measure.change(was, now)
+    if measure.name == "falls" and not change and was.fallen != now.fallen:
+        return Say("may be chance")
+    return CHANGES[change]
 
 
 def _weights(tuned: Tuned) -> Table:
@@ -130,7 +160,7 @@ def _weights(tuned: Tuned) -> Table:
     columns = [Column(Say("weight")), Column(Say("default"))]
     rows: list[list[Cell]] = [[name, Quantity(value, units[name])] for name, value in tuned.defaults.items()]
     if not tuned.kept:
-        columns += [Column(Say("chosen")), Column(Say("ratio"), "1")]
+        columns += [Column(Say("candidate")), Column(Say("ratio"), "1")]
         for row, (name, value) in zip(rows, tuned.weights.items(), strict=True):
             row += [Quantity(value, units[name]), value / tuned.defaults[name]]
     return Table(columns, rows)
@@ -144,7 +174,7 @@ def draw_changes(was: Figures, now: Figures) -> Figure:
     names = [str(NAMES[m.name]) for m in measures]
     changes = [100 * (m.of(now) / m.of(was) - 1) for m in measures]
     colours = {"won": COLOURS[2], "paid": COLOURS[1], "": AXIS}
-    figure, ax = rows_of(names, str(Say("difference from the default [%]")), "")
+    figure, ax = rows_of(names, str(Say("difference from the default [%]")), str(Say("number")))
     ax.barh(range(len(names)), changes, height=0.6, color=[colours[m.change(was, now)] for m in measures])
     ax.axvline(0, color=AXIS, linewidth=1)
     return figure
@@ -168,6 +198,6 @@ def _candidates(tuned: Tuned) -> Table:
         Column(Say("gain margin"), "fraction"), Column(Say("delay margin"), "s"), Column(Say("light")),
         Column(Say("effort"), "1"), Column(Say("settling"), "s"),
     ]  # fmt: skip
-    caption = Say("On {n} other robots",
+    caption = Say("On {n} other robots. Allowed: no worse light, no smaller knock or margin, no clearly more falls.",
                   n=first.samples)  # fmt: skip
     return Table(columns, rows, caption)
