@@ -304,7 +304,7 @@ def test_a_campaign_is_ranked_by_falls_and_what_nobody_survived_has_a_dash():
     (lines,) = ax.collections
     assert lines.get_segments()[-1][:, 0].tolist() == pytest.approx([0.0, 100 * upper_bound(0, 100)])
     text = str(cases)
-    assert "with a 0 % fall." in text
+    assert "With b up to 100 % of the robots fall, with a none" in text
     rows = [["b", "100", "%", "100", "–"], ["a", "0", "%", "100", "3"]]
     assert [line.split() for line in text.splitlines()[-2:]] == rows
 
@@ -313,10 +313,11 @@ def test_a_campaign_names_the_case_that_falls_and_not_its_mean_with_those_that_s
     """All of b fall when knocked and 3 % on a slope: 51 % is what no case has."""
     fell = {("a", "x", "knock"): 0, ("a", "x", "slope"): 0, ("b", "x", "knock"): 100, ("b", "x", "slope"): 3}
     page = campaign_with(fell.items(), 100).page()
-    assert str(page.title) == "Worst: b, knock, 100\u00a0% of the robots fall"
+    assert str(page.title) == "With b up to 100\u00a0% of the robots fall, with a none"
+    assert page.title.facts["most"].value == 1.0
     low = math.floor(100 * clopper_pearson(100, 100).low)
     assert [str(number.value) for number in page.numbers] == [f"{low} to 100\u00a0%", "2 of 4"]
-    assert (str(page.verdict.text), page.verdict.level) == ("too many fall in 1 of 4 cases", "bad")
+    assert (str(page.verdict.text), page.verdict.level) == ("over 5\u00a0% fall in 1 of 4 cases", "bad")
 
 
 def test_cases_without_a_clear_difference_are_counted_together():

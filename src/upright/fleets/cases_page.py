@@ -39,6 +39,7 @@ FEW = 4  # cases, which are told apart in any case
 LISTED = 12  # cases at most that are shown one by one
 MATTER = 8  # drawn numbers in a table
 
+LIMIT = Quantity(MOST_FALLS, "fraction")
 LABELS = {"robot": Say("robot"), "controller": Say("controller"), "scenario": Say("scenario")}
 
 
@@ -58,11 +59,11 @@ def cases_page(cases: Tally) -> Page:
     if scenarios := _scenarios(cases):
         blocks.append(Fold(Say("Scenarios"), [scenarios]))
     if not counted:
-        title = Say("{n} cases; who fell is not kept", n=len(cases))
+        title = Say("Cases: {n}; who fell is not kept", n=len(cases))
         return Page(title, blocks=blocks, origin=_made_of(cases))
     return Page(
-        _title(together), verdict=_verdict(cases, counted), lead=_lead(cases, alike),
-        numbers=_numbers(cases, counted, together), picture=_picture(shown), next=_next(counted), blocks=blocks,
+        _title(shown), verdict=_verdict(cases, counted), lead=_lead(cases, alike),
+        numbers=_numbers(cases, counted), picture=_picture(shown), next=_next(counted), blocks=blocks,
         origin=_made_of(cases),
     )  # fmt: skip
 
@@ -73,6 +74,17 @@ def _title(shown: Tally) -> Say:
         return Say("No robot fell in any case")
     if not others:
         return Say("{fell} of {n} robots fell", fell=worst.fell, n=worst.n)
+    if decisive := shown.decisive():
+        name, levels = decisive
+        first, *_, last = levels
+        most = {value: max(_value(case) for case in shown.worst_first() if case.labels.get(name, "") == value)
+                for value in (first, last)}  # fmt: skip
+        facts = {"worst": shown.labelled(name, first), "best": shown.labelled(name, last),
+                 "most": Quantity(most[first], "fraction", digits=2)}  # fmt: skip
+        if not most[last]:
+            return Say("With {worst} up to {most} of the robots fall, with {best} none", **facts)
+        least = Quantity(most[last], "fraction", digits=2)
+        return Say("With {worst} up to {most} of the robots fall, with {best} up to {least}", least=least, **facts)
     name = shown.names()[shown.index(worst)]
     return Say("Worst: {case}, {part} of the robots fall", case=name, part=_part(worst))
 
@@ -84,7 +96,7 @@ def _verdict(cases: Tally, counted: Sequence[CaseSummary]) -> Verdict:
     bound = upper_bound(worst.fell or 0, worst.n)
     most = Quantity(None, "fraction", high=bound, digits=2)
     if above:
-        return Verdict(Say("too many fall in {n} of {all} cases", n=len(above), all=len(cases)), "bad")
+        return Verdict(Say("over {limit} fall in {n} of {all} cases", limit=LIMIT, n=len(above), all=len(cases)), "bad")
     if cases.origins and not any(_pushes(origin) for origin in cases.origins):
         return Verdict(Say("nobody pushed them"))
     if bound <= MOST_FALLS:
@@ -93,23 +105,26 @@ def _verdict(cases: Tally, counted: Sequence[CaseSummary]) -> Verdict:
 
 
 def _lead(cases: Tally, alike: Sequence[str]) -> list[Say]:
-    lead = [Say("{n} cases were simulated, and nobody pushed the robots.", n=len(cases))]
-    if pushes := _pushes(cases.origins[cases.index(cases.worst_first()[0])]) if cases.origins else ():
-        lead = [Say("{n} cases were simulated; the worst has {pushes}.", n=len(cases), pushes=pushes_in_words(pushes))]
+    worst, *_ = cases.worst_first()
+    facts: dict[str, Any] = {"n": len(cases), "robots": worst.n}
+    lead = [Say("{n} × {robots} robots were simulated, and nobody pushed them.", **facts)]
+    if pushes := _pushes(cases.origins[cases.index(worst)]) if cases.origins else ():
+        facts["pushes"] = pushes_in_words(pushes)
+        lead = [Say("{n} × {robots} robots were simulated; the worst case has {pushes}.", **facts)]
     labels = [LABELS.get(name, term(name)) for name in alike]
     if decisive := cases.decisive():
-        name, levels = decisive
-        *_, last = levels
-        label = LABELS.get(name, term(name))
+        label = LABELS.get(decisive[0], term(decisive[0]))
         if alike:
-            lead.append(Say("Most depends on the {label}; what may be chance: {alike}.", label=label, alike=labels))
+            lead.append(Say("The {label} decides; no clear difference by {alike}.", label=label, alike=labels))
         else:
-            least = Quantity(levels[last].value, "fraction", digits=2)
-            lead.append(Say("Most depends on the {label}: with {best} {least} fall.", label=label,
-                            best=cases.labelled(name, last), least=least))  # fmt: skip
+            lead.append(Say("Most depends on the {label}.", label=label))
     elif len(cases) > 1:
         lead.append(Say("No difference between the cases is clear."))
     return lead
+
+
+def _value(case: CaseSummary) -> float:
+    return case.chance.value if case.chance else 0.0
 
 
 def _part(case: CaseSummary) -> Quantity | None:
@@ -117,13 +132,16 @@ def _part(case: CaseSummary) -> Quantity | None:
     return Quantity(case.chance.value, "fraction", digits=2) if case.chance else None
 
 
-def _numbers(cases: Tally, counted: Sequence[CaseSummary], shown: Tally) -> list[KeyNumber]:
-    worst, *_ = shown.worst_first()
+def _numbers(cases: Tally, counted: Sequence[CaseSummary]) -> list[KeyNumber]:
+    worst, *_ = counted
     decides: list[KeyNumber] = []
     for name, (_, least, most) in [*cases.drawn().items()][:1]:
         ends = Say("{small} and {large}", small=Quantity(least, "fraction", digits=2),
                    large=Quantity(most, "fraction", digits=2))  # fmt: skip
-        decides.append(KeyNumber(ends, Say("fall with small and with large {name}", name=term(name))))
+        part = Quantity(END, "fraction")
+        meaning = Say("fall of the {part} with the least and of those with the largest {name}", part=part,
+                      name=term(name))  # fmt: skip
+        decides.append(KeyNumber(ends, meaning))
     numbers = [KeyNumber(falls_of(worst.fell or 0, worst.n), Say("fall in the worst case (95 % confidence)"))]
     if len(counted) > 1:
         safe = sum(not case.fell for case in counted)
@@ -137,7 +155,7 @@ def _picture(shown: Tally) -> Picture:
 
 def draw_cases(cases: Tally) -> Figure:
     """The fraction that fell in each case [%], the worst first, beside the limit of a certificate."""
-    from upright.plotting import AXIS, COLOURS, INK, legend, rows_of
+    from upright.plotting import AXIS, COLOURS, INK, LETTER, legend, rows_of
 
     names = cases.names()
     worst = cases.worst_first()[:DRAWN]
@@ -146,16 +164,19 @@ def draw_cases(cases: Tally) -> Figure:
     chances = [(chance.value, chance.low, chance.high) for case in worst if (chance := case.chance)]
     percent = 100 * np.array(chances).reshape(-1, 3)
     rows = np.arange(len(worst))
-    ax.barh(rows, percent[:, 0], height=0.6, color=COLOURS[0])
+    limit = 100 * MOST_FALLS
+    ax.barh(rows, percent[:, 0], height=0.6, color=[COLOURS[1 if value > limit else 0] for value in percent[:, 0]])
     bounds = str(Say("95 % confidence"))
     ax.hlines(rows, percent[:, 1], percent[:, 2], linewidth=1.2, color=INK, zorder=3, label=bounds)
-    limit = 100 * MOST_FALLS
-    allowed = str(Say("allowed by a certificate"))
+    allowed = str(Say("a certificate allows {limit}", limit=LIMIT))
     ax.axvline(limit, linestyle="--", linewidth=1, color=AXIS, label=allowed)
+    most = 1.3 * max(limit, percent[:, 2].max())
+    letter = LETTER / figure.get_figwidth() / ax.get_position().width * most
     for row, (value, _, high) in enumerate(percent.tolist()):
-        at = max(high, limit)  # not across the line of the limit
-        ax.annotate(f"{number(value, 2)} %", (at, row), (4, 0), textcoords="offset points", va="center")
-    ax.set_xlim(0, 1.3 * max(limit, percent[:, 2].max()))
+        text = f"{number(value, 2)} %"
+        at = limit if high < limit < high + letter * (len(text) + 1) else high  # not across the line of the limit
+        ax.annotate(text, (at, row), (4, 0), textcoords="offset points", va="center")
+    ax.set_xlim(0, most)
     if ax.get_xlim()[1] > 100:  # room for the numbers, but no tick above 100 %
         ax.set_xticks(np.arange(0, 101, 25))
     return legend(figure)
