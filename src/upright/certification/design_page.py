@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -37,7 +38,7 @@ NAMES = {
 def design_page(designed: Designed) -> Page:
     """The page of a designed controller."""
     run: Release | None = designed.release
-    picture = _let_go(run) if run else None
+    picture = _let_go(run, designed.controller.spec.reads) if run else None
     controller = Fold(Say("The controller"), _controller(designed))
     if not designed.analysis:
         return replace(
@@ -75,8 +76,8 @@ def _lean(run: Release) -> Quantity:
     return Quantity(run.lean, "rad")
 
 
-def _let_go(run: Release) -> Picture:
-    """Pitch and travel of the run."""
+def _let_go(run: Release, reads: Sequence[str]) -> Picture:
+    """Pitch and travel of the run of a controller that `reads` these channels."""
     claim = Say("Let go at {lean}, it is upright again after {time} and rolls {travel}", lean=_lean(run),
                 time=Quantity(run.upright, "s", digits=2), travel=Quantity(run.travel, "m", digits=2))  # fmt: skip
     if run.fell_at is not None:
@@ -86,7 +87,10 @@ def _let_go(run: Release) -> Picture:
     elif not math.isfinite(run.upright):
         band = Quantity(run.band, "rad")
         claim = Say("Let go at {lean}, it stands, but keeps swinging beyond ±{band}", lean=_lean(run), band=band)
-    return Picture(claim, run.plot, Say("Nonlinear model with the kit's noise, delay, dead zone and limits."))
+    note = Say("Nonlinear model with the kit's noise, delay, dead zone and limits.")
+    if "sensor/pitch" not in reads:
+        note = Say("Nonlinear model of robot and kit. No sensor shows the lean at first, so it grows.")
+    return Picture(claim, run.plot, note)
 
 
 def _number(run: Release) -> KeyNumber:
@@ -133,16 +137,16 @@ def _controller(designed: Designed) -> list[Block]:
         Say("Every {period} it reads: {reads}.", period=Quantity(spec.period, "s"), reads=reads),
     ]
     if designed.weights:
-        blocks.append(_weights(designed.weights, spec.command_unit))
+        blocks.append(_weights(designed.weights, spec.command_unit, spec.period))
     residual = designed.facts()["residual"]
     if residual is not None:
         blocks.append(Say("Residual of the equations that were solved: {size}", size=Quantity(residual, "1", digits=2)))
     return blocks
 
 
-def _weights(weights: tuple[Weight, ...], unit: str) -> Table:
+def _weights(weights: tuple[Weight, ...], unit: str, period: float) -> Table:
     sizes = [None if w.size is None else Quantity(w.size, w.unit) for w in weights]
-    names = [_name(w.name) for w in weights]
+    names = [_name(w.name, period) for w in weights]
     if not any(w.gain for w in weights):
         rows = [[name, size] for name, size in zip(names, sizes, strict=True)]
         return Table([Column(Say("weight")), Column(Say("size"))], rows)
@@ -154,14 +158,13 @@ def _weights(weights: tuple[Weight, ...], unit: str) -> Table:
     return Table(columns, rows)
 
 
-def _name(name: str) -> Say | str:
-    """A state of the robot or the filter, or a command on its way, such as sent_2/left."""
+def _name(name: str, period: float) -> Say | str:
+    """A state of the robot or the filter, or a command on its way, such as sent_2/left, of so many periods [s] ago."""
     if not name.startswith("sent_"):
         return NAMES.get(name, name)
     ago, side = name.removeprefix("sent_").split("/")
-    if side == "left":
-        return Say("left command {n} periods ago", n=int(ago))
-    return Say("right command {n} periods ago", n=int(ago))
+    time = Quantity(int(ago) * period, "s")
+    return Say("left command {time} ago", time=time) if side == "left" else Say("right command {time} ago", time=time)
 
 
 def _whole(unit: str) -> str:
