@@ -25,10 +25,12 @@ BEFORE, AFTER = 0.3, 0.2  # [s] shown before the onset, at least, and after the 
 
 
 def last_seconds(result: FallExamined, push: Blow | None = None, lost: float | None = None) -> Figure:
-    """Pitch, and lean and speed over the most that the motors recover from; with a `push`, or the time [s] from which
-    on the robot was `lost`."""
+    """Pitch, and lean and speed over the most that the motors recover from, with the time [s] from which on the robot
+    was `lost`; or as a push [N s] that is as hard to stop, beside the `push` that came."""
     s = result.series
-    labels = [Say("pitch [°]"), Say("lean and speed together / the most that can be saved")]
+    scale = push.most if push else 1.0
+    danger = Say("lean and speed, as a push [N s]") if push else Say("lean and speed / the most that can be saved")
+    labels = [Say("pitch [°]"), danger]
     figure, axes = panels([str(label) for label in labels], weights=(1.0, 1.2))
     pitch, reach = axes
     degrees = np.degrees(s.pitch)
@@ -42,12 +44,12 @@ def last_seconds(result: FallExamined, push: Blow | None = None, lost: float | N
     if largest < LARGEST:
         apart = 20 if largest < LARGEST / 1.5 else 40
         pitch.set_yticks([tick for tick in range(-80, 81, apart) if low - 5 <= tick <= high + 5])
-    line(reach, str(Say("lean and speed")), s.t, s.reserve, style=2, solid=True)
+    line(reach, str(Say("lean and speed")), s.t, scale * s.reserve, style=2, solid=True)
     if push is None:
         _level(reach, s.t, 1.0, Say("no return"))
     else:
         _limits(reach, s.t, push)
-    reach.set_ylim(0, FAR)
+    reach.set_ylim(0, FAR * scale)
     if lost is not None:
         reach.plot(lost, 1.0, "o", color=INK, markersize=6)
     _framed(axes, result)
@@ -65,17 +67,20 @@ def _framed(axes: list[Axes], result: FallExamined) -> None:
 
 
 def _limits(ax: Axes, t: Array, push: Blow) -> None:
-    """What the best possible controller saves, and the robot's own; and the push over that, with its error."""
-    _level(ax, t, 1.0, Say("best possible"))
+    """The pushes [N s] that the best possible controller survives, and the robot's own; and the one that came, with its
+    error."""
+    _level(ax, t, push.most, Say("best possible: {size}", size=Quantity(push.most, "N s", digits=2)))
     if push.saves is not None:
-        own = push.saves / push.most
-        _level(ax, t, own, Say("its own: {part}", part=Quantity(own, "1", digits=2)), above=False)
-    part = push.counts / push.largest
-    ends = np.minimum([(1 - KNOWN) * part, (1 + KNOWN) * part], FAR)
-    ax.plot(push.start, min(part, FAR), "o", color=INK, markersize=4, clip_on=False)
+        own = Say("its controller: {size}", size=Quantity(push.saves, "N s", digits=2))
+        _level(ax, t, push.saves, own, above=False)
+    came = push.counts / push.largest * push.most
+    highest = FAR * push.most
+    ends = np.minimum([(1 - KNOWN) * came, (1 + KNOWN) * came], highest)
+    ax.plot(push.start, min(came, highest), "o", color=INK, markersize=4, clip_on=False)
     ax.plot([push.start] * 2, ends, "_-", color=INK, markersize=7, linewidth=1, clip_on=False)
-    size = Say("push: {part}", part=Quantity(part, "1", digits=2))
-    ax.annotate(str(size), (push.start, (min(part, FAR) + FAR) / 2), (-8, 0), textcoords="offset points", ha="right")
+    size = Say("the push: {size}", size=Quantity(came, "N s", digits=2))
+    middle = (min(came, highest) + highest) / 2
+    ax.annotate(str(size), (push.start, middle), (-8, 0), textcoords="offset points", ha="right")
 
 
 def _level(ax: Axes, t: Array, level: float, name: Say | None = None, *, above: bool = True) -> None:

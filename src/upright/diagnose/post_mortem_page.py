@@ -106,9 +106,9 @@ def _lead(result: FallExamined, push: Blow | None) -> list[Say]:
         return [Say("A fall is a lean beyond {lean} that lasts.", lean=Quantity(LEANING, "rad", digits=2))]
     if push:
         facts = {"size": Quantity(abs(push.impulse), "N s", digits=2), "at": instant(push.start)}
-        threw = Say("A push of {size} forward at {at} threw it over.", **facts)
+        threw = Say("A push of {size} forward at {at} most likely threw it over.", **facts)
         if push.impulse < 0:
-            threw = Say("A push of {size} backward at {at} threw it over.", **facts)
+            threw = Say("A push of {size} backward at {at} most likely threw it over.", **facts)
         return [threw, _saved(push)]
     if result.misfit**2 > FOREIGN:
         return [Say("The given robot does not fit this log, even before the fall.")]
@@ -123,10 +123,10 @@ def _lead(result: FallExamined, push: Blow | None) -> list[Say]:
 def _saved(push: Blow) -> Say:
     """Whether any controller could have saved it: an impulse is known to `KNOWN`."""
     if abs(push.impulse) > (1 + KNOWN) * push.most:
-        return Say("Push less: probably no controller could have saved it.")
+        return Say("Probably no controller could have saved it.")
     if abs(push.impulse) > (1 - KNOWN) * push.most:
-        return Say("Push less: the best possible controller may have saved it or not.")
-    return Say("Push less, or take a better controller, which may save it.")
+        return Say("Whether the best possible controller had saved it is not clear.")
+    return Say("A better controller may save it.")
 
 
 def _numbers(result: FallExamined, push: Blow | None) -> list[KeyNumber]:
@@ -180,9 +180,10 @@ def _causes(result: FallExamined) -> Table:
     columns = [
         Column(Say("cause")),
         Column(Say("probability"), "fraction", digits=2),
-        Column(Say("evidence")),
+        Column(Say("what the log shows")),
     ]
-    return Table(columns, [[cause.title, cause.likelihood, cause.evidence] for cause in _likely(result)])
+    rows = [[cause.title, cause.likelihood, cause.evidence] for cause in _likely(result)]
+    return Table(columns, rows, Say("A cause keeps a probability until the log excludes it"))
 
 
 def _repairs(result: FallExamined) -> Table:
@@ -214,7 +215,10 @@ def _next(result: FallExamined, push: Blow | None) -> Next:
     if push and abs(push.impulse) < (1 + KNOWN) * push.most:
         return Next("bench_controllers", robot=robot, why=Say("It compares controllers under pushes."))
     if PUSH in parts:
-        why = Say("It finds the largest push that the robot survives.")
+        why = Say("It finds the largest push that the robot survives, at each height.")
+        if push and push.saves is not None:
+            size = Quantity(push.saves, "N s", digits=2)
+            why = Say("Until then push with less than {size}. It finds the limit at each height.", size=size)
         return Next("push_map", robot=robot, controller=(push and push.by) or None, why=why)
     for part in parts:
         if part in DESIGNED_FOR:

@@ -187,7 +187,7 @@ def of_low(evidence: Evidence) -> Say:
     if math.isfinite(evidence.motors.help):
         help_ = plain(evidence.motors.help, 2)
         return Say("The motors gave {help} of the torque that stops the fall, and had more.", help=help_)
-    return Say("The fall grew without swings, and the motors had torque left.")
+    return Say("The fall grew without swings, as under too small a gain.")
 
 
 def of_high(evidence: Evidence, limit: float) -> Say:
@@ -210,10 +210,10 @@ def nothing(evidence: Evidence) -> Say:
     nis = plain(evidence.pushes_only.nis, 2)
     is_sound = evidence.pushes_only.nis < SOUND * evidence.ordinary
     if is_sound and evidence.run.robot.noise:
-        return Say("Nothing shows beyond the noise of the robot's calibration (NIS {nis}).", nis=nis)
+        return Say("Nothing shows beyond the noise of the robot's calibration.", nis=nis)
     if is_sound and evidence.ordinary < FOREIGN:
-        return Say("Robot and sensors are sound (NIS {nis}), and nothing else is large enough.", nis=nis)
-    return Say("No single fault explains the filter's errors (NIS {nis}).", nis=nis)
+        return Say("Robot and sensors are sound, and nothing else is large enough.", nis=nis)
+    return Say("No single fault explains the filter's errors.", nis=nis)
 
 
 def of_leftover(left: Leftover, robot: Robot) -> Say:
