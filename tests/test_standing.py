@@ -163,7 +163,7 @@ def test_what_is_endured_stays_below_what_any_controller_could() -> None:
 @pytest.mark.parametrize(
     ("push", "words"),
     [
-        (Endured("knock", 0.05, 0.2), "knock 0.05 N s (any controller 0.2 N s)"),
+        (Endured("knock", 0.05, 0.2), "knock 0.05 N s (best possible 0.2 N s)"),
         (Endured("hold", 1.5, None), "hold 1.5 N"),
         (Endured("slope", math.radians(5), None), "slope 5°"),
     ],

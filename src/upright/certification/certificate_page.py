@@ -99,7 +99,7 @@ def _numbers(c: Measurements) -> list[KeyNumber]:
     for endured in c.endured:
         if endured.kind == "knock":
             size, *_ = endured.sizes
-            numbers.append(KeyNumber(size, Say("knock at the centre of mass that it endures")))
+            numbers.append(KeyNumber(size, Say("largest knock at the centre of mass that it survives")))
     if c.linear and c.linear.stable and math.isfinite(c.linear.delay):
         unstable = Say("more delay at {place} makes the loop unstable", place=place_of(c.linear.delay_at))
         return [*numbers, KeyNumber(delay_of(c.linear.delay), unstable)]
@@ -125,7 +125,7 @@ def bars_of(c: Measurements) -> Figure:
 
     fell = any(t.fell for t in c.trials)
     each = {
-        str(Say("{push}, {battery}", push=t.message, battery=t.charge)): 100 * t.fell / t.runs if fell else t.travel
+        str(Say("{push}, {battery}", push=t.message, battery=t.supply)): 100 * t.fell / t.runs if fell else t.travel
         for t in worst_first(c)
     }
     push = str(Say("push, battery"))
@@ -209,7 +209,7 @@ def _guesses(c: Measurements) -> Say:
         return Say("none")
     first, *others = [term(name) for name in c.guessed.names]
     if c.light != UNKNOWN:
-        return Say("{names}; none of them decides", names=[first, *others])
+        return Say("{names}; none of them changes the light", names=[first, *others])
     if others:
         return Say("{first} decides most; then {others}", first=first, others=others)
     return Say("{first}, which decides", first=first)
@@ -320,9 +320,7 @@ def _margins(margins: LinearMargins) -> list[Block]:
     columns = [Column(Say("margin")), Column(Say("value")), Column(Say("smallest at"))]
     blocks: list[Block] = [Table(columns, rows)]
     if margins.met is not None:
-        blocks.append(
-            Say("Of 5 margins {met} reach the usual targets; the light counts falls instead.", met=margins.met)
-        )
+        blocks.append(Say("{met} of 5 margins at their usual target; the light counts falls instead.", met=margins.met))
     return blocks
 
 

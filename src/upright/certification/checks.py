@@ -96,13 +96,6 @@ class PushTrial:
             return Say("low battery")
         return Say("full battery") if self.battery == "full" else Say("battery at {volts}", volts=self.battery)
 
-    @property
-    def charge(self) -> Say:
-        """The same without its noun, for a column of batteries."""
-        if self.battery == "low":
-            return Say("low")
-        return Say("full") if self.battery == "full" else Say("{volts}", volts=self.battery)
-
 
 class KernelController(NamedTuple):
     """A controller as the kernel runs it: as its compiled `law`, or `called` for each robot where no law describes it,

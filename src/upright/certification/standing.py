@@ -84,13 +84,13 @@ class Standing:
         alone = Quantity(ALONE, "s")
         if self.longest is None:
             return Say(
-                "yes, for {time}; left alone, {lost} of {runs} similar robots fall",
+                "yes, for {time}; left alone, {lost} of {runs} similar robots fell",
                 time=alone,
                 runs=self.runs,
                 lost=self.lost,
             )
         periods = Quantity(None, "s", low=period, high=self.longest)
-        return Say("yes, for {time}, at periods of {periods}; left alone, {lost} of {runs} similar robots fall",
+        return Say("yes, for {time}, at periods of {periods}; left alone, {lost} of {runs} similar robots fell",
                    time=alone, periods=periods, runs=self.runs, lost=self.lost)  # fmt: skip
 
 
@@ -105,7 +105,7 @@ def stands(alone: Standing, radius: float, period: float, trials: Sequence[PushT
     if alone.fell_at is not None or not alone.runs or not sways or growth < math.log(FALLEN / LEAN):
         return alone.message(period)
     sway = Quantity(max(sways), "rad", digits=2)
-    return Say("yes, for {time}, in a limit cycle of ±{sway}; left alone, {lost} of {runs} similar robots fall",
+    return Say("yes, for {time}, in a limit cycle of ±{sway}; left alone, {lost} of {runs} similar robots fell",
                time=Quantity(ALONE, "s"), sway=sway, runs=alone.runs, lost=alone.lost)  # fmt: skip
 
 
@@ -130,7 +130,7 @@ class Endured:
         size, *best = self.sizes
         if not best:
             return Say("{push} {size}", push=ENDURED[self.kind], size=size)
-        return Say("{push} {size} (any controller {best})", push=ENDURED[self.kind], size=size, best=best[0])
+        return Say("{push} {size} (best possible {best})", push=ENDURED[self.kind], size=size, best=best[0])
 
 
 ENDURED = {"knock": Say("knock"), "hold": Say("hold"), "slope": Say("slope")}

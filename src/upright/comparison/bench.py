@@ -191,7 +191,7 @@ class Bench(Result):
         from upright.plotting import AXIS, COLOURS, bars
 
         names = [f"{place}. {name}" for name, place in self.places().items()]
-        label = str(Say("largest impulse survived [N s]"))
+        label = str(Say("largest knock survived [N s]"))
         figure = bars(names, list(self.ranked().values()), label, str(Say("controller")), digits=3)
         for bar, name in zip(figure.axes[0].patches, self.ranked(), strict=True):
             bar.set_color(COLOURS[2] if name == self.take else COLOURS[0] if name in self.quick else AXIS)

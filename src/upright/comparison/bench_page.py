@@ -35,17 +35,19 @@ def bench_page(bench: Bench) -> Page:
     ranked: dict[str, float] = bench.ranked()
     knocked = any(not math.isnan(size) for size in ranked.values())
     take = bench.take if knocked else ""
-    held = Say("{n} of {m} hold the robot", n=len(bench.held), m=len(ranked))
+    held = Say("hold the robot: {n} of {m}", n=len(bench.held), m=len(ranked))
+    tolerance = Quantity(bench.tolerance, "fraction")
     lead = [
-        Say("Each of {n} controllers drove {robot} ({body}), which was leaned, let go and knocked.", n=len(ranked),
+        Say("Each controller drove {robot} ({body}), which was let go from a lean, then knocked ever harder.",
             robot=bench.robot, body=bench.body),
     ]  # fmt: skip
     if take and len(bench.tied) > 1:
-        lead.append(Say("{n} quick ones are equal within {tolerance}; of these {take} needs the least effort.",
-                        n=len(bench.tied), tolerance=Quantity(bench.tolerance, "fraction"), take=take))  # fmt: skip
+        lead.append(Say("Of those quick enough {n} are equal within {tolerance}; {take} needs the least effort.",
+                        n=len(bench.tied), tolerance=tolerance, take=take))  # fmt: skip
     ranking = Picture(
         Say("Largest knock that each survives: green to be taken, grey too slow for the brick"), bench.plot,
-        Say("Knocks from front and back, at the centre of mass: drawn is the smaller limit."),
+        Say("The smaller limit of knocks from front and back. Equal places differ by less than {tolerance}.",
+            tolerance=tolerance),
     )  # fmt: skip
     left_out = [Items([Say("Left out: {why}", why=bench.left_out)])] if bench.left_out else []
     pushes = [push_table(bench, push) for push in dict.fromkeys(row.push for row in bench.rows)]
@@ -116,7 +118,7 @@ def _summary(bench: Bench) -> Table:
         Column(Say("controller")), Column(Say("knock"), "N s"), Column(Say("falls"), "fraction"),
         Column(Say("computing"), "s"), Column(Say("effort"), bench.effort_unit), Column(Say("settling"), "s"),
     ]  # fmt: skip
-    return Table(columns, rows, Say("Under the worse push"))
+    return Table(columns, rows, Say("The best first; each number from the push under which it is worse"))
 
 
 def push_table(bench: Bench, push: str) -> Table:
