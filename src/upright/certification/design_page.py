@@ -97,8 +97,8 @@ def _number(run: Release) -> KeyNumber:
     if run.fell_at is not None:
         return KeyNumber(Quantity(run.fell_at, "s", digits=2), Say("until it falls, let go at {lean}", lean=_lean(run)))
     if not math.isfinite(run.upright):
-        return KeyNumber(Say("swings"), Say("let go at {lean}, beyond ±{band}", lean=_lean(run),
-                                            band=Quantity(run.band, "rad")))  # fmt: skip
+        meaning = Say("beyond ±{band}, let go at {lean}", lean=_lean(run), band=Quantity(run.band, "rad"))
+        return KeyNumber(Say("keeps swinging"), meaning)
     return KeyNumber(
         Quantity(run.upright, "s", digits=2), Say("until upright again, let go at {lean}", lean=_lean(run))
     )

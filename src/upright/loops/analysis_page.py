@@ -54,8 +54,11 @@ def analysis_page(analysis: Analysis, first: Picture | None = None) -> Page:
 
 
 def _title(analysis: Analysis) -> Say:
-    """That it holds, and what reaches least of its usual target."""
+    """That it holds, and whom not; or what reaches least of its usual target."""
     facts = {"controller": analysis.controller, "robot": analysis.robot}
+    if analysis.fell:
+        return Say("{controller} holds {robot}, but not {fell} of {n} similar robots", fell=analysis.fell,
+                   n=len(analysis.radii), **facts)  # fmt: skip
     if _met(analysis) == TARGETS:
         return Say("{controller} holds {robot} with room to spare", **facts)
     least = min(analysis.reached, key=lambda name: analysis.reached[name])
@@ -83,18 +86,19 @@ def _drawn(analysis: Analysis) -> list[Say]:
 
 
 def _lead(analysis: Analysis) -> list[Say]:
-    """Which margin is too thin for a certificate, or how many are usual; and who else is held."""
+    """Which margin is too thin for a certificate, or how many are usual; and who else is held, but for the title."""
     least = analysis.thinnest
     met, n = _met(analysis), len(analysis.radii)
+    others = [] if analysis.fell else _drawn(analysis)
     if least.thin and least.kind != "delay":  # that of a delay is among the numbers
         facts = {"change": Quantity(least.size, "fraction", digits=2), "place": place_of(least.channel)}
         thin = Say("The thinnest margin: a signal {change} weaker at {place}.", **facts)
         if least.kind == "stronger":
             thin = Say("The thinnest margin: a signal {change} stronger at {place}.", **facts)
-        return [thin, *_drawn(analysis)]
+        return [thin, *others]
     if n and met < TARGETS and not analysis.fell:
         return [Say("{met} of 5 margins at their usual target, yet all of {n} similar robots are held.", met=met, n=n)]
-    return [Say("{met} of 5 margins at their usual target.", met=met), *_drawn(analysis)]
+    return [Say("{met} of 5 margins at their usual target.", met=met), *others]
 
 
 def _unheld(analysis: Analysis) -> Say:
