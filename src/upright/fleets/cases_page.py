@@ -77,10 +77,15 @@ def _title(shown: Tally) -> Say:
     if decisive := shown.decisive():
         name, levels = decisive
         first, *_, last = levels
-        most = {value: max(_value(case) for case in shown.worst_first() if case.labels.get(name, "") == value)
-                for value in (first, last)}  # fmt: skip
-        facts = {"worst": shown.labelled(name, first), "best": shown.labelled(name, last),
-                 "most": Quantity(most[first], "fraction", digits=2)}  # fmt: skip
+        most = {
+            value: max(_value(case) for case in shown.worst_first() if case.labels.get(name, "") == value)
+            for value in (first, last)
+        }
+        facts = {
+            "worst": shown.labelled(name, first),
+            "best": shown.labelled(name, last),
+            "most": Quantity(most[first], "fraction", digits=2),
+        }
         if not most[last]:
             return Say("With {worst} up to {most} of the robots fall, with {best} none", **facts)
         least = Quantity(most[last], "fraction", digits=2)
@@ -139,8 +144,9 @@ def _numbers(cases: Tally, counted: Sequence[CaseSummary]) -> list[KeyNumber]:
         ends = Say("{small} and {large}", small=Quantity(least, "fraction", digits=2),
                    large=Quantity(most, "fraction", digits=2))  # fmt: skip
         part = Quantity(END, "fraction")
-        meaning = Say("fall of the {part} with the least and of those with the largest {name}", part=part,
-                      name=term(name))  # fmt: skip
+        meaning = Say(
+            "fall of the {part} with the least and of those with the largest {name}", part=part, name=term(name)
+        )
         decides.append(KeyNumber(ends, meaning))
     numbers = [KeyNumber(falls_of(worst.fell or 0, worst.n), Say("fall in the worst case (95 % confidence)"))]
     if len(counted) > 1:

@@ -57,22 +57,27 @@ def _title(analysis: Analysis) -> Say:
     """That it holds, and whom not; or what reaches least of its usual target."""
     facts = {"controller": analysis.controller, "robot": analysis.robot}
     if analysis.fell:
-        return Say("{controller} holds {robot}, but not {fell} of {n} similar robots", fell=analysis.fell,
-                   n=len(analysis.radii), **facts)  # fmt: skip
+        return Say(
+            "{controller} holds {robot}, but not {fell} of {n} similar robots",
+            fell=analysis.fell,
+            n=len(analysis.radii),
+            **facts,
+        )
     if _met(analysis) == TARGETS:
         return Say("{controller} holds {robot} with room to spare", **facts)
     least = min(analysis.reached, key=lambda name: analysis.reached[name])
-    size = _five(analysis)[least].value
-    if least == "motors stronger":
-        return Say("{controller} holds {robot}, unless its motors are {size} stronger", size=size, **facts)
-    if least == "motors weaker":
-        return Say("{controller} holds {robot}, unless its motors are {size} weaker", size=size, **facts)
-    if least == "delay margin":
-        return Say("{controller} holds {robot}, unless {place} is {size} later", size=size,
-                   place=place_of(analysis.weakest.channel), **facts)  # fmt: skip
-    if least == "phase margin":
-        return Say("{controller} holds {robot}, with a phase margin of {size}", size=size, **facts)
-    return Say("{controller} holds {robot}; its Nyquist curve is {size} from −1", size=size, **facts)
+    place = place_of(analysis.weakest.channel)
+    return TITLES[least].about(**facts, size=_five(analysis)[least].value, place=place)
+
+
+TITLES = {
+    "motors stronger": Say("{controller} holds {robot}, unless its motors are {size} stronger"),
+    "motors weaker": Say("{controller} holds {robot}, unless its motors are {size} weaker"),
+    "delay margin": Say("{controller} holds {robot}, unless {place} is {size} later"),
+    "phase margin": Say("{controller} holds {robot}, with a phase margin of {size}"),
+    "distance from −1": Say("{controller} holds {robot}; its Nyquist curve is {size} from −1"),
+}
+"""The margin that reaches least of its usual target → the title of a loop that holds."""
 
 
 def _drawn(analysis: Analysis) -> list[Say]:
@@ -153,12 +158,12 @@ def _numbers(analysis: Analysis) -> list[KeyNumber]:
     both = analysis.both()
     first = analysis.weakest
     usual = Quantity(analysis.period, "s")
-    later = Say("more delay at {place} makes it unstable; usual: {usual}", place=place_of(first.channel), usual=usual)
+    delay = Say("more delay at {place} makes it unstable; usual: {usual}", place=place_of(first.channel), usual=usual)
     strength = Say("of the motors' strength keep it stable; usual: {usual}", usual=_gains(WEAK, STRONG))
     phase = Say("phase margin at both motors; usual: {usual}", usual=Quantity(math.radians(PHASE), "rad"))
     return [
         KeyNumber(_gains(both.gain_low, both.gain_high), strength),
-        KeyNumber(delay_of(first.delay), later),
+        KeyNumber(delay_of(first.delay), delay),
         KeyNumber(Quantity(both.phase, "rad", digits=2), phase),
     ]
 

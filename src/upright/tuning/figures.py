@@ -187,8 +187,8 @@ class Figures:
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is unlimited."""
         linear = {k: finite(v) for k, v in asdict(self.linear).items()} if self.linear else None
-        told = {"fell": self.fell, "fallen": list(self.fallen), "linear": linear, "reasons": list(self.reasons)}
-        return asdict(self) | told
+        shown = {"fell": self.fell, "fallen": list(self.fallen), "linear": linear, "reasons": list(self.reasons)}
+        return asdict(self) | shown
 
 
 def fell_once(one: Figures, other: Figures) -> tuple[int, int]:
