@@ -121,8 +121,13 @@ class Tuned(Result):
     def _paired(self) -> dict[str, float]:
         """The test of falls: robots that fell under one controller only, and how likely chance gives so many more."""
         here, there = fell_once(self.tried, self.default)
-        return {"only_tried": here, "only_default": there, "level": LEVEL,
-                "more_by_chance": chance_of(here, there), "fewer_by_chance": chance_of(there, here)}  # fmt: skip
+        return {
+            "only_tried": here,
+            "only_default": there,
+            "level": LEVEL,
+            "more_by_chance": chance_of(here, there),
+            "fewer_by_chance": chance_of(there, here),
+        }
 
     def plot(self) -> Figure:
         """By how much each figure of the chosen or refused weights differs from the default's [%]."""

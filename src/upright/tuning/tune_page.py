@@ -33,11 +33,13 @@ CHANGES = {"won": Verdict(Say("better"), "good"), "paid": Verdict(Say("worse"), 
 
 def tune_page(tuned: Tuned) -> Page:
     """The page of a tuning."""
-    lead = [
-        Say("The best candidate for {robot}, of {n}, was judged on {new} robots that the search never saw.",
-            robot=tuned.robot, n=tuned.evaluated, new=tuned.default.samples),
-        *_falls(tuned),
-    ]  # fmt: skip
+    lead = [Say("Candidates tried for {robot}: {n}.", robot=tuned.robot, n=tuned.evaluated)]
+    if _compared(tuned):
+        lead = [
+            Say("The best candidate for {robot}, of {n}, was judged on {new} robots that the search never saw.",
+                robot=tuned.robot, n=tuned.evaluated, new=tuned.default.samples),
+            *_falls(tuned),
+        ]  # fmt: skip
     others = len(tuned.front) - 1
     compared = _compared(tuned)
     changes = Say("The candidate beside the default: green is better, orange worse, grey may be chance")
@@ -62,10 +64,20 @@ def _falls(tuned: Tuned) -> list[Say]:
     if not here + there:
         return []
     if now.falls_more(was) or was.falls_more(now):
-        return [Say("Fell with the candidate only: {here}; by default only: {there}. That is more than chance.",
-                    here=here, there=there)]  # fmt: skip
-    return [Say("Fell with the candidate only: {here}; by default only: {there}. That may be chance.",
-                here=here, there=there)]  # fmt: skip
+        return [
+            Say(
+                "Fell with the candidate only: {here}; by default only: {there}. That is more than chance.",
+                here=here,
+                there=there,
+            )
+        ]
+    return [
+        Say(
+            "Fell with the candidate only: {here}; by default only: {there}. That may be chance.",
+            here=here,
+            there=there,
+        )
+    ]
 
 
 def _verdict(tuned: Tuned) -> Verdict:
@@ -87,15 +99,18 @@ def _title(tuned: Tuned) -> Say:
             worse=worse,
         )
     if tuned.kept:
-        return Say("No candidate is better without being worse somewhere")
+        return Say("No candidate beats the default weights of {method}", method=tuned.method)
     if was.falls_more(now):
         return Say("Fewer falls: {now} of {n} robots, by default {was}", now=now.fell, n=now.samples, was=was.fell)
     knock = next(m for m in MEASURES if m.name == "knock")
     if knock.change(was, now) == "won":
         return Say("Largest knock: {now}, by default {was}", now=_value(knock, now), was=_value(knock, was))
     effort = next(m for m in MEASURES if m.name == "effort")
-    return Say("Effort {now}, by default {was}; the falls cannot be told apart", now=_value(effort, now),
-               was=_value(effort, was))  # fmt: skip
+    return Say(
+        "Effort {now}, by default {was}; the falls cannot be told apart",
+        now=_value(effort, now),
+        was=_value(effort, was),
+    )
 
 
 def _value(measure: Measure, figures: Figures) -> Quantity | Say:
