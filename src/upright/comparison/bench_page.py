@@ -38,7 +38,7 @@ def bench_page(bench: Bench) -> Page:
     held = Say("hold the robot: {n} of {m}", n=len(bench.held), m=len(ranked))
     tolerance = Quantity(bench.tolerance, "fraction")
     lead = [
-        Say("Each controller drove {robot} ({body}), which was let go from a lean, then knocked ever harder.",
+        Say("Each controller drove {robot} ({body}): let go from a lean, then knocked ever harder.",
             robot=bench.robot, body=bench.body),
     ]  # fmt: skip
     if take and len(bench.tied) > 1:

@@ -69,18 +69,16 @@ def _framed(axes: list[Axes], result: FallExamined) -> None:
 def _limits(ax: Axes, t: Array, push: Blow) -> None:
     """The pushes [N s] that the best possible controller survives, and the robot's own; and the one that came, with its
     error."""
-    _level(ax, t, push.most, Say("best possible: {size}", size=Quantity(push.most, "N s", digits=2)))
+    _level(ax, t, push.most, Say("best possible"))
     if push.saves is not None:
-        own = Say("its controller: {size}", size=Quantity(push.saves, "N s", digits=2))
-        _level(ax, t, push.saves, own, above=False)
+        _level(ax, t, push.saves, Say("its controller"), above=False)
     came = push.counts / push.largest * push.most
     highest = FAR * push.most
     ends = np.minimum([(1 - KNOWN) * came, (1 + KNOWN) * came], highest)
     ax.plot(push.start, min(came, highest), "o", color=INK, markersize=4, clip_on=False)
     ax.plot([push.start] * 2, ends, "_-", color=INK, markersize=7, linewidth=1, clip_on=False)
-    size = Say("the push: {size}", size=Quantity(came, "N s", digits=2))
     middle = (min(came, highest) + highest) / 2
-    ax.annotate(str(size), (push.start, middle), (-8, 0), textcoords="offset points", ha="right")
+    ax.annotate(str(Say("the push")), (push.start, middle), (-8, 0), textcoords="offset points", ha="right")
 
 
 def _level(ax: Axes, t: Array, level: float, name: Say | None = None, *, above: bool = True) -> None:

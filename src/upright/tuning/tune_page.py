@@ -85,7 +85,7 @@ def _verdict(tuned: Tuned) -> Verdict:
         return Verdict(Say("keep the default weights"))
     light = LIGHTS[tuned.chosen.light]
     if light.level == "bad":
-        return Verdict(Say("better, but still {light}", light=light.text), light.level)
+        return Verdict(Say("tuned, but still {light}", light=light.text), light.level)
     return Verdict(Say("better weights: {light}", light=light.text), light.level)
 
 
