@@ -125,7 +125,7 @@ def _saved(push: Blow) -> Say:
     if abs(push.impulse) > (1 + KNOWN) * push.most:
         return Say("Probably no controller could have saved it.")
     if abs(push.impulse) > (1 - KNOWN) * push.most:
-        return Say("Whether the best possible controller had saved it is not clear.")
+        return Say("The best possible controller may have saved it or not.")
     return Say("A better controller may save it.")
 
 
@@ -213,7 +213,9 @@ def _next(result: FallExamined, push: Blow | None) -> Next:
         why = Say("It learns the robot of this log.")
         return Next("calibrate", log, robot=robot, output="robot.toml", why=why)
     if push and abs(push.impulse) < (1 + KNOWN) * push.most:
-        return Next("bench_controllers", robot=robot, why=Say("It compares controllers under pushes."))
+        return Next(
+            "bench_controllers", robot=robot, why=Say("Until then push less. It compares controllers under pushes.")
+        )
     if PUSH in parts:
         why = Say("It finds the largest push that the robot survives, at each height.")
         if push and push.saves is not None:
