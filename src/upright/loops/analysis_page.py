@@ -184,7 +184,8 @@ def _draw_reached(analysis: Analysis) -> Figure:
     lengths = [100 * min(part, FAR) for _, part in parts]
     figure = bars(names, lengths, str(Say("part of the usual target [%]")), str(Say("margin")), limit=100.0)
     ax = figure.axes[0]
-    *values, limit = ax.texts
+    texts: list[Any] = [*ax.texts]
+    *values, limit = texts
     limit.set_text(str(Say("usual")))
     for margin, length, bar, text in zip(known, lengths, ax.patches, values, strict=True):
         bar.set_facecolor(COLOURS[1 if length < 100 else 2])
