@@ -74,7 +74,8 @@ def _title(shown: Tally) -> Say:
         return Say("No robot fell in any case")
     if not others:
         return Say("{fell} of {n} robots fell", fell=worst.fell, n=worst.n)
-    if decisive := shown.decisive():
+    decisive = shown.decisive()
+    if decisive:
         name, levels = decisive
         first, *_, last = levels
         most = {

@@ -93,7 +93,8 @@ def _drawn(analysis: Analysis) -> list[Say]:
 def _lead(analysis: Analysis) -> list[Say]:
     """Which margin is too thin for a certificate, or how many are usual; and who else is held, but for the title."""
     least = analysis.thinnest
-    met, n = _met(analysis), len(analysis.radii)
+    met = _met(analysis)
+    n = len(analysis.radii)
     others = [] if analysis.fell else _drawn(analysis)
     if least.thin and least.kind != "delay":  # that of a delay is among the numbers
         facts = {"change": Quantity(least.size, "fraction", digits=2), "place": place_of(least.channel)}
