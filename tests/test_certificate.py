@@ -244,7 +244,7 @@ def test_what_no_controller_could_do_is_no_fault_of_this_one() -> None:
     trial = dataclasses.replace(_trial(fell=300), beyond=100)
     light, reasons = judge(Examined(1000, 300, LinearMargins(0.99, 0.5, 2.0, 0.02), [trial], 0.01, beyond=100))
     assert light == RED
-    assert str(reasons[0]).startswith("300 of 1000 robots fell")  # the 200 others are the controller's
+    assert str(reasons[0]).startswith("300 of 1000 similar robots fell")  # the 200 others are the controller's
     assert str(reasons[1]).startswith("No controller could: 100 of 1000")
     light, reasons = judge(Examined(1000, 110, LinearMargins(0.99, 0.5, 2.0, 0.02), [trial], 0.01, beyond=100))
     assert light == AMBER  # of 10 others alone it would not be red: weak motors are the robot's, not the controller's

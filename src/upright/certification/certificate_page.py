@@ -94,8 +94,12 @@ def _verdict(c: Measurements) -> Verdict:
 
 
 def _numbers(c: Measurements) -> list[KeyNumber]:
-    bound = Quantity(None, "fraction", high=c.bound, digits=2)
-    numbers = [KeyNumber(bound, Say("of similar robots fall (95 % confidence); the limit is {limit}", limit=LIMIT))]
+    if c.fell > MOST_FALLS * c.samples:
+        counted = Say("similar robots fall under at least one push; the limit is {limit}", limit=LIMIT)
+        numbers = [KeyNumber(Say("{fell} of {n}", fell=c.fell, n=c.samples), counted)]
+    else:
+        bound = Quantity(None, "fraction", high=c.bound, digits=2)
+        numbers = [KeyNumber(bound, Say("of similar robots fall (95 % confidence); the limit is {limit}", limit=LIMIT))]
     for endured in c.endured:
         if endured.kind == "knock":
             size, *_ = endured.sizes
@@ -103,7 +107,7 @@ def _numbers(c: Measurements) -> list[KeyNumber]:
     if c.linear and c.linear.stable and math.isfinite(c.linear.delay):
         unstable = Say("more delay at {place} makes the loop unstable", place=place_of(c.linear.delay_at))
         return [*numbers, KeyNumber(delay_of(c.linear.delay), unstable)]
-    stood = [t.travel for t in c.trials if t.fell < t.runs]
+    stood = [t.travel for t in c.trials if t.fell < t.runs and c.light != RED]
     travel = Say("95 % of those that stood roll less far, in the worst push")
     return [*numbers, *([KeyNumber(Quantity(max(stood), "m"), travel)] if stood else [])]
 
@@ -145,9 +149,17 @@ def worst_first(c: Measurements) -> list[PushTrial]:
     return sorted(c.trials, key=lambda t: -t.fell / t.runs if fell else -t.travel)
 
 
+PROGRAM = ".py:"
+"""In the name of a class in a program, whose equations nobody knows."""
+
+
 def _next(c: Measurements) -> Next:
     """What to run: the program, what would mend the first reason, or what to measure."""
     asked = c.given or c.controller
+    if c.light == GREEN and not c.linear and PROGRAM in c.given:
+        return Next(
+            "push_map", controller=c.given, robot=c.robot, why=Say("It shows where a push is hardest to survive.")
+        )
     if c.light == GREEN:
         target, output = PROGRAMS.get(c.kit, ("c", "balance.c"))
         return Next("firmware", asked, robot=c.robot, target=target, output=output,
@@ -164,13 +176,16 @@ def _next(c: Measurements) -> Next:
 def _mending(c: Measurements, asked: str) -> Next:
     """What would mend the first reason of a light that is not green."""
     kind = c.reasons[0].kind
-    if kind == "log":
+    if "log" in (reason.kind for reason in c.reasons):  # no weight mends what a log shows
         if any(s.name == MASS for s in (*c.support, *c.taken) if s.left_open or s.excess > 0):
             return Next("certify", asked, robot=c.robot, weighed="KG", why=Say("A scale tells the mass."))
-        return Next("certify", asked, robot=c.robot,
-                    why=Say("First mend what the log shows, or write it into the robot's file."))  # fmt: skip
+        return Next("certify", asked, robot=c.robot, log="LOG",
+                    why=Say("First mend what the log shows, then take a new log."))  # fmt: skip
     if kind == "weak":
         return Next("certify", asked, robot=c.robot, why=Say("First give the robot a higher gear ratio or battery."))
+    if c.linear and c.linear.free and not any("encoder" in name for name in c.subject["kit"]):
+        return Next("certify", asked, robot=c.robot,
+                    why=Say("Without encoders no weights resist a steady push: add encoders first."))  # fmt: skip
     if c.controller in TUNABLE:
         return Next("tune", c.controller, robot=c.robot, output="tuned.json", why=WEIGHTS[kind])
     return Next("bench_controllers", robot=c.robot, why=Say("It compares the methods on this robot."))

@@ -142,11 +142,11 @@ def judge(e: Examined) -> tuple[str, tuple[Reason, ...]]:
     if drawn and e.guessed and e.guessed.runs:
         fell, runs = e.guessed.fell, e.guessed.runs
         open_guesses = 1 - upper_bound(runs - fell, runs, CONFIDENCE) <= MOST_FALLS  # not surely too many
-        drawn = [_open(drawn[0], e.guessed)] if open_guesses else [_known(e.guessed), drawn[-1]]
+        drawn = [_open(drawn[0], e.guessed)] if open_guesses else [drawn[-1], _known(e.guessed)]
     certain = unstable + _file(e.standing) + disagreements(e.agreement, RED)
     grave = certain + ([] if open_guesses else drawn + _weak(e)[: len(drawn)])
     if grave:
-        return RED, tuple((grave[:1] + logged[:1] + grave[1:] + free)[:2])
+        return RED, tuple((grave[:1] + logged[:1] + free + grave[1:])[:2])
     if drawn and e.guessed:
         return UNKNOWN, (drawn[0], _measure(e.guessed, e.narrowing))
     thin = free or (_thin(linear, e.period) if linear else [])
@@ -249,22 +249,26 @@ def _drawn(e: Examined) -> list[Reason]:
         lost = [Reason("spread", message, Say("{lost} of {runs} fall alone", lost=alone.lost, runs=alone.runs))]
     if not red(e.fell - e.beyond, e.samples):
         return lost
+    facts = {"fell": e.fell, "n": e.samples, "limit": Quantity(MOST_FALLS, "fraction")}
+    if e.fell > MOST_FALLS * e.samples:
+        message = Say("{fell} of {n} similar robots fell under at least one push; the limit is {limit}.", **facts)
+        return [*lost, Reason("spread", message, Say("{fell} of {n} fall", fell=e.fell, n=e.samples))]
     bound = Quantity(None, "fraction", high=upper_bound(e.fell, e.samples, CONFIDENCE), digits=2)
-    message = Say("{fell} of {n} robots fell: {bound} may fall, the limit is {limit}.", fell=e.fell, n=e.samples,
-               bound=bound, limit=Quantity(MOST_FALLS, "fraction"))  # fmt: skip
+    message = Say("{fell} of {n} similar robots fell: of all such robots {bound}, and the limit is {limit}.",
+                  bound=bound, **facts)  # fmt: skip
     return [*lost, Reason("spread", message, Say("{bound} fall", bound=bound))]
 
 
 def _known(guessed: Guessed) -> Reason:
     """That too many fall with the guesses as they are."""
-    message = Say("With the guesses as the file has them, {fell} of {runs} robots fall.", fell=guessed.fell,
-               runs=guessed.runs)  # fmt: skip
+    message = Say("With every guess exactly as in the file, {fell} of {runs} robots fall too.", fell=guessed.fell,
+                  runs=guessed.runs)  # fmt: skip
     return Reason("spread", message, Say("{fell} of {runs} fall", fell=guessed.fell, runs=guessed.runs))
 
 
 def _open(falls: Reason, guessed: Guessed) -> Reason:
     """Falls that hang on guesses."""
-    message = Say("{falls} With the guesses as the file has them, it is {fell} of {runs}.", falls=falls.message,
+    message = Say("{falls} With every guess exactly as in the file, it is {fell} of {runs}.", falls=falls.message,
                fell=guessed.fell, runs=guessed.runs)  # fmt: skip
     return Reason("measure", message, falls.decides)
 
