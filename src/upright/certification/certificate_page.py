@@ -9,14 +9,13 @@ from typing import TYPE_CHECKING
 
 from upright.certification.measured import Measurements
 from upright.certification.narrowing import BY_HAND, by_run
+from upright.certification.next_step import next_step
 from upright.certification.pushes import RELEASE
 from upright.certification.recovery import KNOCK_DURATION
 from upright.certification.standing import LEAN, Swept, stands
 from upright.certification.verdict import AMBER, GREEN, MOST_FALLS, RED, UNKNOWN, LinearMargins
-from upright.control.tunable import TUNABLE
 from upright.languages import number
 from upright.likelihood.assumptions import BATTERIES
-from upright.likelihood.support import MASS
 from upright.loops.places import delay_of, place_of
 from upright.pages import (
     Block,
@@ -24,7 +23,6 @@ from upright.pages import (
     Fold,
     Items,
     KeyNumber,
-    Next,
     Page,
     Picture,
     Quantity,
@@ -43,11 +41,6 @@ if TYPE_CHECKING:
 LEVELS: dict[str, Level] = {GREEN: "good", AMBER: "warn", RED: "bad", UNKNOWN: "unknown"}
 LIMIT = Quantity(MOST_FALLS, "fraction")
 
-PROGRAMS = {
-    "nxt": ("nxc", "balance.nxc"), "spike": ("pybricks", "balance.py"), "ev3": ("ev3dev", "balance.py"),
-}  # fmt: skip
-"""Kit → the language of its brick, and a file for the program."""
-
 
 def certificate_page(c: Measurements) -> Page:
     """The page of a certificate."""
@@ -60,7 +53,7 @@ def certificate_page(c: Measurements) -> Page:
         blocks.append(Items(reservations))
     return Page(
         _title(c), verdict=_verdict(c), lead=_lead(c), numbers=_numbers(c),
-        picture=_picture(c), next=[_next(c)], blocks=[*blocks, *_folds(c)], origin=facts | weighed,
+        picture=_picture(c), next=[next_step(c)], blocks=[*blocks, *_folds(c)], origin=facts | weighed,
     )  # fmt: skip
 
 
@@ -147,62 +140,6 @@ def worst_first(c: Measurements) -> list[PushTrial]:
     """The trials, those with most falls first, or with the longest travel where nothing fell."""
     fell = any(t.fell for t in c.trials)
     return sorted(c.trials, key=lambda t: -t.fell / t.runs if fell else -t.travel)
-
-
-PROGRAM = ".py:"
-"""In the name of a class in a program, whose equations nobody knows."""
-
-
-def _next(c: Measurements) -> Next:
-    """What to run: the program, what would mend the first reason, or what to measure."""
-    asked = c.given or c.controller
-    if c.light == GREEN and not c.linear and PROGRAM in c.given:
-        return Next(
-            "push_map", controller=c.given, robot=c.robot, why=Say("It shows where a push is hardest to survive.")
-        )
-    if c.light == GREEN:
-        target, output = PROGRAMS.get(c.kit, ("c", "balance.c"))
-        return Next("firmware", asked, robot=c.robot, target=target, output=output,
-                    why=Say("It writes the program for the robot."))  # fmt: skip
-    logged = by_run(c.to_measure(), str(c.subject["robot"]["drive"]))
-    if logged:
-        return Next("excite", robot=c.robot, focus=",".join(logged), output="plan.json",
-                    why=Say("It plans a run; calibrate on its log tells these numbers."))  # fmt: skip
-    if c.to_measure():
-        return Next("certify", asked, robot=c.robot, why=Say("First write what you measured into the robot's file."))
-    return _mending(c, asked)
-
-
-def _mending(c: Measurements, asked: str) -> Next:
-    """What would mend the first reason of a light that is not green."""
-    kind = c.reasons[0].kind
-    if "log" in (reason.kind for reason in c.reasons):  # no weight mends what a log shows
-        if any(s.name == MASS for s in (*c.support, *c.taken) if s.left_open or s.excess > 0):
-            return Next("certify", asked, robot=c.robot, weighed="KG", why=Say("A scale tells the mass."))
-        return Next("certify", asked, robot=c.robot, log="LOG",
-                    why=Say("First mend what the log shows, then take a new log."))  # fmt: skip
-    if kind == "weak":
-        return Next("certify", asked, robot=c.robot, why=Say("First give the robot a higher gear ratio or battery."))
-    if c.linear and c.linear.free and not any("encoder" in name for name in c.subject["kit"]):
-        return Next("certify", asked, robot=c.robot,
-                    why=Say("Without encoders no weights resist a steady push: add encoders first."))  # fmt: skip
-    if c.controller in TUNABLE:
-        return Next("tune", c.controller, robot=c.robot, output="tuned.json", why=WEIGHTS[kind])
-    return Next("bench_controllers", robot=c.robot, why=Say("It compares the methods on this robot."))
-
-
-WEIGHTS = {
-    "loop": Say("It searches weights with which the robot stands."),
-    "alone": Say("It searches weights with which the robot stands."),
-    "spread": Say("It searches weights with which fewer robots fall."),
-    "free": Say("A weight on the wheels' angle holds the place."),
-    "gain": Say("A smaller weight on pitch leaves a larger gain margin."),
-    "delay": Say("A smaller weight on pitch rate bears more delay."),
-    "saturated": Say("A larger weight on the command saves the motors."),
-    "travel": Say("A larger weight on the wheels' angle rolls less."),
-    "sway": Say("A smaller weight on pitch rate sways less."),
-}
-"""Kind of a reason → what to change in a design."""
 
 
 def _questions(c: Measurements) -> Table:
