@@ -65,7 +65,7 @@ def test_what_is_predicted_worse_than_its_mean_is_named_with_a_reason(
 def test_a_late_reading_is_a_delay() -> None:
     late = RNG.standard_normal(401)
     (sentence,) = unpredicted(half_seconds(np.roll(late, 3), late))
-    assert str(sentence.facts["cause"]) == "it comes 3 readings late"
+    assert str(sentence.facts["cause"]) == "it comes late by 3 of its readings"
 
 
 def test_what_is_predicted_is_no_reason() -> None:

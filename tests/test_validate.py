@@ -168,8 +168,8 @@ def test_a_log_of_the_robots_own_fit_is_said_to_be_no_test() -> None:
     assert judged().fitted is None  # a preset does not say
     pages = [result.page() for result in (own, other)]
     assert [page.verdict.level for page in pages if page.verdict] == ["warn", "good"]
-    assert ["served to fit" in str(page.lead[0]) for page in pages] == [True, True]
-    assert [str(page.lead[0]).startswith("A test") for page in pages] == [False, True]
+    assert ["served to fit" in str(page.lead[-1]) for page in pages] == [True, True]
+    assert [str(page.lead[-1]).startswith("A test") for page in pages] == [False, True]
     assert [page.next[0].verb for page in pages] == ["validate", "design"]
 
 

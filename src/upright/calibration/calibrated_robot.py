@@ -40,6 +40,10 @@ DRAWN = PREDICTED | {"sensor/compass": "rad"}
 HELD_OUT = 0.1  # [s] a shorter end of a log is none that was held out
 GOOD = 0.9
 """[1] R² of half seconds from which a channel is predicted."""
+ENOUGH = 0.25
+"""[1] Half of the unstable pole's interval over its value, up to which a controller may be designed: what topples the
+robot goes with the pole's square, 1.25² = 1.56, and a linear quadratic regulator stands a motor half as strong, 2
+(Safonov and Athans 1977), of which delays take a part."""
 FAR = 4.0  # a reading missed by more than twice its deviation counts as missed by that: one fall is not the whole score
 
 
@@ -186,19 +190,36 @@ class CalibratedRobot(Result):
         ]
         values = np.linalg.eigvalsh(self.covariance / np.sqrt(np.outer(*[np.diag(self.covariance)] * 2)))
         wrong += [Say("The covariance of the numbers is not positive.")] if values[0] < -1e-9 else []
-        if uneven := dict.fromkeys(w.sensor for w in self.whiteness if not w.white):
-            sensors = [channel(sensor) for sensor in uneven]
-            wrong.append(
-                Say(
-                    "The model misses something small in: {sensors}. Another log shows whether it matters.",
-                    sensors=sensors,
-                )
-            )
+        wrong += [self.uneven] if self.uneven else []
         try:
             self.robot.replace()
         except InvalidRobot as error:
             wrong.append(Say("This is no robot: {error}.", error=str(error)))
         return tuple(wrong)
+
+    @property
+    def uneven(self) -> Say | None:
+        """In which sensors the model leaves more than noise; of how much weight that is, only R² says."""
+        sensors = dict.fromkeys(channel(w.sensor) for w in self.whiteness if not w.white)
+        return (
+            Say("What the model leaves of these is more than noise: {sensors}.", sensors=[*sensors])
+            if sensors
+            else None
+        )
+
+    @property
+    def doubts(self) -> tuple[Say, ...]:
+        """What speaks against a design with this robot, or for a test on another log first."""
+        doubts = [wrong for wrong in self.check() if wrong != self.uneven]
+        if self.refused:
+            return tuple(doubts)
+        if not (self.missed or self.least_score >= GOOD):
+            doubts.append(Say("Not every sensor is predicted well enough for a design."))
+        width = self["unstable_pole"].width
+        if not width <= ENOUGH:
+            facts = {"part": Quantity(width, "fraction", digits=2), "most": Quantity(ENOUGH, "fraction")}
+            doubts.append(Say("The unstable pole is known to ±{part} only; a design needs ±{most}.", **facts))
+        return tuple(doubts)
 
     @property
     def decision(self) -> Decision:
@@ -309,6 +330,8 @@ class CalibratedRobot(Result):
             **{name: list(map(str, getattr(self, name))) for name in ("notes", "unseen", "refused", "apart", "missed")},
             "quiet": str(self.quiet or ""),
             "wrong": list(map(str, self.check())),
+            "doubts": list(map(str, self.doubts)),
+            "bars": {"r2": GOOD, "pole": ENOUGH},
             "suspects": list(self.suspects),
             "likelier": dict(self.likelier),
             "unfitted": {k: finite(v) for k, v in self.unfitted.items()},

@@ -6,13 +6,13 @@ import math
 from collections.abc import Sequence
 from pathlib import Path
 
-from upright.calibration.calibrated_robot import GOOD, CalibratedRobot
+from upright.calibration.calibrated_robot import ENOUGH, GOOD, CalibratedRobot
 from upright.calibration.decision import DOUBTFUL, UNKNOWN
-from upright.calibration.estimate import REFUSED, VISIBLE, Estimate
+from upright.calibration.estimate import BOUNDED, CLOSE, REFUSED, VISIBLE, Estimate, known_to, named
 from upright.pages import Block, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.terms import channel, term
 
-GIVEN = 3  # parameters named in the lead
+FILE = "robot.toml"  # the name that is proposed for the calibrated robot
 STRONG = 0.9
 """Correlations from this size up are listed: only the prior separates such pairs."""
 
@@ -20,19 +20,22 @@ STRONG = 0.9
 def calibration_page(c: CalibratedRobot) -> Page:
     """The page of a calibration."""
     lead = _lead(c)
-    remarks = [remark for remark in (*c.check(), *c.notes) if remark not in lead]
+    remarks = [remark for remark in dict.fromkeys((*c.doubts, *c.notes)) if remark not in lead]
     known = [e for e in c.parameters if e.verdict == VISIBLE or e in c.off]
     rest = [e for e in c.parameters if e not in known]
     blocks: list[Block] = []
     if remarks:
         blocks.append(Items(remarks))
     if known:
-        measured = Say("Parameters that this log measures or bounds")
+        measured = Say(
+            "Measured: known to ±{close} or better; bounded: uncertainty at least halved",
+            close=Quantity(CLOSE, "fraction"),
+        )
         blocks.append(_estimates(sorted(known, key=lambda e: (not e.measured, e.shrink)), measured))
     if rest:
         blocks.append(Fold(Say("Parameters that this log does not show"), [*_beside_file(c), _estimates(rest)]))
     if c.channels:
-        blocks.append(Fold(Say("Predictions of each sensor"), [_predictions(c)]))
+        blocks.append(Fold(Say("Predictions of each sensor"), [_predictions(c), *([c.uneven] if c.uneven else [])]))
     blocks.append(Fold(Say("Coefficients of the motion, delays and motors"), _coefficients(c)))
     if c.unseen:
         blocks.append(Fold(Say("What the log does not separate"), _not_separated(c)))
@@ -56,8 +59,8 @@ def _verdict(c: CalibratedRobot) -> Verdict:
         return Verdict(Say("unknown: do not use it"), "unknown")
     if verdict == DOUBTFUL:
         return Verdict(Say("do not use it yet"), "warn")
-    if c.check() or not c.least_score >= GOOD:
-        return Verdict(Say("usable, with a doubt"), "warn")
+    if c.doubts:
+        return Verdict(Say("validate it before a design"), "warn")
     return Verdict(Say("ready for a design"), "good")
 
 
@@ -66,48 +69,48 @@ def _title(c: CalibratedRobot) -> Say:
         return Say("The log cannot tell the numbers of {robot}", robot=c.robot.name)
     if c.refused:
         return Say("The fit does not describe {robot}", robot=c.robot.name)
-    close = sum(e.measured for e in c.parameters)
-    return Say("The log measures {n} of {m} parameters of {robot}", n=close, m=len(c.parameters), robot=c.robot.name)
+    if c.decision.against:
+        return Say("{robot} as fitted cannot be trusted", robot=c.robot.name)
+    if c.doubts:
+        return Say("{robot} is fitted, but not surely enough", robot=c.robot.name)
+    return Say("{robot} is known well enough to design with", robot=c.robot.name)
 
 
 def _lead(c: CalibratedRobot) -> list[Say]:
-    """Why it is not to be used, or to be validated; else what is measured best, and whether that is enough."""
+    """Why it is not to be used, or to be validated; else why it is enough."""
     if c.decision.why:
         return [c.decision.why]
-    close = sorted((e for e in c.parameters if e.measured), key=lambda e: e.width)[:GIVEN]
-    best = [Say("{name} ±{part}", name=term(e.name), part=Quantity(e.width, "fraction", digits=2)) for e in close]
-    lead = [Say("Best: {numbers}.", numbers=best)] if best else []
-    pole = c["unstable_pole"]
-    if pole.measured:
-        width = Quantity(pole.width, "fraction", digits=2)
-        lead.append(Say("The unstable pole, on which balancing depends most, is known to ±{part}.", part=width))
-    return [*lead[-1:], *c.check()[:1]] if c.check() else lead
+    facts = {
+        "n": sum(e.measured for e in c.parameters),
+        "m": len(c.parameters),
+        "k": sum(e.kind == BOUNDED for e in c.parameters),
+    }
+    shown = Say("The log measures {n} of {m} parameters and bounds {k}; the others stay about as in the file.", **facts)
+    enough = Say("Enough: all sensors are predicted, and the unstable pole, on which balancing depends most, is known.")
+    return [c.doubts[0] if c.doubts else enough, shown]
 
 
 def _numbers(c: CalibratedRobot) -> list[KeyNumber]:
-    """How well it predicts, how fast the robot falls, and how late its gyro is."""
+    """How well it predicts and how surely the pole is known, each beside its bar; and how fast the robot falls."""
     if c.refused:
         return []
     numbers: list[KeyNumber] = []
     if scores := c.scores:
         worst = min(scores, key=lambda name: scores[name])
-        meaning = Say(
-            "R² of the worst prediction, {sensor}; {needed} is needed",
-            sensor=channel(worst),
-            needed=Quantity(GOOD, "1"),
-        )
+        meaning = Say("R² of the worst prediction, {sensor}; a design needs at least {needed}", sensor=channel(worst),
+                      needed=Quantity(GOOD, "1"))  # fmt: skip
         numbers.append(KeyNumber(r2_of(scores[worst]), meaning))
     pole = c["unstable_pole"]
     if pole.value > 0:
-        ends = [math.log(2) / end if end > 0 else None for end in (pole.high, pole.low)]
-        doubles = Quantity(math.log(2) / pole.value, "s", low=ends[0], high=ends[1], digits=2)
-        meaning = Say("until a lean has doubled (95 % interval)")
+        most = Quantity(ENOUGH, "fraction")
+        meaning = Say("uncertainty of the unstable pole; a design needs at most ±{most}", most=most)
         if pole.verdict != VISIBLE:
-            meaning = Say("until a lean has doubled, mostly by the robot's file")
-        numbers.append(KeyNumber(doubles, meaning))
-    if gyro := next((e for e in c.delays if e.name == "delay/gyro" and e.verdict == VISIBLE), None):
-        delay = Quantity(gyro.value, "s", low=gyro.low, high=gyro.high, digits=2)
-        numbers.append(KeyNumber(delay, Say("from a command until the gyro shows it")))
+            meaning = Say("uncertainty of the unstable pole, mostly by the file; a design needs at most ±{most}",
+                          most=most)  # fmt: skip
+        part = Quantity(pole.width, "fraction", digits=2)
+        numbers.append(KeyNumber(Say("±{part}", part=part), meaning))
+        doubles = Quantity(math.log(2) / pole.value, "s", digits=2)
+        numbers.append(KeyNumber(doubles, Say("until a lean has doubled without control")))
     return numbers
 
 
@@ -126,52 +129,42 @@ def _picture(c: CalibratedRobot) -> Picture | None:
         claim = Say("Predictions lie on the readings, also where nothing was fitted")
     else:
         claim = Say("Predictions lie on the readings")
-    return Picture(claim, c.plot_prediction, Say("Every half second the model starts anew, then knows commands alone."))
+    return Picture(
+        claim, c.plot_prediction, Say("Every half second the model starts anew, and gets only the logged commands.")
+    )
 
 
 def _next(c: CalibratedRobot) -> list[Next]:
     """What to run next; the robot becomes a file first, where it is none yet."""
     if c.decision.next:
         return [c.decision.next]
+    file = c.saved or FILE
+    then = Next("validate", file, "LOG")
+    why = Say("Take a log that was not fitted.")
+    if not c.doubts:
+        then = Next("design", "lqg", robot=file, output="lqg.json")
+        why = None
     if not c.saved:
-        return [
-            Next(
-                "calibrate",
-                *c.sources,
-                output="mine.toml",
-                why=Say("It writes this robot as a file, to validate and to design with."),
-            )
-        ]
-    if _verdict(c).level != "good":
-        return [Next("validate", c.saved, "LOG", why=Say("Take a log that was not fitted."))]
-    return [Next("design", "lqg", robot=c.saved, output="lqg.json")]
+        why = Say("It writes this robot as a file. Then: {step}", step=then)
+        return [Next("calibrate", *c.sources, output=FILE, why=why)]
+    return [Next(then.verb, *then.given, why=why, **then.options)]
 
 
 def _estimates(estimates: Sequence[Estimate], caption: Say | None = None) -> Table:
-    """Values with their intervals, what the log says of them, and what was known before."""
+    """Values, how surely they are known, what the log says of them, and what was known before."""
     rows = [
-        [_named(e), *_value_and_interval(e), e.called, Quantity(None, "1", low=e.before.low, high=e.before.high)]
+        [
+            named(e.name, e.unit),
+            Quantity(e.value, "1"),
+            e.called,
+            known_to(e.value, e.low, e.high),
+            known_to(e.before.value, e.before.low or 0.0, e.before.high),
+        ]
         for e in estimates
     ]
-    columns = [
-        Column(Say("number")),
-        Column(Say("value")),
-        Column(Say("95 % interval")),
-        Column(Say("this log")),
-        Column(Say("95 % before")),
-    ]
+    columns = [Column(Say("number")), Column(Say("value")), Column(Say("this log")), Column(Say("known to (95 %)")),
+               Column(Say("before"))]  # fmt: skip
     return Table(columns, rows, caption)
-
-
-def _named(e: Estimate) -> Say:
-    if e.unit == "1":
-        return term(e.name)
-    return Say("{name} [{unit}]", name=term(e.name), unit=e.unit)
-
-
-def _value_and_interval(e: Estimate) -> tuple[Quantity, Quantity]:
-    low = None if e.low == 0 else e.low
-    return Quantity(e.value, "1"), Quantity(None, "1", low=low, high=e.high)
 
 
 def _beside_file(c: CalibratedRobot) -> list[Block]:

@@ -7,6 +7,7 @@ from typing import Literal
 
 from upright.calibration.parameters import Parameter
 from upright.pages import Quantity, Say
+from upright.pages.terms import term
 from upright.robots import PARAMETERS
 
 VISIBLE, PRIOR, BOUND, HELD, REFUSED = "visible", "prior dominates", "at its bound", "not fitted", "refused"
@@ -130,3 +131,18 @@ class Estimate:
         """What was known before: the value, with 95 % of the prior; no number of a robot is below zero."""
         low, high = (float(self.asked.value(side * NORMAL)) for side in (-1, 1))
         return Quantity(self.prior, self.unit, low=None if low <= 0 and self.name in PARAMETERS else low, high=high)
+
+
+def known_to(value: float, low: float, high: float) -> Say:
+    """An interval as people read it: ± of the value, but its upper end where the lower says no more than zero would,
+    and both where the number may be negative."""
+    if low < 0:
+        return Say("{interval}", interval=Quantity(None, "1", low=low, high=high, digits=2))
+    if low < ONE_SIDED * high:
+        return Say("≤\u00a0{end}", end=Quantity(high, "1"))
+    return Say("±\u00a0{size}", size=Quantity((high - low) / (2 * value), "fraction", digits=2))
+
+
+def named(name: str, unit: str) -> Say:
+    """A number in words, with the unit of its value."""
+    return term(name) if unit == "1" else Say("{name} [{unit}]", name=term(name), unit=unit)

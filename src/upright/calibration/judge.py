@@ -214,8 +214,8 @@ def _likely(parts: Segments, name: str) -> Say:
     best = int(np.argmin(lags))
     if best and lags[best] < HALF:
         if best < MOST_LAGS:
-            return Say("it comes {n} readings late", n=best)
-        return Say("it comes {n} readings early", n=best - MOST_LAGS + 1)
+            return Say("it comes late by {n} of its readings", n=best)
+        return Say("it comes early by {n} of its readings", n=best - MOST_LAGS + 1)
     if _left(y, slope * predicted) < HALF and slope < 0:
         return Say("a flipped sign")
     if _left(y, slope * predicted) < HALF and not 1 / TURNED < slope < TURNED:

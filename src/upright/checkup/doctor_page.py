@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -24,6 +25,7 @@ from upright.pages import (
     Table,
     Verdict,
 )
+from upright.pages.words import shown_in
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -114,7 +116,9 @@ def _lead(result: LogExamined) -> list[Say]:
     elif result.segments:
         lead.append(Say("The robot balances for {balanced} of {seconds}.", **facts))
     n = len(_repairable(result))
-    if n:
+    if n == len(result.faults) == 1:
+        lead.append(Say("A repair removes the fault."))
+    elif n:
         lead.append(Say("A repair removes {n} of {m} faults.", n=n, m=len(result.faults)))
     elif _has(result, PUSHED):
         lead.append(Say("Pushes that the log does not name bend a model of it."))
@@ -136,10 +140,13 @@ def _numbers(result: LogExamined) -> list[KeyNumber]:
         kept = Quantity(result.kept[1] - result.kept[0], "s")
         numbers.append(KeyNumber(kept, Say("of {seconds} a repair keeps", seconds=Quantity(result.seconds, "s"))))
     period = Quantity(result.period, "s", digits=4)
-    numbers.append(KeyNumber(period, Say("from row to row, {n} rows", n=result.rows)))
-    notes = [title_of(f) for f in _listed(result) if f.severity == "note"]
+    numbers.append(KeyNumber(period, Say("from row to row; rows: {n}", n=result.rows)))
+    notes = [
+        Say("{what} ({where})", what=title_of(f), where=place_of(f)) for f in _listed(result) if f.severity == "note"
+    ]
     if notes and len(numbers) < MOST_NUMBERS:
-        numbers.append(KeyNumber(len(notes), Say("notes: {what}", what=[*dict.fromkeys(notes)][:SHOWN])))
+        meaning = Say("found, but no fault: {what}", what=[*dict.fromkeys(notes)][:SHOWN])
+        numbers.append(KeyNumber(len(notes), meaning))
     return numbers
 
 
@@ -214,9 +221,9 @@ def _next(result: LogExamined) -> list[Next]:
         steps.append(Next("post_mortem", log, robot=robot, why=Say("It finds why the robot fell.")))
     elif _has(result, QUIET) or _has(result, PUSHED):
         steps.append(Next("excite", robot=robot, output="plan.json", why=Say("It designs the signal to log next.")))
-    learns = Say("It learns the numbers of this robot from the log.")
+    learns = Say("It fits the numbers of this robot to the log.")
     if result.robot:
-        learns = Say("It learns the numbers of the robot that the log names.")
+        learns = Say("It fits the numbers of {robot}, which the log names, to the log.", robot=robot)
     return steps or [Next("calibrate", log, robot=robot, output="robot.toml", why=learns)]
 
 
@@ -245,16 +252,19 @@ def _draw(result: LogExamined, several: Sequence[tuple[Say, Sequence[str]]]) -> 
     record = result.read
     sides = {"left": (0, str(Say("left"))), "right": (1, str(Say("right")))}
     limited = {f.channel for f in result.findings if f.code == "saturation"}
-    figure, axes = panels([f"{title} [{record.units.get(names[0], '1')}]" for title, names in several])
-    for ax, (title, names) in zip(axes, several, strict=True):
+    shown = [shown_in(record.units.get(names[0], "1"), math.inf) for _, names in several]
+    figure, axes = panels([f"{title} [{unit or 1}]" for (title, _), (_, unit) in zip(several, shown, strict=True)])
+    for ax, (title, names), (factor, _) in zip(axes, several, shown, strict=True):
         for name in names:
             colour, side = sides.get(name.replace("_", "/").rpartition("/")[2], (4, str(title)))
             step = name in (record.commands or ())
-            line(ax, side, record.t, record[name], step=step, style=colour, solid=True)
+            line(ax, side, record.t, factor * record[name], step=step, style=colour, solid=True)
         if limited & {*names}:
             at = sensors.limited(record, names)
             for name, rows in zip(names, at, strict=True):
-                ax.plot(record.t[rows], record[name][rows], "o", color=COLOURS[3], markersize=2.5, label="_limit")
+                ax.plot(
+                    record.t[rows], factor * record[name][rows], "o", color=COLOURS[3], markersize=2.5, label="_limit"
+                )
     off = dict.fromkeys(str(POSES.get(s.kind, s.kind)) for s in result.segments if s.kind not in ON_WHEELS)
     for segment in result.segments:
         if segment.kind == STANDING:

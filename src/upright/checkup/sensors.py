@@ -60,7 +60,7 @@ def dead(record: Record) -> list[Finding]:
             )
             findings.append(warning("channel/holes", name, evidence, INTERPOLATE, Fix("fill", (name,))))
         elif np.ptp(values) == 0 and name in moving:
-            evidence = Say("It is {value} in all {n} rows.", value=plain(float(values[0]), 4), n=len(fine))
+            evidence = Say("It is {value} in each of {n} rows.", value=plain(float(values[0]), 4), n=len(fine))
             repair = Say("Check cable and mapped column, and whether a controller runs.")
             findings.append(error("channel/constant", name, evidence, repair))
     return findings

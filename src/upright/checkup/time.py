@@ -29,7 +29,7 @@ def order(record: Record) -> list[Finding]:
     """Rows without a time, times that repeat, and times that run backwards."""
     bad = ~np.isfinite(record.t)
     if bad.any():
-        evidence = Say("{n} rows have no time, the first is row {row}.", n=int(bad.sum()), row=int(np.argmax(bad)))
+        evidence = Say("Rows without a time: {n}, the first is row {row}.", n=int(bad.sum()), row=int(np.argmax(bad)))
         return [error("time/missing", "t", evidence, Say("Remove these rows."), Fix("finite time"))]
     steps = np.diff(record.t)
     back = np.flatnonzero(steps < 0)
@@ -44,7 +44,7 @@ def order(record: Record) -> list[Finding]:
         each = float(repeats / max(1, (steps > 0).sum()) + 1)
         evidence = Say("The clock counts in steps of {tick}, about {rows} rows each.", tick=tick, rows=plain(each, 2))
         return [error("time/coarse", "t", evidence, Say("Space the rows evenly between its steps."), Fix("spread"))]
-    evidence = Say("{n} rows repeat the time of the row before, the first is row {row}.", n=repeats, row=row)
+    evidence = Say("Rows that repeat the time of the row before: {n}, the first is row {row}.", n=repeats, row=row)
     return [error("time/repeated", "t", evidence, Say("Keep the first row of each time."), Fix("unique"))]
 
 
@@ -143,7 +143,7 @@ def steps(record: Record) -> list[Finding]:
         lost = int(np.rint(step[missed] / period - 1).sum())
         first = float(record.t[int(np.argmax(missed))])
         evidence = Say(
-            "{n} rows are missing at {places} places, the first after {time}.",
+            "Rows missing: {n}; places: {places}, the first after {time}.",
             n=lost,
             places=int(missed.sum()),
             time=instant(first),

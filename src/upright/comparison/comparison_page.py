@@ -50,10 +50,10 @@ def _who(comparison: Compared, pushes: Say) -> Say:
     robots = list(dict.fromkeys(name_in(log.origin, "robot") for log in comparison.logs.values()))
     laws = list(dict.fromkeys(law_in(log.origin) for log in comparison.logs.values()))
     if not all(robots):
-        return Say("Not every log names its robot: {pushes}.", pushes=pushes)
+        return Say("Not every log names its robot; they show {pushes}.", pushes=pushes)
     if all(laws):
-        return Say("All runs are of {robots} under {laws}: {pushes}.", robots=robots, laws=laws, pushes=pushes)
-    return Say("All runs are of {robots}: {pushes}.", robots=robots, pushes=pushes)
+        return Say("All runs are of {robots} under {laws}, with {pushes}.", robots=robots, laws=laws, pushes=pushes)
+    return Say("All runs are of {robots}, with {pushes}.", robots=robots, pushes=pushes)
 
 
 def _fits(comparison: Compared, name: str) -> dict[str, float]:
@@ -85,14 +85,14 @@ def _agreement(comparison: Compared, first: str, fits: Mapping[str, float]) -> S
     worst = next(iter(fits))
     state = state_words(first)
     if comparison.answered and len(fits) == 1:
-        return Say("From {one}, {other} differs by sway at rest only", one=one, other=worst)
+        return Say("From “{one}”, “{other}” differs by sway at rest only", one=one, other=worst)
     if comparison.answered:
-        return Say("From {one} the runs differ by sway at rest only", one=one)
+        return Say("From “{one}” the runs differ by sway at rest only", one=one)
     if fits[worst] < FAIR:
-        return Say("The {state} of {other} does not follow that of {one}", state=state, other=worst, one=one)
+        return Say("In {state}, “{other}” does not follow “{one}”", state=state, other=worst, one=one)
     if len(fits) == 1:
-        return Say("The {state} of {other} follows that of {one}", state=state, other=worst, one=one)
-    return Say("The {state} of all runs follows that of {one}", state=state, one=one)
+        return Say("In {state}, “{other}” follows “{one}”", state=state, other=worst, one=one)
+    return Say("In {state}, all runs follow “{one}”", state=state, one=one)
 
 
 def _verdict(comparison: Compared, first: str, fits: Mapping[str, float]) -> Verdict:
@@ -119,16 +119,16 @@ def _numbers(comparison: Compared, first: str, fits: Mapping[str, float]) -> lis
     """When runs fell, else the worst fits, the largest difference and, of two runs, when both have settled."""
     state = state_words(first)
     fell = {label: outcome_of(log) for label, log in comparison.logs.items() if comparison.metrics[label].fell}
-    numbers = [KeyNumber(Quantity(end.seconds, "s"), Say("until {run} fell", run=run)) for run, end in fell.items()]
+    numbers = [KeyNumber(Quantity(end.seconds, "s"), Say("until “{run}” fell", run=run)) for run, end in fell.items()]
     for label, fit in list(fits.items())[:2]:
-        meaning = Say("how well {run} follows {one} in {state}; good from {close}", run=label, state=state,
+        meaning = Say("how well “{run}” follows “{one}” in {state}; good: at least {close}", run=label, state=state,
                       one=comparison.reference, close=_percent(CLOSE))  # fmt: skip
         if comparison.answered:
-            meaning = Say("fit of {state}, {run}, until both are calm", state=state, run=label)
+            meaning = Say("fit of {state}, “{run}”, until both are calm", state=state, run=label)
         numbers.append(KeyNumber(_percent(fit) if fit > DIVERGED else Say("diverges"), meaning))
     if len(fits) == 1 and not fell:
         label, size = _furthest(comparison, first)
-        meaning = Say("largest difference of {run} from {one} in {state}", run=label, one=comparison.reference,
+        meaning = Say("largest difference of “{run}” from “{one}” in {state}", run=label, one=comparison.reference,
                       state=state)  # fmt: skip
         numbers.append(KeyNumber(Quantity(size, unit_of(comparison, first), digits=2), meaning))
     settled = [comparison.at_rest(label)[0] for label in comparison.logs]
@@ -136,7 +136,7 @@ def _numbers(comparison: Compared, first: str, fits: Mapping[str, float]) -> lis
         value = Say("{one} and {other}", one=Quantity(settled[0], "s"), other=Quantity(settled[1], "s"))
         band = Quantity(comparison.at_rest(comparison.reference)[1], "rad")
         one, other = comparison.logs
-        meaning = Say("until {one} and {other} settled within ±{band} after the last push", one=one, other=other,
+        meaning = Say("until “{one}” and “{other}” settled within ±{band} after the last push", one=one, other=other,
                       band=band)  # fmt: skip
         numbers.append(KeyNumber(value, meaning))
     return numbers[:MOST_NUMBERS]
@@ -154,7 +154,7 @@ def _furthest(comparison: Compared, name: str) -> tuple[str, float]:
 
 
 def _picture(comparison: Compared, first: str) -> Picture:
-    claim = Say("The {state} of the runs, and how far each is from {one}", state=state_words(first),
+    claim = Say("The {state} of the runs, and how far each is from “{one}”", state=state_words(first),
                 one=comparison.reference)  # fmt: skip
     return Picture(claim, functools.partial(draw_apart, comparison, first), cut_note(comparison, first))
 
@@ -166,9 +166,9 @@ def _fit_table(comparison: Compared) -> Table:
     rows: list[list[Cell]] = []
     for label, fit in shown.items():
         rows.append([label, *(Say("diverges") if fit[name] < DIVERGED else fit[name] for name in names)])
-    caption = Say("Fit to {one}: noise differs in each run, and lowers the fit of rates", one=comparison.reference)
+    caption = Say("Fit to “{one}”: noise differs in each run, and lowers the fit of rates", one=comparison.reference)
     if comparison.answered:
-        caption = Say("Fit to {one}, from the push until both are calm", one=comparison.reference)
+        caption = Say("Fit to “{one}”, from the push until both are calm", one=comparison.reference)
     return Table(columns, rows, caption)
 
 

@@ -25,6 +25,9 @@ STATES = {
 }  # fmt: skip
 
 
+NARROWEST = 0.01  # of the time that is shown: a knock is shaded at least so long, to be seen
+
+
 def state_words(name: str) -> Say:
     """A state in words; one that is no robot's as it is."""
     return STATES.get(name, Say("{name}", name=name))
@@ -53,9 +56,20 @@ def _draw_state(comparison: Compared, ax: Axes, name: str) -> None:
         seconds, within = comparison.at_rest(comparison.reference)
         for side in (-1, 1) if np.isfinite(seconds) else ():
             ax.axhline(side * factor * within, linestyle=":", color=AXIS, label=str(Say("settled")))
+        if np.isfinite(seconds) and not several:
+            _mark_rest(comparison, ax, comparison.releases[comparison.reference] + seconds)
     if dwarfing(comparison, name):
         low, high = _range(comparison, name)
         ax.set_ylim(factor * (2 * low - high), factor * (2 * high - low))
+
+
+def _mark_rest(comparison: Compared, ax: Axes, when: float) -> None:
+    """A dot where the pitch of a single run has come to rest."""
+    from upright.plotting import INK
+
+    t = comparison.logs[comparison.reference].t
+    pitch = np.interp(when, t, _factor(comparison, "pitch") * comparison.state(comparison.reference, "pitch"))
+    ax.plot([when], [pitch], "o", color=INK, markersize=5, label=str(Say("at rest")))
 
 
 def _finished(comparison: Compared, axes: Sequence[Axes]) -> Figure:
@@ -93,7 +107,8 @@ def draw_apart(comparison: Compared, name: str) -> Figure:
     for style, label in enumerate(comparison.logs):
         if label != comparison.reference:
             t, one, other = comparison.both(label, name)
-            line(axes[1], label, t, _factor(comparison, name) * (other - one), style=style)
+            alone = len(comparison.logs) == 2
+            line(axes[1], label, t, _factor(comparison, name) * (other - one), style=style, solid=alone)
     return _finished(comparison, axes)
 
 
@@ -140,10 +155,8 @@ def draw_asked(comparison: Compared) -> Figure:
 
 
 def _shade(comparison: Compared, axes: Sequence[Axes]) -> None:
-    from upright.plotting import SPAN, span
+    from upright.plotting import span
 
     end = max(float(log.t[-1]) for log in comparison.logs.values())
     for start, stop in comparison.pushed:
-        span(axes, start, min(stop, end), str(Say("push acts")))
-        for ax in axes:
-            ax.axvline(start, color=SPAN, zorder=0)  # a knock is too short for a span
+        span(axes, start, max(min(stop, end), start + NARROWEST * end), str(Say("push acts")))

@@ -23,14 +23,16 @@ def who(log: Log, kind: str, pushes: Say) -> Say:
     robot = name_in(log.origin, "robot")
     law = law_in(log.origin) or Say("a controller of one's own")
     if not robot:
-        return Say("Its log does not name the robot: {pushes}.", pushes=pushes)
+        return Say("The log does not name its robot; it shows {pushes}.", pushes=pushes)
     if kind.startswith("twin"):
-        return Say("The twin simulates {robot} under {law}: {pushes}.", robot=robot, law=law, pushes=pushes)
+        return Say("The twin simulates {robot} under {law}, with {pushes}.", robot=robot, law=law, pushes=pushes)
     if "nonlinear model" in kind:
-        return Say("The model simulates {robot} under {law}: {pushes}.", robot=robot, law=law, pushes=pushes)
+        return Say("The model simulates {robot} under {law}, with {pushes}.", robot=robot, law=law, pushes=pushes)
     if "linear model" in kind:
-        return Say("The linear model simulates {robot} under {law}: {pushes}.", robot=robot, law=law, pushes=pushes)
-    return Say("The robot is {robot} under {law}: {pushes}.", robot=robot, law=law, pushes=pushes)
+        return Say(
+            "The linear model simulates {robot} under {law}, with {pushes}.", robot=robot, law=law, pushes=pushes
+        )
+    return Say("The robot is {robot} under {law}, with {pushes}.", robot=robot, law=law, pushes=pushes)
 
 
 def pushes_of(log: Log) -> Say:

@@ -95,7 +95,7 @@ def _numbers(comparison: Compared, label: str) -> list[KeyNumber]:
     m = comparison.metrics[label]
     numbers = [KeyNumber(Quantity(abs(m.pitch_peak), "rad"), Say("largest pitch"))]
     if m.saturated > 0 and m.fell:
-        limit = Say("of the time the motors could not give what was asked")
+        limit = Say("of the time the motors were at their limit")
         numbers.append(KeyNumber(Quantity(m.saturated, "fraction", digits=2), limit))
     elif comparison.pushed and not m.fell:
         seconds, within = comparison.at_rest(label)
@@ -119,7 +119,7 @@ def _picture(comparison: Compared, label: str, still: Say | None) -> Picture:
     elif math.isnan(seconds):
         claim = Say("After the last push pitch does not come to rest")
     else:
-        claim = Say("After the last push pitch comes to rest")
+        claim = Say("Pitch is at rest {time} after the last push", time=Quantity(seconds, "s"))
     names = [name for name in ("pitch", "wheel") if name in comparison.signals]
     return states_picture(comparison, claim, *(names or comparison.signals[:1]))
 

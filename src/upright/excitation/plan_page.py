@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from upright.calibration.estimate import BOUNDED, CLOSE, MEASURED, NOT_VISIBLE
+from upright.calibration.estimate import BOUNDED, CLOSE, MEASURED, NOT_VISIBLE, known_to, named
 from upright.excitation.planned import VISIBLE, PlannedRun, Predicted
 from upright.pages import Block, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.terms import term
@@ -40,8 +40,8 @@ def plan_page(plan: PlannedRun) -> Page:
     )  # fmt: skip
     law = plan.controller
     lead = [
-        Say("{way}, added to the commands while {controller} balances the robot.",
-            way=WAYS.get(plan.way) or Say("A signal"), controller=law)
+        Say("{way} are added to the commands while {controller} balances the robot.",
+            way=WAYS.get(plan.way) or Say("Signals"), controller=law)
     ]  # fmt: skip
     if len(measured) > NAMED:
         more = Say("{n} more", n=len(measured) - NAMED)
@@ -94,7 +94,7 @@ def _numbers(plan: PlannedRun) -> list[KeyNumber]:
 
 def _next(plan: PlannedRun) -> list[Next]:
     if not plan.saved:
-        why = Say("It saves the plan, to be added to the commands of the robot.")
+        why = Say("It saves the plan; `upright simulate --excite plan.json` or your robot adds it to the commands.")
         return [Next("excite", robot=plan.robot, output="plan.json", why=why)]
     why = Say("So it runs on a simulated robot; on yours, add its rows to the commands. Then calibrate from the log.")
     return [
@@ -106,11 +106,11 @@ def _parameters(own: list[Predicted]) -> Table:
     """The parameters of the robot, with half of each interval in per cent of the value."""
     rows = [
         [
-            _name(p),
+            named(p.name, p.unit),
             KINDS[p.kind].text if p.kind == NOT_VISIBLE else KINDS[p.kind],
-            _uncertain(p, p.after),
-            _uncertain(p, p.before),
-            Quantity(p.value, p.unit),
+            _known(p, p.after),
+            _known(p, p.before),
+            Quantity(p.value, "1"),
         ]
         for p in own
     ]
@@ -122,11 +122,9 @@ def _parameters(own: list[Predicted]) -> Table:
     return Table(columns, rows, caption)
 
 
-def _uncertain(p: Predicted, width: float) -> Say:
-    """Half of an interval in per cent of the value, or where that is more than the value, the interval's end."""
-    if width / 2 > abs(p.value):
-        return Say("≤ {end}", end=Quantity(p.value + width / 2, p.unit, digits=2))
-    return Say("± {size}", size=Quantity(width / 2 / abs(p.value), "fraction", digits=2))
+def _known(p: Predicted, width: float) -> Say:
+    """What is known of a number by an interval of this width; no number of a robot is below zero."""
+    return known_to(p.value, max(p.value - width / 2, 0.0), p.value + width / 2)
 
 
 def _name(p: Predicted) -> Say:
@@ -148,7 +146,7 @@ def uncertainty_left(plan: PlannedRun) -> Figure:
             ax.barh(rows[kept], left[kept], height=0.6, color=colour, label=str(KINDS[kind].text))
     for row, p in enumerate(own):
         if p.kind == MEASURED:
-            change = Say("{before} → {after}", before=_uncertain(p, p.before), after=_uncertain(p, p.after))
+            change = Say("{before} → {after}", before=_known(p, p.before), after=_known(p, p.after))
             ax.annotate(str(change), (left[row], row), (4, 0), textcoords="offset points", va="center", fontsize=SMALL,
                         bbox={"facecolor": PAPER, "edgecolor": "none", "pad": 0.5})  # fmt: skip
     ax.axvline(100 * VISIBLE, linestyle="--", linewidth=1, color=AXIS, zorder=0)
@@ -160,7 +158,9 @@ def uncertainty_left(plan: PlannedRun) -> Figure:
 def _notes(plan: PlannedRun) -> list[Block]:
     notes = [Say("{note}", note=note) for note in plan.notes]
     if plan.checked.dropped:
-        notes.append(Say("{n} more were drawn that fall without an excitation.", n=plan.checked.dropped))
+        notes.append(
+            Say("Left out, since they fall without an excitation: {n} of the robots drawn.", n=plan.checked.dropped)
+        )
     return [Items(notes)] if notes else []
 
 

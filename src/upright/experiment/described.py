@@ -11,7 +11,7 @@ from upright.pages import Quantity, Say
 def pushes_in_words(pushes: Sequence[Mapping[str, Any]]) -> Say:
     """The pushes of a scenario as its origin keeps them, each a mapping of the numbers of one push."""
     if not pushes:
-        return Say("nobody pushes")
+        return Say("no push")
     return Say("{pushes}", pushes=[_in_words(push) for push in pushes])
 
 

@@ -117,7 +117,7 @@ class MethodComparison(Result):
         verdict = Verdict(Say("none can be used"), "bad")
         following: list[Next] = []
         if self.best:
-            verdict = Verdict(Say("take {method}", method=self.best), "good")
+            verdict = Verdict(Say("take the model of {method}", method=self.best), "good")
             following = [
                 Next(
                     "identify",
@@ -128,10 +128,10 @@ class MethodComparison(Result):
                     why=Say("It writes that model and a regulator for it."),
                 )
             ]
-        title = Say(
-            "{n} of {all} methods give a model that balances {robot}",
-            n=len(holding), all=len(self.models), robot=data.robot.name,
-        )  # fmt: skip
+        facts = {"n": len(holding), "all": len(self.models), "robot": data.robot.name}
+        title = Say("{n} of {all} methods give a model that balances {robot}", **facts)
+        if len(holding) == 1:
+            title = Say("One of {all} methods gives a model that balances {robot}", **facts)
         lead = [
             Say("Each model's regulator had to hold {robot}, let go at {angle}.",
                 robot=self.judge.who, angle=Quantity(HELD, "rad", digits=2)),

@@ -28,6 +28,7 @@ STILL = 1e-9  # [1/s, or 1 from z = 1] a pole nearer is at rest but for rounding
 
 
 DRIFT = 1e-9  # [rad/s, rad/s²] of a state by itself: less is rounding, since what matters is of order 1 to 1000
+BALANCING = Say("pitch and wheels")
 STEADY = ("wheel", "yaw")
 """What may move by itself in a steady motion: nothing on a level floor depends on it."""
 
@@ -38,27 +39,32 @@ def linear_page(model: LinearModel) -> Page:
     rate = float(np.max(rates, initial=0.0))
     unstable = int((rates > STILL).sum())
     upright = set(model.states) <= set(SYMBOLS)
-    facts = [_pole(model)] if unstable else []
+    facts = [_pole(model, rate)] if unstable else []
     if unstable:
         period = PERIOD if model.continuous else model.dt
-        meaning = Say("times a controller with a period of {period} acts before a lean doubles",
-                      period=Quantity(period, "s"))  # fmt: skip
-        facts.append(KeyNumber(int(math.log(2) / rate / period), meaning))
+        meaning = Say("control periods of {period} until a lean doubles", period=Quantity(period, "s"))
+        facts.append(KeyNumber(Quantity(math.log(2) / rate / period, "1", digits=2), meaning))
     if still := int((np.abs(rates) <= STILL).sum()):
         value = Say("{n} of {all}", n=still, all=len(rates))
-        facts.append(KeyNumber(value, Say("motions neither grow nor fade: where it has rolled or turned, it stays")))
-    law = Say("For small motions the state follows ẋ = A x + B u.")
-    if not model.continuous:
-        law = Say("Near its operating point the state changes every {period} to x⁺ = A x + B u.",
-                  period=Quantity(model.dt, "s"))  # fmt: skip
-    why = Say("It designs a controller that holds the robot, and writes its file.")
+        facts.append(KeyNumber(value, Say("poles at zero: where it has rolled or turned, it stays")))
+    why = Say("An lqg controller holds the robot; this writes its file.")
     return Page(
-        _title(rate, unstable, upright),
+        _title(model, rate, unstable, upright),
         verdict=Verdict(Say("unstable without control") if unstable else Say("no pole is unstable")),
-        lead=[law, *_drift(model)], numbers=facts, picture=poles_picture(model),
+        lead=[_law(model, upright), *_drift(model)], numbers=facts, picture=poles_picture(model),
         next=[Next("design", "lqg", output="lqg.json", why=why)] if upright and unstable else [],
-        blocks=[_poles(model), *_matrices(model)],
+        blocks=[_poles(model), *_matrices(model, upright)],
     )  # fmt: skip
+
+
+def _law(model: LinearModel, upright: bool) -> Say:
+    """The equation, and what x and u are."""
+    if not model.continuous:
+        period = Quantity(model.dt, "s")
+        return Say("Near its operating point the state changes every {period} to x⁺ = A x + B u.", period=period)
+    if upright:
+        return Say("For small motions ẋ = A x + B u: x are angles and their rates, u both motors' commands.")
+    return Say("For small motions the state follows ẋ = A x + B u.")
 
 
 def _drift(model: LinearModel) -> list[Say]:
@@ -99,16 +105,19 @@ def motions(model: LinearModel) -> list[Say | None]:
             names.append(Say("yaw"))
         else:
             rest = 0.0 if model.continuous else 1.0
-            names.append(Say("rolling") if abs(pole - rest) < STILL else Say("pitch and wheels"))
+            names.append(Say("rolling") if abs(pole - rest) < STILL else BALANCING)
     return names
 
 
-def _title(rate: float, unstable: int, upright: bool) -> Say:
+def _title(model: LinearModel, rate: float, unstable: int, upright: bool) -> Say:
     if not unstable:
         return Say("No pole is unstable: without a controller nothing grows")
+    time = _doubled(rate)
+    if upright and model.name:
+        return Say("Without a controller {robot} falls: a lean doubles every {time}", robot=model.name, time=time)
     if upright:
-        return Say("Without a controller the robot falls: a lean doubles every {time}", time=_doubled(rate))
-    return Say("Unstable: a small deviation doubles every {time}", time=_doubled(rate))
+        return Say("Without a controller the robot falls: a lean doubles every {time}", time=time)
+    return Say("Unstable: a small deviation doubles every {time}", time=time)
 
 
 def _doubled(rate: float) -> Quantity:
@@ -116,51 +125,62 @@ def _doubled(rate: float) -> Quantity:
     return Quantity(math.log(2) / rate, "s", digits=2)
 
 
-def _pole(model: LinearModel) -> KeyNumber:
+def _pole(model: LinearModel, rate: float) -> KeyNumber:
     pole = float(model.poles()[0].real)
     if model.continuous:
-        return KeyNumber(Quantity(pole, "1/s"), Say("unstable pole: the rate at which a lean grows"))
+        meaning = Say("unstable pole, the rate at which a lean grows: it doubles in 0.69 / {pole} = {time}",
+                      pole=Quantity(pole, "1"), time=_doubled(rate))  # fmt: skip
+        return KeyNumber(Quantity(pole, "1/s"), meaning)
     return KeyNumber(Quantity(pole, "1", digits=4), Say("unstable pole: what a lean grows by each period"))
 
 
-def _matrices(model: LinearModel) -> list[Table]:
+def _matrices(model: LinearModel, upright: bool) -> list[Table]:
     """A and B: a row for each rate of change, or next state."""
     states = [SYMBOLS.get(name) or name for name in model.states]
-    known = set(model.states) <= set(SYMBOLS)
-    caption = Say("A; ψ: pitch, θ: wheel angle, φ: yaw [rad]; with a dot: their rates [rad/s]") if known else Say("A")
-    command = Say("B, for the commands of both motors") if known else Say("B")
-    return [_matrix(model.A, states, states, caption), _matrix(model.B, states, model.inputs, command)]
+    caption, commands = Say("A"), Say("B")
+    if upright:
+        caption = Say("A; ψ: pitch, θ: wheel angle, φ: yaw [rad]; with a dot: their rates [rad/s]")
+        commands = Say("B, for the commands of both motors")
+    if upright and model.unit:
+        commands = Say("B, for the commands of both motors [{unit}]", unit=model.unit)
+    change = Say("d{state}/dt") if model.continuous else Say("{state}⁺")
+    rows = [change.about(state=state) for state in states]
+    return [_matrix(model.A, rows, states, caption), _matrix(model.B, rows, model.inputs, commands)]
 
 
-def _matrix(values: Array, states: Sequence[str], names: Sequence[str], caption: Say) -> Table:
+def _matrix(values: Array, rows: Sequence[Say], names: Sequence[str], caption: Say) -> Table:
     rounded = np.where(np.abs(values) < 1e-14 * np.abs(values).max(initial=0.0), 0.0, values)
-    rows: list[list[Cell]] = []
-    for state, row in zip(states, rounded.tolist(), strict=True):
-        rows.append([state, *(value or 0 for value in row)])  # a zero is one without decimals
-    return Table([Column(Say("x")), *(Column(Say("{name}", name=name), digits=4) for name in names)], rows, caption)
+    cells: list[list[Cell]] = [
+        [name, *(Quantity(value or 0.0, "1") for value in row)]  # no −0
+        for name, row in zip(rows, rounded.tolist(), strict=True)
+    ]
+    return Table([Column(Say("change")), *(Column(Say("{name}", name=name)) for name in names)], cells, caption)
 
 
 def _poles(model: LinearModel) -> Table:
-    poles = model.poles()
+    poles: list[complex] = model.poles().tolist()
     unit = "1/s" if model.continuous else "1"
-    columns = [Column(Say("pole, real part"), unit, 6), Column(Say("motion"))]
-    rows: list[list[Cell]] = [[p.real, name] for p, name in zip(poles.tolist(), motions(model), strict=True)]
-    if poles.imag.any():
-        columns.insert(1, Column(Say("imaginary part"), unit, 6))
-        rows = [[real, p.imag, name] for p, (real, name) in zip(poles.tolist(), rows, strict=True)]
-    return Table(columns, rows)
+    real = [Quantity(p.real, "1", digits=4) for p in poles]
+    named = motions(model)
+    if not any(p.imag for p in poles):
+        columns = [Column(Say("pole"), unit), Column(Say("motion"))]
+        return Table(columns, list(zip(real, named, strict=True)))
+    columns = [Column(Say("pole, real part"), unit), Column(Say("imaginary part"), unit), Column(Say("motion"))]
+    imaginary = [Quantity(p.imag, "1", digits=4) for p in poles]
+    return Table(columns, list(zip(real, imaginary, named, strict=True)))
 
 
 def poles_picture(model: LinearModel) -> Picture:
     """The poles in the plane, and how many of them are unstable."""
-    unstable = int((growth(model) > STILL).sum())
-    of = len(model.A)
-    if model.continuous:
-        claim = Say("Unstable poles lie right of the line: {n} of {of}", n=unstable, of=of)
-        note = Say("The real axis has powers of ten on both sides of zero.")
-        return Picture(claim, functools.partial(_draw_continuous, model), note)
-    return Picture(Say("Unstable poles lie outside of the circle: {n} of {of}", n=unstable, of=of),
-                   functools.partial(_draw_discrete, model))  # fmt: skip
+    counts = {"n": int((growth(model) > STILL).sum()), "of": len(model.A)}
+    if not model.continuous:
+        claim = Say("Unstable poles lie outside of the circle: {n} of {of}", **counts)
+        return Picture(claim, functools.partial(_draw_discrete, model))
+    claim = Say("Unstable poles lie right of the line: {n} of {of}", **counts)
+    if counts["n"] == 1:
+        claim = Say("One of {of} poles lies right of the line: this motion grows", of=counts["of"])
+    note = Say("The real axis has powers of ten on both sides of zero.")
+    return Picture(claim, functools.partial(_draw_continuous, model), note)
 
 
 def _draw_discrete(model: LinearModel) -> Figure:
@@ -173,13 +193,13 @@ def _draw_discrete(model: LinearModel) -> Figure:
 
 def _draw_continuous(model: LinearModel) -> Figure:
     """Over a real axis that is logarithmic away from zero, so that fast poles do not hide the slow ones."""
-    from upright.plotting import AXIS, COLOURS, PANEL, legend, numbered, panels
+    from upright.plotting import AXIS, COLOURS, PANEL, numbered, panels
 
     poles: Complex = model.poles()
     real = not poles.imag.any()
     figure, (ax,) = panels(
         [str(Say("imaginary part [1/s]"))], str(Say("real part [1/s]")),
-        height=0.9 if real else PANEL,
+        height=1.1 if real else PANEL,
     )  # fmt: skip
     high = 1.5 * (float(np.abs(poles.imag).max(initial=0.0)) or 1.0)
     reach = max(10.0, 3 * float(np.abs(poles.real).max(initial=0.0)))
@@ -190,17 +210,26 @@ def _draw_continuous(model: LinearModel) -> Figure:
         ax.set_yticks([0], ["0"])
     still = np.abs(poles.real) <= STILL
     fading = ~still & (poles.real < 0)
-    kinds = ((Say("stable"), fading, 0), (Say("at zero"), still, 4), (Say("unstable"), ~still & ~fading, 1))
-    for words, those, colour in kinds:
-        ax.scatter(poles.real[those], poles.imag[those], 80, COLOURS[colour], marker="x", linewidths=2.2, zorder=3,
-                   label=str(words))  # fmt: skip
-    _name_poles(ax, poles)
-    return legend(figure)
+    for those, colour in ((fading, 0), (still, 4), (~still & ~fading, 1)):
+        ax.scatter(poles.real[those], poles.imag[those], 80, COLOURS[colour], marker="x", linewidths=2.2, zorder=3)
+    sides = ((Say("fades"), COLOURS[0], -6, "right"), (Say("grows"), COLOURS[1], 6, "left"))
+    for words, colour, shift, side in sides:
+        ax.annotate(str(words), (0, 1), (shift, -3), xycoords=("data", "axes fraction"), textcoords="offset points",
+                    ha=side, va="top", color=colour)  # fmt: skip
+    _name_poles(ax, poles, motions(model))
+    return figure
 
 
-def _name_poles(ax: Axes, poles: Complex) -> None:
-    """The real part beside each pole, once where several are equal; above and below by turns, so that none overlap."""
-    for place, pole in enumerate(sorted(set(np.round(poles, 6).tolist()), key=lambda p: p.real)):
+def _name_poles(ax: Axes, poles: Complex, named: Sequence[Say | None]) -> None:
+    """The real part beside each pole, once where several are equal; above and below by turns, so that none overlap.
+    What moves stands behind it, but for pitch and wheels, which move with most."""
+    apart: dict[complex, list[str]] = {}
+    for pole, motion in zip(np.round(poles, 6).tolist(), named, strict=True):
+        words = apart.setdefault(pole, [])
+        if motion and motion != BALANCING:
+            words.append(str(motion))
+    for place, pole in enumerate(sorted(apart, key=lambda p: p.real)):
         beside = 6 if abs(pole.real) <= STILL else 0  # not over the line
-        ax.annotate(number(pole.real), (pole.real, pole.imag), (beside, -20 if place % 2 else 9),
+        behind = f" ({', '.join(dict.fromkeys(apart[pole]))})" if apart[pole] else ""
+        ax.annotate(number(pole.real) + behind, (pole.real, pole.imag), (beside, -20 if place % 2 else 9),
                     textcoords="offset points", ha="left" if beside else "center")  # fmt: skip

@@ -18,6 +18,7 @@ from upright.validation.loop import FreeLoop
 COMPASS = "sensor/compass"
 PREDICTS, PARTLY, DOES_NOT = "predicts", "predicts in part", "does not predict"
 JUDGED = "predicts what could be judged"
+WORTH = 0.1  # [1] of what half seconds leave: what a step must remove of it
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -148,7 +149,8 @@ class RobotJudged:
         """Plain numbers; what is not finite is null."""
         logs = [log.to_json() for log in self.logs]
         names = {"robot": self.robot, "kit": self.kit, "verdict": self.verdict}
-        return {"schema": "upright/validate/1"} | names | {"logs": logs}
+        bars = {"r2": GOOD, "error_removed": WORTH}
+        return {"schema": "upright/validate/1"} | names | {"bars": bars, "logs": logs}
 
 
 def channels_of(parts: Segments) -> tuple[ChannelFit, ...]:

@@ -41,7 +41,7 @@ from upright.pages import english
 from upright.progress import Progress
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
-from upright.validation.fits import LogJudged, Shift, channels_of, least, loop_channels
+from upright.validation.fits import WORTH, LogJudged, Shift, channels_of, least, loop_channels
 from upright.validation.law import CommandLaw, LinearLaw, law_by, law_of, recorded
 from upright.validation.loop import FreeLoop, closed_loop
 from upright.validation.validation import Validation
@@ -49,7 +49,6 @@ from upright.validation.validation import Validation
 CHANCE = 2.0  # [deviations] of the gradient below which chance makes it
 TRIED = 3  # steps that are tried, each whole and halved
 TRIED_SECONDS = 4.0  # [s] of the log, on which they are tried
-WORTH = 0.1  # [1] of what half seconds leave: what a step must remove of it
 LARGEST_STEP = 3.0  # deviations of what is known: beyond, the equations are not straight
 NOISE_RANGE = (0.25, 1e6)  # variances of the readings that are learnt, over those of the kit
 SAME_PERIOD = 0.02  # [1] by which a log's period and its controller's may differ

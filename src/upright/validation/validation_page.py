@@ -11,7 +11,7 @@ from upright.calibration.calibration_page import r2_of
 from upright.pages import Block, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.terms import term
 from upright.validation.drawn import half_second_figure, loop_figure, reading
-from upright.validation.fits import DOES_NOT, JUDGED, PARTLY, PREDICTS, ChannelFit, LogJudged, RobotJudged, least
+from upright.validation.fits import DOES_NOT, JUDGED, PARTLY, PREDICTS, WORTH, ChannelFit, LogJudged, RobotJudged, least
 
 VERDICTS = {
     PREDICTS: Verdict(Say("predicts the log"), "good"),
@@ -30,8 +30,12 @@ def validation_page(result: RobotJudged) -> Page:
         verdict = Verdict(Say("no test: fitted to this log"), "warn")
     dead = sorted({name for log in result.logs for name in log.dead})
     lead = [_tested(result)]
+    if not used or worst.worst.r2 < GOOD:
+        lead.insert(0, _enough(result))
+    blocks: list[Block] = [_half_seconds(result.logs)]
     if dead:
-        lead.append(Say("Not judged, since it never changes: {sensors}.", sensors=[reading(name) for name in dead]))
+        never = Say("Not judged, since it never changes: {sensors}.", sensors=[reading(name) for name in dead])
+        blocks.insert(0, Items([never]))
     logs = ", ".join(Path(log.source).name for log in result.logs)
     folds = [
         Fold(Say("The whole run in closed loop"), [block for log in result.logs for block in _whole_run(log)]),
@@ -43,7 +47,7 @@ def validation_page(result: RobotJudged) -> Page:
         folds.append(Fold(Say("Notes"), [Items(notes)]))
     return Page(
         _title(result), verdict=verdict, lead=lead, numbers=_numbers(result), picture=_picture(worst),
-        next=_next(result, used), blocks=[_half_seconds(result.logs), *folds],
+        next=_next(result, used), blocks=[*blocks, *folds],
         origin={"robot": result.robot, "kit": result.kit, "logs": logs},
     )  # fmt: skip
 
@@ -64,11 +68,21 @@ def _title(result: RobotJudged) -> Say:
     return Say("{robot} predicts {log}, but not: {missed}", **facts, missed=missed)
 
 
+def _enough(result: RobotJudged) -> Say:
+    """Whether the worst reading is predicted well enough, and by which bar."""
+    needed = Quantity(GOOD, "1")
+    missed = [reading(c.name) for c in result.worst.half_seconds if c.name in PREDICTED and c.r2 < GOOD]
+    if missed:
+        return Say("Not enough to design with: over half a second R² is below {needed} for {missed}.", needed=needed,
+                   missed=missed)  # fmt: skip
+    return Say("Enough to design with: over half a second every R² is at least {needed}.", needed=needed)
+
+
 def _tested(result: RobotJudged) -> Say:
     """Whether these logs test the robot: only what it was not fitted to does."""
     facts = {"robot": result.robot, "seconds": Quantity(sum(log.seconds for log in result.logs), "s")}
     if any(log.fitted is None for log in result.logs):
-        return Say("The file of {robot} does not say whether it was fitted to these {seconds}.", **facts)
+        return Say("The file of {robot} names no log that it was fitted to, so these {seconds} are a test.", **facts)
     used = [log for log in result.logs if log.fitted]
     if not used:
         return Say("A test: none of these {seconds} served to fit {robot}.", **facts)
@@ -82,11 +96,11 @@ def _tested(result: RobotJudged) -> Say:
 
 def _numbers(result: RobotJudged) -> list[KeyNumber]:
     worst = result.worst.worst
-    meaning = Say("R² of the worst prediction, {sensor}; {needed} is needed", sensor=reading(worst.name),
+    meaning = Say("R² of the worst prediction, {sensor}; a design needs at least {needed}", sensor=reading(worst.name),
                   needed=Quantity(GOOD, "1"))  # fmt: skip
     numbers = [KeyNumber(r2_of(worst.r2), meaning)]
     if own := result.worst.own_run:
-        numbers.append(KeyNumber(r2_of(least(own).r2), Say("with friction, battery and delays fitted to this run")))
+        numbers.append(KeyNumber(r2_of(least(own).r2), Say("R² with friction, battery and delays fitted to this run")))
     if shift := result.doubted:
         meaning = Say("of the squared error goes if only this changes: {name}", name=term(shift.name))
         numbers.append(KeyNumber(Quantity(shift.explains, "fraction", digits=2), meaning))
@@ -96,9 +110,15 @@ def _numbers(result: RobotJudged) -> list[KeyNumber]:
             meaning = Say("until the closed loop, simulated without pushes, leaves the log")
         numbers.append(KeyNumber(Quantity(lost.breaks, "s", digits=2), meaning))
     elif loop := result.worst.loop:
-        numbers.append(KeyNumber(r2_of(least(loop).r2), Say("R² of the whole run, simulated without its readings")))
+        numbers.append(
+            KeyNumber(
+                r2_of(least(loop).r2), Say("R² of the whole run in one piece; not judged, since small errors grow")
+            )
+        )
     if not result.doubted:
-        numbers.append(KeyNumber(Say("none"), Say("of the parameters, changed alone, predicts much better")))
+        meaning = Say("of the parameters, changed alone, removes {part} of the squared error",
+                      part=Quantity(WORTH, "fraction"))  # fmt: skip
+        numbers.append(KeyNumber(Say("none"), meaning))
     return numbers[:3]
 
 
@@ -117,37 +137,29 @@ def _next(result: RobotJudged, used: bool) -> list[Next]:
         return [
             Next("calibrate", result.worst.source, robot=result.robot, why=Say("It moves all parameters together."))
         ]
-    if any(log.fitted is None for log in result.logs):
-        return [
-            Next(
-                "validate",
-                result.robot,
-                "LOG",
-                why=Say("A log that was not used for the fit tests the robot. After that, design."),
-            )
-        ]
     why = Say("It designs a controller for these numbers.")
     return [Next("design", "lqg", robot=result.robot, output="lqg.json", why=why)]
 
 
 def _half_seconds(logs: Sequence[LogJudged]) -> Table:
     rows = [
-        [reading(c.name), _judged(c), r2_of(c.r2), c.breaks, Path(log.source).name]
+        [reading(c.name), r2_of(c.r2), _judged(c), c.breaks, Path(log.source).name]
         for log in logs
         for c in log.half_seconds
     ]
-    columns = [Column(Say("sensor")), Column(Say("half seconds")), Column(Say("R²")),
+    needed = Say("at least {needed}", needed=Quantity(GOOD, "1"))
+    columns = [Column(Say("sensor")), Column(Say("R², half seconds")), Column(needed),
                Column(Say("first missed at"), "s"), Column(Say("log"))]  # fmt: skip
     kept = 5 if len(logs) > 1 else 4
     return Table(columns[:kept], [row[:kept] for row in rows])
 
 
-def _judged(c: ChannelFit) -> Verdict:
+def _judged(c: ChannelFit) -> Verdict | Say:
     if c.name not in PREDICTED:
-        return Verdict(Say("not judged"))  # iron and motors nearby disturb any compass
+        return Say("not judged: iron nearby disturbs it")
     if c.r2 < GOOD:
-        return Verdict(Say("missed"), "bad")
-    return Verdict(Say("predicted"), "good")
+        return Verdict(Say("no"), "bad")
+    return Verdict(Say("yes"), "good")
 
 
 def _whole_run(log: LogJudged) -> list[Block]:
