@@ -8,7 +8,18 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from upright.checkup import sensors
-from upright.checkup.finding import BALANCING, CONTRADICTORY, GYRO, LEFT, ON_WHEELS, RIGHT, STANDING, Finding, instant
+from upright.checkup.finding import (
+    BALANCING,
+    CONTRADICTORY,
+    GYRO,
+    LEFT,
+    ON_WHEELS,
+    RIGHT,
+    STANDING,
+    Finding,
+    Segment,
+    instant,
+)
 from upright.checkup.titles import CHANNELS, CHECKS, POSES, check_of, place_of, title_of
 from upright.logs.mapping import GUESS, Source
 from upright.pages import (
@@ -216,7 +227,7 @@ def _next(result: LogExamined) -> list[Next]:
         return [Next("doctor", log, why=Say("Do what the table says, log again, and ask again."))]
     steps: list[Next] = []
     if any(f.fixes for f in result.findings):
-        steps.append(Next("doctor", log, fix="repaired.csv"))
+        steps.append(Next("doctor", log, fix="repaired.csv", why=Say("It writes the repaired log.")))
     if fell:
         steps.append(Next("post_mortem", log, robot=robot, why=Say("It finds why the robot fell.")))
     elif _has(result, QUIET) or _has(result, PUSHED):
@@ -247,7 +258,7 @@ def _picture(result: LogExamined) -> Picture | None:
 
 def _draw(result: LogExamined, several: Sequence[tuple[Say, Sequence[str]]]) -> Figure:
     """Channels as they were read, with poses and a repair's cuts."""
-    from upright.plotting import COLOURS, INK, legend, line, panels, span
+    from upright.plotting import COLOURS, INK, SPAN, legend, line, panels, span
 
     record = result.read
     sides = {"left": (0, str(Say("left"))), "right": (1, str(Say("right")))}
@@ -266,12 +277,18 @@ def _draw(result: LogExamined, several: Sequence[tuple[Say, Sequence[str]]]) -> 
                     record.t[rows], factor * record[name][rows], "o", color=COLOURS[3], markersize=2.5, label="_limit"
                 )
     off = dict.fromkeys(str(POSES.get(s.kind, s.kind)) for s in result.segments if s.kind not in ON_WHEELS)
+
+    def shade(segment: Segment, name: str, colour: str) -> None:
+        span(axes[:1], segment.start, segment.stop, name, colour)
+        span(axes[1:], segment.start, segment.stop, "_named above", colour)
+
     for segment in result.segments:
         if segment.kind == STANDING:
-            span(axes, segment.start, segment.stop, str(POSES[STANDING]), COLOURS[0])
+            shade(segment, str(POSES[STANDING]), COLOURS[0])
         elif segment.kind != BALANCING:
-            span(axes, segment.start, segment.stop, ", ".join(off))
+            shade(segment, ", ".join(off), SPAN)
     for at in result.kept or ():
-        for ax in axes if record.t[0] < at < record.t[-1] else ():
-            ax.axvline(at, linestyle="--", linewidth=1.2, color=INK, label=str(Say("cut")))
+        for row, ax in enumerate(axes if record.t[0] < at < record.t[-1] else ()):
+            name = "_named above" if row else str(Say("cut"))
+            ax.axvline(at, linestyle="--", linewidth=1.2, color=INK, label=name)
     return legend(figure)

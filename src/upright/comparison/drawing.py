@@ -69,7 +69,8 @@ def _mark_rest(comparison: Compared, ax: Axes, when: float) -> None:
 
     t = comparison.logs[comparison.reference].t
     pitch = np.interp(when, t, _factor(comparison, "pitch") * comparison.state(comparison.reference, "pitch"))
-    ax.plot([when], [pitch], "o", color=INK, markersize=5, label=str(Say("at rest")))
+    ax.plot([when], [pitch], "o", color=INK, markersize=5, label="_rest")
+    ax.annotate(str(Say("at rest")), (when, float(pitch)), (6, 4), textcoords="offset points")
 
 
 def _finished(comparison: Compared, axes: Sequence[Axes]) -> Figure:

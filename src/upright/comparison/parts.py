@@ -21,18 +21,16 @@ FRACTIONS = {"1": "fraction"}
 def who(log: Log, kind: str, pushes: Say) -> Say:
     """Robot, controller and pushes of a run in a body of this kind."""
     robot = name_in(log.origin, "robot")
-    law = law_in(log.origin) or Say("a controller of one's own")
+    facts = {"robot": robot, "law": law_in(log.origin) or Say("a controller of one's own"), "pushes": pushes}
     if not robot:
         return Say("The log does not name its robot; it shows {pushes}.", pushes=pushes)
     if kind.startswith("twin"):
-        return Say("The twin simulates {robot} under {law}, with {pushes}.", robot=robot, law=law, pushes=pushes)
+        return Say("The twin simulates {robot} under {law}, with {pushes}.", **facts)
     if "nonlinear model" in kind:
-        return Say("The model simulates {robot} under {law}, with {pushes}.", robot=robot, law=law, pushes=pushes)
+        return Say("The model simulates {robot} under {law}, with {pushes}.", **facts)
     if "linear model" in kind:
-        return Say(
-            "The linear model simulates {robot} under {law}, with {pushes}.", robot=robot, law=law, pushes=pushes
-        )
-    return Say("The robot is {robot} under {law}, with {pushes}.", robot=robot, law=law, pushes=pushes)
+        return Say("The linear model simulates {robot} under {law}, with {pushes}.", **facts)
+    return Say("The robot is {robot} under {law}, with {pushes}.", **facts)
 
 
 def pushes_of(log: Log) -> Say:

@@ -94,7 +94,7 @@ def _numbers(plan: PlannedRun) -> list[KeyNumber]:
 
 def _next(plan: PlannedRun) -> list[Next]:
     if not plan.saved:
-        why = Say("It saves the plan; `upright simulate --excite plan.json` or your robot adds it to the commands.")
+        why = Say("It saves the plan, which your robot, or `upright simulate`, adds to the commands.")
         return [Next("excite", robot=plan.robot, output="plan.json", why=why)]
     why = Say("So it runs on a simulated robot; on yours, add its rows to the commands. Then calibrate from the log.")
     return [
