@@ -75,7 +75,7 @@ def _enough(result: RobotJudged) -> Say:
     if missed:
         return Say("Not enough to design with: over half a second R² is below {needed} for {missed}.", needed=needed,
                    missed=missed)  # fmt: skip
-    return Say("Enough to design with: over half a second every R² is at least {needed}.", needed=needed)
+    return Say("Enough to design with: over half a second each judged R² is at least {needed}.", needed=needed)
 
 
 def _tested(result: RobotJudged) -> Say:
