@@ -86,7 +86,7 @@ def _lead(c: CalibratedRobot) -> list[Say]:
         "k": sum(e.kind == BOUNDED for e in c.parameters),
     }
     shown = Say("The log measures {n} of {m} parameters and bounds {k}; the others stay about as in the file.", **facts)
-    enough = Say("Enough: the readings are predicted, and the unstable pole, on which balancing depends most, is known.")
+    enough = Say("Enough: readings are predicted, and the unstable pole, on which balancing depends most, is known.")
     return [c.doubts[0] if c.doubts else enough, shown]
 
 

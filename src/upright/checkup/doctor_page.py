@@ -232,9 +232,9 @@ def _next(result: LogExamined) -> list[Next]:
         steps.append(Next("post_mortem", log, robot=robot, why=Say("It finds why the robot fell.")))
     elif _has(result, QUIET) or _has(result, PUSHED):
         steps.append(Next("excite", robot=robot, output="plan.json", why=Say("It designs the signal to log next.")))
-    learns = Say("It fits the numbers of this robot to the log.")
+    learns = Say("It estimates the numbers of this robot from the log.")
     if result.robot:
-        learns = Say("It fits the numbers of {robot}, which the log names, to the log.", robot=robot)
+        learns = Say("It estimates the numbers of {robot}, which the log names.", robot=robot)
     return steps or [Next("calibrate", log, robot=robot, output="robot.toml", why=learns)]
 
 
