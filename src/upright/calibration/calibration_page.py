@@ -97,16 +97,17 @@ def _numbers(c: CalibratedRobot) -> list[KeyNumber]:
     numbers: list[KeyNumber] = []
     if scores := c.scores:
         worst = min(scores, key=lambda name: scores[name])
-        meaning = Say("R² of the worst prediction, {sensor}; a design needs at least {needed}", sensor=channel(worst),
-                      needed=Quantity(GOOD, "1"))  # fmt: skip
+        facts = {"sensor": channel(worst), "needed": Quantity(GOOD, "1")}
+        meaning = Say("R² of the worst prediction, {sensor}; a design needs at least {needed}", **facts)
         numbers.append(KeyNumber(r2_of(scores[worst]), meaning))
     pole = c["unstable_pole"]
     if pole.value > 0:
         most = Quantity(ENOUGH, "fraction")
         meaning = Say("uncertainty of the unstable pole; a design needs at most ±{most}", most=most)
         if pole.verdict != VISIBLE:
-            meaning = Say("uncertainty of the unstable pole, mostly by the file; a design needs at most ±{most}",
-                          most=most)  # fmt: skip
+            meaning = Say(
+                "uncertainty of the unstable pole, mostly by the file; a design needs at most ±{most}", most=most
+            )
         part = Quantity(pole.width, "fraction", digits=2)
         numbers.append(KeyNumber(Say("±{part}", part=part), meaning))
         doubles = Quantity(math.log(2) / pole.value, "s", digits=2)
@@ -162,9 +163,8 @@ def _estimates(estimates: Sequence[Estimate], caption: Say | None = None) -> Tab
         ]
         for e in estimates
     ]
-    columns = [Column(Say("number")), Column(Say("value")), Column(Say("this log")), Column(Say("known to (95 %)")),
-               Column(Say("before"))]  # fmt: skip
-    return Table(columns, rows, caption)
+    names = (Say("number"), Say("value"), Say("this log"), Say("known to (95 %)"), Say("before"))
+    return Table([Column(name) for name in names], rows, caption)
 
 
 def _beside_file(c: CalibratedRobot) -> list[Block]:

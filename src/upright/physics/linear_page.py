@@ -128,8 +128,8 @@ def _doubled(rate: float) -> Quantity:
 def _pole(model: LinearModel, rate: float) -> KeyNumber:
     pole = float(model.poles()[0].real)
     if model.continuous:
-        meaning = Say("unstable pole, the rate at which a lean grows: it doubles in 0.69 / {pole} = {time}",
-                      pole=Quantity(pole, "1"), time=_doubled(rate))  # fmt: skip
+        facts = {"pole": Quantity(pole, "1"), "time": _doubled(rate)}
+        meaning = Say("unstable pole, the rate at which a lean grows: it doubles in 0.69 / {pole} = {time}", **facts)
         return KeyNumber(Quantity(pole, "1/s"), meaning)
     return KeyNumber(Quantity(pole, "1", digits=4), Say("unstable pole: what a lean grows by each period"))
 
@@ -137,7 +137,8 @@ def _pole(model: LinearModel, rate: float) -> KeyNumber:
 def _matrices(model: LinearModel, upright: bool) -> list[Table]:
     """A and B: a row for each rate of change, or next state."""
     states = [SYMBOLS.get(name) or name for name in model.states]
-    caption, commands = Say("A"), Say("B")
+    caption = Say("A")
+    commands = Say("B")
     if upright:
         caption = Say("A; ψ: pitch, θ: wheel angle, φ: yaw [rad]; with a dot: their rates [rad/s]")
         commands = Say("B, for the commands of both motors")
@@ -150,10 +151,9 @@ def _matrices(model: LinearModel, upright: bool) -> list[Table]:
 
 def _matrix(values: Array, rows: Sequence[Say], names: Sequence[str], caption: Say) -> Table:
     rounded = np.where(np.abs(values) < 1e-14 * np.abs(values).max(initial=0.0), 0.0, values)
-    cells: list[list[Cell]] = [
-        [name, *(Quantity(value or 0.0, "1") for value in row)]  # no −0
-        for name, row in zip(rows, rounded.tolist(), strict=True)
-    ]
+    cells: list[list[Cell]] = []
+    for name, row in zip(rows, rounded.tolist(), strict=True):
+        cells.append([name, *(Quantity(value or 0.0, "1") for value in row)])  # no −0
     return Table([Column(Say("change")), *(Column(Say("{name}", name=name)) for name in names)], cells, caption)
 
 
