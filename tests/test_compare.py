@@ -236,7 +236,7 @@ def test_page_text_and_json_tell_one_settling_time_within_one_band():
     )
     assert {log["settled_within"] for log in told.values()} == {0.02}
     seconds = " and ".join(f"{told[label]['settled']:.3g} s" for label in ("slow", "fast"))
-    meaning = "until slow and fast settled within ±1.15° after the last push"
+    meaning = "until “slow” and “fast” settled within ±1.15° after the last push"
     assert numbers_of(result.page())[meaning] == seconds
 
 
@@ -401,7 +401,7 @@ def test_one_of_many_runs_that_was_pushed_and_fell_is_named_and_no_page_says_tha
     page = compare({**dict.fromkeys(names, still), "i": fallen}).page()
     assert str(page.title) == "1 of 11 runs fell: i"
     assert Say("The runs are not pushed alike.") in page.lead
-    assert numbers_of(page)["until i fell"] == "1 s"
+    assert numbers_of(page)["until “i” fell"] == "1 s"
     alone = compare({"calm": still}).page()
     assert not any("push" in meaning for meaning in numbers_of(alone))
 
@@ -496,7 +496,7 @@ def test_a_long_run_that_noise_makes_another_one_is_no_poor_fit() -> None:
     assert page.verdict == Verdict(Say("same answer to the push"), "good")
     fit = compared.to_json()["logs"]["run 32"]["fit_answered"]["pitch"]
     assert fit > FAIR  # no poor one, as the verdict says; table and number have the same
-    assert numbers_of(page)["fit of pitch, run 32, until both are calm"] == f"{fit:.3g} %"
+    assert numbers_of(page)["fit of pitch, “run 32”, until both are calm"] == f"{fit:.3g} %"
     table = page.blocks[0]
     assert isinstance(table, Table)
     assert table.rows[0][1] == fit

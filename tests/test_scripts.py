@@ -13,12 +13,12 @@ FOLDER = Path(__file__).parents[1] / "examples"
 SCRIPTS = sorted(FOLDER.glob("*.py"))
 
 SAYS = {
-    "calibrate": r"9\d \(9\d to 9\d\) ms +until a lean has doubled(.|\n)*gyro +predicted",
+    "calibrate": r"9\d ms +until a lean has doubled(.|\n)*gyro +0\.9\d+ +yes",
     "certify": r"Green: at most(.|\n)*The controller lqg may drive nxtway-gs",
-    "compare": r"\nThe pitch of all runs follows that of twin\n(.|\n)*twin +no .*\nnonlinear +no .*\nlinear +no ",
+    "compare": r"\nIn pitch, all runs follow “twin”\n(.|\n)*twin +no .*\nnonlinear +no .*\nlinear +no ",
     "firmware": r"duty_left = whole.* in \[-100, 100\](.|\n)*left.duty_cycle_sp = duty_left",
     "identify": r"least-squares.*bias -[1-9](.|\n)*subspace: 7\.\d+ to 7\.\d+ 1/s",
-    "own_controller": r"\nThe pitch of (.|\n)*\nlqr \(twin\) +no .*\nhand-made \(twin\) +no ",
+    "own_controller": r"\nIn pitch, (.|\n)*\nlqr \(twin\) +no .*\nhand-made \(twin\) +no ",
     "own_robot": r"nxtway-gs: a fall grows e-fold in 134 ms",
     "push_limits": r"lqg: 0\.[123]\d N s",
     "python_control": r"7\.437",
