@@ -8,7 +8,7 @@ from pathlib import Path
 
 from upright.calibration.calibrated_robot import ENOUGH, GOOD, CalibratedRobot
 from upright.calibration.decision import DOUBTFUL, UNKNOWN
-from upright.calibration.estimate import BOUNDED, CLOSE, REFUSED, VISIBLE, Estimate, known_to, named
+from upright.calibration.estimate import BOUNDED, CLOSE, REFUSED, VISIBLE, Estimate, headed, known_to
 from upright.pages import Block, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.terms import channel, term
 
@@ -155,7 +155,7 @@ def _estimates(estimates: Sequence[Estimate], caption: Say | None = None) -> Tab
     """Values, how surely they are known, what the log says of them, and what was known before."""
     rows = [
         [
-            named(e.name, e.unit),
+            headed(e.name, e.unit),
             Quantity(e.value, "1"),
             e.called,
             known_to(e.value, e.low, e.high),

@@ -143,6 +143,6 @@ def known_to(value: float, low: float, high: float) -> Say:
     return Say("±\u00a0{size}", size=Quantity((high - low) / (2 * value), "fraction", digits=2))
 
 
-def named(name: str, unit: str) -> Say:
+def headed(name: str, unit: str) -> Say:
     """A number in words, with the unit of its value."""
     return term(name) if unit == "1" else Say("{name} [{unit}]", name=term(name), unit=unit)

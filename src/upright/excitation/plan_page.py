@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from upright.calibration.estimate import BOUNDED, CLOSE, MEASURED, NOT_VISIBLE, known_to, named
+from upright.calibration.estimate import BOUNDED, CLOSE, MEASURED, NOT_VISIBLE, headed, known_to
 from upright.excitation.planned import VISIBLE, PlannedRun, Predicted
 from upright.pages import Block, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.terms import term
@@ -106,7 +106,7 @@ def _parameters(own: list[Predicted]) -> Table:
     """The parameters of the robot, with half of each interval in per cent of the value."""
     rows = [
         [
-            named(p.name, p.unit),
+            headed(p.name, p.unit),
             KINDS[p.kind].text if p.kind == NOT_VISIBLE else KINDS[p.kind],
             _known(p, p.after),
             _known(p, p.before),

@@ -100,8 +100,8 @@ class LinearModel(Result):
 
     A (n, n), B (n, m), E (n, k) for the named `disturbances`; y = C x + D u with C (p, n) and D (p, m), by default
     every state and zero. As in python-control, `dt` is 0 for continuous time. f0 (n,) is what drives the state at
-    (x0, u0): zero at an equilibrium. Six states without names and without C are those of the robot. `name` is that of
-    what it describes, and `unit` that of its inputs, where they are known.
+    (x0, u0): zero at an equilibrium. Six states without names and without C are those of the robot. `subject` is the
+    name of what it describes, `input_unit` the unit of its inputs, where they are known.
 
     Raises `InvalidModel` for wrong sizes, values that are not finite, or a negative `dt`.
     """
@@ -120,8 +120,8 @@ class LinearModel(Result):
     x0: Array = field(default_factory=lambda: np.zeros(0))
     u0: Array = field(default_factory=lambda: np.zeros(0))
     f0: Array = field(default_factory=lambda: np.zeros(0))
-    name: str = ""
-    unit: str = ""
+    subject: str = ""
+    input_unit: str = ""
 
     def __post_init__(self) -> None:
         n = len(self.states) or len(self.A)
@@ -278,8 +278,8 @@ class LinearModel(Result):
             **{name: getattr(self, name).tolist() for name in _ARRAYS},
             **{name: list(getattr(self, name)) for name in _NAMES},
             "dt": self.dt,
-            "name": self.name,
-            "unit": self.unit,
+            "subject": self.subject,
+            "input_unit": self.input_unit,
             "poles": [[float(p.real), float(p.imag)] for p in self.poles()],
         }
 
@@ -290,7 +290,7 @@ class LinearModel(Result):
         try:
             arrays = {name: np.array(given[name], dtype=np.float64) for name in _ARRAYS}
             names = {name: tuple(given[name]) for name in _NAMES}
-            labels = {name: str(given.get(name, "")) for name in ("name", "unit")}
+            labels = {name: str(given.get(name, "")) for name in ("subject", "input_unit")}
             return cls(**cast(dict[str, Any], arrays | names | labels), dt=given["dt"] or 0.0)
         except (KeyError, TypeError, ValueError) as error:
             raise InvalidModel(f"not a linear model: {error}", expected="JSON written by LinearModel.to_json") from None
@@ -330,7 +330,7 @@ def linearise(
         raise InvalidModel(f"no model is called '{model}'", expected=" or ".join(MODELS))
     known = find_robot(robot)
     at = tangent(known, tuple(map(float, x)), tuple(map(float, u)), model)
-    return replace(at, name=known.name, unit=known.command_unit)
+    return replace(at, subject=known.name, input_unit=known.command_unit)
 
 
 @lru_cache(maxsize=256)

@@ -51,13 +51,13 @@ def linear_page(model: LinearModel) -> Page:
     return Page(
         _title(model, rate, unstable, upright),
         verdict=Verdict(Say("unstable without control") if unstable else Say("no pole is unstable")),
-        lead=[_law(model, upright), *_drift(model)], numbers=facts, picture=poles_picture(model),
+        lead=[_equation(model, upright), *_drift(model)], numbers=facts, picture=poles_picture(model),
         next=[Next("design", "lqg", output="lqg.json", why=why)] if upright and unstable else [],
         blocks=[_poles(model), *_matrices(model, upright)],
     )  # fmt: skip
 
 
-def _law(model: LinearModel, upright: bool) -> Say:
+def _equation(model: LinearModel, upright: bool) -> Say:
     """The equation, and what x and u are."""
     if not model.continuous:
         period = Quantity(model.dt, "s")
@@ -113,8 +113,8 @@ def _title(model: LinearModel, rate: float, unstable: int, upright: bool) -> Say
     if not unstable:
         return Say("No pole is unstable: without a controller nothing grows")
     time = _doubled(rate)
-    if upright and model.name:
-        return Say("Without a controller {robot} falls: a lean doubles every {time}", robot=model.name, time=time)
+    if upright and model.subject:
+        return Say("Without a controller {robot} falls: a lean doubles every {time}", robot=model.subject, time=time)
     if upright:
         return Say("Without a controller the robot falls: a lean doubles every {time}", time=time)
     return Say("Unstable: a small deviation doubles every {time}", time=time)
@@ -142,8 +142,8 @@ def _matrices(model: LinearModel, upright: bool) -> list[Table]:
     if upright:
         caption = Say("A; ψ: pitch, θ: wheel angle, φ: yaw [rad]; with a dot: their rates [rad/s]")
         commands = Say("B, for the commands of both motors")
-    if upright and model.unit:
-        commands = Say("B, for the commands of both motors [{unit}]", unit=model.unit)
+    if upright and model.input_unit:
+        commands = Say("B, for the commands of both motors [{unit}]", unit=model.input_unit)
     change = Say("d{state}/dt") if model.continuous else Say("{state}⁺")
     rows = [change.about(state=state) for state in states]
     return [_matrix(model.A, rows, states, caption), _matrix(model.B, rows, model.inputs, commands)]
