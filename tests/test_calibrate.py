@@ -21,6 +21,7 @@ from planted import real_runs as real_logs
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
 from upright.calibration.calibrate import calibrate, prepared
+from upright.calibration.calibrated_robot import ENOUGH
 from upright.calibration.calibration import Calibration
 from upright.calibration.coefficients import DRIVEN, LEVEL, ROLLING_DRY
 from upright.calibration.decision import EXCITE
@@ -339,6 +340,21 @@ def test_the_page_judges_the_part_that_was_not_fitted() -> None:
     pages = found.page(), replace(found, free=(wrong, *found.free[1:])).page()
     assert [page.verdict and page.verdict.level for page in pages] == ["good", "warn"]
     assert ["miss part of" in str(page.picture and page.picture.claim) for page in pages] == [False, True]
+
+
+def test_a_design_needs_the_pole_to_a_quarter_and_no_white_innovations() -> None:
+    """A regulator that stands a gain of 1/2 stands a pole that is √2 off, and no less: the bar lies below. A test of
+    whiteness finds what is too small to matter, the longer the log the more."""
+    assert 1 < (1 + ENOUGH) ** 2 < 2
+    found = replace(calibration(), whiteness=())
+    loud = replace(calibration().whiteness[0], ljung_box=1e6)
+    pole = found["unstable_pole"]
+    wide = replace(pole, low=0.7 * pole.value, high=1.3 * pole.value)
+    rest = tuple(e for e in found.combinations if e is not pole)
+    cases = (found, replace(found, whiteness=(loud,)), replace(found, combinations=(*rest, wide)))
+    assert [len(case.doubts) for case in cases] == [0, 0, 1]
+    assert [page.verdict and page.verdict.level for page in (case.page() for case in cases)] == ["good", "good", "warn"]
+    assert cases[2].to_json()["bars"]["pole"] == ENOUGH
 
 
 def test_what_to_run_next_follows_from_the_decision_and_the_file_that_was_written() -> None:
