@@ -159,7 +159,7 @@ def _estimates(estimates: Sequence[Estimate], caption: Say | None = None) -> Tab
             Quantity(e.value, "1"),
             e.called,
             known_to(e.value, e.low, e.high),
-            known_to(e.before.value, e.before.low or 0.0, e.before.high),
+            known_to(e.prior, e.before.low or 0.0, e.before.high or math.inf),
         ]
         for e in estimates
     ]
