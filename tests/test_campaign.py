@@ -27,6 +27,7 @@ from upright.fleets.cases import Cases
 from upright.fleets.fleet import ensemble_of
 from upright.fleets.sweep import campaign_of, read_campaign
 from upright.fleets.tally import CaseSummary, Moments
+from upright.interrupts import Stopped
 
 SPEC = """
 robots = ["nxtway-gs"]
@@ -97,8 +98,8 @@ def test_two_workers_write_the_bytes_of_one_process_though_one_is_killed(spec, a
     (tmp_path / "temporary").mkdir()
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "temporary"))
 
-    def kill_one(done, total, left):
-        if done == 3 and not killed:
+    def kill_one(done):
+        if done == 3 / CHUNKS and not killed:
             killed.append(worker_processes()[0])
             os.kill(killed[0], signal.SIGKILL)
 
@@ -135,8 +136,8 @@ def test_a_cluster_elsewhere_is_used_by_its_address(spec, alone, tmp_path):
 def test_a_campaign_killed_half_way_goes_on_from_what_is_on_disk(spec, alone, tmp_path):
     folder = tmp_path / "c"
 
-    def stop(done, total, left):
-        if done == 4:
+    def stop(done):
+        if done == 4 / CHUNKS:
             signal.pause()
 
     child = forked(lambda: run_campaign(read_campaign(spec), folder, workers=0, progress=stop))
@@ -150,12 +151,30 @@ def test_a_campaign_killed_half_way_goes_on_from_what_is_on_disk(spec, alone, tm
     before = {name: (folder / "chunks" / name).stat().st_mtime_ns for name in files(folder)}
     assert 4 <= len(before) < CHUNKS
     told = []
-    run_campaign(read_campaign(spec), folder, workers=0, progress=lambda done, total, left: told.append((done, left)))
-    assert told[0][0] == len(before)
-    assert [done for done, _ in told] == list(range(len(before), CHUNKS + 1))
-    assert told[-1][1] == 0  # no time is left at the end
+    run_campaign(read_campaign(spec), folder, workers=0, progress=told.append)
+    assert told == [done / CHUNKS for done in range(len(before), CHUNKS + 1)]
     assert files(folder) == files(alone)
     assert all((folder / "chunks" / name).stat().st_mtime_ns == when for name, when in before.items())
+
+
+def test_a_campaign_that_ctrl_c_stops_shows_what_is_on_disk(spec, alone, tmp_path):
+    """Two cases of six chunks each: of the second one two chunks, of four robots, were done."""
+
+    def stop(done):
+        if done == 8 / CHUNKS:
+            raise KeyboardInterrupt
+
+    with pytest.raises(Stopped) as stopped:
+        run_campaign(read_campaign(spec), tmp_path, workers=0, progress=stop)
+    cases, runs = stopped.value.result, collect(alone)
+    assert [case.n for case in cases] == [24, 8]
+    fell = [runs["fell"].values[runs["case"].values == k][:n].sum() for k, n in enumerate((24, 8))]
+    assert [case.fell for case in cases] == fell
+    assert cases.to_json()["unfinished"] == {"robots": 32, "of": 48}
+    assert "unfinished: 32 of 48 robots" in str(cases)
+    whole = run_campaign(read_campaign(spec), tmp_path, workers=0)
+    assert whole.to_json()["unfinished"] is None
+    assert files(tmp_path) == files(alone)
 
 
 def test_a_campaign_puts_its_robot_at_the_medians_of_a_posterior_as_a_fleet_does(tmp_path):
@@ -218,8 +237,8 @@ def test_a_chunk_is_known_by_its_content(damage, spec, alone, another, tmp_path)
     shutil.copytree(alone, tmp_path, dirs_exist_ok=True)
     damage(chunk_path(tmp_path, 7), another)
     done = []
-    run_campaign(read_campaign(spec), tmp_path, workers=0, progress=lambda d, total, left: done.append(d))
-    assert done == [CHUNKS - 1, CHUNKS]
+    run_campaign(read_campaign(spec), tmp_path, workers=0, progress=done.append)
+    assert done == [(CHUNKS - 1) / CHUNKS, 1]
     assert files(tmp_path) == files(alone)
 
 

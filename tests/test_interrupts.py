@@ -117,6 +117,35 @@ def test_a_run_that_swallows_the_signal_and_ends_still_writes_nothing(tmp_path: 
     assert list(tmp_path.iterdir()) == []
 
 
+STOPPABLE = """
+from upright.fleets.unfinished import stoppable
+try:
+    with interrupts.keeping(lambda: None), stoppable(lambda: "half"):
+        ready()
+        time.sleep(600)
+except interrupts.Stopped as stopped:
+    print(stopped.result, flush=True)
+    time.sleep(0.8)  # longer than the grace
+"""
+
+
+def test_what_keeps_a_part_of_its_result_is_left_the_time_to_write_it(tmp_path: Path) -> None:
+    process = child(STOPPABLE, tmp_path)
+    process.send_signal(signal.SIGINT)
+    assert process.communicate(timeout=PATIENCE) == ("half\n", "")
+    assert [p.name for p in tmp_path.iterdir()] == ["result.txt"]
+
+
+def test_a_second_signal_ends_what_keeps_a_part_of_its_result(tmp_path: Path) -> None:
+    process = child(STOPPABLE.replace("0.8", "600"), tmp_path)
+    process.send_signal(signal.SIGINT)
+    assert process.stdout
+    assert process.stdout.readline() == "half\n"
+    process.send_signal(signal.SIGINT)
+    assert process.wait(PATIENCE) == 130
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_what_the_parent_had_it_ignore_stays_ignored(tmp_path: Path) -> None:
     ignored = "import signal; signal.signal(signal.SIGHUP, signal.SIG_IGN)"  # as nohup does
     process = child("time.sleep(0.3)", tmp_path, before=ignored)

@@ -14,7 +14,7 @@ import threading
 import time
 from collections.abc import Callable, Generator
 from contextlib import contextmanager, suppress
-from typing import NoReturn
+from typing import Any, NoReturn
 
 GRACE = 0.5  # [s] for the exception to end the run
 
@@ -24,14 +24,25 @@ MOTORS = threading.Lock()
 """Held while motors run: the process does not end before they are stopped."""
 
 
+class Stopped(KeyboardInterrupt):
+    """Ctrl-C in work of which a part is worth something: the `result` of what was done before."""
+
+    def __init__(self, result: Any) -> None:
+        super().__init__()
+        self.result = result
+
+
 class Run:
     """The state of this process: the `number` of the signal that came (0: none), the `message` then, whether a signal
-    is how this run usually ends (`lasting`: then it takes its time, and writes what it has), whether it is `complete`,
-    and what removes unfinished files at its `end`."""
+    is how this run usually ends (`lasting`: then it takes its time, and writes what it has), what is done at a first
+    one that leaves it time (`keeps`), whether a part of its result has been `kept`, whether it is `complete`, and what
+    removes unfinished files at its `end`."""
 
     number = 0
     message = STOPPED
     lasting = False
+    keeps: Callable[[], None] | None = None
+    kept = False
     complete = False
     end: tuple[Callable[[], None], ...] = ()
 
@@ -51,7 +62,7 @@ def watch() -> None:
 
 def interrupted() -> bool:
     """Whether a signal ends this run."""
-    return bool(Run.number) and not Run.lasting
+    return bool(Run.number) and not (Run.lasting or Run.kept)
 
 
 def check() -> None:
@@ -64,6 +75,20 @@ def complete() -> None:
     """Say that the run is complete: a signal that comes now comes too late. Raises as `check`."""
     check()
     Run.complete = True
+
+
+@contextmanager
+def keeping(first: Callable[[], None]) -> Generator[None]:
+    """In here the `first` signal, at which that is called, leaves the run the time to raise `Stopped` with what it has;
+    a second one ends it."""
+    Run.keeps = first
+    try:
+        yield
+    except Stopped:
+        Run.kept = True
+        raise
+    finally:
+        Run.keeps = None
 
 
 @contextmanager
@@ -122,6 +147,11 @@ def _wait(reader: int) -> None:
     while True:
         number = os.read(reader, 1)[0]
         if number not in SIGNALS or Run.lasting:
+            continue
+        first = Run.keeps
+        if first:
+            Run.keeps = None
+            first()
             continue
         time.sleep(GRACE)
         with MOTORS:

@@ -39,9 +39,8 @@ def basin(
     number = BASIN_POINTS[ensemble.called] if points is None else points
     axes = _axis(across, "--across", number), _axis(up, "--up", number)
     say_how_long(asked, ensemble, {f"--points {p}": p * p * samples * watch for p in (number, *BASIN_POINTS)})
-    with progress("simulating") as show:
-        result = cut(ensemble, *axes, samples=samples, threads=asked.threads, progress=show)
-    asked.finish(result, out)
+    settings = {"samples": samples, "threads": asked.threads}
+    asked.run(progress("simulating"), lambda show: cut(ensemble, *axes, **settings, progress=show), out)
 
 
 def _axis(text: str, option: str, points: int) -> Axis:

@@ -35,6 +35,6 @@ def fleet(
     ensemble = asked.ensemble(pushes=pushes, references=references, start=first, seconds=seconds)
     number = FLEET[ensemble.called] if samples is None else samples
     say_how_long(asked, ensemble, {f"-n {n}": n * seconds for n in (number, *FLEET)})
-    with progress("simulating") as show:
-        result = simulate(ensemble, number, threads=asked.threads, progress=show)
-    asked.finish(result, out)
+    asked.run(
+        progress("simulating"), lambda show: simulate(ensemble, number, threads=asked.threads, progress=show), out
+    )

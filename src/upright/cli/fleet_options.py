@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 from upright.cli.destination import Destination
-from upright.cli.output import tell
+from upright.cli.output import as_far_as_it_goes, tell
+from upright.progress import Progress
 
 if TYPE_CHECKING:
     from upright.fleets.ensemble import Ensemble
@@ -51,11 +53,11 @@ class Asked:
             **scenario,
         )
 
-    def finish(self, result: Any, out: Destination) -> None:
-        """Write the data of a fleet, a map or a basin, and print its page."""
+    def run(self, shown: AbstractContextManager[Progress], work: Callable[[Progress], Any], out: Destination) -> None:
+        """Do the work with its progress `shown`; write the data of its fleet, map or basin, and print the page."""
         from upright.fleets.results import save
 
-        out.finish(result, self.output and save(result.data, self.output))
+        as_far_as_it_goes(shown, work, lambda it: out.finish(it, self.output and save(it.data, self.output)))
 
 
 def say_how_long(asked: Asked, ensemble: Ensemble, work: Mapping[str, float]) -> None:

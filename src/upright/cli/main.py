@@ -63,6 +63,7 @@ def start(
 ) -> None:
     """The workbench for two-wheeled balancing robots: model, identify, control, certify, compare."""
     interrupts.Run.lasting = context.invoked_subcommand in LASTING
+    interrupts.Run.kept = False
     if context.invoked_subcommand is None:
         typer.echo(context.get_help())
 
@@ -93,7 +94,7 @@ def run(arguments: Sequence[str]) -> int:
     TYPED.set(arguments)
     with together():
         code = group().main(list(arguments), prog_name="upright", standalone_mode=False)
-        if code == INTERRUPTED:
+        if code == INTERRUPTED and not interrupts.Run.kept:
             raise KeyboardInterrupt
     return code if isinstance(code, int) else 0
 

@@ -6,14 +6,15 @@ import os
 import shlex
 import shutil
 import sys
-from collections.abc import Generator, Iterable, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import typer
 
+from upright import interrupts
 from upright.atomic import json_text, place_of
 from upright.cli.typed import GIVEN, TYPED
 from upright.errors import UprightError
@@ -22,6 +23,7 @@ from upright.messages import in_language
 from upright.pages import Next, Page, Say
 from upright.pages.terminal import WIDTH
 from upright.pages.terminal import text as page_text
+from upright.progress import Progress
 
 if TYPE_CHECKING:
     from upright.robots import Robot
@@ -46,6 +48,27 @@ def goes_on_from(place: Path | None, how: str) -> Generator[None]:
 def print_json(data: Any) -> None:
     """Print JSON on stdout."""
     typer.echo(json_text(data, sys.stdout.encoding))
+
+
+def as_far_as_it_goes(
+    shown: AbstractContextManager[Progress], work: Callable[[Progress], Any], finish: Callable[[Any], None]
+) -> None:
+    """`finish` what the `work` finds; after Ctrl-C what it found until then, with the exit code of such a run."""
+
+    def first() -> None:
+        tell("stopping: what is done so far follows; Ctrl-C again ends at once", err=True)
+
+    def going_on(fraction: float) -> None:
+        interrupts.check()  # a signal's exception may have been lost in C
+        show(fraction)
+
+    try:
+        with shown as show, interrupts.keeping(first):
+            result = work(going_on)
+    except interrupts.Stopped as stopped:
+        finish(stopped.result)
+        raise typer.Exit(interrupts.exit_code()) from None
+    finish(result)
 
 
 AGAINST = 3

@@ -30,8 +30,8 @@ def push_map(
 ) -> None:
     """Find the largest push a robot recovers from.
 
-    By direction, height and duration, with a 95 % band over the uncertain parameters (default: --vary spread). A search
-    that Ctrl-C stops leaves nothing: fewer --points and -n take less time.
+    By direction, height and duration, with a 95 % band over the uncertain parameters (default: --vary spread). Ctrl-C
+    shows what is found until then.
     """
     import numpy as np
 
@@ -57,14 +57,5 @@ def push_map(
     for p, n in ((count, drawn), *zip(MAP_POINTS, MAP_ROBOTS, strict=True)):
         work[f"--points {p} -n {n}"] = robot_seconds(ensemble, grid_of(p), n, tolerance=tolerance, watch=watch)
     say_how_long(asked, ensemble, work)
-    with progress("searching") as show:
-        result = search(
-            ensemble,
-            grid_of(count),
-            samples=drawn,
-            tolerance=tolerance,
-            watch=watch,
-            threads=asked.threads,
-            progress=show,
-        )
-    asked.finish(result, out)
+    settings = {"samples": drawn, "tolerance": tolerance, "watch": watch, "threads": asked.threads}
+    asked.run(progress("searching"), lambda show: search(ensemble, grid_of(count), **settings, progress=show), out)

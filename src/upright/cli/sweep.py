@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from upright.cli.destination import Destination
-from upright.cli.output import goes_on_from
-from upright.progress import progress
+from upright.cli.output import as_far_as_it_goes, goes_on_from
+from upright.progress import Progress, progress
+
+if TYPE_CHECKING:
+    from upright.fleets.cases import Cases
 
 
 def sweep(
@@ -28,9 +31,9 @@ def sweep(
     out.check()
     campaign = read_campaign(spec)
     place = output or spec.with_suffix("")
-    kept = f"finished chunks are kept in {place}: the same command goes on"
-    with goes_on_from(place, kept), progress("campaign") as show:
-        cases = run_campaign(
-            campaign, place, workers=workers, cluster=cluster, progress=lambda done, total, _: show(done / total)
-        )
-    out.finish(cases, place)
+
+    def run(show: Progress) -> Cases:
+        with goes_on_from(place, f"finished chunks are kept in {place}: the same command goes on"):
+            return run_campaign(campaign, place, workers=workers, cluster=cluster, progress=show)
+
+    as_far_as_it_goes(progress("campaign"), run, lambda cases: out.finish(cases, place))

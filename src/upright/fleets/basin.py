@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +15,7 @@ from upright.control.reach import largest_pitch
 from upright.errors import InvalidScenario, UnknownName, check_within
 from upright.fleets.ensemble import Ensemble
 from upright.fleets.maps import Basin
+from upright.fleets.unfinished import coarse_first, marked, stoppable
 from upright.progress import Progress, unwatched
 from upright.signals import STATE_NAMES
 from upright.signals.signal import STATE
@@ -23,7 +25,7 @@ if TYPE_CHECKING:
 
 
 MOST_ROBOTS = 10_000_000
-_AT_ONCE = 65536  # robots in one batch, which bounds the memory
+_AT_ONCE = 8192  # robots in one batch, which bounds the memory, and what Ctrl-C loses
 
 
 @dataclass(frozen=True)
@@ -63,7 +65,8 @@ def basin(
 
     The other states start as the ensemble's `start`. One sample is the nominal robot, so that the fraction is 0 or 1;
     more are robots 0 to `samples` − 1 of the family, each with its own noise. `settling` [s] is the median time after
-    which pitch stays in the ensemble's band, NaN where half of them or more did not.
+    which pitch stays in the ensemble's band, NaN where half of them or more did not. Ctrl-C raises
+    `interrupts.Stopped`, whose `result` is the finest grid of which every point was tried.
     """
     from upright.kernel.simulate import simulate
 
@@ -72,18 +75,30 @@ def basin(
         raise InvalidScenario(f"{samples} samples over {across.name} and {up.name}", expected="one or more, two states")
     starts = _starts(ensemble, across, up)
     robots = (ensemble.nominal() if samples == 1 else ensemble).batch(np.arange(samples))
-    stood, settled = (np.empty((len(starts), samples)) for _ in range(2))
+    stood, settled = np.empty((2, across.points, up.points, samples))
     at_once = max(1, ensemble.at_once(_AT_ONCE) // samples)
+    tried = 0
+    whole: tuple[Whole, ...] = ()
+
+    def so_far() -> Basin:
+        data = _labelled(ensemble, (across, up), whole, stood[np.ix_(*whole)], settled[np.ix_(*whole)])
+        return Basin(marked(data, "points", data["recovered"].size, len(starts)))
+
     show = progress or unwatched
     show(0.0)
-    for first in range(0, len(starts), at_once):
-        part = starts[first : first + at_once]
-        every = robots.part(np.tile(np.arange(samples), len(part)), start=np.repeat(part, samples, axis=0))
-        result = simulate(every, ensemble.seconds, bands=(ensemble.band, np.inf, np.inf), threads=threads)
-        stood[first : first + at_once] = ~result.fell.reshape(-1, samples)
-        settled[first : first + at_once] = result.settled.reshape(-1, samples)
-        show(min(1.0, (first + at_once) / len(starts)))
-    return Basin(_labelled(ensemble, across, up, stood, settled))
+    with stoppable(lambda: so_far() if whole else None):
+        for rows, points in coarse_first(across.points, up.points):
+            for part in np.split(points, range(at_once, len(points), at_once)):
+                every = robots.part(
+                    np.tile(np.arange(samples), len(part)), start=np.repeat(starts[part], samples, axis=0)
+                )
+                result = simulate(every, ensemble.seconds, bands=(ensemble.band, np.inf, np.inf), threads=threads)
+                stood.reshape(-1, samples)[part] = ~result.fell.reshape(-1, samples)
+                settled.reshape(-1, samples)[part] = result.settled.reshape(-1, samples)
+                tried += len(part)
+                show(tried / len(starts))
+            whole = rows
+    return so_far()
 
 
 def _starts(ensemble: Ensemble, across: Axis, up: Axis) -> Array:
@@ -107,25 +122,30 @@ def islands(recovered: Mask, across: Array, up: Array) -> Mask:
     return recovered & (regions != main)
 
 
-def _labelled(ensemble: Ensemble, across: Axis, up: Axis, stood: Array, settled: Array) -> Dataset:
+def _labelled(
+    ensemble: Ensemble, axes: tuple[Axis, Axis], rows: Sequence[Whole], stood: Array, settled: Array
+) -> Dataset:
+    """The outcomes (across, up, samples) of these `rows` of the axes."""
     import xarray as xr
 
-    shape, dims = (across.points, up.points), (across.name, up.name)
+    across, up = axes
+    dims = (across.name, up.name)
     inner = np.where(np.isnan(settled), np.inf, settled)
-    median = np.sort(inner, axis=1)[:, settled.shape[1] // 2]
+    median = np.sort(inner, axis=-1)[..., settled.shape[-1] // 2]
     units = {signal.name.removeprefix("truth/"): signal.unit for signal in STATE}
-    recovered = stood.mean(axis=1).reshape(shape)
-    apart = islands(recovered >= 0.5, across.values, up.values)
+    coords = {
+        axis.name: (axis.name, axis.values[some], {"unit": units[axis.name]})
+        for axis, some in zip(axes, rows, strict=True)
+    }
+    recovered = stood.mean(axis=-1)
+    apart = islands(recovered >= 0.5, coords[across.name][1], coords[up.name][1])
     variables: dict[str, Any] = {
         "island": (dims, apart, {"unit": "1", "long_name": "recovers apart from the region round rest"}),
         "recovered": (dims, recovered, {"unit": "1", "long_name": "fraction that recovered"}),
-        "settling": (
-            dims, np.where(np.isinf(median), np.nan, median).reshape(shape), {"unit": "s", "long_name": "settling time"}
-        ),
-    }  # fmt: skip
-    coords = {axis.name: (axis.name, axis.values, {"unit": units[axis.name]}) for axis in (across, up)}
+        "settling": (dims, np.where(np.isinf(median), np.nan, median), {"unit": "s", "long_name": "settling time"}),
+    }
     kit = ensemble.family.kit
     able = largest_pitch(ensemble.family.robot, kit) if kit and across.name == "pitch" else math.inf
-    settings = {"samples": stood.shape[1], "saved_by_any": able if able < math.pi / 2 else None}
+    settings = {"samples": stood.shape[-1], "saved_by_any": able if able < math.pi / 2 else None}
     origin = ensemble.origin() | {"basin": settings}
     return xr.Dataset(variables, coords, {"origin": json.dumps(origin, ensure_ascii=False)})

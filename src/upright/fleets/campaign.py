@@ -10,8 +10,7 @@ import hashlib
 import io
 import json
 import os
-import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass
 from importlib.metadata import version
@@ -26,7 +25,9 @@ from upright.fleets.cases import Cases
 from upright.fleets.ensemble import OUTCOMES, Ensemble
 from upright.fleets.results import labelled, load, unit_of, write_parquet
 from upright.fleets.tally import tally
+from upright.fleets.unfinished import stoppable
 from upright.fleets.workers import Worker, connected, run_all
+from upright.progress import Progress, unwatched
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -105,50 +106,61 @@ def run_campaign(
     *,
     workers: int | None = None,
     cluster: str | None = None,
-    progress: Callable[[int, int, float], None] | None = None,
+    progress: Progress | None = None,
 ) -> Cases:
     """Run what `folder` lacks of the campaign, and summarise.
 
     `cluster` is a Dask scheduler's address; without one, `workers` processes on this machine (None: one a processor),
-    or with 0 this process alone. `progress(done, total, seconds)` gets the chunks on disk and the time left. Raises
-    `InvalidScenario` where the folder holds another campaign, `UprightError` for a chunk that kills its workers,
-    `MissingTool` for an address where Dask is not installed.
+    or with 0 this process alone. `progress` is called with the fraction on disk. Ctrl-C raises `interrupts.Stopped`,
+    whose `result` is that of the chunks on disk. Raises `InvalidScenario` where the folder holds another campaign,
+    `UprightError` for a chunk that kills its workers, `MissingTool` for an address where Dask is not installed.
     """
     if cluster is not None:
         require("--cluster", "distributed")
     place = Path(os.path.expanduser(folder))
-    total = sum(1 for _ in campaign.chunks())
     plan = json.loads(json.dumps(campaign.plan()))
     digest = _digest(plan)
     _check_folder(place, digest)
-    todo = [chunk for chunk in campaign.chunks() if not _there(place, chunk.number, digest)]
-    show = _Watch(total, total - len(todo), progress)
+    todo: list[Chunk] = []
+    done: list[Chunk] = []
+    for chunk in campaign.chunks():
+        (done if _there(place, chunk.number, digest) else todo).append(chunk)
+    total = len(done) + len(todo)
+    show = progress or unwatched
+    show(len(done) / total)
 
     def keep(chunk: Chunk, data: bytes) -> None:
         if not (place / _PLAN).exists():  # not before there is a result: a faulty plan leaves nothing
             make_folder(place / _CHUNKS)
             write_json(place / _PLAN, plan, at_once=True)
         write_bytes(chunk_path(place, chunk.number), _sealed(data, digest, chunk.number), at_once=True)
-        show.one_more()
+        done.append(chunk)
+        show(len(done) / total)
 
-    if todo and workers == 0 and cluster is None:
-        for chunk in todo:
-            keep(chunk, campaign.run_chunk(chunk))
-    elif todo:
-        with connected(workers, cluster) as all_workers:
-            run_all(todo, campaign.submit, keep, all_workers)
-    return summaries(campaign, place)
+    with stoppable(lambda: summaries(campaign, place, done) if done else None):
+        if todo and workers == 0 and cluster is None:
+            for chunk in todo:
+                keep(chunk, campaign.run_chunk(chunk))
+        elif todo:
+            with connected(workers, cluster) as all_workers:
+                run_all(todo, campaign.submit, keep, all_workers)
+    return summaries(campaign, place, done)
 
 
-def summaries(campaign: Campaign, folder: Path) -> Cases:
-    """One summary for each case of a finished campaign."""
-    paths: dict[int, list[Path]] = {}
-    for chunk in campaign.chunks():
-        paths.setdefault(chunk.case, []).append(chunk_path(folder, chunk.number))
-    cases = Cases(tally(case.labels, case.n, paths[i]) for i, case in enumerate(campaign.cases))
-    cases.origins = [case.ensemble.origin() for case in campaign.cases]
+def summaries(campaign: Campaign, folder: Path, done: Iterable[Chunk]) -> Cases:
+    """One summary for each case, of its chunks that are `done`; a case without any is left out."""
+    chunks: dict[int, list[Chunk]] = {}
+    for chunk in sorted(done):
+        chunks.setdefault(chunk.case, []).append(chunk)
+    begun = [campaign.cases[number] for number in chunks]
+    robots = [sum(chunk.stop - chunk.start for chunk in some) for some in chunks.values()]
+    paths = [[chunk_path(folder, chunk.number) for chunk in some] for some in chunks.values()]
+    cases = Cases(tally(case.labels, n, files) for case, n, files in zip(begun, robots, paths, strict=True))
+    asked = sum(case.n for case in campaign.cases)
+    cases.unfinished = {"robots": sum(robots), "of": asked} if sum(robots) < asked else None
+    cases.origins = [case.ensemble.origin() for case in begun]
     origin = cases.origins[0]
-    family = campaign.cases[0].ensemble.family
+    family = begun[0].ensemble.family
     cases.pushes = origin["scenario"]["push"]
     cases.spreads = (origin.get("vary") or {}).get("spreads", ())
     numbers = {*family.names, *(n for case in cases for n, value in case.labels.items() if not isinstance(value, str))}
@@ -255,19 +267,3 @@ def _footer(data: bytes) -> int:
 
 def _checksum(data: bytes, digest: str, number: int) -> bytes:
     return hashlib.sha256(f"{digest} {number} ".encode() + data).digest()
-
-
-class _Watch:
-    """Counts chunks and predicts the remaining time from the pace since the start."""
-
-    def __init__(self, total: int, done: int, tell: Callable[[int, int, float], None] | None) -> None:
-        self._total, self._done, self._first, self._tell = total, done, done, tell
-        self._start = time.monotonic()
-        if tell:
-            tell(done, total, np.nan)
-
-    def one_more(self) -> None:
-        self._done += 1
-        pace = (time.monotonic() - self._start) / (self._done - self._first)
-        if self._tell:
-            self._tell(self._done, self._total, pace * (self._total - self._done))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from upright.fleets.tally import Tally
+from upright.fleets.unfinished import as_far
 from upright.pages import Result
 
 if TYPE_CHECKING:
@@ -30,4 +31,4 @@ class Cases(Result, Tally):
         """The campaign for people."""
         from upright.fleets.cases_page import cases_page
 
-        return cases_page(self)
+        return as_far(cases_page(self), {"unfinished": self.unfinished})

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from upright.arrays import Array
 from upright.control import Controller
 from upright.errors import UnknownName, check_within
 from upright.fleets.ensemble import Ensemble
 from upright.fleets.results import OUTCOMES, Summary, labelled, origin_of, summarise
 from upright.fleets.sweep import electronics, find_controller
+from upright.fleets.unfinished import as_far, marked, stoppable
 from upright.fleets.vary import Vary, varied
 from upright.pages import Result
 from upright.progress import Progress, unwatched
@@ -28,7 +31,7 @@ if TYPE_CHECKING:
 MOST_ROBOTS = 10_000_000
 """In one fleet, whose results take a gigabyte; more go into a campaign."""
 
-CHUNK = 16384  # robots between two reports of progress; the memory of a run grows with it
+CHUNK = 8192  # robots between two reports of progress; the memory of a run grows with it, and what Ctrl-C loses
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -54,7 +57,7 @@ class Fleet(Result):
         """The fleet for people."""
         from upright.fleets.fleet_page import fleet_page
 
-        return fleet_page(self.data, self.summary)
+        return as_far(fleet_page(self.data, self.summary), origin_of(self.data))
 
 
 def ensemble_of(
@@ -89,16 +92,25 @@ def fleet(
     """Simulate `n` robots of an ensemble, or of the one that `ensemble_of` makes of a robot and `choices`.
 
     `choices` are its controller, kit, vary, posterior, pushes, references, start, seconds and seed. `progress` is
-    called with the fraction done. Raises `InvalidScenario`.
+    called with the fraction done. Ctrl-C raises `interrupts.Stopped`, whose `result` is the fleet of the robots until
+    then. Raises `InvalidScenario`.
     """
     check_within("robots in a fleet", n, 1, MOST_ROBOTS)
     ensemble = robot if isinstance(robot, Ensemble) else ensemble_of(robot, **choices)
-    parts: list[dict[str, Any]] = []
+    parts: list[Mapping[str, Array]] = []
     show = progress or unwatched
     show(0.0)
     chunk = ensemble.at_once(CHUNK)
-    for first in range(0, n, chunk):
-        parts.append(ensemble.run(range(first, min(n, first + chunk)), threads))
-        show(min(1.0, (first + chunk) / n))
-    data = labelled({name: np.concatenate([part[name] for part in parts]) for name in parts[0]}, range(n), ensemble)
+    with stoppable(lambda: _together(parts, ensemble, n) if parts else None):
+        for first in range(0, n, chunk):
+            parts.append(ensemble.run(range(first, min(n, first + chunk)), threads))
+            show(min(1.0, (first + chunk) / n))
+    return _together(parts, ensemble, n)
+
+
+def _together(parts: Sequence[Mapping[str, Array]], ensemble: Ensemble, n: int) -> Fleet:
+    """The first robots of `n`, as many as the `parts` have."""
+    columns = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+    done = len(columns["fell"])
+    data = marked(labelled(columns, range(done), ensemble), "robots", done, n)
     return Fleet(data, summarise(data))

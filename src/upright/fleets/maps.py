@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from upright.fleets import limits
 from upright.fleets.results import origin_of
+from upright.fleets.unfinished import as_far
 from upright.pages import Result
 
 if TYPE_CHECKING:
@@ -41,7 +42,7 @@ class PushMap(Result):
         """The map for people."""
         from upright.fleets.push_map_page import push_map_page
 
-        return push_map_page(self.data)
+        return as_far(push_map_page(self.data), origin_of(self.data))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -70,4 +71,4 @@ class Basin(Result):
         """The basin for people."""
         from upright.fleets.basin_page import basin_page
 
-        return basin_page(self.data)
+        return as_far(basin_page(self.data), origin_of(self.data))

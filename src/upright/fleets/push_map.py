@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -26,6 +26,7 @@ from upright.experiment.run import MAX_SECONDS
 from upright.fleets.ensemble import Ensemble
 from upright.fleets.fleet import ensemble_of
 from upright.fleets.maps import PushMap
+from upright.fleets.unfinished import coarse_first, marked, stoppable, thinned
 from upright.fleets.usual import MAP_POINTS, MAP_ROBOTS
 from upright.kernel.batch import FleetBatch
 from upright.progress import Progress, unwatched
@@ -35,6 +36,8 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
 Stands = Callable[[Array, Whole], Mask]
+Points = tuple[Array, ...]
+"""Direction, height and duration (n,) of n points."""
 
 FORWARD = 1
 BACKWARD = -1
@@ -57,6 +60,7 @@ NODES = (16, 16)
 """Heights and durations at which the band is computed."""
 
 _TRIES = 8.0  # impulses of a search until the bracket is within 1 %, as counted of the presets
+_AT_ONCE = 16384  # searches of drawn robots in one batch, which bounds the memory
 _LEAP = 16.0  # largest factor between two tries while the bracket grows
 
 
@@ -134,10 +138,10 @@ class PushGrid:
         """(directions, heights, durations)."""
         return len(self.directions), len(self.heights), len(self.durations)
 
-    def flat(self) -> tuple[Array, Array, Array]:
+    def flat(self) -> Points:
         """Direction, height and duration of every point, in that order of axes."""
         axes = np.meshgrid(np.array(self.directions, dtype=np.float64), self.heights, self.durations, indexing="ij")
-        return axes[0].reshape(-1), axes[1].reshape(-1), axes[2].reshape(-1)
+        return tuple(axis.reshape(-1) for axis in axes)
 
     @classmethod
     def usual(cls, ensemble: Ensemble) -> PushGrid:
@@ -148,9 +152,8 @@ class PushGrid:
 
     def thinned(self, heights: int, durations: int) -> PushGrid:
         """At most `heights` heights and `durations` durations of the grid, the ends included."""
-        return PushGrid(
-            directions=self.directions, heights=_some(self.heights, heights), durations=_some(self.durations, durations)
-        )
+        rows, columns = thinned(len(self.heights), heights), thinned(len(self.durations), durations)
+        return PushGrid(directions=self.directions, heights=self.heights[rows], durations=self.durations[columns])
 
 
 def push_map(
@@ -177,6 +180,9 @@ def push_map(
 
     The band is computed robot by robot at `nodes` (heights, durations) of the grid; between them the ratio to the
     nominal robot is interpolated, linear in both. Robot s has noise from stream s everywhere, the nominal one from 0.
+
+    Ctrl-C raises `interrupts.Stopped`, whose `result` is the finest grid that is whole, with the band of the robots
+    until then.
     """
     check_within("samples", samples or 0, 0, 100_000)
     check_within("seconds to stand after a push", watch, 1e-3, MAX_SECONDS)
@@ -189,12 +195,28 @@ def push_map(
     small = grid.thinned(*nodes)
     search.expected = search.robot_seconds(grid, small, samples)
     search.show = progress or unwatched
+    whole: tuple[Whole, ...] = ()
+    drawn: list[Array] = []
+
+    def so_far() -> PushMap:
+        part = PushGrid(directions=grid.directions, heights=grid.heights[whole[1]], durations=grid.durations[whole[2]])
+        borders = first[np.ix_(*whole)], last[np.ix_(*whole)]
+        spread = np.concatenate(drawn) if drawn else None
+        data = _labelled(part, part.thinned(*nodes), borders, spread, search)
+        data = marked(data, "robots", sum(map(len, drawn)), samples)
+        return PushMap(marked(data, "points", borders[0].size, first.size))
+
     search.show(0.0)
-    last, capped = search.nominal(grid)
-    first = search.first(grid, last)
-    spread = search.sampled(small, _at(last, grid, small), samples) if samples else None
+    with stoppable(lambda: so_far() if whole else None):
+        last = search.nominal(grid)
+        first = np.empty_like(last)
+        for rows, points in coarse_first(*grid.shape):
+            first.flat[points] = search.first(tuple(axis[points] for axis in grid.flat()), last.flat[points])
+            whole = rows
+        for robots in search.sampled(small, _at(last, grid, small), samples):
+            drawn.append(robots)
     search.show(1.0)
-    return PushMap(_labelled(ensemble, grid, small, (first, last), capped, spread, search))
+    return so_far()
 
 
 def robot_seconds(
@@ -233,50 +255,38 @@ class _Search:
         nominal = math.prod(grid.shape) * (search + SCANNED * watched)
         return nominal + samples * math.prod(small.shape) * search
 
-    def nominal(self, grid: PushGrid) -> tuple[Array, Mask]:
-        """The nominal robot's impulses, shape of the grid, and where they reach the ceiling."""
+    def nominal(self, grid: PushGrid) -> Array:
+        """The nominal robot's impulses, shape of the grid."""
         ensemble = self.ensemble.nominal()
         points = grid.flat()
         zeros = np.zeros(points[0].size, dtype=np.int64)
         coarse = grid.thinned(8, 8)
         first = self._find(ensemble, coarse.flat(), zeros[: math.prod(coarse.shape)], self.ceiling / 20, 2.0)
         guess = _between(first.reshape(coarse.shape), coarse, grid).reshape(-1)
-        impulses = self._find(ensemble, points, zeros, guess, 1.06).reshape(grid.shape)
-        return impulses, impulses >= self.ceiling
+        return self._find(ensemble, points, zeros, guess, 1.06).reshape(grid.shape)
 
-    def first(self, grid: PushGrid, last: Array) -> Array:
-        """The first borders of the nominal robot, shape of the grid, below those found."""
+    def first(self, points: Points, last: Array) -> Array:
+        """The first borders (n,) of the nominal robot at `points`, below those found."""
         table = self.ensemble.nominal().batch(np.zeros(last.size, dtype=np.int64))
-        points = grid.flat()
 
         def stands(impulse: Array, which: Whole) -> Mask:
             return self._stand(table, points, impulse, which, self.watch)
 
-        return first_border(stands, last.reshape(-1), self.floor, self.tolerance).reshape(grid.shape)
+        return first_border(stands, last, self.floor, self.tolerance)
 
-    def sampled(self, grid: PushGrid, nominal: Array, samples: int) -> Array:
-        """Impulses (samples, *grid.shape) of robots 0 to `samples` − 1 of the family."""
+    def sampled(self, grid: PushGrid, nominal: Array, samples: int) -> Iterator[Array]:
+        """Impulses (·, *grid.shape) of robots 0 to `samples` − 1 of the family, some at a time."""
         count = math.prod(grid.shape)
-        impulses = np.empty((samples, count))
         points = grid.flat()
-        at_once = max(1, 16384 // count)
+        at_once = max(1, _AT_ONCE // count)
         for start in range(0, samples, at_once):
             robots = np.arange(start, min(samples, start + at_once))
             which = np.repeat(robots, count)
             spread_out = tuple(np.tile(p, len(robots)) for p in points)
             guess = np.tile(np.maximum(nominal.reshape(-1), self.floor), len(robots))
-            values = self._find(self.ensemble, (spread_out[0], spread_out[1], spread_out[2]), which, guess, 1.08)
-            impulses[robots] = values.reshape(len(robots), count)
-        return impulses.reshape(samples, *grid.shape)
+            yield self._find(self.ensemble, spread_out, which, guess, 1.08).reshape(-1, *grid.shape)
 
-    def _find(
-        self,
-        ensemble: Ensemble,
-        points: tuple[Array, Array, Array],
-        robots: Whole,
-        guess: Any,
-        factor: float,
-    ) -> Array:
+    def _find(self, ensemble: Ensemble, points: Points, robots: Whole, guess: Any, factor: float) -> Array:
         """Search with `glance`, try each result for the whole `watch`, and search again where the robot fell."""
         table = ensemble.batch(robots)
 
@@ -293,14 +303,7 @@ class _Search:
             impulses[again] = largest(stands(self.watch, again), impulses[again] / (1 + self.tolerance), *bounds, 1.02)
         return impulses
 
-    def _stand(
-        self,
-        table: FleetBatch,
-        points: tuple[Array, Array, Array],
-        impulse: Array,
-        which: Whole,
-        beyond: float,
-    ) -> Mask:
+    def _stand(self, table: FleetBatch, points: Points, impulse: Array, which: Whole, beyond: float) -> Mask:
         """Whether searches number `which` survive `impulse` [N s] (n,), simulated until `beyond` [s] after it."""
         from upright.kernel.simulate import CALLED, simulate
 
@@ -319,11 +322,6 @@ class _Search:
         return stood
 
 
-def _some(values: Array, count: int) -> Array:
-    rows = np.unique(np.rint(np.linspace(0, len(values) - 1, max(1, min(count, len(values))))).astype(int))
-    return values[rows]
-
-
 def _at(values: Array, grid: PushGrid, small: PushGrid) -> Array:
     rows = np.searchsorted(grid.heights, small.heights)
     columns = np.searchsorted(grid.durations, small.durations)
@@ -337,9 +335,8 @@ def _between(values: Array, small: PushGrid, grid: PushGrid) -> Array:
 
 
 def _labelled(
-    ensemble: Ensemble, grid: PushGrid, small: PushGrid, borders: tuple[Array, Array], capped: Mask,
-    spread: Array | None, search: _Search,
-) -> Dataset:  # fmt: skip
+    grid: PushGrid, small: PushGrid, borders: tuple[Array, Array], spread: Array | None, search: _Search
+) -> Dataset:
     import xarray as xr
 
     dims = ("direction", "height", "duration")
@@ -349,7 +346,7 @@ def _labelled(
         "impulse": (dims, first, newton | {"long_name": "largest impulse survived, with every smaller one"}),
         "last": (dims, last, newton | {"long_name": "largest impulse survived at all"}),
         "island": (dims, first < last, {"unit": "1", "long_name": "a larger impulse is survived again"}),
-        "capped": (dims, capped, {"unit": "1", "long_name": "at the largest impulse of the search"}),
+        "capped": (dims, last >= search.ceiling, {"unit": "1", "long_name": "at the largest impulse of the search"}),
     }
     coords: dict[str, Any] = {
         "direction": np.array(["forward" if d > 0 else "backward" for d in grid.directions]),
@@ -365,5 +362,5 @@ def _labelled(
     settings: dict[str, Any] = {"samples": 0 if spread is None else len(spread), "tolerance": search.tolerance}
     settings |= {"watch": search.watch, "glance": search.glance, "ceiling": search.ceiling, "runs": search.runs}
     settings |= {"nodes": {"height": small.heights.tolist(), "duration": small.durations.tolist()}}
-    origin = ensemble.origin() | {"push_map": settings}
+    origin = search.ensemble.origin() | {"push_map": settings}
     return xr.Dataset(variables, coords, {"origin": json.dumps(origin, ensure_ascii=False)})

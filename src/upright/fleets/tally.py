@@ -65,12 +65,14 @@ class CaseSummary:
 
 class Tally(tuple[CaseSummary, ...]):
     """The summaries of a campaign, in the order of its plan, whose `origins` are those of its cases. `pushes` and
-    `spreads` (what varies) are those of the first case; `units` are those of labels and of what varies."""
+    `spreads` (what varies) are those of the first case; `units` are those of labels and of what varies. After Ctrl-C
+    `unfinished` are its `robots` `of` all."""
 
     origins: Sequence[Mapping[str, Any]] = ()
     pushes: Sequence[Mapping[str, Any]] = ()
     spreads: Sequence[Mapping[str, Any]] = ()
     units: Mapping[str, str] = MappingProxyType({})
+    unfinished: Mapping[str, int] | None = None
 
     def shown(self) -> list[str]:
         """The outcomes of a table, as far as this campaign keeps them."""
@@ -162,7 +164,8 @@ class Tally(tuple[CaseSummary, ...]):
             name: {"case": self.index(case), "least": least, "most": most}
             for name, (case, least, most) in self.drawn().items()
         }
-        return {"cases": [_plain(case) for case in self], "effects": effects, "drawn": drawn}
+        cases = [_plain(case) for case in self]
+        return {"unfinished": self.unfinished, "cases": cases, "effects": effects, "drawn": drawn}
 
 
 END = 0.2  # [1] of the robots: those with the least, or the largest, values of a drawn number

@@ -51,6 +51,9 @@ COMMANDS = {
 }
 """What is run; a name in braces is a file that is made first."""
 
+KEEP = ("fleet", "push-map", "basin")
+"""What writes the part that is done: all its files, or none."""
+
 LENGTH = {"identify": 6.0, "post-mortem": 6.0, "design hinf": 4.0, "doctor": 4.0, "parity": 5.0, "calibrate": 10.0}
 LONGEST = 12.0
 """From then on to the last moment [s]; most commands run longer."""
@@ -146,6 +149,9 @@ def interrupted(call: list[str], number: int, moment: float) -> End:
         files = {folder: [p for p in Path(folder).rglob("*") if not _campaigns(p)] for folder in (place, temporary)}
         if process.returncode == 0 and files[place] and all(p.stat().st_ctime < clock for p in files[place]):
             return End(0, seconds, [], True, error)  # the result stood before the signal came: Python was shutting down
+        outputs = {word for before, word in zip(call, call[1:], strict=False) if before in ("-o", "--report")}
+        if call[0] in KEEP and outputs <= set(os.listdir(place)):
+            files[place] = [p for p in files[place] if p.relative_to(place).parts[0] not in outputs]
         left += [str(p.relative_to(folder)) for folder, paths in files.items() for p in paths]
         for p in alive:
             p.kill()
