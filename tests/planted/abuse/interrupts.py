@@ -13,6 +13,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Iterator
+from itertools import pairwise
 from pathlib import Path
 from typing import NamedTuple
 
@@ -20,6 +21,7 @@ import psutil
 
 MOMENTS = 5
 BAR = 1.0  # [s]
+WRITING = 4.0  # [s] of what writes the part that is done: the batch that runs, then data, page and picture
 FIRST = 0.5  # [s] before it, Python's own start answers a signal, where the system does not say who does
 
 CAMPAIGN = """
@@ -92,7 +94,8 @@ def _rows(name: str, number: signal.Signals, ends: list[End]) -> Iterator[tuple[
     slowest, traces = max(end.seconds for end in ends), sum("Traceback" in end.error for end in ends)
     bad = [end for end in ends if not held(end, number)]
     value = f"{len(ends)}×, {', '.join(map(str, codes))}, {slowest:.2f} s"
-    yield f"{name}, {number.name}", value, f"{128 + number}, {BAR:g} s", not bad and slowest < BAR
+    bar = WRITING if name in KEEP else BAR
+    yield f"{name}, {number.name}", value, f"{128 + number}, {bar:g} s", not bad and slowest < bar
     if left or traces:
         yield f"{name}, {number.name}: leaves {left}, {traces} tracebacks", str(len(left)), "0", False
 
@@ -149,7 +152,7 @@ def interrupted(call: list[str], number: int, moment: float) -> End:
         files = {folder: [p for p in Path(folder).rglob("*") if not _campaigns(p)] for folder in (place, temporary)}
         if process.returncode == 0 and files[place] and all(p.stat().st_ctime < clock for p in files[place]):
             return End(0, seconds, [], True, error)  # the result stood before the signal came: Python was shutting down
-        outputs = {word for before, word in zip(call, call[1:], strict=False) if before in ("-o", "--report")}
+        outputs = {word for before, word in pairwise(call) if before in ("-o", "--report")}
         if call[0] in KEEP and outputs <= set(os.listdir(place)):
             files[place] = [p for p in files[place] if p.relative_to(place).parts[0] not in outputs]
         left += [str(p.relative_to(folder)) for folder, paths in files.items() for p in paths]
