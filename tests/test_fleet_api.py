@@ -247,7 +247,7 @@ def test_progress_is_shown_robot_by_robot_where_they_are_called(monkeypatch):
     assert shares == pytest.approx([0, 1 / 2, 1])
     shares.clear()
     grid = PushGrid(heights=np.array([0.0]), durations=np.array([0.02]))
-    push_map(own, grid, samples=0, watch=0.1, glance=0.05, progress=shares.append)
+    push_map(own, grid, samples=0, watch=0.1, progress=shares.append)
     assert len(shares) > 35  # as many impulses are tried of each direction, two at once
 
 

@@ -11,7 +11,6 @@ import io
 import json
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from concurrent.futures import Future
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
@@ -26,7 +25,7 @@ from upright.fleets.ensemble import OUTCOMES, Ensemble
 from upright.fleets.results import labelled, load, unit_of, write_parquet
 from upright.fleets.tally import tally
 from upright.fleets.unfinished import stoppable
-from upright.fleets.workers import Worker, connected, run_all
+from upright.fleets.workers import connected, run_all
 from upright.progress import Progress, unwatched
 
 if TYPE_CHECKING:
@@ -89,15 +88,9 @@ class Campaign:
         cases = [{"labels": dict(c.labels), "n": c.n, "origin": c.ensemble.origin()} for c in self.cases]
         return {"chunk": self.chunk, "keep": list(self.keep), "pyarrow": version("pyarrow"), "cases": cases}
 
-    def run_chunk(self, chunk: Chunk, threads: int | None = None) -> bytes:
-        """The chunk's file."""
-        ensemble = self.cases[chunk.case].ensemble
-        return run_part(ensemble, chunk.start, chunk.stop, self.keep, _versions(), threads)
-
-    def submit(self, worker: Worker, chunk: Chunk) -> Future[bytes]:
-        """The same on one thread of a worker."""
-        ensemble = self.cases[chunk.case].ensemble
-        return worker.submit(run_part, ensemble, chunk.start, chunk.stop, self.keep, _versions())
+    def part(self, chunk: Chunk) -> tuple[Any, ...]:
+        """What `run_part` takes to make the chunk's file."""
+        return self.cases[chunk.case].ensemble, chunk.start, chunk.stop, self.keep, _versions()
 
 
 def run_campaign(
@@ -140,10 +133,10 @@ def run_campaign(
     with stoppable(lambda: summaries(campaign, place, done) if done else None):
         if todo and workers == 0 and cluster is None:
             for chunk in todo:
-                keep(chunk, campaign.run_chunk(chunk))
+                keep(chunk, run_part(*campaign.part(chunk), threads=None))
         elif todo:
             with connected(workers, cluster) as all_workers:
-                run_all(todo, campaign.submit, keep, all_workers)
+                run_all(todo, lambda worker, chunk: worker.submit(run_part, *campaign.part(chunk)), keep, all_workers)
     return summaries(campaign, place, done)
 
 

@@ -164,7 +164,6 @@ def push_map(
     nodes: tuple[int, int] = NODES,
     tolerance: float = 0.01,
     watch: float = 5.0,
-    glance: float | None = None,
     threads: int | None = None,
     progress: Progress | None = None,
     **choices: Any,
@@ -191,7 +190,7 @@ def push_map(
     ensemble = robot if isinstance(robot, Ensemble) else ensemble_of(robot, **choices)
     grid = grid or PushGrid.usual(ensemble)
     samples = MAP_ROBOTS[ensemble.called] if samples is None else samples
-    search = _Search(ensemble, tolerance, watch, min(GLANCE, watch) if glance is None else glance, threads)
+    search = _Search(ensemble, tolerance, watch, threads)
     small = grid.thinned(*nodes)
     search.expected = search.robot_seconds(grid, small, samples)
     search.show = progress or unwatched
@@ -223,19 +222,20 @@ def robot_seconds(
     ensemble: Ensemble, grid: PushGrid, samples: int, *, tolerance: float = 0.01, watch: float = 5.0
 ) -> float:
     """About how long all robots together run for a map [s]; raises as `push_map`."""
-    search = _Search(ensemble, tolerance, watch, min(GLANCE, watch), None)
+    search = _Search(ensemble, tolerance, watch)
     return search.robot_seconds(grid, grid.thinned(*NODES), samples)
 
 
 class _Search:
     """Searches with one set of settings; `runs` counts the robots that were simulated, of `expected` robot seconds."""
 
-    def __init__(self, ensemble: Ensemble, tolerance: float, watch: float, glance: float, threads: int | None) -> None:
-        if not 0 < glance <= watch:
-            raise InvalidScenario(f"a glance of {glance:g} s in a watch of {watch:g} s", expected="0 < glance ≤ watch")
+    def __init__(self, ensemble: Ensemble, tolerance: float, watch: float, threads: int | None = None) -> None:
         if not 1e-6 <= tolerance <= 0.5:
             raise InvalidScenario(f"a tolerance of {tolerance:g}", expected="between 1e-6 and 0.5")
-        self.ensemble, self.tolerance, self.watch, self.glance = ensemble, tolerance, watch, glance
+        self.ensemble = ensemble
+        self.tolerance = tolerance
+        self.watch = watch
+        self.glance = min(GLANCE, watch)
         self.threads = threads
         self.runs = 0
         self.expected = math.inf

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import itertools
 import math
 import os
@@ -14,6 +13,7 @@ from upright import control
 from upright.control import Controller
 from upright.errors import InvalidController, InvalidScenario, UnknownName
 from upright.experiment import Drive, Hold, Impulse, Push, Slope, Turn
+from upright.experiment.notation import programme, vector
 from upright.fleets.campaign import CHUNK, Campaign, Case
 from upright.fleets.ensemble import Ensemble
 from upright.fleets.vary import varied, with_number
@@ -89,7 +89,7 @@ def _case(
         controller=controller,
         pushes=tuple(_programme(p, PUSHES, where) for p in scenario.get("push", [])),
         references=tuple(_programme(r, REFERENCES, where) for r in scenario.get("reference", [])),
-        start=_start(scenario.get("start", {}), where),
+        start=tuple(vector(_typed(scenario.get("start", {})), STATE_NAMES, f"{where}: start")),
         seconds=float(scenario.get("seconds", table.get("seconds", 10.0))),
         seed=int(table.get("seed", 0)),
         model=str(table.get("model", "complete")),
@@ -130,25 +130,12 @@ def _programme(table: Any, kinds: Mapping[str, type], where: str) -> Any:
     name = str(entry.pop("kind", ""))
     if name not in kinds:
         raise UnknownName(f"kind of push or reference in {where}", name, kinds)
-    fields = {field.name: field for field in dataclasses.fields(kinds[name])}
-    for key, value in entry.items():
-        if key not in fields:
-            raise UnknownName(f"entry of a {name} in {where}", key, fields)
-        if not _number(value):
-            raise InvalidScenario(f"{where}: {key} of a {name} is {value!r}", expected="a number")
-    absent = [key for key, f in fields.items() if f.default is dataclasses.MISSING and key not in entry]
-    if absent:
-        raise InvalidScenario(f"{where}: a {name} lacks {', '.join(absent)}", expected=f"{absent[0]} = NUMBER")
-    return kinds[name](**{key: float(value) for key, value in entry.items()})
+    return programme(kinds[name], _typed(entry), f"{where}: {name}")
 
 
-def _start(table: Table, where: str) -> tuple[float, ...]:
-    for key, value in table.items():
-        if key not in STATE_NAMES:
-            raise UnknownName(f"state in {where}", key, STATE_NAMES)
-        if not _number(value):
-            raise InvalidScenario(f"{where}: start of {key} is {value!r}", expected="a number")
-    return tuple(float(table.get(name, 0.0)) for name in STATE_NAMES)
+def _typed(numbers: Table) -> str:
+    """As on the command line."""
+    return ",".join(f"{name}={value}" for name, value in numbers.items())
 
 
 def _check(table: Any, kinds: Mapping[str, type], where: str) -> None:
