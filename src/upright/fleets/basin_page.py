@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from upright.arrays import Array
+from upright.experiment.described import law_in, name_in
 from upright.fleets.limits import ranges, samples, saved_by_any, sees_lean, states
-from upright.fleets.origin import made_of
+from upright.fleets.origin import law_of, made_of
 from upright.fleets.results import origin_of
-from upright.pages import Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
+from upright.pages import MOST_NUMBERS, Column, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.blocks import Cell
 
 if TYPE_CHECKING:
@@ -35,15 +36,17 @@ STATES = {
 def basin_page(data: Dataset) -> Page:
     """The page of a basin."""
     origin = origin_of(data)
-    robot = str(origin["robot"]["name"])
-    kind = str((origin.get("controller") or {}).get("kind") or "")
+    robot = name_in(origin, "robot")
     across, up = states(data)
     part = Quantity(float(data["recovered"].values.mean()), "fraction")
     known = ranges(data)[across]
     span = _range(data, across)
+    verdict = Verdict(Say("recovers from {range}", range=span))
     if not known:
         title = Say("Of the states tried, {robot} recovers from {part}", robot=robot, part=part)
         verdict = Verdict(Say("falls when let go at rest"), "bad")
+        if not all(data[name].values[0] <= 0 <= data[name].values[-1] for name in (across, up)):
+            verdict = Verdict(Say("rest was not tried"), "unknown")
     elif samples(data) > 1:
         title = Say("With no {up}, most robots like {robot} recover from a {across} of {range}", up=STATES[up],
                     robot=robot, across=STATES[across], range=span)  # fmt: skip
@@ -53,23 +56,21 @@ def basin_page(data: Dataset) -> Page:
                     across=STATES[across], range=span)  # fmt: skip
         if across == "pitch":
             title = Say("Hold {robot} within {range} when it starts: from there it recovers", robot=robot, range=span)
-        verdict = Verdict(Say("it recovers"))
-    lead = [
-        Say("Simulated under {controller}: who still stands after {time} has recovered.",
-            controller=kind or Say("a controller of one's own"),
-            time=Quantity(float(origin["scenario"]["seconds"]), "s"))
-    ]  # fmt: skip
+    made = {"controller": law_of(origin), "time": Quantity(float(origin["scenario"]["seconds"]), "s")}
+    lead = [Say("Simulated under {controller}: who still stands after {time} has recovered.", **made)]
+    if samples(data) > 1:
+        lead = [Say("Of {n} robots at each state under {controller}, those have recovered that stand after {time}.",
+                    n=samples(data), **made)]  # fmt: skip
     best = saved_by_any(data)
     if known and best and max(known) < best:
-        verdict = Verdict(Say("recovers from {range}", range=span))
-        facts = {"best": Quantity(best, "rad", digits=2)}
-        lead.insert(0, Say("Its motors could save {best}.", **facts))
+        lead.insert(0, Say("Its motors could save more."))
         if not sees_lean(data):
-            lead[0] = Say("Its motors could save {best}, but no sensor shows a lean at rest: it notices late.", **facts)
+            lead[0] = Say("Its motors could save more, but no sensor shows a lean at rest: it notices late.")
+    why = Say("It does the same for pushes.")
     return Page(
         title, verdict=verdict, lead=lead, numbers=_numbers(data), picture=_picture(data),
-        next=[Next("push_map", robot=robot, controller=kind or None, why=Say("It does the same for pushes."))],
-        blocks=[_table(data), Fold(Say("How this was tried"), [_tried(data)])], origin=made_of(data),
+        next=[Next("push_map", robot=robot, controller=law_in(origin) or None, why=why)],
+        blocks=[_table(data)], origin=made_of(data),
     )  # fmt: skip
 
 
@@ -85,14 +86,24 @@ def _between(ends: Sequence[float], unit: str) -> Say:
 
 def _numbers(data: Dataset) -> list[KeyNumber]:
     across, up = states(data)
+    names = {"up": STATES[up], "across": STATES[across]}
     numbers: list[KeyNumber] = []
-    if ranges(data)[across]:
-        meaning = Say("{up} from which it recovers at zero {across}", up=STATES[up], across=STATES[across])
+    recovers = ranges(data)[up]
+    if recovers:
+        meaning = Say("{up} from which it recovers at zero {across}", **names)
+        if recovers == (data[up].values[0], data[up].values[-1]):
+            meaning = Say("{up} from which it recovers at zero {across}: all that was tried", **names)
         numbers.append(KeyNumber(_range(data, up), meaning))
-    if best := saved_by_any(data):
+    best = saved_by_any(data)
+    if best:
         meaning = Say("largest pitch at rest that any controller saves, by a linear model")
         numbers.append(KeyNumber(Quantity(best, "rad", digits=2), meaning))
-    return numbers
+    part = Quantity(float(data["recovered"].values.mean()), "fraction")
+    numbers += [
+        KeyNumber(_step(data, across), Say("between tries of {across}: the border is known no better", **names)),
+        KeyNumber(part, Say("of the states tried are survived")),
+    ]
+    return numbers[:MOST_NUMBERS]
 
 
 def _step(data: Dataset, name: str) -> Quantity:
@@ -113,24 +124,14 @@ def _row(data: Dataset, name: str) -> list[Cell]:
     return [STATES[name], recovers, tried, _step(data, name)]
 
 
-def _tried(data: Dataset) -> Items:
-    items = [
-        Say("Robots at each state: {n}", n=samples(data)),
-        Say("The picture shows the part around what recovers, its border smoothed."),
-    ]
-    return Items(items)
-
-
 def _picture(data: Dataset) -> Picture:
     up = STATES[states(data)[1]]
     claim = Say("It recovers from the green states; on the white line its {up} is zero", up=up)
     if samples(data) > 1:
         claim = Say("The lighter, the more robots recover; on the black line their {up} is zero", up=up)
-    note = (
-        Say("Marks: the largest pitch at rest that any controller saves, by a linear model.")
-        if saved_by_any(data)
-        else None
-    )
+    note = Say("The border is smoothed, and what is far from it left out.")
+    if saved_by_any(data):
+        note = Say("The border is smoothed. Marks: the largest pitch at rest that any controller saves.")
     return Picture(claim, functools.partial(draw_basin, data), note)
 
 

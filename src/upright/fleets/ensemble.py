@@ -21,6 +21,7 @@ from upright.experiment.pushes import Hold, Impulse, Push, Slope
 from upright.experiment.references import Drive, Turn
 from upright.experiment.run import MAX_SECONDS
 from upright.kernel.batch import FleetBatch, FleetResult, law_of, parameters_of
+from upright.pages import Say
 from upright.robots import PARAMETERS
 from upright.robots.uncertainty import Family, Uncertainty
 
@@ -31,17 +32,17 @@ SETTLED = 0.02
 
 _TRIED = 0.5  # [s] of some robots, which tells how fast they are simulated
 
-OUTCOMES: dict[str, tuple[str, str]] = {
-    "fell": ("1", "fell"),
-    "lived": ("s", "stood for"),
-    "peak_pitch": ("rad", "largest pitch"),
-    "settling": ("s", "settling time after the last push"),
-    "rms_pitch": ("rad", "RMS pitch"),
-    "effort": ("V² s", "effort"),
-    "saturated": ("1", "saturated fraction"),
-    "travel": ("m", "largest distance rolled"),
+OUTCOMES: dict[str, tuple[str, Say]] = {
+    "fell": ("1", Say("falls")),
+    "lived": ("s", Say("time until the fall")),
+    "peak_pitch": ("rad", Say("largest pitch")),
+    "settling": ("s", Say("settling time")),
+    "rms_pitch": ("rad", Say("RMS pitch")),
+    "effort": ("V² s", Say("effort")),
+    "saturated": ("1", Say("saturated fraction")),
+    "travel": ("m", Say("furthest from the start")),
 }
-"""Results of each robot: unit and caption. Torque drives have an effort in N² m² s."""
+"""Results of each robot: unit and name. Torque drives have an effort in N² m² s."""
 
 
 class Programme(NamedTuple):

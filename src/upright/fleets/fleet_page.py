@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from upright.arrays import Array
-from upright.experiment.described import pushes_in_words
+from upright.experiment.described import law_in, name_in, pushes_in_words
 from upright.fleets.binomial import MOST_FALLS, RARE, clopper_pearson
-from upright.fleets.origin import made_of, names_varied, spreads_of, spreads_table
-from upright.fleets.results import OUTCOME_NAMES, origin_of
+from upright.fleets.ensemble import OUTCOMES
+from upright.fleets.origin import law_of, made_of, names_varied, spreads_of, spreads_table
+from upright.fleets.results import origin_of
 from upright.pages import Block, Column, Fold, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.terms import term
 from upright.pages.words import shown_in
@@ -33,13 +34,17 @@ def fleet_page(data: Dataset, summary: Summary) -> Page:
     origin = origin_of(data)
     pushes = origin.get("scenario", {}).get("push") or ()
     influence = summary.influence
-    varied = len(names_varied(data))
-    robot = str(origin["robot"]["name"])
-    kind = (origin.get("controller") or {}).get("kind")
-    law = kind or Say("a controller of one's own")
-    lead = [Say("Each run simulates {robot} under {law}; only the noise differs.", robot=robot, law=law)]
-    if varied:
-        lead = [Say("Each run simulates {robot} under {law}, with {n} numbers varied.", robot=robot, law=law, n=varied)]
+    names = names_varied(data)
+    varied = len(names)
+    robot = name_in(origin, "robot")
+    made = {"robot": robot, "law": law_of(origin)}
+    lead = [Say("Each run simulates {robot} under {law}; only the noise differs.", **made)]
+    if 0 < varied <= FEW:
+        lead = [
+            Say("Each run simulates {robot} under {law}; what varies: {names}.", **made, names=list(map(term, names)))
+        ]
+    elif varied:
+        lead = [Say("Each run simulates {robot} under {law}, with {n} numbers varied.", **made, n=varied)]
     if influence.strongest:
         lead.append(Say("What happens depends most on: {name}.", name=term(influence.strongest)))
     elif varied and summary.fell < summary.n:
@@ -54,7 +59,9 @@ def fleet_page(data: Dataset, summary: Summary) -> Page:
         units = {str(name): str(column.attrs.get("unit") or "") for name, column in data.data_vars.items()}
         folds.append(Fold(Say("What varies"), [spreads_table(spreads_of(data), units)]))
     title = Say("The robot fell in {fell} of {n} runs without a push", fell=summary.fell, n=summary.n)
-    following = Next("certify", kind or "lqr", robot=robot, why=Say("It varies every number, pushes and counts falls."))
+    following = Next(
+        "certify", law_in(origin) or "lqr", robot=robot, why=Say("It varies every number, pushes and counts falls.")
+    )
     if pushes:
         title = Say("The robot fell in {fell} of {n} runs with {pushes}", fell=summary.fell, n=summary.n,
                     pushes=pushes_in_words(pushes))  # fmt: skip
@@ -65,7 +72,7 @@ def fleet_page(data: Dataset, summary: Summary) -> Page:
         following = Next("push_map", robot=robot, why=Say("It finds the largest push that the robot survives."))
     return Page(
         title, verdict=verdict, lead=lead, numbers=_numbers(summary), picture=picture, next=[following],
-        blocks=[_quantiles(summary), *folds], origin=made_of(data),
+        blocks=[*([_quantiles(summary)] if summary.fell < summary.n else []), *folds], origin=made_of(data),
     )  # fmt: skip
 
 
@@ -73,13 +80,13 @@ def _verdict(summary: Summary, pushed: bool, varied: int) -> Verdict:
     """A certificate pushes and varies every number: without that, few falls are no green light."""
     most = Quantity(None, "fraction", high=summary.chance.high, digits=2)
     if summary.fell > MOST_FALLS * summary.n:
-        return Verdict(Say("too many fall: {most}", most=most), "bad")
+        return Verdict(Say("too many fall: {part}", part=falls_of(summary.fell, summary.n)), "bad")
     if not pushed:
         return Verdict(Say("nobody pushed them"))
     if not varied:
         return Verdict(Say("only noise varied: no certificate"))
     if varied <= FEW:
-        return Verdict(Say("only {n} numbers varied: no certificate", n=varied))
+        return Verdict(Say("too little varied: no certificate"))
     if summary.chance.high <= MOST_FALLS:
         return Verdict(Say("few fall: {most}", most=most), "good")
     return Verdict(Say("too few robots to tell: {most} fall", most=most), "warn")
@@ -114,8 +121,12 @@ def _shown(summary: Summary, name: str, value: float) -> Quantity:
     return Quantity(value, "fraction" if summary.units[name] == "1" else summary.units[name])
 
 
+def _name(outcome: str) -> Say:
+    return OUTCOMES[outcome][1]
+
+
 def _quantiles(summary: Summary) -> Table:
-    rows = [[OUTCOME_NAMES[name], *(_shown(summary, name, q) for q in row)] for name, row in summary.quantiles.items()]
+    rows = [[_name(name), *(_shown(summary, name, q) for q in row)] for name, row in summary.quantiles.items()]
     names = Say("robots that stood"), Say("5 % below"), Say("half below"), Say("95 % below")
     return Table([Column(name) for name in names], rows)
 
@@ -124,7 +135,7 @@ def _correlations(influence: Influence) -> Table:
     rows = [[term(name), size] for name, size in influence.correlations.items()]
     caption = Say(
         "Rank correlation with {outcome}; up to {chance} may be chance",
-        outcome=OUTCOME_NAMES[influence.outcome],
+        outcome=_name(influence.outcome),
         chance=Quantity(influence.chance, "1", digits=2),
     )
     return Table([Column(Say("varied number")), Column(Say("rank correlation"), "1", digits=2)], rows, caption)
@@ -134,12 +145,14 @@ def _over(data: Dataset, influence: Influence) -> Picture:
     """The outcome over the number that it follows most: each robot a dot, or the fraction that fell."""
     name = influence.strongest
     assert name
-    claim = Say(
-        "The {outcome}, robot by robot, over the {name}", outcome=OUTCOME_NAMES[influence.outcome], name=term(name)
-    )
+    of = {"name": term(name)}
+    rising = influence.correlations[name] > 0
+    draw = functools.partial(_draw_over, data, name, influence.outcome)
     if influence.outcome == "fell":
-        claim = Say("Part of the robots that fell, by their {name}", name=term(name))
-    return Picture(claim, functools.partial(_draw_over, data, name, influence.outcome))
+        claim = Say("Large {name}: more robots fall", **of) if rising else Say("Small {name}: more robots fall", **of)
+        return Picture(claim, draw)
+    claim = Say("Large {name}: it leans further", **of) if rising else Say("Small {name}: it leans further", **of)
+    return Picture(claim, draw, Say("Each dot is a robot that stood."))
 
 
 def _draw_over(data: Dataset, name: str, outcome: str) -> Figure:
@@ -157,7 +170,7 @@ def _draw_over(data: Dataset, name: str, outcome: str) -> Figure:
     use = np.flatnonzero(np.isfinite(y) & (data["fell"].values == 0))
     use = use[:: max(1, math.ceil(len(use) / DOTS))]
     factor, unit = shown_in(str(data[outcome].attrs["unit"]), float(y[use].max(initial=0.0)))
-    figure, (ax,) = panels([f"{OUTCOME_NAMES[outcome]} [{unit}]"], across)
+    figure, (ax,) = panels([f"{_name(outcome)} [{unit}]"], across)
     ax.plot(x[use], factor * y[use], ".", markersize=3)
     return figure
 
@@ -165,7 +178,7 @@ def _draw_over(data: Dataset, name: str, outcome: str) -> Figure:
 def _distributed(data: Dataset, summary: Summary, name: str) -> Picture:
     _, half, most = (_shown(summary, name, q) for q in summary.quantiles[name])
     claim = Say("Of those that stood, half have a {outcome} below {half}, and 95 % below {most}",
-                outcome=OUTCOME_NAMES[name], half=half, most=most)  # fmt: skip
+                outcome=_name(name), half=half, most=most)  # fmt: skip
     return Picture(claim, functools.partial(distribution, data, name))
 
 
@@ -178,7 +191,7 @@ def distribution(data: Dataset, outcome: str, bins: int = 60) -> Figure:
     unit = str(data[outcome].attrs["unit"])
     factor, unit = shown_in("fraction" if unit == "1" else unit, float(values.max(initial=0.0)))
     values = factor * values
-    figure, (ax,) = panels([str(Say("runs [%]"))], f"{OUTCOME_NAMES[outcome]} [{unit}]", height=1.4)
+    figure, (ax,) = panels([str(Say("runs [%]"))], f"{_name(outcome)} [{unit}]", height=1.4)
     if len(values):
         ax.hist(values, _borders(values, bins), weights=np.full(len(values), 100 / len(values)), histtype="stepfilled",
                 alpha=0.8)  # fmt: skip

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from upright.experiment.described import facts_of
+from upright.experiment.described import facts_of, law_in
 from upright.fleets.results import origin_of
 from upright.pages import Column, Quantity, Say, Table
 from upright.pages.terms import term
@@ -40,6 +40,11 @@ def spreads_table(spreads: Sequence[Mapping[str, Any]], units: Mapping[str, str]
             rows.append([term(name), Quantity(low, unit), Say("± {size}", size=Quantity(high, unit, digits=2))])
     caption = Say("Factors and ± are one standard deviation")
     return Table([Column(Say("number")), Column(Say("middle")), Column(Say("varies"))], rows, caption)
+
+
+def law_of(origin: Mapping[str, Any]) -> str | Say:
+    """The kind of controller, in a sentence."""
+    return law_in(origin) or Say("a controller of one's own")
 
 
 def made_of(data: Dataset) -> dict[str, str]:

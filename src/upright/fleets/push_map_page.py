@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from upright.arrays import Array
+from upright.experiment.described import law_in, name_in
 from upright.fleets.limits import KNOCK, at_centre, longest, weakest
-from upright.fleets.origin import made_of
+from upright.fleets.origin import law_of, made_of
 from upright.fleets.results import origin_of
 from upright.languages import number
-from upright.pages import Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
+from upright.pages import MOST_NUMBERS, Column, Fold, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.words import shown_in
 
 if TYPE_CHECKING:
@@ -29,49 +30,44 @@ WAYS = {"forward": Say("forward"), "backward": Say("backward")}
 def push_map_page(data: Dataset) -> Page:
     """The page of a push map."""
     origin = origin_of(data)
-    robot = str(origin["robot"]["name"])
-    controller = origin.get("controller") or {}
-    kind = str(controller.get("kind") or "")
+    robot = name_in(origin, "robot")
     weak, *_ = weakest(data).values()
-    lows = [place["low"] for place in weakest(data).values() if "low" in place]
-    verdict = Verdict(Say("survives {size}", size=_survived(weak["impulse"])))
-    lead = [
-        Say("Simulated under {controller}: it is weakest {height} above the axle, for {time}.",
-            controller=kind or Say("a controller of one's own"), height=Quantity(weak["height"], "m"),
-            time=Quantity(weak["duration"], "s"))
-    ]  # fmt: skip
-    title = Say(
-        "{robot} survives {size} at every height and duration tried", robot=robot, size=_survived(weak["impulse"])
-    )
-    if weak["impulse"]:
-        lead.insert(0, Say("That is {force} for {time}, as of a tennis ball caught at {speed}.",
-                           force=Quantity(weak["force"], "N"), time=Quantity(weak["duration"], "s"),
-                           speed=Quantity(weak["ball"], "m/s", digits=2)))  # fmt: skip
-    else:
+    size = _survived(weak["impulse"])
+    title = Say("{robot} survives {size} at every height and duration tried", robot=robot, size=size)
+    verdict = Verdict(Say("survives {size}", size=size))
+    lead = Say("Simulated under {controller}: it is weakest {height} above the axle, against {force} for {time}.",
+               controller=law_of(origin), height=Quantity(weak["height"], "m"), force=Quantity(weak["force"], "N"),
+               time=Quantity(weak["duration"], "s"))  # fmt: skip
+    if not weak["impulse"]:
         title = Say("The smallest push tried fells {robot}", robot=robot)
         verdict = Verdict(Say("no push is survived"), "bad")
-    similar = [KeyNumber(_survived(min(lows)), Say("survived everywhere by 97.5 % of similar robots"))] if lows else []
+        lead = Say("Simulated under {controller}, at every height and duration.", controller=law_of(origin))
     first, *others = [_map(data, way) for way in weakest(data)]
     slices = [_slices(data.sel(direction=way), way) for way in weakest(data)]
-    folds = [
-        Fold(Say("Heights and directions"), [*slices, *others]),
-        Fold(Say("How this was tried"), [_tried(data)]),
-    ]
+    why = Say("It counts how many similar robots fall.")
     return Page(
-        title, verdict=verdict, lead=lead, numbers=[*_numbers(data), *similar], picture=first,
-        next=[Next("certify", kind or "lqg", robot=robot, why=Say("It counts how many similar robots fall."))],
-        blocks=[_table(data), *folds], origin=made_of(data),
+        title, verdict=verdict, lead=[lead], numbers=_numbers(data), picture=first,
+        next=[Next("certify", law_in(origin) or "lqg", robot=robot, why=why)],
+        blocks=[_table(data), Fold(Say("Heights and directions"), [*slices, *others])], origin=made_of(data),
     )  # fmt: skip
 
 
 def _numbers(data: Dataset) -> list[KeyNumber]:
     numbers: list[KeyNumber] = []
-    if knock := at_centre(data):
+    knock = at_centre(data)
+    if knock:
         meaning = Say("survived at the centre of mass, if the push lasts {time}", time=Quantity(KNOCK, "s"))
         numbers.append(KeyNumber(_survived(knock), meaning))
     time = Quantity(float(data["duration"].values[-1]), "s", digits=2)
     meaning = Say("survived at every height, if the push lasts {time}", time=time)
-    return [*numbers, KeyNumber(_survived(longest(data)), meaning)]
+    numbers.append(KeyNumber(_survived(longest(data)), meaning))
+    weak, *_ = places = list(weakest(data).values())
+    if "low" in weak:
+        low = min(place["low"] for place in places)
+        numbers.append(KeyNumber(_survived(low), Say("survived everywhere by 97.5 % of similar robots")))
+    ball = Quantity(weak["ball"], "m/s", digits=2)
+    numbers.append(KeyNumber(ball, Say("speed of a tennis ball: to catch it is as hard as the weakest push")))
+    return numbers[:MOST_NUMBERS]
 
 
 def _survived(impulse: float) -> Quantity:
@@ -97,24 +93,12 @@ def _table(data: Dataset) -> Table:
     return Table(columns, rows, Say("Where each direction is weakest, by its height above the axle"))
 
 
-def _tried(data: Dataset) -> Items:
-    search = origin_of(data)["push_map"]
-    items = [
-        Say("Heights: {range} above the axle", range=_reach(data["height"].values, "m")),
-        Say("Durations: {range}", range=_reach(data["duration"].values, "s")),
-        Say("A push is survived if the robot still stands {time} later", time=Quantity(float(search["watch"]), "s")),
-        Say("Similar robots drawn for the band: {n}", n=int(search["samples"])),
-    ]
-    return Items(items)
-
-
-def _reach(values: Array, unit: str) -> Quantity:
-    return Quantity(None, unit, low=float(values.min()), high=float(values.max()))
-
-
 def _map(data: Dataset, way: str) -> Picture:
     claim = Say("The largest push {way} that it survives, by height and duration", way=WAYS[way])
-    note = Say("Numbers on the lines: the largest push survived [N s]. The lightest colour includes larger ones.")
+    watched = Quantity(float(origin_of(data)["push_map"]["watch"]), "s")
+    note = Say(
+        "Lines: the largest push [N s] after which it stands for {time}. The lightest colour has more.", time=watched
+    )
     return Picture(claim, functools.partial(draw_map, data.sel(direction=way)), note)
 
 

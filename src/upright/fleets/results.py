@@ -19,7 +19,6 @@ from upright.fleets.binomial import Interval, clopper_pearson
 from upright.fleets.ensemble import OUTCOMES, Ensemble, Index
 from upright.fleets.influence import Influence, influence
 from upright.fleets.vary import kit_numbers
-from upright.pages import Say
 from upright.reading import expanded, understood
 from upright.robots import PARAMETERS, Kit
 from upright.robots.drives import EFFORT_UNITS
@@ -30,12 +29,6 @@ if TYPE_CHECKING:
 
 
 _NOTE = b"upright-fleet"
-
-OUTCOME_NAMES = {
-    "fell": Say("falls"), "lived": Say("time until the fall"), "peak_pitch": Say("largest pitch"),
-    "settling": Say("settling time"), "rms_pitch": Say("RMS pitch"), "effort": Say("effort"),
-    "saturated": Say("saturated fraction"), "travel": Say("furthest from the start"),
-}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -90,7 +83,7 @@ def labelled(columns: Mapping[str, Array], index: Index, ensemble: Ensemble) -> 
     family = ensemble.family
     units = {name: unit_of(name, family.kit) for name in family.names} | {n: u for n, (u, _) in OUTCOMES.items()}
     units["effort"] = EFFORT_UNITS[family.robot.command_unit]
-    words = {name: text for name, (_, text) in OUTCOMES.items()}
+    words = {name: caption.template for name, (_, caption) in OUTCOMES.items()}
     variables = {
         name: ("robot", values, {"unit": units[name], "long_name": words.get(name, name)})
         for name, values in columns.items()
