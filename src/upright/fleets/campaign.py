@@ -154,13 +154,9 @@ def summaries(campaign: Campaign, folder: Path, done: Iterable[Chunk]) -> Cases:
     cases.origins = [case.ensemble.origin() for case in begun]
     origin = cases.origins[0]
     family = begun[0].ensemble.family
-    cases.pushes = origin["scenario"]["push"]
     cases.spreads = (origin.get("vary") or {}).get("spreads", ())
     numbers = {*family.names, *(n for case in cases for n, value in case.labels.items() if not isinstance(value, str))}
-    commands: dict[str, str] = dict.fromkeys(
-        ("motor.limit", "motor.dead_zone", "motor.quantum"), family.robot.command_unit
-    )
-    cases.units = {name: commands.get(name) or unit_of(name, family.kit) for name in numbers}
+    cases.units = {name: unit_of(name, family) for name in numbers}
     return cases
 
 

@@ -10,9 +10,9 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.experiment.described import law_in, name_in, pushes_in_words
-from upright.fleets.binomial import MOST_FALLS, RARE, clopper_pearson
+from upright.fleets.binomial import MOST_FALLS, RARE, clopper_pearson, upper_bound
 from upright.fleets.ensemble import OUTCOMES
-from upright.fleets.origin import law_of, made_of, names_varied, spreads_of, spreads_table
+from upright.fleets.origin import law_of, made_of, names_varied, pushes_of, spreads_of, spreads_table
 from upright.fleets.results import origin_of
 from upright.pages import Block, Column, Fold, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.terms import term
@@ -32,7 +32,7 @@ DOTS = 500  # robots that a cloud shows at most
 def fleet_page(data: Dataset, summary: Summary) -> Page:
     """The page of a fleet's outcomes."""
     origin = origin_of(data)
-    pushes = origin.get("scenario", {}).get("push") or ()
+    pushes = pushes_of(origin)
     influence = summary.influence
     names = names_varied(data)
     varied = len(names)
@@ -67,7 +67,9 @@ def fleet_page(data: Dataset, summary: Summary) -> Page:
                     pushes=pushes_in_words(pushes))  # fmt: skip
     else:
         following = Next("fleet", robot=robot, push="impulse:0.1", why=Say("A push shows more than noise does."))
-    verdict = _verdict(summary, bool(pushes), varied)
+    verdict = verdict_of(summary.fell, summary.n, pushed=bool(pushes))
+    if varied <= FEW and verdict.level in ("good", "warn"):
+        verdict = Verdict(Say("too little varied: no certificate"))
     if verdict.level == "bad":
         following = Next("push_map", robot=robot, why=Say("It finds the largest push that the robot survives."))
     return Page(
@@ -76,23 +78,20 @@ def fleet_page(data: Dataset, summary: Summary) -> Page:
     )  # fmt: skip
 
 
-def _verdict(summary: Summary, pushed: bool, varied: int) -> Verdict:
-    """A certificate pushes and varies every number: without that, few falls are no green light."""
-    most = Quantity(None, "fraction", high=summary.chance.high, digits=2)
-    if summary.fell > MOST_FALLS * summary.n:
-        return Verdict(Say("too many fall: {part}", part=falls_of(summary.fell, summary.n)), "bad")
+def verdict_of(fell: int, n: int, *, pushed: bool) -> Verdict:
+    """As a certificate judges, by the upper bound of the falls; it also pushes: without that few falls are no green
+    light."""
+    most = Quantity(None, "fraction", high=upper_bound(fell, n), digits=2)
+    if fell > MOST_FALLS * n:
+        return Verdict(Say("too many fall: {part}", part=falls_of(fell, n)), "bad")
     if not pushed:
         return Verdict(Say("nobody pushed them"))
-    if not varied:
-        return Verdict(Say("only noise varied: no certificate"))
-    if varied <= FEW:
-        return Verdict(Say("too little varied: no certificate"))
-    if summary.chance.high <= MOST_FALLS:
+    if upper_bound(fell, n) <= MOST_FALLS:
         return Verdict(Say("few fall: {most}", most=most), "good")
     return Verdict(Say("too few robots to tell: {most} fall", most=most), "warn")
 
 
-FEW = 3  # varied numbers: with so few the robots are all but one robot
+FEW = 3  # varied numbers: with so few the robots are all but one robot, and a certificate varies every number
 
 
 def falls_of(fell: int, n: int) -> Quantity:

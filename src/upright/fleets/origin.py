@@ -42,6 +42,11 @@ def spreads_table(spreads: Sequence[Mapping[str, Any]], units: Mapping[str, str]
     return Table([Column(Say("number")), Column(Say("middle")), Column(Say("varies"))], rows, caption)
 
 
+def pushes_of(origin: Mapping[str, Any]) -> Sequence[Mapping[str, Any]]:
+    """The pushes of a scenario, each with its numbers."""
+    return origin.get("scenario", {}).get("push") or ()
+
+
 def law_of(origin: Mapping[str, Any]) -> str | Say:
     """The kind of controller, in a sentence."""
     return law_in(origin) or Say("a controller of one's own")

@@ -18,10 +18,10 @@ from upright.errors import InvalidLog, UprightError, require
 from upright.fleets.binomial import Interval, clopper_pearson
 from upright.fleets.ensemble import OUTCOMES, Ensemble, Index
 from upright.fleets.influence import Influence, influence
-from upright.fleets.vary import kit_numbers
 from upright.reading import expanded, understood
-from upright.robots import PARAMETERS, Kit
+from upright.robots import PARAMETERS
 from upright.robots.drives import EFFORT_UNITS
+from upright.robots.uncertainty import Family
 from upright.signals import parquet
 
 if TYPE_CHECKING:
@@ -81,7 +81,7 @@ def labelled(columns: Mapping[str, Array], index: Index, ensemble: Ensemble) -> 
     import xarray as xr
 
     family = ensemble.family
-    units = {name: unit_of(name, family.kit) for name in family.names} | {n: u for n, (u, _) in OUTCOMES.items()}
+    units = {name: unit_of(name, family) for name in family.names} | {n: u for n, (u, _) in OUTCOMES.items()}
     units["effort"] = EFFORT_UNITS[family.robot.command_unit]
     words = {name: caption.template for name, (_, caption) in OUTCOMES.items()}
     variables = {
@@ -92,15 +92,13 @@ def labelled(columns: Mapping[str, Array], index: Index, ensemble: Ensemble) -> 
     return xr.Dataset(variables, {"robot": np.asarray(index, dtype=np.int64)}, {"origin": origin})
 
 
-def unit_of(name: str, kit: Kit | None) -> str:
-    """The unit of a varied number: a parameter's, or a kit's by dotted name ("" where it depends on the drive)."""
+def unit_of(name: str, family: Family) -> str:
+    """The unit of a varied number: a parameter's, or a kit's by dotted name ("" for a sensor's)."""
     if name in PARAMETERS:
         return PARAMETERS[name][0]
-    if name in ("delay", "jitter"):
-        return "s"
-    fixed = {"battery.voltage": "V", "battery.sag": "1", "motor.backlash": "rad"}
-    assert kit is None or name in kit_numbers(kit)
-    return fixed.get(name, "")
+    units = {"delay": "s", "jitter": "s", "battery.voltage": "V", "battery.sag": "1", "motor.backlash": "rad"}
+    units |= dict.fromkeys(("motor.limit", "motor.dead_zone", "motor.quantum"), family.robot.command_unit)
+    return units.get(name, "")
 
 
 def origin_of(data: Dataset) -> dict[str, Any]:

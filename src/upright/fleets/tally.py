@@ -64,19 +64,14 @@ class CaseSummary:
 
 
 class Tally(tuple[CaseSummary, ...]):
-    """The summaries of a campaign, in the order of its plan, whose `origins` are those of its cases. `pushes` and
-    `spreads` (what varies) are those of the first case; `units` are those of labels and of what varies. After Ctrl-C
+    """The summaries of a campaign, in the order of its plan, whose `origins` are those of its cases. `spreads` (what
+    varies) are those of the first case; `units` are those of labels and of what varies. After Ctrl-C
     `unfinished` are its `robots` `of` all."""
 
     origins: Sequence[Mapping[str, Any]] = ()
-    pushes: Sequence[Mapping[str, Any]] = ()
     spreads: Sequence[Mapping[str, Any]] = ()
     units: Mapping[str, str] = MappingProxyType({})
     unfinished: Mapping[str, int] | None = None
-
-    def shown(self) -> list[str]:
-        """The outcomes of a table, as far as this campaign keeps them."""
-        return [name for name in ("peak_pitch", "settling", "effort") if any(name in c.outcomes for c in self)]
 
     def varied(self) -> dict[str, list[str | float]]:
         """The labels that differ between the cases, each with its values."""
