@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from upright.arrays import Array
 from upright.experiment.described import law_in, name_in, pushes_in_words
 from upright.fleets.binomial import MOST_FALLS, RARE, clopper_pearson, upper_bound
 from upright.fleets.ensemble import OUTCOMES
@@ -192,17 +191,9 @@ def distribution(data: Dataset, outcome: str, bins: int = 60) -> Figure:
     values = factor * values
     figure, (ax,) = panels([str(Say("runs [%]"))], f"{_name(outcome)} [{unit}]", height=1.4)
     if len(values):
-        ax.hist(values, _borders(values, bins), weights=np.full(len(values), 100 / len(values)), histtype="stepfilled",
+        bins = min(bins, len(np.unique(np.round(values, 9))))  # of few values, as counted periods, one bin each
+        ax.hist(values, bins, weights=np.full(len(values), 100 / len(values)), histtype="stepfilled",
                 alpha=0.8)  # fmt: skip
         ax.axvline(np.median(values), color=AXIS, label=str(Say("half below")))
         ax.axvline(np.quantile(values, 0.95), linestyle="--", color=AXIS, label=str(Say("95 % below")))
     return legend(figure)
-
-
-def _borders(values: Array, bins: int) -> int | list[float]:
-    """Borders between the values where these are few, as of counted periods; other bins would look like a comb."""
-    few = np.unique(np.round(values, 9))
-    step = float(np.diff(few).min()) if len(few) > 1 else 0.0
-    if not step or np.ptp(few) > bins * step:
-        return bins
-    return [float(few[0]) + step * (k - 0.5) for k in range(round(float(np.ptp(few)) / step) + 2)]

@@ -78,10 +78,10 @@ class Tally(tuple[CaseSummary, ...]):
         labels = {name: [case.labels.get(name, "") for case in self] for case in self for name in case.labels}
         return {name: kept for name, values in labels.items() if len(kept := list(dict.fromkeys(values))) > 1}
 
-    def names(self) -> list[Say]:
-        """What tells each case from the others."""
-        differ = list(self.varied()) or list(dict.fromkeys(name for case in self for name in case.labels))
-        return [Say("{labels}", labels=[self.labelled(n, case.labels.get(n, "")) for n in differ]) for case in self]
+    def name(self, case: CaseSummary) -> Say:
+        """What tells a case from the others."""
+        differ = self.varied() or case.labels
+        return Say("{labels}", labels=[self.labelled(name, case.labels.get(name, "")) for name in differ])
 
     def labelled(self, name: str, value: str | float) -> str | Say:
         """A label of a case in words, with its unit; the name of a controller or a robot speaks for itself."""
