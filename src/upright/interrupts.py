@@ -126,7 +126,7 @@ def exit_code() -> int:
 
 def leave(code: int) -> NoReturn:
     """End the process with this exit code, at once where it is interrupted: nothing is waited for."""
-    if interrupted():
+    if Run.kept or interrupted():
         _end()
     sys.exit(code)
 
