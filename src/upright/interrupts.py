@@ -41,7 +41,7 @@ class Run:
     number = 0
     message = STOPPED
     lasting = False
-    keeps: Callable[[], None] | None = None
+    keeps: tuple[Callable[[], None], ...] = ()
     kept = False
     complete = False
     end: tuple[Callable[[], None], ...] = ()
@@ -81,14 +81,14 @@ def complete() -> None:
 def keeping(first: Callable[[], None]) -> Generator[None]:
     """In here the `first` signal, at which that is called, leaves the run the time to raise `Stopped` with what it has;
     a second one ends it."""
-    Run.keeps = first
+    Run.keeps = (first,)
     try:
         yield
     except Stopped:
         Run.kept = True
         raise
     finally:
-        Run.keeps = None
+        Run.keeps = ()
 
 
 @contextmanager
@@ -148,9 +148,9 @@ def _wait(reader: int) -> None:
         number = os.read(reader, 1)[0]
         if number not in SIGNALS or Run.lasting:
             continue
-        first = Run.keeps
-        if first:
-            Run.keeps = None
+        if Run.keeps:
+            first, *_ = Run.keeps
+            Run.keeps = ()
             first()
             continue
         time.sleep(GRACE)

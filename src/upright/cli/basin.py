@@ -8,10 +8,11 @@ from upright.cli.destination import Destination
 from upright.cli.fleet_options import Asked, say_how_long
 from upright.errors import InvalidScenario
 from upright.fleets.usual import BASIN_POINTS
-from upright.progress import progress
+from upright.progress import Progress, progress
 
 if TYPE_CHECKING:
     from upright.fleets.basin import Axis
+    from upright.fleets.maps import Basin
 
 
 def basin(
@@ -39,8 +40,11 @@ def basin(
     number = BASIN_POINTS[ensemble.called] if points is None else points
     axes = _axis(across, "--across", number), _axis(up, "--up", number)
     say_how_long(asked, ensemble, {f"--points {p}": p * p * samples * watch for p in (number, *BASIN_POINTS)})
-    settings = {"samples": samples, "threads": asked.threads}
-    asked.run(progress("simulating"), lambda show: cut(ensemble, *axes, **settings, progress=show), out)
+
+    def work(show: Progress) -> Basin:
+        return cut(ensemble, *axes, samples=samples, threads=asked.threads, progress=show)
+
+    asked.run(progress("simulating"), work, out)
 
 
 def _axis(text: str, option: str, points: int) -> Axis:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from upright.cli.destination import Destination
 from upright.cli.fleet_options import Asked, say_how_long
 from upright.errors import InvalidScenario
 from upright.fleets.usual import MAP_POINTS, MAP_ROBOTS
-from upright.progress import progress
+from upright.progress import Progress, progress
+
+if TYPE_CHECKING:
+    from upright.fleets.maps import PushMap
 
 WAYS = {"forward": (1,), "backward": (-1,), "both": (1, -1)}
 """Direction of a push → its signs."""
@@ -57,5 +60,16 @@ def push_map(
     for p, n in ((count, drawn), *zip(MAP_POINTS, MAP_ROBOTS, strict=True)):
         work[f"--points {p} -n {n}"] = robot_seconds(ensemble, grid_of(p), n, tolerance=tolerance, watch=watch)
     say_how_long(asked, ensemble, work)
-    settings = {"samples": drawn, "tolerance": tolerance, "watch": watch, "threads": asked.threads}
-    asked.run(progress("searching"), lambda show: search(ensemble, grid_of(count), **settings, progress=show), out)
+
+    def work(show: Progress) -> PushMap:
+        return search(
+            ensemble,
+            grid_of(count),
+            samples=drawn,
+            tolerance=tolerance,
+            watch=watch,
+            threads=asked.threads,
+            progress=show,
+        )
+
+    asked.run(progress("searching"), work, out)
