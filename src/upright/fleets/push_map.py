@@ -39,8 +39,6 @@ Stands = Callable[[Array, Whole], Mask]
 Points = tuple[Array, ...]
 """Direction, height and duration (n,) of n points."""
 
-FORWARD = 1
-BACKWARD = -1
 CEILING = 5.0
 """[m/s] The largest impulse of the search, as speed of the whole robot in free flight."""
 FLOOR = 1e-3
@@ -115,7 +113,7 @@ def first_border(stands: Stands, survived: Array, floor: float, tolerance: float
 class PushGrid:
     """Points of the map: `directions` (+1 forward, −1 backward), `heights` above the axle [m], `durations` [s]."""
 
-    directions: Sequence[int] = (FORWARD, BACKWARD)
+    directions: Sequence[int] = (1, -1)
     heights: Array
     durations: Array
 
@@ -130,7 +128,7 @@ class PushGrid:
                 )
             values.setflags(write=False)
             object.__setattr__(self, name, values)
-        if not self.directions or any(d not in (FORWARD, BACKWARD) for d in self.directions):
+        if not self.directions or any(d not in (1, -1) for d in self.directions):
             raise InvalidScenario(f"directions {self.directions}", expected="1 (forward), -1 (backward) or both")
 
     @property

@@ -17,9 +17,6 @@ from upright.pages import Page, Result, Say, Verdict
 if TYPE_CHECKING:
     from xarray import Dataset
 
-FIRST = 4
-"""Steps along each axis of the first and coarsest grid: it is soon done, and shows a border at all."""
-
 
 @contextmanager
 def stoppable(so_far: Callable[[], Result | None]) -> Generator[None]:
@@ -42,7 +39,7 @@ def coarse_first(*counts: int) -> Iterator[tuple[tuple[Whole, ...], Whole]]:
     """The points of a grid of `counts` in turns, so that after each a grid is whole, finer every time: its rows along
     each axis, and the numbers (new,) of its points that no turn before had."""
     had = np.zeros(counts, dtype=np.bool_)
-    steps = FIRST
+    steps = 4  # of the first grid, which is soon done, and shows a border at all
     while not had.all():
         rows = tuple(thinned(count, steps + 1) for count in counts)
         grid = np.zeros(counts, dtype=np.bool_)
