@@ -41,10 +41,10 @@ def basin(
     axes = _axis(across, "--across", number), _axis(up, "--up", number)
     say_how_long(asked, ensemble, {f"--points {p}": p * p * samples * watch for p in (number, *BASIN_POINTS)})
 
-    def work(show: Progress) -> Basin:
+    def run(show: Progress) -> Basin:
         return cut(ensemble, *axes, samples=samples, threads=asked.threads, progress=show)
 
-    asked.run(progress("simulating"), work, out)
+    asked.run(progress("simulating"), run, out)
 
 
 def _axis(text: str, option: str, points: int) -> Axis:

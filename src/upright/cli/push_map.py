@@ -61,7 +61,7 @@ def push_map(
         work[f"--points {p} -n {n}"] = robot_seconds(ensemble, grid_of(p), n, tolerance=tolerance, watch=watch)
     say_how_long(asked, ensemble, work)
 
-    def found(show: Progress) -> PushMap:
+    def run(show: Progress) -> PushMap:
         return search(
             ensemble,
             grid_of(count),
@@ -72,4 +72,4 @@ def push_map(
             progress=show,
         )
 
-    asked.run(progress("searching"), found, out)
+    asked.run(progress("searching"), run, out)
