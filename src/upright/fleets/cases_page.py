@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from upright.experiment.described import facts_of, pushes_in_words
-from upright.fleets.binomial import MOST_FALLS, upper_bound
-from upright.fleets.fleet_page import falls_of
-from upright.fleets.origin import spreads_table
+from upright.fleets.binomial import MOST_FALLS
+from upright.fleets.fleet_page import falls_of, verdict_of
+from upright.fleets.origin import pushes_of, spreads_table
 from upright.fleets.tally import END, CaseSummary, Tally
 from upright.languages import number
 from upright.pages import (
@@ -49,9 +49,9 @@ def cases_page(cases: Tally) -> Page:
     alike = cases.alike() if len(cases) > FEW else []
     together = cases.merged(alike) if alike and counted else cases
     shown = cases if len(cases) <= LISTED else together
-    blocks: list[Block] = [_table(shown, _order(shown)[:LISTED])]
+    blocks: list[Block] = [_table(shown, LISTED)]
     if shown is not cases or len(cases) > LISTED:
-        blocks.append(Fold(Say("All cases"), [_table(cases, _order(cases))]))
+        blocks.append(Fold(Say("All cases"), [_table(cases, len(cases))]))
     if drawn := _drawn(cases):
         blocks.append(Fold(Say("What decides"), [drawn]))
     if cases.spreads and "robot" not in cases.varied():  # they are those of the first case
@@ -91,30 +91,23 @@ def _title(shown: Tally) -> Say:
             return Say("With {worst} up to {most} of the robots fall, with {best} none", **facts)
         least = Quantity(most[last], "fraction", digits=2)
         return Say("With {worst} up to {most} of the robots fall, with {best} up to {least}", least=least, **facts)
-    name = shown.names()[shown.index(worst)]
-    return Say("Worst: {case}, {part} of the robots fall", case=name, part=_part(worst))
+    return Say("Worst: {case}, {part} of the robots fall", case=shown.name(worst), part=_part(worst))
 
 
 def _verdict(cases: Tally, counted: Sequence[CaseSummary]) -> Verdict:
-    """As a certificate judges, which counts the upper bound of the falls of the worst case."""
-    worst = counted[0]
-    above = [case for case in counted if (case.fell or 0) > MOST_FALLS * case.n]
-    bound = upper_bound(worst.fell or 0, worst.n)
-    most = Quantity(None, "fraction", high=bound, digits=2)
+    """As a certificate judges the worst case."""
+    above = sum((case.fell or 0) > MOST_FALLS * case.n for case in counted)
     if above:
-        return Verdict(Say("over {limit} fall in {n} of {all} cases", limit=LIMIT, n=len(above), all=len(cases)), "bad")
-    if cases.origins and not any(_pushes(origin) for origin in cases.origins):
-        return Verdict(Say("nobody pushed them"))
-    if bound <= MOST_FALLS:
-        return Verdict(Say("few fall: {most}", most=most), "good")
-    return Verdict(Say("too few robots to tell: {most} fall", most=most), "warn")
+        return Verdict(Say("over {limit} fall in {n} of {all} cases", limit=LIMIT, n=above, all=len(cases)), "bad")
+    pushed = not cases.origins or any(map(pushes_of, cases.origins))
+    return verdict_of(counted[0].fell or 0, counted[0].n, pushed=pushed)
 
 
 def _lead(cases: Tally, alike: Sequence[str]) -> list[Say]:
     worst, *_ = cases.worst_first()
     facts: dict[str, Any] = {"n": len(cases), "robots": worst.n}
     lead = [Say("{n} × {robots} robots were simulated, and nobody pushed them.", **facts)]
-    if pushes := _pushes(cases.origins[cases.index(worst)]) if cases.origins else ():
+    if pushes := pushes_of(cases.origins[cases.index(worst)]) if cases.origins else ():
         facts["pushes"] = pushes_in_words(pushes)
         lead = [Say("{n} × {robots} robots were simulated; the worst case has {pushes}.", **facts)]
     labels = [LABELS.get(name, term(name)) for name in alike]
@@ -164,9 +157,8 @@ def draw_cases(cases: Tally) -> Figure:
     """The fraction that fell in each case [%], the worst first, beside the limit of a certificate."""
     from upright.plotting import AXIS, COLOURS, INK, LETTER, legend, rows_of
 
-    names = cases.names()
     worst = cases.worst_first()[:DRAWN]
-    labels = [str(names[cases.index(case)]) for case in worst]
+    labels = [str(cases.name(case)) for case in worst]
     figure, ax = rows_of(labels, str(Say("robots that fell [%]")), str(Say("case")))
     chances = [(chance.value, chance.low, chance.high) for case in worst if (chance := case.chance)]
     percent = 100 * np.array(chances).reshape(-1, 3)
@@ -189,40 +181,26 @@ def draw_cases(cases: Tally) -> Figure:
     return legend(figure)
 
 
-def _order(cases: Tally) -> list[int]:
-    """The numbers of the cases, the worst first; those without counted falls last."""
-    first = [cases.index(case) for case in cases.worst_first()]
-    return [*first, *(k for k in range(len(cases)) if k not in first)]
-
-
-def _table(cases: Tally, order: Sequence[int]) -> Table:
-    """Cases with their falls, and means of the robots that stood."""
+def _table(cases: Tally, most: int) -> Table:
+    """At most so many cases with their falls, the worst first, and means of the robots that stood."""
     kinds = {
         "peak_pitch": Column(Say("pitch"), "rad"), "settling": Column(Say("settles"), "s"),
         "effort": Column(Say("effort"), "V² s"),
     }  # fmt: skip
-    shown = [name for name in cases.shown() if name in kinds]
-    names = cases.names()
+    shown = [name for name in kinds if any(name in case.outcomes for case in cases)]
     rows: list[list[Cell]] = []
-    for k in order:
-        case = cases[k]
-        rows.append([names[k], _part(case), case.n, *(case.mean(outcome) for outcome in shown)])
+    for case in (cases.worst_first() or cases)[:most]:
+        rows.append([cases.name(case), _part(case), case.n, *(case.mean(outcome) for outcome in shown)])
     caption = Say("Cases, the worst first; means of the robots that stood") if shown else None
-    columns = [
-        Column(Say("case")),
-        Column(Say("fell")),
-        Column(Say("robots")),
-        *(kinds[name] for name in shown),
-    ]
-    return Table(columns, rows, caption)
+    columns = [Column(Say("case")), Column(Say("fell")), Column(Say("robots"))]
+    return Table([*columns, *(kinds[name] for name in shown)], rows, caption)
 
 
 def _drawn(cases: Tally) -> Table | None:
     """The drawn numbers over which falls change most."""
-    names = cases.names()
     part = Quantity(END, "fraction")
     rows: list[list[Cell]] = [
-        [term(name), least, most, names[cases.index(case)]]
+        [term(name), least, most, cases.name(case)]
         for name, (case, least, most) in list(cases.drawn().items())[:MATTER]
     ]
     columns = [
@@ -237,13 +215,9 @@ def _scenarios(cases: Tally) -> Items | None:
     """What is done to the robots in each scenario."""
     if len(cases.origins) != len(cases):
         return None
-    pushes = {str(c.labels.get("scenario", "")): _pushes(o) for c, o in zip(cases, cases.origins, strict=True)}
+    pushes = {str(c.labels.get("scenario", "")): pushes_of(o) for c, o in zip(cases, cases.origins, strict=True)}
     items = [Say("{name}: {pushes}", name=name, pushes=pushes_in_words(push)) for name, push in pushes.items() if name]
     return Items(items) if items else None
-
-
-def _pushes(origin: Mapping[str, Any]) -> Sequence[Mapping[str, Any]]:
-    return origin.get("scenario", {}).get("push") or ()
 
 
 def _next(counted: Sequence[CaseSummary]) -> list[Next]:
