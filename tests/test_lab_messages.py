@@ -30,7 +30,7 @@ from upright.lab.messages import (
     Step,
     Strike,
 )  # fmt: skip
-from upright.lab.typescript import generate
+from upright.lab.typescript import SCRIPT, generate, script
 
 TARGET = Path(__file__).resolve().parents[1] / "src/upright/lab/web/src/messages.ts"
 
@@ -50,6 +50,11 @@ def test_typescript_is_what_the_dataclasses_say():
     """Run `python -m upright.lab.typescript` after a change of a message."""
     assert TARGET.read_text("utf-8") == generate()
     assert generate().startswith("// Generated")
+
+
+def test_the_script_of_a_result_s_page_is_the_same_in_the_lab():
+    """Run `python -m upright.lab.typescript` after a change of pages/hover.js."""
+    assert SCRIPT.read_text("utf-8") == script()
 
 
 def test_every_message_of_the_server_has_a_type_in_the_page():

@@ -15,7 +15,9 @@ from pathlib import Path
 from socket import AF_INET
 from typing import Any
 
+import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
 from conftest import PATIENCE, listening, patient
 from upright.calibration.annealing import lost
@@ -23,9 +25,9 @@ from upright.experiment.examples import example
 from upright.lab.codec import plain
 from upright.lab.message_types import Head
 from upright.lab.messages import Light, Setup
-from upright.lab.spoken import parts_of
+from upright.lab.spoken import in_each, parts_of
 from upright.lab.tasks import TASKS
-from upright.pages import Next, Page, Say, html
+from upright.pages import Fold, Next, Page, Picture, Say, html
 from upright.physics.dynamics import accelerations
 from upright.robots import Robot
 from upright.signals import Log
@@ -753,6 +755,111 @@ def test_a_page_of_a_result_has_the_lab_s_own_buttons(open_page):
     assert page.evaluate("sent.at(-1)") == {"kind": "Start", "job": "calibrate", "file": ""}
 
 
+def drawn() -> Figure:
+    """A line through (0, 0) and (10, 20)."""
+    figure = Figure(figsize=(7, 3))
+    ax = figure.subplots()
+    x = np.linspace(0, 10, 201)
+    ax.plot(x, 2 * x, label="run")
+    ax.set(xlim=(0, 10), ylim=(0, 20), xlabel="time [s]")
+    return figure
+
+
+MIDDLE = """() => {
+    const svg = [...READ].find((one) => one.checkVisibility());
+    svg.scrollIntoView({ block: 'center' });
+    const { x, y, width, height } = svg.getBoundingClientRect();
+    const [{ left, right }] = JSON.parse(svg.dataset.curves);
+    const across = (left + right) / 2 / svg.viewBox.baseVal.width;
+    return [x + across * width, y + height / 2, svg.classList.contains('narrow')];
+}"""
+"""Where the middle of the first figure is that is seen, and whether it is the one for a phone."""
+
+
+def read(page: Any, root: str) -> tuple[str, bool]:
+    """What the pointer reads in the middle of the first figure in `root`, and whether it is the one for a phone."""
+    *place, narrow = page.evaluate(MIDDLE.replace("READ", f"{root}.querySelectorAll('svg.lines')"))
+    page.mouse.move(*place)
+    said = until(page, f"[...{root}.querySelectorAll('output')].map((one) => one.textContent).join('')")
+    return said, narrow
+
+
+SHADOW = "document.querySelector('.page').shadowRoot"
+
+
+def test_a_page_of_a_result_is_in_the_lab_what_it_is_alone(open_page):
+    """The pointer reads its curve, with the mark of the language; a tab that is narrow has the figure for a phone; a
+    fold opens by its key, which elsewhere pauses, and stays open in another language and theme."""
+    page = open_page
+    tab(page, "Identify")
+    result = Page(Say("{name}", name="mine"), picture=Picture(Say("{name}", name="a line"), drawn),
+                  blocks=(Fold(Say("{name}", name="more"), (Say("{name}", name="words"),)),))  # fmt: skip
+    head = {"title": "mine", "verdict": "", "level": "info", "lead": [], "numbers": []}
+    message = {"heads": {"en": head, "es": head}, "html": in_each(lambda: html.shadow(result))}
+    page.evaluate("(found) => upright.store.hear({ kind: 'JobResult', job: 'doctor', ...found })", message)
+    for width, shown in ((1280, True), (900, False), (390, True)):
+        page.set_viewport_size({"width": width, "height": 768})
+        said, narrow = read(page, SHADOW)
+        time, value = map(float, re.findall(r"-?\d+\.?\d*", said))
+        assert (time, value) == pytest.approx((5, 10), abs=0.1)
+        assert narrow is shown
+    page.evaluate(f"{SHADOW}.querySelector('summary').focus()")
+    page.keyboard.press(" ")
+    opened = f"{SHADOW}.querySelector('details').open"
+    assert page.evaluate(opened)
+    assert not page.evaluate("upright.store.snapshot.paused")
+    page.select_option("[data-key=language]", "es")
+    page.click("[data-key=theme]")
+    tab(page, "Keep")
+    tab(page, "Identify")
+    assert page.evaluate(opened)
+    page.click("[data-key=theme]")
+
+
+def test_the_pointer_reads_a_bode_diagram(open_page):
+    """Between its ends, in the decimals of the language: that of the exported lab is the same."""
+    page = open_page
+    tab(page, "See")
+    until(page, "upright.store.analysed?.L.length === 3")
+    omega, real, imaginary = page.evaluate("upright.store.analysed.L")
+    loudness = np.interp(
+        math.log(omega[0] * omega[-1]) / 2, np.log(omega), 20 * np.log10(np.hypot(real, imaginary))
+    )  # [dB] half way on a logarithmic axis
+    page.select_option("[data-key=language]", "es")
+    said, _ = read(page, "document.querySelector('#panel')")
+    frequency, level = (
+        float(number.replace(",", ".").replace("−", "-")) for number in re.findall(r"[-−]?\d+,?\d*", said)
+    )
+    assert frequency == pytest.approx(math.sqrt(omega[0] * omega[-1]), rel=0.03)
+    assert level == pytest.approx(loudness, abs=0.3)  # [dB] a pixel of the screen
+
+
+def test_nothing_to_press_moves_when_the_light_arrives(open_page):
+    """The button of the full certificate stands still while what is known of the loop and the light go and come."""
+    page = open_page
+    page.set_viewport_size({"width": 1280, "height": 768})
+    tab(page, "Controller")
+    lit(page)
+    page.evaluate("document.querySelector('#panel').scrollTop = 1e4")
+    moved = page.evaluate("""(light) => {
+        const { store } = upright;
+        const [analysed, places] = [store.analysed, []];
+        const look = () => {
+            const keys = ['certify', 'weight-0', 'headlight'];
+            const box = (key) => document.querySelector(`[data-key=${key}]`).getBoundingClientRect();
+            places.push(JSON.stringify(keys.map((key) => [box(key).x, box(key).y])));
+        };
+        look();
+        store.analysed = null;
+        for (const message of [{ kind: 'Light', light: 'none', heads: {} }, analysed, light]) {
+            store.hear(message);
+            look();
+        }
+        return [...new Set(places)];
+    }""", {"kind": "Light", **plain(GREEN)})  # fmt: skip
+    assert len(moved) == 1
+
+
 def test_an_error_is_told_part_by_part_with_the_button_of_its_command(open_page):
     page = open_page
     tab(page, "Identify")
@@ -1222,7 +1329,7 @@ def test_a_calibration_that_is_done_is_no_red_toast(open_page):
     page = open_page
     page.evaluate(HEARD, ["calibrate", "en", ""])
     toast = page.locator(".toast").last
-    assert "Calibrate: sound" in toast.inner_text()
+    assert "Calibrate – sound" in toast.inner_text()
     assert "error" not in toast.get_attribute("class")
 
 

@@ -1,7 +1,8 @@
-"""What the page has from Python: types from the dataclasses of `lab.messages`, limits of margins, and its Spanish from
-the catalogue of all pages.
+"""What the page has from Python: types from the dataclasses of `lab.messages`, limits of margins, its Spanish from the
+catalogue of all pages, and their script.
 
-Run `python -m upright.lab.typescript` after a change of a message, of `texts/en.json` or of a translation.
+Run `python -m upright.lab.typescript` after a change of a message, of `texts/en.json`, of a translation or of that
+script.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 import json
 import types
 from dataclasses import fields, is_dataclass
+from importlib import resources
 from pathlib import Path
 from typing import Any, Literal, get_args, get_origin, get_type_hints
 
@@ -20,6 +22,7 @@ from upright.loops.targets import LEAST_DELAY, LEAST_GAIN, PHASE, STRONG, WEAK
 
 SOURCE = Path(__file__).parent / "web" / "src"
 TARGET = SOURCE / "messages.ts"
+SCRIPT = SOURCE / "hover.js"
 TEXTS = SOURCE / "texts"
 
 NAMES = ("BodyName", "Job", "Keep", "Language", "PushName", "Work")
@@ -60,9 +63,17 @@ def spoken(language: str) -> str:
     return json.dumps(other(english), ensure_ascii=False, indent=2) + "\n"
 
 
+def script() -> str:
+    """The script of a page of results, for such pages within the lab."""
+    text = resources.files("upright.pages").joinpath("hover.js").read_text("utf-8")
+    return f"// @ts-nocheck: pages/hover.js, written here by python -m upright.lab.typescript; do not edit.\n{text}"
+
+
 def write() -> list[Path]:
-    """Write `messages.ts` and the texts of each language, and return their paths."""
-    made = {TARGET: generate()} | {TEXTS / f"{name}.json": spoken(name) for name in LANGUAGES if name != ENGLISH}
+    """Write `messages.ts`, the script and the texts of each language, and return their paths."""
+    made = {TARGET: generate(), SCRIPT: script()} | {
+        TEXTS / f"{name}.json": spoken(name) for name in LANGUAGES if name != ENGLISH
+    }
     return [write_text(path, text) for path, text in made.items()]
 
 

@@ -41,12 +41,16 @@ def svg(picture: Picture, *, narrow: bool = False) -> str:
     mark = hashlib.sha256(f"{claim} {narrow}".encode()).hexdigest()[:8]
     width, height = (UNIT * inches for inches in drawing.get_size_inches())
     size = "narrow" if narrow else "wide"
-    data = f' data-curves="{escape(json.dumps(curves))}"' if curves else ""
+    data = ""
+    below = ""
+    if curves:
+        data = f' data-curves="{escape(json.dumps(curves))}"'
+        below = "<output></output>"  # where hover.js says what it reads
     most = "" if narrow else f' style="max-width: {min(100 * width / UNIT / plotting.WIDTH, 100):.0f}%"'
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" role="img" viewBox="0 0 {width:g} {height:g}" '
         f'aria-labelledby="t{mark}" class="{size}{" lines" if curves else ""}"{most}{data}>'
-        f'<title id="t{mark}">{escape(claim)}</title>{strokes(drawing, mark)}</svg>'
+        f'<title id="t{mark}">{escape(claim)}</title>{strokes(drawing, mark)}</svg>{below}'
     )
 
 

@@ -27,12 +27,12 @@ def document(page: Page, command: str = "") -> str:
 
 def fragment(page: Page) -> str:
     """The first screen and what is not folded, for a notebook."""
-    return _template("fragment.html").render(page=page, style="")
+    return _template("fragment.html").render(page=page, language=chosen(), style="")
 
 
 def shadow(page: Page) -> str:
     """The whole page with its style, for a shadow tree: its colours are those of the page around it."""
-    return _template("fragment.html").render(page=page, style=_read("style.css"))
+    return _template("fragment.html").render(page=page, language=chosen(), style=_read("style.css"))
 
 
 def marked(text: object) -> str:

@@ -20,6 +20,12 @@ export function replace(parent: Element, ...children: Child[]): void {
   keepingFocus(() => parent.replaceChildren(...children.filter((child): child is Node | string => Boolean(child))));
 }
 
+/** Exchange what stands in a place; what is awaited there takes the room of what was before, so that nothing moves. */
+export function exchange(place: HTMLElement, awaited: boolean, ...children: Child[]): void {
+  place.style.minHeight = awaited ? `${place.getBoundingClientRect().height}px` : "";
+  replace(place, awaited && h("div"), ...children); // an empty place would not be shown
+}
+
 /** Do what exchanges elements; where the one with the focus goes, the new one with its key gets it. */
 export function keepingFocus(act: () => void): void {
   const key = (document.activeElement as HTMLElement | null)?.dataset?.key;
@@ -43,6 +49,11 @@ export function sayAgain(root: ParentNode): void {
 
 export function button(text: string, act: () => void, props: Props = {}): HTMLButtonElement {
   return h("button", { type: "button", onclick: act, ...props }, text);
+}
+
+/** Whether a key is the browser's, or of what has the focus and matches the selector, also in the page of a result. */
+export function keptBy(event: KeyboardEvent, selector: string): boolean {
+  return event.ctrlKey || event.metaKey || event.altKey || (event.composedPath()[0] as Element).matches(selector);
 }
 
 let counter = 0;

@@ -1,7 +1,8 @@
 // What a job, a certificate or an analysis has found: the page of its result, as the server renders it.
 import { button, h } from "./dom";
-import type { Head, JobResult } from "./messages";
-import { spoken } from "./texts";
+import "./hover.js";
+import type { Head, Job, JobResult } from "./messages";
+import { language, spoken } from "./texts";
 
 /** The first screen of a page. */
 export function first({ verdict, level, title, lead, numbers }: Head): HTMLElement {
@@ -11,17 +12,31 @@ export function first({ verdict, level, title, lead, numbers }: Head): HTMLEleme
     numbers.length > 0 && h("dl", { className: "facts" }, ...numbers.flatMap(([value, meaning]) => [h("dt", {}, value), h("dd", {}, meaning)])));
 }
 
-/** The whole page of a result, in the colours of this one; what it names next is at hand where the lab has a button for it. */
-export function whole(result: JobResult, acts: Record<string, [string, () => void]> = {}): HTMLElement {
-  const host = h("div", { className: "page" });
-  const root = host.attachShadow({ mode: "open" });
-  root.innerHTML = spoken(result.html);
-  for (const next of root.querySelectorAll<HTMLElement>("[data-verb]")) {
-    const { verb = "" } = next.dataset;
-    if (!Object.hasOwn(acts, verb)) continue;
-    const [label, act] = acts[verb];
-    next.append(Object.assign(document.createElement("slot"), { name: verb }));
-    host.append(button(label, act, { slot: verb, "data-key": `next-${verb}` }));
+/** The whole page of a result, in the colours of this one, with its folds as the reader has left them; what it names
+ * next is at hand where the lab has a button for it. */
+export class ResultPage {
+  private host = h("div", { className: "page" });
+  private root = this.host.attachShadow({ mode: "open" });
+  private shown: JobResult | null = null;
+
+  constructor(private acts: (job: Job) => Record<string, [string, () => void]> = () => ({})) {}
+
+  show(result: JobResult): HTMLElement {
+    if (result === this.shown && this.host.lang === language()) return this.host;
+    const open = result === this.shown ? [...this.root.querySelectorAll("details")].map((fold) => fold.open) : [];
+    this.shown = result;
+    this.host.lang = language();
+    this.host.replaceChildren();
+    this.root.innerHTML = spoken(result.html);
+    this.root.querySelectorAll("details").forEach((fold, i) => (fold.open = open[i] ?? false));
+    const acts = this.acts(result.job);
+    for (const next of this.root.querySelectorAll<HTMLElement>("[data-verb]")) {
+      const { verb = "" } = next.dataset;
+      if (!Object.hasOwn(acts, verb)) continue;
+      const [label, act] = acts[verb];
+      next.append(Object.assign(document.createElement("slot"), { name: verb }));
+      this.host.append(button(label, act, { slot: verb, "data-key": `next-${verb}` }));
+    }
+    return this.host;
   }
-  return host;
 }

@@ -2,7 +2,7 @@
 import { Charts, small } from "./charts";
 import { LocalSession, exported } from "./exported";
 import { ExportedRobotPanel, PythonPanel, linkButton } from "./exported_panels";
-import { button, degrees, digits, h, keepingFocus, replace, said, sayAgain, select, slider, throttled } from "./dom";
+import { button, degrees, digits, h, keepingFocus, keptBy, replace, said, sayAgain, select, slider, throttled } from "./dom";
 import type { Slider } from "./dom";
 import { isLink, tokenIn } from "./link";
 import type { Notice, Recovered, ServerMessage } from "./messages";
@@ -407,7 +407,7 @@ class Page {
       case "Equations": if (this.tab === "See") this.see.show(); break;
       case "Snapshot": this.transported(); break;
       case "Progress": if (message.job === "light") { this.lamp(); this.update(); break; } this.identify.progress(message.job, message.fraction); if (message.job === "certify") this.controller.certifying(message.fraction); break;
-      case "JobResult": this.identify.found(); if (message === store.certified) this.controller.certify(); if (message !== store.certified || this.tab !== "Controller") this.toast(() => `${named(message.job)}: ${spoken(message.heads).verdict}`, LEVELS[message.heads.en.level]); if (latestLog && this.tab === "Identify") keepingFocus(() => this.identify.build()); break;
+      case "JobResult": this.identify.found(); if (message === store.certified) this.controller.certify(); if (message !== store.certified || this.tab !== "Controller") this.toast(() => `${named(message.job)} – ${spoken(message.heads).verdict}`, LEVELS[message.heads.en.level]); if (latestLog && this.tab === "Identify") keepingFocus(() => this.identify.build()); break;
       case "Made": if (message.name === COMPARISON) { this.compared(store.files + message.url); break; } this.keep.made(message.name, message.url.startsWith("blob:") ? message.url : store.files + message.url); this.toast(() => t("made", { name: message.name }), "info"); break;
       case "Notice": message.key === "lies" ? this.lie(() => t("lies")) : message.job ? this.failed(message) : this.toast(() => (message.key ? named(message.key) : told(message.parts)), message.level); break;
       case "Recovered": this.recovered(message); break;
@@ -604,9 +604,7 @@ class Page {
 
   /** Keys of the whole page; what has the focus keeps its own. */
   private key(event: KeyboardEvent): void {
-    const at = event.target as HTMLElement;
-    if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|TEXTAREA|DIALOG)$/.test(at.tagName)) return;
-    if (event.key === " " && at.tagName === "BUTTON") return;
+    if (keptBy(event, "input, select, textarea, dialog") || (event.key === " " && keptBy(event, "button, summary"))) return;
     if (event.key === "?") this.help();
     else if (event.key === " ") this.pause();
     else if (event.key === ".") store.send({ kind: "Step", periods: 1 });

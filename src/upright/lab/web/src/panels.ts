@@ -1,9 +1,9 @@
 // The panels below: controller, robot, kit, what was found, what is kept. Each builds itself from the store.
-import { button, degrees, digits, fresh, h, keepingFocus, numberField, replace, said, sayAgain, select, slider, table, throttled } from "./dom";
+import { button, degrees, digits, exchange, fresh, h, keepingFocus, numberField, replace, said, sayAgain, select, slider, table, throttled } from "./dom";
 import type { Slider } from "./dom";
 import type { BodyName, Job, JobResult, Keep, Light, Setup, ErrorParts } from "./messages";
 import { exported } from "./exported";
-import { first, whole } from "./found";
+import { ResultPage, first } from "./found";
 import { JobBar } from "./job_bar";
 import { address } from "./opening";
 import { session } from "./remember";
@@ -36,12 +36,14 @@ export class ControllerPanel extends Panel {
   private numbers = h("div", { className: "numbers" });
   private gain = h("div", {});
   private light = h("div", { className: "light", role: "status" });
+  private reasons = h("div", {});
   private sliders: Slider[] = [];
   private shape = "";
   private bar: JobBar | null = null;
   private working = h("div", {});
   private reported: JobResult | null = null; // in `certified`
   private certified = h("div", { className: "column full certified", "aria-live": "polite" });
+  private page = new ResultPage();
 
   build(): void {
     this.shape = "";
@@ -58,7 +60,7 @@ export class ControllerPanel extends Panel {
       h("div", { className: "column" }, choice, this.weights),
       h("div", { className: "column full" }, this.gain),
       h("div", { className: "column full" }, this.numbers),
-      exported ? this.noCertificate : h("div", { className: "column full" }, this.light, certify, this.working),
+      exported ? this.noCertificate : h("div", { className: "column full" }, this.light, certify, this.working, this.reasons),
       this.certified,
     );
     this.update();
@@ -95,13 +97,15 @@ export class ControllerPanel extends Panel {
     const shape = `${store.setup.controller} ${store.changed?.look.command_unit} ${store.setup.controller === "gains" ? this.byHand().length : ""}`; // what is known of the loop comes and goes
     if (shape !== this.shape) this.shapeWeights(shape);
     this.sliders.forEach((s, i) => s.set(store.setup.controller === "gains" ? (this.byHand()[i] ?? 0) : this.sizes()[i]));
-    replace(this.gain, ...this.gains());
-    replace(this.numbers, ...this.analysis());
-    replace(this.light, ...certificate());
+    const driven = store.setup.controller !== "off";
+    exchange(this.gain, driven && !store.analysed, ...this.gains());
+    exchange(this.numbers, driven && !store.analysed, ...this.analysis());
+    replace(this.light, ...light());
+    exchange(this.reasons, driven && !store.lit?.heads.en, reasons());
     this.noCertificate.textContent = t(["gains", "off"].includes(store.setup.controller) ? "noCertificateByHand" : "noCertificateHere");
     if (this.reported === store.certified) return;
     this.reported = store.certified;
-    replace(this.certified, ...(this.reported ? [h("p", {}, t("certified")), whole(this.reported)] : []));
+    replace(this.certified, ...(this.reported ? [h("p", {}, t("certified")), this.page.show(this.reported)] : []));
   }
 
   private byHand(): number[] {
@@ -175,21 +179,26 @@ export function lamplight(): Light["light"] {
 export function lightWords(colour = false): string {
   const { setup, lit, trying, jobs } = store;
   if (setup.controller === "off") return t("unlitOff");
-  if (!lit?.heads.en) return trying ? t("tried", { n: Math.round(trying.fraction * trying.runs), all: trying.runs }) : t(jobs.size ? "queued" : "none");
+  if (!lit?.heads.en) {
+    if (!trying) return t(jobs.size ? "queued" : "none");
+    return colour ? `${(100 * trying.fraction).toFixed(0)} % …` : t("tried", { n: Math.round(trying.fraction * trying.runs), all: trying.runs });
+  }
   if (lit.light === "none") return t("noCertificate");
   const light = colour ? t(lit.light) : spoken(lit.heads).verdict;
   if (setup.payload > 0) return t(setup.slope && !colour ? "litBoth" : "litPayload", { light });
   return setup.slope ? t("litSlope", { light }) : light;
 }
 
-export function certificate(): (Node | null)[] {
-  const said = store.setup.controller !== "off" && store.lit?.heads.en ? spoken(store.lit.heads) : null;
-  const waits = store.setup.controller !== "off" && !said && !store.jobs.size;
+function light(): Node[] {
   const lamp = h("span", { className: `lamp ${lamplight()}`, "aria-hidden": "true" });
-  return [
-    h("h4", {}, t("certificate")), h("p", { className: "lit" }, lamp, h("b", {}, lightWords())),
-    waits ? h("p", { className: "note" }, t("lightNote")) : null, said && first({ ...said, verdict: "" }),
-  ];
+  return [h("h4", {}, t("certificate")), h("p", { className: "lit" }, lamp, h("b", {}, lightWords()))];
+}
+
+/** Why it has this colour, below the button, which does not move when they arrive; the full certificate says it itself. */
+function reasons(): Node | null {
+  if (store.setup.controller === "off" || store.certified) return null;
+  if (store.lit?.heads.en) return first({ ...spoken(store.lit.heads), verdict: "" });
+  return store.jobs.size ? null : h("p", { className: "note" }, t("lightNote"));
 }
 
 export class RobotPanel extends Panel {
@@ -350,6 +359,7 @@ export class IdentifyPanel extends Panel {
   private robot = ""; // of the comparison, and of what failed
   private failed = h("p", { className: "failed", role: "alert" });
   private load = 0; // [kg] that the run carried whose calibration was begun
+  private page = new ResultPage((job) => this.next(job));
 
   constructor() {
     super();
@@ -438,7 +448,7 @@ export class IdentifyPanel extends Panel {
     const f = store.found;
     if (!f) return;
     const laden = f.job === "calibrate" && this.load > 0;
-    replace(this.result, laden && h("p", { className: "verdict bad" }, h("b", {}, t("calibratedLaden", { mass: digits(this.load * 1000, 3) }))), whole(f, this.next(f.job)));
+    replace(this.result, laden && h("p", { className: "verdict bad" }, h("b", {}, t("calibratedLaden", { mass: digits(this.load * 1000, 3) }))), this.page.show(f));
   }
 }
 

@@ -23,6 +23,7 @@ export interface Drawing {
   square?: boolean;
   circle?: boolean;
   marks?: { x?: number; y?: number }[];
+  read?: true; // whether the pointer reads its line, as on a page of results
 }
 
 const W = 420;
@@ -60,7 +61,16 @@ export function drawing(d: Drawing): SVGSVGElement {
     const at = m.y === undefined ? { x1: px(m.x ?? 0), x2: px(m.x ?? 0), y1: PAD.top, y2: PAD.top + inY } : { y1: py(m.y), y2: py(m.y), x1: PAD.left, x2: W - PAD.right };
     inside.append(node("line", { ...at, stroke: colours.push, "stroke-width": 1.2, "stroke-dasharray": "5 3" }));
   }
-  for (const line of d.lines ?? []) inside.append(path(line, px, py));
+  (d.lines ?? []).forEach((line, i) => {
+    const curve = node("g", { id: `line-0-${i}-${clip}` });
+    curve.append(path(line, px, py));
+    inside.append(curve);
+  });
+  if (d.read) {
+    const panel = { row: 0, lines: [d.yLabel], left: PAD.left, right: W - PAD.right, top: PAD.top, bottom: PAD.top + inY, x: d.x, y: d.y, logx: d.logX, unit: d.xLabel };
+    svg.classList.add("lines");
+    svg.dataset.curves = JSON.stringify([panel]);
+  }
   for (const p of d.points ?? []) inside.append(point(p.cross ?? false, px(p.x), py(p.y), p.colour));
   return svg;
 }

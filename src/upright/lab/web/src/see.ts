@@ -119,16 +119,16 @@ function frequency([omega, re, im]: number[][], colour: string): Node[] {
   const phase = unwrapped(omega.map((_, k) => (Math.atan2(im[k], re[k]) * 180) / Math.PI));
   const x: [number, number] = [omega[0], omega.at(-1) as number];
   const range = (v: number[], pad: number): [number, number] => [Math.min(...v) - pad, Math.max(...v) + pad];
-  const bode = [
-    drawing({ title: t("bode"), xLabel: "ω [rad/s]", yLabel: "|L| [dB]", lines: [{ x: omega, y: magnitude, colour }], x, y: range(magnitude, 3), logX: true, marks: [{ y: 0 }] }),
-    drawing({ title: t("bode"), xLabel: "ω [rad/s]", yLabel: "∠L [°]", lines: [{ x: omega, y: phase, colour }], x, y: range(phase, 8), logX: true, marks: [{ y: -180 }] }),
+  const bode = (yLabel: string, y: number[], pad: number, mark: number): Node[] => [
+    drawing({ title: t("bode"), xLabel: "ω [rad/s]", yLabel, lines: [{ x: omega, y, colour }], x, y: range(y, pad), logX: true, marks: [{ y: mark }], read: true }),
+    h("output", {}),
   ];
   const mirrored = im.map((v) => -v);
   const nyquist = drawing({
     title: t("nyquist"), xLabel: "Re L", yLabel: "Im L", square: true, x: [-3.2, 1.6], y: [-2, 2], circle: true,
     lines: [{ x: re, y: im, colour }, { x: re, y: mirrored, colour, dash: [4, 3] }], points: [{ x: -1, y: 0, colour: ink().push, cross: true }],
   });
-  return [titled(t("bode"), ...bode), titled(t("nyquist"), nyquist)];
+  return [titled(t("bode"), ...bode("|L| [dB]", magnitude, 3, 0), ...bode("∠L [°]", phase, 8, -180)), titled(t("nyquist"), nyquist)];
 }
 
 function poles(all: number[][], colour: string): HTMLElement {

@@ -1,4 +1,5 @@
 // Arrow keys and a gamepad's stick drive and turn; F and B push for as long as they are held.
+import { keptBy } from "./dom";
 import { store } from "./store";
 
 const SPEED = 0.25; // [m/s]
@@ -19,9 +20,7 @@ export class Steering {
   }
 
   private down(event: KeyboardEvent): void {
-    const at = event.target as HTMLElement;
-    if (event.repeat || event.ctrlKey || event.metaKey || event.altKey) return;
-    if (/^(INPUT|SELECT|TEXTAREA)$/.test(at.tagName) || at.getAttribute("role") === "tab" || at.closest("dialog")) return;
+    if (event.repeat || keptBy(event, "input, select, textarea, [role=tab], .table, dialog, dialog *")) return;
     if (!/^(Arrow(Up|Down|Left|Right)|f|b)$/.test(event.key)) return;
     event.preventDefault();
     this.held.add(event.key);
