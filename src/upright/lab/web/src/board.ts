@@ -1,24 +1,22 @@
 // The class: everybody's robot at a glance, the board by largest recovered push, and how to come in.
-import { button, h, replace } from "./dom";
+import { button, h, replace, svg } from "./dom";
 import type { Student } from "./messages";
 import { qr } from "./qr";
 import { store } from "./store";
 import { fixed, named, t } from "./texts";
 
-const SVG = "http://www.w3.org/2000/svg";
-
 export class ClassPanel {
-  root = h("div", { className: "panel-body" });
-  private wall = h("div", { className: "wall" });
-  private scores = h("div", { className: "table" });
+  root = h("div.panel-body");
+  private wall = h("div.wall");
+  private scores = h("div.table");
 
   build(): void {
-    const column = h("div", { className: "column wide" });
+    const column = h("div.column.wide");
     if (store.role === "teacher") {
       column.append(
-        h("div", { className: "row" },
-          button(t("broadcast"), () => store.send({ kind: "Broadcast", setup: store.setup }), { className: "main", "data-key": "broadcast" }),
-          button(t("results"), () => save(results()), { "data-key": "results" })),
+        h("div.row",
+          button(t("broadcast"), () => store.send({ kind: "Broadcast", setup: store.setup }), "broadcast", { className: "main" }),
+          button(t("results"), () => save(results()), "results")),
         invitation(), this.wall);
     }
     column.append(this.scores);
@@ -30,17 +28,17 @@ export class ClassPanel {
   update(): void {
     const students = store.board?.students ?? [];
     replace(this.wall, ...students.map(tile));
-    const head = h("thead", {}, h("tr", {}, ...["", t("name"), t("bestPush"), t("effort"), t("family")].map((text) => h("th", { scope: "col" }, text))));
+    const head = h("thead", h("tr", ...["", t("name"), t("bestPush"), t("effort"), t("family")].map((text) => h("th", { scope: "col" }, text))));
     const rows = students.map((s, i) =>
-      h("tr", { className: s.here ? "" : "away" }, h("td", {}, String(i + 1)), h("td", {}, s.name), h("td", {}, fixed(s.best, 3)), h("td", {}, fixed(s.effort, 0)), h("td", {}, named(s.controller).split(":")[0])));
-    replace(this.scores, h("table", { className: "board", "aria-label": t("board") }, head, h("tbody", {}, ...rows)));
+      h("tr", { className: s.here ? "" : "away" }, h("td", String(i + 1)), h("td", s.name), h("td", fixed(s.best, 3)), h("td", fixed(s.effort, 0)), h("td", named(s.controller).split(":")[0])));
+    replace(this.scores, h("table.board", { "aria-label": t("board") }, head, h("tbody", ...rows)));
   }
 }
 
 /** The students' address, for the blackboard and for their telephones. */
 function invitation(): HTMLElement {
   const address = new URL(`#token=${store.invite}`, location.href.split("#")[0]).href;
-  return h("figure", { className: "invite" }, qr(address, t("invite")), h("figcaption", {}, h("b", {}, t("invite")), h("code", {}, address)));
+  return h("figure.invite", qr(address, t("invite")), h("figcaption", h("b", t("invite")), h("code", address)));
 }
 
 /** The board as CSV (RFC 4180): names in quotes, and none that a spreadsheet takes for a formula. */
@@ -58,17 +56,9 @@ function save(text: string): void {
 }
 
 function tile(student: Student): HTMLElement {
-  const svg = document.createElementNS(SVG, "svg");
-  svg.setAttribute("viewBox", "-30 -48 60 60");
-  svg.setAttribute("aria-hidden", "true");
-  const add = (tag: string, attributes: Record<string, string>) => {
-    const part = document.createElementNS(SVG, tag);
-    for (const [name, value] of Object.entries(attributes)) part.setAttribute(name, value);
-    svg.append(part);
-  };
   const lean = ((student.pitch * 180) / Math.PI).toFixed(1);
-  add("rect", { x: "-6", y: "-40", width: "12", height: "38", rx: "3", class: "stick", transform: `rotate(${lean})` });
-  add("circle", { r: "8", cx: "0", cy: "0", class: "wheel" });
-  add("line", { x1: "-30", x2: "30", y1: "8.5", y2: "8.5", class: "ground" });
-  return h("figure", { className: `tile${student.fallen ? " down" : ""}${student.here ? "" : " away"}` }, svg, h("figcaption", {}, student.name));
+  const drawn = svg("svg", { viewBox: "-30 -48 60 60", "aria-hidden": "true" },
+    svg("rect", { x: -6, y: -40, width: 12, height: 38, rx: 3, class: "stick", transform: `rotate(${lean})` }),
+    svg("circle", { r: 8, class: "wheel" }), svg("line", { x1: -30, x2: 30, y1: 8.5, y2: 8.5, class: "ground" }));
+  return h("figure", { className: `tile${student.fallen ? " down" : ""}${student.here ? "" : " away"}` }, drawn, h("figcaption", student.name));
 }

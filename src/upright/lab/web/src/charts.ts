@@ -1,7 +1,7 @@
 // Strip charts of the six states, every body in its colour and dash.
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
-import { button, h, keepingFocus, replace } from "./dom";
+import { button, h, keepingFocus, replace, svg } from "./dom";
 import { Marks, ROOM } from "./marks";
 import { ink, laneColour, laneDash } from "./palette";
 import { ticks } from "./plots";
@@ -20,9 +20,9 @@ export class Strip {
     const colours = ink();
     const scale = parseFloat(getComputedStyle(document.documentElement).fontSize) / 16; // larger on a wall
     const axis = { stroke: colours.soft, grid: { stroke: colours.grid, width: 1 }, ticks: { show: false }, font: `${11 * scale}px system-ui, sans-serif` };
-    const box = h("div", { className: "plot", "aria-hidden": "true" }, this.marks.root);
+    const box = h("div.plot", { "aria-hidden": "true" }, this.marks.root);
     box.style.setProperty("--height", `${height / 16}rem`);
-    this.root = h("figure", { className: "strip", role: "group", "aria-label": `${title} [${unit}]` }, h("figcaption", {}, h("b", {}, title), h("span", {}, unit)), box);
+    this.root = h("figure.strip", { role: "group", "aria-label": `${title} [${unit}]` }, h("figcaption", h("b", title), h("span", unit)), box);
     this.plot = new uPlot(
       {
         width: 300, height, padding: [ROOM * scale, 18 * scale, 0, 0],
@@ -89,10 +89,10 @@ const narrow = matchMedia("(max-width: 40rem)"); // one upright
 const sideways = matchMedia("(min-width: 40.01rem)"); // of a small one
 
 export class Charts {
-  root = h("section", { className: "charts" });
+  root = h("section.charts");
   private strips: (Strip | null)[] = []; // of the six states; none where it is not shown
-  private legend = h("div", { className: "legend" });
-  slot = h("div", { className: "slot" }); // in the scene
+  private legend = h("div.legend");
+  slot = h("div.slot"); // in the scene
   private large: number | null = null; // which curve a phone shows large
 
   constructor(private seconds: () => number) {
@@ -113,12 +113,9 @@ export class Charts {
     const rest = this.strips.map((strip) => strip?.root).filter((root) => !near.includes(root));
     this.strips.forEach((strip, i) => strip && this.enlargeable(strip.root, i));
     const name = t(more ? "fewerCurves" : "moreCurves");
-    const other = button(narrow.matches ? t(more ? "fewer" : "more") : name, () => (more ? this.shown("first") : this.more()), {
-      className: "quiet", "aria-label": name,
-      "aria-expanded": String(more), "data-key": "curves",
-    });
+    const other = button(narrow.matches ? t(more ? "fewer" : "more") : name, () => (more ? this.shown("first") : this.more()), "curves", { className: "quiet", "aria-label": name, "aria-expanded": String(more) });
     const strips = (roots: (HTMLElement | undefined)[]) => (roots.some(Boolean) ? h("div", { className: `strips${more ? " all" : ""}` }, ...roots) : null);
-    const above = h("div", { className: "above" }, this.legend, other);
+    const above = h("div.above", this.legend, other);
     replace(this.slot, ...(near.length ? [above, strips(near)] : []));
     replace(this.root, near.length ? null : above, strips(rest));
     this.root.hidden = !this.root.childElementCount; // a phone has its first curves in the scene
@@ -137,7 +134,7 @@ export class Charts {
 
   /** On a phone a tap makes a curve large, over the same seconds, and another one small again. */
   private enlargeable(root: HTMLElement, i: number): void {
-    const enlarge = h("button", { type: "button", className: "enlarge", "data-key": `enlarge-${i}` }, h("span", { "aria-hidden": "true" }, "⤢"), h("span", { className: "hidden" }, t("large", { what: named(STATES[i]) })));
+    const enlarge = h("button", { type: "button", className: "enlarge", "data-key": `enlarge-${i}` }, h("span", { "aria-hidden": "true" }, "⤢"), h("span.hidden", t("large", { what: named(STATES[i]) })));
     root.classList.toggle("large", this.large === i);
     enlarge.setAttribute("aria-expanded", String(this.large === i));
     root.querySelector("figcaption")?.append(enlarge);
@@ -155,9 +152,7 @@ export class Charts {
     const still = store.lain === null ? last : Math.min(last, store.lain + 0.1 * seconds); // where all lie, nothing moves: the fall stays in sight
     const end = store.snapshot?.back ? store.snapshot.t : Math.max(still, time[0] + seconds); // from left to right at first
     const start = end - seconds;
-    let first = time.length;
-    while (first > 0 && time[first - 1] >= start) first -= 1;
-    first = Math.max(0, first - 1);
+    const first = Math.max(0, store.traces.since(start) - 1);
     const t = time.slice(first);
     const since = store.traces.marks.findLast((mark) => ["stood", "tilt"].includes(mark.what) && mark.t <= end)?.t ?? -Infinity;
     const from = t.findIndex((at) => at >= Math.max(start, since));
@@ -186,16 +181,10 @@ export function inDegrees(angles: number[]): number[] {
 }
 
 export function legendEntry(name: string): HTMLElement {
-  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-  svg.setAttribute("width", "28");
-  svg.setAttribute("height", "10");
-  svg.setAttribute("aria-hidden", "true");
-  const line = document.createElementNS("http://www.w3.org/2000/svg", "line");
-  const set = { x1: "0", x2: "28", y1: "5", y2: "5", stroke: laneColour(name), "stroke-width": "2.5", "stroke-dasharray": laneDash(name, store.changed?.bodies ?? []).join(" ") };
-  for (const [key, value] of Object.entries(set)) line.setAttribute(key, value);
-  svg.append(line);
-  const notes: Record<string, string> = { twin: t("twinNote"), nonlinear: t("nonlinearNote"), linear: t("linearNote"), published: t("publishedNote"), calibrated: t("calibratedNote") };
-  const title = notes[name] ?? "";
+  const dashes = laneDash(name, store.changed?.bodies ?? []).join(" ");
+  const line = svg("line", { x1: 0, x2: 28, y1: 5, y2: 5, stroke: laneColour(name), "stroke-width": 2.5, "stroke-dasharray": dashes });
+  const sample = svg("svg", { width: 28, height: 10, "aria-hidden": "true" }, line);
+  const title = named(`${name}Note`);
   const first = name === store.changed?.bodies[0];
-  return h("span", { className: "key", title }, svg, first ? t("robotIs", { body: named(name) }) : named(name));
+  return h("span.key", { title }, sample, first ? t("robotIs", { body: named(name) }) : named(name));
 }

@@ -4,20 +4,38 @@ import { local } from "./texts";
 type Child = Node | string | null | undefined | false;
 type Props = Record<string, unknown>;
 
-/** An element with properties (`on…` are listeners, `aria-…` and `data-…` attributes) and children. */
-export function h<K extends keyof HTMLElementTagNameMap>(tag: K, props: Props = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
-  const element = document.createElement(tag);
-  for (const [name, value] of Object.entries(props)) {
+type Tags = HTMLElementTagNameMap;
+
+/** An element of a tag with classes ("p.note"), with properties (`on…` are listeners, `aria-…` and `data-…` attributes) and
+ * children. */
+export function h<K extends keyof Tags>(kind: K | `${K}.${string}`, first?: Props | Child, ...rest: Child[]): Tags[K] {
+  const [tag, ...classes] = kind.split(".");
+  const element = document.createElement(tag) as Tags[K];
+  if (classes.length) element.className = classes.join(" ");
+  const bare = !first || typeof first === "string" || first instanceof Node;
+  for (const [name, value] of Object.entries(bare ? {} : first)) {
     if (name.startsWith("on")) element.addEventListener(name.slice(2), value as EventListener);
     else if (name.includes("-") || name === "role" || name === "for" || name === "list") element.setAttribute(name, String(value));
     else if (value !== undefined) (element as unknown as Props)[name] = value;
   }
-  element.append(...children.filter((child): child is Node | string => Boolean(child)));
+  element.append(...shown(bare ? [first, ...rest] : rest));
+  return element;
+}
+
+function shown(children: Child[]): (Node | string)[] {
+  return children.filter((child): child is Node | string => Boolean(child));
+}
+
+/** An element of a drawing. */
+export function svg<K extends keyof SVGElementTagNameMap>(tag: K, attributes: Record<string, string | number> = {}, ...children: Node[]): SVGElementTagNameMap[K] {
+  const element = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+  element.append(...children);
   return element;
 }
 
 export function replace(parent: Element, ...children: Child[]): void {
-  keepingFocus(() => parent.replaceChildren(...children.filter((child): child is Node | string => Boolean(child))));
+  keepingFocus(() => parent.replaceChildren(...shown(children)));
 }
 
 /** Exchange what stands in a place; what is awaited there takes the room of what was before, so that nothing moves. */
@@ -37,7 +55,7 @@ const sayings = new WeakMap<Element, () => string>();
 
 /** Words that follow the language for as long as they stand on the page. */
 export function said(words: () => string): HTMLElement {
-  const element = h("span", { className: "said" }, words());
+  const element = h("span.said", words());
   sayings.set(element, words);
   return element;
 }
@@ -47,8 +65,8 @@ export function sayAgain(root: ParentNode): void {
   for (const element of root.querySelectorAll(".said")) element.textContent = sayings.get(element)?.() ?? "";
 }
 
-export function button(text: string, act: () => void, props: Props = {}): HTMLButtonElement {
-  return h("button", { type: "button", onclick: act, ...props }, text);
+export function button(text: string, act: () => void, key: string, props: Props = {}): HTMLButtonElement {
+  return h("button", { type: "button", onclick: act, "data-key": key, ...props }, text);
 }
 
 /** Whether a key is the browser's, or of what has the focus and matches the selector, also in the page of a result. */
@@ -80,17 +98,25 @@ export function numberField(act: (value: number) => void, attributes: Record<str
   } };
 }
 
-/** A labelled slider that says its value with its unit, linear or logarithmic; where it is `typed`, the value is a field before that unit. */
 export interface Slider {
   root: HTMLElement;
   set(value: number): void;
 }
 
-export function slider(
-  label: string,
-  options: { low: number; high: number; step?: number; log?: boolean; show: (v: number) => string; typed?: string; key?: string },
-  act: (value: number) => void,
-): Slider {
+/** From where to where a slider goes, in which steps, and its value in words; where that is `typed`, it is a field before
+ * this unit. */
+export interface Range {
+  low: number;
+  high: number;
+  step?: number;
+  log?: boolean;
+  show: (value: number) => string;
+  typed?: string;
+  key?: string;
+}
+
+/** A labelled slider that says its value with its unit, linear or logarithmic. */
+export function slider(label: string, options: Range, act: (value: number) => void): Slider {
   const id = fresh("slider");
   const to = (v: number) => (options.log ? Math.log(v) : v);
   const from = (v: number) => (options.log ? Math.exp(v) : v);
@@ -105,7 +131,7 @@ export function slider(
     input.setAttribute("aria-valuetext", options.show(value));
     act(value);
   }, { "aria-label": label, "data-key": `${options.key ?? ""}-typed` });
-  const output = field ? h("span", { className: "typed" }, field.root, ` ${options.typed}`) : h("output", { "for": id });
+  const output = field ? h("span.typed", field.root, ` ${options.typed}`) : h("output", { "for": id });
   const say = (value: number) => {
     if (field) field.set(Number(value.toPrecision(4)));
     else output.textContent = options.show(value);
@@ -120,7 +146,7 @@ export function slider(
     if (document.activeElement !== input) input.value = String(to(Math.max(value, options.log ? options.low : -Infinity)));
     say(value);
   };
-  return { root: h("div", { className: "slider" }, h("label", { "for": id }, label), output, input), set };
+  return { root: h("div.slider", h("label", { "for": id }, label), output, input), set };
 }
 
 export function select(label: string, choices: [string, string][], value: string, act: (v: string) => void, key = ""): HTMLElement {
@@ -130,7 +156,13 @@ export function select(label: string, choices: [string, string][], value: string
     { id, "data-key": key, onchange: () => act(box.value) },
     ...choices.map(([v, text]) => h("option", { value: v, selected: v === value }, text)),
   );
-  return h("div", { className: "choice" }, h("label", { "for": id }, label), box);
+  return h("div.choice", h("label", { "for": id }, label), box);
+}
+
+/** Follow the session in a select or a field, unless it has the focus. */
+export function follow(root: ParentNode, key: string, value: string): void {
+  const field = root.querySelector<HTMLSelectElement>(`[data-key=${key}]`);
+  if (field && document.activeElement !== field) field.value = value;
 }
 
 export function digits(value: number, count = 3): string {
@@ -150,9 +182,9 @@ export function plainNumbers(text: string): string {
 }
 
 export function table(header: string[], rows: string[][], className = ""): HTMLElement {
-  const head = header.length ? h("thead", {}, h("tr", {}, ...header.map((text) => h("th", { scope: "col" }, text)))) : null;
-  const body = h("tbody", {}, ...rows.map((row) => h("tr", {}, ...row.map((text) => h("td", {}, text)))));
-  return h("div", { className: "table", tabIndex: 0, "data-key": className && `table-${className}` }, h("table", { className }, head, body));
+  const head = header.length ? h("thead", h("tr", ...header.map((text) => h("th", { scope: "col" }, text)))) : null;
+  const body = h("tbody", ...rows.map((row) => h("tr", ...row.map((text) => h("td", text)))));
+  return h("div.table", { tabIndex: 0, "data-key": className && `table-${className}` }, h("table", { className }, head, body));
 }
 
 /** At most one call each `wait` ms, the last one always. */

@@ -280,8 +280,7 @@ export class LocalSession {
     const setup = { ...this.setup, ...facts.setup, gains: this.setup.controller === "gains" ? this.setup.gains : [] };
     const text = facts.setup && this.recorder.handIn(student, setup, facts.period, this.t, this.result());
     if (!text) return store.hear({ kind: "Notice", level: "error", parts: {}, key: facts.setup ? "noRun" : "noReplay", job: "" });
-    const url = URL.createObjectURL(new Blob([text], { type: "application/json" }));
-    store.hear({ kind: "Made", what: "json", name: "hand-in.json", url });
+    made("hand-in.json", text, "application/json");
   }
 
   /** The traces of the first body, as a log that upright reads. */
@@ -294,7 +293,7 @@ export class LocalSession {
     const head = JSON.stringify({ units: Object.fromEntries(columns.map(([name, u]) => [name, u])), origin });
     const rows = t.map((time, k) => [time, ...columns.map(([, , values]) => values[k])].join());
     const text = [`# upright-log: ${head}`, ["t", ...columns.map(([name]) => name)].join(), ...rows].join("\n") + "\n";
-    store.hear({ kind: "Made", what: "csv", name: "run.csv", url: URL.createObjectURL(new Blob([text], { type: "text/csv" })) });
+    made("run.csv", text, "text/csv");
   }
 
   private strike(what: string, size: number): void {
@@ -397,4 +396,9 @@ export class LocalSession {
     for (const moment of this.kept.slice(shown + 1)) if (moment.t < now.t) store.traces.add(moment);
     store.hear({ ...now, paused: this.paused });
   }
+}
+
+/** A file, to be saved by whoever looks at the page. */
+function made(name: string, text: string, type: string): void {
+  store.hear({ kind: "Made", what: type, name, url: URL.createObjectURL(new Blob([text], { type })) });
 }

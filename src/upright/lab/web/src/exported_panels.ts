@@ -1,23 +1,20 @@
 // What a page without Python has in place of the live lab's panels: robot and room, the link, and what needs Python.
-import { button, degrees, digits, h, replace, select, slider, throttled } from "./dom";
+import { button, degrees, digits, follow, h, replace, select } from "./dom";
 import type { Slider } from "./dom";
 import type { LocalSession } from "./exported";
 import type { Setup } from "./messages";
 import { address } from "./opening";
+import { number } from "./panels";
 import { store } from "./store";
 import { spoken, t, texts } from "./texts";
 
-const change = throttled(60, (part: Partial<Setup>) => store.change(part));
-
 const BRISK = 8; // [rad/s] of the wheels: enough motion for an inertia of each robot of ours, and none of them falls
-
-type Number = "slope" | "noise" | "delay";
 
 /** The robot, its floor and its electronics; the controller stays as it was designed. */
 export class ExportedRobotPanel {
-  root = h("div", { className: "panel-body" });
-  private sliders: [Number, Slider][] = [];
-  private title = h("p", { className: "note" });
+  root = h("div.panel-body");
+  private sliders: [keyof Setup, Slider][] = [];
+  private title = h("p.note");
 
   private ghost: HTMLInputElement | null = null;
   private load: HTMLInputElement | null = null;
@@ -27,22 +24,20 @@ export class ExportedRobotPanel {
   build(): void {
     const robots = (store.catalogue?.robots ?? []).map((r): [string, string] => [r.name, r.name]);
     const choice = select(t("preset"), robots, store.setup.robot, (robot) => store.change({ robot, gains: [], delay: -1 }), "robot");
-    const numeric = (name: Number, label: string, low: number, high: number, step: number, show: (v: number) => string): [Number, Slider] =>
-      [name, slider(label, { low, high, step, show, key: name }, (v) => change({ [name]: v }))];
     this.sliders = [
-      numeric("slope", t("slope"), -0.2, 0.2, 0.005, degrees),
-      numeric("noise", t("noise"), 0, 10, 0.1, (v) => `× ${digits(v, 2)}`),
-      numeric("delay", t("delay"), 0, 0.05, 0.001, (v) => `${digits(v * 1000, 2)} ms`),
+      number("slope", t("slope"), { low: -0.2, high: 0.2, step: 0.005, show: degrees }),
+      number("noise", t("noise"), { low: 0, high: 10, step: 0.1, show: (v) => `× ${digits(v, 2)}` }),
+      number("delay", t("delay"), { low: 0, high: 0.05, step: 0.001, show: (v) => `${digits(v * 1000, 2)} ms` }),
     ];
     const ghost = h("input", { type: "checkbox", id: "ghost", "data-key": "ghost", onchange: () => store.change({ bodies: ghost.checked ? ["nonlinear", "linear"] : ["nonlinear"] }) });
     this.ghost = ghost;
     const load = h("input", { type: "checkbox", id: "load", "data-key": "load", onchange: () => store.change({ payload: load.checked ? 1 : 0 }) });
     this.load = load;
-    const own = button(t("ownKit"), () => store.change({ slope: 0, noise: 1, delay: -1, payload: 0 }), { className: "quiet", "data-key": "own-kit" });
+    const own = button(t("ownKit"), () => store.change({ slope: 0, noise: 1, delay: -1, payload: 0 }), "own-kit", { className: "quiet" });
     replace(
       this.root,
-      h("div", { className: "column" }, choice, this.title, h("label", { "for": "ghost", className: "check" }, ghost, t("ghost")), this.carried),
-      h("div", { className: "column wide" }, h("div", { className: "sliders" }, ...this.sliders.map(([, s]) => s.root), h("p", { className: "note" }, t("stays")), own)),
+      h("div.column", choice, this.title, h("label", { "for": "ghost", className: "check" }, ghost, t("ghost")), this.carried),
+      h("div.column.wide", h("div.sliders", ...this.sliders.map(([, s]) => s.root), h("p.note", t("stays")), own)),
     );
     this.update();
   }
@@ -50,8 +45,7 @@ export class ExportedRobotPanel {
   private carried = h("label", { "for": "load", className: "check" });
 
   update(): void {
-    const box = this.root.querySelector<HTMLSelectElement>("[data-key=robot]");
-    if (box && document.activeElement !== box) box.value = store.setup.robot;
+    follow(this.root, "robot", store.setup.robot);
     if (this.ghost) this.ghost.checked = store.setup.bodies.length > 1;
     const facts = this.session()?.facts;
     const laden = facts?.laden?.look;
@@ -60,24 +54,24 @@ export class ExportedRobotPanel {
     this.title.textContent = facts ? `${spoken(facts.title)} (${t("kit")}: ${facts.kit_name})` : "";
     const longest = this.sliders.find(([name]) => name === "delay")?.[1].root.querySelector("input");
     if (longest) longest.max = String(Math.max(0.05, 2 * (facts?.delay_own ?? 0))); // there is room on both sides of the kit's own
-    for (const [name, s] of this.sliders) s.set(name === "delay" ? (store.changed?.kit.delay ?? 0) : store.setup[name]);
+    for (const [name, s] of this.sliders) s.set(name === "delay" ? (store.changed?.kit.delay ?? 0) : (store.setup[name] as number));
   }
 }
 
 /** A command with a button that copies it. */
 function shell(command: string): HTMLElement {
-  const tokens = command.split(" ").flatMap((token, i) => [i ? " " : "", h("span", { className: "token" }, token)]);
+  const tokens = command.split(" ").flatMap((token, i) => [i ? " " : "", h("span.token", token)]);
   const code = h("code", { tabIndex: 0 }, ...tokens);
   const copy = button(t("copy"), () => {
     getSelection()?.selectAllChildren(code); // to be copied by hand where this may not be done
     void navigator.clipboard?.writeText(command).then(() => (copy.textContent = t("copied")), () => undefined);
-  }, { "aria-label": `${t("copy")}: ${command}`, "data-key": `copy-${command.replace(/\W+/g, "-")}` });
-  return h("div", { className: "shell" }, code, copy);
+  }, `copy-${command.replace(/\W+/g, "-")}`, { "aria-label": `${t("copy")}: ${command}` });
+  return h("div.shell", code, copy);
 }
 
 /** What needs Python, each with its command. */
 export class PythonPanel {
-  root = h("div", { className: "panel-body" });
+  root = h("div.panel-body");
 
   private shown = "";
 
@@ -90,10 +84,10 @@ export class PythonPanel {
     const other = robot === "nxtway-gs" ? "--drive" : "upright example"; // of two ways to a log that one can calibrate from
     const own = texts().python.filter(([, command]) => !command.includes(other)).map(([what, command]) => [what, bare ? command.replace(" -c {controller}", "") : command]);
     const rows = own.filter(([, command]) => !(bare && command.includes("{controller}"))).flatMap(([what, command]) => [
-      h("dt", {}, what),
-      h("dd", {}, shell(command.replace(/\{(\w+)\}/g, (_, name: string) => values[name] ?? ""))),
+      h("dt", what),
+      h("dd", shell(command.replace(/\{(\w+)\}/g, (_, name: string) => values[name] ?? ""))),
     ]);
-    replace(this.root, h("div", { className: "column full" }, h("p", { className: "note" }, t("pythonNote")), shell(t("install")), h("dl", { className: "commands" }, ...rows)));
+    replace(this.root, h("div.column.full", h("p.note", t("pythonNote")), shell(t("install")), h("dl.commands", ...rows)));
   }
 
   update(): void {
@@ -109,5 +103,5 @@ export function linkButton(say: (words: () => string) => void): HTMLElement {
     const words = () => `${t(location.protocol === "file:" ? "lookHere" : "lookCopied")} ${t(kept)}`;
     if (navigator.clipboard) navigator.clipboard.writeText(link).then(() => say(words), shown);
     else shown();
-  }, { "data-key": "look", title: t("lookTip") });
+  }, "look", { title: t("lookTip") });
 }

@@ -1,10 +1,10 @@
 // The room where there is no WebGL: the robot from its side, drawn as SVG, and pushed by dragging all the same.
+import { svg } from "./dom";
 import type { Look, Snapshot } from "./messages";
 import { laneColour } from "./palette";
 import type { Hand, Stage } from "./stage";
 import { forceOf } from "./stage";
 
-const SVG = "http://www.w3.org/2000/svg";
 const FLOOR = 170; // of 200 units of height
 const TALL = 110; // units for the robot's height
 const WIDE = 600; // units of the floor to either side: a room may be wide
@@ -16,10 +16,10 @@ interface Side {
 }
 
 export class Flat implements Stage {
-  readonly element = part("svg", { viewBox: "-200 0 400 200", class: "room flat", role: "img", tabindex: "0" }) as SVGSVGElement;
+  readonly element = svg("svg", { viewBox: "-200 0 400 200", class: "room flat", role: "img", tabindex: "0" });
   private sides: Side[] = [];
-  private ground = part("g"); // floor, robots and arrow, which a slope tilts
-  private arrow = part("path", { class: "arrow" });
+  private ground = svg("g"); // floor, robots and arrow, which a slope tilts
+  private arrow = svg("path", { class: "arrow" });
   private look: Look | null = null;
   private grip: { x: number; height: number } | null = null;
 
@@ -29,14 +29,10 @@ export class Flat implements Stage {
     for (const end of ["pointerup", "pointercancel"]) this.element.addEventListener(end, () => this.up());
   }
 
-  paint(): void {
-    // its colours are those of the style sheet
-  }
-
   furnish(look: Look, bodies: string[]): void {
     this.look = look;
     this.element.replaceChildren(this.ground);
-    this.ground.replaceChildren(part("line", { x1: -WIDE, x2: WIDE, y1: FLOOR, y2: FLOOR, class: "ground" }));
+    this.ground.replaceChildren(svg("line", { x1: -WIDE, x2: WIDE, y1: FLOOR, y2: FLOOR, class: "ground" }));
     this.sides = bodies.map((name, i) => this.side(look, name, i > 0)).reverse();
     for (const side of this.sides) this.ground.append(side.root);
     this.sides.reverse();
@@ -52,15 +48,15 @@ export class Flat implements Stage {
     const [R, H, D] = [look.wheel_radius * unit, look.body_height * unit, look.body_depth * unit];
     const style: Record<string, string | number> = ghost ? { fill: "none", stroke: laneColour(name), "stroke-width": 2, opacity: 0.7 } : {};
     const own: Record<string, string> = ghost ? {} : { fill: laneColour(name) };
-    const body = part("g");
-    body.append(part("rect", { x: -D / 2, y: -H - R * 0.25, width: D, height: H, rx: 3, class: ghost ? "" : "shell", ...style, ...own }));
+    const body = svg("g");
+    body.append(svg("rect", { x: -D / 2, y: -H - R * 0.25, width: D, height: H, rx: 3, class: ghost ? "" : "shell", ...style, ...own }));
     if (look.payload > 0 && !ghost) {
       const [size, up] = [Math.cbrt(look.payload / 2500) * unit, look.payload_height * unit];
-      body.append(part("path", { d: `M0 0V${-up}`, class: "carrier" }), part("rect", { x: -size / 2, y: -up - size / 2, width: size, height: size, class: "payload" }));
+      body.append(svg("path", { d: `M0 0V${-up}`, class: "carrier" }), svg("rect", { x: -size / 2, y: -up - size / 2, width: size, height: size, class: "payload" }));
     }
-    const wheel = part("g");
-    wheel.append(part("circle", { r: R, class: ghost ? "" : "tyre", ...style }), part("path", { d: `M${-R * 0.6} 0H${R * 0.6}M0 ${-R * 0.6}V${R * 0.6}`, class: ghost ? "" : "spokes", ...style }));
-    const root = part("g");
+    const wheel = svg("g");
+    wheel.append(svg("circle", { r: R, class: ghost ? "" : "tyre", ...style }), svg("path", { d: `M${-R * 0.6} 0H${R * 0.6}M0 ${-R * 0.6}V${R * 0.6}`, class: ghost ? "" : "spokes", ...style }));
+    const root = svg("g");
     root.append(body, wheel);
     return { root, body, wheel };
   }
@@ -85,20 +81,8 @@ export class Flat implements Stage {
     this.arrow.setAttribute("d", Math.abs(force) > 0.005 ? `M${x - length - tip} ${y}H${x}m${-tip} -5L${x} ${y}l${-tip} 5` : "");
   }
 
-  draw(): void {
-    // SVG draws itself
-  }
-
   picture(): Promise<Blob | null> {
     return Promise.resolve(new Blob([new XMLSerializer().serializeToString(this.element)], { type: "image/svg+xml" }));
-  }
-
-  turn(): void {
-    // from its side alone
-  }
-
-  zoom(): void {
-    // at one size
   }
 
   grasp(): { x: number; y: number } {
@@ -128,10 +112,4 @@ export class Flat implements Stage {
     this.grip = null;
     this.push({ force: 0, height: 0 });
   }
-}
-
-function part(tag: string, attributes: Record<string, string | number> = {}): SVGElement {
-  const element = document.createElementNS(SVG, tag);
-  for (const [name, value] of Object.entries(attributes)) if (value !== "") element.setAttribute(name, String(value));
-  return element;
 }

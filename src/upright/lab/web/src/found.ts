@@ -6,16 +6,16 @@ import { language, spoken } from "./texts";
 
 /** The first screen of a page. */
 export function first({ verdict, level, title, lead, numbers }: Head): HTMLElement {
-  return h("div", { className: "first" },
-    verdict && h("p", { className: `badge ${level}` }, verdict), title && h("p", {}, h("b", {}, title)),
-    ...lead.map((one) => h("p", { className: "note" }, one)),
-    numbers.length > 0 && h("dl", { className: "facts" }, ...numbers.flatMap(([value, meaning]) => [h("dt", {}, value), h("dd", {}, meaning)])));
+  return h("div.first",
+    verdict && h("p", { className: `badge ${level}` }, verdict), title && h("p", h("b", title)),
+    ...lead.map((one) => h("p.note", one)),
+    numbers.length > 0 && h("dl.facts", ...numbers.flatMap(([value, meaning]) => [h("dt", value), h("dd", meaning)])));
 }
 
 /** The whole page of a result, in the colours of this one, with its folds as the reader has left them; what it names
  * next is at hand where the lab has a button for it. */
 export class ResultPage {
-  private host = h("div", { className: "page" });
+  private host = h("div.page");
   private root = this.host.attachShadow({ mode: "open" });
   private shown: JobResult | null = null;
 
@@ -35,7 +35,7 @@ export class ResultPage {
       if (!Object.hasOwn(acts, verb)) continue;
       const [label, act] = acts[verb];
       next.append(Object.assign(document.createElement("slot"), { name: verb }));
-      this.host.append(button(label, act, { slot: verb, "data-key": `next-${verb}` }));
+      this.host.append(button(label, act, `next-${verb}`, { slot: verb }));
     }
     return this.host;
   }

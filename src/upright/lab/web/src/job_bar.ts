@@ -10,7 +10,7 @@ const AGAIN = 500; // [ms] between two looks at the clock
 export class JobBar {
   readonly root: HTMLElement;
   private done = h("progress", { max: 1 });
-  private words = h("span", { className: "note" });
+  private words = h("span.note");
   private first = { share: 0, at: 0 };
   private left = NaN; // [ms] at the last share
   private share = 0;
@@ -24,7 +24,7 @@ export class JobBar {
     this.done.setAttribute("aria-labelledby", label.id);
     const what = said(() => (keeping ? "" : named(`doing_${job}`)));
     const stop: ClientMessage = { kind: "Cancel", job };
-    this.root = h("div", { className: "bar" }, h("b", {}, label), h("button", { type: "button", onclick: () => store.send(stop), "data-key": `stop-${job}` }, said(() => t("stop"))), this.done, this.words, h("p", { className: "note" }, what));
+    this.root = h("div.bar", h("b", label), h("button", { type: "button", onclick: () => store.send(stop), "data-key": `stop-${job}` }, said(() => t("stop"))), this.done, this.words, h("p.note", what));
     const timer = window.setInterval(() => (this.share < 1 ? this.say() : window.clearInterval(timer)), AGAIN);
     this.say();
   }

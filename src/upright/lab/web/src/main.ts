@@ -10,6 +10,7 @@ import { Line } from "./net";
 import type { State } from "./net";
 import { address, open as openLink } from "./opening";
 import { COMPARISON, ControllerPanel, IdentifyPanel, KeepPanel, KitPanel, lamplight, latestLog, lightWords, RobotPanel } from "./panels";
+import type { Panel } from "./panels";
 import { QUIET } from "./marks";
 import { Replay } from "./replay";
 import { Room } from "./scene";
@@ -23,6 +24,7 @@ import { ClassPanel } from "./board";
 import "./style.css";
 import { LANGUAGES, NAMES, choose, fixed, language, named, sentence, spoken, t, texts, told } from "./texts";
 import { Tour } from "./tour";
+import { designing } from "./verdict";
 
 const TABS = ["Tour", "Controller", "Robot", "Kit", "See", "Identify", "Keep", "Class", "Python"] as const;
 type Tab = (typeof TABS)[number];
@@ -70,25 +72,25 @@ class Page {
   private tab: Tab = this.newcomer ? "Tour" : "Controller";
   private knock = 0.05; // [N s]
   private sizers: Slider[] = [];
-  private sized = h("span", { className: "of" }); // the same on the button
+  private sized = h("span.of"); // the same on the button
   private speed = 1;
   private scrub = h("input", { type: "range", min: "-60", max: "0", step: "0.02", value: "0", className: "scrub", "data-key": "scrub" });
   private pauseButton = h("button", { type: "button", "data-key": "pause" });
-  private status = h("span", { className: "status", role: "status" });
+  private status = h("span.status", { role: "status" });
   private light = h("button", { type: "button", className: "headlight", "data-key": "headlight", onclick: () => this.certificate() });
-  private force = h("div", { className: "force", "aria-hidden": "true" });
-  private fell = h("div", { className: "fell", role: "status" });
-  private toasts = h("div", { className: "toasts", role: "log", "aria-live": "polite" });
-  private spoken = h("p", { className: "hidden", "aria-live": "off" });
-  private tabs = h("div", { className: "tabs", role: "tablist" });
-  private panel = h("div", { className: "panel", role: "tabpanel", tabIndex: -1, id: "panel" });
-  private clock = h("span", { className: "clock" });
+  private force = h("div.force", { "aria-hidden": "true" });
+  private fell = h("div.fell", { role: "status" });
+  private toasts = h("div.toasts", { role: "log", "aria-live": "polite" });
+  private spoken = h("p.hidden", { "aria-live": "off" });
+  private tabs = h("div.tabs", { role: "tablist" });
+  private panel = h("div.panel", { role: "tabpanel", tabIndex: -1, id: "panel" });
+  private clock = h("span.clock");
   private state: State = "connecting";
   private drawn = 0;
   private down: boolean | null = null; // whether the robot lies, as the page says; not known before it is seen
   private lost: (() => string) | null = null; // what made it fall
   private best: Record<string, number> = {}; // [N s] the largest push that was recovered from, of each robot under each controller
-  private most = h("span", { className: "most" });
+  private most = h("span.most");
   private telling = 0;
   private waits = 0;
   private busy = false; // whether a controller was being designed
@@ -149,31 +151,31 @@ class Page {
   /** In a class everybody has a name. */
   private join(token: string): void {
     const name = h("input", { type: "text", id: "name", maxLength: 40, required: true, autocomplete: "name" });
-    const dialog = h("dialog", { className: "join", "aria-label": t("joinTitle") },
+    const dialog = h("dialog.join", { "aria-label": t("joinTitle") },
       h("form", { method: "dialog", onsubmit: (event: Event) => {
         event.preventDefault();
         if (!name.value.trim()) return;
         session.setItem("name", name.value.trim());
         dialog.remove();
         this.connect(token, name.value.trim());
-      } }, h("h2", {}, t("joinTitle")), h("label", { "for": "name" }, t("yourName")), name, h("button", { className: "main" }, t("enter"))));
+      } }, h("h2", t("joinTitle")), h("label", { "for": "name" }, t("yourName")), name, h("button.main", t("enter"))));
     this.app.append(dialog);
     dialog.showModal();
   }
 
   private build(): void {
-    const header = h("header", {},
-      h("a", { className: "skip", href: "#panel", onclick: () => this.panel.focus() }, t("skip")),
-      h("h1", {}, h("span", { className: "mark", "aria-hidden": "true" }), t("title")),
-      h("p", { className: "what" }, t("what")), this.light, h("span", { className: "grow" }), this.clock, this.status,
+    const header = h("header",
+      h("a.skip", { href: "#panel", onclick: () => this.panel.focus() }, t("skip")),
+      h("h1", h("span.mark", { "aria-hidden": "true" }), t("title")),
+      h("p.what", t("what")), this.light, h("span.grow"), this.clock, this.status,
       exported ? linkButton((words) => this.toast(words, "info")) : null,
       select("", NAMES, language(), (key) => this.speak(key), "language"),
-      button("◐", () => this.theme(document.documentElement.dataset.theme === "dark" ? "light" : "dark"), { "aria-label": t("theme"), title: t("theme"), "data-key": "theme" }),
-      button("?", () => this.help(), { "aria-label": t("help"), title: t("help"), "data-key": "help" }));
+      button("◐", () => this.theme(document.documentElement.dataset.theme === "dark" ? "light" : "dark"), "theme", { "aria-label": t("theme"), title: t("theme") }),
+      button("?", () => this.help(), "help", { "aria-label": t("help"), title: t("help") }));
     header.querySelector("select")?.setAttribute("aria-label", "Language / Idioma");
-    const scene = h("section", { className: "scene", "aria-label": t("scene") }, this.room.element, this.force, this.fell, h("p", { className: "hint" }, h("span", {}, t("hint")), this.invitation()), this.charts.slot, this.pushes(), this.transport());
+    const scene = h("section.scene", { "aria-label": t("scene") }, this.room.element, this.force, this.fell, h("p.hint", h("span", t("hint")), this.invitation()), this.charts.slot, this.pushes(), this.transport());
     this.pin(scene);
-    replace(this.app, header, h("main", {}, scene, this.panels(), this.charts.root), this.toasts, this.spoken);
+    replace(this.app, header, h("main", scene, this.panels(), this.charts.root), this.toasts, this.spoken);
     this.lamp();
     if (!store.snapshot && !store.recorded) this.tell(said(() => t("starting")));
     if (store.changed) this.rebuild();
@@ -193,7 +195,7 @@ class Page {
    * without a GPU, which takes seconds to begin, the side view comes first. */
   private furnish(): Stage {
     const push = throttled(33, (hand: Hand) => store.push({ kind: "Drag", force: hand.force, height: hand.height }));
-    const room = () => new Room(h("canvas", { className: "room", tabIndex: 0, role: "img" }), push);
+    const room = () => new Room(h("canvas.room", { tabIndex: 0, role: "img" }), push);
     const { able, quick } = drawing();
     if (able && (quick || !exported)) return room();
     this.deeper = able ? room : null;
@@ -221,7 +223,7 @@ class Page {
     this.room.furnish(changed.look, changed.bodies);
     before.replaceWith(this.room.element);
     if (store.snapshot) this.room.move(store.snapshot);
-    this.room.draw(0); // at once, so that no empty room is seen
+    this.room.draw?.(0); // at once, so that no empty room is seen
   }
 
   /** Do what the address says, as fast as the clock: in slow motion its push would come late. */
@@ -245,29 +247,29 @@ class Page {
     const speeds: [string, string][] = [["0.05", "× 1/20"], ["0.1", "× 1/10"], ["0.25", "× 1/4"], ["0.5", "× 1/2"], ["1", "× 1"]];
     const speed = select(t("speed"), speeds, String(this.speed), (v) => this.run(Number(v), store.snapshot?.paused), "speed");
     speed.querySelector("select")?.setAttribute("aria-label", t("speed"));
-    const step = button(t("step"), () => store.send({ kind: "Step", periods: 1 }), { title: t("stepTip"), "data-key": "step" });
+    const step = button(t("step"), () => store.send({ kind: "Step", periods: 1 }), "step", { title: t("stepTip") });
     const line = t(store.recorded ? "timeLine" : "back");
     this.scrub.setAttribute("aria-label", line);
     if (store.recorded) [this.scrub.min, this.scrub.max] = ["0", String(store.recorded)];
-    const stand = button(t("standUp"), () => this.stand(), { "data-key": "stand" });
-    return h("div", { className: "transport" }, this.pauseButton, step, stand, speed, h("label", { className: "scrubbing" }, h("span", {}, line), this.scrub));
+    const stand = button(t("standUp"), () => this.stand(), "stand");
+    return h("div.transport", this.pauseButton, step, stand, speed, h("label.scrubbing", h("span", line), this.scrub));
   }
 
   private pushes(): HTMLElement {
     const strike = (what: "front" | "back" | "pull_left" | "pull_right", size: number) => () => store.push({ kind: "Strike", what, size });
     const weight = () => store.changed?.look.weight ?? 6;
     const size = this.sizer("knock");
-    const knock = button(t("impulse"), () => this.strike(), { title: t("impulseTip"), className: "main", "data-key": "impulse" });
+    const knock = button(t("impulse"), () => this.strike(), "impulse", { title: t("impulseTip"), className: "main" });
     knock.append(this.sized);
     size.root.insertBefore(this.most, size.root.lastChild);
     this.champion();
-    return h("div", { className: "pushes", role: "group", "aria-label": t("pushes") },
+    return h("div.pushes", { role: "group", "aria-label": t("pushes") },
       knock, size.root,
-      button(t("front"), strike("front", 0.1), { title: t("frontTip"), "data-key": "front" }),
-      button(t("backPush"), strike("back", -0.12), { title: t("backTip"), "data-key": "back" }),
-      button(t("pullLeft"), () => strike("pull_left", 0.25 * weight())(), { title: t("pullTip"), "data-key": "pull_left" }),
-      button(t("pullRight"), () => strike("pull_right", 0.25 * weight())(), { title: t("pullTip"), "data-key": "pull_right" }),
-      button(t("tilt"), () => this.tilt(), { title: t("tiltTip"), "data-key": "tilt" }));
+      button(t("front"), strike("front", 0.1), "front", { title: t("frontTip") }),
+      button(t("backPush"), strike("back", -0.12), "back", { title: t("backTip") }),
+      button(t("pullLeft"), () => strike("pull_left", 0.25 * weight())(), "pull_left", { title: t("pullTip") }),
+      button(t("pullRight"), () => strike("pull_right", 0.25 * weight())(), "pull_right", { title: t("pullTip") }),
+      button(t("tilt"), () => this.tilt(), "tilt", { title: t("tiltTip") }));
   }
 
   /** A slider of the knock's size; every other one goes with it. */
@@ -296,16 +298,9 @@ class Page {
 
   private panels(): HTMLElement {
     const there = exported ? EXPORTED : TABS.filter((tab) => tab !== "Python" && (tab !== "Class" || store.role !== "alone"));
-    const labels: Record<Tab, string> = {
-      Controller: t("tabController"), Robot: t("tabRobot"), Kit: t("tabKit"), See: t("tabSee"), Identify: t("tabIdentify"),
-      Keep: t("tabKeep"), Tour: t("tabTour"), Class: t("tabClass"), Python: t("tabPython"),
-    };
     this.tabs.setAttribute("aria-label", t("tabs"));
-    replace(this.tabs, ...there.map((tab) => button(labels[tab], () => this.bring(tab), {
-      role: "tab", id: `tab-${tab}`, "aria-selected": String(tab === this.tab), "aria-controls": "panel", tabIndex: tab === this.tab ? 0 : -1, "data-key": `tab-${tab}`,
-      onkeydown: (event: KeyboardEvent) => this.along(event, there, tab),
-    })));
-    return h("section", { className: "below" }, this.tabs, this.panel);
+    replace(this.tabs, ...there.map((tab) => button(t(`tab${tab}`), () => this.bring(tab), `tab-${tab}`, { role: "tab", id: `tab-${tab}`, "aria-selected": String(tab === this.tab), "aria-controls": "panel", tabIndex: tab === this.tab ? 0 : -1, onkeydown: (event: KeyboardEvent) => this.along(event, there, tab) })));
+    return h("section.below", this.tabs, this.panel);
   }
 
   private along(event: KeyboardEvent, there: readonly Tab[], tab: Tab): void {
@@ -320,7 +315,7 @@ class Page {
 
   /** For who is here for the first time, where the tour is below the robot. */
   private invitation(): HTMLElement | null {
-    return this.newcomer ? button(t("newHere"), () => this.bring("Tour"), { "data-key": "invitation" }) : null;
+    return this.newcomer ? button(t("newHere"), () => this.bring("Tour"), "invitation") : null;
   }
 
   /** Open a tab; on a phone, where it is below the robot, its first lines come into sight. */
@@ -358,12 +353,15 @@ class Page {
   /** Build the panel of the open tab. */
   private fill(): void {
     if (!store.catalogue || !store.changed) return;
-    const built = { Controller: this.controller, Robot: this.robot, Kit: this.kit, See: this.see, Identify: this.identify, Keep: this.keep, Tour: this.tour, Class: this.classes, Python: this.python }[this.tab];
+    const panel = this.opened();
     keepingFocus(() => {
-      if (exported && built === this.keep) this.keep.buildExported();
-      else built.build();
-      replace(this.panel, built.root);
+      panel.build();
+      replace(this.panel, panel.root);
     });
+  }
+
+  private opened(): Panel {
+    return { Controller: this.controller, Robot: this.robot, Kit: this.kit, See: this.see, Identify: this.identify, Keep: this.keep, Tour: this.tour, Class: this.classes, Python: this.python }[this.tab];
   }
 
   private rebuild(): void {
@@ -394,7 +392,7 @@ class Page {
         if (!this.begun && !exported) this.link();
         this.begun = true;
         if (first) this.fill();
-        else this.update();
+        else this.opened().update?.();
         this.lamp();
         this.champion();
         this.identify.changed();
@@ -403,10 +401,10 @@ class Page {
         if (message.busy !== this.busy) this.rest();
         break;
       }
-      case "Analysed": case "Light": this.lamp(); this.update(); break;
-      case "Equations": if (this.tab === "See") this.see.show(); break;
+      case "Analysed": case "Light": this.lamp(); this.opened().update?.(); break;
+      case "Equations": if (this.tab === "See") this.see.update(); break;
       case "Snapshot": this.transported(); break;
-      case "Progress": if (message.job === "light") { this.lamp(); this.update(); break; } this.identify.progress(message.job, message.fraction); if (message.job === "certify") this.controller.certifying(message.fraction); break;
+      case "Progress": if (message.job === "light") { this.lamp(); this.opened().update?.(); break; } this.identify.progress(message.job, message.fraction); if (message.job === "certify") this.controller.certifying(message.fraction); break;
       case "JobResult": this.identify.found(); if (message === store.certified) this.controller.certify(); if (message !== store.certified || this.tab !== "Controller") this.toast(() => `${named(message.job)} – ${spoken(message.heads).verdict}`, LEVELS[message.heads.en.level]); if (latestLog && this.tab === "Identify") keepingFocus(() => this.identify.build()); break;
       case "Made": if (message.name === COMPARISON) { this.compared(store.files + message.url); break; } this.keep.made(message.name, message.url.startsWith("blob:") ? message.url : store.files + message.url); this.toast(() => t("made", { name: message.name }), "info"); break;
       case "Notice": message.key === "lies" ? this.lie(() => t("lies")) : message.job ? this.failed(message) : this.toast(() => (message.key ? named(message.key) : told(message.parts)), message.level); break;
@@ -415,18 +413,12 @@ class Page {
     }
   }
 
-  private update(): void {
-    if (this.tab === "See") this.see.show();
-    const open = { Controller: this.controller, Robot: this.robot, Kit: this.kit, Python: this.python }[this.tab as "Controller" | "Robot" | "Kit" | "Python"];
-    open?.update();
-  }
-
   private lamp(): void {
     const light = lamplight();
     this.app.classList.toggle("loose", store.falls || (store.changed?.busy ?? false)); // nothing balances it
     if (store.recorded && (store.lit?.light ?? "none") === "none") return replace(this.light);
     this.light.title = `${sentence(lightWords())}. ${t("lightNote")}`;
-    replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span", { className: "word", "aria-hidden": "true" }, light === "none" ? "…" : t(light)), h("span", {}, `${t("certificate")}:`), h("span", {}, lightWords(true)));
+    replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span.word", { "aria-hidden": "true" }, light === "none" ? "…" : t(light)), h("span", `${t("certificate")}:`), h("span", lightWords(true)));
   }
 
   /** Above the robot: what became of a push, for a while; that it fell, until it stands. */
@@ -481,7 +473,6 @@ class Page {
   private rest(): void {
     this.busy = store.changed?.busy ?? false;
     if (this.down) return;
-    const designing = () => [t("designing"), store.setup.controller === "robust" ? t("robustTakes") : ""].join(" ").trim();
     this.tell((this.busy || this.prepared) && said(() => (this.busy ? designing() : t("designed"))));
   }
 
@@ -545,12 +536,11 @@ class Page {
     if (state === "lost" && this.state !== "lost") this.waits = window.setTimeout(() => this.tell(said(() => t("gone"))), SILENT);
     if (state === "connected" && this.state === "lost") this.back();
     this.state = state;
-    const words: Record<State, string> = { connecting: t("connecting"), connected: t("connected"), lost: t("lost"), refused: t("refused"), replaying: t("replaying") };
     this.status.className = `status ${state}`;
-    this.status.textContent = words[state];
+    this.status.textContent = t(state);
     if (state !== "refused") return;
     session.removeItem("name");
-    replace(this.app, h("main", { className: "refused", role: "alert" }, h("h1", {}, t("refused")), h("p", {}, reason()), button("↻", () => location.reload())));
+    replace(this.app, h("main.refused", { role: "alert" }, h("h1", t("refused")), h("p", reason()), button("↻", () => location.reload(), "reload")));
   }
 
   /** The lab answers again. */
@@ -562,7 +552,7 @@ class Page {
 
   private toast(words: () => string, level: "info" | "warn" | "error"): void {
     if (this.toasts.lastElementChild?.firstElementChild?.textContent === words()) return;
-    const close = h("button", { type: "button", onclick: () => toast.remove() }, h("span", { "aria-hidden": "true" }, "×"), h("span", { className: "hidden" }, said(() => t("close"))));
+    const close = h("button", { type: "button", onclick: () => toast.remove() }, h("span", { "aria-hidden": "true" }, "×"), h("span.hidden", said(() => t("close"))));
     const toast = h("div", { className: `toast ${level}` }, said(words), close);
     this.toasts.querySelectorAll(level === "error" ? ".toast.error" : ".toast:not(.error)").forEach((one) => one.remove()); // at most one, and an error
     this.toasts.append(toast);
@@ -583,7 +573,7 @@ class Page {
     const dark = wanted ? wanted === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
     document.documentElement.dataset.theme = dark ? "dark" : "light";
     if (wanted) remembered.setItem("theme", wanted);
-    this.room.paint();
+    this.room.paint?.();
     if (store.changed) this.charts.build();
     if (this.panel.firstChild) this.fill();
   }
@@ -592,10 +582,10 @@ class Page {
     const pushes = (["impulse", "size", "front", "back", "pull", "tilt", "step"] as const).map((key) => [t(key === "pull" ? "pullBoth" : key === "back" ? "backPush" : key), t(`${key}Tip`)]);
     const [robot, floor, finger, ...keys] = texts().keys; // a telephone has neither mouse nor keys
     const hands = matchMedia("(hover: none)").matches ? [finger, ...pushes] : [...pushes, robot, floor, finger, ...keys];
-    const rows = hands.map(([key, what]) => h("tr", {}, h("th", { scope: "row" }, key), h("td", {}, what)));
+    const rows = hands.map(([key, what]) => h("tr", h("th", { scope: "row" }, key), h("td", what)));
     const title = h("h2", { tabIndex: -1 }, t("help"));
-    const dialog = h("dialog", { className: "help", "aria-label": t("help"), onclose: () => dialog.remove() },
-      title, h("table", {}, h("tbody", {}, ...rows)), h("div", { className: "foot" }, button(t("close"), () => dialog.close(), { className: "main" })));
+    const dialog = h("dialog.help", { "aria-label": t("help"), onclose: () => dialog.remove() },
+      title, h("table", h("tbody", ...rows)), h("div.foot", button(t("close"), () => dialog.close(), "close", { className: "main" })));
     this.app.append(dialog);
     dialog.showModal();
     title.focus(); // its first line is seen, not its button at the end
@@ -631,14 +621,14 @@ class Page {
   /** Keys of the room alone. */
   private look(event: KeyboardEvent): void {
     const turns: Record<string, [number, number]> = { "[": [-0.15, 0], "]": [0.15, 0], "{": [0, -0.1], "}": [0, 0.1] };
-    if (event.key in turns) this.room.turn(...turns[event.key]);
-    if (event.key === "+") this.room.zoom(0.9);
-    if (event.key === "-") this.room.zoom(1.1);
+    if (event.key in turns) this.room.turn?.(...turns[event.key]);
+    if (event.key === "+") this.room.zoom?.(0.9);
+    if (event.key === "-") this.room.zoom?.(1.1);
   }
 
   private frame(now: number): void {
     if (store.snapshot) this.room.move(store.snapshot);
-    this.room.draw(now - this.drawn);
+    this.room.draw?.(now - this.drawn);
     if (this.drawnFirst && now > this.seen + SEEN) this.deepen();
     else if (store.snapshot && !this.drawnFirst) [this.drawnFirst, this.seen] = [true, now];
     this.drawn = now;

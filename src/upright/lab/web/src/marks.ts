@@ -21,7 +21,7 @@ function words({ what, size }: Mark): string[] {
 }
 
 export class Marks {
-  root = h("div", { className: "marks" });
+  root = h("div.marks");
   private shown = "";
 
   /** Draw the lines of the pushes in sight, the newest first, and label as many as have room. */

@@ -1,6 +1,4 @@
 // Okabe and Ito's colours, which colour-blind people tell apart; dashes say the same once more.
-export const LANES = ["twin", "nonlinear", "linear", "calibrated", "published"];
-
 const LIGHT: Record<string, string> = {
   twin: "#0072b2", nonlinear: "#d55e00", linear: "#00805c", calibrated: "#a0478a", published: "#6b6b00",
 };

@@ -1,6 +1,6 @@
 // The panels below: controller, robot, kit, what was found, what is kept. Each builds itself from the store.
-import { button, degrees, digits, exchange, fresh, h, keepingFocus, numberField, replace, said, sayAgain, select, slider, table, throttled } from "./dom";
-import type { Slider } from "./dom";
+import { button, degrees, digits, exchange, follow, fresh, h, keepingFocus, numberField, replace, said, sayAgain, select, slider, table, throttled } from "./dom";
+import type { Range, Slider } from "./dom";
 import type { BodyName, Job, JobResult, Keep, Light, Setup, ErrorParts } from "./messages";
 import { exported } from "./exported";
 import { ResultPage, first } from "./found";
@@ -23,26 +23,32 @@ function later(part: Partial<Setup>): void {
   change(gathered);
 }
 
-abstract class Panel {
-  root = h("div", { className: "panel-body" });
-  abstract build(): void;
-  /** Follow what the session says without losing what has the focus. */
-  update(): void {}
+/** A slider of a number of the set-up, with its name. */
+export function number(name: keyof Setup, label: string, options: Range): [keyof Setup, Slider] {
+  return [name, slider(label, { ...options, key: name }, (value) => later({ [name]: value }))];
 }
 
-export class ControllerPanel extends Panel {
-  private noCertificate = h("p", { className: "note column full" }); // in a page that has no certificate
-  private weights = h("div", { className: "sliders" });
-  private numbers = h("div", { className: "numbers" });
-  private gain = h("div", {});
-  private light = h("div", { className: "light", role: "status" });
-  private reasons = h("div", {});
+/** What stands in a tab: `update` follows what the session says without losing what has the focus. */
+export interface Panel {
+  root: HTMLElement;
+  build(): void;
+  update?(): void;
+}
+
+export class ControllerPanel implements Panel {
+  root = h("div.panel-body");
+  private noCertificate = h("p.note.column.full"); // in a page that has no certificate
+  private weights = h("div.sliders");
+  private numbers = h("div.numbers");
+  private gain = h("div");
+  private light = h("div.light", { role: "status" });
+  private reasons = h("div");
   private sliders: Slider[] = [];
   private shape = "";
   private bar: JobBar | null = null;
-  private working = h("div", {});
+  private working = h("div");
   private reported: JobResult | null = null; // in `certified`
-  private certified = h("div", { className: "column full certified", "aria-live": "polite" });
+  private certified = h("div.column.full.certified", { "aria-live": "polite" });
   private page = new ResultPage();
 
   build(): void {
@@ -54,13 +60,13 @@ export class ControllerPanel extends Panel {
       store.change({ controller: v, gains: v === "gains" ? this.present() : store.setup.gains });
       if (v === "off") store.send({ kind: "StandUp", pitch: LEAN }); // or it would stand still for seconds
     }, "controller");
-    const certify = button(t("fullCertificate"), () => store.send({ kind: "Start", job: "certify", file: "" }), { "data-key": "certify" });
+    const certify = button(t("fullCertificate"), () => store.send({ kind: "Start", job: "certify", file: "" }), "certify");
     replace(
       this.root,
-      h("div", { className: "column" }, choice, this.weights),
-      h("div", { className: "column full" }, this.gain),
-      h("div", { className: "column full" }, this.numbers),
-      exported ? this.noCertificate : h("div", { className: "column full" }, this.light, certify, this.working, this.reasons),
+      h("div.column", choice, this.weights),
+      h("div.column.full", this.gain),
+      h("div.column.full", this.numbers),
+      exported ? this.noCertificate : h("div.column.full", this.light, certify, this.working, this.reasons),
       this.certified,
     );
     this.update();
@@ -91,42 +97,41 @@ export class ControllerPanel extends Panel {
     return store.analysed?.gain[0]?.slice(0, 6) ?? [];
   }
 
-  override update(): void {
-    const box = this.root.querySelector<HTMLSelectElement>("[data-key=controller]");
-    if (box && document.activeElement !== box) box.value = store.setup.controller;
-    const shape = `${store.setup.controller} ${store.changed?.look.command_unit} ${store.setup.controller === "gains" ? this.byHand().length : ""}`; // what is known of the loop comes and goes
+  update(): void {
+    follow(this.root, "controller", store.setup.controller);
+    const shape = `${store.setup.controller} ${store.unit} ${store.byHand && this.byHand().length}`; // what is known of the loop comes and goes
     if (shape !== this.shape) this.shapeWeights(shape);
-    this.sliders.forEach((s, i) => s.set(store.setup.controller === "gains" ? (this.byHand()[i] ?? 0) : this.sizes()[i]));
-    const driven = store.setup.controller !== "off";
-    exchange(this.gain, driven && !store.analysed, ...this.gains());
-    exchange(this.numbers, driven && !store.analysed, ...this.analysis());
+    this.sliders.forEach((s, i) => s.set(store.byHand ? (this.byHand()[i] ?? 0) : this.sizes()[i]));
+    exchange(this.gain, !store.off && !store.analysed, ...this.gains());
+    exchange(this.numbers, !store.off && !store.analysed, ...judged());
     replace(this.light, ...light());
-    exchange(this.reasons, driven && !store.lit?.heads.en, reasons());
-    this.noCertificate.textContent = t(["gains", "off"].includes(store.setup.controller) ? "noCertificateByHand" : "noCertificateHere");
+    exchange(this.reasons, !store.off && !store.lit?.heads.en, reasons());
+    this.noCertificate.textContent = t(store.byHand || store.off ? "noCertificateByHand" : "noCertificateHere");
     if (this.reported === store.certified) return;
     this.reported = store.certified;
-    replace(this.certified, ...(this.reported ? [h("p", {}, t("certified")), this.page.show(this.reported)] : []));
+    replace(this.certified, ...(this.reported ? [h("p", t("certified")), this.page.show(this.reported)] : []));
   }
 
   private byHand(): number[] {
     return store.setup.gains.length ? store.setup.gains : this.present();
   }
 
+  private usual(): number[] {
+    return [...(store.catalogue?.largest ?? []), store.catalogue?.command[store.unit] ?? 1];
+  }
+
   private sizes(): number[] {
-    const unit = store.changed?.look.command_unit ?? "V";
-    const usual = [...(store.catalogue?.largest ?? []), store.catalogue?.command[unit] ?? 1];
-    return store.setup.largest.length === usual.length ? store.setup.largest : usual;
+    return store.setup.largest.length ? store.setup.largest : this.usual();
   }
 
   private shapeWeights(shape: string): void {
     this.shape = shape;
     const info = store.catalogue?.families.find((f) => f.name === store.setup.controller);
     this.sliders = [];
-    if (store.setup.controller === "gains") {
+    if (store.byHand) {
       const present = this.byHand();
       const largest = Math.max(...present.map(Math.abs), 0.1);
-      const unit = store.changed?.look.command_unit ?? "V";
-      const per = (i: number) => `${unit}${i % 2 ? " s" : ""}/rad`;
+      const per = (i: number) => `${store.unit}${i % 2 ? " s" : ""}/rad`;
       const reach = (i: number) => Math.max(4 * Math.abs(present[i] ?? 0), largest / 4); // there is room on both sides
       this.sliders = SYMBOLS.map((symbol, i) => slider(`${symbol} ${named(STATES[i])} →\u00a0u`, { low: -reach(i), high: reach(i), step: reach(i) / 500, show: (v) => `${digits(v, 4)} ${per(i)}`, typed: per(i), key: `gain-${i}` }, (v) => {
         const gains = [...(this.byHand().length ? this.byHand() : [0, 0, 0, 0, 0, 0])];
@@ -135,17 +140,16 @@ export class ControllerPanel extends Panel {
       }));
       replace(this.weights, ...this.sliders.map((s) => s.root));
     } else if (info?.weights && !exported) {
-      const usual = [...(store.catalogue?.largest ?? []), store.catalogue?.command[store.changed?.look.command_unit ?? "V"] ?? 1];
-      this.sliders = usual.map((size, i) => this.weight(size, i));
-      const reset = button(t("ownWeights"), () => store.change({ largest: [] }), { className: "quiet", "data-key": "own-weights" });
-      replace(this.weights, h("p", { className: "note" }, t("weights")), ...this.sliders.map((s) => s.root), reset);
+      this.sliders = this.usual().map((size, i) => this.weight(size, i));
+      const reset = button(t("ownWeights"), () => store.change({ largest: [] }), "own-weights", { className: "quiet" });
+      replace(this.weights, h("p.note", t("weights")), ...this.sliders.map((s) => s.root), reset);
     } else {
-      replace(this.weights, store.setup.controller === "off" ? null : h("p", { className: "note" }, t(info?.weights ? "fixedWeights" : "noWeights")));
+      replace(this.weights, !store.off && h("p.note", t(info?.weights ? "fixedWeights" : "noWeights")));
     }
   }
 
   private weight(size: number, i: number): Slider {
-    const unit = i < 6 ? SHOWN_UNITS[i] : ` ${store.changed?.look.command_unit ?? "V"}`;
+    const unit = i < 6 ? SHOWN_UNITS[i] : ` ${store.unit}`;
     const scale = i < 6 ? DEGREES : 1;
     const label = i < 6 ? `${SYMBOLS[i]} ${named(STATES[i])}` : t("command");
     return slider(label, { low: size / 10, high: size * 10, log: true, show: (v) => `${digits(scale * v, 2)}${unit}`, key: `weight-${i}` }, (v) => {
@@ -157,28 +161,21 @@ export class ControllerPanel extends Panel {
 
   private gains(): Node[] {
     const gain = store.analysed?.gain ?? [];
-    if (!gain.length || ["gains", "off"].includes(store.setup.controller)) return [];
-    return [h("h4", {}, t("gain")), table(SYMBOLS, [gain[0].map((v) => digits(v, 3))], "gains"), h("p", { className: "note" }, t("gainNote", { unit: store.changed?.look.command_unit ?? "V" }))];
-  }
-
-  private analysis(): Node[] {
-    const a = store.analysed;
-    if (store.setup.controller === "off") return [h("p", { className: "note" }, t("noLoop"))];
-    if (!a) return [h("p", { className: "note" }, t("designing") + (store.setup.controller === "robust" ? " " + t("robustTakes") : ""))];
-    return judged(a);
+    if (!gain.length || store.byHand || store.off) return [];
+    return [h("h4", t("gain")), table(SYMBOLS, [gain[0].map((v) => digits(v, 3))], "gains"), h("p.note", t("gainNote", { unit: store.unit }))];
   }
 }
 
 /** The light's colour: without a controller, or with an unstable loop, it waits for no certificate. */
 export function lamplight(): Light["light"] {
   const light = store.lit?.light ?? "none";
-  return store.setup.controller === "off" || (light === "none" && store.analysed !== null && unstable(store.analysed)) ? "red" : light;
+  return store.off || (light === "none" && store.analysed !== null && unstable(store.analysed)) ? "red" : light;
 }
 
 /** The light in words, or its colour alone, and of which robot: it is for the robot as its controller was designed. */
 export function lightWords(colour = false): string {
   const { setup, lit, trying, jobs } = store;
-  if (setup.controller === "off") return t("unlitOff");
+  if (store.off) return t("unlitOff");
   if (!lit?.heads.en) {
     if (!trying) return t(jobs.size ? "queued" : "none");
     return colour ? `${(100 * trying.fraction).toFixed(0)} % …` : t("tried", { n: Math.round(trying.fraction * trying.runs), all: trying.runs });
@@ -191,23 +188,24 @@ export function lightWords(colour = false): string {
 
 function light(): Node[] {
   const lamp = h("span", { className: `lamp ${lamplight()}`, "aria-hidden": "true" });
-  return [h("h4", {}, t("certificate")), h("p", { className: "lit" }, lamp, h("b", {}, lightWords()))];
+  return [h("h4", t("certificate")), h("p.lit", lamp, h("b", lightWords()))];
 }
 
 /** Why it has this colour, below the button, which does not move when they arrive; the full certificate says it itself. */
 function reasons(): Node | null {
-  if (store.setup.controller === "off" || store.certified) return null;
+  if (store.off || store.certified) return null;
   if (store.lit?.heads.en) return first({ ...spoken(store.lit.heads), verdict: "" });
-  return store.jobs.size ? null : h("p", { className: "note" }, t("lightNote"));
+  return store.jobs.size ? null : h("p.note", t("lightNote"));
 }
 
-export class RobotPanel extends Panel {
+export class RobotPanel implements Panel {
+  root = h("div.panel-body");
   private sliders: [keyof Setup, Slider][] = [];
-  private table = h("div", { className: "parameters" });
+  private table = h("div.parameters");
   private fields = new Map<string, ReturnType<typeof numberField>>();
   private shown = "";
   private opened = false;
-  private title = h("p", { className: "note" });
+  private title = h("p.note");
 
   build(): void {
     this.shown = "";
@@ -216,18 +214,18 @@ export class RobotPanel extends Panel {
     if (!robots.some(([name]) => name === store.setup.robot)) robots.push([store.setup.robot, store.setup.robot]);
     const preset = select(t("preset"), robots, store.setup.robot, (v) => this.choose(v), "robot");
     this.sliders = [
-      ["payload", slider(t("payload"), { low: 0, high: this.weight(), step: 0.005, show: (v) => `${digits(v * 1000, 3)} g`, key: "payload" }, (v) => later({ payload: v }))],
-      ["payload_height", slider(t("payloadHeight"), { low: 0, high: 0.5, step: 0.005, show: (v) => `${digits(v * 100, 3)} cm`, key: "payload_height" }, (v) => later({ payload_height: v }))],
-      ["slope", slider(t("slope"), { low: -0.2, high: 0.2, step: 0.005, show: degrees, key: "slope" }, (v) => later({ slope: v }))],
-      ["grip", slider(t("grip"), { low: 0.02, high: 10, log: true, show: (v) => digits(v, 2), key: "grip" }, (v) => later({ grip: v }))],
+      number("payload", t("payload"), { low: 0, high: this.weight(), step: 0.005, show: (v) => `${digits(v * 1000, 3)} g` }),
+      number("payload_height", t("payloadHeight"), { low: 0, high: 0.5, step: 0.005, show: (v) => `${digits(v * 100, 3)} cm` }),
+      number("slope", t("slope"), { low: -0.2, high: 0.2, step: 0.005, show: degrees }),
+      number("grip", t("grip"), { low: 0.02, high: 10, log: true, show: (v) => digits(v, 2) }),
     ];
-    const details = h("details", { open: this.opened, ontoggle: () => (this.opened = details.open) }, h("summary", {}, t("numbers")), h("p", { className: "note" }, t("numbersNote")), this.table);
+    const details = h("details", { open: this.opened, ontoggle: () => (this.opened = details.open) }, h("summary", t("numbers")), h("p.note", t("numbersNote")), this.table);
     replace(
       this.root,
-      h("div", { className: "column" }, preset, this.title, upload(t("openRobot"), ".toml", "robot")),
-      h("div", { className: "column" }, h("div", { className: "sliders" }, ...this.sliders.map(([, s]) => s.root))),
-      h("div", { className: "column" }, this.bodies()),
-      h("div", { className: "column full" }, details),
+      h("div.column", preset, this.title, upload(t("openRobot"), ".toml", "robot")),
+      h("div.column", h("div.sliders", ...this.sliders.map(([, s]) => s.root))),
+      h("div.column", this.bodies()),
+      h("div.column.full", details),
     );
     this.update();
   }
@@ -252,10 +250,10 @@ export class RobotPanel extends Panel {
       } });
       return h("label", { "for": id, className: "check" }, box, legendEntry(name));
     });
-    return h("fieldset", {}, h("legend", {}, t("bodies")), ...boxes);
+    return h("fieldset", h("legend", t("bodies")), ...boxes);
   }
 
-  override update(): void {
+  update(): void {
     for (const [name, s] of this.sliders) s.set(store.setup[name] as number);
     const info = store.catalogue?.robots.find((r) => r.name === store.setup.robot);
     this.title.textContent = info ? spoken(info.title) : "";
@@ -277,44 +275,48 @@ export class RobotPanel extends Panel {
       const field = numberField((v) => store.change({ numbers: { ...store.setup.numbers, [name]: v } }), { id, "data-key": `number-${name}` });
       this.fields.set(name, field);
       const symbol = store.catalogue?.symbols[name] ?? "";
-      return h("div", { className: "parameter" }, h("label", { "for": id }, `${spoken(store.catalogue?.names ?? {})?.[name] ?? name} ${symbol}`), field.root, h("span", {}, (store.catalogue?.units[name] ?? "").replace(/^1$/, "")));
+      return h("div.parameter", h("label", { "for": id }, `${spoken(store.catalogue?.names ?? {})?.[name] ?? name} ${symbol}`), field.root, h("span", (store.catalogue?.units[name] ?? "").replace(/^1$/, "")));
     });
     this.fields.forEach((field, name) => field.set(values[name]));
-    replace(this.table, ...rows, button(t("ownNumbers"), () => store.change({ numbers: {}, drive: "" }), { className: "quiet", "data-key": "own-numbers" }));
+    replace(this.table, ...rows, button(t("ownNumbers"), () => store.change({ numbers: {}, drive: "" }), "own-numbers", { className: "quiet" }));
   }
 }
 
-export class KitPanel extends Panel {
-  private sliders: [string, Slider][] = [];
-  private anew = h("p", { className: "note" });
+export class KitPanel implements Panel {
+  root = h("div.panel-body");
+  private sliders: [keyof Setup, Slider][] = [];
+  private anew = h("p.note");
 
   build(): void {
     const kits = (store.catalogue?.kits ?? []).map((name): [string, string] => [name, name === "ideal" ? t("ideal") : name]);
     const choice = select(t("kit"), kits, store.setup.kit, (v) => store.change({ kit: v, delay: -1, voltage: -1, dead_zone: -1, noise: 1 }), "kit");
-    const unit = store.changed?.look.command_unit ?? "V";
+    const { unit } = store;
     this.sliders = [
-      ["noise", slider(t("noise"), { low: 0, high: 10, step: 0.1, show: (v) => `× ${digits(v, 2)}`, key: "noise" }, (v) => later({ noise: v }))],
-      ["delay", slider(t("delay"), { low: 0, high: 0.04, step: 0.002, show: (v) => `${digits(v * 1000, 2)} ms`, key: "delay" }, (v) => later({ delay: v }))],
-      ["voltage", slider(t("voltage"), { low: 1, high: 14, step: 0.1, show: (v) => (v > 0 ? `${digits(v, 3)} V` : t("unlimited")), key: "voltage" }, (v) => later({ voltage: v }))],
-      ["dead_zone", slider(t("deadZone"), { low: 0, high: unit === "V" ? 2 : 0.1, show: (v) => `${digits(v, 2)} ${unit}`, key: "dead_zone" }, (v) => later({ dead_zone: v }))],
+      number("noise", t("noise"), { low: 0, high: 10, step: 0.1, show: (v) => `× ${digits(v, 2)}` }),
+      number("delay", t("delay"), { low: 0, high: 0.04, step: 0.002, show: (v) => `${digits(v * 1000, 2)} ms` }),
+      number("voltage", t("voltage"), { low: 1, high: 14, step: 0.1, show: (v) => (v > 0 ? `${digits(v, 3)} V` : t("unlimited")) }),
+      number("dead_zone", t("deadZone"), { low: 0, high: unit === "V" ? 2 : 0.1, show: (v) => `${digits(v, 2)} ${unit}` }),
     ];
-    const own = button(t("ownKit"), () => store.change({ noise: 1, delay: -1, voltage: -1, dead_zone: -1 }), { className: "quiet", "data-key": "own-kit" });
-    replace(this.root, h("div", { className: "column" }, choice, own), h("div", { className: "column wide" }, h("div", { className: "sliders" }, ...this.sliders.map(([, s]) => s.root)), this.anew));
+    const own = button(t("ownKit"), () => store.change({ noise: 1, delay: -1, voltage: -1, dead_zone: -1 }), "own-kit", { className: "quiet" });
+    replace(this.root, h("div.column", choice, own), h("div.column.wide", h("div.sliders", ...this.sliders.map(([, s]) => s.root)), this.anew));
     this.update();
   }
 
-  override update(): void {
+  update(): void {
     const kit = store.changed?.kit ?? {};
     for (const [name, s] of this.sliders) s.set(name === "noise" ? store.setup.noise : kit[name]);
-    this.anew.textContent = ["gains", "off"].includes(store.setup.controller) ? "" : t("redesigned");
-    const box = this.root.querySelector<HTMLSelectElement>("[data-key=kit]");
-    if (box && document.activeElement !== box) box.value = store.setup.kit;
+    this.anew.textContent = store.byHand || store.off ? "" : t("redesigned");
+    follow(this.root, "kit", store.setup.kit);
   }
 }
 
 /** Have a file made, which is downloaded then. */
 function save(what: Keep, name = ""): void {
   store.send({ kind: "Save", what, name, language: language() });
+}
+
+function kept(what: Keep, text: string): HTMLElement {
+  return button(text, () => save(what), `keep-${what}`);
 }
 
 /** A file to be sent to the session's folder. */
@@ -325,7 +327,7 @@ function upload(label: string, accept: string, what: "log" | "robot"): HTMLEleme
     input.value = "";
     if (file) void send(file, what);
   } });
-  return h("div", { className: "upload" }, input, h("label", { "for": id, className: "button" }, label));
+  return h("div.upload", input, h("label", { "for": id, className: "button" }, label));
 }
 
 export let latestLog = "";
@@ -349,20 +351,19 @@ async function send(file: File, what: "log" | "robot"): Promise<void> {
 
 export const COMPARISON = "compare.html"; // as lab/recording.py names it
 
-export class IdentifyPanel extends Panel {
-  private bars = h("div", { className: "bars" });
-  private result = h("div", { className: "result", role: "region", "aria-live": "polite" });
-  private shares = new Map<Job, number>();
+export class IdentifyPanel implements Panel {
+  root = h("div.panel-body");
+  private bars = h("div.bars");
+  private result = h("div.result", { role: "region", "aria-live": "polite" });
   private running = new Map<Job, JobBar>();
   private source = "";
-  private comparison = h("p", { className: "comparison", role: "status" });
+  private comparison = h("p.comparison", { role: "status" });
   private robot = ""; // of the comparison, and of what failed
-  private failed = h("p", { className: "failed", role: "alert" });
+  private failed = h("p.failed", { role: "alert" });
   private load = 0; // [kg] that the run carried whose calibration was begun
   private page = new ResultPage((job) => this.next(job));
 
   constructor() {
-    super();
     opened = () => keepingFocus(() => this.build());
   }
 
@@ -372,18 +373,18 @@ export class IdentifyPanel extends Panel {
     if (latestLog) this.source = latestLog;
     const source = select(t("source"), choices, this.source, (v) => (this.source = v), "source");
     const row = h(
-      "div", { className: "row" },
-      button(t("doctor"), () => this.start("doctor"), { title: t("doctorTip"), "data-key": "doctor" }),
-      button(t("calibrate"), () => this.start("calibrate"), { title: t("calibrateTip"), "data-key": "calibrate" }),
-      button(t("compare"), () => this.compare(), { title: t("compareTip"), "data-key": "compare" }),
+      "div.row",
+      button(t("doctor"), () => this.start("doctor"), "doctor", { title: t("doctorTip") }),
+      button(t("calibrate"), () => this.start("calibrate"), "calibrate", { title: t("calibrateTip") }),
+      button(t("compare"), () => this.compare(), "compare", { title: t("compareTip") }),
     );
     const logs = ".csv,.txt,.log,.tsv,.dat,.json,.mat,.parquet,.mcap";
     this.changed();
     for (const words of [this.comparison, this.failed]) sayAgain(words);
     replace(
       this.root,
-      h("div", { className: "column" }, source, upload(t("openLog"), logs, "log"), row, this.failed, this.comparison, h("p", { className: "note" }, t("calibrateNote")), this.bars),
-      h("div", { className: "column wide" }, this.result),
+      h("div.column", source, upload(t("openLog"), logs, "log"), row, this.failed, this.comparison, h("p.note", t("calibrateNote")), this.bars),
+      h("div.column.wide", this.result),
     );
     this.found();
   }
@@ -397,7 +398,7 @@ export class IdentifyPanel extends Panel {
   /** A job has stopped; it is said under its button until another one begins. */
   fail(words: () => string, verb: string): void {
     this.robot = store.setup.robot;
-    replace(this.failed, said(words), verb === "doctor" && button(t("doctor"), () => this.start("doctor"), { "data-key": "next-doctor" }));
+    replace(this.failed, said(words), verb === "doctor" && button(t("doctor"), () => this.start("doctor"), "next-doctor"));
     this.failed.scrollIntoView({ block: "nearest" });
   }
 
@@ -410,7 +411,7 @@ export class IdentifyPanel extends Panel {
     this.robot = store.setup.robot;
     replace(this.failed);
     save("compare", this.source);
-    const key = [...this.shares.keys()].some((job) => job !== "design") ? "compareWaits" : "comparing";
+    const key = store.jobs.size ? "compareWaits" : "comparing";
     replace(this.comparison, said(() => t(key)));
   }
 
@@ -427,15 +428,16 @@ export class IdentifyPanel extends Panel {
       if (share >= 1 && !this.comparison.querySelector("a")) replace(this.comparison); // it failed, as a notice says
       return;
     }
-    if (share >= 1) this.shares.delete(job);
-    else this.shares.set(job, share);
     if (job === "design") return;
     const bar = this.running.get(job) ?? new JobBar(job);
     bar.to(share);
-    if (share >= 1) bar.root.remove();
-    else if (!this.running.has(job)) this.bars.append(bar.root); // it stays where it is: so does its Stop
-    if (share >= 1) this.running.delete(job);
-    else this.running.set(job, bar);
+    if (share >= 1) {
+      bar.root.remove();
+      this.running.delete(job);
+    } else if (!this.running.has(job)) {
+      this.bars.append(bar.root); // it stays where it is: so does its Stop
+      this.running.set(job, bar);
+    }
   }
 
   /** What a page may name next and the lab has a button for: a calibration that is to be written is there already. */
@@ -448,41 +450,38 @@ export class IdentifyPanel extends Panel {
     const f = store.found;
     if (!f) return;
     const laden = f.job === "calibrate" && this.load > 0;
-    replace(this.result, laden && h("p", { className: "verdict bad" }, h("b", {}, t("calibratedLaden", { mass: digits(this.load * 1000, 3) }))), this.page.show(f));
+    replace(this.result, laden && h("p.verdict.bad", h("b", t("calibratedLaden", { mass: digits(this.load * 1000, 3) }))), this.page.show(f));
   }
 }
 
-export class KeepPanel extends Panel {
+export class KeepPanel implements Panel {
+  root = h("div.panel-body");
   private files = new Map<string, HTMLElement>();
-  private saved = h("p", { className: "saved" });
-  private linked = h("div", {});
-  private links = h("div", { className: "links", role: "status" }, this.linked, this.saved);
+  private saved = h("p.saved");
+  private linked = h("div");
+  private links = h("div.links", { role: "status" }, this.linked, this.saved);
 
-  constructor(private picture: () => Promise<Blob | null>) {
-    super();
-  }
-
-  /** Without Python there are the traces, the picture and the hand-in to keep. */
-  buildExported(): void {
-    sayAgain(this.links);
-    const csv = button(t("csv"), () => save("csv"), { "data-key": "keep-csv" });
-    replace(this.root, h("div", { className: "column wide" },
-      h("p", { className: "note" }, t("csvNote")), h("div", { className: "row" }, csv, this.pictureButton()), h("p", { className: "note" }, t("keepLive")),
-      h("p", { className: "note" }, t("handInNote")), this.handIn(), this.links));
-  }
+  constructor(private picture: () => Promise<Blob | null>) {}
 
   build(): void {
     sayAgain(this.links);
-    const kinds: [string, [Keep, string][]][] = [
-      [t("keepData"), [["csv", t("csv")], ["parquet", t("parquet")]]], [t("keepPages"), [["report", t("report")], ["replay", t("replay")]]],
-      [t("keepFiles"), [["controller", t("controllerFile")], ["robot", t("robotFile")]]],
+    const there = exported ? this.withoutPython() : this.withPython();
+    replace(this.root, h("div.column.wide", ...there, h("p.note", t("handInNote")), this.handIn(), this.links));
+  }
+
+  private withoutPython(): Node[] {
+    return [h("p.note", t("csvNote")), h("div.row", kept("csv", t("csv")), this.pictureButton()), h("p.note", t("keepLive"))];
+  }
+
+  private withPython(): Node[] {
+    const group = (title: string, ...buttons: Node[]) => h("div", h("h4", title), h("div.row", ...buttons));
+    return [
+      h("p.note", t("keepNote")),
+      group(t("keepData"), kept("csv", t("csv")), kept("parquet", t("parquet"))),
+      group(t("keepPages"), kept("report", t("report")), kept("replay", t("replay"))),
+      group(t("keepFiles"), kept("controller", t("controllerFile")), kept("robot", t("robotFile"))),
+      group(t("keepShow"), this.pictureButton(), button(t("link"), () => void this.copy(), "link")),
     ];
-    const kept = ([what, text]: [Keep, string]) => button(text, () => save(what), { "data-key": `keep-${what}` });
-    const group = (title: string, ...buttons: Node[]) => h("div", {}, h("h4", {}, title), h("div", { className: "row" }, ...buttons));
-    const link = button(t("link"), () => void this.copy(), { "data-key": "link" });
-    replace(this.root, h("div", { className: "column wide" },
-      h("p", { className: "note" }, t("keepNote")), ...kinds.map(([title, some]) => group(title, ...some.map(kept))), group(t("keepShow"), this.pictureButton(), link),
-      h("p", { className: "note" }, t("handInNote")), this.handIn(), this.links));
   }
 
   /** The run as set-up and actions, under the student's name. */
@@ -496,11 +495,11 @@ export class KeepPanel extends Panel {
         store.say(() => t("nameMissing"));
       }
     };
-    return h("div", { className: "row hand-in" }, h("label", { "for": id }, t("yourName")), name, button(t("handIn"), send, { "data-key": "keep-handin" }));
+    return h("div.row.hand-in", h("label", { "for": id }, t("yourName")), name, button(t("handIn"), send, "keep-handin"));
   }
 
   private pictureButton(): HTMLElement {
-    return button(t("picture"), () => void this.photograph(), { "data-key": "picture" });
+    return button(t("picture"), () => void this.photograph(), "picture");
   }
 
   private async photograph(): Promise<void> {
@@ -515,7 +514,7 @@ export class KeepPanel extends Panel {
     const words = () => `${t(HERE.includes(location.hostname) ? "linkHere" : "linkCopied")} ${t(kept)}`;
     store.say(words);
     const field = h("input", { readOnly: true, value: link, "aria-label": t("link"), className: "address" });
-    replace(this.linked, h("p", { className: "note" }, said(words)), field);
+    replace(this.linked, h("p.note", said(words)), field);
     field.select();
   }
 

@@ -7,7 +7,6 @@ import {
 import type { Material } from "three";
 import type { Look, Snapshot } from "./messages";
 import { ink, laneColour } from "./palette";
-import { ghostPlace } from "./places";
 import { forceOf, sizeOf } from "./stage";
 import type { Hand, Stage } from "./stage";
 
@@ -15,6 +14,11 @@ const FOLLOWED = 120; // [ms] in which the camera makes up most of what it is be
 const CELL = 0.1; // [m] of the floor's grid
 const REPEAT = 60;
 const PICTURE = 1920; // [pixels] of the width of a picture that is kept
+
+/** How far a ghost stands beside the robot [m]: in a row behind it, away from where the camera is at first. */
+function ghostPlace(index: number, track: number): number {
+  return -index * track * 1.55;
+}
 
 /** One robot: yaw round its axle's middle, body pitching, wheels rolling. */
 class Figure {

@@ -13,23 +13,23 @@ const SECONDS = 8;
 const RATES = ["ψ̇", "ψ̈", "θ̇", "θ̈", "φ̇", "φ̈"];
 
 export class See {
-  root = h("div", { className: "see" });
+  root = h("div.see");
   private view: View = "loop";
-  private stage = h("div", { className: "stage" });
+  private stage = h("div.stage");
   private strips: Strip[] = [];
 
   build(): void {
     const choices = VIEWS.map((view): [string, string] => [view, t(view)]);
     const choice = select(t("viewLabel"), choices, this.view, (view) => {
       this.view = view as View;
-      this.show();
+      this.update();
     }, "view");
     replace(this.root, choice, this.stage);
-    this.show();
+    this.update();
   }
 
   /** What only changes when the session says so. */
-  show(): void {
+  update(): void {
     this.strips = [];
     if (this.view === "loop") replace(this.stage, ...this.loop());
     else if (this.view === "equations") replace(this.stage, ...equations());
@@ -44,8 +44,7 @@ export class See {
     if (!this.strips.length) return;
     const traces = store.traces;
     const end = traces.t.at(-1) ?? 0;
-    let first = traces.t.length;
-    while (first > 0 && traces.t[first - 1] >= end - SECONDS) first -= 1;
+    const first = traces.since(end - SECONDS);
     const time = traces.t.slice(first);
     const cut = (line: number[]) => line.slice(first);
     if (this.view === "estimate") {
@@ -58,17 +57,17 @@ export class See {
 
   private voltages(): void {
     const { text, push } = ink();
-    const unit = store.changed?.look.command_unit ?? "V";
+    const { unit } = store;
     this.strips = [t("leftMotor"), t("rightMotor")].map(
       (side) => new Strip(side, unit, [{ label: side, colour: text, dash: [] }, { label: t("saturated"), colour: push, dash: [], width: 5 }], 150, 1),
     );
-    const note = h("p", { className: "note" }, unit === "V" ? t("voltagesNote") : t("torquesNote"));
+    const note = h("p.note", unit === "V" ? t("voltagesNote") : t("torquesNote"));
     replace(this.stage, note, ...this.strips.map((s) => s.root));
   }
 
   private estimate(): void {
     if (!store.snapshot?.e.length) {
-      replace(this.stage, h("p", { className: "note" }, t("noEstimate")));
+      replace(this.stage, h("p.note", t("noEstimate")));
       return;
     }
     const { push } = ink();
@@ -77,14 +76,13 @@ export class See {
       { label: t("opinion"), colour: push, dash: [4, 3] },
     ];
     this.strips = [new Strip(`ψ: ${t("truth")} ──  ${t("opinion")} ╌╌`, "°", lines, 190, 1)];
-    replace(this.stage, h("p", { className: "note" }, t("estimateNote")), this.strips[0].root);
+    replace(this.stage, h("p.note", t("estimateNote")), this.strips[0].root);
   }
 
   private portrait(): void {
-    const { t: time, x } = store.traces;
-    const start = (time.at(-1) ?? 0) - SECONDS;
-    let first = time.length;
-    while (first > 0 && time[first - 1] >= start) first -= 1;
+    const { traces } = store;
+    const { t: time, x } = traces;
+    const first = traces.since((time.at(-1) ?? 0) - SECONDS);
     const plane = (state: number, least: [number, number]) => {
       const lines = x.map((body, i) => {
         const name = store.changed?.bodies[i] ?? "";
@@ -103,13 +101,12 @@ export class See {
   }
 
   private loop(): Node[] {
-    const found = store.analysed;
-    if (store.setup.controller === "off") return [h("p", { className: "note" }, t("noLoop"))];
-    if (!found) return [h("p", { className: "note" }, t("designing"))];
+    const { analysed } = store;
+    const drawings: Node[] = judged();
+    if (!analysed || store.off) return drawings;
     const colour = laneColour("twin");
-    const drawings: Node[] = judged(found);
-    if (found.L.length === 3) drawings.push(...frequency(found.L, colour));
-    if (found.poles.length) drawings.push(poles(found.poles, colour));
+    if (analysed.L.length === 3) drawings.push(...frequency(analysed.L, colour));
+    if (analysed.poles.length) drawings.push(poles(analysed.poles, colour));
     return drawings;
   }
 }
@@ -121,7 +118,7 @@ function frequency([omega, re, im]: number[][], colour: string): Node[] {
   const range = (v: number[], pad: number): [number, number] => [Math.min(...v) - pad, Math.max(...v) + pad];
   const bode = (yLabel: string, y: number[], pad: number, mark: number): Node[] => [
     drawing({ title: t("bode"), xLabel: "ω [rad/s]", yLabel, lines: [{ x: omega, y, colour }], x, y: range(y, pad), logX: true, marks: [{ y: mark }], read: true }),
-    h("output", {}),
+    h("output"),
   ];
   const mirrored = im.map((v) => -v);
   const nyquist = drawing({
@@ -139,7 +136,7 @@ function poles(all: number[][], colour: string): HTMLElement {
 }
 
 function titled(title: string, ...drawings: Node[]): HTMLElement {
-  return h("figure", { className: "titled", "aria-label": title }, h("figcaption", {}, title), ...drawings);
+  return h("figure.titled", { "aria-label": title }, h("figcaption", title), ...drawings);
 }
 
 function unwrapped(phase: number[]): number[] {
@@ -157,7 +154,7 @@ function equations(): Node[] {
   const [alpha, beta, weight, lever] = [e.alpha, e.beta, e.weight, e.lever].map((v) => digits(v, 4));
   const [swing, half] = [digits(e.swing, 4), digits(e.half_track, 4)];
   const a12 = `(${lever} cos ψ − ${digits(e.lever - e.inertias[1], 3)})`;
-  const held = store.changed?.look.command_unit === "rad/s"; // wheels turn as commanded, and torques follow
+  const held = store.unit === "rad/s"; // wheels turn as commanded, and torques follow
   const [gain, left, right] = held ? ["", "τ_l", "τ_r"] : [`${alpha} `, "v_l", "v_r"];
   const [volts, slip] = [`${gain}(${left} + ${right})`, `2·${beta} (θ̇ − ψ̇)`];
   const lines = [
@@ -169,9 +166,9 @@ function equations(): Node[] {
   const matrix = (name: string, M: number[][]) => table([name, ...M[0].map((_, i) => (name === "A" ? SYMBOLS[i] : ["v_l", "v_r"][i]))], M.map((row, i) => [RATES[i], ...row.map((v) => digits(v, 4))]), "matrix");
   const open = e.poles.map(([re, im]) => digits(re, 4) + (im ? ` ± ${digits(Math.abs(im), 3)}j` : "")).join(";  ");
   return [
-    h("div", { className: "equations" }, ...lines.map((line) => h("div", {}, line))),
-    h("p", { className: "note" }, t("equationsNote")),
-    h("p", {}, `${t("openPoles")}: ${open} 1/s`),
-    h("h4", {}, t("linearised")), matrix("A", e.A), matrix("B", e.B),
+    h("div.equations", ...lines.map((line) => h("div", line))),
+    h("p.note", t("equationsNote")),
+    h("p", `${t("openPoles")}: ${open} 1/s`),
+    h("h4", t("linearised")), matrix("A", e.A), matrix("B", e.B),
   ];
 }

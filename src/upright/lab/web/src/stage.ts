@@ -11,13 +11,13 @@ export interface Hand {
 
 export interface Stage {
   readonly element: HTMLElement | SVGElement;
-  paint(): void;
+  paint?(): void;
   furnish(look: Look, bodies: string[]): void;
   move(s: Snapshot): void;
-  draw(elapsed: number): void;
+  draw?(elapsed: number): void;
   picture(words: string): Promise<Blob | null>;
-  turn(azimuth: number, height: number): void;
-  zoom(factor: number): void;
+  turn?(azimuth: number, height: number): void;
+  zoom?(factor: number): void;
   /** Where the middle of the robot's body is [CSS pixels from the upper left], for whoever wants to grasp it. */
   grasp(): { x: number; y: number };
 }

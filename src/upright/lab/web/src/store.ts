@@ -60,6 +60,11 @@ export class Traces {
     this.other = false;
   }
 
+  /** Where the samples from t [s] on begin. */
+  since(t: number): number {
+    return this.t.findLastIndex((time) => time < t) + 1;
+  }
+
   reset(bodies: number): void {
     this.from = -Infinity;
     this.t = [];
@@ -96,7 +101,7 @@ export class Traces {
   }
 
   private pop(): void {
-    for (const trace of [this.t, ...this.x.flat(), this.estimate, ...this.volts, this.saturated]) trace.pop();
+    for (const trace of this.all()) trace.pop();
     this.other = true;
   }
 
@@ -134,8 +139,7 @@ export class Traces {
 
   /** Forget everything from time t on: the session went back. */
   until(t: number): void {
-    let keep = this.t.length;
-    while (keep > 0 && this.t[keep - 1] >= t) keep -= 1;
+    const keep = this.since(t);
     for (const trace of this.all()) trace.length = keep;
     this.marks = this.marks.filter((mark) => mark.t < t);
   }
@@ -191,7 +195,21 @@ export class Store {
 
   /** Whether nothing balances the robot: upright it would stand for seconds. */
   get falls(): boolean {
-    return this.setup.controller === "off" || this.analysed?.stable === false;
+    return this.off || this.analysed?.stable === false;
+  }
+
+  get off(): boolean {
+    return this.setup.controller === "off";
+  }
+
+  /** Whether its six gains are set by hand. */
+  get byHand(): boolean {
+    return this.setup.controller === "gains";
+  }
+
+  /** Of a command. */
+  get unit(): string {
+    return this.changed?.look.command_unit ?? "V";
   }
 
   /** Begin with empty curves: `act` stands the robot up to another run. */

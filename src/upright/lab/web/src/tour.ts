@@ -55,7 +55,7 @@ const SCENES: Scene[] = [
 const STEPS = SCENES.map((scene, i) => ({ scene, i })).filter(({ scene }) => !(exported && scene.live));
 
 export class Tour {
-  root = h("div", { className: "panel-body tour" });
+  root = h("div.panel-body.tour");
   private at = 0;
   private before: Setup | null = null; // the tour
   private awaits = false; // whether the run that was prepared begins once its controller is designed
@@ -67,30 +67,30 @@ export class Tour {
     const { here, ...there }: Step = texts().tour[i];
     const models = i === 0 && !store.setup.bodies.includes("twin"); // as a class begins
     const step = { ...there, ...((exported || models) && here) };
-    const part = (title: string, text: string, ...more: Node[]) => h("div", { className: "hint-part" }, h("h4", {}, title), h("p", {}, text), ...more);
+    const part = (title: string, text: string, ...more: Node[]) => h("div.hint-part", h("h4", title), h("p", text), ...more);
     const acts = (scene.acts ?? []).map((act) => this.control(act));
     replace(
       this.root,
-      h("div", { className: "column wide" },
-        h("p", { className: "note" }, t("tourStep", { n: this.at + 1, all: STEPS.length })),
-        h("h3", {}, step.title),
-        h("div", { className: "hints" }, part(t("tourDo"), step.do, h("div", { className: "acts" }, ...acts)), part(t("tourWatch"), step.watch), part(t("tourAsk"), step.ask)),
-        h("div", { className: "row" },
-          button(t("previous"), () => this.move(-1, "previous"), { disabled: this.at === 0, "data-key": "tour-previous" }),
-          this.at || this.before ? button(t("tourSet"), () => this.set(), { className: this.at ? "main" : "", "data-key": "tour-set" }) : null, // at first all is ready
-          button(t("next"), () => this.move(1, "next"), { className: this.at ? "" : "main", disabled: this.at === STEPS.length - 1, "data-key": "tour-next" })),
-        this.before ? button(t("tourBack"), () => this.back(), { className: "quiet", "data-key": "tour-back" }) : null),
+      h("div.column.wide",
+        h("p.note", t("tourStep", { n: this.at + 1, all: STEPS.length })),
+        h("h3", step.title),
+        h("div.hints", part(t("tourDo"), step.do, h("div.acts", ...acts)), part(t("tourWatch"), step.watch), part(t("tourAsk"), step.ask)),
+        h("div.row",
+          button(t("previous"), () => this.move(-1, "previous"), "tour-previous", { disabled: this.at === 0 }),
+          this.at || this.before ? button(t("tourSet"), () => this.set(), "tour-set", { className: this.at ? "main" : "" }) : null, // at first all is ready
+          button(t("next"), () => this.move(1, "next"), "tour-next", { className: this.at ? "" : "main", disabled: this.at === STEPS.length - 1 })),
+        this.before ? button(t("tourBack"), () => this.back(), "tour-back", { className: "quiet" }) : null),
     );
   }
 
   /** A control that the text names, by which the page does what the real one does. */
   private control(act: Act): HTMLElement {
     const { knock, sizer, tilt, curves, identify } = this.tools;
-    const key = { "data-key": `act-${act}` };
+    const key = `act-${act}`;
     if (typeof act === "number") return button(sentence(t("mark_impulse", { size: act.toFixed(2) })), () => knock(act), key);
     switch (act) {
       case "size": return sizer();
-      case "tilt": return button(t("tilt"), tilt, { ...key, title: t("tiltTip") });
+      case "tilt": return button(t("tilt"), tilt, key, { title: t("tiltTip") });
       case "curves": return button(t("moreCurves"), curves, key);
       case "identify": return button(t("tabIdentify"), identify, key);
     }

@@ -17,12 +17,20 @@ export function unstable({ stable, poles }: Analysed): boolean {
   return !stable && poles.length > 0;
 }
 
+/** That a controller is being designed, and of one that takes long how long. */
+export function designing(): string {
+  return [t("designing"), store.setup.controller === "robust" && t("robustTakes")].filter(Boolean).join(" ");
+}
+
 /** What is known of the loop; in a page without Python, whose controllers stay as they were designed, for which dead time. */
-export function judged(a: Analysed): HTMLElement[] {
+export function judged(): HTMLElement[] {
+  const a = store.analysed;
+  if (store.off) return [h("p.note", t("noLoop"))];
+  if (!a) return [h("p.note", designing())];
   const own = exported?.facts.robots[store.setup.robot]?.delay_own ?? 0;
   const { delay } = store.setup;
   const other = exported && delay >= 0 && Math.abs(delay - own) > 5e-4;
-  const note = h("p", { className: "note" }, t("delayOwn", { own: digits(1000 * own, 2), now: digits(1000 * delay, 2) }));
+  const note = h("p.note", t("delayOwn", { own: digits(1000 * own, 2), now: digits(1000 * delay, 2) }));
   return [first(spoken(a.heads)), ...(other ? [note] : [])];
 }
 
