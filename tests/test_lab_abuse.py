@@ -460,7 +460,7 @@ def test_a_clerk_that_starts_or_reads_slowly_holds_up_nobody(monkeypatch):
     monkeypatch.setattr(BaseProcess, "start", lambda process: (ready.wait(PATIENCE), start(process)))
     clerk = desk_module._Clerk()
     try:
-        clerk.give(("ana", "keep csv"), "keep csv", (bytes(10 << 20), Path()))
+        clerk.give(("ana", "keep csv"), "keep", ("csv", bytes(10 << 20), Path()))
         assert clerk.poll(PATIENCE) == []  # we are here, and its process has not started
         ready.set()
         end = time.monotonic() + PATIENCE

@@ -42,7 +42,6 @@ from upright.lab.messages import (
     Steer,
     Step,
     Strike,
-    Uploaded,
 )  # fmt: skip
 from upright.lab.plant import COARSE, FINE, Pulled, families, is_slow, loaded
 from upright.lab.pushing import Pushing
@@ -50,6 +49,7 @@ from upright.lab.ring import Ring
 from upright.lab.session import Session
 from upright.lab.spoken import parts_of
 from upright.lab.tasks import TASKS
+from upright.lab.uploads import Uploaded
 from upright.lab.views import catalogue
 from upright.languages import speaking
 from upright.logs.recording import check_unit
@@ -518,7 +518,7 @@ def test_the_doctor_examines_the_run_and_an_uploaded_file(tmp_path):
     session.handle(Save("csv"))
     attended(session, desk)
     (tmp_path / "run.csv").rename(tmp_path / "in-mine.csv")
-    session.handle(Uploaded("log", str(tmp_path / "in-mine.csv"), "in-mine.csv"))
+    session.handle(Uploaded("log", str(tmp_path / "in-mine.csv")))
     (again,) = only(JobResult, attended(session, desk))
     assert again.heads["en"].verdict == found.heads["en"].verdict
     assert str(tmp_path) not in again.html["en"]  # where a server keeps its files is nobody's business
@@ -532,7 +532,7 @@ def test_an_uploaded_robot_stands_there_with_its_numbers(tmp_path):
     session, desk = a_session(tmp_path, certified=False)
     mine = ROBOT.replace(name="mine", body_mass=0.7)
     mine.save(tmp_path / "in-mine.toml")
-    session.handle(Uploaded("robot", str(tmp_path / "in-mine.toml"), "in-mine.toml"))
+    session.handle(Uploaded("robot", str(tmp_path / "in-mine.toml")))
     attended(session, desk)
     assert session.plant.nominal == mine
     again, _ = a_session(tmp_path, session.setup)  # as a link would bring it back

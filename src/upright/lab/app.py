@@ -17,10 +17,9 @@ from upright.lab.codec import plain
 from upright.lab.connections import FINE, Address, Book
 from upright.lab.hub import Client, Hub
 from upright.lab.mailbox import Mailbox
-from upright.lab.messages import Uploaded
 from upright.lab.recording import FILES, page_text, static
 from upright.lab.spoken import parts_of
-from upright.lab.uploads import TooLarge, UploadRefused
+from upright.lab.uploads import TooLarge, Uploaded, UploadRefused
 from upright.pages import Say
 
 Foreign = Callable[[str | None, str | None], bool]
@@ -56,12 +55,6 @@ def application(foreign: Foreign, hub: Hub, book: Book) -> FastAPI:
         response.headers.update(HEADERS)
         return response
 
-    async def index() -> Response:
-        return HTMLResponse(page_text())
-
-    def asset(name: str) -> Response:  # in a thread, as what reads a disk is
-        return _asset(name)
-
     def download(session: str, name: str) -> Response:
         return _download(hub, session, name)
 
@@ -71,13 +64,10 @@ def application(foreign: Foreign, hub: Hub, book: Book) -> FastAPI:
     async def talk(socket: WebSocket) -> None:
         await _talk(foreign, hub, book, socket)
 
-    async def lost(request: Request, error: Exception) -> Response:  # noqa: ARG001
-        return HTMLResponse(ELSEWHERE, 404)
-
-    app.exception_handler(404)(lost)
+    app.exception_handler(404)(_lost)
     app.middleware("http")(guard)
-    app.get("/", response_model=None)(index)
-    app.get("/assets/{name}", response_model=None)(asset)
+    app.get("/", response_model=None)(_index)
+    app.get("/assets/{name}", response_model=None)(_asset)
     app.get("/files/{session}/{name}", response_model=None)(download)
     app.post("/upload/{session}", response_model=None)(upload)
     app.websocket("/ws")(talk)
@@ -105,10 +95,18 @@ async def _sweep(hub: Hub, book: Book) -> None:
         hub.sweep()
 
 
+async def _lost(request: Request, error: Exception) -> Response:  # noqa: ARG001
+    return HTMLResponse(ELSEWHERE, 404)
+
+
+async def _index() -> Response:
+    return HTMLResponse(page_text())
+
+
 TYPES = {"js": "text/javascript", "css": "text/css", "svg": "image/svg+xml", "json": "application/json"}
 
 
-def _asset(name: str) -> Response:
+def _asset(name: str) -> Response:  # in a thread, as what reads a disk is
     folder = static() / "assets"
     known = {entry.name for entry in folder.iterdir()} if folder.is_dir() else set()
     if name not in known:
@@ -136,7 +134,7 @@ async def _upload(hub: Hub, session: str, request: Request, what: str, name: str
         path = await uploads.receive(request.stream(), folder, name, what)
     except UprightError as error:
         return JSONResponse({"error": plain(parts_of(error))}, 413 if isinstance(error, TooLarge) else 400)
-    hub.pass_on(session, Uploaded("robot" if what == "robot" else "log", str(path), path.name))
+    hub.pass_on(session, Uploaded(what, str(path)))
     return JSONResponse({"name": path.name})
 
 

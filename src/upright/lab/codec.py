@@ -6,7 +6,7 @@ import json
 import math
 from dataclasses import fields, is_dataclass
 from functools import cache
-from typing import TYPE_CHECKING, Annotated, Any, get_args
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar, get_args
 
 from upright.errors import UprightError
 from upright.lab.messages import ClientMessage
@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 LARGEST = 64 * 1024
 """Characters of a client's message beyond which it is not even parsed."""
+
+T = TypeVar("T")
 
 KINDS: dict[str, type] = {kind.__name__: kind for kind in get_args(ClientMessage)}
 
@@ -52,8 +54,13 @@ def decode(text: str) -> Any:
     """The client's message in `text`; raises `InvalidMessage` for anything else."""
     if len(text) > LARGEST:
         raise InvalidMessage(f"a message of {len(text)} characters", expected=f"at most {LARGEST}")
+    return validated(_messages(), text)
+
+
+def validated(kind: TypeAdapter[T], text: str) -> T:
+    """What the JSON in `text` says of that kind; raises `InvalidMessage` for anything else."""
     try:
-        return _messages().validate_json(text)
+        return kind.validate_json(text)
     except ValueError as error:
         raise _refusal(error) from None
 

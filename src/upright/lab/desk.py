@@ -20,7 +20,7 @@ from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
 from pathlib import Path
 from queue import SimpleQueue
-from typing import Any, Protocol
+from typing import Any
 
 from upright.errors import UprightError
 from upright.interrupts import without_ctrl_c
@@ -44,14 +44,6 @@ REMEMBERED = 64
 READY = ["upright.lab.tasks", "upright.certification"]
 """What most jobs load, for a second: on Linux clerks are copies of a process that has, and that ends with this one."""
 MEMORY = 4 << 30  # [bytes] of addresses for one job: a hostile file must not take the machine
-
-
-class Desk(Protocol):
-    """Takes jobs by (session, name). The desk's owner reports the results to the session."""
-
-    def submit(self, key: Key, task: str, args: tuple[Any, ...], alone: bool = False) -> None: ...
-
-    def cancel(self, key: Key) -> None: ...
 
 
 class InlineDesk:
@@ -181,6 +173,10 @@ class ProcessDesk:
         if clerk.dead and clerk is self._quick:
             self._quick = None
         return words
+
+
+Desk = InlineDesk | ProcessDesk
+"""Takes jobs by (session, name); its owner reports the results to the session."""
 
 
 class _Clerk:

@@ -128,7 +128,7 @@ def printed(
     if not is_bare(kit) and set(RAW) <= set(kit.sensors):
         gains = next((c["gains"] for name in ("lqr", *laws) if (c := controllers.get(name)) and c["gains"]), [0.0] * 6)
         laws[BY_HAND] = JavaScriptPrinter(gains_program(robot, kit)).text()
-        own = {"kind": "gains by hand", "truth": False, "gains": gains, "plant": linear_plant(robot, kit)}
+        own = {"kind": "gains by hand", "gains": gains, "plant": linear_plant(robot, kit)}
         controllers[BY_HAND] = {**reading(RAW, kit.period, kit), **own}
     facts = {
         "title": titles_of(robot), "kit_name": kit.name, "setup": _setup_part(robot, kit), "every": kit.period,
@@ -143,7 +143,7 @@ def _designed(robot: Robot, kit: Kit, name: str) -> tuple[str, dict[str, Any]]:
     analysis = analysed(controller, robot, kit)
     analysis = replace(analysis, L=tuple(row[::KEPT] for row in analysis.L[1:]))
     gain = gain_of(controller)
-    own: dict[str, Any] = {"truth": controller.spec.reads_truth, "gains": [] if gain is None else gain[0, :6].tolist()}
+    own: dict[str, Any] = {"gains": [] if gain is None else gain[0, :6].tolist()}
     return text, {**facts, **own, "analysed": plain(analysis)}
 
 

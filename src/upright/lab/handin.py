@@ -4,20 +4,27 @@ from __future__ import annotations
 
 import hashlib
 import json
-import math
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass, fields, replace
+from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar
+
+from annotated_types import Interval, MaxLen, Predicate
 
 from upright.atomic import write_json
 from upright.errors import InvalidScenario, UprightError, one_line
-from upright.lab.codec import InvalidMessage, decode, plain
-from upright.lab.messages import Change, Drag, Setup, Steer, Strike
+from upright.lab.codec import InvalidMessage, plain, validated
+from upright.lab.message_types import STRICT
+from upright.lab.messages import Drag, Setup, Steer, Strike
 from upright.lab.plant import COARSE, EXPORTED, FINE
 from upright.pages import Say
 from upright.reading import parse_json, read_text
 from upright.robots import Robot
 from upright.signals import Log
+
+if TYPE_CHECKING:
+    from pydantic import TypeAdapter
 
 KIND, VERSION = "upright hand-in", 1
 LONGEST = 60.0
@@ -40,6 +47,23 @@ EXPECTED = "a hand-in, as the lab saves it under Keep"
 
 class InvalidHandIn(UprightError):
     """A file that is no hand-in."""
+
+
+def _is_name(name: str) -> bool:
+    return bool(name.strip()) and len(name) <= LONGEST_NAME and name.isprintable()
+
+
+def _can_be_run(setup: Setup) -> bool:
+    return bool(setup.bodies) and setup.bodies[0] != "calibrated"
+
+
+def _is_step(step: float) -> bool:
+    return step in STEPS
+
+
+def _in_order(actions: Sequence[tuple[float, Action]]) -> bool:
+    times = [t for t, _ in actions]
+    return times == sorted(times)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -68,14 +92,20 @@ class HandIn:
     """A run of `seconds` of the first body of `setup`, stood up at the pitch `lean` [rad], its `actions` each with its
     time [s]; `step` [s] is the body's. `claimed` is what the student's machine saw, `seal` a checksum of the rest."""
 
-    student: str
-    setup: Setup
-    step: float
-    lean: float
-    seconds: float
-    actions: tuple[tuple[float, Action], ...]
+    student: Annotated[str, Predicate(_is_name)]
+    setup: Annotated[Setup, Predicate(_can_be_run)]
+    step: Annotated[float, Predicate(_is_step)]
+    lean: Annotated[float, Interval(ge=-1.2, le=1.2)]
+    seconds: Annotated[float, Interval(gt=0, le=LONGEST + 1e-6)]
+    actions: Annotated[
+        tuple[tuple[Annotated[float, Interval(ge=0, le=LONGEST)], Action], ...],
+        MaxLen(MOST_ACTIONS),
+        Predicate(_in_order),
+    ]
     claimed: RunResult
-    seal: str = ""
+    seal: Annotated[str, MaxLen(64)] = ""
+
+    __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
 
     @property
     def sealed(self) -> bool:
@@ -115,63 +145,18 @@ def read_hand_in(path: Path) -> HandIn:
         raise InvalidHandIn(f"{path.name} is no hand-in", expected=EXPECTED)
     if data.get("version") != VERSION:
         raise InvalidHandIn(f"{path.name} has version {str(data.get('version'))[:20]}", expected=f"version {VERSION}")
-    return _understood(data, path.name)
-
-
-def _understood(data: dict[str, Any], name: str) -> HandIn:
+    del data["kind"], data["version"]
     try:
-        raw = data["actions"]
-        if not isinstance(raw, list) or len(raw) > MOST_ACTIONS:
-            raise InvalidHandIn(f"{name}: its actions are no list of at most {MOST_ACTIONS}", expected=EXPECTED)
-        change = decode(json.dumps({"kind": "Change", "setup": data["setup"]}))
-        assert isinstance(change, Change)
-        claimed = {f.name: _number(data["claimed"], f.name) for f in fields(RunResult) if f.name != "fell"}
-        done = HandIn(
-            student=_student(data["student"]), setup=change.setup, step=_number(data, "step"),
-            lean=_number(data, "lean"), seconds=_number(data, "seconds"), seal=str(data.get("seal", ""))[:64],
-            actions=tuple(_action(pair) for pair in raw),
-            claimed=RunResult(fell=data["claimed"]["fell"] is True, **claimed),
-        )  # fmt: skip
-    except (LookupError, TypeError, ValueError, RecursionError, InvalidMessage) as error:
-        why = f"it lacks {error}" if isinstance(error, KeyError) else one_line(error)
-        raise InvalidHandIn(f"{name} is broken: {why}", expected=EXPECTED) from None
-    _check(done, name)
-    return done
+        return validated(_hand_ins(), json.dumps(data))
+    except InvalidMessage as error:
+        raise InvalidHandIn(f"{path.name} is broken: {one_line(error)}", expected=EXPECTED) from None
 
 
-def _action(pair: Any) -> tuple[float, Action]:
-    t, message = pair
-    action = decode(json.dumps(message))
-    if not isinstance(action, Action) or isinstance(t, bool) or not isinstance(t, int | float):
-        raise ValueError(f"{str(pair)[:80]} is no action")
-    return float(t), action
+@cache
+def _hand_ins() -> TypeAdapter[HandIn]:
+    from pydantic import TypeAdapter  # slow to load
 
-
-def _number(data: Any, name: str) -> float:
-    value = data[name]
-    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-        raise ValueError(f"{name} is {str(value)[:40]}, no number")
-    return float(value)
-
-
-def _student(name: Any) -> str:
-    if not isinstance(name, str) or not name.strip() or len(name) > LONGEST_NAME or not name.isprintable():
-        raise ValueError(f"the student is {str(name)[:40]!r}, no name of 1 to {LONGEST_NAME} letters")
-    return name.strip()
-
-
-def _check(done: HandIn, name: str) -> None:
-    times = [t for t, _ in done.actions]
-    wrong = {
-        f"a run of {done.seconds:g} s": not 0 < done.seconds <= LONGEST + 1e-6,
-        f"a step of {done.step:g} s": done.step not in STEPS,
-        f"a lean of {done.lean:g} rad": not abs(done.lean) <= 1.2,
-        "actions out of order, or outside the run": times != sorted(times) or any(not 0 <= t <= LONGEST for t in times),
-        "no body": not done.setup.bodies or done.setup.bodies[0] == "calibrated",
-    }
-    for what, so in wrong.items():
-        if so:
-            raise InvalidHandIn(f"{name} is broken: {what}", expected=EXPECTED)
+    return TypeAdapter(HandIn)
 
 
 class Recorder:
@@ -201,16 +186,16 @@ class Recorder:
     def hand_in(self, student: str, setup: Setup, t: float, claimed: RunResult) -> HandIn:
         """The run up to the time `t` [s]; raises `InvalidScenario` where there is none to hand in."""
         seconds = round(t - self._since, 6)
-        if self._since < 0 or not 0 < seconds <= LONGEST or setup.bodies[0] == "calibrated":
+        if self._since < 0 or not 0 < seconds <= LONGEST or not _can_be_run(setup):
             raise InvalidScenario(
                 Say("there is no run to hand in"),
                 hint=Say("press Stand up, push the robot, then hand in within a minute"),
             )
-        try:
-            name = _student(student)
-        except ValueError as error:
-            raise InvalidScenario(str(error), hint=Say("write your name")) from None
+        if not _is_name(student):
+            raise InvalidScenario(
+                f"the student is {student[:40]!r}, no name of 1 to {LONGEST_NAME} letters", hint=Say("write your name")
+            )
         return HandIn(
-            student=name, setup=setup, step=self._step, lean=self._lean, seconds=seconds,
+            student=student.strip(), setup=setup, step=self._step, lean=self._lean, seconds=seconds,
             actions=tuple(self._actions), claimed=claimed,
         )  # fmt: skip

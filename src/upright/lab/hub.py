@@ -21,7 +21,7 @@ from upright.lab.connections import Bucket
 from upright.lab.mailbox import Mailbox
 from upright.lab.messages import VERSION, Ack, Board, Broadcast, Change, Hello, Notice, Refused, Setup, Welcome
 from upright.lab.spoken import parts_of
-from upright.lab.stage_process import StageLink, Words
+from upright.lab.stage_process import StageProcess, Words
 from upright.pages import Say
 from upright.reading import give_back
 
@@ -73,14 +73,13 @@ class Entry:
 class Hub:
     """All sessions and clients of one server. `stages` run the sessions; everything here runs on the event loop."""
 
-    def __init__(self, door: Door, stages: Sequence[StageLink]) -> None:
+    def __init__(self, door: Door, stages: Sequence[StageProcess]) -> None:
         self.door = door
         self.scores = Scores()
         self._folder = TemporaryFolder()
         self.root = self._folder.path
         self._removing = ThreadPoolExecutor(1)  # of files: a disk may be slow, and the event loop waits for none
         self.entries: dict[str, Entry] = {}
-        self.stats: asyncio.Queue[Any] = asyncio.Queue()
         self._stages = list(stages)
         self._setup = CLASS_SETUP if door.is_class else Setup()
         self._opened: dict[str, Bucket] = {}
@@ -144,11 +143,6 @@ class Hub:
         for name, entry in list(self.entries.items()):
             if not entry.clients and now - entry.left > entry.kept:
                 self._end(name)
-
-    def ask_stats(self) -> None:
-        """Have every stage put its figures into `stats`."""
-        for stage in self._stages:
-            stage.say("stats", "")
 
     def _act(self, client: Client, message: Any) -> None:
         if isinstance(message, Hello):
@@ -260,8 +254,6 @@ class Hub:
             elif kind == "scores" and self.door.is_class:
                 self.scores.update(content)
                 self._show(self.scores.board())
-            elif kind == "stats":
-                self.stats.put_nowait(content)
 
     def on_lost(self, stage: int, culprit: str) -> None:
         """A stage died at the session `culprit`, and another took its place: everybody stands up again there."""

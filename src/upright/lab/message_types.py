@@ -80,21 +80,19 @@ class ErrorParts:
 
 @dataclass(frozen=True)
 class FamilyInfo:
-    """A controller family: whether `largest` and `gains` mean anything to it."""
+    """A controller family, and whether `largest` means anything to it."""
 
     name: str
     weights: bool
-    truth: bool
 
 
 @dataclass(frozen=True)
 class RobotInfo:
-    """A robot to choose: its title by language, its numbers with unit and symbol, and its own kit."""
+    """A robot to choose: its title by language, its own kit, and its numbers."""
 
     name: str
     title: dict[str, str]
     kit: str
-    drive: str
     numbers: dict[str, float]
 
 

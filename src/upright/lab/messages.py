@@ -30,7 +30,7 @@ from upright.lab.message_types import (
     message,
 )  # fmt: skip
 
-VERSION = 9
+VERSION = 10
 """Raised whenever a message changes; a page of another version is refused with a sentence that says what to do."""
 
 BodyName = Literal["twin", "nonlinear", "linear", "published", "calibrated"]
@@ -187,15 +187,6 @@ class Broadcast:
     setup: Setup
 
 
-@message
-class Uploaded:
-    """A file that lies in the session's folder; only the server says so."""
-
-    what: Literal["log", "robot"]
-    path: Text
-    name: Text
-
-
 ClientMessage = (
     Hello | Ack | Change | Drag | Strike | Steer | Play | Step | Scrub | StandUp | Start | Cancel | Save | Recall
     | Broadcast
@@ -261,8 +252,6 @@ class Changed:
     look: Look
     bodies: tuple[str, ...]
     period: float
-    controller: str
-    truth: bool
     kit: dict[str, float]
     busy: bool = False
 
@@ -320,7 +309,6 @@ class JobResult:
 class Made:
     """A file to be downloaded under `name`."""
 
-    what: str
     name: str
     url: str
 

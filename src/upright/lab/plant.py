@@ -141,8 +141,8 @@ def families() -> tuple[FamilyInfo, ...]:
     """Every controller family of the page: the registered methods that can be made here and need no numbers of a
     program's own, then the page's own two."""
     methods = {name: _loadable(name) for name in CONTROLLERS}
-    known = [FamilyInfo(name, m.weighted, m.reads_truth) for name, m in methods.items() if m and not (m.lacks or m.own)]
-    return (*known, FamilyInfo(BY_HAND, False, False), FamilyInfo(OFF, False, False))
+    known = [FamilyInfo(name, m.weighted) for name, m in methods.items() if m and not (m.lacks or m.own)]
+    return (*known, FamilyInfo(BY_HAND, False), FamilyInfo(OFF, False))
 
 
 def is_slow(family: str) -> bool:

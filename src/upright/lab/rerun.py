@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 from upright.errors import InvalidScenario
 from upright.lab.desk import InlineDesk
@@ -49,9 +48,5 @@ def _designed(session: Session, desk: InlineDesk) -> None:
         if status == "failed":
             raise InvalidScenario(result[ENGLISH].came)
         if job == "design":
-            _install(session, result)
-
-
-def _install(session: Session, result: Any) -> None:
-    controller, _ = result
-    session.designed(controller)
+            controller, _ = result
+            session.designed(controller)

@@ -21,7 +21,7 @@ from upright.lab.desk import Desk
 from upright.lab.display import KEPT, Display
 from upright.lab.handin import Recorder, RunResult, result_of
 from upright.lab.lane import Lane
-from upright.lab.message_types import Acted, ErrorParts
+from upright.lab.message_types import Acted, ErrorParts, Job
 from upright.lab.messages import (
     VERSION,
     Analysed,
@@ -45,13 +45,13 @@ from upright.lab.messages import (
     Steer,
     Step,
     Strike,
-    Uploaded,
     Welcome,
 )  # fmt: skip
 from upright.lab.plant import FINE, Plant, behind, body_of, design, design_part, is_slow, plant_of, setup_of, stand_in
 from upright.lab.pushing import Pushing, Score
 from upright.lab.recording import FILES, MOMENT
 from upright.lab.spoken import heads_of, parts_of
+from upright.lab.uploads import Uploaded
 from upright.pages import Page, Quantity, Say
 from upright.physics.dynamics import CALM
 from upright.robots import Robot
@@ -86,7 +86,7 @@ class Session:
     def handle(self, message: Any) -> None:
         """Do what the message asks; what cannot be done becomes an error event."""
         try:
-            self._handlers()[type(message)](message)
+            self._do(message)
             self._recorder.note(message, self.t)
         except UprightError as error:
             self._events.append(Notice("error", parts_of(error)))
@@ -237,17 +237,55 @@ class Session:
             raise InvalidLog(Say("there is no file {name} here", name=path.name[:60]), hint=Say("open it again"))
         return path
 
-    def _handlers(self) -> dict[type, Callable[[Any], None]]:
-        """What to do with each kind of message."""
-        return {
-            Broadcast: self._broadcast, Cancel: self._cancel, Change: self._change, Drag: self._drag,
-            Play: self._play, Save: self._save, Scrub: self._scrub, StandUp: self._stand, Start: self._start,
-            Steer: self._steer_to, Step: self._step, Strike: self._strike, Uploaded: self._uploaded,
-            Recall: lambda m: self._events.append(self._display.history(m.since)),
-        }  # fmt: skip
+    def _do(self, message: Any) -> None:
+        match message:
+            case Change(setup):
+                self._change(setup)
+            case Broadcast(setup):
+                self._change(setup)
+                self._stand(0.0)
+            case Drag():
+                if self._pushing.drag(message):
+                    self.score.push()
+            case Strike():
+                self._strike(message)
+            case Steer(speed, rate):
+                self._steer = (speed, rate)
+            case Play(paused, speed):
+                self.paused, self.speed = paused, speed
+                self._back = self._back if paused else 0.0
+            case Step(periods):
+                self.paused, self._back = True, 0.0
+                for _ in range(periods):
+                    self._period()
+            case Scrub(back):
+                self.paused, self._back = True, back
+            case StandUp(pitch):
+                self._stand(pitch)
+            case _:
+                self._ask(message)
 
-    def _change(self, message: Change) -> None:
-        setup = message.setup
+    def _ask(self, message: Any) -> None:
+        """What the desk does, and what is told again."""
+        match message:
+            case Recall(since):
+                self._events.append(self._display.history(since))
+            case Start(job, file):
+                self._desk.submit((self.name, job), *self._task(job, file), alone=True)
+                self._events.append(Progress(job, 0.0))
+            case Cancel(job):
+                self._desk.cancel((self.name, job))
+                self._events += [Progress(job, 1.0), Notice("info", job=job)]
+            case Save(what):
+                self._desk.submit((self.name, f"keep {what}"), *self._keeping(message))
+            case Uploaded("robot", path):
+                self._desk.submit((self.name, "robot"), "robot", (path,), alone=True)
+            case Uploaded(_, path):
+                self._ask(Start("doctor", path))
+            case _:
+                raise TypeError(f"a session knows no {type(message).__name__}")
+
+    def _change(self, setup: Setup) -> None:
         if replace(setup, slope=0.0) == replace(self.setup, slope=0.0):
             self.setup = setup
             self._recorder.stop()
@@ -276,20 +314,12 @@ class Session:
             self._events += [Light(), Progress("certify", 1.0)]
             self._known.clear()
 
-    def _stand(self, message: StandUp) -> None:
+    def _stand(self, pitch: float) -> None:
         self._pushing.clear()
-        self.score = self.score.anew(message.pitch)
-        self._build((message.pitch, 0.0, 0.0, 0.0, 0.0, 0.0))
-        self._recorder.begin(self.t, message.pitch, *self._steer)
+        self.score = self.score.anew(pitch)
+        self._build((pitch, 0.0, 0.0, 0.0, 0.0, 0.0))
+        self._recorder.begin(self.t, pitch, *self._steer)
         self._events.append(Acted(self.t))
-
-    def _broadcast(self, message: Broadcast) -> None:
-        self._change(Change(message.setup))
-        self._stand(StandUp(0.0))
-
-    def _drag(self, message: Drag) -> None:
-        if self._pushing.drag(message):
-            self.score.push()
 
     def _strike(self, message: Strike) -> None:
         if message.what in ("front", "back") and abs(message.size) > 1.0:
@@ -299,52 +329,19 @@ class Session:
         self.score.push()
         self._events.append(Acted(self.t))
 
-    def _steer_to(self, message: Steer) -> None:
-        self._steer = (message.speed, message.rate)
-
-    def _play(self, message: Play) -> None:
-        self.paused, self.speed = message.paused, message.speed
-        self._back = self._back if message.paused else 0.0
-
-    def _step(self, message: Step) -> None:
-        self.paused, self._back = True, 0.0
-        for _ in range(message.periods):
-            self._period()
-
-    def _scrub(self, message: Scrub) -> None:
-        self.paused, self._back = True, message.back
-
-    def _start(self, message: Start) -> None:
-        task, args = self._task(message)
-        self._desk.submit((self.name, message.job), task, args, alone=True)
-        self._events.append(Progress(message.job, 0.0))
-
-    def _cancel(self, message: Cancel) -> None:
-        self._desk.cancel((self.name, message.job))
-        self._events += [Progress(message.job, 1.0), Notice("info", job=message.job)]
-
-    def _save(self, message: Save) -> None:
-        self._desk.submit((self.name, f"keep {message.what}"), *self._keeping(message))
-
-    def _uploaded(self, message: Uploaded) -> None:
-        if message.what == "robot":
-            self._desk.submit((self.name, "robot"), "robot", (message.path,), alone=True)
-        else:
-            self._start(Start("doctor", message.path))
-
     def _failed(self, job: str, parts: dict[str, ErrorParts]) -> None:
         self._busy = "" if job == "design" else self._busy
         self._events += [Notice("error", parts, job=job), Progress(job, 1.0)]  # type: ignore[arg-type]
 
     # What the desk is given, and what comes of it
 
-    def _task(self, message: Start) -> tuple[str, tuple[Any, ...]]:
+    def _task(self, job: Job, file: str) -> tuple[str, tuple[Any, ...]]:
         """The task and its arguments for a job that a page starts."""
-        if message.job in ("certify", "design"):
-            return message.job, (self.setup, *((False,) if message.job == "design" else ()))
-        source = self.upload(message.file) if message.file else next(iter(self._recorded().values()))
-        kit = () if message.job == "doctor" else (self.plant.kit,)
-        return message.job, (source, self.plant.nominal, *kit)
+        if job in ("certify", "design"):
+            return job, (self.setup, *((False,) if job == "design" else ()))
+        source = self.upload(file) if file else next(iter(self._recorded().values()))
+        kit = () if job == "doctor" else (self.plant.kit,)
+        return job, (source, self.plant.nominal, *kit)
 
     def _keeping(self, message: Save) -> tuple[str, tuple[Any, ...]]:
         """The task and its arguments for a file to be downloaded."""
@@ -352,7 +349,7 @@ class Session:
         path = self.folder / FILES[what]
         if what in ("report", "compare") and message.name:
             opened = (self.upload(message.name), self.plant.nominal, self.plant.kit)
-            return "keep comparison", (opened, self.logs(), message.language, path)
+            return "keep", ("comparison", opened, self.logs(), message.language, path)
         content: dict[str, Callable[[], tuple[Any, ...]]] = {
             "controller": lambda: (self.setup,),
             "robot": lambda: (self.calibrated or self.plant.nominal,),
@@ -363,7 +360,7 @@ class Session:
             "handin": lambda: (self._recorder.hand_in(message.name, self.setup, self.t, self.result()),),
         }  # fmt: skip
         given = content[what]() if what in content else (next(iter(self._recorded().values())),)
-        return f"keep {what}", (*given, path)
+        return "keep", (what, *given, path)
 
     def _recorded(self) -> dict[str, Log]:
         logs = self.logs()
@@ -387,7 +384,7 @@ class Session:
             self.handle(Change(setup_of(result, self.setup)))
             return [Notice("info", parts_of(Say("Robot {name} is read", name=result.name)))]
         name = Path(result).name
-        return [Made(name.rpartition(".")[2], name, name), Progress(job, 1.0)]  # type: ignore[arg-type]
+        return [Made(name, name), Progress(job, 1.0)]  # type: ignore[arg-type]
 
     def _analysed(self, controller: Controller | None, analysis: Analysed) -> list[Any]:
         if controller is None:

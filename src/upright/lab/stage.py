@@ -11,7 +11,6 @@ import gc
 import os
 import time
 import warnings
-from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import import_module
@@ -35,7 +34,6 @@ BEHIND = 0.25  # [s] of schedule that are given up where the machine cannot keep
 HURRIED = 0.2  # [s] that are run in one tick: a machine that is too slow lags, but it does not stutter
 HASTE = 2.0  # times wall time, at most, while a session makes good what a busy machine kept from it
 FORGIVEN = 5.0  # [s] beyond which a session makes nothing good: the machine has slept
-REMEMBERED = 6000  # ticks whose lateness is kept, to be asked for
 SCORED = 0.25  # [s] between two boards
 SPENT = 0.8  # part of the wall time that all sessions may compute; the rest is for words and the desk
 RELIEF = 3.0  # times as long as such a session overran a tick it waits for its next turn
@@ -79,17 +77,14 @@ class Stage:
         self._out: list[tuple[str, str, Any]] = []
         self._heavy = 0.0  # wall time from which on sessions that ask for much have their turn again
         self._scored = 0.0
-        self._delays = deque[float](maxlen=REMEMBERED)
 
     def take(self, word: tuple[Any, ...], now: float) -> None:
-        """One word of the server: open, close, watch or message, each of a session, or stats. It costs next to nothing:
-        what it asks for waits for the session's turn."""
+        """One word of the server: open, close, watch or message, each of a session. It costs next to nothing: what it
+        asks for waits for the session's turn."""
         kind, name, *rest = word
         if kind == "quit":
             raise EOFError
-        if kind == "stats":
-            self._out.append(("stats", "", self._stats()))
-        elif kind == "open":
+        if kind == "open":
             folder, setup = rest
             self._seats[name] = seat = Seat(Path(folder), CLASS_SETUP, at=now, last=now)
             seat.put("open", setup)
@@ -98,7 +93,6 @@ class Stage:
 
     def tick(self, now: float, due: float) -> list[tuple[str, str, Any]]:
         """Run every watched session up to `now`, which should have been `due`; what there is to say."""
-        self._delays.append(now - due)
         for (name, job), status, result in self._desk.poll():
             if name in self._seats:
                 self._seats[name].put("report", (job, status, result))
@@ -235,10 +229,6 @@ class Stage:
         score = session.score
         kind = session.setup.controller
         return name, round(main.state()[0], 3), main.fallen, round(score.best, 4), round(score.effort, 1), kind
-
-    def _stats(self) -> dict[str, Any]:
-        simulated = {name: seat.session.t for name, seat in self._seats.items() if seat.session}
-        return {"late": list(self._delays), "simulated": simulated, "cpu": time.process_time()}
 
 
 def perform(pipe: Connection, options: Options, at_work: Any) -> None:

@@ -13,7 +13,7 @@ from collections.abc import Callable, Sequence
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
-from typing import Any, Protocol
+from typing import Any
 
 from upright.interrupts import without_ctrl_c
 from upright.lab.stage import Options, perform
@@ -23,21 +23,6 @@ Words = Sequence[tuple[str, str, Any]]
 MOST_WORDS = 2000  # that wait for a stage; students' messages beyond it are not passed on
 SILENT, STARTING = 10, 120  # [s] after which a stage that says nothing is replaced: it speaks four times a second
 HOPELESS = 2.0  # [s] of life of a stage that cannot start
-
-
-class StageLink(Protocol):
-    """What the hub needs of a stage: words go in at once, and what it says is handed to `receive` on the event loop;
-    `lost` is called there when the stage died and another took its place, with the session at which it died."""
-
-    def listen(
-        self, loop: asyncio.AbstractEventLoop, receive: Callable[[Words], None], lost: Callable[[str], None]
-    ) -> None: ...
-
-    def say(self, *word: Any) -> None: ...
-
-    def check(self) -> None: ...
-
-    def close(self) -> None: ...
 
 
 class StageProcess:

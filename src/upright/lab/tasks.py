@@ -11,7 +11,7 @@ from upright.control import Controller, gain_of
 from upright.errors import InvalidController, SpecMismatch
 from upright.lab.codec import encode
 from upright.lab.display import View
-from upright.lab.handin import HandIn, write_hand_in
+from upright.lab.handin import write_hand_in
 from upright.lab.message_types import Job
 from upright.lab.messages import Analysed, JobResult, Light, Setup
 from upright.lab.plant import design as design_of
@@ -165,12 +165,7 @@ def robot(report: Report, path: str) -> Robot:  # noqa: ARG001 (it is over at on
     return Robot.load(path)
 
 
-def keep_log(report: Report, log: Log, path: Path) -> Path:  # noqa: ARG001
-    """The run as a file, by its suffix."""
-    return log.save(path)
-
-
-def keep_report(report: Report, logs: dict[str, Log], language: str, path: Path) -> Path:  # noqa: ARG001
+def keep_report(logs: dict[str, Log], language: str, path: Path) -> Path:
     """All bodies compared, as a page."""
     from upright.comparison import compare
     from upright.reports import report as write_report
@@ -179,17 +174,14 @@ def keep_report(report: Report, logs: dict[str, Log], language: str, path: Path)
         return write_report(compare(logs), path)
 
 
-def keep_comparison(
-    report: Report, opened: tuple[Path, Robot, Kit], logs: dict[str, Log], language: str, path: Path
-) -> Path:
+def keep_comparison(opened: tuple[Path, Robot, Kit], logs: dict[str, Log], language: str, path: Path) -> Path:
     """An opened log compared with the run of every body, as a page; times count from the first push of each."""
     from upright.logs.raw import raw_log
 
     source, robot, kit = opened
     log = _with_states(raw_log(source), robot, kit)
-    report(0.5)
     name = Path(_shown(source)).stem
-    return keep_report(report, {label: _from_push(one) for label, one in {name: log, **logs}.items()}, language, path)
+    return keep_report({label: _from_push(one) for label, one in {name: log, **logs}.items()}, language, path)
 
 
 def _from_push(log: Log) -> Log:
@@ -215,7 +207,7 @@ def _with_states(log: Log, robot: Robot, kit: Kit) -> Log:
     return Log(log.t, {**log.channels, **rebuilt}, log.units, log.origin)
 
 
-def keep_controller(report: Report, setup: Setup, path: Path) -> Path:  # noqa: ARG001
+def keep_controller(setup: Setup, path: Path) -> Path:
     """The controller as a file for `upright simulate` and `upright certify`."""
     from upright.control import write_controller
 
@@ -223,12 +215,7 @@ def keep_controller(report: Report, setup: Setup, path: Path) -> Path:  # noqa: 
     return write_controller(design_of(setup, plant.nominal, plant.kit), path)
 
 
-def keep_robot(report: Report, which: Robot, path: Path) -> Path:  # noqa: ARG001
-    """The robot as a TOML file."""
-    return which.save(path)
-
-
-def keep_replay(report: Report, recorded: tuple[list[Any], View, Any], path: Path) -> Path:  # noqa: ARG001
+def keep_replay(recorded: tuple[list[Any], View, Any], path: Path) -> Path:
     """The last minute as a page that replays it without a server, from what it begins with and the display's rows."""
     from upright.lab.recording import replay_page
 
@@ -236,28 +223,20 @@ def keep_replay(report: Report, recorded: tuple[list[Any], View, Any], path: Pat
     return replay_page([*begin, *(view.snapshot(row, i, 0.0, False) for i, row in enumerate(rows.tolist()))], path)
 
 
-def keep_hand_in(report: Report, done: HandIn, path: Path) -> Path:  # noqa: ARG001
-    """The run as seed and actions, for `upright grade`."""
-    return write_hand_in(done, path)
-
-
-def _in_folder(keep: Callable[..., Path]) -> Callable[..., Path]:
-    """`keep`, whose last argument is a path, after making the session's folder."""
-
-    def made(report: Report, *args: Any) -> Path:
-        args[-1].parent.mkdir(mode=0o700, exist_ok=True)
-        return keep(report, *args)
-
-    return made
-
-
 _KEEPING: dict[str, Callable[..., Path]] = {
-    "csv": keep_log, "parquet": keep_log, "report": keep_report, "compare": keep_report, "comparison": keep_comparison,
-    "handin": keep_hand_in, "controller": keep_controller, "robot": keep_robot, "replay": keep_replay,
+    "csv": Log.save, "parquet": Log.save, "report": keep_report, "compare": keep_report, "comparison": keep_comparison,
+    "handin": write_hand_in, "controller": keep_controller, "robot": Robot.save, "replay": keep_replay,
 }  # fmt: skip
+
+
+def keep(report: Report, what: str, *args: Any) -> Path:  # noqa: ARG001
+    """A file of the session, whose path is the last argument, in its folder, which is made with the first one."""
+    args[-1].parent.mkdir(mode=0o700, exist_ok=True)
+    return _KEEPING[what](*args)
+
 
 TASKS: dict[str, Callable[..., Any]] = {
     "design": design, "light": light, "certify": certify, "doctor": doctor, "calibrate": calibrate, "robot": robot,
-    **{f"keep {what}": _in_folder(keep) for what, keep in _KEEPING.items()},
+    "keep": keep,
 }  # fmt: skip
 """By the name that a session submits them under."""

@@ -8,6 +8,7 @@ import shutil
 import threading
 from collections.abc import AsyncGenerator, AsyncIterator, Generator
 from contextlib import ExitStack, asynccontextmanager, contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO
 
@@ -33,6 +34,14 @@ SUFFIXES = {
     "log": {".csv", ".txt", ".log", ".tsv", ".dat", ".json", ".mat", ".parquet", ".mcap"},
     "robot": {".toml"},
 }
+
+
+@dataclass(frozen=True)
+class Uploaded:
+    """A file of kind `what` that lies at `path` in the session's folder: the server tells the session so."""
+
+    what: str
+    path: str
 
 
 class UploadRefused(UprightError):

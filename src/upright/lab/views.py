@@ -32,7 +32,7 @@ def catalogue() -> Catalogue:
 
 def robot_info(robot: Robot) -> RobotInfo:
     """A robot to choose."""
-    return RobotInfo(robot.name, titles_of(robot), robot.kit_name, robot.drive, robot.numbers())
+    return RobotInfo(robot.name, titles_of(robot), robot.kit_name, robot.numbers())
 
 
 def titles_of(robot: Robot) -> dict[str, str]:
@@ -44,15 +44,11 @@ def changed(setup: Setup, plant: Plant, lanes: Sequence[Lane], busy: bool) -> Ch
     """The set-up, what to draw and what the kit really is."""
     robot = plant.robot
     kit = plant.kit
-    spec = lanes[0].controller.spec
     voltage = kit.battery.voltage
     numbers = {"delay": kit.delay, "dead_zone": kit.motor.dead_zone, "voltage": voltage if voltage < 1e6 else -1.0}
     names = tuple(lane.name for lane in lanes)
     look = look_of(robot, setup, lanes[0].body.spec.limit)
-    return Changed(
-        setup=setup, look=look, bodies=names, period=kit.period, controller=spec.kind, truth=spec.reads_truth,
-        kit=numbers, busy=busy,
-    )  # fmt: skip
+    return Changed(setup=setup, look=look, bodies=names, period=kit.period, kit=numbers, busy=busy)
 
 
 def look_of(robot: Robot, setup: Setup, limit: float) -> Look:

@@ -16,7 +16,6 @@ import { headOf } from "./verdict";
 
 export interface Controller {
   kind: string;
-  truth: boolean;
   reads: number[];
   stride: number;
   gains: number[];
@@ -207,10 +206,7 @@ export class LocalSession {
   private said(another: boolean): void {
     const { facts, controller, setup } = this;
     const kit = { delay: this.delay(), dead_zone: facts.kit?.dead_zone ?? 0, voltage: facts.kit?.voltage ?? -1 };
-    const changed: Changed = {
-      kind: "Changed", setup, look: facts.look, bodies: setup.bodies, period: facts.every, controller: controller?.kind ?? OFF,
-      truth: controller?.truth ?? false, kit, busy: false,
-    };
+    const changed: Changed = { kind: "Changed", setup, look: facts.look, bodies: setup.bodies, period: facts.every, kit, busy: false };
     store.hear(changed);
     if (another) store.hear(facts.equations);
     store.analysed = null;
@@ -400,5 +396,5 @@ export class LocalSession {
 
 /** A file, to be saved by whoever looks at the page. */
 function made(name: string, text: string, type: string): void {
-  store.hear({ kind: "Made", what: type, name, url: URL.createObjectURL(new Blob([text], { type })) });
+  store.hear({ kind: "Made", name, url: URL.createObjectURL(new Blob([text], { type })) });
 }

@@ -1,6 +1,6 @@
 // Generated from src/upright/lab/messages.py by python -m upright.lab.typescript; do not edit.
 
-export const VERSION = 9;
+export const VERSION = 10;
 
 export const LEAST_GAIN = 0.04; // [1] below which a margin is thin, as in designs and certificates
 
@@ -36,7 +36,6 @@ export interface ErrorParts {
 export interface FamilyInfo {
   name: string;
   weights: boolean;
-  truth: boolean;
 }
 
 export interface Head {
@@ -58,7 +57,6 @@ export interface RobotInfo {
   name: string;
   title: Record<string, string>;
   kit: string;
-  drive: string;
   numbers: Record<string, number>;
 }
 
@@ -178,13 +176,6 @@ export interface Broadcast {
   setup: Setup;
 }
 
-export interface Uploaded {
-  kind: "Uploaded";
-  what: "log" | "robot";
-  path: string;
-  name: string;
-}
-
 export interface Catalogue {
   kind: "Catalogue";
   robots: RobotInfo[];
@@ -231,8 +222,6 @@ export interface Changed {
   look: Look;
   bodies: string[];
   period: number;
-  controller: string;
-  truth: boolean;
   kit: Record<string, number>;
   busy: boolean;
 }
@@ -275,7 +264,6 @@ export interface JobResult {
 
 export interface Made {
   kind: "Made";
-  what: string;
   name: string;
   url: string;
 }

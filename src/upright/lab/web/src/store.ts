@@ -5,7 +5,7 @@ import type { Analysed, Board, Catalogue, Changed, ClientMessage, Drag, Equation
 
 export const STATES = ["pitch", "pitch_rate", "wheel", "wheel_rate", "yaw", "yaw_rate"] as const;
 export const UNITS = ["rad", "rad/s", "rad", "rad/s", "rad", "rad/s"];
-export const SHOWN_UNITS = ["°", "°/s", "°", "°/s", "°", "°/s"];
+export const SHOWN_UNITS = UNITS.map((unit) => unit.replace("rad", "°"));
 export const DEGREES = 180 / Math.PI; // of a radian: data are in radians, and people read degrees
 export const SYMBOLS = ["ψ", "ψ̇", "θ", "θ̇", "φ", "φ̇"];
 
