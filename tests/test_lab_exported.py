@@ -330,11 +330,14 @@ def test_every_controller_of_every_robot_stands_up_again_from_a_lean(page):
 
 @marked
 def test_it_is_pushed_by_mouse_key_and_button(page):
-    at = page.evaluate("upright.page.grasp()")
-    box = page.locator(".room").bounding_box()
-    page.mouse.move(box["x"] + at["x"], box["y"] + at["y"])
+    send(page, kind="Play", paused=True, speed=1)  # it stands still until it is held
+    page.wait_for_function("upright.store.settled && upright.store.analysed")
+    body = page.locator(".flat .shell")
+    body.hover()  # waits until the mouse would hit it
     page.mouse.down()
-    page.mouse.move(box["x"] + at["x"] + 60, box["y"] + at["y"], steps=4)
+    box = body.bounding_box()
+    page.mouse.move(box["x"] + box["width"] / 2 + 60, box["y"] + box["height"] / 2, steps=4)
+    send(page, kind="Play", paused=False, speed=1)
     page.wait_for_function("upright.store.snapshot.f[0] > 0.05")
     page.mouse.up()
     page.wait_for_function("upright.store.snapshot.f[0] === 0")

@@ -778,7 +778,14 @@ MIDDLE = """() => {
 
 def read(page: Any, root: str) -> tuple[str, bool]:
     """What the pointer reads in the middle of the first figure in `root`, and whether it is the one for a phone."""
-    *place, narrow = page.evaluate(MIDDLE.replace("READ", f"{root}.querySelectorAll('svg.lines')"))
+    before: list[Any] = []
+
+    def stands(found: list[Any]) -> bool:
+        same = found == before
+        before[:] = found
+        return same
+
+    *place, narrow = until(page, "(" + MIDDLE.replace("READ", f"{root}.querySelectorAll('svg.lines')") + ")()", stands)
     page.mouse.move(*place)
     said = until(page, f"[...{root}.querySelectorAll('output')].map((one) => one.textContent).join('')")
     return said, narrow

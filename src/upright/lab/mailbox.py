@@ -54,11 +54,6 @@ class Mailbox:
         if self._latest:
             self._wake.set()
 
-    @property
-    def waiting(self) -> int:
-        """How many messages wait."""
-        return len(self._events) + len(self._latest)
-
     async def deliver(self, send: Callable[[str], Awaitable[None]]) -> None:
         """Send what there is, for ever; returns where too much has piled up, and raises what `send` raises."""
         while True:
