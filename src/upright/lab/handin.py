@@ -192,9 +192,7 @@ class Recorder:
                 hint=Say("press Stand up, push the robot, then hand in within a minute"),
             )
         if not _is_name(student):
-            raise InvalidScenario(
-                f"the student is {student[:40]!r}, no name of 1 to {LONGEST_NAME} letters", hint=Say("write your name")
-            )
+            raise InvalidScenario(Say("a name has 1 to {n} letters", n=LONGEST_NAME), hint=Say("write your name"))
         return HandIn(
             student=student.strip(), setup=setup, step=self._step, lean=self._lean, seconds=seconds,
             actions=tuple(self._actions), claimed=claimed,
