@@ -47,7 +47,7 @@ export function headOf(a: Analysis, period: number): Head {
   const high = a.gain_high ?? Infinity;
   const delay = a.delay === null ? Infinity : Math.floor(1e4 * a.delay) / 1e4;
   const kinds: [number, string][] = [
-    [(a.delay ?? Infinity) / (LEAST_DELAY * period), delay < Infinity ? "" : words.anyDelay], // a delay is the first number
+    [(a.delay ?? Infinity) / (LEAST_DELAY * period), ""], // a delay is among the numbers
     [(high - 1) / LEAST_GAIN, filled(words.stronger, { change: percent(high - 1), place })],
     [(1 - a.gain_low) / LEAST_GAIN, filled(words.weaker, { change: percent(1 - a.gain_low), place })],
   ];
@@ -55,14 +55,23 @@ export function headOf(a: Analysis, period: number): Head {
   const low = String(Math.ceil(100 * a.gain_low));
   const range = high < MOST_GAIN ? filled(words.range, { low, high: String(Math.floor(100 * high)) }) : filled(words.atLeast, { low });
   const phase = a.phase === null ? Infinity : (180 * a.phase) / Math.PI;
-  const usual = high >= STRONG && a.gain_low <= WEAK && phase >= PHASE && (a.delay ?? Infinity) >= period;
+  const reached: [number, string, string][] = [ // over the usual target, and what the title says of the least
+    [(high - 1) / (STRONG - 1), words.unlessStronger, percent(high - 1)],
+    [(1 - a.gain_low) / (1 - WEAK), words.unlessWeaker, percent(1 - a.gain_low)],
+    [(a.delay ?? Infinity) / period, words.unlessLater, seconds(delay, 3)],
+    [phase / PHASE, words.withPhase, `${digits(phase, 2)}°`],
+  ];
+  const [least, unless, size] = reached.reduce((one, other) => (other[0] < one[0] ? other : one));
+  const usual = least >= 1;
   const [verdict, level] = part < 1 ? [words.thin, "warn"] : usual ? [words.usual, "good"] : [words.small, "warn"];
+  const target = filled(words.range, { low: 100 * WEAK, high: 100 * STRONG });
   return {
     verdict, level: level as Head["level"],
-    title: filled(words.holds, { controller: "u = −K x", robot: store.setup.robot }), lead: margin ? [margin] : [],
+    title: filled(usual ? words.roomy : unless, { controller: "u = −K x", robot: store.setup.robot, size, place }), lead: part < 1 && margin ? [margin] : [],
     numbers: [
-      [seconds(delay, 3), filled(words.delay, { place })], [`${range}\u00a0%`, words.strength],
-      [phase < Infinity ? `${digits(phase, 2)}°` : "∞", words.phase],
+      [`${range}\u00a0%`, filled(words.strength, { usual: `${target}\u00a0%` })],
+      [seconds(delay, 3), filled(words.delay, { place, usual: seconds(period, 3) })],
+      [phase < Infinity ? `${digits(phase, 2)}°` : "∞", filled(words.phase, { usual: `${PHASE}°` })],
     ],
   };
 }
