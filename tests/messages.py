@@ -23,7 +23,8 @@ from upright.messages import HOLE, PART, in_language, sections
 
 PARTS = ("expected", "likely", "hint")
 SAID = {
-    "tell": 0, "complain": 0, "in_language": 0, "progress": 0, "Question": 1, "OwnerQuestion": 0, "GuidedStep": 0,
+    "Message": 0, "tell": 0, "complain": 0, "in_language": 0, "progress": 0, "Question": 1, "OwnerQuestion": 0,
+    "GuidedStep": 0,
 }  # fmt: skip
 """What shows one of its arguments: its place."""
 LISTED = ("Firmware", "FlightPlan", "Flight")
@@ -37,11 +38,22 @@ Texts = frozenset[str]
 FACT: Texts = frozenset({HOLE})
 
 
+ENGLISH_WORD = re.compile(
+    r"\b(the|of|is|are|was|with|for|and|from|at|row|has|have|its|it|this|that|which|but|not|than)\b", re.I
+)
+"""Words of which every English sentence has one, and no Spanish one."""
+
 NO_WORDS = re.compile(
     r"upright:? \{\}|\{\}|(?:pip|apt) install [\w ]+(?:-\w+)*|(?:upright|mkdir) [\w-]+"  # commands
     r"|`[^`]*`|--?[\w-]+|\[[\w\[\].]+\]"  # code, options, tables
     r"|[\w./:<-]*[\d_./:=<][\w./:<>-]*[\w/>]|\b[A-Z]\w*[A-Z]\w*\b"  # files, names, units, abbreviations
 )
+
+
+def still_english(text: str) -> bool:
+    """Whether English stands in a text beside what stays as it is typed or quoted."""
+    typed = r"`[^`]*`|'[^']*'|\"[^\"]*\"|--?[\w-]+(?: [A-Z]+)?|upright [\w-]+"
+    return bool(ENGLISH_WORD.search(re.sub(typed, "", text)))
 
 
 def worded(template: str) -> bool:

@@ -79,7 +79,7 @@ def shape(value: object) -> object:
     return sorted(re.findall(r"\{\w+\}", value))
 
 
-SHARED = {"hinf", "tabRobot", "preset", "doctor", "title", "tabPython", "install", "robotIs"}
+SHARED = {"hinf", "tabRobot", "tabKit", "preset", "doctor", "title", "tabPython", "install", "robotIs"}
 
 
 def test_the_page_s_spanish_is_that_of_the_catalogue():

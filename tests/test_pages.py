@@ -16,6 +16,7 @@ import pytest
 
 import budget
 import upright
+from messages import still_english
 from upright.checkup.doctor import doctor
 from upright.classwork.graded import Grade, differs
 from upright.classwork.grading import Grades
@@ -26,6 +27,7 @@ from upright.control import make_controller
 from upright.diagnose.causes import LOW, PUSH, Blow, Cause
 from upright.diagnose.post_mortem import PostMortem
 from upright.diagnose.series import Series
+from upright.errors import UnknownName
 from upright.execution.parity import Parity, PushOutcome
 from upright.fleets.basin import Axis, basin
 from upright.fleets.binomial import clopper_pearson
@@ -36,7 +38,23 @@ from upright.fleets.tally import CaseSummary
 from upright.lab.handin import RunResult
 from upright.languages import LANGUAGES, catalogue, speaking
 from upright.loops.analysis import analyse
-from upright.pages import Column, Fold, KeyNumber, Next, Page, Quantity, Result, Say, Table, Verdict, html, terminal
+from upright.messages import in_language
+from upright.pages import (
+    Column,
+    Fold,
+    KeyNumber,
+    Message,
+    Next,
+    Page,
+    Quantity,
+    Result,
+    Say,
+    Table,
+    Verdict,
+    data_of,
+    html,
+    terminal,
+)  # fmt: skip
 from upright.pages.terms import term
 from upright.pages.words import _FORMS
 from upright.robots import PARAMETERS, Kit, Robot
@@ -86,6 +104,41 @@ def test_what_is_said_is_one_literal_sentence() -> None:
         if not (isinstance(node.args[0], ast.Constant) and isinstance(node.args[0].value, str))
     ]
     assert made == []
+
+
+def test_a_sentence_that_is_one_fact_is_a_name() -> None:
+    """An error or a remark under another name would pass for one, and stay English: it is a `Message`, or a `Say`."""
+    whole = (ast.Call, ast.List, ast.ListComp)  # which is said by itself
+    hidden = [
+        f"{path.relative_to(SOURCE)}:{node.lineno}"
+        for path, node in calls("Say")
+        for fact in node.keywords
+        if isinstance(node.args[0], ast.Constant) and node.args[0].value == f"{{{fact.arg}}}"
+        if fact.arg != "name" and not isinstance(fact.value, whole)
+    ]
+    assert hidden == []
+
+
+def test_the_text_of_an_error_is_no_fact() -> None:
+    """`str(error)` is English for ever; `Message(error)` is found in the catalogue where it is shown."""
+    hidden: list[str] = []
+    for path, node in calls("Say"):
+        errors = {one.name for one in budget.nodes()[path] if isinstance(one, ast.ExceptHandler)}
+        for fact in node.keywords:
+            match fact.value:
+                case ast.Call(func=ast.Name("str" | "one_line"), args=[ast.Name(name), *_]) if name in errors:
+                    hidden.append(f"{path.relative_to(SOURCE)}:{node.lineno}")
+    assert hidden == []
+
+
+def test_an_error_in_a_page_is_shown_as_on_the_command_line() -> None:
+    error = UnknownName("robot", "a", ["b"])
+    sentence = Say("Left out: {why}", why=Message(error))
+    with speaking("es"):
+        assert str(sentence).endswith(in_language(str(error)))
+        assert "no hay robot" in str(sentence)
+    assert str(sentence).endswith(str(error))
+    assert data_of(Message(error)) == str(error)
 
 
 @pytest.mark.parametrize("language", OTHERS)
@@ -220,8 +273,8 @@ def a_bench() -> Result:
 def a_parity() -> Result:
     pushes = (PushOutcome("front", True, 0.1, "stood"),)
     return Parity(
-        target="c", where="here", numbers="float", robot="r", hash="0", unit="V", steps=9, periods=9, worst=1e-5,
-        tolerance=1e-4, duties=0, pushes=pushes,
+        target="c", where=Say("CPython"), numbers="float", robot="r", hash="0", unit="V", steps=9, periods=9,
+        worst=1e-5, tolerance=1e-4, duties=0, pushes=pushes,
     )  # fmt: skip
 
 
@@ -258,17 +311,19 @@ def test_every_rendering_has_the_same_numbers(make: Callable[[], Result]) -> Non
     page = result.page()
     values = [value.replace("\u00a0", " ") for value, _ in page.head()["numbers"]]
     assert values
-    json.dumps(result.to_json(), allow_nan=False)
+    data = json.dumps(result.to_json(), allow_nan=False)
     head = json.dumps(page.head(), ensure_ascii=False)
     for rendered in (str(result), html.document(page), result._repr_html_(), head):
         assert all(value in rendered.replace("\u00a0", " ") for value in values)
     assert max(map(len, str(result).splitlines())) <= 80
     with speaking("es"):
-        spanish = terminal.text(page)
+        spanish = terminal.text(result.page())
+        assert json.dumps(result.to_json()) == data  # data are in one language
     assert re.findall(r"\d+", spanish.partition("upright")[0]) == re.findall(
         r"\d+", str(result).partition("upright")[0]
     )
     assert spanish.splitlines()[0] != str(result).splitlines()[0]
+    assert not still_english(spanish)
 
 
 @pytest.mark.parametrize(

@@ -167,9 +167,9 @@ def test_weights_go_to_the_methods_that_take_them(rod):
         ("{rod}", "without a name"),
         ("{rod}x.py:Rod", "there is no file"),
         ("{rod}:broken", r"rod.py line 23: ZeroDivisionError"),
-        ("{rod}:Half", r"Half without applied, estimate, step, to_json; expected a Controller"),
+        ("{rod}:Half", r"Half without applied, estimate, step, to_json; expected an object like Controller"),
         ("{syntax}:Rod", "SyntaxError"),
-        ("gone", r"'gone' \(rod_of_nobody:Rod\) fails: .*ModuleNotFoundError"),
+        ("gone", r"'gone' \(rod_of_nobody:Rod\) gives an error: .*ModuleNotFoundError"),
     ],
 )
 def test_what_is_wrong_with_a_plugin_is_reported_in_one_line(place, why, rod, installed):
@@ -181,9 +181,9 @@ def test_what_is_wrong_with_a_plugin_is_reported_in_one_line(place, why, rod, in
 
 
 def test_a_body_that_is_none_is_refused(rod):
-    with pytest.raises(InvalidPlugin, match="fails: TypeError"):
+    with pytest.raises(InvalidPlugin, match="gives an error: TypeError"):
         make_body(f"{rod}:Rod", NXT)
     empty = rod.with_name("empty.py")
     empty.write_text("class Nothing:\n    def __init__(self, robot): ...\n", encoding="utf-8")
-    with pytest.raises(InvalidPlugin, match=r"Nothing without close, reset, spec, step; expected a Body"):
+    with pytest.raises(InvalidPlugin, match=r"Nothing without close, reset, spec, step; expected an object like Body"):
         make_body(f"{empty}:Nothing", NXT)

@@ -108,8 +108,9 @@ class UnknownName(UprightError):
 
 
 def one_line(error: BaseException, longest: int = LONGEST_REASON) -> str:
-    """The message of any exception on one line of at most `longest` letters; its type where it has no message."""
-    return " ".join(str(error).split())[:longest] or type(error).__name__
+    """The message of any exception on one line; of one that is not ours at most `longest` letters, or its type."""
+    line = " ".join(str(error).split())
+    return line if isinstance(error, UprightError) else line[:longest] or type(error).__name__
 
 
 def meant(name: str, names: Iterable[str], text: str = "{}") -> str:

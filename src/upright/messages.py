@@ -44,7 +44,9 @@ class _Template:
         pattern = re.escape(self._english).replace(r"\ \{\}", r"(?:\ (.*?))?")  # a fact may be empty
         pattern = re.sub(r"^\\{\\}\\ ", r"(?:(.*?)\\ )?", pattern).replace(r"\{\}", "(.*?)")
         match = re.fullmatch(pattern, text)
-        return [fact or "" for fact in match.groups()] if match else None
+        if not match or (not self.begins and re.match(r"\S+: ", match[1] or "")):
+            return None  # behind the name of a file stands another message
+        return [fact or "" for fact in match.groups()]
 
     def filled(self, facts: list[str]) -> str:
         """The text of the other language with these facts."""

@@ -85,7 +85,7 @@ def made(what: str, kind: type[Made], make: Callable[..., Any], *arguments: Any)
     if not isinstance(result, kind):
         lacks = [name for name in _members(kind) if not hasattr(result, name)]
         raise InvalidPlugin(f"{what} gives a {type(result).__name__} without {', '.join(lacks)}",
-                            expected=f"a {kind.__name__}")  # fmt: skip
+                            expected=f"an object like {kind.__name__}")  # fmt: skip
     return result
 
 
@@ -97,7 +97,9 @@ def _loaded(what: str, load: Callable[[], Any]) -> Any:
         raise
     except (Exception, SystemExit) as error:
         line = where(error)
-        raise InvalidPlugin(f"{what} fails: {f'{line}: ' * bool(line)}{type(error).__name__}: {error}") from error
+        raise InvalidPlugin(
+            f"{what} gives an error: {f'{line}: ' * bool(line)}{type(error).__name__}: {error}"
+        ) from error
 
 
 def where(error: BaseException) -> str:

@@ -85,6 +85,8 @@ def parse_toml(text: str, where: str, refused: Refused, expected: str) -> dict[s
         return table
     except RecursionError:
         why = "it nests too deeply"
+    except tomllib.TOMLDecodeError as error:
+        why = f'"{error}"'
     except ValueError as error:
         why = str(error)
     raise refused(f"{where} is broken TOML: {why}", expected=expected)
@@ -110,15 +112,25 @@ def understood(where: str, refused: Refused, expected: str) -> Generator[None]:
         raise refused(f"{where} is broken ({why})", expected=expected) from None
 
 
+@contextmanager
+def named(path: str | Path, refused: Refused) -> Generator[None]:
+    """While an object is made of the file at `path`: what raises `refused` begins with the file's name."""
+    try:
+        yield
+    except refused as error:
+        raise refused(f"{path}: {error}") from None
+
+
 def check_schema(given: dict[str, Any], schema: str, refused: Refused) -> None:
     """Take the name of its schema, and what a command adds, off the JSON of a result; raises `refused` for another
     schema."""
     for added in ("head", "files"):
         given.pop(added, None)
-    named = given.pop("schema", "without a schema")
+    named = given.pop("schema", None)
     if named != schema:
         verb = schema.split("/")[1]
-        raise refused(f"JSON {str(named)[:60]}", expected=schema, hint=f"make it anew with upright {verb}")
+        came = "JSON without a schema" if named is None else f"JSON {str(named)[:60]}"
+        raise refused(came, expected=schema, hint=f"make it anew with upright {verb}")
 
 
 def limit_memory(size: int) -> None:

@@ -103,7 +103,7 @@ def calibrate(
     show(0.77)
     result = summarised(best, several, reason, began, stated=stated, wrong=wrong)
     hidden = parts.delay + parts.jitter / 2 - _dead_time(parts, several)
-    remarks = [*filter(None, left), *(_as_written(f"{p}.") for p in map(pace_of, several) if p and not p.kept)]
+    remarks = [*filter(None, left), *(p.in_words() for p in map(pace_of, several) if p and not p.kept)]
     notes = [*meant, *(one.remark for one in knocked), *([STRAIGHT] if straight else []), *remarks]
     result = untold(result, _unknown(result, several, knocked, cut=between_knocks, wrong=bool(wrong)))
     result = replace(result, kit=learnt_kit(result, parts, problem.delays, hidden), notes=(*result.notes, *notes))
@@ -112,11 +112,6 @@ def calibrate(
         noise = one_step_noise(max(several, key=len), result.robot, own, delay=_dead_time(own, several))
         result = replace(result, robot=result.robot.replace(noise=noise))
     return result if reason or result.untold else replace(result, apart=apart(problem, z, result.sources))
-
-
-def _as_written(remark: str) -> Say:
-    """What another room says of a log."""
-    return Say("{remark}", remark=remark)
 
 
 def _unknown(

@@ -17,7 +17,7 @@ from upright.calibration.decision import DOUBTFUL, EXCITE, UNKNOWN, USABLE, Deci
 from upright.calibration.estimate import HELD, MOVED, NORMAL, REFUSED, SURPRISE, Estimate
 from upright.errors import InvalidRobot
 from upright.languages import ENGLISH, speaking
-from upright.pages import Next, Quantity, Result, Say
+from upright.pages import Message, Next, Quantity, Result, Say
 from upright.pages.terms import channel, term
 from upright.pages.words import shown_in
 from upright.physics.linear import unstable_pole
@@ -194,7 +194,7 @@ class CalibratedRobot(Result):
         try:
             self.robot.replace()
         except InvalidRobot as error:
-            wrong.append(Say("This is no robot: {error}.", error=str(error)))
+            wrong.append(Say("This is no robot: {error}.", error=Message(error)))
         return tuple(wrong)
 
     @property

@@ -23,6 +23,7 @@ from upright.calibration.parameters import Parameter
 from upright.calibration.refined import segmented
 from upright.calibration.stated_gain import as_meant, stated_gains
 from upright.calibration.validate import score, segments
+from upright.pages import Say
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -82,18 +83,18 @@ def _own_fit(free: Problem, limits: Mapping[str, float]) -> Fitted:
     return Fitted(tempered, least.z, least.normal, least.paths)
 
 
-def as_driven(log: Log, robot: Robot, kit: Kit) -> tuple[Log, str]:
+def as_driven(log: Log, robot: Robot, kit: Kit) -> tuple[Log, tuple[Say, ...]]:
     """`log` with the commands that drove the motors, where its file states a gain and a robot that is known tells on
-    which side of it they were logged, and that in words; the log as it is, and "", where none is stated."""
+    which side of it they were logged, and that in words; the log as it is, and (), where none is stated."""
 
     def fitted(logs: Sequence[Log]) -> Fitted:
         problem, limits = prepared(logs, robot, kit, (), 0.0)
         return _own_fit(_free(problem), limits)
 
     if not stated_gains(log):
-        return log, ""
+        return log, ()
     fit = fitted([log])
     if not np.isfinite(fit.normal.objective):
-        return log, ""
+        return log, ()
     _, (driven,), words = as_meant(fit, [log], kit, fitted)
-    return driven, " ".join(map(str, words))
+    return driven, tuple(words)

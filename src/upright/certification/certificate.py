@@ -57,7 +57,7 @@ from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
 from upright.pages import Result
 from upright.progress import Progress
-from upright.reading import check_schema, check_types, read_json, understood
+from upright.reading import check_schema, check_types, named, read_json, understood
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.facts import Facts, differences, kit_facts, robot_facts
 from upright.robots.motor import refuse_energy
@@ -246,7 +246,9 @@ def _examined(setup: TrialSetup, design: Controller, recording: Log | None, now:
 
 def read_certificate(path: str | Path) -> Certificate:
     """The certificate in a file by `upright certify -o`; raises `InvalidController` for what is none."""
-    return Certificate.from_json(read_json(path, InvalidController, "a certificate, JSON by upright certify"))
+    data = read_json(path, InvalidController, "a certificate, JSON by upright certify")
+    with named(path, InvalidController):
+        return Certificate.from_json(data)
 
 
 def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:

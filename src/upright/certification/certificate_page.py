@@ -146,8 +146,8 @@ def _questions(c: Measurements) -> Table:
     radius = c.linear.radius if c.linear else 1.0
     rows: list[list[Say]] = [[Say("Does it stand?"), stands(c.standing, radius, c.period, c.trials)]]
     if c.endured:
-        pushes = [endured.message for endured in c.endured]
-        rows.append([Say("How hard may I push it?"), Say("{pushes}", pushes=pushes)])
+        pushes = Say("{pushes}", pushes=[endured.message for endured in c.endured])
+        rows.append([Say("How hard may I push it?"), pushes])
     if c.strength:
         weak = Say("too weak for {beyond} of the {fell} that fell; {what}", beyond=c.beyond, fell=c.fell,
                    what=c.strength.message)  # fmt: skip

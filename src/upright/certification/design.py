@@ -218,4 +218,4 @@ def design(
     try:
         return Designed(method, nominal, parts, controller, analyse(controller, nominal, parts))
     except (InvalidController, SpecMismatch) as error:
-        return Designed(method, nominal, parts, controller, None, f"no margins: {error}")
+        return Designed(method, nominal, parts, controller, None, str(error))

@@ -14,7 +14,21 @@ from upright.control.lqr import Lqr
 from upright.control.pid_angle_design import AngleDesign
 from upright.loops.analysis_page import analysis_page
 from upright.loops.places import place_of
-from upright.pages import Block, Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
+from upright.pages import (
+    Block,
+    Column,
+    Fold,
+    Items,
+    KeyNumber,
+    Message,
+    Next,
+    Page,
+    Picture,
+    Quantity,
+    Say,
+    Table,
+    Verdict,
+)
 from upright.pages.terms import short
 from upright.signals import STATE_NAMES
 
@@ -68,7 +82,7 @@ def unknown_margins(reason: object) -> Page:
     """The first screen of a controller without margins, for this `reason`."""
     return Page(
         Say("No linear margins are known: the certificate tries it by simulation"),
-        verdict=Verdict(Say("no margins known"), "unknown"), lead=[Say("Why: {reason}", reason=str(reason))],
+        verdict=Verdict(Say("no margins known"), "unknown"), lead=[Say("Why: {reason}", reason=Message(reason))],
     )  # fmt: skip
 
 
@@ -114,12 +128,18 @@ def _regulator(record: Lqr) -> list[Block]:
     # what is zero but for rounding would need a power of ten
     cost = np.where(np.abs(record.cost) < ROUNDED * np.abs(record.cost).max(), 0.0, record.cost)
     rows = [[state, *_four_digits(row)] for state, row in zip(states, cost.tolist(), strict=True)]
-    poles = [f"{pole:.4g}" if pole.imag else f"{pole.real:.4g}" for pole in record.poles().tolist()]
+    poles = [_pole(pole) for pole in record.poles().tolist() if pole.imag >= 0]
     return [
         Table(columns, gain, Say("K of u = −K (x − r), in {unit} per rad and rad/s", unit=record.command_unit)),
         Table([Column(Say("state")), *columns[1:]], rows, Say("S of the Riccati equation, J = xᵀ S x")),
         Say("Poles z of A − B K: {poles}", poles=poles),
     ]
+
+
+def _pole(pole: complex) -> Quantity | Say:
+    """A real pole, or one with its conjugate."""
+    real, size = _four_digits([pole.real, pole.imag])
+    return Say("{real} ± {size} j", real=real, size=size) if pole.imag else real
 
 
 def _four_digits(row: list[float]) -> list[Quantity]:

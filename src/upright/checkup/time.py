@@ -173,11 +173,4 @@ def paced(t: Array, origin: Mapping[str, Any]) -> list[Finding]:
     kept = pace(t, origin)
     if kept is None or kept.kept:
         return []
-    evidence = Say(
-        "{late} of {rows} rows came late: {median} apart, where the program's period is {period}.",
-        late=kept.overdue,
-        rows=kept.rows,
-        median=Quantity(kept.median, "s"),
-        period=Quantity(kept.period, "s"),
-    )
-    return [warning("time/pace", "t", evidence, Say("Use the log's times, not row × period."))]
+    return [warning("time/pace", "t", kept.in_words(), Say("Use the log's times, not row × period."))]

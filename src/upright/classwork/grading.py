@@ -22,7 +22,7 @@ from upright.interrupts import without_ctrl_c
 from upright.lab.handin import HandIn, RunResult, read_hand_in
 from upright.lab.rerun import rerun
 from upright.lab.seat import TookTooLong, within
-from upright.pages import Quantity, Result, Say
+from upright.pages import Message, Quantity, Result, Say, english
 from upright.progress import Progress, unwatched
 from upright.reading import limit_memory
 
@@ -74,7 +74,7 @@ class Grades(Result):
                          *(f"{which}_{name}" for which in ("claimed", "replayed") for name in numbers)])  # fmt: skip
         for one in self.rows:
             results = [getattr(run, name) if run else "" for run in one.runs.values() for name in numbers]
-            texts = (one.file, one.student, one.task, one.verdict, str(one.why or ""))
+            texts = (one.file, one.student, one.task, one.verdict, english(one.why) if one.why else "")
             writer.writerow([*map(_harmless, texts), *results])
         return write_text(path, out.getvalue())
 
@@ -99,7 +99,7 @@ def grade_file(path: Path) -> Grade:
     try:
         done = read_hand_in(path)
     except (UprightError, OSError, RecursionError, MemoryError) as error:
-        return Grade(file=path.name, why=Say("{error}", error=one_line(error)))
+        return Grade(file=path.name, why=Message(one_line(error)))
     task = task_of(done)
     first = Grade(
         file=path.name, student=done.student, task=task.name if task else "", claimed=done.claimed, run=done.run
@@ -112,7 +112,7 @@ def grade_file(path: Path) -> Grade:
     except TookTooLong:
         return replace(first, why=Say("it took longer than {limit} to run", limit=Quantity(LONGEST, "s")))
     except Exception as error:  # whatever a set-up does, the others are graded
-        return replace(first, why=Say("it cannot be run: {error}", error=one_line(error)))
+        return replace(first, why=Say("it cannot be run: {error}", error=Message(one_line(error))))
     return _judged(replace(first, replayed=replayed), done, replayed)
 
 

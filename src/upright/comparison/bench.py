@@ -21,7 +21,7 @@ from upright.experiment import Hold, Impulse, outcome_of, run
 from upright.firmware.balance import trace
 from upright.firmware.targets import computing_time
 from upright.fleets.push_map import CEILING, FLOOR, largest
-from upright.pages import Result, Say
+from upright.pages import Message, Result, Say, english
 from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.drives import EFFORT_UNITS
@@ -94,7 +94,7 @@ class Bench(Result):
     rows: tuple[BenchRow, ...]
     logs: Mapping[tuple[str, str], Log]
     period: float = math.nan
-    left_out: str = ""
+    left_out: tuple[str, ...] = ()
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers, without the logs."""
@@ -106,7 +106,7 @@ class Bench(Result):
             "kit": self.kit,
             "body": self.body,
             "seed": self.seed,
-            "left_out": self.left_out,
+            "left_out": "; ".join(self.left_out),
             "rows": rows,
             "take": self.take,
             "places": self.places(),
@@ -238,10 +238,10 @@ def bench_controllers(
     """
     nominal = find_robot(robot)
     parts = find_kit(kit or nominal.kit)
-    left_out = ""
+    left_out: tuple[str, ...] = ()
     if not methods:
         methods = [name for name, method in CONTROLLERS.items() if method.benched and not method.lacks]
-        left_out = "; ".join(method.lacks for method in CONTROLLERS.values() if method.lacks)
+        left_out = tuple(method.lacks for method in CONTROLLERS.values() if method.lacks)
     for method in methods:
         _ = CONTROLLERS[method]  # raises for a name that there is not, before the work
     rows = list[BenchRow]()
@@ -268,7 +268,7 @@ def bench_controllers(
 
 def bench_one(
     method: str, side: str, robot: Robot, kit: Kit, *, body: str, seed: int, drawn: Sequence[Robot],
-    knocks: bool = True, controller: Controller | str | None = None,
+    knocks: bool = True, controller: Controller | Message | None = None,
 ) -> tuple[BenchRow, Log | None]:  # fmt: skip
     """One controller under one push, of `robot` and of the `drawn` ones, and the run; None where there is no design.
 
@@ -276,8 +276,8 @@ def bench_one(
     """
     push = push_name(side)
     controller = controller or _designed(method, robot, kit)
-    if isinstance(controller, str):
-        return BenchRow(controller=method, push=push, outcome=controller), None
+    if isinstance(controller, Message):
+        return BenchRow(controller=method, push=push, outcome=english(controller)), None
     setup = TrialSetup(robot, drawn, kit, seed, controller=kernel_controller(controller, robot, kit))
     plant = equipped(body, robot, kit)
     log = run(plant, controller, Hold(pitch=PUSHES[side], until=UNTIL), seconds=SECONDS, seed=seed)
@@ -338,12 +338,12 @@ def _largest(stands: Callable[[Impulse], bool], robot: Robot, way: float, near: 
     return float(largest(survived, [guess], CEILING * mass, FLOOR * mass, TOLERANCE, factor)[0])
 
 
-def _designed(method: str, robot: Robot, kit: Kit) -> Controller | str:
+def _designed(method: str, robot: Robot, kit: Kit) -> Controller | Message:
     """The method's design for this robot and kit, or why there is none."""
     try:
         return make_controller(method, robot, kit, kit.period)
     except UprightError as error:
-        return f"no design: {str(error).split(';')[0]}"
+        return Message(f"no design: {error.parts['came']}")
 
 
 def _spread(setup: TrialSetup, side: str) -> float | None:

@@ -7,7 +7,7 @@ import math
 from typing import Any
 
 from upright.fleets.binomial import upper_bound
-from upright.pages import Column, Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
+from upright.pages import Column, Fold, Items, KeyNumber, Message, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.blocks import Cell
 
 Bench = Any  # these are those of `bench.py`, which imports this file
@@ -49,7 +49,7 @@ def bench_page(bench: Bench) -> Page:
         Say("The smaller limit of knocks from front and back. Equal places differ by less than {tolerance}.",
             tolerance=tolerance),
     )  # fmt: skip
-    left_out = [Items([Say("Left out: {why}", why=bench.left_out)])] if bench.left_out else []
+    left_out = [Items([Say("Left out: {why}", why=list(map(Message, bench.left_out)))])] if bench.left_out else []
     pushes = [push_table(bench, push) for push in dict.fromkeys(row.push for row in bench.rows)]
     shown = [responses(bench)] if knocked else []
     verdict = Verdict(held, "good" if bench.held else "bad")
@@ -145,7 +145,7 @@ def _holds(row: BenchRow) -> Verdict | Say:
         return Verdict(Say("yes"), "good")
     if row.fell_at is not None:
         return Verdict(Say("fell after {time}", time=Quantity(row.fell_at, "s", digits=2)), "bad")
-    return Say("{why}", why=row.outcome)
+    return Message(row.outcome)
 
 
 def responses(bench: Bench) -> Picture:

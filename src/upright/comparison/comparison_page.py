@@ -10,6 +10,7 @@ import numpy as np
 
 from upright.comparison.drawing import draw_apart, state_words, unit_of
 from upright.comparison.parts import (
+    body_in_words,
     certify_next,
     cut_note,
     folds,
@@ -21,6 +22,7 @@ from upright.experiment import outcome_of
 from upright.experiment.described import facts_of, law_in, name_in
 from upright.pages import Cell, Column, Fold, KeyNumber, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.blocks import MOST_NUMBERS
+from upright.pages.terms import channel
 
 NAMED = 4  # runs that a title names
 DIFFERS = 0.2  # of the largest push
@@ -192,8 +194,8 @@ def _origins(comparison: Compared) -> Fold:
         Column(Say("length"), "s"), Column(Say("controller")),
     ]  # fmt: skip
     rows: list[list[Cell]] = [
-        [label, comparison.kinds[label] or None, comparison.sources[label], len(log), float(log.t[-1] - log.t[0]),
-         facts_of(log.origin).get("controller")]
+        [label, body_in_words(comparison.kinds[label]), channel(comparison.sources[label]), len(log),
+         float(log.t[-1] - log.t[0]), facts_of(log.origin).get("controller")]
         for label, log in comparison.logs.items()
     ]  # fmt: skip
     return Fold(Say("Where the logs come from"), [Table(columns, rows)])

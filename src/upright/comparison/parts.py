@@ -18,6 +18,17 @@ FRACTIONS = {"1": "fraction"}
 """Unit of a metric → that in which people read it."""
 
 
+BODIES = {
+    "twin": Say("MuJoCo twin"), "nonlinear model": Say("nonlinear model"), "linear model": Say("linear model"),
+}  # fmt: skip
+"""What is in the name of a simulated body, and what it is."""
+
+
+def body_in_words(kind: str) -> Say | str | None:
+    """A kind of body as the origin of a log names it."""
+    return next((words for part, words in BODIES.items() if part in kind), kind or None)
+
+
 def who(log: Log, kind: str, pushes: Say) -> Say:
     """Robot, controller and pushes of a run in a body of this kind."""
     robot = name_in(log.origin, "robot")

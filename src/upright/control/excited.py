@@ -25,7 +25,7 @@ class Excited:
         self.controller = controller
         self.excitation = sequence
         self._row = 0
-        self.spec = replace(controller.spec, kind=f"{controller.spec.kind} with excitation")
+        self.spec = replace(controller.spec, kind=f"{controller.spec.kind}+excitation")
 
     def reset(self) -> None:
         self.controller.reset()

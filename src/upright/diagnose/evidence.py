@@ -52,7 +52,7 @@ from upright.diagnose.supply import as_shown, with_supply
 from upright.diagnose.thrown import Throw, thrown
 from upright.diagnose.usual import FOREIGN, calm_of, quiet_of, window_of
 from upright.errors import SpecMismatch, UprightError
-from upright.pages import Say
+from upright.pages import Message, Say
 from upright.physics.dynamics import motor_damping, motor_gain
 from upright.physics.linear import linearise
 from upright.progress import Progress
@@ -309,7 +309,7 @@ def _match(
     try:
         several = [matched(run, controller, end - seconds, end) for seconds in LAST_SECONDS]
     except SpecMismatch as error:
-        return None, None, (Say("The controller was not replayed: {error}", error=str(error)),)
+        return None, None, (Say("The controller was not replayed: {error}", error=Message(error)),)
     best = max(several, key=lambda match: match.explained)
     stable = _stable(controller, run.robot, run.kit)
     if best.known or best.explained > SAME:

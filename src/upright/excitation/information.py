@@ -20,6 +20,7 @@ from upright.calibration.fitting import STICKING, Problem, normal_equations, obj
 from upright.calibration.informativity import too_quiet
 from upright.calibration.process_noise import process
 from upright.calibration.refined import FREEDOM
+from upright.pages import Say
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -48,9 +49,9 @@ def _process(problem: Problem, size: float) -> dict[str, float]:
     return noise | {STICKING: noise[STICKING] + 2 * np.log(LOOSE)}
 
 
-def quiet(log: Log, robot: Robot, kit: Kit, known: Sequence[str] = ()) -> str:
-    """Why `calibrate` would give no inertia from that log, in words; '' where it would."""
-    return str(too_quiet(prepared([log], robot, kit, (*known, CONSTANT), HELD_OUT)[0]) or "")
+def quiet(log: Log, robot: Robot, kit: Kit, known: Sequence[str] = ()) -> Say | None:
+    """Why `calibrate` would give no inertia from that log, in words; None where it would."""
+    return too_quiet(prepared([log], robot, kit, (*known, CONSTANT), HELD_OUT)[0])
 
 
 def fisher(problem: Problem) -> Array:

@@ -9,7 +9,7 @@ from upright.errors import InvalidScenario
 from upright.excitation.plan_page import plan_page, uncertainty_left
 from upright.excitation.planned import PlannedRun
 from upright.pages import Result
-from upright.reading import read_json
+from upright.reading import named, read_json
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -31,4 +31,6 @@ class ExcitationPlan(PlannedRun, Result):
 
 def read_plan(path: str | Path) -> ExcitationPlan:
     """The plan in a JSON file; raises `InvalidScenario` for one that cannot be read or is none."""
-    return ExcitationPlan.from_json(read_json(path, InvalidScenario, "a plan by upright excite"))
+    data = read_json(path, InvalidScenario, "a plan by upright excite")
+    with named(path, InvalidScenario):
+        return ExcitationPlan.from_json(data)

@@ -156,7 +156,7 @@ def uncertainty_left(plan: PlannedRun) -> Figure:
 
 
 def _notes(plan: PlannedRun) -> list[Block]:
-    notes = [Say("{note}", note=note) for note in plan.notes]
+    notes = list(plan.notes)
     if plan.checked.dropped:
         notes.append(
             Say("Left out, since they fall without an excitation: {n} of the robots drawn.", n=plan.checked.dropped)

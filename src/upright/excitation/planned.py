@@ -16,6 +16,7 @@ from upright.control.excited import Excited
 from upright.control.identity import Identity, identity
 from upright.errors import InvalidScenario, SpecMismatch
 from upright.fleets.binomial import upper_bound
+from upright.pages import Message, Quantity, Say, english
 from upright.reading import check_schema, check_types, understood
 from upright.robots import PARAMETERS
 
@@ -59,15 +60,23 @@ class Checked:
         """Upper bound of the probability of a fall, with 95 % confidence (Clopper and Pearson 1934)."""
         return upper_bound(self.fell, self.samples, CONFIDENCE)
 
-    def broken(self, limits: Limits) -> dict[str, str]:
+    def broken(self, limits: Limits) -> dict[str, Say]:
         """The limits that are exceeded, in words, by name."""
         texts = {
             "falls": (
                 self.bound,
-                f"{self.fell} of {self.samples} robots fall: a probability up to {self.bound:.2%}",
+                Say(
+                    "{n} of {all} robots fall, so the probability may be {bound}",
+                    n=self.fell,
+                    all=self.samples,
+                    bound=Quantity(self.bound, "fraction"),
+                ),
             ),
-            "saturated": (self.saturated, f"a motor is saturated for {self.saturated:.1%} of the time"),
-            "travel": (self.travel, f"it travels {self.travel:.2f} m"),
+            "saturated": (
+                self.saturated,
+                Say("a motor is at its limit in {part} of the time", part=Quantity(self.saturated, "fraction")),
+            ),
+            "travel": (self.travel, Say("it travels {distance}", distance=Quantity(self.travel, "m"))),
         }
         return {name: text for name, (value, text) in texts.items() if value > getattr(limits, name)}
 
@@ -134,7 +143,7 @@ class PlannedRun:
     predicted: tuple[Predicted, ...]
     tried: tuple[Tried, ...]
     seed: int
-    notes: tuple[str, ...] = ()
+    notes: tuple[Say, ...] = ()
     asked: str = ""
     response: tuple[float, ...] = ()
     saved: str = ""
@@ -192,7 +201,7 @@ class PlannedRun:
             if math.isclose(added, self.added, rel_tol=1e-6)
             else [f"what is added has {added:g}, not {self.added:g}"]
         )
-        wrong += self.checked.broken(self.limits).values()
+        wrong += map(str, self.checked.broken(self.limits).values())
         wrong += [
             f"{p.name}: {p.after:g} is wider than before" for p in self.predicted if p.after > p.before * (1 + 1e-6)
         ]
@@ -205,7 +214,8 @@ class PlannedRun:
         parts |= {name: asdict(parts[name]) for name in ("limits", "checked")}
         parts["predicted"] = [asdict(p) | {"kind": p.kind} for p in self.predicted]
         parts["tried"] = [asdict(p) for p in self.tried]
-        parts |= {name: list(parts[name]) for name in ("focus", "notes", "response")}
+        parts |= {name: list(parts[name]) for name in ("focus", "response")}
+        parts["notes"] = [english(note) for note in self.notes]
         parts["excitation"] = self.excitation.tolist()
         derived = {"bound": self.checked.bound, "shrinks": self.shrinks}
         return {"schema": SCHEMA} | parts | {"shares": dict(self.division)} | derived
@@ -238,7 +248,7 @@ def _read(cls: type[P], data: Mapping[str, Any]) -> P:
         "predicted": tuple(Predicted(**{k: v for k, v in row.items() if k != "kind"}) for row in given["predicted"]),
         "tried": tuple(Tried(**row) for row in given["tried"]),
         "focus": tuple(given["focus"]),
-        "notes": tuple(given["notes"]),
+        "notes": tuple(map(Message, given["notes"])),
         "response": tuple(map(float, given.get("response", ()))),
         "excitation": np.array(given["excitation"], dtype=np.float64),
     }

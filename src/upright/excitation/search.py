@@ -18,6 +18,7 @@ from upright.excitation.plan import ExcitationPlan
 from upright.excitation.planned import Checked, Limits, Predicted, Tried
 from upright.excitation.signals import mixture, signals
 from upright.kernel.batch import NAMES, FleetResult, parameters_of
+from upright.pages import Say
 from upright.progress import Progress
 from upright.robots import PARAMETERS
 from upright.robots.uncertainty import Family
@@ -153,7 +154,7 @@ class Search:
     def settled(self, way: Way) -> tuple[Array, Checked]:
         """The excitation as large as all robots allow, and what was measured of them."""
         excitation = way.excitation
-        broken = dict[str, str]()
+        broken = dict[str, Say]()
         for _ in range(TRIES):
             checked = self._measured(self.loop.run(MARGIN * excitation, self.stand), self.stand)
             broken = checked.broken(self.limits)

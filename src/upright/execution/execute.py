@@ -16,6 +16,7 @@ from upright.execution.execute_sketch import SketchExecutor
 from upright.execution.executor import Executor, HostExecutor, Values
 from upright.firmware.targets import check_time
 from upright.firmware.tools import ExecutionFailed, run_tool, tool
+from upright.pages import Say
 
 
 class PythonExecutor:
@@ -26,8 +27,11 @@ class PythonExecutor:
     def __init__(self, source: Path, program: Program, compiled: bool = False) -> None:
         self._names = program.results()
         micro = program.target == "pybricks"
-        made = ".mpy by mpy-cross, " if compiled else ""
-        self.where = f"MicroPython ({made}floats of 64 bits; a hub's have 32)" if micro else "CPython"
+        self.where = Say("CPython")
+        if micro:
+            self.where = Say("MicroPython (floats of 64 bits; a hub's have 32)")
+        if micro and compiled:
+            self.where = Say("MicroPython (.mpy by mpy-cross, floats of 64 bits; a hub's have 32)")
         self.numbers = "double"
         self.duties = (0.0, 0.0)
         self.script = Script(program.target)

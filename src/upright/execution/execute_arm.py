@@ -12,6 +12,7 @@ from upright.compiled.program import Program
 from upright.errors import MissingTool
 from upright.execution.executor import FLAGS, CExecutor
 from upright.firmware.tools import ExecutionFailed, run_tool, tool
+from upright.pages import Say
 
 FLASH, RAM, STACK, RETURN = 0x0010_0000, 0x0020_0000, 0x0021_0000, 0x0030_0000
 """Where an AT91SAM7S256, the chip of the NXT, has its memories, and an address for functions to return to."""
@@ -27,7 +28,7 @@ class ArmExecutor(CExecutor):
 
     def __init__(self, source: Path, program: Program, number: str) -> None:
         super().__init__(program, number)
-        self.where = "an emulated ARM7TDMI (soft float)"
+        self.where = Say("an emulated ARM7TDMI (soft float)")
         with TemporaryFolder() as folder:
             binary = Path(folder) / "balance.elf"
             chip = ["-mcpu=arm7tdmi", "-marm", "-ffreestanding", "-nostdlib", "-static"]

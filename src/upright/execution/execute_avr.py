@@ -15,6 +15,7 @@ from upright.compiled.program import Program
 from upright.errors import MissingTool
 from upright.execution.executor import FLAGS, Values, Words
 from upright.firmware.tools import ExecutionFailed, run_tool, tool
+from upright.pages import Say
 
 CLOCK = 16e6  # [Hz]
 RESET, CALIBRATE, BALANCE = 1, 2, 3
@@ -30,7 +31,7 @@ class Chip:
     program takes of flash and RAM.
     """
 
-    where = "a simulated ATmega328P"
+    where = Say("a simulated ATmega328P")
 
     def __init__(self, source: Path, program: Program, number: str) -> None:
         self.numbers = number

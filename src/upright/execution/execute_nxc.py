@@ -12,6 +12,7 @@ from upright.compiled.program import Program
 from upright.execution.executor import Values
 from upright.firmware.tools import ExecutionFailed, run_tool, tool
 from upright.firmware.wiring import nxt_wiring
+from upright.pages import Say
 
 COST = 1  # [µs] an instruction takes here; how many there are in a period is what is reported
 LOOK = 100  # [µs] from one look at whether the program has come to rest to the next
@@ -38,7 +39,7 @@ class NxcExecutor:
     """A program of the brick in the brick's own machine, one period a step; `instructions` is the most in a period."""
 
     def __init__(self, source: Path, program: Program) -> None:
-        self.where = "the NXT's bytecode machine (nbc)"
+        self.where = Say("the NXT's bytecode machine (nbc)")
         self.numbers = "float"
         self.instructions = 0
         self._program = program

@@ -17,6 +17,7 @@ from upright.execution.execute_avr import CHIP, Chip, spent
 from upright.execution.executor import Values
 from upright.firmware.tools import run_tool, tool
 from upright.firmware.wiring import defined
+from upright.pages import Say
 from upright.signals import SIDES
 
 CORE = Path("/usr/share/arduino/hardware/arduino/avr")
@@ -61,7 +62,7 @@ FLAGS = ("-c", *CHIP, "-ffunction-sections", "-fdata-sections", "-DARDUINO=10819
 class SketchExecutor(Chip):
     """A sketch on an Uno with an MPU-6050, wired as its first constants say. With `real` no time is leapt over."""
 
-    where = "a simulated Arduino Uno"
+    where = Say("a simulated Arduino Uno")
 
     def __init__(self, source: Path, program: Program, number: str, real: bool = False) -> None:
         self.real = real

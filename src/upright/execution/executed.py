@@ -21,6 +21,7 @@ from upright.execution.executor import Executor, Values
 from upright.firmware.setup import CALIBRATION_TIME
 from upright.firmware.targets import BATTERY, COMPASS, GYRO, OFFSET, PITCH
 from upright.firmware.tools import ExecutionFailed
+from upright.pages import english
 from upright.robots import Battery, Kit
 from upright.signals import SIDES, STATE_NAMES
 
@@ -110,7 +111,8 @@ class Executed:
         self._longest = comparable(program, executor.numbers)
         fused = ACCELEROMETER if PITCH in program.channels.values() else ()  # of which a sketch makes its angle
         reads = tuple(c for c in (*program.channels.values(), *fused) if c in kit.sensors)
-        self.spec = ControllerSpec(f"{program.kind} on {executor.where}", reads, program.period, program.command_unit)
+        kind = f"{program.kind} on {english(executor.where)}"
+        self.spec = ControllerSpec(kind, reads, program.period, program.command_unit)
 
     def reset(self) -> None:
         self._offset = calibrated(self._executor, self._readings, self._program.period)

@@ -11,6 +11,7 @@ from upright.atomic import TemporaryFolder
 from upright.compiled.fixed import fractions
 from upright.compiled.program import Kind, Program
 from upright.firmware.tools import run_tool, tool
+from upright.pages import Say
 
 Values = Mapping[str, float]
 
@@ -19,7 +20,7 @@ class Executor(Protocol):
     """`start()` begins anew; `step(raw)` gives the program one period with those raw readings and returns its outputs,
     nothing while it still calibrates. `numbers` is the arithmetic it runs in, `where` the machine."""
 
-    where: str
+    where: Say
     numbers: str
 
     def start(self) -> None: ...
@@ -87,7 +88,7 @@ class HostExecutor(CExecutor):
 
     def __init__(self, source: Path, program: Program, number: str, flags: Sequence[str] = ()) -> None:
         super().__init__(program, number)
-        self.where = "this machine (gcc)"
+        self.where = Say("this machine (gcc)")
         self._folder = TemporaryFolder()
         library = Path(self._folder.name) / "balance.so"
         run_tool([tool("gcc"), *FLAGS, *flags, "-shared", "-fPIC", "-o", str(library), str(source)], source.name)

@@ -21,7 +21,7 @@ from upright.firmware.generate import Firmware
 from upright.firmware.program_file import read_program
 from upright.firmware.setup import STATUS
 from upright.firmware.targets import ENCODERS
-from upright.pages import Result
+from upright.pages import Result, Say, english
 from upright.progress import Progress
 from upright.robots import Kit, Robot
 from upright.signals import Log
@@ -56,7 +56,7 @@ class Parity(Result):
     periods with a duty that does not follow from its command; `as_generated` is False for an edited file."""
 
     target: str
-    where: str
+    where: Say
     numbers: str
     robot: str
     hash: str
@@ -75,7 +75,7 @@ class Parity(Result):
         return self.worst <= self.tolerance and not self.duties and all(p.stood for p in self.pushes)
 
     def to_json(self) -> dict[str, Any]:
-        return {"schema": "upright/parity/1", **asdict(self), "passed": self.passed}
+        return {"schema": "upright/parity/1", **asdict(self), "where": english(self.where), "passed": self.passed}
 
     def page(self) -> Page:
         """The parity for people."""

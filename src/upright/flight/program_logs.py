@@ -169,7 +169,7 @@ def read_brick_log(data: bytes, where: str = BRICK) -> ProgramLog:
 def _paced(log: Log) -> tuple[str, ...]:
     """A line where the rows of a program are not its period apart."""
     pace = pace_of(log)
-    return (str(pace),) if pace and not pace.kept else ()
+    return (str(pace.in_words()),) if pace and not pace.kept else ()
 
 
 def _clock(stamps: Array, first: float) -> Array:

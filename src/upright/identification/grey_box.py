@@ -11,7 +11,7 @@ from upright.calibration.calibration import Calibration
 from upright.identification.coordinates import COMMANDS, PHYSICAL, growth_rate, half_model, with_sent
 from upright.identification.samples import Part
 from upright.identification.study import MethodFit, Pole, Study
-from upright.languages import ENGLISH, speaking
+from upright.pages import Say
 from upright.physics.linear import LinearModel, linearise_rolling
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import STATE_NAMES
@@ -29,9 +29,8 @@ def calibrated(study: Study) -> MethodFit:
     scale = value / pole.value  # one but for rounding where no dry friction brakes
     how = "curvature of the likelihood"
     free = (pole.value, pole.low, pole.high) if scale < 0.999 else None
-    with speaking(ENGLISH):  # as all that a model says
-        notes = [f"Not to be trusted: {reason}" for reason in result.refused] or [*map(str, result.check())]
-        notes += map(str, result.notes)
+    notes = [Say("Not to be trusted: {reason}", reason=reason) for reason in result.refused] or [*result.check()]
+    notes += result.notes
     alike = Pole(value, pole.low * scale, pole.high * scale, how=how, without_friction=free)
     return MethodFit(halves, alike, notes=tuple(notes))
 

@@ -15,7 +15,7 @@ from upright.atomic import finite
 from upright.identification.coordinates import COMMANDS
 from upright.identification.order import OrderChoice
 from upright.identification.study import Pole
-from upright.pages import Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Result, Say, Verdict
+from upright.pages import Fold, Items, KeyNumber, Next, Page, Picture, Quantity, Result, Say, Verdict, english
 from upright.physics.linear import INPUTS, LinearModel
 from upright.signals import STATE_NAMES
 
@@ -44,7 +44,7 @@ class Identified(Result):
     samples: int
     halves: Mapping[str, LinearModel]
     fits: Mapping[str, Mapping[str, float]]
-    notes: tuple[str, ...] = ()
+    notes: tuple[Say, ...] = ()
     log: str = "LOG"
 
     def check(self) -> float:
@@ -68,7 +68,7 @@ class Identified(Result):
             "method": self.method, "source": self.source, "samples": self.samples,
             "unstable_pole": self.pole.to_json(), "deviations": deviations, "delays": dict(self.delays),
             "orders": {name: order.to_json() for name, order in self.orders.items()}, "fits": fits,
-            "notes": list(self.notes),
+            "notes": [english(note) for note in self.notes],
         }  # fmt: skip
 
     def plot(self) -> Figure:
@@ -108,7 +108,7 @@ class Identified(Result):
             )
         folds: list[Fold] = []
         if self.notes:
-            folds.append(Fold(Say("Notes"), [Items([Say("{note}", note=note) for note in self.notes])]))
+            folds.append(Fold(Say("Notes"), [Items(self.notes)]))
         why = Say("It compares the methods, and tries a regulator of each model.")
         return Page(
             title, verdict=verdict, lead=lead, numbers=numbers,

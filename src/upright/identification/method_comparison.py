@@ -20,6 +20,7 @@ from upright.pages import (
     Fold,
     Items,
     KeyNumber,
+    Message,
     Next,
     Page,
     Picture,
@@ -28,6 +29,7 @@ from upright.pages import (
     Say,
     Table,
     Verdict,
+    english,
 )
 
 if TYPE_CHECKING:
@@ -52,7 +54,7 @@ class MethodComparison(Result):
     orders: Mapping[str, OrderChoice]
     judge: Judge
     true_pole: float
-    notes: tuple[str, ...] = ()
+    notes: tuple[Say, ...] = ()
 
     @property
     def delays(self) -> dict[str, int]:
@@ -88,9 +90,9 @@ class MethodComparison(Result):
             "schema": "upright/identify-all/1",
             "models": {name: model.to_json() for name, model in self.models.items()},
             "in_the_loop": {name: trial.to_json() for name, trial in self.trials.items()},
-            "best": self.best, "alike": self.alike, "failed": dict(self.failed), "judge": str(self.judge.who),
+            "best": self.best, "alike": self.alike, "failed": dict(self.failed), "judge": english(self.judge.who),
             "orders": {name: order.to_json() for name, order in self.orders.items()}, "delays": self.delays,
-            "notes": list(self.notes), "true_pole": finite(self.true_pole),
+            "notes": [english(note) for note in self.notes], "true_pole": finite(self.true_pole),
         }  # fmt: skip
 
     def plot(self) -> Figure:
@@ -189,14 +191,14 @@ def _folds(compared: MethodComparison) -> list[Fold]:
         Fold(Say("Predictions"), [_predictions(compared)]),
         Fold(Say("What the methods are"), [methods]),
     ]
-    notes = [Say("{note}", note=note) for note in compared.notes]
+    notes = list(compared.notes)
     notes += [
         Say("{method}: {note}", method=name, note=note)
         for name, model in compared.models.items()
         for note in model.notes
         if note not in compared.notes
     ]
-    notes += [Say("{method}: {note}", method=name, note=why) for name, why in compared.failed.items()]
+    notes += [Say("{method}: {note}", method=name, note=Message(why)) for name, why in compared.failed.items()]
     if notes:
         folds.append(Fold(Say("Notes"), [Items(notes)]))
     return folds

@@ -19,7 +19,7 @@ from upright.checkup.wheels import on_its_wheels
 from upright.errors import InvalidLog, UnknownName, check_within
 from upright.identification.arx import FirstResponse, arx, first_response
 from upright.logs.recording import MOST_HELD_OUT, check_clock, check_complete, check_unit, one_encoder
-from upright.pages import Say, english
+from upright.pages import Say
 from upright.robots import Kit, Robot, Sensor, find_kit
 from upright.signals import Log
 
@@ -76,7 +76,7 @@ class Samples:
     sent: int
     source: str
     log: Log
-    notes: tuple[str, ...] = ()
+    notes: tuple[Say, ...] = ()
     held_out: float = 0.25
 
     def training(self) -> tuple[Part, ...]:
@@ -102,7 +102,7 @@ def samples(
     log, left = on_its_wheels(log, falling=False) if source == "sensors" else (log, None)
     prefix, commands = _commands(log, robot)
     notes = [
-        *([english(left)] if left else []),
+        *([left] if left else []),
         *(_contradictions(log, robot) if source == "sensors" else []),
         *_clock(log),
     ]
@@ -119,12 +119,14 @@ def samples(
     )  # fmt: skip
 
 
-def _contradictions(log: Log, robot: Robot) -> list[str]:
-    kept = "The model keeps this fault (`upright doctor --fix`)."
-    return [f"{english(fault)} {kept}" for fault in contradictions(log, robot)]
+def _contradictions(log: Log, robot: Robot) -> list[Say]:
+    return [
+        Say("{fault} The model keeps this fault (`upright doctor --fix`).", fault=fault)
+        for fault in contradictions(log, robot)
+    ]
 
 
-def _ready(halves: Sequence[Part], log: Log, kit: Kit, known: int | None, notes: list[str]) -> list[Part]:
+def _ready(halves: Sequence[Part], log: Log, kit: Kit, known: int | None, notes: list[Say]) -> list[Part]:
     """The halves in the robot's time; a yaw that no command drives is left out, with a line in `notes`."""
     ready: list[Part] = []
     for half in halves:
@@ -134,7 +136,7 @@ def _ready(halves: Sequence[Part], log: Log, kit: Kit, known: int | None, notes:
         responses = first_response(half.y, half.u, LONGEST)
         sure = max(response.strength for response in responses) >= SURE
         if half.name == "yaw" and not sure:
-            notes.append("The commands of this log do not turn the robot: the model has no yaw.")
+            notes.append(Say("The commands of this log do not turn the robot: the model has no yaw."))
         elif known is not None:
             ready.append(_undelayed(half, (known,) * len(responses)))
         elif half.name == "yaw":  # read from the same encoders as the wheels
@@ -142,10 +144,12 @@ def _ready(halves: Sequence[Part], log: Log, kit: Kit, known: int | None, notes:
         elif sure:
             ready.append(_undelayed(half, _delays(responses, log)))
         else:
-            notes.append(
-                f"No output responds to unpredicted commands: dead times are those of the kit '{kit.name}', and the "
-                "results of regressions are uncertain."
-            )
+            notes += [
+                Say(
+                    "No output responds to unpredicted commands: dead times are those of the kit '{kit}'.", kit=kit.name
+                ),
+                Say("The results of regressions are uncertain."),
+            ]
             ready.append(_undelayed(half, _kit_delays(half, kit)))
     return ready
 
@@ -166,7 +170,7 @@ def _commands(log: Log, robot: Robot) -> tuple[str, Array]:
     return prefix, commands
 
 
-def _clock(log: Log) -> list[str]:
+def _clock(log: Log) -> list[Say]:
     check_clock(log)
     off = np.abs(np.diff(log.t) / log.period - 1) > UNEVEN
     if off.mean() > MOST_UNEVEN:
@@ -175,7 +179,8 @@ def _clock(log: Log) -> list[str]:
             expected="even steps", likely="lost or repeated rows", hint="`upright calibrate` takes any clock",
         )  # fmt: skip
     if off.any():
-        return [f"{int(off.sum())} steps differ from the period by more than a quarter; they are taken as even."]
+        count = int(off.sum())
+        return [Say("Steps taken as even, though more than a quarter off the period: {n}.", n=count)]
     return []
 
 
@@ -315,13 +320,13 @@ def _whole_periods(periods: float) -> int:
     return max(0, math.floor(periods + ROUNDING))
 
 
-def _faster(log: Log) -> list[str]:
+def _faster(log: Log) -> list[Say]:
     """The doctor's finding of a controller that is faster than the log."""
     from upright.checkup.finding import Record
     from upright.checkup.rates import faster_controller
 
     findings = faster_controller(Record(log.t, _measured(log), dict(log.units)))
-    return [english(Say("{one} {other}", one=f.evidence, other=f.repair)) for f in findings]
+    return [Say("{one} {other}", one=f.evidence, other=f.repair) for f in findings]
 
 
 def _measured(log: Log) -> dict[str, Array]:

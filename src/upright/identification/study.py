@@ -22,6 +22,7 @@ from upright.identification.coordinates import growth_rate, physical
 from upright.identification.joint import repeated
 from upright.identification.order import OrderChoice, choose_order
 from upright.identification.samples import Part, Samples
+from upright.pages import Say
 from upright.physics.linear import LinearModel
 
 PartFit = Callable[[Part, "Study"], LinearModel]
@@ -73,7 +74,7 @@ class MethodFit:
     halves: Mapping[str, LinearModel]
     pole: Pole
     deviations: Mapping[str, tuple[Array, Array]] = field(default_factory=dict[str, tuple[Array, Array]])
-    notes: tuple[str, ...] = ()
+    notes: tuple[Say, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,13 +131,13 @@ def by_part(fit: PartFit, study: Study) -> MethodFit:
     pole = _pole(halves["pitch"], [growth_rate(m) for m in several["pitch"]], study)
     runs = len(study.again.get("pitch", ()))
     models = len(several["pitch"])
-    notes: list[str] = []
+    notes: list[Say] = []
     if study.runs and not runs:
-        notes.append("No interval: the subspace model and the log's feedback law make no stable loop to repeat.")
+        notes.append(Say("No interval: the subspace model and the log's feedback law make no stable loop to repeat."))
     elif runs and models < FEWEST:
-        notes.append(f"No interval: {models} repeated logs; at least {FEWEST} are needed.")
+        notes.append(Say("No interval: {n} repeated logs; at least {least} are needed.", n=models, least=FEWEST))
     elif models < 0.9 * runs:
-        notes.append(f"The method gave no model on {runs - models} of {runs} repeated logs.")
+        notes.append(Say("The method gave no model on {n} of {all} repeated logs.", n=runs - models, all=runs))
     return MethodFit(halves, pole, deviations, tuple(notes))
 
 

@@ -8,6 +8,7 @@ from typing import TypeVar
 from upright.errors import UprightError
 from upright.lab.message_types import ErrorParts, Head
 from upright.languages import LANGUAGES, speaking
+from upright.messages import in_language
 from upright.pages import Next, Page, Say
 
 T = TypeVar("T")
@@ -37,8 +38,8 @@ def heads_of(page: Page) -> dict[str, Head]:
 
 
 def parts_of(error: UprightError | Say) -> dict[str, ErrorParts]:
-    """An error by its parts; those that are a `Say` are translated."""
+    """An error by its parts."""
     parts = error.parts if isinstance(error, UprightError) else {"came": error}
     hint = parts.get("hint")
     verb = hint.verb if isinstance(hint, Next) else ""
-    return in_each(lambda: ErrorParts(**{name: str(part) for name, part in parts.items()}, verb=verb))
+    return in_each(lambda: ErrorParts(**{name: in_language(str(part)) for name, part in parts.items()}, verb=verb))

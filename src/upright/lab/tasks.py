@@ -19,7 +19,7 @@ from upright.lab.plant import design_part, plant_of
 from upright.lab.recording import FILES
 from upright.lab.spoken import heads_of, in_each
 from upright.languages import speaking
-from upright.pages import Page, Result, Say, html
+from upright.pages import Message, Page, Result, html
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -107,7 +107,7 @@ def light(report: Report, setup: Setup) -> Light:
             controller, plant.nominal, plant.kit, samples=QUICK, sweeps=False, threads=1, progress=show
         )
     except SpecMismatch as error:
-        return Light(heads=heads_of(Page(Say("{reason}", reason=error.parts["came"]))))
+        return Light(heads=heads_of(Page(Message(error.parts["came"]))))
     return _lit(certificate)
 
 

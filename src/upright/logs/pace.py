@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from upright.arrays import Array
+from upright.pages import Quantity, Say
 from upright.signals import Log
 
 SLOW = 0.02  # [1] by which the median step of a clock that keeps its pace may differ from the period
@@ -28,11 +29,12 @@ class Pace:
         """Whether the log shows the period that the program is meant to have."""
         return not self.overdue and abs(self.median / self.period - 1) < SLOW
 
-    def __str__(self) -> str:
-        return (
-            f"{self.overdue} of {self.rows} rows came late: the program's period is {self.period * 1e3:.4g} ms, "
-            f"its rows are {self.median * 1e3:.4g} ms apart"
-        )
+    def in_words(self) -> Say:
+        """How many rows came late, and how far they are apart."""
+        return Say(
+            "{late} of {rows} rows came late: {median} apart, where the program's period is {period}.",
+            late=self.overdue, rows=self.rows, median=Quantity(self.median, "s"), period=Quantity(self.period, "s"),
+        )  # fmt: skip
 
 
 def pace_of(log: Log) -> Pace | None:

@@ -13,6 +13,7 @@ from upright.pages.blocks import Picture as Picture
 from upright.pages.blocks import Table as Table
 from upright.pages.blocks import Verdict as Verdict
 from upright.pages.result import Result as Result
+from upright.pages.words import Message as Message
 from upright.pages.words import Quantity as Quantity
 from upright.pages.words import Say as Say
 from upright.pages.words import data_of as data_of

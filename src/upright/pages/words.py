@@ -11,7 +11,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from upright.atomic import finite
-from upright.languages import ENGLISH, number, speaking, translated
+from upright.languages import ENGLISH, chosen, number, speaking, translated
+from upright.messages import in_language
 
 
 class Say:
@@ -50,13 +51,31 @@ class Say:
         return hash(self.template)  # the same in all languages
 
 
+class Message(Say):
+    """A line such as an error as a sentence of a page: shown as the command line shows it.
+
+    >>> print(Message("period is -1 s; expected a positive number"))
+    period is -1 s; expected a positive number
+    """
+
+    __slots__ = ()
+
+    def __init__(self, line: object, /) -> None:
+        super().__init__(str(line))
+
+    def __str__(self) -> str:
+        return in_language(self.template)
+
+
 Fact = Any  # Say | Quantity | int | str | Sequence[Fact]
 
 
 def text_of(fact: Fact) -> str:
     """A fact as text."""
     if isinstance(fact, Sequence) and not isinstance(fact, str):
-        return ", ".join(map(text_of, fact))
+        # beside decimal commas a comma separates nothing
+        decimals = chosen() != ENGLISH and any(isinstance(one, Quantity) for one in fact)
+        return ("; " if decimals else ", ").join(map(text_of, fact))
     return str(fact)
 
 

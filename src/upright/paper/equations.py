@@ -58,7 +58,7 @@ def _model() -> Claim:
     lines = [*plain.equations, "α = n K_t / R_m", "β = n K_t K_b / R_m + f_m"]
     blocks = [
         Say("As in the paper, rolling is put into the energies before these are differentiated."),
-        Items([Say("{equation}", equation=line) for line in lines]),
+        Items([Say("{name}", name=line) for line in lines]),
     ]
     numbers = {"states": STATES, "largest_relative_difference": off}
     verdict = judged(value < ROUNDING for value in off.values())

@@ -29,7 +29,7 @@ from upright.experiment import Push
 from upright.experiment.pushes import PushProgramme
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
-from upright.pages import Quantity, Say
+from upright.pages import Message, Quantity, Say
 from upright.paper.own_robot import Adjustment, LearntNumber, OwnRobot
 from upright.paper.own_trial import CALIBRATED, LINEAR, MEASURED, NONLINEAR, Trial, pushed_in, trial_of
 from upright.physics.linear import linearise_rolling
@@ -165,7 +165,7 @@ def _calibrated(log: Log, pushes: Sequence[PushProgramme], robot: Robot, kit: Ki
     try:
         result = calibrate(log.between(start, stop), robot, kit)
     except (DesignFailed, InvalidLog) as error:
-        return _Learnt(robot, kit, ()), (Say("Nothing is learnt from this log: {why}", why=str(error)),)
+        return _Learnt(robot, kit, ()), (Say("Nothing is learnt from this log: {why}", why=Message(error)),)
     reasons = [*result.refused, *([result.quiet] if result.quiet else [])]
     if reasons:
         return _Learnt(robot, kit, ()), tuple(Say("Nothing is learnt from this log: {why}", why=why) for why in reasons)

@@ -218,7 +218,7 @@ def plain(runs: Mapping[str, Sequence[float]]) -> dict[str, list[float | None]]:
 def settling_table(cases: Mapping[str, Mapping[str, Sequence[float]]]) -> Table:
     """Settling times [s] of the runs of each case, one for each seed; they may be infinite."""
     runs = next(iter(cases.values()))
-    columns = [Column(Say("robot and push")), *(Column(Say("{run}", run=run)) for run in runs)]
+    columns = [Column(Say("robot and push")), *(Column(Say("{name}", name=run)) for run in runs)]
     rows = [[name, *map(_between, settling.values())] for name, settling in cases.items()]
     return Table(columns, rows, Say("Pitch settles to 5 % after the release in"))
 

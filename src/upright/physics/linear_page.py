@@ -13,6 +13,7 @@ from upright.arrays import Array, Complex
 from upright.languages import number
 from upright.pages import Column, KeyNumber, Next, Page, Picture, Quantity, Say, Table, Verdict
 from upright.pages.blocks import Cell
+from upright.pages.terms import channel
 from upright.signals.signal import STATE
 
 if TYPE_CHECKING:
@@ -154,7 +155,7 @@ def _matrix(values: Array, rows: Sequence[Say], names: Sequence[str], caption: S
     cells: list[list[Cell]] = []
     for name, row in zip(rows, rounded.tolist(), strict=True):
         cells.append([name, *(Quantity(value or 0.0, "1") for value in row)])  # no −0
-    return Table([Column(Say("change")), *(Column(Say("{name}", name=name)) for name in names)], cells, caption)
+    return Table([Column(Say("change")), *(Column(channel(name)) for name in names)], cells, caption)
 
 
 def _poles(model: LinearModel) -> Table:

@@ -22,5 +22,5 @@ def report(result: Any, path: str | Path, *, title: str = "", command: str = "")
         raise UprightError(f"{type(result).__name__} has no page", expected="what a verb of upright returns")
     page = result.page()
     if title:
-        page = replace(page, title=Say("{title}", title=title))
+        page = replace(page, title=Say("{name}", name=title))
     return write_page(page, path, command)

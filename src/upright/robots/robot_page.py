@@ -19,7 +19,7 @@ def robot_page(robot: Robot) -> Page:
 
     rows = robot.parameters()
     guesses = sum(row["spread"] is None for row in rows)
-    lead = [Say("{title}", title=robot.title)] if robot.title else []
+    lead = [Say("{name}", name=robot.title)] if robot.title else []
     lead.append(Say("Command of each motor: {what}. Kit: {kit}.", what=COMMANDS[robot.drive], kit=robot.kit_name))
     verdict = Verdict(Say("numbers guessed: {n}", n=guesses), "unknown")
     if not guesses:

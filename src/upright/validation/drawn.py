@@ -31,7 +31,7 @@ NARROWEST = 0.006  # of the time that is shown: a knock is shaded at least so lo
 
 def reading(name: str) -> Say:
     """A channel of a log in words."""
-    return READINGS.get(name) or Say("{channel}", channel=short(name))
+    return READINGS.get(name) or Say("{name}", name=short(name))
 
 
 def half_second_figure(log: LogJudged) -> Figure:

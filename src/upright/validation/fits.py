@@ -12,7 +12,7 @@ import numpy as np
 from upright.atomic import finite
 from upright.calibration.calibrated_robot import GOOD, PREDICTED, Segments
 from upright.calibration.own_run import RunEffect
-from upright.pages import Say
+from upright.pages import Say, english
 from upright.validation.loop import FreeLoop
 
 COMPASS = "sensor/compass"
@@ -73,7 +73,7 @@ class LogJudged:
     dead: tuple[str, ...]
     loop: tuple[ChannelFit, ...]
     shifts: tuple[Shift, ...]
-    notes: tuple[str, ...]
+    notes: tuple[Say, ...]
     segments: Segments
     simulated: FreeLoop | None
 
@@ -96,11 +96,11 @@ class LogJudged:
             "own_run": {"half_seconds": own, "effects": plain(self.effects)}, "dead": list(self.dead),
             "halves": self.halves, "pushed": self.pushed,
             "closed_loop": {
-                "law": str(self.law) if self.law else None, "explained": finite(self.explained),
+                "law": english(self.law) if self.law else None, "explained": finite(self.explained),
                 "estimates": list(self.estimates), "channels": loop,
                 "fell_at": self.simulated.fell_at if self.simulated else None,
             },
-            "shifts": plain(self.shifts), "notes": list(self.notes),
+            "shifts": plain(self.shifts), "notes": [english(note) for note in self.notes],
         }  # fmt: skip
 
 

@@ -37,7 +37,6 @@ from upright.logs.mapping import Mapping as Columns
 from upright.logs.marks import known_fraction
 from upright.logs.raw import LogSource, named, raw_log
 from upright.logs.recording import SENSOR
-from upright.pages import english
 from upright.progress import Progress
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
@@ -93,7 +92,7 @@ def _judged(log: Log, robot: Robot, kit: Kit, controller: Controller | None) -> 
     parts, pushed = unpushed(whole, log)
     law, explained = _law(log, recording.rows, controller)
     loop: FreeLoop | None = closed_loop(problem, recording, z, log, kit, law) if law else None
-    notes = [*([english(left)] if left else []), *([meant] if meant else []), *map(english, contradictions(log, robot))]
+    notes = [*([left] if left else []), *meant, *contradictions(log, robot)]
     dead = tuple(n for n in log.channels if n in SENSOR and n not in recording.rows and _never_changes(log[n]))
     half_seconds = channels_of(parts)
     own = of_this_run(problem, limits) if 0 <= least(half_seconds).r2 < GOOD else None

@@ -207,7 +207,7 @@ def _own_run(log: LogJudged) -> Table:
 
 
 def _notes(log: LogJudged) -> list[Say]:
-    notes = [Say("{note}", note=note) for note in log.notes]
+    notes = list(log.notes)
     if log.pushed == log.halves:
         notes.append(Say("Every half second was pushed, which no prediction knows."))
     elif log.pushed:
