@@ -68,7 +68,7 @@ def test_commands_before_a_gain_are_found_and_those_after_it_are_left() -> None:
 )
 def test_a_known_robot_tells_the_side_of_the_gain(before: bool, told: str) -> None:
     """A motor of half the strength would be far from what its file says."""
-    (note, *_) = validate(stating(driven(2, 4.0), 2.0, before=before), TRUE).logs[0].notes
+    note = str(validate(stating(driven(2, 4.0), 2.0, before=before), TRUE).logs[0].notes[0])
     assert told in note
 
 
@@ -80,7 +80,7 @@ def test_a_concave_driver_is_not_taken_for_commands_before_a_gain() -> None:
     duty = {n: -np.sign(v) * np.log1p(-np.abs(v) * (1 - np.exp(-2))) / 2 for n, v in applied.items()}
     channels = {**log.channels, **{n: FULL * d for n, d in duty.items()}}
     origin = {**log.origin, "stated_gains": {"gain=2.0": 2.0}}  # the nearest to what small duties seem to have
-    (note, *_) = validate(Log(log.t, channels, log.units, origin), TRUE).logs[0].notes
+    note = str(validate(Log(log.t, channels, log.units, origin), TRUE).logs[0].notes[0])
     assert "taken as logged" in note
     assert "before that gain:" not in note
 
@@ -152,7 +152,8 @@ def test_a_files_gains_are_read_from_the_lines_before_its_header(
 def test_a_real_run_does_not_show_its_gain_against_a_drivers_curve() -> None:
     """Gyro and wheels of nn_v7_000 turn 1.5 times as far for a volt as those of the others (docs/calibrate.md). Its
     commands before that gain would do it, and a driver whose small duties act more than in proportion."""
-    note = validate(raw_log(EV3 / "nn_v7_000.csv"), Robot.preset("ev3way-large-wheels")).logs[0].notes[0]
+    log = validate(raw_log(EV3 / "nn_v7_000.csv"), Robot.preset("ev3way-large-wheels")).logs[0]
+    note = " ".join(map(str, log.notes))
     assert "taken as logged" in note
     assert "curved driver" in note
     assert "file nn_v7_000.csv" in note
