@@ -19,8 +19,10 @@ FRACTIONS = {"1": "fraction"}
 
 
 BODIES = {
-    "twin": Say("MuJoCo twin"), "nonlinear model": Say("nonlinear model"), "linear model": Say("linear model"),
-}  # fmt: skip
+    "twin": Say("MuJoCo twin"),
+    "nonlinear model": Say("nonlinear model"),
+    "linear model": Say("linear model"),
+}
 """What is in the name of a simulated body, and what it is."""
 
 

@@ -33,8 +33,11 @@ class Pace:
         """How many rows came late, and how far they are apart."""
         return Say(
             "{late} of {rows} rows came late: {median} apart, where the program's period is {period}.",
-            late=self.overdue, rows=self.rows, median=Quantity(self.median, "s"), period=Quantity(self.period, "s"),
-        )  # fmt: skip
+            late=self.overdue,
+            rows=self.rows,
+            median=Quantity(self.median, "s"),
+            period=Quantity(self.period, "s"),
+        )
 
 
 def pace_of(log: Log) -> Pace | None:
