@@ -1401,7 +1401,7 @@ def test_spanish_is_spanish_to_the_last_decimal(page):
     ):
         assert (fell, most) == (f"Se recuperó de un empujón de {words}", "mejor golpe 0,2 N s")  # which stays there
     page.evaluate("upright.store.change({ robot: 'twipr', numbers: {} })")  # under the kit of a LEGO robot
-    page.wait_for_selector("text=La electrónica nxt actúa por tensión. Se esperaba: par, como en el robot.")
+    page.wait_for_selector("text=El kit nxt mueve los motores por voltaje. Se esperaba: par, como en el robot.")
 
 
 LABELS = """() => upright.page.charts.strips.filter(Boolean).slice(0, 2).flatMap(({root, plot}) => {
