@@ -249,18 +249,3 @@ def test_what_cannot_be_is_refused():
     for covariance in ([[1.0, 2.0], [2.0, 1.0]], [[-1.0, 0.0], [0.0, 1.0]], [[1.0, 0.5], [0.0, 1.0]]):
         with pytest.raises(InvalidRobot, match="covariance"):
             Uncertainty.joint(["com_height", "body_mass"], [0.0, 0.0], covariance)
-
-
-def test_what_is_known_of_one_number_tells_of_the_others() -> None:
-    """Against draws in a narrow band about the known value: means and deviations of the conditional distribution."""
-    both = Uncertainty.joint(["com_height", "body_mass"], [0.072, 0.6], [[4e-6, 1.2e-4], [1.2e-4, 1e-2]])
-    log = Spread("body_mass", "lognormal", 0.6, 0.2)
-    for unknown in (both, Uncertainty((both.spreads[0], log), both.correlation)):
-        known, drawn = unknown.given("body_mass", 0.7), draw(ROBOT, 10_000, 3, unknown)
-        near = np.array([r.com_height for r in drawn if abs(r.body_mass - 0.7) < 0.02])
-        some = draw(ROBOT, 1000, 3, known)
-        assert {round(r.body_mass, 12) for r in some} == {0.7}
-        heights = np.array([r.com_height for r in some])
-        error = near.std() / math.sqrt(len(near)) + heights.std() / math.sqrt(len(heights))
-        assert heights.mean() == pytest.approx(near.mean(), abs=4 * error)
-        assert heights.std() == pytest.approx(near.std(), rel=0.1)  # of about 950 and 1000 draws: 2.3 % each

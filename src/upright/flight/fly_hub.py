@@ -54,7 +54,7 @@ def fly_hub(
     return _run(flight())
 
 
-def fetch_hub(program: Program, port: str | Peripheral, *, where: str = HUB, patience: float = PATIENCE) -> Flight:
+def fetch_hub(program: Program, port: str | Peripheral, *, patience: float = PATIENCE) -> Flight:
     """Stop the program on the hub at `port`, and receive its log."""
 
     async def fetched() -> Flight:
@@ -63,7 +63,7 @@ def fetch_hub(program: Program, port: str | Peripheral, *, where: str = HUB, pat
                 raise FlightRefused(f"no program runs on {hub.name}", likely="its button ended it, log lost")
             flight = Flight(lost=not await _stop(hub))
             flight.notes += [may_run(hub.name)] if flight.lost else []
-            return _with_log(hub, program, flight, where)
+            return _with_log(hub, program, flight, HUB)
 
     return _run(fetched())
 

@@ -182,23 +182,6 @@ class Uncertainty:
         """Every distribution `factor` times as wide, with the same correlation."""
         return Uncertainty(tuple(s.scaled(factor) for s in self.spreads), self.correlation)
 
-    def given(self, name: str, value: float) -> Uncertainty:
-        """What is left of the numbers where that of this `name`, normal or log-normal, is known to be `value`."""
-        known = self.names.index(name)
-        own = self.spreads[known]
-        z = math.log(value / own.low) / own.high if own.kind == "lognormal" else (value - own.low) / own.high
-        matrix = np.eye(len(self.spreads)) if self.correlation is None else self.correlation
-        with_it = matrix[known]
-        rest = np.sqrt(np.maximum(1 - with_it**2, 0.0))
-        scale = np.where(rest > 0, rest, 1.0)
-        correlation = (matrix - np.outer(with_it, with_it)) / np.outer(scale, scale)
-        np.fill_diagonal(correlation, 1.0)
-        spreads: list[Spread] = []
-        for s, mean, left in zip(self.spreads, (with_it * z).tolist(), rest.tolist(), strict=True):
-            middle = s.low * math.exp(mean * s.high) if s.kind == "lognormal" else s.low + mean * s.high
-            spreads.append(replace(s, low=middle, high=left * s.high))
-        return Uncertainty(tuple(spreads), correlation)
-
     def middle(self, robot: Robot) -> Robot:
         """`robot` with the medians in place of its own numbers."""
         numbers = {s.name: s.middle for s in self.spreads if s.name in PARAMETERS}
