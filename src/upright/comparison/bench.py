@@ -284,17 +284,22 @@ def bench_one(
     way = math.copysign(1.0, PUSHES[side])
     impulse = largest_knock(plant, controller, way, seed, near=_border(setup, way)) if knocks else None
     plant.close()
-    numbers = compare({body: log}).to_json()["logs"]
-    measured = next(iter(numbers.values()))["metrics"]
+    (measured,) = compare(log).metrics.values()
     end = outcome_of(log)
-    outcome = f"fell at {end.seconds:.1f} s" if end.fell else "yes"
-    spread = _spread(setup, side)
-    names = {"peak": "pitch_peak", "settling": "settling_5", "travel": "wheel_travel"}
-    numbers = {n: measured[names.get(n, n)] for n in ("peak", "settling", "travel", "effort", "saturated")}
     row = BenchRow(
-        controller=method, push=push, outcome=outcome, **numbers, impulse=impulse, spread=spread,
-        products=_products(controller, robot, kit), fell_at=end.seconds if end.fell else None,
-    )  # fmt: skip
+        controller=method,
+        push=push,
+        outcome=f"fell at {end.seconds:.1f} s" if end.fell else "yes",
+        peak=finite(measured.pitch_peak),
+        settling=finite(measured.settling_5),
+        travel=finite(measured.wheel_travel),
+        effort=finite(measured.effort),
+        saturated=finite(measured.saturated),
+        impulse=impulse,
+        spread=_spread(setup, side),
+        products=_products(controller, robot, kit),
+        fell_at=end.seconds if end.fell else None,
+    )
     return row, log
 
 
@@ -329,13 +334,12 @@ def _border(setup: TrialSetup, way: float) -> float | None:
 
 
 def _largest(stands: Callable[[Impulse], bool], robot: Robot, way: float, near: float | None = None) -> float:
-    mass = robot.body_mass + 2 * robot.wheel_mass
 
     def survived(sizes: Array, _: Any) -> Mask:
         return np.array([stands(Impulse(impulse=way * float(sizes[0]), start=STRUCK, duration=KNOCK))])
 
-    guess, factor = (GUESS * mass, 2.0) if near is None else (near, 1 + TOLERANCE)
-    return float(largest(survived, [guess], CEILING * mass, FLOOR * mass, TOLERANCE, factor)[0])
+    guess, factor = (GUESS * robot.mass, 2.0) if near is None else (near, 1 + TOLERANCE)
+    return float(largest(survived, [guess], CEILING * robot.mass, FLOOR * robot.mass, TOLERANCE, factor)[0])
 
 
 def _designed(method: str, robot: Robot, kit: Kit) -> Controller | Message:

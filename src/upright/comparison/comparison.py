@@ -7,7 +7,6 @@ import math
 import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,7 +14,7 @@ import numpy as np
 from upright.arrays import Array
 from upright.atomic import finite
 from upright.comparison import metrics
-from upright.comparison.runs import Compared, Metrics, negligible
+from upright.comparison.runs import Compared, Metrics
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import outcome_of
 from upright.logs.recording import commanded
@@ -118,23 +117,19 @@ def compare(
     releases = {label: _release(log, anchor) if release is None else release for label, log in named.items()}
     unit = _command_unit(anchor)
     numbers = {label: _measure(log, sources[label], releases[label], unit) for label, log in named.items()}
-    states = {label: {name: f"{sources[label]}/{name}" for name in signals} for label in named}
-    fits = {
-        label: MappingProxyType(_fit(anchor, log, states[labels[first]], states[label], label))
-        for label, log in named.items()
-        if label != labels[first]
-    }
+    for label, log in named.items():
+        if label != labels[first]:
+            _check_common(anchor, log, label)
     return Comparison(
-        logs=MappingProxyType(named),
+        logs=named,
         reference=labels[first],
         signals=tuple(signals),
         release=release,
-        sources=MappingProxyType(sources),
-        releases=MappingProxyType(releases),
-        kinds=MappingProxyType({label: body_kind(log) for label, log in named.items()}),
+        sources=sources,
+        releases=releases,
+        kinds={label: body_kind(log) for label, log in named.items()},
         command_unit=unit,
-        metrics=MappingProxyType(numbers),
-        fits=MappingProxyType(fits),
+        metrics=numbers,
     )
 
 
@@ -246,19 +241,11 @@ def _limit(log: Log) -> float:
     return math.inf if limit is None else float(limit)
 
 
-def _fit(anchor: Log, log: Log, mine: Mapping[str, str], other: Mapping[str, str], label: str) -> dict[str, float]:
-    keep = (anchor.t >= log.t[0]) & (anchor.t <= log.t[-1])
-    if np.count_nonzero(keep) < 2:
+def _check_common(anchor: Log, log: Log, label: str) -> None:
+    """Raise `InvalidLog` for a log that shares no time with the reference."""
+    if np.count_nonzero((anchor.t >= log.t[0]) & (anchor.t <= log.t[-1])) < 2:
         raise InvalidLog(
             f"log '{label}' runs from {log.t[0]:g} to {log.t[-1]:g} s, the reference from {anchor.t[0]:g} to "
             f"{anchor.t[-1]:g} s",
             expected="at least two samples of the reference inside both",
         )
-    t = anchor.t[keep]
-    pairs = {name: (anchor[mine[name]][keep], np.interp(t, log.t, log[other[name]])) for name in mine}
-    return {
-        name: math.nan
-        if np.ptp(y) <= negligible(name)
-        else metrics.nrmse_fit(y, z)
-        for name, (y, z) in pairs.items()
-    }  # fmt: skip

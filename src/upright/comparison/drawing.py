@@ -74,9 +74,12 @@ def _mark_rest(comparison: Compared, ax: Axes, when: float) -> None:
 
 
 def _finished(comparison: Compared, axes: Sequence[Axes]) -> Figure:
-    from upright.plotting import legend
+    """The figure of these panels, with the pushes shaded."""
+    from upright.plotting import legend, span
 
-    _shade(comparison, axes)
+    end = max(float(log.t[-1]) for log in comparison.logs.values())
+    for start, stop in comparison.pushed:
+        span(axes, start, max(min(stop, end), start + NARROWEST * end), str(Say("push acts")))
     figure = axes[0].get_figure(root=True)
     assert figure
     return legend(figure)
@@ -130,34 +133,24 @@ def _range(comparison: Compared, name: str) -> tuple[float, float]:
 
 def draw_commands(comparison: Compared) -> Figure:
     """Both commands of the logs that have them, as they were applied where a log says so."""
-    from upright.plotting import legend, line, panels
+    from upright.plotting import line, panels
 
     unit = comparison.command_unit
-    figure, axes = panels([f"{Say('left command')} [{unit}]", f"{Say('right command')} [{unit}]"])
+    _, axes = panels([f"{Say('left command')} [{unit}]", f"{Say('right command')} [{unit}]"])
     for style, (label, log) in enumerate(comparison.logs.items()):
         prefix = commanded(log)
         for ax, side in zip(axes, ("left", "right"), strict=True):
             if prefix:
                 line(ax, label, log.t, log[f"{prefix}/{side}"], step=True, style=style)
-    _shade(comparison, axes)
-    return legend(figure)
+    return _finished(comparison, axes)
 
 
 def draw_asked(comparison: Compared) -> Figure:
     """What the controller asked of the left motor of the first log, and what the motor got."""
-    from upright.plotting import legend, line, panels
+    from upright.plotting import line, panels
 
     log = comparison.logs[comparison.reference]
-    figure, axes = panels([f"{Say('left command')} [{comparison.command_unit}]"])
+    _, axes = panels([f"{Say('left command')} [{comparison.command_unit}]"])
     line(axes[0], str(Say("asked")), log.t, log["command/left"], step=True)
     line(axes[0], str(Say("applied")), log.t, log["applied/left"], step=True, solid=True)
-    _shade(comparison, axes)
-    return legend(figure)
-
-
-def _shade(comparison: Compared, axes: Sequence[Axes]) -> None:
-    from upright.plotting import span
-
-    end = max(float(log.t[-1]) for log in comparison.logs.values())
-    for start, stop in comparison.pushed:
-        span(axes, start, max(min(stop, end), start + NARROWEST * end), str(Say("push acts")))
+    return _finished(comparison, axes)

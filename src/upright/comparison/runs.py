@@ -69,9 +69,8 @@ METRICS: dict[str, tuple[str, Say]] = {
 class Compared:
     """Logs under their labels, the metrics of each, and how well each fits the reference.
 
-    `fits[label][signal]` is the NRMSE fit [%] to the log labelled `reference`. `sources` says whether a log's
-    states are its `truth` or its `estimate`; `releases` when its push ended [s] (inf: never); `kinds` what body
-    it is of. `release` is what the caller asked for, None for each log's own.
+    `sources` says whether a log's states are its `truth` or its `estimate`; `releases` when its push ended [s] (inf:
+    never); `kinds` what body it is of. `release` is what the caller asked for, None for each log's own.
     """
 
     logs: Mapping[str, Log]
@@ -83,7 +82,6 @@ class Compared:
     kinds: Mapping[str, str]
     command_unit: str
     metrics: Mapping[str, Metrics]
-    fits: Mapping[str, Mapping[str, float]]
 
     def unit(self, metric: str) -> str:
         """Unit of a metric, '1' for a fraction, '' for yes or no."""
@@ -135,6 +133,16 @@ class Compared:
         shared = (one.t >= log.t[0]) & (one.t <= log.t[-1])
         t = one.t[shared]
         return t, self.state(self.reference, name)[shared], np.interp(t, log.t, self.state(label, name))
+
+    @functools.cached_property
+    def fits(self) -> Mapping[str, Mapping[str, float]]:
+        """The NRMSE fit [%] of each log but the reference to that, by signal; NaN where the reference hardly moves."""
+        others = [label for label in self.logs if label != self.reference]
+        return {label: {name: self._fit(label, name) for name in self.signals} for label in others}
+
+    def _fit(self, label: str, name: str) -> float:
+        _, one, other = self.both(label, name)
+        return math.nan if np.ptp(one) <= negligible(name) else metrics.nrmse_fit(one, other)
 
     def apart(self, label: str, name: str = "pitch") -> float:
         """The largest difference of a state from the reference's, in the unit of the state."""
