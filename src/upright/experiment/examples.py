@@ -6,9 +6,9 @@ None holds what a robot does not know: no true state, no push.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import closing
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
 import numpy as np
 
@@ -27,7 +27,7 @@ BLOW, FATAL = 0.06, 0.4  # [N s] pushes that it survives, and not
 GYRO, LEFT, RIGHT = "sensor/gyro", "sensor/encoder_left", "sensor/encoder_right"
 BEHIND, LOST = 3, 0.03  # rows by which a gyro is behind; fraction of the rows that are lost
 
-Planted = Callable[[Log], tuple[Array, dict[str, Array]]]
+Planted = Callable[[Log], Log]
 
 
 @dataclass(frozen=True)
@@ -40,23 +40,26 @@ class Example:
     planted: Planted | None = None
 
 
+def _with(log: Log, others: dict[str, Array]) -> Log:
+    return Log(log.t, {**log.channels, **others}, log.units, log.origin)
+
+
 def _scaled(name: str, factor: float) -> Planted:
-    return lambda log: (log.t, {**log.channels, name: factor * log[name]})
+    return lambda log: _with(log, {name: factor * log[name]})
 
 
-def _swapped(log: Log) -> tuple[Array, dict[str, Array]]:
-    return log.t, {**log.channels, LEFT: log[RIGHT], RIGHT: log[LEFT]}
+def _swapped(log: Log) -> Log:
+    return _with(log, {LEFT: log[RIGHT], RIGHT: log[LEFT]})
 
 
-def _behind(log: Log) -> tuple[Array, dict[str, Array]]:
-    gyro = np.concatenate([np.full(BEHIND, log[GYRO][0]), log[GYRO][:-BEHIND]])
-    return log.t, {**log.channels, GYRO: gyro}
+def _behind(log: Log) -> Log:
+    return _with(log, {GYRO: np.concatenate([np.full(BEHIND, log[GYRO][0]), log[GYRO][:-BEHIND]])})
 
 
-def _lossy(log: Log) -> tuple[Array, dict[str, Array]]:
+def _lossy(log: Log) -> Log:
     keep = np.random.Generator(np.random.Philox(SEED)).random(len(log)) >= LOST
     keep[0] = True
-    return log.t[keep], {name: values[keep] for name, values in log.channels.items()}
+    return Log(log.t[keep], {name: values[keep] for name, values in log.channels.items()}, log.units, log.origin)
 
 
 EXAMPLES: Mapping[str, Example] = {
@@ -81,10 +84,10 @@ def example(name: str) -> Log:
         raise UnknownName("example", name, EXAMPLES)
     chosen = EXAMPLES[name]
     log = _simulated(chosen.pushes, chosen.excited)
-    t, channels = chosen.planted(log) if chosen.planted else (log.t, dict(log.channels))
-    known = {n: x for n, x in channels.items() if not n.startswith(("truth/", "push/"))}
-    origin: dict[str, Any] = {**log.origin, "example": name}
-    return Log(t, known, {n: log.units[n] for n in known}, origin)
+    if chosen.planted:
+        log = chosen.planted(log)
+    known = {n: x for n, x in log.channels.items() if not n.startswith(("truth/", "push/"))}
+    return Log(log.t, known, log.units, {**log.origin, "example": name})
 
 
 @cache
@@ -100,10 +103,7 @@ def _simulated(pushes: tuple[PushProgramme, ...], excited: bool) -> Log:
     added = random_binary(round(SECONDS / kit.period), AMPLITUDE, seed=SEED, hold=HELD)
     if excited:
         controller = Excited(controller, added)
-    body = equipped("twin", robot, kit)
-    try:
+    with closing(equipped("twin", robot, kit)) as body:
         log = run(body, controller, pushes, seconds=SECONDS, seed=SEED)
-    finally:
-        body.close()
     known = {f"excitation/{side}": added[: len(log), i] for i, side in enumerate(("left", "right"))} if excited else {}
     return Log(log.t, {**log.channels, **known}, {**log.units, **dict.fromkeys(known, "V")}, log.origin)

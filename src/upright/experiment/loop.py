@@ -74,9 +74,7 @@ class Stepper:
         controller.applied(now.applied)
         self.now, self.command = now, command
         self._judge()
-        return [
-            *before.numbers, *command, *now.applied, *acting, *reference.tolist(), *controller.estimate(),
-        ]  # fmt: skip
+        return [*before.numbers, *command, *now.applied, *acting, *reference.tolist(), *controller.estimate()]
 
     def log(self, rows: ArrayLike, scenario: dict[str, Any]) -> Log:
         """The log of `rows`, one for each of the controller's periods, that ended with the newest sample."""

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from upright.bodies.body import FALLEN
+from upright.experiment.described import law_in
 from upright.pages import Quantity, Say
 from upright.signals import Log
 
@@ -77,8 +78,8 @@ def undisturbed(log: Log) -> bool:
     scenario: Any = log.origin.get("scenario")
     if not isinstance(scenario, Mapping) or "start" not in scenario:
         return False
-    kind = str(log.origin.get("controller", {}).get("kind", ""))
-    return not (any(scenario["start"]) or scenario.get("push") or scenario.get("reference") or "excitation" in kind)
+    excited = "excitation" in law_in(log.origin)
+    return not (any(scenario["start"]) or scenario.get("push") or scenario.get("reference") or excited)
 
 
 def motionless(log: Log) -> Say | None:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
-from upright.bodies.body import REST, Body, BodySpec
+from upright.bodies.body import REST, Body
 from upright.control.controller import Controller
 from upright.errors import InvalidScenario, check_within
 from upright.experiment.loop import Stepper
@@ -45,15 +45,20 @@ def run(
     Raises `SpecMismatch` when body and controller do not fit, `InvalidScenario` for times that make no sense,
     `NotPermitted` for a refused controller.
     """
-    pushes, references = _several(push, "at"), _several(reference, "at")
-    _check_pushable(body.spec, pushes)
-    _check_time(seconds, controller.spec.period)
+    pushes, references = _several(push), _several(reference)
+    spec = body.spec
+    robot = spec.robot
+    period = controller.spec.period
+    if pushes and not spec.pushable:
+        raise InvalidScenario(f"a {spec.kind} cannot be pushed by a number", expected="no push", hint="push it by hand")
+    if not period / 2 < seconds <= MAX_SECONDS:
+        raise InvalidScenario(
+            f"a run of {seconds:g} s",
+            expected=f"more than zero and at least a period ({period:g} s), at most {MAX_SECONDS:g} s",
+        )
     check_within("as a seed", seed, 0, 2**64 - 1)
-    permit = (
-        {"certificate": permitted(controller, certificate, body.spec.robot, anyway=anyway)} if body.spec.real else {}
-    )
-    robot = body.spec.robot
-    count = round(seconds / controller.spec.period)
+    permit = {"certificate": permitted(controller, certificate, robot, anyway=anyway)} if spec.real else {}
+    count = round(seconds / period)
     loop = Stepper(body, controller, start, seed)
     stood = not loop.now.fallen
     rows = list[list[float]]()
@@ -73,21 +78,8 @@ def run(
     return loop.log(rows, scenario)
 
 
-def _check_time(seconds: float, period: float) -> None:
-    if not period / 2 < seconds <= MAX_SECONDS:
-        raise InvalidScenario(
-            f"a run of {seconds:g} s",
-            expected=f"more than zero and at least a period ({period:g} s), at most {MAX_SECONDS:g} s",
-        )
-
-
-def _check_pushable(spec: BodySpec, pushes: Sequence[PushProgramme]) -> None:
-    if pushes and not spec.pushable:
-        raise InvalidScenario(f"a {spec.kind} cannot be pushed by a number", expected="no push", hint="push it by hand")
-
-
-def _several(given: Any, method: str) -> list[Any]:
-    return [given] if hasattr(given, method) else list(given)
+def _several(given: Any) -> list[Any]:
+    return [given] if hasattr(given, "at") else list(given)
 
 
 def _facts(part: Any) -> dict[str, Any]:

@@ -78,15 +78,8 @@ class Flight:
             self.notes.append(f"the program stopped by itself: {log.ended}")
 
     def to_json(self) -> dict[str, Any]:
-        facts = {"rows": len(self.log.log) if self.log else 0, "seconds": self.seconds}
-        facts |= {"largest_pitch": self.largest_pitch, "hash": self.hash, "port": self.port}
-        return facts | {
-            "balanced": self.balanced,
-            "drove": self.drove,
-            "fell": self.fell,
-            "lost": self.lost,
-            "notes": self.notes,
-        }
+        shown = ("seconds", "largest_pitch", "hash", "port", "balanced", "drove", "fell", "lost", "notes")
+        return {"rows": len(self.log.log) if self.log else 0} | {name: getattr(self, name) for name in shown}
 
     def __str__(self) -> str:
         ran = f"{'fell; ran' if self.fell else 'balanced' if self.balanced else 'ran'} for {self.seconds:.1f} s"

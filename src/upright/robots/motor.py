@@ -59,12 +59,8 @@ def converted_gain(
     of `COMMAND_UNITS`. Duty is of the `kit`'s battery, and `full_pwm` the count of full duty, 255 of an Arduino. Raises
     `InvalidRobot` for a torque drive, a kit without a battery, or a gain of another shape.
     """
-    volts_of = {
-        "V": 1.0,
-        "duty": kit.battery.voltage,
-        "%": kit.battery.voltage / 100,
-        "PWM": kit.battery.voltage / full_pwm,
-    }
+    battery = kit.battery.voltage
+    volts_of = {"V": 1.0, "duty": battery, "%": battery / 100, "PWM": battery / full_pwm}
     for name in (was, unit):
         if name not in COMMAND_UNITS:
             raise UnknownName("unit of a command", name, COMMAND_UNITS)
@@ -88,13 +84,13 @@ def converted_gain(
         changes.append(f"times {1 / torque:.4g} V/(N m), R_m/(n K_t), less {term}")
     elif was != "V":
         rows = rows * volts_of[was]
-        changes.append(f"times {volts_of[was]:.4g} V/{was}, of a battery of {kit.battery.voltage:g} V")
+        changes.append(f"times {volts_of[was]:.4g} V/{was}, of a battery of {battery:g} V")
     if unit == "N m":
         rows = torque * (rows + back_emf)
         changes.append(f"plus {term}, times {torque:.4g} N m/V, n K_t/R_m")
     elif unit != "V":
         rows = rows / volts_of[unit]
-        changes.append(f"times {1 / volts_of[unit]:.4g} {unit}/V, of a battery of {kit.battery.voltage:g} V")
+        changes.append(f"times {1 / volts_of[unit]:.4g} {unit}/V, of a battery of {battery:g} V")
     if kit.motor.drop:
         changes.append(f"the driver keeps {kit.motor.drop:g} V of each command, which no gain makes up for")
     return ConvertedGain(read_only(rows), tuple(changes))

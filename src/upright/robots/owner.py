@@ -68,7 +68,7 @@ class OwnerQuestion:
 
     def check(self, answer: str) -> None:
         """Raise an `UprightError` for an answer that cannot be."""
-        answer = answer.removesuffix(A_GUESS)
+        answer = plain(answer)
         if self.choices:
             if answer not in self.choices:
                 raise UnknownName("choice", answer, self.choices)
@@ -179,8 +179,8 @@ class Answers:
 
     def __getattr__(self, name: str) -> Any:
         self.read[name] = self._answers[name]
-        plain = self._answers[name].removesuffix(A_GUESS)
-        return plain if plain in DRIVERS else math.nan if plain == NONE else self._asked[name].number(plain)
+        answer = plain(self._answers[name])
+        return answer if answer in DRIVERS else math.nan if answer == NONE else self._asked[name].number(answer)
 
 
 @dataclass(frozen=True)

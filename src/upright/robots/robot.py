@@ -279,18 +279,17 @@ def _sign(name: str) -> _Rule:
     unit = PARAMETERS[name][0]
     zero = name in MAY_BE_ZERO
     lower = "zero or more" if zero else "more than zero"
-    least, most = LEAST, _MOST
 
     def holds(p: Any) -> Any:
         value = getattr(p, name)
-        return (value <= most) & ((value >= least) | (value == 0) if zero else value >= least)
+        return (value <= _MOST) & ((value >= LEAST) | (value == 0) if zero else value >= LEAST)
 
     def error(robot: Robot) -> InvalidRobot:
         value = getattr(robot, name)
         wrong_sign = value < 0 or (value == 0 and not zero)
         return InvalidRobot(
             f"{robot.name}: {name} is {value:g} {unit}",
-            expected=lower if wrong_sign else f"{'zero, or ' if zero else ''}{least:g} to {most:g}",
+            expected=lower if wrong_sign else f"{'zero, or ' if zero else ''}{LEAST:g} to {_MOST:g}",
             likely="a slip of the sign" if wrong_sign else "a slip of the exponent",
         )
 
@@ -338,19 +337,11 @@ def _of_another_drive(robot: Robot) -> InvalidRobot:
     return InvalidRobot(f"{robot.name}: a {robot.drive} drive with {numbers}", expected="none of these", hint=hint)
 
 
-def _lags(p: Any) -> Any:
-    return (p.speed_lag > 0) | (p.drive != "speed")
-
-
 def _without_lag(robot: Robot) -> InvalidRobot:
     return InvalidRobot(
         f"{robot.name}: a speed drive without speed_lag",
         expected="the time [s] in which a wheel takes up its speed: 0.002 of a stepper, 0.02 of a wheel with encoder",
     )
-
-
-def _stands(p: Any) -> Any:
-    return p.com_height >= LEAST
 
 
 def _hangs(robot: Robot) -> InvalidRobot:
@@ -364,10 +355,10 @@ def _hangs(robot: Robot) -> InvalidRobot:
 _RULES = (
     *(_sign(name) for name in PARAMETERS if name != "com_height"),
     _Rule(_own_numbers, _of_another_drive),
-    _Rule(_lags, _without_lag),
+    _Rule(lambda p: (p.speed_lag > 0) | (p.drive != "speed"), _without_lag),
     *(_size(name) for name in ("wheel_radius", "track", "com_height")),
     _Rule(_triangle, _not_rigid),
-    _Rule(_stands, _hangs),
+    _Rule(lambda p: p.com_height >= LEAST, _hangs),
 )
 
 
