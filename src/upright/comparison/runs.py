@@ -112,13 +112,11 @@ class Compared:
     def released(self, label: str) -> resting.Released:
         """|pitch| of a run from the release on; empty where it fell, or is pushed to its end."""
         log, release = self.logs[label], self.releases[label]
-        ends = self.metrics[label].fell or not release <= log.t[-1]
-        after = log.between(release, math.inf) if not ends else None
         name = f"{self.sources[label]}/pitch"
-        none = np.zeros(0)
-        return (
-            resting.Released(after.t, np.abs(after[name])) if after and name in after else resting.Released(none, none)
-        )
+        if self.metrics[label].fell or not release <= log.t[-1] or name not in log:
+            return resting.Released(np.zeros(0), np.zeros(0))
+        after = log.between(release, math.inf)
+        return resting.Released(after.t, np.abs(after[name]))
 
     def at_rest(self, label: str) -> tuple[float, float]:
         """How long after the release until pitch stays near zero [s], and what near means for all runs [rad]:
@@ -137,12 +135,14 @@ class Compared:
     @functools.cached_property
     def fits(self) -> Mapping[str, Mapping[str, float]]:
         """The NRMSE fit [%] of each log but the reference to that, by signal; NaN where the reference hardly moves."""
-        others = [label for label in self.logs if label != self.reference]
-        return {label: {name: self._fit(label, name) for name in self.signals} for label in others}
+        return {label: self._fit(label) for label in self.logs if label != self.reference}
 
-    def _fit(self, label: str, name: str) -> float:
-        _, one, other = self.both(label, name)
-        return math.nan if np.ptp(one) <= negligible(name) else metrics.nrmse_fit(one, other)
+    def _fit(self, label: str) -> dict[str, float]:
+        fits: dict[str, float] = {}
+        for name in self.signals:
+            _, one, other = self.both(label, name)
+            fits[name] = math.nan if np.ptp(one) <= negligible(name) else metrics.nrmse_fit(one, other)
+        return fits
 
     def apart(self, label: str, name: str = "pitch") -> float:
         """The largest difference of a state from the reference's, in the unit of the state."""

@@ -97,8 +97,9 @@ def read_lines(lines: Iterable[str], known: Mapping[str, str] | None = None, whe
 
 def _read_lines(lines: Iterable[str], facts: dict[str, str], where: str) -> ProgramLog:
     whole, damaged = whole_lines(lines)
-    for line in (line for line in whole if line.kind == "H"):
-        facts |= dict(part.split("=", 1) for part in line.text.split(";"))
+    for line in whole:
+        if line.kind == "H":
+            facts |= dict(part.split("=", 1) for part in line.text.split(";"))
     rows = _rows(line.text for line in whole if line.kind == "D")
     if not {"robot", "kit", "hash", "period"} <= facts.keys() or len(rows) < 2:
         raise InvalidLog("this holds no log of a program", expected="its lines from H to E", likely="a cut end")

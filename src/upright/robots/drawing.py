@@ -44,11 +44,11 @@ def labelled(robot: Robot) -> Figure:
     leader = {"arrowstyle": "-", "color": INK, "linewidth": 0.6, "shrinkB": 3}
     side.annotate(str(Say("centre of mass")), centre, (-0.9 * R, centre[1]), ha="right", va="center", arrowprops=leader)
     tail = (centre[0] + 1.1 * R, centre[1])
-    side.annotate("", centre, tail, arrowprops={"arrowstyle": "->", "color": COLOURS[3], "shrinkA": 0, "shrinkB": 3})
+    _arrow(side, centre, tail, color=COLOURS[3], shrinkA=0, shrinkB=3)
     side.text(tail[0] + 0.12 * R, centre[1], str(Say("force on the front")), color=COLOURS[3], va="center")
-    side.annotate("", centre, (0, R), arrowprops={"arrowstyle": "<->", "color": INK, "shrinkA": 0, "shrinkB": 0})
+    _arrow(side, centre, (0, R), "<->", shrinkA=0, shrinkB=0)
     side.text(0.5 * centre[0] + 0.15 * R, R + 0.42 * (centre[1] - R), "L", va="center")
-    side.annotate("", (R * math.cos(0.9), R - R * math.sin(0.9)), (0, R), arrowprops={"arrowstyle": "->", "color": INK})
+    _arrow(side, (R * math.cos(0.9), R - R * math.sin(0.9)), (0, R))
     side.text(1.1 * R, 0.35 * R, _named("R", "wheel_radius"), va="center")
     side.add_patch(Arc((0, R), 2.6 * R, 2.6 * R, theta1=90 - math.degrees(TURN), theta2=90, color=COLOURS[2]))
     at = (1.3 * R * math.sin(TURN), R + 1.3 * R * math.cos(TURN))
@@ -107,15 +107,19 @@ def _above(ax: Axes, robot: Robot) -> None:
     for side in (-1, 1):
         ax.add_patch(Rectangle((-R, side * half - thick), 2 * R, 2 * thick, fill=False, edgecolor=WHEEL, linewidth=1.8))
     out = 1.2 * max(R, depth / 2)
-    ax.annotate("", (-out, half), (-out, -half), arrowprops={"arrowstyle": "<->", "color": INK})
+    _arrow(ax, (-out, half), (-out, -half), "<->")
     ax.text(-1.1 * out, 0, _named("W", "track"), ha="right", va="center")
-    ax.annotate("", (1.4 * out, 0), (0, 0), arrowprops={"arrowstyle": "->", "color": INK})
+    _arrow(ax, (1.4 * out, 0), (0, 0))
     ax.text(1.5 * out, 0, str(Say("ahead")), va="center")
     ax.add_patch(Arc((0, 0), 1.6 * out, 1.6 * out, theta1=0, theta2=50, color=COLOURS[3]))
     ax.text(0.9 * out * math.cos(0.5), 0.9 * out * math.sin(0.5), f" {_named('φ', 'yaw')}", color=COLOURS[3])
     reach = 1.35 * max(half, 1.6 * R)
     ax.set(xlim=(-1.2 * reach, 1.5 * reach), ylim=(-reach, reach))
     ax.set_title(str(Say("from above")), loc="center", fontsize=LETTERS)
+
+
+def _arrow(ax: Axes, tip: tuple[float, float], tail: tuple[float, float], style: str = "->", **how: Any) -> None:
+    ax.annotate("", tip, tail, arrowprops={"arrowstyle": style, "color": INK, **how})
 
 
 def _named(symbol: str, name: str) -> str:

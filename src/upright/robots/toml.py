@@ -136,7 +136,8 @@ def read_part(
         if key in table:
             values[key] = number(table[key], prefix + key, units, where)
             source = provenance(table[key], prefix + key, where)
-            sources |= {key: source} if source else {}
+            if source:
+                sources[key] = source
     return values, sources
 
 
@@ -268,9 +269,8 @@ def _spelt(unit: str) -> str:
     return "Ω" if unit.lower() in ("ohm", "ohms") else unit
 
 
-def provenance(table: Any, name: str, where: str) -> Provenance | None:
+def provenance(entry: Table, name: str, where: str) -> Provenance | None:
     """Source and spread of a number, or None where the file says neither."""
-    entry = cast(Table, table) if isinstance(table, dict) else {}
     if "source" not in entry and "spread" not in entry:
         return None
     source, spread = entry.get("source", ""), entry.get("spread", "guess")
