@@ -337,11 +337,19 @@ def _of_another_drive(robot: Robot) -> InvalidRobot:
     return InvalidRobot(f"{robot.name}: a {robot.drive} drive with {numbers}", expected="none of these", hint=hint)
 
 
+def _lags(p: Any) -> Any:
+    return (p.speed_lag > 0) | (p.drive != "speed")
+
+
 def _without_lag(robot: Robot) -> InvalidRobot:
     return InvalidRobot(
         f"{robot.name}: a speed drive without speed_lag",
         expected="the time [s] in which a wheel takes up its speed: 0.002 of a stepper, 0.02 of a wheel with encoder",
     )
+
+
+def _stands(p: Any) -> Any:
+    return p.com_height >= LEAST
 
 
 def _hangs(robot: Robot) -> InvalidRobot:
@@ -355,10 +363,10 @@ def _hangs(robot: Robot) -> InvalidRobot:
 _RULES = (
     *(_sign(name) for name in PARAMETERS if name != "com_height"),
     _Rule(_own_numbers, _of_another_drive),
-    _Rule(lambda p: (p.speed_lag > 0) | (p.drive != "speed"), _without_lag),
+    _Rule(_lags, _without_lag),
     *(_size(name) for name in ("wheel_radius", "track", "com_height")),
     _Rule(_triangle, _not_rigid),
-    _Rule(lambda p: p.com_height >= LEAST, _hangs),
+    _Rule(_stands, _hangs),
 )
 
 
