@@ -184,7 +184,9 @@ def test_a_gyro_that_swings_and_a_fused_angle_are_in_the_page(tmp_path):
     faults = {"noise": 0.002, "offset": 0.01, "delay": 0.003}
     gyro = Sensor(resonance=11.0, damping=0.1, misalignment=-0.2, gain=1.05, **faults)
     angle = Sensor(time_constant=0.3, period=0.004, bias=0.01, **faults)
-    kit = replace(usual, sensors={**usual.sensors, "sensor/gyro": gyro, "sensor/pitch": angle})
+    forward = Sensor(noise=0.05, bias=0.1, bias_walk=0.02, period=0.002, delay=0.005)
+    own = {"sensor/gyro": gyro, "sensor/accel_forward": forward, "sensor/pitch": angle}
+    kit = replace(usual, sensors=usual.sensors | own)
     linear = CONTROLLERS["lqg"](robot, usual, usual.period)
     controller = also(linear, {"sensor/pitch": 2.0})
     push = Push(force=0.5, start=0.1, duration=LASTS)

@@ -39,10 +39,8 @@ def shown(side: int) -> dict[str, control.TransferFunction]:
     lean, wheel_rate, turn = (transfer(state, side) for state in ("pitch", "wheel_rate", "yaw_rate"))
     gravity = lean - NXT.wheel_radius / NXT.gravity * s * wheel_rate
     omega = 2 * math.pi * HERTZ
-    return {
-        "sensor/pitch": (TAU * s * lean + gravity) / (TAU * s + 1),
-        "sensor/gyro": omega**2 / (s**2 + 2 * ZETA * omega * s + omega**2) * s * lean + TILT * turn,
-    }
+    gyro = omega**2 / (s**2 + 2 * ZETA * omega * s + omega**2) * s * lean + TILT * turn
+    return {"sensor/pitch": (TAU * gyro + gravity) / (TAU * s + 1), "sensor/gyro": gyro}
 
 
 @pytest.mark.parametrize("name", ["sensor/pitch", "sensor/gyro"])
@@ -71,7 +69,7 @@ def slopes(x: np.ndarray, u: np.ndarray, force: float) -> tuple[np.ndarray, floa
     moved = model.A @ x[:6] + model.B @ u + (model.E[:, 0] + NXT.com_height * model.E[:, 1]) * force
     along = NXT.wheel_radius * moved[3] - NXT.gravity * x[0]
     omega = 2 * math.pi * HERTZ
-    fused = x[1] + (-along / NXT.gravity - x[6]) / TAU
+    fused = x[7] + TILT * x[5] + (-along / NXT.gravity - x[6]) / TAU
     swung = omega**2 * (x[1] - x[7]) - 2 * ZETA * omega * x[8]
     return np.array([*moved, fused, x[8], swung]), along
 

@@ -65,7 +65,8 @@ ALL = {
 @pytest.mark.parametrize("case", ALL)
 def test_the_kernel_reads_what_the_obvious_loop_reads(case: str) -> None:
     gyro, angle = ALL[case]
-    kit = fitted(gyro=gyro, pitch=angle, accel_forward=Sensor(noise=0.1, offset=0.05))
+    late = Sensor(noise=0.1, offset=0.05, bias=0.1, bias_walk=0.02, period=0.002, delay=0.005)
+    kit = fitted(gyro=gyro, pitch=angle, accel_forward=late)
     lqg = make_controller("lqg", ROBOT, NXT, NXT.period)
     controller = also(lqg, {ANGLE: 2.0, "sensor/accel_forward": 0.01})
     start, seed = (0.02, 0.1, 0.0, 0.0, 0.1, 0.3), 3
@@ -148,7 +149,7 @@ class Carried:
 
 
 def angles(body: Carried, sensor: Sensor, seconds: float) -> np.ndarray:
-    carried = Electronics(body, fitted(pitch=sensor))
+    carried = Electronics(body, fitted(pitch=sensor, gyro=Sensor()))
     place = [signal.name for signal in carried.spec.channels].index(ANGLE)
     rows = [carried.reset(), *(carried.step((0.0, 0.0)) for _ in range(round(seconds / 0.001)))]
     return np.array([row.numbers[place] for row in rows])
@@ -176,11 +177,33 @@ def test_at_rest_and_without_a_time_constant_it_is_the_pitch_and_the_offset() ->
 def test_it_follows_a_pitch_that_the_gyro_feels() -> None:
     """Of a robot that moves far faster than its time constant: the gyro's integral, without the accelerations that a
     hundredth of a time constant leaves no time for."""
-    read = readings(fitted(pitch=Sensor(time_constant=50.0)), steps=300)
+    read = readings(fitted(pitch=Sensor(time_constant=50.0), gyro=Sensor()), steps=300)
     moved = np.ptp(read["truth/pitch"])
     assert moved > 0.1
     # rates summed at the end of each millisecond, and accelerations of a few m/s² for 0.3 s of 50 s
     assert read[ANGLE] == pytest.approx(read["truth/pitch"], abs=0.02 * moved)
+
+
+def test_it_is_made_of_what_gyro_and_accelerometer_read() -> None:
+    """Summed again over the readings beside it, with all their faults; and with an offset b of the gyro alone, that
+    of a robot at rest ends b τ off, where the accelerometer draws it back as fast as the gyro leads it away."""
+    tau, h = 0.3, 0.001
+    faults = {"noise": 0.02, "offset": 0.03, "bias": 0.05, "bias_walk": 0.01, "quantum": 0.004, "delay": 0.003}
+    gyro = Sensor(**faults, gain=1.05, resonance=25.0, damping=0.3, misalignment=0.1)
+    forward, up = Sensor(**faults, period=0.004), Sensor(**faults, gain=0.97)
+    read = readings(fitted(gyro=gyro, accel_forward=forward, accel_up=up, pitch=Sensor(time_constant=tau)))
+    angle = [read["truth/pitch"][0]]
+    sources = zip(read[GYRO], read["sensor/accel_forward"], read["sensor/accel_up"], strict=True)
+    for rate, along, above in list(sources)[1:]:
+        drawn = (along * math.cos(angle[-1]) + above * math.sin(angle[-1])) / (ROBOT.gravity * tau)
+        angle.append(angle[-1] + h * (rate - drawn))
+    assert read[ANGLE] == pytest.approx(np.array(angle), abs=1e-9)
+    offset = 0.02
+    carried = Electronics(Carried(0.0, 0.0), fitted(pitch=Sensor(time_constant=tau), gyro=Sensor(offset=offset)))
+    place = [signal.name for signal in carried.spec.channels].index(ANGLE)
+    carried.reset()
+    last = [carried.step((0.0, 0.0)).numbers[place] for _ in range(round(20 * tau / h))][-1]
+    assert math.sin(last) == pytest.approx(offset * tau, rel=1e-6)  # of the filter's own law; e⁻²⁰ is left
 
 
 def test_a_body_that_lacks_what_it_is_made_of_is_refused_by_name() -> None:

@@ -12,6 +12,7 @@ from upright.compiled.counter import FOR_BIAS, FOR_JITTER, FOR_NOISE, FOR_WALK, 
 from upright.compiled.electronics import SENSOR_NUMBERS, formulas, gyro_numbers
 from upright.errors import SpecMismatch
 from upright.physics.dynamics import CALM, Disturbance
+from upright.physics.sensing import FUSED_OF
 from upright.robots import Kit, Sensor
 from upright.signals.signal import FUSED, KNOWN, TRUTH
 
@@ -56,15 +57,18 @@ class Electronics:
         limit = kit.most(inner.command_unit)
         self.spec = replace(inner, kind=f"{inner.kind} with {kit.name} electronics", channels=channels, limit=limit)
         self._own = list[_Gyro | _FusedAngle]()
-        self._sensors = list[tuple[int | None, _Channel]]()
-        for name, sensor in kit.sensors.items():
-            places = [have[source] for source in sources[name]]
-            index = places[0] if places else None
-            if len(places) > 1:  # what it senses stands behind what the body reads
-                index = len(have) + len(self._own)
-                own = _FusedAngle(sensor, places, inner) if name == ANGLE else _Gyro(sensor, places, inner.period)
+        senses = have.copy()  # places of what sensors sense: behind what the body reads those that have states
+        for name in sorted(sources, key=ANGLE.__eq__):  # the angle last, which is made of the gyro's reading
+            places = [senses[source] for source in sources[name]]
+            if len(places) > 1:
+                own = _FusedAngle(kit, places, inner) if name == ANGLE else _Gyro(kit.sensors[name], places, inner)
+                senses[name] = len(have) + len(self._own)
                 self._own.append(own)
-            self._sensors.append((index, _Channel(sensor, name, inner.period, kit)))
+            elif places:
+                senses[name] = places[0]
+        self._sensors = [
+            (senses.get(name), _Channel(sensor, name, inner.period, kit)) for name, sensor in kit.sensors.items()
+        ]
         self._lasting = [(index, channel) for index, channel in self._sensors if channel.lasts]
         self._line = _CommandLine(kit, inner.period)
         self._alike = kit.motor.left == kit.motor.right == 1.0
@@ -75,7 +79,8 @@ class Electronics:
         self._line.reset(seed)
         self._voltage = self.kit.battery.voltage
         self._driven = None
-        first = self._with_own(first, [one.reset(first.numbers) for one in self._own])
+        for one in self._own:
+            first = first._replace(numbers=(*first.numbers, one.reset(first.numbers, seed)))
         for index, channel in self._sensors:
             channel.reset(seed, self._voltage if index is None else first.numbers[index])
         return self._sample(first)
@@ -106,11 +111,9 @@ class Electronics:
             moved = self.body.step(self._applied, disturbance)
         else:
             moved = self.body.step(self._turned(self._applied), disturbance)._replace(applied=self._applied)
-        return self._with_own(moved, [one.step(self._now, moved.numbers) for one in self._own])
-
-    def _with_own(self, moved: Sample, own: Sequence[float]) -> Sample:
-        """The body's sample with what those sensors sense that have states of their own."""
-        return moved._replace(numbers=(*moved.numbers, *own)) if own else moved
+        for one in self._own:
+            moved = moved._replace(numbers=(*moved.numbers, one.step(self._now, moved.numbers)))
+        return moved
 
     def _turned(self, applied: tuple[float, float]) -> tuple[float, ...]:
         """What each motor makes of what is applied to it."""
@@ -184,8 +187,7 @@ def _sources(name: str, sensor: Sensor) -> tuple[str, ...]:
     if name == BATTERY:
         return ()
     if name == ANGLE:
-        made = ("sensor/gyro", "sensor/accel_forward", "sensor/accel_up") if sensor.time_constant else ()
-        return "truth/pitch", *made
+        return "truth/pitch", *(FUSED_OF if sensor.time_constant else ())
     tilted = sensor.misalignment or sensor.resonance
     return (name, "truth/yaw_rate") if tilted else (name,)
 
@@ -193,11 +195,11 @@ def _sources(name: str, sensor: Sensor) -> tuple[str, ...]:
 class _Gyro:
     """What a gyro senses that swings against the frame, or is tilted; `places` are those of pitch rate and yaw rate."""
 
-    def __init__(self, sensor: Sensor, places: Sequence[int], step: float) -> None:
+    def __init__(self, sensor: Sensor, places: Sequence[int], body: BodySpec) -> None:
         self._rate, self._yaw_rate = places
-        self._numbers = gyro_numbers(sensor, step)
+        self._numbers = gyro_numbers(sensor, body.period)
 
-    def reset(self, numbers: Sequence[float]) -> float:
+    def reset(self, numbers: Sequence[float], seed: int) -> float:  # noqa: ARG002 (nothing of it is random)
         sensed, *self._memory = _SETTLE(numbers[self._rate], numbers[self._yaw_rate], *self._numbers)
         return sensed
 
@@ -207,21 +209,34 @@ class _Gyro:
 
 
 class _FusedAngle:
-    """The angle of a filter that begins at the true one; `places` are those of pitch, gyro and accelerometer."""
+    """The angle of a filter that begins at the true one; `places` are those of the pitch and of what the gyro and the
+    accelerometer sense. It takes their readings with all their faults, those of a sensor that the kit lacks as ideal,
+    in channels of its own: what they draw depends on the time alone, so that both copies read the same.
+    """
 
-    def __init__(self, sensor: Sensor, places: Sequence[int], body: BodySpec) -> None:
+    def __init__(self, kit: Kit, places: Sequence[int], body: BodySpec) -> None:
+        sensor = kit.sensors[ANGLE]
         self._pitch, *self._places = places
+        self._channels = [_Channel(kit.sensors.get(name, Sensor()), name, body.period, kit) for name in FUSED_OF]
         self._every = max(1, round(sensor.period / body.period))
         self._numbers = (body.robot.gravity, sensor.time_constant, self._every * body.period)
 
-    def reset(self, numbers: Sequence[float]) -> float:
+    def reset(self, numbers: Sequence[float], seed: int) -> float:
         self._angle = numbers[self._pitch]
+        for channel, place in zip(self._channels, self._places, strict=True):
+            channel.reset(seed, numbers[place])
+            channel.read(0, numbers[place])
         return self._angle
 
     def step(self, now: int, numbers: Sequence[float]) -> float:
-        if now % self._every == 0:
+        if now % self._every:
+            for channel, place in zip(self._channels, self._places, strict=True):
+                channel.skip(now, numbers[place])
+        else:
+            motion = [
+                channel.read(now, numbers[place]) for channel, place in zip(self._channels, self._places, strict=True)
+            ]
             direction = math.cos(self._angle), math.sin(self._angle)
-            motion = [numbers[place] for place in self._places]
             (self._angle,) = _FUSE(self._angle, *direction, *motion, *self._numbers)
         return self._angle
 

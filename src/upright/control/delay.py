@@ -18,7 +18,7 @@ import numpy as np
 from upright.arrays import Array, Mask
 from upright.errors import DesignFailed, SpecMismatch
 from upright.physics.linear import LinearModel, delay_line, linearise_rolling
-from upright.physics.sensing import FORWARD, GYRO, PITCH, sensed
+from upright.physics.sensing import FORWARD, FUSED_OF, GYRO, PITCH, sensed
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import SIDES, STATE_NAMES, TRUE_STATE
 
@@ -138,7 +138,7 @@ def sampled(
             f"a delay of {delay:g} s at a period of {period:g} s", expected=f"at most {longest} periods",
             hint="lengthen the period",
         )  # fmt: skip
-    between = _Between(_senses(robot, reads, tuple(map(_prompt, sensors))), period, kit.delay + kit.jitter / 2)
+    between = _Between(_senses(robot, reads, _prompt(kit, reads)), period, kit.delay + kit.jitter / 2)
     return _assembled(robot, kit, between, sensors)
 
 
@@ -157,8 +157,8 @@ class _Senses:
 
 
 @lru_cache(maxsize=1024)
-def _senses(robot: Robot, reads: tuple[str, ...], sensors: tuple[Sensor, ...]) -> _Senses:
-    model, F = sensed(linearise_rolling(robot), reads, robot, dict(zip(reads, sensors, strict=True)))
+def _senses(robot: Robot, reads: tuple[str, ...], sensors: tuple[tuple[str, Sensor], ...]) -> _Senses:
+    model, F = sensed(linearise_rolling(robot), reads, robot, dict(sensors))
     push, by_push = (matrix[:, 0] + robot.com_height * matrix[:, 1] for matrix in (model.E, F))
     shown = _shown(model)
     return _Senses(model, robot.com_height, by_push, shown, _tells_push(model, shown, push, by_push))
@@ -184,10 +184,12 @@ def _tells_push(model: LinearModel, shown: list[bool], push: Array, by_push: Arr
     return bool(np.linalg.matrix_rank(steady / np.maximum(size, ROUNDING), tol=_SAME) == (size > 0).sum())
 
 
-@lru_cache(maxsize=1024)
-def _prompt(sensor: Sensor) -> Sensor:
-    """Without its delay, so that one model serves all delays that a margin tries."""
-    return replace(sensor, delay=0.0)
+def _prompt(kit: Kit, reads: Sequence[str]) -> tuple[tuple[str, Sensor], ...]:
+    """The sensors by name, and those of which an angle is fused, without their delays, so that one model serves all
+    delays that a margin tries."""
+    fused = FUSED_OF if PITCH in reads and kit.sensors[PITCH].time_constant else ()
+    names = dict.fromkeys((*reads, *(name for name in fused if name in kit.sensors)))
+    return tuple((name, replace(sensor_of(kit, name), delay=0.0)) for name in names)
 
 
 class _Between:

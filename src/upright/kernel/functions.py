@@ -67,10 +67,7 @@ _TURN = {
     "applied_left": b.APPLIED, "applied_right": b.APPLIED + 1, "left": b.STRENGTH,
     "right": b.STRENGTH + 1, "motor_left": LEFT, "motor_right": RIGHT,
 }  # fmt: skip
-_MOTION = {
-    "rate": PITCH_RATE, "yaw_rate": YAW_RATE, "forward": b.SPECIFIC_FORCE, "up": b.SPECIFIC_FORCE + 1,
-    "gravity": GRAVITY,
-}  # fmt: skip
+_MOTION = {"rate": PITCH_RATE, "yaw_rate": YAW_RATE, "gravity": GRAVITY}
 _OWN = (*SENSOR_NUMBERS, *GYRO_NUMBERS)
 _SENSOR = {name: row for row, name in enumerate(_OWN)} | {
     "play": b.S_OWN, **{name: b.S_OWN + row for row, name in enumerate(FUSED_NUMBERS)}, "drift": b.S_DRIFT,
@@ -85,6 +82,7 @@ PLACES = {
 """Of each formula's variables; those of a sensor count from its own first row."""
 for _name in ("slacken", "settle", "swing", "fuse", "measure"):
     PLACES[_name] = {n: RowOf(row) for n, row in _MOTION.items()} | {n: RowOf(row, True) for n, row in _SENSOR.items()}
+PLACES["fuse"] |= {name: RowOf(b.S_FUSED + i, True) for i, name in enumerate(("rate", "forward", "up"))}
 
 
 class CompiledElectronics(NamedTuple):

@@ -16,6 +16,7 @@ from upright.compiled.electronics import GYRO_NUMBERS, SENSOR_NUMBERS, resonance
 from upright.errors import InvalidScenario, SpecMismatch, UnknownName
 from upright.kernel.batch import FleetBatch
 from upright.kernel.rows import FUSED, PLAIN, SENSOR_SIZE, SLACK, SWUNG
+from upright.physics.sensing import FUSED_OF
 from upright.robots import Kit, Sensor
 from upright.robots.drives import drive_of
 
@@ -32,8 +33,10 @@ _MOTOR = (
 @dataclass(frozen=True, eq=False)
 class KitTables:
     """`motor` (·, 8) and `sensor` (·, s, numbers) as in `block`; `dead_time` (·, 3) as in `block.arrive`;
-    `times` (s, 6): of each sensor its kind, its delay, its period and that of its walk [steps], how it senses, and in
-    which steps."""
+    `times` (s, 7): of each sensor its kind, its delay, its period and that of its walk [steps], how it senses, in which
+    steps, and in which of them an angle is made of it. Before a fused angle stand the three that it is made of, beside
+    those that the controller reads itself: what is drawn depends on the time alone, so that both copies read the same.
+    """
 
     motor: Array
     dead_time: Whole
@@ -47,7 +50,7 @@ class KitTables:
 
 
 def kit_tables(batch: FleetBatch, stride: int) -> KitTables:
-    """The tables for the sensors that the batch's controller reads, in that order.
+    """The tables for the sensors that the batch's controller reads, in that order, and those of a fused angle.
 
     Raises `SpecMismatch` for a sensor that the kit does not have or a drive that it is not for, `UnknownName` for a
     change of an unknown number, `InvalidScenario` for a jitter longer than a period.
@@ -61,28 +64,35 @@ def kit_tables(batch: FleetBatch, stride: int) -> KitTables:
     numbers = _Numbers(kit, batch.kit_changes)
     ideal = {"battery.voltage": math.inf, "battery.sag": 0.0, "motor.drop": 0.0}
     motor = _stack([numbers[n] if voltage or n not in ideal else np.array([ideal[n]]) for n in _MOTOR])
-    reads = [name for name in controller.reads if name.startswith("sensor/")]
-    sensors = [_sensor(batch.kit, name) for name in reads]
+    reads = list[tuple[str, Sensor, int]]()
+    for name in controller.reads:
+        if not name.startswith("sensor/"):
+            continue
+        sensor = _sensor(batch.kit, name)
+        if sensor.time_constant:
+            spell = max(1, round(sensor.period / batch.period))
+            reads += [(source, kit.sensors.get(source, Sensor()), spell) for source in FUSED_OF]
+        reads.append((name, sensor, 0))
     rows = list[Array]()
     times = list[tuple[int, ...]]()
-    for name, sensor in zip(reads, sensors, strict=True):
+    for name, sensor, spell in reads:
         every = max(1, round(sensor.period / batch.period))
         walks = walk_steps(every, kit.period / batch.period)
         own, senses, pace = _own(numbers, name, sensor, every, batch.period)
         own += [np.zeros(1)] * (len(GYRO_NUMBERS) - len(own))
         rows.append(_stack([*(numbers[f"sensors.{name[7:]}.{f}"] for f in SENSOR_NUMBERS), *own]))
-        times.append((KINDS.index(name), round(sensor.delay / batch.period), every, walks, senses, pace))
+        times.append((KINDS.index(name), round(sensor.delay / batch.period), every, walks, senses, pace, spell))
     table = _stack(rows) if rows else np.zeros((1, 0, SENSOR_SIZE))
     dead_time = _dead_time(numbers, batch.period, stride)
     numbers.check()
-    return KitTables(motor, dead_time, table, np.array(times, dtype=np.int64).reshape(-1, 6))
+    return KitTables(motor, dead_time, table, np.array(times, dtype=np.int64).reshape(-1, 7))
 
 
 @cache
 def _bare(voltage: bool) -> KitTables:
     """The tables without a kit, made once: they would take half of the time to start a single robot."""
     motor = [[BARE.motor.limit, 0.0, 0.0, 0.0, BARE.battery.voltage if voltage else math.inf, 0.0, 1.0, 1.0]]
-    dead_time, times = np.zeros((1, 3), dtype=np.int64), np.zeros((0, 6), dtype=np.int64)
+    dead_time, times = np.zeros((1, 3), dtype=np.int64), np.zeros((0, 7), dtype=np.int64)
     return KitTables(np.array(motor), dead_time, np.zeros((1, 0, SENSOR_SIZE)), times)
 
 

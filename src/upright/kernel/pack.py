@@ -157,12 +157,13 @@ def _step(t: Array, period: float) -> Array:
 
 def _sensors(controller: LinearController, kit: KitTables, at: Rows, block: _Block) -> Whole:
     """The table of sensors of `run.entry`, their rows taken from the block."""
-    readings = [at.reading + i for i, name in enumerate(controller.reads) if name.startswith("sensor/")]
+    readings = iter([at.reading + i for i, name in enumerate(controller.reads) if name.startswith("sensor/")])
     table = list[tuple[int, ...]]()
-    for s, (reading, times) in enumerate(zip(readings, kit.times.tolist(), strict=True)):
-        _, delay, every, *_ = times
+    for s, times in enumerate(kit.times.tolist()):
+        _, delay, every, *_, spell = times
         places = delay // every + 3
         row = block.take(b.SENSOR_SIZE, kit.sensor[:, s])
+        reading = row + b.S_VALUE if spell else next(readings)
         block.take(b.S_LINE - b.SENSOR_SIZE + places)
         random = ((b.S_NOISE, b.LOUD_NOISE), (b.S_WALK, b.LOUD_WALK), (b.S_BIAS, b.LOUD_BIAS))
         loud = sum(sign for column, sign in random if kit.sensor[:, s, column].any())

@@ -17,7 +17,7 @@ def begin(w: Any, count: int, clock: Any, plan: Any, times: Any, sensors: Any, i
     """The first readings of one block of robots that have been at rest."""
     block = RobotBlock(w, count, index, 0)
     sense_first(block, plan, sensors)
-    sensed = sense_all(w, count, plan, sensors, 0)
+    sensed = sense_all(block, plan, times, sensors, 0)
     if item(clock, K) == 0:
         store(clock, SENSED, sensed)
     read(block, plan, times, sensors, 0)
@@ -36,7 +36,7 @@ def advance(w: Any, robots: int, clock: Any, plan: Any, times: Any, sensors: Any
         ahead = move(block, plan, times, sensors, k * stride, last, Ahead(item(clock, SENSED), NEVER, NEVER))
         sensed = ahead.sensed
         if end >= sensed:
-            sensed = sense_all(block.w, count, plan, sensors, end)
+            sensed = sense_all(block, plan, times, sensors, end)
         read(block, plan, times, sensors, k + 1)
     store(clock, K, k + 1)
     store(clock, SENSED, sensed)

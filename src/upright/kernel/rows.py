@@ -7,13 +7,14 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from upright.compiled.electronics import GYRO_NUMBERS, SENSOR_NUMBERS
+from upright.compiled.electronics import FUSED_NUMBERS, GYRO_NUMBERS, SENSOR_NUMBERS
 from upright.compiled.generated import WORK, WORK_ROWS
 
 NEVER = 1 << 60  # [steps] longer than any run
 
 S_OWN = len(SENSOR_NUMBERS)  # those of every sensor; from here on those of its kind
 SENSOR_SIZE = S_OWN + len(GYRO_NUMBERS)
+S_FUSED = S_OWN + len(FUSED_NUMBERS)  # 3: of the readings of which an angle is made
 S_NOISE, S_BIAS, S_WALK = map(SENSOR_NUMBERS.index, ("noise", "bias", "bias_walk"))
 S_DRIFT, S_VALUE, S_SENSED, S_MEMORY, S_IDEAL, S_NORMAL, S_STEP, S_LINE = (
     SENSOR_SIZE + place for place in (0, 1, 2, 3, 5, 6, 7, 8)
@@ -23,10 +24,10 @@ cosine and sine of that angle; delayed reading, normal numbers of noise and of t
 ENCODER_LEFT, ENCODER_RIGHT, GYRO, COMPASS, ACCEL_FORWARD, ACCEL_UP, ANGLE = range(7)  # kinds of sensors
 PLAIN, SLACK, SWUNG, FUSED = range(4)  # what a sensor senses, besides of what its kind says
 S_KIND, S_DELAY, S_EVERY, S_WALKS, S_SENSES, S_PACE = range(6)
-S_ROW, S_PLACES, S_READING, S_LOUD, SENSOR_COLUMNS = range(6, 11)
+S_SPELL, S_ROW, S_PLACES, S_READING, S_LOUD, SENSOR_COLUMNS = range(6, 12)
 """Columns of the table of sensors: kind, delay, period and that of its walk [steps], how it senses, in which steps it
-has to (0: only where it is sampled), first row, places in the delay line, row of the reading, and the sum of its random
-parts:"""
+has to (0: only where it is sampled), in which a fused angle reads it (0: it is the controller's), first row, places in
+the delay line, row of the reading, and the sum of its random parts:"""
 LOUD_NOISE, LOUD_WALK, LOUD_BIAS = 1, 2, 4
 
 KIT = WORK + WORK_ROWS  # rows that every block has, after those of the motion

@@ -63,6 +63,7 @@ from upright.kernel.rows import (
     S_DELAY,
     S_DRIFT,
     S_EVERY,
+    S_FUSED,
     S_IDEAL,
     S_KIND,
     S_LINE,
@@ -75,6 +76,7 @@ from upright.kernel.rows import (
     S_ROW,
     S_SENSED,
     S_SENSES,
+    S_SPELL,
     S_STEP,
     S_VALUE,
     S_WALKS,
@@ -136,39 +138,76 @@ def sense_first(block: RobotBlock, plan: Any, sensors: Any) -> None:
 
 
 @njit
-def sense_own(w: Any, count: int, plan: Any, senses: int, kind: int, row: int) -> None:
-    """What a sensor senses after a step that senses not only what its kind says; `row` is its first."""
+def sense_own(w: Any, count: int, plan: Any, sensors: Any, t: int) -> None:
+    """What the sensor at `t` of the table senses after a step, where that is not only what its kind says."""
+    kind, row, senses = item(sensors, t + S_KIND), item(sensors, t + S_ROW), item(sensors, t + S_SENSES)
     if senses == SLACK:
         b.sense(w, count, kind, row + S_MEMORY)
         call_program(item(plan, SLACKEN), w, count, row, w)
     elif senses == SWUNG:
         call_program(item(plan, SWING), w, count, row, w)
     else:
+        for k in range(3):  # of which the angle is made, the three before it
+            made_of = item(sensors, t + (k - 3) * SENSOR_COLUMNS + S_ROW)
+            b.copy(w, row + S_FUSED + k, made_of + S_VALUE, count)
         b.direct(w, count, row + S_MEMORY, row + S_SENSED)
         call_program(item(plan, FUSE), w, count, row, w)
 
 
 @njit
-def sense_all(w: Any, count: int, plan: Any, sensors: Any, now: int) -> int:
-    """At body step `now`: every sensor that is read at a period's start samples; returns the next such step."""
+def read_one(block: RobotBlock, plan: Any, times: Any, sensors: Any, t: int, before: int, now: int, drawn: int) -> int:
+    """The reading at step `now` of the sensor at `t` of the table, which was read at step `before` last. `drawn` says
+    of which step and pair of kinds the rows of noise are, -1: of none; returns that for the next sensor."""
+    w, count = block.w, block.robots
+    kind, row, every = item(sensors, t + S_KIND), item(sensors, t + S_ROW), item(sensors, t + S_EVERY)
+    sample = now // every
+    if sample == before // every:
+        return drawn
+    loud = item(sensors, t + S_LOUD)
+    pair = kind // 2
+    if loud & LOUD_NOISE:
+        if drawn != 4 * sample * every + pair:
+            drawn = 4 * sample * every + pair
+            draw(block, plan, sample * every, FOR_NOISE, pair)
+        b.copy(w, row + S_NORMAL, NOISE + kind, count)
+    if loud & LOUD_WALK:
+        walks = item(sensors, t + S_WALKS)
+        b.clear(w, row + S_STEP, count)
+        for step in range(before // walks + 1, now // walks + 1):
+            draw(block, plan, step * walks, FOR_WALK, pair)
+            b.add(w, row + S_STEP, WALK + kind, count, (walks * item(times, STEP)) ** 0.5)
+    b.copy(w, row + S_IDEAL, row + S_LINE + sample % item(sensors, t + S_PLACES), count)
+    call_program(item(plan, MEASURE), w, count, row, w)
+    b.copy(w, item(sensors, t + S_READING), row + S_VALUE, count)
+    return drawn
+
+
+@njit
+def sense_all(block: RobotBlock, plan: Any, times: Any, sensors: Any, now: int) -> int:
+    """At body step `now`: every sensor samples that is read at a period's start, or when an angle is made of it, which
+    then happens; returns the next such step."""
+    w, count = block.w, block.robots
     if item(plan, ACCELEROMETER) != 0 and now > 0:
         call_on_block(item(plan, ACCELEROMETER), w, count, SPECIFIC_FORCE)
-    stride = item(plan, STRIDE)
     following = NEVER
+    drawn = -1
     for s in range(item(plan, SENSORS)):
         t = s * SENSOR_COLUMNS
-        kind, row = item(sensors, t + S_KIND), item(sensors, t + S_ROW)
+        kind, row, spell = item(sensors, t + S_KIND), item(sensors, t + S_ROW), item(sensors, t + S_SPELL)
         every, delay = item(sensors, t + S_EVERY), item(sensors, t + S_DELAY)
+        stride = spell if spell > 0 else item(plan, STRIDE)
         fresh = now + delay
         sampled = fresh % every == 0 and -(-fresh // stride) * stride < fresh + every
         senses, pace = item(sensors, t + S_SENSES), item(sensors, t + S_PACE)
         if senses != PLAIN:
             if now > 0 and (now % pace == 0 if pace > 0 else sampled):
-                sense_own(w, count, plan, senses, kind, row)
+                sense_own(w, count, plan, sensors, t)
         elif sampled:
             b.sense(w, count, kind, row + S_SENSED)
         if sampled:
             b.copy(w, row + S_LINE + (fresh // every) % item(sensors, t + S_PLACES), row + S_SENSED, count)
+        if spell > 0 and now % spell == 0:
+            drawn = read_one(block, plan, times, sensors, t, now - spell if now > 0 else -1, now, drawn)
         fresh = (fresh // every + 1) * every
         while -(-fresh // stride) * stride >= fresh + every:
             fresh += every
@@ -181,33 +220,13 @@ def sense_all(w: Any, count: int, plan: Any, sensors: Any, now: int) -> int:
 @njit
 def read(block: RobotBlock, plan: Any, times: Any, sensors: Any, k: int) -> None:
     """Rows `reading`: the readings at the start of period `k`; a sensor without a new sample holds its last reading."""
-    w, count = block.w, block.robots
-    stride = item(plan, STRIDE)
-    now = k * stride
-    before = now - stride if k > 0 else -1
-    drawn_pair, drawn_at = -1, -1
+    now = k * item(plan, STRIDE)
+    before = now - item(plan, STRIDE) if k > 0 else -1
+    drawn = -1
     for s in range(item(plan, SENSORS)):
         t = s * SENSOR_COLUMNS
-        kind, row, every = item(sensors, t + S_KIND), item(sensors, t + S_ROW), item(sensors, t + S_EVERY)
-        sample = now // every
-        if sample == before // every:
-            continue
-        loud = item(sensors, t + S_LOUD)
-        pair = kind // 2
-        if loud & LOUD_NOISE:
-            if drawn_pair != pair or drawn_at != sample * every:
-                drawn_pair, drawn_at = pair, sample * every
-                draw(block, plan, drawn_at, FOR_NOISE, pair)
-            b.copy(w, row + S_NORMAL, NOISE + kind, count)
-        if loud & LOUD_WALK:
-            walks = item(sensors, t + S_WALKS)
-            b.clear(w, row + S_STEP, count)
-            for step in range(before // walks + 1, now // walks + 1):
-                draw(block, plan, step * walks, FOR_WALK, pair)
-                b.add(w, row + S_STEP, WALK + kind, count, (walks * item(times, STEP)) ** 0.5)
-        b.copy(w, row + S_IDEAL, row + S_LINE + sample % item(sensors, t + S_PLACES), count)
-        call_program(item(plan, MEASURE), w, count, row, w)
-        b.copy(w, item(sensors, t + S_READING), row + S_VALUE, count)
+        if item(sensors, t + S_SPELL) == 0:
+            drawn = read_one(block, plan, times, sensors, t, before, now, drawn)
 
 
 @njit
@@ -265,7 +284,7 @@ def move(block: RobotBlock, plan: Any, times: Any, sensors: Any, begin: int, las
     for s in range(item(plan, STRIDE)):
         now = begin + s
         if s > 0 and now >= sensed:
-            sensed = sense_all(w, count, plan, sensors, now)
+            sensed = sense_all(block, plan, times, sensors, now)
         if s <= last or (s == 0 and item(plan, SLOTS) > 0):
             b.hold(w, count, item(plan, APPLIED_ROW), float(s))
         if item(plan, APPLIED_ROW) != LEFT:
@@ -309,7 +328,7 @@ def entry(
             for r in range(item(plan, TRUTHS)):
                 b.copy(w, item(truth, 2 * r + 1), item(truth, 2 * r), count)
             if begin >= ahead.sensed:
-                ahead = Ahead(sense_all(w, count, plan, sensors, begin), ahead.pushed, ahead.tilted)
+                ahead = Ahead(sense_all(block, plan, times, sensors, begin), ahead.pushed, ahead.tilted)
             read(block, plan, times, sensors, k)
             last = decide(block, plan, times, constants, k)
             b.count_period(w, count, bands, begin * step)

@@ -21,7 +21,7 @@ from upright.errors import InvalidController
 from upright.lab.plant import EXPORTED, is_bare
 from upright.physics.dynamics import turn_ratio
 from upright.physics.linear import linearise_rolling
-from upright.physics.sensing import sensor_matrix
+from upright.physics.sensing import FUSED_OF, GYRO, sensor_matrix
 from upright.robots import Kit, Robot, Sensor
 from upright.signals.signal import TRUTH
 
@@ -44,24 +44,7 @@ def kit_numbers(kit: Kit, robot: Robot, period: float) -> dict[str, Any] | None:
     if is_bare(kit):
         return None
     m = kit.motor
-    sensors = list[dict[str, float]]()
-    for name, s in kit.sensors.items():
-        every = max(1, round(s.period / period))
-        walks = walk_steps(every, kit.period / period)
-        numbers = {number: min(getattr(s, number), sys.float_info.max) for number in SENSOR_NUMBERS}
-        sensors.append(
-            {
-                **numbers,
-                "from": _IDEAL.index(name) if name in _IDEAL else -1,
-                "kind": KINDS.index(name),
-                "play": m.backlash / 2 if "encoder" in name else 0.0,
-                "delay": round(s.delay / period),
-                "every": every,
-                "walks": walks,
-                "bias_walk": s.bias_walk * math.sqrt(period * walks),
-                **_own_numbers(name, s, every * period, period),
-            }
-        )
+    sensors = [_sensor_numbers(name, kit, period) for name in kit.sensors]
     return {
         "limit": finite(m.limit), "dead_zone": m.dead_zone, "quantum": m.quantum, "drop": m.drop,
         "left": m.left, "right": m.right,
@@ -70,11 +53,27 @@ def kit_numbers(kit: Kit, robot: Robot, period: float) -> dict[str, Any] | None:
     }  # fmt: skip
 
 
-def _own_numbers(name: str, sensor: Sensor, spell: float, step: float) -> dict[str, float]:
-    """Those of a gyro that swings or is tilted, or of a fused angle in steps of `spell` [s]."""
-    if name == "sensor/gyro" and (sensor.resonance or sensor.misalignment):
-        return dict(zip(GYRO_NUMBERS, gyro_numbers(sensor, step), strict=True))
-    return {"time_constant": sensor.time_constant, "spell": spell} if sensor.time_constant else {}
+def _sensor_numbers(name: str, kit: Kit, period: float) -> dict[str, Any]:
+    """Those of one sensor, an ideal one where the kit has none; of a fused angle with those that it is made of."""
+    s = kit.sensors.get(name, Sensor())
+    every = max(1, round(s.period / period))
+    walks = walk_steps(every, kit.period / period)
+    numbers = {number: min(getattr(s, number), sys.float_info.max) for number in SENSOR_NUMBERS}
+    numbers |= {
+        "from": _IDEAL.index(name) if name in _IDEAL else -1,
+        "kind": KINDS.index(name),
+        "play": kit.motor.backlash / 2 if "encoder" in name else 0.0,
+        "delay": round(s.delay / period),
+        "every": every,
+        "walks": walks,
+        "bias_walk": s.bias_walk * math.sqrt(period * walks),
+    }
+    if name == GYRO and (s.resonance or s.misalignment):
+        return numbers | dict(zip(GYRO_NUMBERS, gyro_numbers(s, period), strict=True))
+    if s.time_constant:
+        sources = [_sensor_numbers(source, kit, period) for source in FUSED_OF]
+        return numbers | {"time_constant": s.time_constant, "spell": every * period, "sources": sources}
+    return numbers
 
 
 def linear_plant(robot: Robot, kit: Kit) -> dict[str, Any]:

@@ -20,7 +20,10 @@ from upright.physics.linear import LinearModel
 from upright.robots import Sensor
 from upright.signals import STATE_NAMES, TRUE_STATE
 
-PITCH, GYRO, FORWARD = "sensor/pitch", "sensor/gyro", "sensor/accel_forward"
+PITCH, GYRO, FORWARD, UP = "sensor/pitch", "sensor/gyro", "sensor/accel_forward", "sensor/accel_up"
+FUSED_OF = (GYRO, FORWARD, UP)
+"""Of whose readings an angle is fused, in the order of `physics.electronics.fused`."""
+
 _DIRECTLY = LinearModel.gain(np.eye(1))
 _DIRECT = {PITCH: "pitch", GYRO: "pitch_rate", "sensor/compass": "yaw"}
 
@@ -60,11 +63,14 @@ def sensed(
     """The continuous model of a `robot` with parameters `p`, on the sensors `names`: its readings y = C x + D u + F w,
     and F (len(names), disturbances).
 
-    After the six states come those that sensors have of their own, as readings. A fused angle follows the pitch rate
-    and is drawn to α, the pitch that an accelerometer shows, in its time constant τ. A resonance of ω = 2π f and
-    damping ζ lies between the pitch rate and what a gyro reads beside its part of the yaw rate:
+    After the six states come those that sensors have of their own, as readings. A fused angle follows the gyro's
+    reading and is drawn to α, the pitch that an accelerometer shows, in its time constant τ. A resonance of ω = 2π f
+    and damping ζ lies between the pitch rate and what a gyro reads beside its part of the yaw rate:
 
-        ẋ_f = ψ̇ + (α − x_f)/τ,   α = ψ − R θ̈/g − γ          z̈ = ω² (ψ̇ − z) − 2ζω ż
+        ẋ_f = z + (α − x_f)/τ,   α = ψ − R θ̈/g − γ          z̈ = ω² (ψ̇ − z) − 2ζω ż
+
+    with z = ψ̇ of a gyro without resonance, and each reading with its gain. What the gyro's and the accelerometer's own
+    delays do to a fused angle is left out.
     """
     n = len(robot.states)
     m = len(robot.inputs)
@@ -73,22 +79,25 @@ def sensed(
     forward = p.wheel_radius * moves[STATE_NAMES.index("wheel_rate")]  # force along the body, R θ̈ − g (ψ − γ)
     forward[STATE_NAMES.index("pitch")] -= p.gravity
     forward[n + m + robot.disturbances.index("slope")] += p.gravity
-    rows = np.zeros((len(names), moves.shape[1]))
+    rows = list[Array]()  # what the filters take, one or two for each reading
     unfiltered = np.zeros((len(names), n))
-    filters = [_filter(name, sensors.get(name, Sensor())) for name in names]
+    filters = [_filter(name, sensors) for name in names]
     for i, name in enumerate(names):
         sensor = sensors.get(name, Sensor())
         if name == FORWARD:
-            rows[i] = response(forward, sensor)
+            rows.append(response(forward, sensor))
         elif name == PITCH and filters[i].states:
-            rows[i] = response(sensor.time_constant * pitch_rate - forward / p.gravity, sensor)
+            drawn = -response(forward, sensors.get(FORWARD, Sensor())) / (p.gravity * sensor.time_constant)
+            drawn[STATE_NAMES.index("yaw_rate")] += sensors.get(GYRO, Sensor()).misalignment
+            rows += [pitch_rate, drawn]
         elif filters[i].states:
-            rows[i] = response(pitch_rate, sensor)
+            rows.append(response(pitch_rate, sensor))
             unfiltered[i, STATE_NAMES.index("yaw_rate")] = sensor.misalignment
         else:
-            rows[i, :n] = sensor_matrix([name], turn_ratio(p), sensors)[0]
+            rows.append(np.pad(sensor_matrix([name], turn_ratio(p), sensors)[0], (0, moves.shape[1] - n)))
     own = [f"{name}@{state}" for name, part in zip(names, filters, strict=True) for state in part.states]
-    whole = LinearModel(robot.A, moves[:, n:], rows[:, :n], rows[:, n:])
+    taken = np.array(rows).reshape(-1, moves.shape[1])
+    whole = LinearModel(robot.A, moves[:, n:], taken[:, :n], taken[:, n:])
     if own:
         whole = reduce(append, filters) * whole
     order = np.roll(np.arange(n + len(own)), n)  # the robot's states first
@@ -102,11 +111,20 @@ def sensed(
     return model, F
 
 
-def _filter(name: str, sensor: Any) -> LinearModel:
-    """From what a sensor would read at once to what it reads."""
+def _filter(name: str, sensors: Mapping[str, Any]) -> LinearModel:
+    """From what a sensor would read at once to what it reads; of a fused angle from the pitch rate and from what else
+    moves it."""
+    sensor = sensors.get(name, Sensor())
     if name == PITCH and sensor.time_constant:
-        lag = np.array([[1 / sensor.time_constant]])
-        return LinearModel(-lag, lag, np.eye(1), states=("fused",))
+        gyro = sensors.get(GYRO, Sensor())
+        swing = _filter(GYRO, sensors)
+        A = swing.A
+        B = response(swing.B, gyro)
+        lag = sensors.get(UP, Sensor()).gain / sensor.time_constant
+        A = np.block([[-np.eye(1) * lag, swing.C], [np.zeros((len(A), 1)), A]])
+        B = np.block([[response(swing.D, gyro), np.eye(1)], [B, np.zeros((len(B), 1))]])
+        C = response(np.eye(1, len(A)), sensor)
+        return LinearModel(A, B, C, states=("fused", *(f"fused_{state}" for state in swing.states)))
     if name == GYRO and sensor.resonance:
         omega = 2 * math.pi * sensor.resonance
         swings = np.array([[0.0, 1.0], [-(omega**2), -2 * sensor.damping * omega]])

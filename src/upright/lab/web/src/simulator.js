@@ -28,6 +28,7 @@ import { driveTorque, driveVolts, fuse, measure, settle, slacken, swing, turn } 
  * @property {number} quantum
  * @property {number} [b0]
  * @property {number} [time_constant]
+ * @property {Sensor[]} [sources] gyro and accelerometer, of whose readings it makes the angle
  *
  * @typedef {object} Kit null stands for no limit
  * @property {number | null} limit
@@ -126,7 +127,7 @@ export function normal(time, purpose, kind, seed) {
  * @returns {() => number}
  */
 function sensing(sensor, loop) {
-  const { from, every, b0, time_constant } = sensor;
+  const { from, every, b0, sources } = sensor;
   const { x, ideal } = loop;
   const own = new Float64Array(3); // and the two memories of a gyro
   if (b0 !== undefined) {
@@ -136,12 +137,16 @@ function sensing(sensor, loop) {
       return own[0];
     };
   }
-  if (time_constant !== undefined) {
+  if (sources) {
     own[0] = x[0];
+    // channels of its own: what they draw depends on the time alone, so that both copies read the same
+    const made = sources.map((source) => new Channel(source, loop.seed, loop));
     return () => {
+      if (made[0].count > loop.steps) return own[0]; // before the first step it is asked twice
       const [cosine, sine] = [Math.cos(own[0]), Math.sin(own[0])];
+      const [rate, forward, up] = made.map((channel) => channel.read());
       if (loop.steps && loop.steps % every === 0)
-        fuse(own[0], cosine, sine, x[1], ideal[4], ideal[5], loop.body.gravity, sensor, own);
+        fuse(own[0], cosine, sine, rate, forward, up, loop.body.gravity, sensor, own);
       return own[0];
     };
   }
