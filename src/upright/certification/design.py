@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from functools import cached_property
 from os import PathLike
 from pathlib import Path
@@ -110,6 +110,21 @@ def let_go(controller: Controller, robot: Robot, kit: Kit, lean: float = LEAN, s
     return Release(log, lean, robot.wheel_radius)
 
 
+def reliefs(robot: Robot, kit: Kit, lean: float) -> list[tuple[Say, Robot, Kit, float]]:
+    """What a linear loop knows nothing of, each with the robot, the kit and the lean [rad] without it."""
+    exact, quiet = (
+        replace(kit, sensors={name: replace(sensor, **faults) for name, sensor in kit.sensors.items()})
+        for faults in ({"bias": 0.0, "bias_walk": 0.0, "offset": 0.0}, {"noise": 0.0, "quantum": 0.0})
+    )
+    smooth = replace(kit, motor=replace(kit.motor, dead_zone=0.0, quantum=0.0, drop=0.0, backlash=0.0))
+    return [
+        (Say("Without the offsets of its sensors it stands."), robot, exact, lean),
+        (Say("Without the noise and steps of its sensors it stands."), robot, quiet, lean),
+        (Say("Without dry friction, dead zone and backlash it stands."), robot.without_dry_friction(), smooth, lean),
+        (Say("Let go at {lean} it stands.", lean=Quantity(lean / 5, "rad")), robot, kit, lean / 5),
+    ]
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Designed(Result):
     """The `controller` that `method` gives for `robot` with `kit`, and the `analysis` of its linear loop.
@@ -135,6 +150,16 @@ class Designed(Result):
             return self.let_go()
         except SpecMismatch:
             return None
+
+    @cached_property
+    def reasons(self) -> list[Say]:
+        """Of a robot that falls when let go under a loop that stands where it is linear: what by itself decides it."""
+        run, loop = self.release, self.analysis
+        if not (run and loop and run.fell_at is not None and (loop.stable or loop.free)):
+            return []
+        others = reliefs(self.robot, self.kit, run.lean)
+        stood = [word for word, *other in others if let_go(self.controller, *other).fell_at is None]
+        return stood or [Say("The linear loop stands; no single fault of sensors or motors decides the fall.")]
 
     @cached_property
     def weights(self) -> tuple[Weight, ...]:
@@ -185,6 +210,7 @@ class Designed(Result):
                 "design": self.record.to_json() if self.record else None,
                 "weights": [asdict(weight) for weight in self.weights],
                 "let_go": self.release.to_json() if self.release else None,
+                "reasons": [str(word) for word in self.reasons],
                 "analysis": self.analysis.to_json() if self.analysis else None,
                 "remark": self.remark,
             }

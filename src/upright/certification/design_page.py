@@ -65,7 +65,8 @@ def design_page(designed: Designed) -> Page:
         file = f"{designed.method}.json"
         why = Say("First save it: add `-o {file}` to this command.", file=file)
         page = replace(page, next=[Next("certify", file, robot=designed.robot.name, why=why)])
-    words: list[Block] = [Items(designed.words)] if designed.words else []
+    said = [*designed.reasons, *designed.words]
+    words: list[Block] = [Items(said)] if said else []
     feedback = getattr(designed.record, "feedback", designed.record)
     if isinstance(feedback, Lqr):
         words += _regulator(feedback)

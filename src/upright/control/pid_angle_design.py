@@ -110,8 +110,8 @@ class AngleDesign(Design):
         pid = self.controller
         lines = [] if pid.cascade else [_NOTHING_HOLDS]
         lean = pid.sign * pid.set_point / PER_RADIAN[pid.unit] - self.kit.sensors[PITCH].offset
-        wrong = [lean] if round(math.degrees(lean), 1) else []  # no angle is mounted or set more exactly
-        return [*lines, *map(self._off, [*wrong, math.radians(1.0)])]
+        sizes = [round(abs(math.degrees(lean)), 1), 1.0]  # no angle is mounted or set more exactly
+        return [*lines, *(self._off(math.radians(size)) for size in dict.fromkeys(sizes) if size)]
 
     def _falls(self) -> list[Say]:
         """That the linear loop grows and, where that is it, why; nothing where it does not."""
@@ -126,22 +126,39 @@ class AngleDesign(Design):
             often = Quantity(turns, "1", digits=2)
             lines = [Say("It falls: a swing doubles every {time}, at {often} swings a second.", time=doubled,
                          often=often)]  # fmt: skip
+        lines += self._without_friction(growth)
         lines += self._wrong_gains()
         own = self.controller
+        sensor = self.kit.sensors[PITCH]
+        true = replace(self.kit, sensors=self.kit.sensors | {PITCH: replace(sensor, time_constant=0.0)})
+        on_true = replace(self, kit=true)
         least = self.least_ki
         if least and own.kp * own.sign >= 0 and own.ki < least:
+            facts = {"least": Quantity(least, "1"), "ki": Quantity(own.ki, "1")}
             lines.append(Say("P and D on the angle alone always leave a growing mode."))
-            lines.append(Say("ki must be above {least}; it is {ki}.", least=Quantity(least, "1"),
-                             ki=Quantity(own.ki, "1")))  # fmt: skip
-        sensor = self.kit.sensors[PITCH]
+            if sensor.time_constant:
+                lines.append(Say("ki must be above {least} on this fused angle, above {true} on the true one; it is "
+                                 "{ki}.", true=Quantity(on_true.least_ki, "1"), **facts))  # fmt: skip
+            else:
+                lines.append(Say("ki must be above {least}; it is {ki}.", **facts))
         lines += self._times()
-        true = replace(self.kit, sensors=self.kit.sensors | {PITCH: replace(sensor, time_constant=0.0)})
-        if sensor.time_constant and not replace(self, kit=true).growth:
+        if sensor.time_constant and not on_true.growth:
             lines.append(
                 Say("On the true angle it would stand; one fused in {time} errs while the robot accelerates.",
                     time=Quantity(sensor.time_constant, "s"))
             )  # fmt: skip
         return lines
+
+    def _without_friction(self, growth: float) -> list[Say]:
+        """What the dry friction has to do with it, of which a linear loop counts the drag at a slow roll."""
+        free = replace(self, robot=self.robot.without_dry_friction()).growth
+        if not free:
+            return [Say("The linear loop counts dry friction as drag; without it the loop would stand.")]
+        doubled = [Quantity(math.log(2) / rate, "s", digits=2) for rate in (growth, free)]
+        if str(doubled[0]) == str(doubled[1]):
+            return []
+        return [Say("The linear loop counts dry friction as drag; without it a deviation doubles every {time}.",
+                    time=doubled[1])]  # fmt: skip
 
     def _wrong_gains(self) -> list[Say]:
         """A kp or kd of the wrong sign, and a kp that does not even balance the body's weight."""
